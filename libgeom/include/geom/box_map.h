@@ -1,0 +1,67 @@
+#pragma once
+
+// A city as boxes: what every later stage starts from.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/aabb.h"
+#include "geom/frame.h"
+
+namespace geom {
+
+// Boxes before they are a map: what importers produce and a table holds.
+struct BoxTable {
+  std::vector<Aabb> boxes;           // in the order of the source
+  std::vector<std::uint64_t> ids;    // source row or feature, one a box
+  std::vector<std::uint32_t> label;  // index into `labels`, one a box
+  std::vector<std::string> labels;   // labels[0] is "" (no label)
+};
+
+struct Tile {
+  std::int32_t ix = 0;  // the square [ix s, (ix + 1) s) x [iy s, (iy + 1) s), s the tile size
+  std::int32_t iy = 0;
+  bool large = false;  // boxes that cover more than 4 tiles; ix = iy = 0, and it comes first
+  Aabb extent;         // the true bounding box of the contents
+  std::size_t first = 0;
+  std::size_t count = 0;  // boxes [first, first + count), at least one
+};
+
+struct BoxMapSpec {
+  Frame frame;
+  Aabb bounds;              // closed; the whole vehicle stays inside
+  std::string bounds_from;  // "source", "obstacles" or "option": who set the bounds
+  double tile_size = 100;   // metres, > 0
+  std::string history;      // one JSON array: a line of options and input hashes per step
+};
+
+// Immutable and cheap to copy: the arrays are shared (mapped from a file, or owned). Boxes are
+// ordered by tile (large first, then by iy, ix), in a tile by (min, max, id), so equal content
+// gives equal bytes. Threads may read one at once.
+class BoxMap {
+ public:
+  // Sorts `table` into tiles. No box may be inverted or not finite (precondition).
+  BoxMap(BoxMapSpec spec, const BoxTable& table);
+
+  const BoxMapSpec& spec() const;
+  std::span<const Aabb> boxes() const;
+  std::span<const std::uint64_t> ids() const;
+  std::span<const std::uint32_t> label() const;
+  const std::vector<std::string>& labels() const;
+  std::span<const Tile> tiles() const;
+
+  // "sha256:" and 64 hexadecimal digits: SHA-256 of frame, bounds and the sorted boxes.
+  const std::string& hash() const;
+
+  struct Data;  // box_map.cpp and box_map_file.cpp only
+  explicit BoxMap(std::shared_ptr<const Data> data);
+  const Data& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace geom

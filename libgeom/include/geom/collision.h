@@ -1,0 +1,66 @@
+#pragma once
+
+// The collision structure: exact queries of a box map for one vehicle and margin, by Embree.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geom/aabb.h"
+#include "geom/box_map.h"
+#include "geom/vehicle.h"
+
+namespace geom {
+
+// The nearest obstacle and how far it is.
+struct Nearest {
+  std::size_t box = 0;   // index into BoxMap::boxes()
+  double distance = 0;  // metres from the point to that obstacle grown by the vehicle, without
+                        // the margin; 0 inside or on it
+};
+
+// Holds the map, grown by vehicle and margin (geom::grow). Tiles are built on first touch, once,
+// whatever the threads. All queries are const and may run from several threads at once. Answers
+// are exact for the grown boxes, and ties break on the lowest index.
+class CollisionScene {
+ public:
+  // `margin` in metres, >= 0, is added to each half size.
+  CollisionScene(BoxMap map, Vehicle vehicle, double margin);
+  ~CollisionScene();
+  CollisionScene(CollisionScene&&) noexcept;
+  CollisionScene& operator=(CollisionScene&&) noexcept;
+
+  const BoxMap& map() const;
+  const Vehicle& vehicle() const;
+  double margin() const;
+  Vec3 half() const;  // vehicle half sizes plus margin, rounded up
+
+  // Where the reference point may be (geom::shrink of the map's bounds); nothing when the vehicle
+  // does not fit.
+  const std::optional<Aabb>& free_bounds() const;
+  bool inside_bounds(const Vec3& p) const;
+
+  // Whether the closed segment (or point, a == b) meets a grown box. Bounds are not looked at.
+  bool hits(const Vec3& a, const Vec3& b) const;
+  bool hits(const Vec3& p) const { return hits(p, p); }
+
+  // Inside the bounds at both ends and free of every grown box.
+  bool free(const Vec3& a, const Vec3& b) const;
+  bool free(const Vec3& p) const { return free(p, p); }
+
+  // The nearest obstacle within `radius` metres (closed), or nothing.
+  std::optional<Nearest> nearest(const Vec3& p, double radius) const;
+
+  // Indices, ascending, of the boxes that once grown meet the closed region.
+  std::vector<std::size_t> boxes_meeting(const Aabb& region) const;
+
+  // grow(map().boxes()[i], half()).
+  Aabb grown(std::size_t i) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace geom

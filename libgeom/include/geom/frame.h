@@ -1,0 +1,38 @@
+#pragma once
+
+// What the axes of a map mean, and where its origin is on Earth.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "geom/vec3.h"
+
+namespace geom {
+
+// enu: x east, y north, z up. neu: x north, y east, z up (left-handed), as in FCND tables.
+enum class Axes { enu, neu };
+
+struct GeodeticOrigin {
+  double latitude = 0;   // degrees, WGS 84
+  double longitude = 0;  // degrees
+  double height = 0;     // metres above the ellipsoid
+
+  friend bool operator==(const GeodeticOrigin&, const GeodeticOrigin&) = default;
+};
+
+struct Frame {
+  Axes axes = Axes::enu;
+  std::optional<GeodeticOrigin> origin;  // of (0, 0, 0), where known
+  std::string crs;                       // as the source names it; empty when unknown
+
+  friend bool operator==(const Frame&, const Frame&) = default;
+};
+
+std::string_view name(Axes axes);                       // "enu" or "neu"
+std::optional<Axes> axes_from_name(std::string_view);  // the inverse; nothing for another word
+
+// A vector of the map in east-north-up axes; its own inverse.
+Vec3 to_enu(Axes axes, const Vec3& v);
+
+}  // namespace geom

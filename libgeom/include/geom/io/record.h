@@ -1,0 +1,48 @@
+#pragma once
+
+// The JSON Lines records that pipes carry, and what every one of them says of its origin.
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "geom/frame.h"
+#include "geom/polyline.h"
+#include "geom/vehicle.h"
+
+namespace geom {
+
+// What was asked, as it travels: absent where a record does not say.
+struct Provenance {
+  std::optional<std::string> map;  // BoxMap::hash()
+  std::optional<Axes> frame;
+  std::optional<Vehicle> vehicle;
+  std::optional<double> margin;  // metres
+};
+
+struct PathRecord {
+  std::string id;
+  std::string status;  // "found", or why not
+  Polyline points;     // empty unless found
+  Provenance provenance;
+  std::string message;  // why there is no path, in words; may be empty
+  std::string search;   // the planner's own report: a JSON object, or empty
+};
+
+// Appends numbers (shortest round trip) and strings (escaped) to a line of JSON.
+void append_json(std::string& out, double value);
+void append_json(std::string& out, std::string_view text);
+void append_json(std::string& out, const Vec3& v);  // [x,y,z]
+
+// `"map":…,"frame":…,"vehicle":…,"margin":…` of what is present, each followed by a comma.
+void append_json(std::string& out, const Provenance& provenance);
+
+std::string to_json_line(const PathRecord& record);  // ends with a newline
+
+// Throws InputError(source, line, …) for anything that is not a path record: malformed JSON, a
+// missing key, a number that is not finite.
+PathRecord parse_path_record(std::string_view json, std::string_view source, std::size_t line);
+
+}  // namespace geom

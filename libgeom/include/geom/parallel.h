@@ -1,0 +1,16 @@
+#pragma once
+
+// Ordered loops: item i writes slot i, whatever the number of threads.
+
+#include <cstddef>
+#include <functional>
+
+#include "geom/execution.h"
+
+namespace geom {
+
+// Calls f(i) for i in [0, n), in any order, each once, on run.threads threads. Returns when all
+// are done. The first exception (by lowest i of those thrown) is rethrown here.
+void parallel_for(std::size_t n, const Execution& run, const std::function<void(std::size_t)>& f);
+
+}  // namespace geom
