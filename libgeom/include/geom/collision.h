@@ -58,8 +58,9 @@ class CollisionScene {
   // grow(map().boxes()[i], half()).
   Aabb grown(std::size_t i) const;
 
+  struct Impl;  // embree_scene.cpp only
+
  private:
-  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 

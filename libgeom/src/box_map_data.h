@@ -1,0 +1,30 @@
+#pragma once
+
+// What a BoxMap shares: views of arrays that it owns or that a mapped file holds.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geom/box_map.h"
+
+namespace geom {
+
+struct BoxMap::Data {
+  struct Owned {
+    std::vector<Aabb> boxes;
+    std::vector<std::uint64_t> ids;
+    std::vector<std::uint32_t> label;
+  };
+
+  BoxMapSpec spec;
+  std::vector<std::string> labels;
+  std::vector<Tile> tiles;
+  std::string hash;
+  std::span<const Aabb> boxes;
+  std::span<const std::uint64_t> ids;
+  std::span<const std::uint32_t> label;
+  std::shared_ptr<const void> keep_alive;  // whatever the spans point into
+};
+
+}  // namespace geom

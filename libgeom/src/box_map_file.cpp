@@ -1,0 +1,222 @@
+#include "geom/io/box_map_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "box_map_data.h"
+#include "geom/error.h"
+#include "geom/io/record.h"
+
+namespace geom {
+namespace {
+
+constexpr int kVersion = 1;
+using Json = nlohmann::json;
+
+std::string meta_of(const BoxMap& map) {
+  const BoxMapSpec& spec = map.spec();
+  std::string meta = fmt::format(R"({{"format":"skyway-boxmap","version":{},"hash":)", kVersion);
+  append_json(meta, std::string_view(map.hash()));
+  meta += ",\"frame\":";
+  append_json(meta, name(spec.frame.axes));
+  if (spec.frame.origin) {
+    meta += ",\"origin\":";
+    append_json(meta, Vec3(spec.frame.origin->latitude, spec.frame.origin->longitude,
+                           spec.frame.origin->height));
+  }
+  meta += ",\"crs\":";
+  append_json(meta, std::string_view(spec.frame.crs));
+  meta += ",\"bounds\":[";
+  append_json(meta, spec.bounds.min);
+  meta += ',';
+  append_json(meta, spec.bounds.max);
+  meta += "],\"bounds_from\":";
+  append_json(meta, std::string_view(spec.bounds_from));
+  meta += ",\"tile_size\":";
+  append_json(meta, spec.tile_size);
+  meta += ",\"boxes\":" + std::to_string(map.boxes().size()) + ",\"labels\":[";
+  for (std::size_t i = 0; i < map.labels().size(); ++i) {
+    if (i) meta += ',';
+    append_json(meta, std::string_view(map.labels()[i]));
+  }
+  meta += "],\"history\":" + (spec.history.empty() ? "[]" : spec.history) + "}\n";
+  return meta;
+}
+
+[[noreturn]] void refuse(const ArrayArchive& archive, std::string_view message) {
+  throw InputError(archive.name(), message);
+}
+
+Vec3 read_vec3(const ArrayArchive& archive, const Json& value, std::string_view key) {
+  if (!value.is_array() || value.size() != 3) {
+    refuse(archive, fmt::format("meta.json: {} must be 3 numbers, found {}", key, value.dump()));
+  }
+  Vec3 v;
+  for (int i = 0; i < 3; ++i) {
+    if (!value[i].is_number() || !std::isfinite(v[i] = value[i].get<double>()) ||
+        std::abs(v[i]) > kLargestCoordinate) {
+      refuse(archive, fmt::format("meta.json: {} must be 3 numbers, found {}", key, value.dump()));
+    }
+  }
+  return v;
+}
+
+Json parse_meta(const ArrayArchive& archive) {
+  Json meta = Json::parse(archive.meta(), nullptr, false);
+  if (!meta.is_object()) refuse(archive, "meta.json is not a JSON object");
+  if (meta.value("format", Json()) != "skyway-boxmap") {
+    refuse(archive, fmt::format("expected a box map (format \"skyway-boxmap\"), found format {}",
+                                meta.value("format", Json()).dump()));
+  }
+  if (meta.value("version", Json()) != kVersion) {
+    refuse(archive, fmt::format("expected box map version {}, found {}", kVersion,
+                                meta.value("version", Json()).dump()));
+  }
+  return meta;
+}
+
+BoxMapSpec spec_of(const ArrayArchive& archive, const Json& meta) {
+  BoxMapSpec spec;
+  const auto axes = axes_from_name(meta.at("frame").get<std::string>());
+  if (!axes) {
+    refuse(archive, "meta.json: frame must be \"enu\" or \"neu\", found " +
+                        meta.at("frame").dump());
+  }
+  spec.frame.axes = *axes;
+  if (meta.contains("origin")) {
+    const Vec3 origin = read_vec3(archive, meta.at("origin"), "origin");
+    spec.frame.origin = GeodeticOrigin{origin[0], origin[1], origin[2]};
+  }
+  spec.frame.crs = meta.at("crs").get<std::string>();
+  const Json& bounds = meta.at("bounds");
+  if (!bounds.is_array() || bounds.size() != 2) {
+    refuse(archive, "meta.json: bounds must be two corners, found " + bounds.dump());
+  }
+  spec.bounds = {read_vec3(archive, bounds[0], "bounds"), read_vec3(archive, bounds[1], "bounds")};
+  if ((spec.bounds.min.array() > spec.bounds.max.array()).any()) {
+    refuse(archive, "meta.json: bounds must have min <= max, found " + bounds.dump());
+  }
+  spec.bounds_from = meta.at("bounds_from").get<std::string>();
+  spec.tile_size = meta.at("tile_size").get<double>();
+  if (!(spec.tile_size >= 1 && spec.tile_size <= kLargestCoordinate)) {
+    refuse(archive, "meta.json: tile_size must be at least 1 m, found " +
+                        meta.at("tile_size").dump());
+  }
+  spec.history = meta.at("history").dump();
+  return spec;
+}
+
+void check_tile(const ArrayArchive& archive, const BoxMap::Data& data, std::size_t t) {
+  const Tile& tile = data.tiles[t];
+  for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
+    const Aabb& box = data.boxes[i];
+    const bool ordered = (box.min.array() <= box.max.array()).all();  // false for NaN
+    const bool inside = (box.min.array() >= tile.extent.min.array()).all() &&
+                        (box.max.array() <= tile.extent.max.array()).all();
+    if (!ordered || !inside) {
+      refuse(archive, fmt::format("box {} must be finite, with min <= max, inside the extent of "
+                                  "its tile {}; found [{}, {}, {}] to [{}, {}, {}]",
+                                  i, t, box.min[0], box.min[1], box.min[2], box.max[0],
+                                  box.max[1], box.max[2]));
+    }
+    if (data.label[i] >= data.labels.size()) {
+      refuse(archive, fmt::format("label of box {} must be below {}, found {}", i,
+                                  data.labels.size(), data.label[i]));
+    }
+  }
+}
+
+void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
+  const auto index = archive.array<std::int32_t>("tile_index", 2);
+  const auto large = archive.array<std::uint8_t>("tile_large");
+  const auto extent = archive.array<double>("tile_extent", 6);
+  const auto range = archive.array<std::uint64_t>("tile_range", 2);
+  const std::size_t n = large.size();
+  if (index.size() != 2 * n || extent.size() != 6 * n || range.size() != 2 * n) {
+    refuse(archive, "the tile arrays must have one row a tile, and their lengths differ");
+  }
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < n; ++t) {
+    Tile tile{index[2 * t], index[2 * t + 1], large[t] != 0, {}, range[2 * t], range[2 * t + 1]};
+    std::memcpy(&tile.extent, &extent[6 * t], sizeof tile.extent);
+    const bool finite = (tile.extent.min.array() >= -kLargestCoordinate).all() &&
+                        (tile.extent.max.array() <= kLargestCoordinate).all() &&
+                        (tile.extent.min.array() <= tile.extent.max.array()).all();
+    const bool in_order = tile.first == next && tile.count > 0 &&
+                          tile.count <= data.boxes.size() - next && (!tile.large || t == 0);
+    const auto key = [](const Tile& x) { return std::tuple(!x.large, x.iy, x.ix); };
+    const bool sorted = t == 0 || key(data.tiles.back()) < key(tile);
+    if (!finite || !in_order || !sorted) {
+      refuse(archive, fmt::format("tile {} is out of order, empty, or beyond the boxes", t));
+    }
+    next += tile.count;
+    data.tiles.push_back(tile);
+  }
+  if (next != data.boxes.size()) {
+    refuse(archive, fmt::format("the tiles must hold all {} boxes, and hold {}",
+                                data.boxes.size(), next));
+  }
+}
+
+}  // namespace
+
+void write_box_map(std::ostream& out, const BoxMap& map) {
+  std::vector<std::int32_t> index;
+  std::vector<std::uint8_t> large;
+  std::vector<double> extent;
+  std::vector<std::uint64_t> range;
+  for (const Tile& tile : map.tiles()) {
+    index.insert(index.end(), {tile.ix, tile.iy});
+    large.push_back(tile.large);
+    extent.insert(extent.end(), tile.extent.min.begin(), tile.extent.min.end());
+    extent.insert(extent.end(), tile.extent.max.begin(), tile.extent.max.end());
+    range.insert(range.end(), {tile.first, tile.count});
+  }
+  const std::span<const double> boxes(reinterpret_cast<const double*>(map.boxes().data()),
+                                      6 * map.boxes().size());
+  const NamedArray arrays[] = {
+      named_array<double>("boxes", boxes, 6),
+      named_array<std::uint64_t>("ids", map.ids()),
+      named_array<std::uint32_t>("label", map.label()),
+      named_array<std::int32_t>("tile_index", index, 2),
+      named_array<std::uint8_t>("tile_large", large),
+      named_array<double>("tile_extent", extent, 6),
+      named_array<std::uint64_t>("tile_range", range, 2),
+  };
+  write_array_archive(out, meta_of(map), arrays);
+}
+
+bool is_box_map(const ArrayArchive& archive) {
+  const Json meta = Json::parse(archive.meta(), nullptr, false);
+  return meta.is_object() && meta.value("format", Json()) == "skyway-boxmap";
+}
+
+BoxMap read_box_map(const ArrayArchive& archive) {
+  auto data = std::make_shared<BoxMap::Data>();
+  try {
+    const Json meta = parse_meta(archive);
+    data->spec = spec_of(archive, meta);
+    data->labels = meta.at("labels").get<std::vector<std::string>>();
+    data->hash = meta.at("hash").get<std::string>();
+  } catch (const Json::exception& error) {
+    refuse(archive, std::string("meta.json: ") + error.what());
+  }
+  const auto boxes = archive.array<double>("boxes", 6);
+  data->boxes = {reinterpret_cast<const Aabb*>(boxes.data()), boxes.size() / 6};
+  data->ids = archive.array<std::uint64_t>("ids");
+  data->label = archive.array<std::uint32_t>("label");
+  if (data->ids.size() != data->boxes.size() || data->label.size() != data->boxes.size()) {
+    refuse(archive, fmt::format("ids and label must have {} entries, one a box, and have {} and {}",
+                                data->boxes.size(), data->ids.size(), data->label.size()));
+  }
+  read_tiles(archive, *data);
+  for (std::size_t t = 0; t < data->tiles.size(); ++t) check_tile(archive, *data, t);
+  data->keep_alive = archive.keep_alive();
+  return BoxMap(data);
+}
+
+}  // namespace geom

@@ -1,0 +1,103 @@
+#include "geom/io/record.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "geom/error.h"
+#include "geom/io/json_fields.h"
+
+namespace geom {
+
+void append_json(std::string& out, double value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  out.append(digits, end);
+}
+
+void append_json(std::string& out, std::string_view text) {
+  // error_handler replace: a name that is not UTF-8 must not stop a report about it.
+  out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void append_json(std::string& out, const Vec3& v) {
+  out += '[';
+  append_json(out, v[0]);
+  out += ',';
+  append_json(out, v[1]);
+  out += ',';
+  append_json(out, v[2]);
+  out += ']';
+}
+
+void append_json(std::string& out, const Provenance& provenance) {
+  if (provenance.map) {
+    out += "\"map\":";
+    append_json(out, std::string_view(*provenance.map));
+    out += ',';
+  }
+  if (provenance.frame) {
+    out += "\"frame\":";
+    append_json(out, name(*provenance.frame));
+    out += ',';
+  }
+  if (provenance.vehicle) {
+    out += "\"vehicle\":{\"name\":";
+    append_json(out, std::string_view(provenance.vehicle->name));
+    out += ",\"half\":";
+    append_json(out, provenance.vehicle->half);
+    out += "},";
+  }
+  if (provenance.margin) {
+    out += "\"margin\":";
+    append_json(out, *provenance.margin);
+    out += ',';
+  }
+}
+
+std::string to_json_line(const PathRecord& record) {
+  std::string line = "{\"type\":\"path\",\"id\":";
+  append_json(line, std::string_view(record.id));
+  line += ",\"status\":";
+  append_json(line, std::string_view(record.status));
+  line += ',';
+  append_json(line, record.provenance);
+  if (!record.message.empty()) {
+    line += "\"message\":";
+    append_json(line, std::string_view(record.message));
+    line += ',';
+  }
+  if (!record.search.empty()) line += "\"search\":" + record.search + ',';
+  if (!record.points.empty()) {
+    line += "\"length\":";
+    append_json(line, length(record.points));
+    line += ',';
+  }
+  line += "\"points\":[";
+  for (std::size_t i = 0; i < record.points.size(); ++i) {
+    if (i) line += ',';
+    append_json(line, record.points[i]);
+  }
+  line += "]}\n";
+  return line;
+}
+
+PathRecord parse_path_record(std::string_view json, std::string_view source, std::size_t line) {
+  const JsonFields fields(json, source, line);
+  fields.require_type("path");
+  PathRecord record;
+  record.id = fields.text("id");
+  record.status = fields.text("status", "found");
+  record.provenance = fields.provenance();
+  record.message = fields.text("message", "");
+  if (fields.has("search")) record.search = fields.object().at("search").dump();
+  if (fields.has("points")) record.points = fields.points("points");
+  if (record.status == "found" && record.points.empty()) {
+    fields.refuse("points must hold at least one point when the status is found, found none");
+  }
+  return record;
+}
+
+}  // namespace geom

@@ -1,0 +1,64 @@
+#pragma once
+
+// The proof: whether a whole trajectory is free of collision and inside its limits.
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "geom/collision.h"
+#include "traj/limits.h"
+#include "traj/trajectory.h"
+
+namespace traj {
+
+struct CheckOptions {
+  Limits limits;
+  // How far neighbouring segments may miss each other at a joint. The straight step between
+  // them is tested for collision as well.
+  double position_gap = 1e-9;      // metres
+  double velocity_gap = 1e-6;      // m/s
+  double acceleration_gap = 1e-4;  // m/s2
+  double limit_slack = 0;          // relative, on speed, acceleration, jerk and tilt
+};
+
+struct Extreme {
+  double value = 0;
+  double time = 0;  // seconds from the start of the trajectory
+};
+
+struct CheckResult {
+  bool ok = false;
+  // "" when ok, else the first of these that holds: "duration" (empty, or a duration that is not
+  // finite and positive), "discontinuous", "bounds", "collision", "speed", "acceleration",
+  // "jerk", "tilt".
+  std::string reason;
+  double time = 0;                  // of the worst violation, seconds
+  Vec3 place = Vec3::Zero();        // where that is, metres
+  std::optional<std::size_t> box;   // the obstacle hit: an index into BoxMap::boxes()
+  double worst = 0;  // how bad: penetration or way out of bounds or gap in metres, else the value
+
+  double duration = 0;             // seconds
+  std::optional<Extreme> clearance;  // metres to the obstacles grown by the vehicle without its
+                                     // margin, the least, to 1 mm; absent without obstacles
+  Extreme speed;                   // the largest, to a relative 1e-4: m/s, m/s2, m/s3, radians
+  Extreme acceleration;
+  Extreme jerk;
+  Extreme tilt;
+};
+
+// Decides by control points: a piece whose control points' box meets no grown obstacle is clear
+// (the curve lies in their convex hull), others are halved. Sound in floating point: rounding is
+// added to every box, so "ok" holds in real arithmetic, and what is refused comes within 1e-9 m of
+// an obstacle or 1e-12 (relative) of a limit. A segment whose control points all equal one end
+// or the other is the straight line between, and is decided exactly.
+CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                  const CheckOptions& options);
+CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                  const Limits& limits);
+
+// The same for a path: bounds and collision of every leg, exact. `time` is then the index of the
+// leg, and speeds are 0.
+CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points);
+
+}  // namespace traj

@@ -1,0 +1,37 @@
+#pragma once
+
+// Trajectories as JSON Lines records.
+
+#include <string>
+#include <string_view>
+
+#include "geom/io/json_fields.h"
+#include "geom/io/record.h"
+#include "traj/limits.h"
+#include "traj/trajectory.h"
+
+namespace traj {
+
+struct TrajectoryRecord {
+  std::string id;
+  std::string status;  // "solved", "no_path", "infeasible" or "stopped"
+  Trajectory trajectory;
+  geom::Provenance provenance;
+  Limits limits;
+  std::string message;  // why there is none, in words; may be empty
+  std::string rung;     // what made it: "closed", "ipopt", "stop_and_go"; may be empty
+  std::string solver;   // the solver's own report: a JSON object, or empty
+};
+
+std::string to_json_line(const TrajectoryRecord& record);  // ends with a newline
+
+// Throws InputError(source, line, …) for anything that is not a trajectory record: malformed JSON,
+// a missing key, a segment without 8 values an axis, a duration that is not positive and finite.
+TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view source,
+                                         std::size_t line);
+
+// `"limits":{…},` of what is present, or nothing.
+void append_json(std::string& out, const Limits& limits);
+Limits parse_limits(const geom::JsonFields& fields);
+
+}  // namespace traj

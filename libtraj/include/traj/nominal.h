@@ -1,0 +1,15 @@
+#pragma once
+
+// Finite limits for solvers that need some, where the vehicle has none.
+
+#include "traj/limits.h"
+#include "traj/time_allocation.h"
+
+namespace traj {
+
+// vmax, and as amax the smaller of amax and the acceleration that keeps the tilt in any direction.
+// A missing one follows from the other: the speed reached over half of `length` (metres, the whole
+// path), or that speed reached in 1 s; 10 m/s when both are missing.
+SpeedProfile nominal_profile(const Limits& limits, double length);
+
+}  // namespace traj

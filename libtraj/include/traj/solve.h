@@ -1,0 +1,47 @@
+#pragma once
+
+// From a free path to a proved trajectory: the ladder of solvers.
+
+#include <string>
+
+#include "geom/collision.h"
+#include "geom/polyline.h"
+#include "traj/limits.h"
+#include "traj/trajectory.h"
+
+namespace traj {
+
+// automatic: the closed form where it is proved and nearly as fast as the limits allow, else the
+// optimiser, else whichever of closed form and stop-and-go is proved and faster. The others try
+// that one alone.
+enum class Solver { automatic, closed, ipopt, stop_and_go };
+
+struct SolveOptions {
+  Limits limits;
+  Solver solver = Solver::automatic;
+  double rho = 1e-3;         // seconds of flight a unit of snap (m2/s7) is worth
+  int max_iterations = 200;  // of the optimiser, each round
+};
+
+enum class SolveStatus { solved, infeasible };
+
+struct SolveResult {
+  SolveStatus status = SolveStatus::infeasible;
+  std::string reason;          // why not, in words; empty when solved
+  Trajectory trajectory;       // empty unless solved
+  std::string rung;            // "closed", "ipopt" or "stop_and_go"; empty unless solved
+  std::string solver_status;   // the optimiser's own word, "was not run" before it runs
+  int iterations = 0;          // of the optimiser, all rounds
+  int rounds = 0;              // of the optimiser
+  double objective = 0;        // of its last round
+  double max_violation = 0;    // the largest constraint violation of its last round
+  double snap = 0;             // integral of |fourth derivative|^2 of the result, m2/s7
+};
+
+// Whatever comes back as solved has passed traj::check for these limits. Every path whose legs are
+// free and inside the bounds is solved by `automatic`. One optimisation runs at a time in a process
+// (MUMPS is not thread safe); threads that call this wait for each other there.
+SolveResult solve(const geom::CollisionScene& scene, const geom::Polyline& path,
+                  const SolveOptions& options);
+
+}  // namespace traj

@@ -1,0 +1,17 @@
+#pragma once
+
+// One factor on all durations: the exact way to make the limits just hold.
+
+#include "traj/limits.h"
+#include "traj/trajectory.h"
+
+namespace traj {
+
+// The same curve, flown `factor` (> 0) times as slowly.
+Trajectory slowed(const Trajectory& trajectory, double factor);
+
+// The smallest factor with which slowed() obeys all limits: never below the real one, and at most
+// a relative 1e-6 above. 1 when there is no limit or nothing moves.
+double smallest_factor(const Trajectory& trajectory, const Limits& limits);
+
+}  // namespace traj

@@ -1,0 +1,31 @@
+#include "traj/nominal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "portable_math.h"
+
+namespace traj {
+
+SpeedProfile nominal_profile(const Limits& limits, double length) {
+  std::optional<double> amax = limits.amax;
+  if (limits.tilt) {
+    // The largest ball around a = 0 in the cone of allowed a + g: its radius is g sin(tilt).
+    const double t = tangent_below(*limits.tilt);
+    const double ball = kGravity * t / std::sqrt(1 + t * t);
+    amax = std::min(amax.value_or(ball), ball);
+  }
+  SpeedProfile profile;
+  if (limits.vmax) {
+    profile.vmax = *limits.vmax;
+  } else if (amax) {
+    profile.vmax = std::max(1e-3, std::sqrt(*amax * length));
+  } else {
+    profile.vmax = 10;
+  }
+  profile.amax = amax.value_or(profile.vmax);
+  return profile;
+}
+
+}  // namespace traj

@@ -1,0 +1,14 @@
+#pragma once
+
+// Elementary functions from + - * / and square roots alone: the same bits on every x86-64, which
+// the C library's (chosen by processor at run time) are not.
+
+namespace traj {
+
+// The cube root of x >= 0, to a few ulp.
+double cube_root(double x);
+
+// Just below tan(angle), by a relative 1e-12; 0 <= angle < pi/2.
+double tangent_below(double angle);
+
+}  // namespace traj

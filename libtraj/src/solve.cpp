@@ -1,0 +1,83 @@
+#include "traj/solve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "traj/bernstein.h"
+#include "traj/check.h"
+#include "traj/min_snap.h"
+#include "traj/nominal.h"
+#include "traj/stop_and_go.h"
+#include "traj/time_allocation.h"
+#include "traj/time_scaling.h"
+
+namespace traj {
+namespace {
+
+// How much slower than the trapezoid along the path a proved closed form may be before the
+// optimiser is worth its time.
+constexpr double kNearlyAsFast = 1.1;
+
+Trajectory closed_form(const geom::Polyline& path, const Limits& limits) {
+  const auto times = stopping_times(path, nominal_profile(limits, geom::length(path)));
+  const Trajectory curve = min_snap(path, times);
+  return slowed(curve, smallest_factor(curve, limits));
+}
+
+std::string words(const CheckResult& verdict) {
+  return verdict.reason + " at " + std::to_string(verdict.time) + " s";
+}
+
+// Notes the reason where the proof fails.
+bool proved(const geom::CollisionScene& scene, const Trajectory& trajectory, const Limits& limits,
+            SolveResult& result) {
+  const CheckResult verdict = check(scene, trajectory, limits);
+  if (!verdict.ok) result.reason = words(verdict);
+  return verdict.ok;
+}
+
+void accept(const Trajectory& trajectory, const std::string& rung, SolveResult& result) {
+  result.status = SolveStatus::solved;
+  result.reason.clear();
+  result.trajectory = trajectory;
+  result.rung = rung;
+  result.snap = snap_cost(trajectory);
+}
+
+// The first rung that is proved, from what is left.
+void climb(const geom::CollisionScene& scene, const geom::Polyline& path,
+           const SolveOptions& options, SolveResult& result) {
+  const bool all = options.solver == Solver::automatic;
+  std::optional<Trajectory> closed;
+  if (all || options.solver == Solver::closed) {
+    const Trajectory curve = closed_form(path, options.limits);
+    if (proved(scene, curve, options.limits, result)) closed = curve;
+    const SpeedProfile profile = nominal_profile(options.limits, geom::length(path));
+    const double fast = leg_time(geom::length(path), 0, 0, profile);
+    if (closed && (!all || duration(*closed) <= kNearlyAsFast * fast)) {
+      return accept(*closed, "closed", result);
+    }
+  }
+  if (all || options.solver == Solver::stop_and_go) {
+    const Trajectory curve = stop_and_go(path, options.limits);
+    if (closed && duration(*closed) <= duration(curve)) return accept(*closed, "closed", result);
+    if (proved(scene, curve, options.limits, result)) accept(curve, "stop_and_go", result);
+  }
+}
+
+}  // namespace
+
+SolveResult solve(const geom::CollisionScene& scene, const geom::Polyline& path,
+                  const SolveOptions& options) {
+  SolveResult result;
+  result.solver_status = "was not run";
+  if (path.empty()) {
+    result.reason = "the path has no point";
+    return result;
+  }
+  climb(scene, path, options, result);
+  return result;
+}
+
+}  // namespace traj

@@ -1,0 +1,40 @@
+#include "describe.h"
+
+namespace cli {
+namespace {
+
+nlohmann::ordered_json corner(const geom::Vec3& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+nlohmann::ordered_json describe(const geom::BoxMap& map) {
+  const geom::BoxMapSpec& spec = map.spec();
+  nlohmann::ordered_json out = {{"type", "boxmap"},
+                                {"hash", map.hash()},
+                                {"boxes", map.boxes().size()},
+                                {"tiles", map.tiles().size()},
+                                {"tile_size_m", spec.tile_size},
+                                {"frame", geom::name(spec.frame.axes)},
+                                {"bounds_min_m", corner(spec.bounds.min)},
+                                {"bounds_max_m", corner(spec.bounds.max)},
+                                {"bounds_from", spec.bounds_from},
+                                {"labels", map.labels().size() - 1}};
+  if (spec.frame.origin) {
+    out["origin"] = {{"latitude_deg", spec.frame.origin->latitude},
+                     {"longitude_deg", spec.frame.origin->longitude},
+                     {"height_m", spec.frame.origin->height}};
+  }
+  if (!spec.frame.crs.empty()) out["crs"] = spec.frame.crs;
+  out["history"] = nlohmann::ordered_json::parse(spec.history.empty() ? "[]" : spec.history);
+  return out;
+}
+
+std::string as_lines(const nlohmann::ordered_json& object) {
+  std::string text;
+  for (const auto& [key, value] : object.items()) {
+    text += key + ": " + (value.is_string() ? value.get<std::string>() : value.dump()) + '\n';
+  }
+  return text;
+}
+
+}  // namespace cli

@@ -1,0 +1,63 @@
+#pragma once
+
+// --vehicle and --margin, and how they meet what a record already says.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "geom/collision.h"
+#include "geom/io/record.h"
+#include "geom/vehicle.h"
+#include "traj/limits.h"
+
+namespace cli {
+
+struct VehicleProfile {
+  geom::Vehicle vehicle;
+  traj::Limits limits;  // what the vehicle can do; options are stricter or looser
+};
+
+// "box:HX,HY,HZ", "sphere:R", a built-in name, or a JSON file
+// {"name":…,"body":[a,b,c],"tilt_max_deg":T,"limits":{…}} (half sizes of the body in metres).
+// Throws UsageError for a malformed word, geom::InputError for a bad file.
+VehicleProfile parse_vehicle(const std::string& word);
+
+struct VehicleOptions {
+  std::string word;              // --vehicle
+  std::optional<double> margin;  // --margin
+
+  void add_to(CLI::App& app);
+  std::optional<VehicleProfile> profile() const;
+};
+
+// The scene of a map for what a record and the options ask; the last one is kept.
+class Scenes {
+ public:
+  enum class Differences { refused, stricter_allowed, allowed };
+
+  Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences);
+
+  // Throws geom::InputError(source, line, …) where the record is of another map or frame or, as
+  // `differences` says, asks for another vehicle or margin than the options; UsageError where
+  // neither says which vehicle.
+  const geom::CollisionScene& scene_for(const geom::Provenance& record, std::string_view source,
+                                        std::size_t line);
+  const geom::CollisionScene& scene();  // by the options alone
+  const geom::BoxMap& map() const { return map_; }
+  const std::optional<VehicleProfile>& profile() const { return profile_; }
+
+ private:
+  const geom::CollisionScene& build(const geom::Vehicle& vehicle, double margin);
+
+  geom::BoxMap map_;
+  std::optional<VehicleProfile> profile_;
+  std::optional<double> margin_;
+  Differences differences_;
+  std::optional<geom::CollisionScene> scene_;
+};
+
+// What a record made with this scene carries.
+geom::Provenance provenance_of(const geom::CollisionScene& scene);
+
+}  // namespace cli

@@ -1,0 +1,94 @@
+#include "svg.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace plot {
+namespace {
+
+// Digits that a page can show; "-0" would differ between equal pictures.
+std::string px(double value) {
+  const std::string digits = fmt::format("{:.2f}", value);
+  return digits == "-0.00" ? "0.00" : digits;
+}
+
+std::string escaped(std::string_view words) {
+  std::string out;
+  for (const char c : words) {
+    if (c == '<') out += "&lt;";
+    else if (c == '&') out += "&amp;";
+    else out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+Point Frame::at(Point data) const {
+  return {left + (data.x - low.x) / (high.x - low.x) * width,
+          top + height - (data.y - low.y) / (high.y - low.y) * height};
+}
+
+Svg::Svg(double width, double height) {
+  body_ = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "height=\"{1}\" font-family=\"sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" "
+      "fill=\"#ffffff\"/>\n",
+      width, height);
+}
+
+void Svg::rectangle(Point corner, double width, double height, std::string_view style) {
+  body_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}/>\n", px(corner.x),
+                       px(corner.y), px(width), px(height), style);
+}
+
+void Svg::polyline(const std::vector<Point>& points, std::string_view style) {
+  body_ += "<polyline points=\"";
+  for (const Point& p : points) body_ += px(p.x) + ',' + px(p.y) + ' ';
+  body_ += fmt::format("\" fill=\"none\" {}/>\n", style);
+}
+
+void Svg::circle(Point center, double radius, std::string_view style) {
+  body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", px(center.x), px(center.y),
+                       px(radius), style);
+}
+
+void Svg::text(Point at, std::string_view words, double size, std::string_view anchor,
+               double turn) {
+  const std::string rotate =
+      turn == 0 ? "" : fmt::format(" transform=\"rotate({} {} {})\"", turn, px(at.x), px(at.y));
+  body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"#222\"{}>{}</text>\n",
+                       px(at.x), px(at.y), size, anchor, rotate, escaped(words));
+}
+
+void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_label) {
+  const std::string_view line = "stroke=\"#444\" stroke-width=\"1\"";
+  rectangle({f.left, f.top}, f.width, f.height, "fill=\"none\" stroke=\"#444\" stroke-width=\"1\"");
+  for (const double x : ticks(f.low.x, f.high.x, 8)) {
+    const Point p = f.at({x, f.low.y});
+    polyline({p, {p.x, p.y + 5}}, line);
+    text({p.x, p.y + 18}, fmt::format("{:g}", x), 12, "middle");
+  }
+  for (const double y : ticks(f.low.y, f.high.y, f.height > 300 ? 8 : 4)) {
+    const Point p = f.at({f.low.x, y});
+    polyline({p, {p.x - 5, p.y}}, line);
+    text({p.x - 8, p.y + 4}, fmt::format("{:g}", y), 12, "end");
+  }
+  if (!x_label.empty()) text({f.left + f.width / 2, f.top + f.height + 36}, x_label, 13, "middle");
+  text({f.left - 48, f.top + f.height / 2}, y_label, 13, "middle", -90);
+}
+
+std::vector<double> ticks(double low, double high, int count) {
+  const double raw = (high - low) / count;
+  const double power = std::pow(10, std::floor(std::log10(raw)));
+  const double lead = raw / power;
+  const double step = power * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
+  std::vector<double> values;
+  for (double k = std::ceil(low / step); k * step <= high + step * 1e-9; ++k) {
+    values.push_back(k * step + 0.0);
+  }
+  return values;
+}
+
+}  // namespace plot

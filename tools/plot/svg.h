@@ -1,0 +1,46 @@
+#pragma once
+
+// Text of SVG drawings: a page, shapes, and axes with ticks.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plot {
+
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+
+// A rectangle on the page, in pixels, showing data from `low` to `high`; y grows upward.
+struct Frame {
+  double left, top, width, height;
+  Point low, high;
+
+  Point at(Point data) const;
+};
+
+class Svg {
+ public:
+  Svg(double width, double height);
+
+  void rectangle(Point corner, double width, double height, std::string_view style);
+  void polyline(const std::vector<Point>& points, std::string_view style);
+  void circle(Point center, double radius, std::string_view style);
+  // `anchor` is start, middle or end; `turn` in degrees.
+  void text(Point at, std::string_view words, double size, std::string_view anchor = "start",
+            double turn = 0);
+  // Border, ticks at round values, and the two labels with their units.
+  void axes(const Frame& frame, std::string_view x_label, std::string_view y_label);
+
+  std::string str() const { return body_ + "</svg>\n"; }
+
+ private:
+  std::string body_;
+};
+
+// Round values (1, 2 or 5 times a power of ten) inside [low, high], about `count` of them.
+std::vector<double> ticks(double low, double high, int count);
+
+}  // namespace plot

@@ -1,0 +1,65 @@
+// skyway: runs skyway-VERB, and lists the verbs.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 11> kVerbs = {{
+    {"synth", "make up a city"},
+    {"import", "city tables and block texts to box maps"},
+    {"map", "look at, crop and convert box maps"},
+    {"query", "hits, clearance and nearest boxes"},
+    {"lattice", "build a lattice graph of a map"},
+    {"plan", "plan collision-free paths"},
+    {"traj", "minimum-snap trajectories along paths"},
+    {"check", "prove trajectories and paths"},
+    {"export", "write drone files"},
+    {"plot", "draw a plan view or a motion profile as SVG"},
+    {"info", "say what is in a file"},
+}};
+
+void print_verbs(std::FILE* to) {
+  fmt::print(to, "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n");
+  for (const auto& [verb, what] : kVerbs) fmt::print(to, "  {:<9} {}\n", verb, what);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string verb = argc > 1 ? argv[1] : "";
+  if (verb == "help" || verb == "--help" || verb == "-h") {
+    print_verbs(stdout);
+    return 0;
+  }
+  if (verb == "--version") {
+    fmt::print("skyway " SKYWAY_VERSION "\n");
+    return 0;
+  }
+  for (const auto& [known, what] : kVerbs) {
+    if (verb != known) continue;
+    const std::string tool = "skyway-" + verb;
+    std::error_code error;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::string beside = (self.parent_path() / tool).string();
+    std::vector<char*> arguments(argv + 1, argv + argc);
+    std::string name = tool;
+    arguments[0] = name.data();
+    arguments.push_back(nullptr);
+    if (!error) execv(beside.c_str(), arguments.data());
+    execvp(tool.c_str(), arguments.data());
+    fmt::print(stderr, "skyway: cannot run {}: {}\n", tool, std::strerror(errno));
+    return 4;
+  }
+  if (!verb.empty()) fmt::print(stderr, "skyway: unknown verb \"{}\"\n", verb);
+  print_verbs(stderr);
+  return 2;
+}

@@ -1,0 +1,108 @@
+// skyway-check: prove that trajectories and paths are clear of a map and inside their limits.
+
+#include <fmt/format.h>
+
+#include "cli/files.h"
+#include "cli/run.h"
+#include "cli/vehicle_option.h"
+#include "traj/check.h"
+#include "traj/io/report_record.h"
+#include "traj/io/trajectory_record.h"
+
+namespace {
+
+struct Checker {
+  cli::Scenes& scenes;
+  traj::Limits asked;  // by the options
+  bool override_record;
+
+  // The record's limits, or stricter ones that were asked for.
+  traj::Limits limits_for(const traj::Limits& record) const {
+    const auto pick = [&](std::optional<double> option, std::optional<double> own) {
+      if (!option || !own || override_record) return option ? option : own;
+      return std::optional(std::min(*option, *own));
+    };
+    return {pick(asked.vmax, record.vmax), pick(asked.amax, record.amax),
+            pick(asked.jmax, record.jmax), pick(asked.tilt, record.tilt)};
+  }
+
+  traj::ReportRecord trajectory(const std::string& text, const std::string& source,
+                                std::size_t line) const {
+    const auto record = traj::parse_trajectory_record(text, source, line);
+    traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}};
+    if (record.status != "solved") {
+      report.result.reason = record.status;
+      return report;
+    }
+    const auto& scene = scenes.scene_for(record.provenance, source, line);
+    report.limits = limits_for(record.limits);
+    report.provenance = cli::provenance_of(scene);
+    report.result = traj::check(scene, record.trajectory, report.limits);
+    return report;
+  }
+
+  traj::ReportRecord path(const std::string& text, const std::string& source,
+                          std::size_t line) const {
+    const auto record = geom::parse_path_record(text, source, line);
+    traj::ReportRecord report{record.id, "path", {}, record.provenance, {}};
+    if (record.status != "found") {
+      report.result.reason = "no_path";
+      return report;
+    }
+    const auto& scene = scenes.scene_for(record.provenance, source, line);
+    report.provenance = cli::provenance_of(scene);
+    report.result = traj::check_path(scene, record.points);
+    return report;
+  }
+
+  traj::ReportRecord check(const std::string& text, const std::string& source,
+                           std::size_t line) const {
+    const geom::JsonFields fields(text, source, line);
+    return fields.text("type") == "path" ? path(text, source, line)
+                                         : trajectory(text, source, line);
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Prove trajectories and paths free of collision and inside their limits.",
+               "skyway-check"};
+  cli::Common common(app);
+  cli::VehicleOptions vehicle;
+  traj::Limits limits;
+  std::string map_file;
+  std::string input = "-";
+  std::string output = "-";
+  bool override_record = false;
+  app.add_option("map", map_file, "box map; - for stdin")->required();
+  app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
+  app.add_option("-o,--output", output, "reports (default: stdout)");
+  vehicle.add_to(app);
+  app.add_option("--vmax", limits.vmax, "largest speed, m/s")->check(CLI::PositiveNumber);
+  app.add_option("--amax", limits.amax, "largest acceleration, m/s2")->check(CLI::PositiveNumber);
+  app.add_option("--jmax", limits.jmax, "largest jerk, m/s3")->check(CLI::PositiveNumber);
+  app.add_flag("--override", override_record,
+               "let the options be looser than what the records carry");
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({map_file, input});
+    using Differences = cli::Scenes::Differences;
+    cli::Scenes scenes(cli::open_map(map_file), vehicle,
+                       override_record ? Differences::allowed : Differences::stricter_allowed);
+    const Checker checker{scenes, limits, override_record};
+    cli::InputFile file(input);
+    cli::OutputFile out(output, cli::OutputKind::text);
+    std::size_t failed = 0;
+    std::size_t count = 0;
+    file.for_each_line([&](const std::string& line, std::size_t number) {
+      const traj::ReportRecord report = checker.check(line, file.name(), number);
+      failed += !report.result.ok;
+      ++count;
+      out.stream() << traj::to_json_line(report, scenes.map());
+      out.flush();
+    });
+    out.commit();
+    common.write_stats({{"records", count}, {"failed", failed}});
+    return failed ? cli::Exit::no : cli::Exit::yes;
+  });
+}

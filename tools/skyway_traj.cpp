@@ -1,0 +1,110 @@
+// skyway-traj: minimum-snap trajectories along paths, each proved before it is written.
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "cli/files.h"
+#include "cli/run.h"
+#include "cli/vehicle_option.h"
+#include "traj/io/trajectory_record.h"
+#include "traj/solve.h"
+
+namespace {
+
+// The options' limits, where given, else the profile's.
+traj::Limits merge(const traj::Limits& asked, const std::optional<cli::VehicleProfile>& profile) {
+  const traj::Limits own = profile ? profile->limits : traj::Limits{};
+  const auto pick = [](std::optional<double> a, std::optional<double> b) { return a ? a : b; };
+  return {pick(asked.vmax, own.vmax), pick(asked.amax, own.amax), pick(asked.jmax, own.jmax),
+          pick(asked.tilt, own.tilt)};
+}
+
+std::string solver_report(const traj::SolveResult& result) {
+  std::string out = R"({"status":)";
+  geom::append_json(out, std::string_view(result.solver_status));
+  out += fmt::format(R"(,"rounds":{},"iterations":{},"snap":)", result.rounds, result.iterations);
+  geom::append_json(out, result.snap);
+  return out + '}';
+}
+
+traj::TrajectoryRecord solve(const geom::CollisionScene& scene, const geom::PathRecord& path,
+                             const traj::SolveOptions& options) {
+  traj::TrajectoryRecord record;
+  record.id = path.id;
+  record.provenance = cli::provenance_of(scene);
+  record.limits = options.limits;
+  const traj::SolveResult result = traj::solve(scene, path.points, options);
+  record.status = result.status == traj::SolveStatus::solved ? "solved" : "infeasible";
+  record.message = result.reason;
+  record.trajectory = result.trajectory;
+  record.rung = result.rung;
+  if (result.status == traj::SolveStatus::solved) record.solver = solver_report(result);
+  return record;
+}
+
+traj::TrajectoryRecord without_path(const geom::PathRecord& path, const traj::Limits& limits) {
+  traj::TrajectoryRecord record;
+  record.id = path.id;
+  record.status = "no_path";
+  record.provenance = path.provenance;
+  record.limits = limits;
+  record.message = path.message.empty() ? path.status : path.message;
+  return record;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Solve minimum-snap trajectories along paths, and prove them.", "skyway-traj"};
+  cli::Common common(app);
+  cli::VehicleOptions vehicle;
+  traj::SolveOptions options;
+  std::string map_file;
+  std::string input = "-";
+  std::string output = "-";
+  std::string solver = "auto";
+  app.add_option("map", map_file, "box map; - for stdin")->required();
+  app.add_option("paths", input, "paths, JSON Lines (default: stdin)");
+  app.add_option("-o,--output", output, "trajectories (default: stdout)");
+  vehicle.add_to(app);
+  app.add_option("--vmax", options.limits.vmax, "largest speed, m/s")->check(CLI::PositiveNumber);
+  app.add_option("--amax", options.limits.amax, "largest acceleration, m/s2")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--jmax", options.limits.jmax, "largest jerk, m/s3")->check(CLI::PositiveNumber);
+  app.add_option("--solver", solver, "auto, closed, ipopt or stop-and-go")
+      ->check(CLI::IsMember({"auto", "closed", "ipopt", "stop-and-go"}));
+  app.add_option("--rho", options.rho, "flight seconds a unit of snap is worth, s per m2/s7")
+      ->check(CLI::Range(0.0, 1e3));
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({map_file, input});
+    options.solver = solver == "closed"  ? traj::Solver::closed
+                     : solver == "ipopt" ? traj::Solver::ipopt
+                     : solver == "auto"  ? traj::Solver::automatic
+                                         : traj::Solver::stop_and_go;
+    cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
+    options.limits = merge(options.limits, scenes.profile());
+    if (!options.limits.vmax || !options.limits.amax) {
+      throw cli::UsageError("no limits: give --vmax and --amax (there is no default)");
+    }
+    cli::InputFile file(input);
+    cli::OutputFile out(output, cli::OutputKind::text);
+    std::map<std::string, std::size_t> counts;
+    std::size_t done = 0;
+    const auto run = common.execution("trajectories");
+    file.for_each_line([&](const std::string& line, std::size_t number) {
+      const geom::PathRecord path = geom::parse_path_record(line, file.name(), number);
+      const auto record =
+          path.status == "found"
+              ? solve(scenes.scene_for(path.provenance, file.name(), number), path, options)
+              : without_path(path, options.limits);
+      ++counts[record.status == "solved" ? record.rung : record.status];
+      if (run.progress) run.progress(++done, 0);
+      out.stream() << traj::to_json_line(record);
+      out.flush();
+    });
+    out.commit();
+    common.write_stats({{"records", counts}});
+    return counts.count("no_path") || counts.count("infeasible") ? cli::Exit::no : cli::Exit::yes;
+  });
+}
