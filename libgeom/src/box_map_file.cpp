@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -142,7 +141,8 @@ void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
   std::size_t next = 0;
   for (std::size_t t = 0; t < n; ++t) {
     Tile tile{index[2 * t], index[2 * t + 1], large[t] != 0, {}, range[2 * t], range[2 * t + 1]};
-    std::memcpy(&tile.extent, &extent[6 * t], sizeof tile.extent);
+    const double* const e = &extent[6 * t];
+    tile.extent = {{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
     const bool finite = (tile.extent.min.array() >= -kLargestCoordinate).all() &&
                         (tile.extent.max.array() <= kLargestCoordinate).all() &&
                         (tile.extent.min.array() <= tile.extent.max.array()).all();

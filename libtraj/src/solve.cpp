@@ -6,8 +6,10 @@
 
 #include "traj/bernstein.h"
 #include "traj/check.h"
+#include "traj/corridor.h"
 #include "traj/min_snap.h"
 #include "traj/nominal.h"
+#include "traj/optimize.h"
 #include "traj/stop_and_go.h"
 #include "traj/time_allocation.h"
 #include "traj/time_scaling.h"
@@ -18,6 +20,8 @@ namespace {
 // How much slower than the trapezoid along the path a proved closed form may be before the
 // optimiser is worth its time.
 constexpr double kNearlyAsFast = 1.1;
+constexpr double kReach = 10;  // metres: obstacles further off get a plane only when met
+constexpr int kRounds = 5;
 
 Trajectory closed_form(const geom::Polyline& path, const Limits& limits) {
   const auto times = stopping_times(path, nominal_profile(limits, geom::length(path)));
@@ -45,6 +49,29 @@ void accept(const Trajectory& trajectory, const std::string& rung, SolveResult& 
   result.snap = snap_cost(trajectory);
 }
 
+// Optimises until the result is proved, adding planes for what it ran into. The start is the same
+// each round: from the last result it would stay beside the obstacle it had just hit.
+std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
+                                    const SolveOptions& options, SolveResult& result) {
+  Corridor corridor = pieces_between(joints(path));
+  if (corridor.empty()) return std::nullopt;
+  add_planes(scene, kReach, corridor);
+  for (result.rounds = 1;; ++result.rounds) {
+    const OptimizeResult round =
+        optimize(corridor, {options.limits, options.rho, options.max_iterations});
+    result.solver_status = round.status;
+    result.iterations += round.iterations;
+    result.objective = round.objective;
+    result.max_violation = round.max_violation;
+    const Trajectory curve =
+        slowed(round.trajectory, smallest_factor(round.trajectory, options.limits));
+    if (proved(scene, curve, options.limits, result)) return curve;
+    if (result.rounds == kRounds || add_planes_met(scene, curve, corridor) == 0) {
+      return std::nullopt;
+    }
+  }
+}
+
 // The first rung that is proved, from what is left.
 void climb(const geom::CollisionScene& scene, const geom::Polyline& path,
            const SolveOptions& options, SolveResult& result) {
@@ -58,6 +85,10 @@ void climb(const geom::CollisionScene& scene, const geom::Polyline& path,
     if (closed && (!all || duration(*closed) <= kNearlyAsFast * fast)) {
       return accept(*closed, "closed", result);
     }
+  }
+  if (all || options.solver == Solver::ipopt) {
+    const auto curve = optimised(scene, path, options, result);
+    if (curve) return accept(*curve, "ipopt", result);
   }
   if (all || options.solver == Solver::stop_and_go) {
     const Trajectory curve = stop_and_go(path, options.limits);

@@ -70,10 +70,7 @@ geom::ArrayArchive open_archive(const std::string& path) {
     return geom::ArrayArchive::map(path);
   }
   const std::string text = InputFile(path).read_all();
-  std::vector<std::byte> bytes(text.size());
-  std::transform(text.begin(), text.end(), bytes.begin(),
-                 [](char c) { return static_cast<std::byte>(c); });
-  return geom::ArrayArchive::from_bytes(std::move(bytes), "stdin");
+  return geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "stdin");
 }
 
 geom::BoxMap open_map(const std::string& path) { return geom::read_box_map(open_archive(path)); }

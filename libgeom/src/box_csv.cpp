@@ -1,0 +1,76 @@
+#include "geom/io/box_csv.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <ostream>
+
+#include "geom/io/record.h"
+#include "text_table.h"
+
+namespace geom {
+namespace {
+
+constexpr std::string_view kHeader = "min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label";
+constexpr const char* kNames[] = {"min x", "min y", "min z", "max x", "max y", "max z"};
+
+std::string quoted(const std::string& label) {
+  if (label.find_first_of(",\"") == std::string::npos) return label;
+  std::string out = "\"";
+  for (const char c : label) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
+}  // namespace
+
+BoxTable read_box_csv(std::istream& in, std::string_view source) {
+  TextLines lines(in, source);
+  BoxTable table;
+  table.labels = {""};
+  std::map<std::string, std::uint32_t> known = {{"", 0}};
+  if (!lines.next() || lines.line() != kHeader) {
+    lines.refuse(fmt::format("expected the header {}, found \"{}\"", kHeader,
+                             lines.line().substr(0, 80)));
+  }
+  while (lines.next()) {
+    if (lines.line().empty()) continue;
+    const auto fields = split_fields(lines.line(), true);
+    if (fields.size() != 7) {
+      lines.refuse(fmt::format("expected 7 fields, found {}: \"{}\"", fields.size(),
+                               lines.line().substr(0, 80)));
+    }
+    double v[6];
+    for (int i = 0; i < 6; ++i) v[i] = coordinate(lines, kNames[i], fields[i]);
+    for (int i = 0; i < 3; ++i) {
+      if (v[i] > v[i + 3]) {
+        lines.refuse(fmt::format("{} must be <= {}, found \"{}\" and \"{}\"", kNames[i],
+                                 kNames[i + 3], fields[i], fields[i + 3]));
+      }
+    }
+    const auto [label, fresh] =
+        known.try_emplace(fields[6], static_cast<std::uint32_t>(table.labels.size()));
+    if (fresh) table.labels.push_back(fields[6]);
+    table.boxes.push_back({{v[0], v[1], v[2]}, {v[3], v[4], v[5]}});
+    table.ids.push_back(lines.number());
+    table.label.push_back(label->second);
+  }
+  if (table.boxes.empty()) lines.refuse("expected at least one box after the header, found none");
+  return table;
+}
+
+void write_box_csv(std::ostream& out, const BoxTable& table) {
+  std::string text(kHeader);
+  text += '\n';
+  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
+    for (const Vec3* corner : {&table.boxes[i].min, &table.boxes[i].max}) {
+      for (const double v : *corner) {
+        append_json(text, v);
+        text += ',';
+      }
+    }
+    text += quoted(table.labels[table.label[i]]) + '\n';
+  }
+  out << text;
+}
+
+}  // namespace geom

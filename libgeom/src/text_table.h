@@ -1,0 +1,44 @@
+#pragma once
+
+// Lines and fields of delimited text: BOM, CRLF, comma or semicolon, no locale.
+
+#include <istream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geom {
+
+// The lines of a stream, trimmed of a leading BOM and of white space at both ends.
+class TextLines {
+ public:
+  TextLines(std::istream& in, std::string_view source) : in_(in), source_(source) {}
+
+  bool next();  // false at the end; throws std::system_error when reading fails
+  std::string_view line() const { return line_; }
+  std::size_t number() const { return number_; }  // from 1
+  std::string_view source() const { return source_; }
+  [[noreturn]] void refuse(std::string_view message) const;
+
+ private:
+  std::istream& in_;
+  std::string source_;
+  std::string buffer_;
+  std::string_view line_;
+  std::size_t number_ = 0;
+};
+
+std::string_view trimmed(std::string_view text);
+
+// Fields between commas, or between semicolons where the line has one; trimmed. With `quoted`,
+// a field may stand in double quotes, in which a doubled quote is one.
+std::vector<std::string> split_fields(std::string_view line, bool quoted = false);
+
+// The whole field as a number ("nan" and "inf" included), or nothing.
+std::optional<double> parse_number(std::string_view field);
+
+// A coordinate: finite and within kLargestCoordinate; refuses with `what` otherwise.
+double coordinate(const TextLines& lines, std::string_view what, std::string_view field);
+
+}  // namespace geom

@@ -1,0 +1,62 @@
+#pragma once
+
+// From a query to a path: the default recipe.
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/collision.h"
+#include "geom/execution.h"
+#include "plan/astar.h"
+#include "plan/lattice.h"
+
+namespace plan {
+
+enum class PlanStatus { found, unreachable, start_blocked, goal_blocked, start_outside, goal_outside };
+
+std::string_view name(PlanStatus status);  // as records say it
+
+struct PlanOptions {
+  bool raw = false;      // the search's own path, not shortened
+  double resample = 0;   // metres; 0: not
+  double snap_ends = 0;  // metres a blocked or outside end may move; 0: not at all
+};
+
+struct PlanResult {
+  PlanStatus status = PlanStatus::unreachable;
+  geom::Polyline path;  // start to goal, every leg free; empty unless found
+  std::string message;  // why not, in words
+  std::string method;   // "straight" or "lattice"; empty unless searched
+  double resolution = 0;     // spacing of the last lattice searched, metres; 0: none was
+  std::size_t expanded = 0;  // nodes, on that lattice
+  std::optional<Vec3> snapped_start;  // where an end was moved to
+  std::optional<Vec3> snapped_goal;
+};
+
+// The straight line first, then A* on a lattice joined to both ends by checked segments, then
+// shortcut() and, where asked, resampling. Without a lattice of its own it searches 26-connected
+// ones of 10, 5 and 2.5 m until one finds a path, each built once, when first needed. The scene
+// and the lattice must outlive it. Threads may plan at once; no answer depends on another.
+class Planner {
+ public:
+  Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run);
+  ~Planner();
+
+  PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options);
+
+ private:
+  struct Level;
+
+  PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  bool search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result);
+
+  const geom::CollisionScene& scene_;
+  geom::Execution run_;
+  std::vector<std::unique_ptr<Level>> levels_;
+};
+
+}  // namespace plan

@@ -1,0 +1,177 @@
+#include "plan/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "plan/build_lattice.h"
+#include "plan/shortcut.h"
+#include "plan/snap_end.h"
+
+namespace plan {
+namespace {
+
+constexpr std::int64_t kRings = 4;      // of nodes around an end that may be joined to it
+constexpr double kSpacings[] = {10, 5, 2.5};  // metres
+constexpr double kLookAround = 50;      // metres: how far a message looks for a free place
+
+std::string shown(const Vec3& p) { return fmt::format("({}, {}, {})", p[0], p[1], p[2]); }
+
+// Free nodes that see `p`: all of the nearest ring of nodes that has any. Ring 0 is the corners of
+// the cell around `p`.
+std::vector<Terminal> visible_nodes(const geom::CollisionScene& scene, const Lattice& lattice,
+                                    const Vec3& p) {
+  Index3 base;
+  for (int k = 0; k < 3; ++k) {
+    const double cells = std::floor((p[k] - lattice.coordinate(k, 0)) / lattice.spec().spacing);
+    base[k] = std::clamp(static_cast<std::int64_t>(cells), std::int64_t{-1}, lattice.dims()[k]);
+  }
+  std::vector<Terminal> found;
+  for (std::int64_t ring = 0; ring <= kRings && found.empty(); ++ring) {
+    for (std::int64_t k = -ring; k <= ring + 1; ++k) {
+      for (std::int64_t j = -ring; j <= ring + 1; ++j) {
+        for (std::int64_t i = -ring; i <= ring + 1; ++i) {
+          const auto on_edge = [&](std::int64_t v) { return v == -ring || v == ring + 1; };
+          if (!on_edge(i) && !on_edge(j) && !on_edge(k)) continue;
+          const auto node = lattice.node({base[0] + i, base[1] + j, base[2] + k});
+          if (!node || !lattice.free(*node)) continue;
+          const Vec3 q = lattice.position(*node);
+          if (scene.free(p, q)) found.push_back({*node, (q - p).norm()});
+        }
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string_view name(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::found: return "found";
+    case PlanStatus::unreachable: return "unreachable";
+    case PlanStatus::start_blocked: return "start_blocked";
+    case PlanStatus::goal_blocked: return "goal_blocked";
+    case PlanStatus::start_outside: return "start_outside";
+    case PlanStatus::goal_outside: return "goal_outside";
+  }
+  return "";
+}
+
+// A lattice, given or built when first needed, and workspaces for those who search on it.
+struct Planner::Level {
+  const Lattice* given = nullptr;
+  double spacing = 0;
+  std::once_flag once;
+  std::optional<Lattice> built;
+  std::mutex mutex;
+  std::vector<std::unique_ptr<AstarSearch>> idle;
+
+  const Lattice& lattice(const geom::CollisionScene& scene, const geom::Execution& run) {
+    if (given) return *given;
+    std::call_once(once, [&] {
+      built = build_lattice(
+          scene, {spacing, Connectivity::twenty_six, scene.map().spec().bounds.min},
+          {run.threads, {}});
+    });
+    return *built;
+  }
+
+  std::unique_ptr<AstarSearch> take(const Lattice& lattice) {
+    const std::lock_guard lock(mutex);
+    if (idle.empty()) return std::make_unique<AstarSearch>(lattice);
+    auto search = std::move(idle.back());
+    idle.pop_back();
+    return search;
+  }
+
+  void give_back(std::unique_ptr<AstarSearch> search) {
+    const std::lock_guard lock(mutex);
+    idle.push_back(std::move(search));
+  }
+};
+
+Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run)
+    : scene_(scene), run_(std::move(run)) {
+  for (const double spacing : kSpacings) {
+    levels_.push_back(std::make_unique<Level>());
+    levels_.back()->spacing = spacing;
+    levels_.back()->given = lattice;
+    if (lattice) break;
+  }
+}
+
+Planner::~Planner() = default;
+
+bool Planner::search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result) {
+  const Lattice& lattice = level.lattice(scene_, run_);
+  result.resolution = lattice.spec().spacing;
+  const auto sources = visible_nodes(scene_, lattice, from);
+  const auto goals = visible_nodes(scene_, lattice, to);
+  auto search = level.take(lattice);
+  const SearchResult found = search->search(sources, goals);
+  level.give_back(std::move(search));
+  result.expanded = found.expanded;
+  if (!found.found) return false;
+  result.path = {from};
+  for (const std::size_t node : found.nodes) result.path.push_back(lattice.position(node));
+  result.path.push_back(to);
+  return true;
+}
+
+PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+  PlanResult result;
+  if (scene_.free(from, to)) {
+    result.method = "straight";
+    result.path = {from, to};
+  } else {
+    result.method = "lattice";
+    const bool found = std::any_of(levels_.begin(), levels_.end(), [&](const auto& level) {
+      return search_level(*level, from, to, result);
+    });
+    if (!found) {
+      result.message = fmt::format("no path on a lattice of {} m", result.resolution);
+      return result;
+    }
+    if (!options.raw) result.path = shortcut(scene_, result.path);
+  }
+  if (options.resample > 0) result.path = resample_free(scene_, result.path, options.resample);
+  result.status = PlanStatus::found;
+  return result;
+}
+
+PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+  Vec3 ends[] = {from, to};
+  std::optional<Vec3> snapped[2];
+  for (int i = 0; i < 2; ++i) {
+    const Vec3 p = ends[i];
+    if (scene_.free(p)) continue;
+    const bool outside = !scene_.inside_bounds(p);
+    const char* const end = i == 0 ? "start" : "goal";
+    const auto free = nearest_free(scene_, p, std::max(options.snap_ends, kLookAround));
+    if (free && (*free - p).norm() <= options.snap_ends) {
+      snapped[i] = ends[i] = *free;
+      continue;
+    }
+    PlanResult result;
+    result.status = i == 0 ? (outside ? PlanStatus::start_outside : PlanStatus::start_blocked)
+                           : (outside ? PlanStatus::goal_outside : PlanStatus::goal_blocked);
+    std::string what = "outside the bounds";
+    if (!outside) {
+      const auto boxes = scene_.boxes_meeting({p, p});
+      what = fmt::format("inside obstacle {}", scene_.map().ids()[boxes.front()]);
+    }
+    result.message = fmt::format("{} {} is {}; ", end, shown(p), what);
+    result.message += free ? fmt::format("a free point is {:.3f} m away", (*free - p).norm())
+                           : fmt::format("no free point within {} m", kLookAround);
+    return result;
+  }
+  PlanResult result = search(ends[0], ends[1], options);
+  result.snapped_start = snapped[0];
+  result.snapped_goal = snapped[1];
+  return result;
+}
+
+}  // namespace plan

@@ -1,0 +1,92 @@
+#include "traj/optimize.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "ipopt_solve.h"
+#include "nlp.h"
+#include "traj/nominal.h"
+#include "traj/time_allocation.h"
+
+namespace traj {
+namespace {
+
+constexpr double kCornerDeviation = 1;  // metres
+
+std::vector<Vec3> points_of(const Corridor& corridor) {
+  std::vector<Vec3> points{corridor.front().from};
+  for (const CorridorPiece& piece : corridor) points.push_back(piece.to);
+  return points;
+}
+
+double length_of(const Corridor& corridor) {
+  double sum = 0;
+  for (const CorridorPiece& piece : corridor) sum += (piece.to - piece.from).norm();
+  return sum;
+}
+
+Vec3 unit_or_zero(const Vec3& v) {
+  const double n = v.norm();
+  return n > 1e-9 ? Vec3(v / n) : Vec3(Vec3::Zero());
+}
+
+// Rolling along the path at half the acceleration, cutting no corner: near enough to feasible.
+void add_guess(const SpeedProfile& profile, NlpSpec& spec) {
+  const std::vector<Vec3> points = points_of(spec.corridor);
+  const SpeedProfile gentle{profile.vmax, profile.amax / 2};
+  const std::vector<double> speeds =
+      corner_speeds(points, gentle, {profile.amax, kCornerDeviation});
+  spec.time = rolling_times(points, speeds, gentle);
+  for (const Vec3& p : points) spec.state.push_back({p});
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec3 in = unit_or_zero(points[i] - points[i - 1]);
+    const Vec3 out = unit_or_zero(points[i + 1] - points[i]);
+    spec.state[i].velocity = speeds[i] * unit_or_zero(in + out);
+  }
+}
+
+// What moves a Bernstein point of the shorter neighbour by about a metre, within the limits.
+void add_scales(const SpeedProfile& profile, NlpSpec& spec) {
+  const std::size_t n = spec.time.size();
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double t = std::min(spec.time[i == 0 ? 0 : i - 1], spec.time[std::min(i, n - 1)]);
+    spec.scale.push_back({1, std::min(profile.vmax, 7 / t), std::min(profile.amax, 42 / (t * t)),
+                          std::min(20.0, 210 / (t * t * t))});
+  }
+}
+
+double square_or_none(const std::optional<double>& limit) { return limit ? *limit * *limit : 0; }
+
+NlpSpec problem(const Corridor& corridor, const OptimizeOptions& options) {
+  NlpSpec spec;
+  spec.corridor = corridor;
+  spec.rho = options.rho;
+  const Limits& limits = options.limits;
+  const SpeedProfile profile = nominal_profile(limits, length_of(corridor));
+  spec.speed = square_or_none(limits.vmax);
+  if (limits.amax || limits.tilt) spec.acceleration = profile.amax * profile.amax;
+  spec.jerk = square_or_none(limits.jmax);
+  add_guess(profile, spec);
+  add_scales(profile, spec);
+  return spec;
+}
+
+}  // namespace
+
+OptimizeResult optimize(const Corridor& corridor, const OptimizeOptions& options) {
+  assert(corridor.size() >= 2);
+  const Nlp nlp(problem(corridor, options));
+  const IpoptOutcome outcome = ipopt_solve(nlp, options.max_iterations);
+  OptimizeResult result;
+  result.trajectory = nlp.trajectory(outcome.x);
+  result.status = outcome.status;
+  result.iterations = outcome.iterations;
+  result.objective = nlp.objective(outcome.x);
+  const std::vector<double> values = nlp.constraint_values(outcome.x);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    result.max_violation = std::max(result.max_violation, values[i] - nlp.bound()[i]);
+  }
+  return result;
+}
+
+}  // namespace traj

@@ -1,0 +1,126 @@
+#include "traj/solve.h"
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+#include "traj/check.h"
+
+namespace traj {
+namespace {
+
+const geom::Aabb kBounds{Vec3(-50, -50, 0), Vec3(150, 150, 60)};
+const Limits kLimits{8, 6, {}, {}};
+
+geom::CollisionScene block() {
+  return testing::scene_of({{Vec3(10, -20, 0), Vec3(30, 20, 40)}}, kBounds);
+}
+// Around the block, 10 cm from its corners.
+const geom::Polyline kAround{Vec3(0, 0, 5), Vec3(9.9, 20.1, 5), Vec3(30.1, 20.1, 5), Vec3(40, 0, 5)};
+
+SolveResult solved(const geom::CollisionScene& scene, const geom::Polyline& path, Solver solver,
+                   const Limits& limits = kLimits) {
+  SolveOptions options;
+  options.limits = limits;
+  options.solver = solver;
+  return solve(scene, path, options);
+}
+
+TEST(Solve, EveryRungIsProved) {
+  const geom::CollisionScene scene = block();
+  for (const Solver solver : {Solver::automatic, Solver::ipopt, Solver::stop_and_go}) {
+    const SolveResult result = solved(scene, kAround, solver);
+    ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+    EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
+    EXPECT_EQ(result.rung, solver == Solver::stop_and_go ? "stop_and_go" : "ipopt");
+    EXPECT_EQ(result.trajectory.segments.front().point.front(), kAround.front());
+    EXPECT_EQ(result.trajectory.segments.back().point.back(), kAround.back());
+  }
+}
+
+TEST(Solve, OptimisedIsMuchFasterThanStopAndGo) {
+  const geom::CollisionScene scene = block();
+  const double optimised = duration(solved(scene, kAround, Solver::ipopt).trajectory);
+  EXPECT_LT(optimised, 0.7 * duration(solved(scene, kAround, Solver::stop_and_go).trajectory));
+}
+
+TEST(Solve, ClosedFormThatSwingsIntoTheBlockIsRefused) {
+  const geom::Polyline path{Vec3(0, 20.1, 5), Vec3(40, 20.1, 5), Vec3(40, 40, 5)};
+  const SolveResult result = solved(block(), path, Solver::closed);
+  EXPECT_EQ(result.status, SolveStatus::infeasible);
+  EXPECT_NE(result.reason.find("collision"), std::string::npos) << result.reason;
+  EXPECT_TRUE(result.trajectory.segments.empty());
+  EXPECT_EQ(result.solver_status, "was not run");
+}
+
+TEST(Solve, ClosedFormIsTakenInTheOpen) {
+  const geom::CollisionScene scene = testing::scene_of({}, kBounds);
+  const SolveResult result = solved(scene, {Vec3(0, 0, 20), Vec3(40, 10, 25)}, Solver::closed);
+  ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+  EXPECT_EQ(result.rung, "closed");
+  EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
+}
+
+TEST(Solve, PathThroughTheBlockIsInfeasible) {
+  const SolveResult result = solved(block(), {Vec3(0, 0, 5), Vec3(40, 0, 5)}, Solver::automatic);
+  EXPECT_EQ(result.status, SolveStatus::infeasible);
+  EXPECT_NE(result.reason.find("collision"), std::string::npos) << result.reason;
+}
+
+TEST(Solve, PathAlongTheFloorOfTheBoundsIsSolved) {
+  const geom::CollisionScene scene = block();
+  const SolveResult result =
+      solved(scene, {Vec3(0, 0, 0), Vec3(0, 40, 0), Vec3(60, 40, 0)}, Solver::automatic);
+  ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+  EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
+}
+
+TEST(Solve, PathTouchDistanceFromTheBlockIsSolved) {
+  const geom::CollisionScene scene = block();
+  const double y = 20 + 1e-7;
+  const SolveResult result =
+      solved(scene, {Vec3(0, y, 5), Vec3(50, y, 5)}, Solver::automatic);
+  ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+  EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
+}
+
+TEST(Solve, HoldsJerkAndTilt) {
+  const geom::CollisionScene scene = block();
+  const Limits limits{8, 6, 20, 0.4};
+  const SolveResult result = solved(scene, kAround, Solver::automatic, limits);
+  ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+  EXPECT_EQ(result.rung, "ipopt");
+  EXPECT_TRUE(check(scene, result.trajectory, limits).ok);
+}
+
+TEST(Solve, WorksWithoutLimitsAndWithOneOnly) {
+  const geom::CollisionScene scene = block();
+  for (const Limits& limits :
+       {Limits{}, Limits{5, {}, {}, {}}, Limits{{}, 3, {}, {}}, Limits{{}, {}, 9, {}}}) {
+    const SolveResult result = solved(scene, kAround, Solver::automatic, limits);
+    ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+    EXPECT_TRUE(check(scene, result.trajectory, limits).ok);
+  }
+}
+
+TEST(Solve, PathOfOnePlaceRestsThere) {
+  const geom::CollisionScene scene = block();
+  for (const geom::Polyline& path :
+       {geom::Polyline{Vec3(0, 0, 5)}, geom::Polyline{Vec3(0, 0, 5), Vec3(0, 0, 5)}}) {
+    const SolveResult result = solved(scene, path, Solver::automatic);
+    ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+    EXPECT_GT(duration(result.trajectory), 0);
+  }
+  EXPECT_EQ(solved(scene, {}, Solver::automatic).status, SolveStatus::infeasible);
+}
+
+TEST(Solve, ShortLegsRepeatedPointsAndReversalsAreSolved) {
+  const geom::CollisionScene scene = block();
+  const geom::Polyline path{Vec3(0, 0, 5),  Vec3(0, 1e-4, 5), Vec3(0, 1e-4, 5), Vec3(-20, 0, 5),
+                            Vec3(5, 0, 5), Vec3(5, 30, 5),   Vec3(5, 30, 45)};
+  const SolveResult result = solved(scene, path, Solver::automatic);
+  ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+  EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
+}
+
+}  // namespace
+}  // namespace traj

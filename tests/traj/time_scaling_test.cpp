@@ -1,0 +1,64 @@
+#include "traj/time_scaling.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes.h"
+#include "traj/check.h"
+
+namespace traj {
+namespace {
+
+Trajectory random_trajectory(unsigned seed) {
+  testing::Random random(seed);
+  Trajectory t;
+  State state;
+  for (int i = 0; i < 5; ++i) {
+    const State next = i == 4 ? State{random.vector(10)} : random.state(8);
+    t.segments.push_back(hermite(state, next, random.number(0.5, 3)));
+    state = next;
+  }
+  return t;
+}
+
+TEST(Slowed, KeepsTheCurveAndDividesTheSpeed) {
+  const Trajectory t = random_trajectory(1);
+  const Trajectory slow = slowed(t, 2);
+  EXPECT_DOUBLE_EQ(duration(slow), 2 * duration(t));
+  for (std::size_t i = 0; i < t.segments.size(); ++i) {
+    EXPECT_EQ(slow.segments[i].point, t.segments[i].point);
+  }
+  const State fast = evaluate(t, 1.1);
+  EXPECT_LT((evaluate(slow, 2.2).velocity - fast.velocity / 2).norm(), 1e-10);
+}
+
+// Samples bound the factor from below, the check from above.
+TEST(SmallestFactor, MakesEachLimitJustHold) {
+  const geom::CollisionScene empty =
+      testing::scene_of({}, {Vec3::Constant(-1e4), Vec3::Constant(1e4)});
+  const std::vector<Limits> cases{{5, {}, {}, {}}, {{}, 3, {}, {}}, {{}, {}, 7, {}},
+                                  {{}, {}, {}, 0.4}, {5, 3, 7, 0.4}};
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Trajectory t = random_trajectory(seed);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const double factor = smallest_factor(t, cases[i]);
+      EXPECT_TRUE(check(empty, slowed(t, factor), cases[i]).ok) << "seed " << seed << " case " << i;
+      EXPECT_FALSE(check(empty, slowed(t, factor * (1 - 2e-6)), cases[i]).ok)
+          << "seed " << seed << " case " << i;
+    }
+  }
+}
+
+TEST(SmallestFactor, SpeedsUpWhatIsTooSlow) {
+  const Trajectory slow = slowed(random_trajectory(3), 100);
+  EXPECT_LT(smallest_factor(slow, {5, 3, {}, {}}), 0.5);
+}
+
+TEST(SmallestFactor, IsOneWithoutLimitsOrMotion) {
+  EXPECT_EQ(smallest_factor(random_trajectory(4), {}), 1);
+  EXPECT_EQ(smallest_factor({{hermite({}, {}, 1)}}, {5, 3, {}, {}}), 1);
+}
+
+}  // namespace
+}  // namespace traj

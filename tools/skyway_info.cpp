@@ -1,0 +1,105 @@
+// skyway-info: what is in a map, a lattice, or a stream of records.
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "cli/describe.h"
+#include "cli/files.h"
+#include "cli/run.h"
+#include "geom/error.h"
+#include "geom/io/box_map_file.h"
+#include "geom/io/json_fields.h"
+#include "plan/io/lattice_file.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json describe_lattice(const geom::ArrayArchive& archive) {
+  const plan::Lattice lattice = plan::read_lattice(archive);
+  Json out = Json::parse(archive.meta());
+  out.erase("format");
+  out.erase("version");
+  Json described = {{"type", "lattice"}};
+  described.update(out);
+  described["nodes"] = lattice.free_nodes();
+  described["edges"] = lattice.free_edges();
+  return described;
+}
+
+Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
+  if (verify) archive.verify();
+  Json out;
+  if (geom::is_box_map(archive)) {
+    const geom::BoxMap map = geom::read_box_map(archive);
+    out = cli::describe(map);
+    if (verify) {
+      geom::BoxTable table{{map.boxes().begin(), map.boxes().end()},
+                           {map.ids().begin(), map.ids().end()},
+                           {map.label().begin(), map.label().end()},
+                           map.labels()};
+      if (geom::BoxMap(map.spec(), table).hash() != map.hash()) {
+        throw geom::InputError(archive.name(), "the hash is not that of the boxes");
+      }
+    }
+  } else if (plan::is_lattice(archive)) {
+    out = describe_lattice(archive);
+  } else {
+    throw geom::InputError(archive.name(), "expected a box map or a lattice, found another archive");
+  }
+  if (verify) out["verified"] = true;
+  return out;
+}
+
+Json describe_records(const std::string& text, const std::string& name) {
+  std::istringstream in(text);
+  std::map<std::string, std::size_t> counts;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const geom::JsonFields fields(line, name, number);
+    std::string kind = fields.text("type", "query");
+    if (fields.has("status")) kind += " " + fields.text("status");
+    if (fields.has("ok")) kind += fields.object()["ok"] == true ? " ok" : " failed";
+    ++counts[kind];
+  }
+  if (counts.empty()) throw geom::InputError(name, "expected records, found an empty stream");
+  Json out;
+  for (const auto& [kind, count] : counts) out[kind] = count;
+  return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Say what is in a box map, a lattice, or a stream of records.", "skyway-info"};
+  cli::Common common(app);
+  std::string input;
+  bool json = false;
+  bool verify = false;
+  app.add_option("file", input, "any of Skyway's files; - for stdin")->required();
+  app.add_flag("--json", json, "as one JSON object");
+  app.add_flag("--verify", verify, "check every checksum, and a map's hash, as well");
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::InputFile file(input);
+    Json out;
+    if (file.stream().peek() == 'P') {
+      if (input == "-") {
+        const std::string text = file.read_all();
+        out = describe_archive(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "stdin"), verify);
+      } else {
+        out = describe_archive(cli::open_archive(input), verify);
+      }
+    } else {
+      out = describe_records(file.read_all(), file.name());
+    }
+    cli::OutputFile print("-", cli::OutputKind::text);
+    print.stream() << (json ? out.dump() + '\n' : cli::as_lines(out));
+    print.commit();
+    return cli::Exit::yes;
+  });
+}
