@@ -2,59 +2,144 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace plan {
 namespace {
 
-constexpr double kSqrt2 = 1.4142135623730951;
-constexpr double kSqrt3 = 1.7320508075688772;
+// 2^27 edges in a row still fit into 64 bits, and a lattice has at most 2^31 nodes.
+constexpr double kOne = 0x1p36;
+constexpr std::uint64_t kAxis = 1ull << 36;
+constexpr std::uint64_t kSqrt2 = 97184015999;   // round(2^36 sqrt 2)
+constexpr std::uint64_t kSqrt3 = 119025625176;  // round(2^36 sqrt 3)
+constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
-// Steps between two nodes without obstacles, in units of the spacing.
-double unobstructed(Connectivity connectivity, const Index3& a, const Index3& b) {
-  std::int64_t x = std::abs(a[0] - b[0]);
-  std::int64_t y = std::abs(a[1] - b[1]);
-  std::int64_t z = std::abs(a[2] - b[2]);
-  if (connectivity == Connectivity::six) return static_cast<double>(x + y + z);
+// The length of the shortest way over x, y, z nodes along the axes, without obstacles.
+std::uint64_t unobstructed(Connectivity connectivity, std::uint64_t x, std::uint64_t y,
+                           std::uint64_t z) {
+  if (connectivity == Connectivity::six) return (x + y + z) * kAxis;
   if (x < y) std::swap(x, y);
   if (y < z) std::swap(y, z);
   if (x < y) std::swap(x, y);
   if (connectivity == Connectivity::twenty_six) {
-    return static_cast<double>(x - y) + kSqrt2 * static_cast<double>(y - z) +
-           kSqrt3 * static_cast<double>(z);
+    return (x - y) * kAxis + (y - z) * kSqrt2 + z * kSqrt3;
   }
-  if (x >= y + z) return static_cast<double>(x - y - z) + kSqrt2 * static_cast<double>(y + z);
-  const std::int64_t sum = x + y + z;
-  return kSqrt2 * static_cast<double>(sum / 2) + static_cast<double>(sum % 2);
+  if (x >= y + z) return (x - y - z) * kAxis + (y + z) * kSqrt2;
+  return (x + y + z) / 2 * kSqrt2 + (x + y + z) % 2 * kAxis;
 }
 
 }  // namespace
 
-bool AstarSearch::comes_later(const Open& a, const Open& b) {
-  if (a.bound != b.bound) return a.bound > b.bound;
-  return a.cost != b.cost ? a.cost < b.cost : a.node > b.node;
+bool AstarSearch::earlier(const Open& a, const Open& b) {
+  if (a.bound != b.bound) return a.bound < b.bound;
+  return a.cost != b.cost ? a.cost > b.cost : a.node < b.node;
 }
 
-AstarSearch::AstarSearch(const Lattice& lattice) : lattice_(&lattice), visits_(lattice.size()) {}
-
-double AstarSearch::to_goal(std::size_t node) const {
-  const Index3 at = lattice_->index(node);
-  double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < goals_.size(); ++i) {
-    const double steps = unobstructed(lattice_->spec().connectivity, at, goal_index_[i]);
-    best = std::min(best, steps * lattice_->spec().spacing + goals_[i].cost);
+AstarSearch::AstarSearch(const Lattice& lattice) : lattice_(&lattice), visits_(lattice.size()) {
+  constexpr std::uint64_t kLengths[] = {0, kAxis, kSqrt2, kSqrt3};
+  for (int d = 0; d < kDirections; ++d) {
+    const auto& [dx, dy, dz] = kDirection[d];
+    step_[d] = kLengths[std::abs(dx) + std::abs(dy) + std::abs(dz)];
   }
-  // Sums along a path round differently from this product; a hair less keeps it a lower bound.
-  return best * (1 - 1e-12);
 }
 
-void AstarSearch::push(std::size_t node, double cost, int direction) {
+AstarSearch::Units AstarSearch::units(double metres) const {
+  const double steps = metres / lattice_->spec().spacing;
+  assert(steps >= 0 && steps < 0x1p20);
+  return static_cast<Units>(std::llround(steps * kOne));
+}
+
+AstarSearch::Units AstarSearch::to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  const Connectivity connectivity = lattice_->spec().connectivity;
+  Units best = kNone;
+  for (const Goal& goal : goals_) {
+    const auto apart = [](std::int32_t a, std::int32_t b) {
+      return static_cast<std::uint64_t>(std::abs(a - b));
+    };
+    const Units way = unobstructed(connectivity, apart(x, goal.x), apart(y, goal.y), apart(z, goal.z));
+    best = std::min(best, way + goal.cost);
+  }
+  return best;
+}
+
+void AstarSearch::insert(const Open& entry) {
+  std::size_t at = open_.size();
+  open_.push_back(entry);
+  while (at > 0) {
+    const std::size_t parent = (at - 1) / 4;
+    if (!earlier(entry, open_[parent])) break;
+    open_[at] = open_[parent];
+    at = parent;
+  }
+  open_[at] = entry;
+}
+
+AstarSearch::Open AstarSearch::take_first() {
+  const Open first = open_.front();
+  const Open last = open_.back();
+  open_.pop_back();
+  const std::size_t n = open_.size();
+  if (n == 0) return first;
+  std::size_t at = 0;
+  for (std::size_t child = 1; child < n; child = 4 * at + 1) {
+    std::size_t least = child;
+    for (std::size_t c = child + 1; c < std::min(child + 4, n); ++c) {
+      if (earlier(open_[c], open_[least])) least = c;
+    }
+    if (!earlier(open_[least], last)) break;
+    open_[at] = open_[least];
+    at = least;
+  }
+  open_[at] = last;
+  return first;
+}
+
+void AstarSearch::push(std::uint32_t node, Units cost, int direction, std::int32_t x,
+                       std::int32_t y, std::int32_t z) {
   Visit& visit = visits_[node];
   if (visit.stamp == stamp_ && (visit.settled || visit.cost <= cost)) return;
   visit = {cost, stamp_, static_cast<std::int8_t>(direction), false};
-  open_.push_back({cost + to_goal(node), cost, static_cast<std::uint32_t>(node)});
-  std::push_heap(open_.begin(), open_.end(), comes_later);
+  insert({cost + to_goal(x, y, z), cost, node});
+}
+
+void AstarSearch::expand(const Open& from) {
+  const auto nx = static_cast<std::uint32_t>(lattice_->dims()[0]);
+  const auto ny = static_cast<std::uint32_t>(lattice_->dims()[1]);
+  const auto x = static_cast<std::int32_t>(from.node % nx);
+  const auto y = static_cast<std::int32_t>(from.node / nx % ny);
+  const auto z = static_cast<std::int32_t>(from.node / nx / ny);
+  std::uint32_t mask = lattice_->mask(from.node) & ~Lattice::kNode;
+  for (; mask; mask &= mask - 1) {
+    const int d = std::countr_zero(mask);
+    const auto& [dx, dy, dz] = kDirection[d];
+    push(static_cast<std::uint32_t>(from.node + lattice_->offset(d)), from.cost + step_[d], d,
+         x + dx, y + dy, z + dz);
+  }
+}
+
+void AstarSearch::start(std::span<const Terminal> sources, std::span<const Terminal> goals) {
+  open_.clear();
+  goals_.clear();
+  if (++stamp_ == 0) {
+    std::fill(visits_.begin(), visits_.end(), Visit{});
+    stamp_ = 1;
+  }
+  const auto at = [&](std::size_t node, int axis) {
+    return static_cast<std::int32_t>(lattice_->index(node)[axis]);
+  };
+  for (const Terminal& goal : goals) {
+    const std::size_t n = goal.node;
+    goals_.push_back({at(n, 0), at(n, 1), at(n, 2), static_cast<std::uint32_t>(n),
+                      units(goal.cost), goal.cost});
+  }
+  if (goals_.empty()) return;
+  for (const Terminal& source : sources) {
+    const std::size_t n = source.node;
+    push(static_cast<std::uint32_t>(n), units(source.cost), -1, at(n, 0), at(n, 1), at(n, 2));
+  }
 }
 
 std::vector<std::size_t> AstarSearch::trace(std::size_t node) const {
@@ -68,47 +153,42 @@ std::vector<std::size_t> AstarSearch::trace(std::size_t node) const {
   return nodes;
 }
 
+double AstarSearch::metres(std::span<const std::size_t> nodes) const {
+  double sum = 0;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    sum += lattice_->edge_length(visits_[nodes[i]].arrived_by);
+  }
+  return sum;
+}
+
 SearchResult AstarSearch::search(std::span<const Terminal> sources,
                                  std::span<const Terminal> goals) {
   SearchResult result;
-  open_.clear();
-  goals_.assign(goals.begin(), goals.end());
-  goal_index_.clear();
-  for (const Terminal& goal : goals) goal_index_.push_back(lattice_->index(goal.node));
-  if (goals.empty()) return result;
-  if (++stamp_ == 0) {
-    std::fill(visits_.begin(), visits_.end(), Visit{});
-    stamp_ = 1;
-  }
-  for (const Terminal& source : sources) push(source.node, source.cost, -1);
-
-  double best = std::numeric_limits<double>::infinity();
-  std::size_t best_goal = 0;
+  start(sources, goals);
+  Units best = kNone;
+  const Goal* reached = nullptr;
   while (!open_.empty() && open_.front().bound < best) {
-    std::pop_heap(open_.begin(), open_.end(), comes_later);
-    const Open top = open_.back();
-    open_.pop_back();
+    const Open top = take_first();
     Visit& visit = visits_[top.node];
-    if (visit.settled || visit.cost < top.cost) continue;
+    if (visit.settled) continue;
     visit.settled = true;
     ++result.expanded;
-    for (const Terminal& goal : goals_) {
+    for (const Goal& goal : goals_) {
       if (goal.node == top.node && top.cost + goal.cost < best) {
         best = top.cost + goal.cost;
-        best_goal = top.node;
+        reached = &goal;
       }
     }
-    std::uint32_t mask = lattice_->mask(top.node) & ~Lattice::kNode;
-    for (; mask; mask &= mask - 1) {
-      const int d = std::countr_zero(mask);
-      push(static_cast<std::size_t>(top.node + lattice_->offset(d)),
-           top.cost + lattice_->edge_length(d), d);
-    }
+    if (best > top.bound) expand(top);
   }
-  if (best == std::numeric_limits<double>::infinity()) return result;
+  if (!reached) return result;
   result.found = true;
-  result.cost = best;
-  result.nodes = trace(best_goal);
+  result.nodes = trace(reached->node);
+  double joined = std::numeric_limits<double>::infinity();
+  for (const Terminal& source : sources) {
+    if (source.node == result.nodes.front()) joined = std::min(joined, source.cost);
+  }
+  result.cost = joined + metres(result.nodes) + reached->metres;
   return result;
 }
 

@@ -47,6 +47,11 @@ Grid make_grid(const geom::CollisionScene& scene, const LatticeSpec& spec) {
   double total = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const auto coordinate = [&](double k) { return spec.origin[axis] + k * spec.spacing; };
+    const double furthest = std::max(std::abs(inner.min[axis] - spec.origin[axis]),
+                                     std::abs(inner.max[axis] - spec.origin[axis]));
+    if (!(furthest / spec.spacing < 0x1p52)) {  // beyond, k + 1 may be k
+      throw geom::InputError(where, "expected node indices below 2^52: use a larger spacing");
+    }
     double k = std::floor((inner.min[axis] - spec.origin[axis]) / spec.spacing) - 1;
     while (coordinate(k) < inner.min[axis]) ++k;
     grid.first[axis] = static_cast<std::int64_t>(k);

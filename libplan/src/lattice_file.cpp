@@ -27,6 +27,12 @@ class Blocks {
 
   template <class F>
   void for_nodes(std::size_t block, const F& f) const {
+    for_nodes(block, f, [](std::size_t) {});
+  }
+
+  // The same, and beyond(local) for the places of the block that are outside the lattice.
+  template <class F, class G>
+  void for_nodes(std::size_t block, const F& f, const G& beyond) const {
     const auto b = static_cast<std::int64_t>(block);
     const Index3 low = {b % count_[0] * kSide, b / count_[0] % count_[1] * kSide,
                         b / (count_[0] * count_[1]) * kSide};
@@ -34,7 +40,11 @@ class Blocks {
     for (std::int64_t k = low[2]; k < low[2] + kSide; ++k) {
       for (std::int64_t j = low[1]; j < low[1] + kSide; ++j) {
         for (std::int64_t i = low[0]; i < low[0] + kSide; ++i, ++local) {
-          if (i < dims_[0] && j < dims_[1] && k < dims_[2]) f(local, Index3{i, j, k});
+          if (i < dims_[0] && j < dims_[1] && k < dims_[2]) {
+            f(local, Index3{i, j, k});
+          } else {
+            beyond(local);
+          }
         }
       }
     }
@@ -104,9 +114,16 @@ Meta parse_meta(const geom::ArrayArchive& archive) {
     fields.refuse(fmt::format("connectivity must be 6, 18 or 26, found {}", connectivity));
   }
   meta.spec.connectivity = static_cast<Connectivity>(static_cast<int>(connectivity));
-  const Vec3 first = fields.point("first");
+  Vec3 first;  // not a point: with a small spacing the indices are larger than any coordinate
+  const auto& listed = fields.object()["first"];
+  if (!listed.is_array() || listed.size() != 3) fields.refuse("first must be three whole numbers");
+  for (int k = 0; k < 3; ++k) first[k] = fields.number(listed[k], "first");
   const Vec3 dims = fields.point("dims");
   for (int k = 0; k < 3; ++k) {
+    if (first[k] != std::floor(first[k]) || dims[k] != std::floor(dims[k]) ||
+        std::abs(first[k]) > 0x1p52) {
+      fields.refuse("first and dims must be whole numbers");
+    }
     meta.first[k] = static_cast<std::int64_t>(first[k]);
     meta.dims[k] = static_cast<std::int64_t>(dims[k]);
   }
@@ -132,19 +149,28 @@ class BlockReader {
     if (state == kStored && (at + kBlock > edges_.size() || at + kBlock > 8 * nodes_.size())) {
       refuse("more blocks are marked as stored than there are");
     }
-    blocks.for_nodes(block, [&](std::size_t local, const Index3& i) {
+    const auto stored_free = [&](std::size_t local) {
+      return (nodes_[(at + local) / 8] >> (local % 8) & 1) != 0;
+    };
+    const auto in_lattice = [&](std::size_t local, const Index3& i) {
       const std::uint32_t possible = existing(meta_.dims, i, directions_);
       std::uint32_t mask = 0;
       if (state == kFree) mask = possible | Lattice::kNode;
       if (state == kStored) {
-        const bool free = nodes_[(at + local) / 8] >> (local % 8) & 1;
+        const bool free = stored_free(local);
         mask = edges_[at + local] | (free ? Lattice::kNode : 0);
         if ((edges_[at + local] & ~possible) || (!free && edges_[at + local])) {
           refuse(fmt::format("node {} of block {} has an edge that cannot be", local, block));
         }
       }
       masks[node_of(meta_.dims, i)] = mask;
-    });
+    };
+    const auto beyond = [&](std::size_t local) {
+      if (state == kStored && (stored_free(local) || edges_[at + local])) {
+        refuse(fmt::format("place {} of block {} is outside the lattice, but not 0", local, block));
+      }
+    };
+    blocks.for_nodes(block, in_lattice, beyond);
     stored_ += state == kStored;
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "geom/error.h"
 #include "plan/build_lattice.h"
 #include "plan/shortcut.h"
 #include "plan/snap_end.h"
@@ -13,23 +14,52 @@
 namespace plan {
 namespace {
 
+using geom::Polyline;
+
 constexpr std::int64_t kRings = 4;      // of nodes around an end that may be joined to it
-constexpr double kSpacings[] = {10, 5, 2.5};  // metres
+constexpr double kSpacing = 10;         // metres: of the first lattice on a map of a city's size
+constexpr int kLevels = 3;              // each of half the spacing of the one before
+constexpr double kMostNodes = 0x1p25;   // of a lattice built here: 0.7 GB with one workspace
+constexpr double kFewestNodes = 1e4;    // of the first lattice: a small map gets a finer one
 constexpr double kLookAround = 50;      // metres: how far a message looks for a free place
 
 std::string shown(const Vec3& p) { return fmt::format("({}, {}, {})", p[0], p[1], p[2]); }
 
-// Free nodes that see `p`: all of the nearest ring of nodes that has any. Ring 0 is the corners of
-// the cell around `p`.
+double nodes_at(const geom::Aabb& inner, double spacing) {
+  double nodes = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    nodes *= std::floor((inner.max[axis] - inner.min[axis]) / spacing) + 1;
+  }
+  return nodes;
+}
+
+// The spacings to try, coarse to fine: a function of the bounds alone.
+std::vector<double> spacings_for(const std::optional<geom::Aabb>& inner) {
+  if (!inner) return {};
+  double first = kSpacing;
+  while (nodes_at(*inner, first) > kMostNodes) first *= 2;
+  for (int i = 0; i < 10 && nodes_at(*inner, first) < kFewestNodes; ++i) first /= 2;
+  std::vector<double> spacings = {first};
+  while (spacings.size() < kLevels && nodes_at(*inner, spacings.back() / 2) <= kMostNodes) {
+    spacings.push_back(spacings.back() / 2);
+  }
+  return spacings;
+}
+
+enum class Rings { nearest, all };
+
+// Free nodes that see `p`, in the rings of nodes around it: those of the nearest ring that has any,
+// or of all. Ring 0 is the corners of the cell around `p`.
 std::vector<Terminal> visible_nodes(const geom::CollisionScene& scene, const Lattice& lattice,
-                                    const Vec3& p) {
+                                    const Vec3& p, Rings rings) {
   Index3 base;
   for (int k = 0; k < 3; ++k) {
     const double cells = std::floor((p[k] - lattice.coordinate(k, 0)) / lattice.spec().spacing);
     base[k] = std::clamp(static_cast<std::int64_t>(cells), std::int64_t{-1}, lattice.dims()[k]);
   }
   std::vector<Terminal> found;
-  for (std::int64_t ring = 0; ring <= kRings && found.empty(); ++ring) {
+  for (std::int64_t ring = 0; ring <= kRings; ++ring) {
+    if (rings == Rings::nearest && !found.empty()) break;
     for (std::int64_t k = -ring; k <= ring + 1; ++k) {
       for (std::int64_t j = -ring; j <= ring + 1; ++j) {
         for (std::int64_t i = -ring; i <= ring + 1; ++i) {
@@ -44,6 +74,25 @@ std::vector<Terminal> visible_nodes(const geom::CollisionScene& scene, const Lat
     }
   }
   return found;
+}
+
+// A lattice that was read may say what it likes of its edges.
+void require_free(const geom::CollisionScene& scene, const Polyline& path) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (scene.free(path[i - 1], path[i])) continue;
+    throw geom::InputError("lattice", fmt::format("the edge from {} to {} is blocked on this map",
+                                                  shown(path[i - 1]), shown(path[i])));
+  }
+}
+
+Polyline joined(const Lattice& lattice, const Vec3& from, const std::vector<std::size_t>& nodes,
+                const Vec3& to) {
+  Polyline path = {from};
+  for (const std::size_t node : nodes) path.push_back(lattice.position(node));
+  path.push_back(to);
+  path.erase(std::unique(path.begin(), path.end()), path.end());
+  if (path.size() == 1) path.push_back(to);
+  return path;
 }
 
 }  // namespace
@@ -73,8 +122,7 @@ struct Planner::Level {
     if (given) return *given;
     std::call_once(once, [&] {
       built = build_lattice(
-          scene, {spacing, Connectivity::twenty_six, scene.map().spec().bounds.min},
-          {run.threads, {}});
+          scene, {spacing, Connectivity::twenty_six, scene.free_bounds()->min}, {run.threads, {}});
     });
     return *built;
   }
@@ -95,11 +143,15 @@ struct Planner::Level {
 
 Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run)
     : scene_(scene), run_(std::move(run)) {
-  for (const double spacing : kSpacings) {
+  const auto add = [&](double spacing) {
     levels_.push_back(std::make_unique<Level>());
     levels_.back()->spacing = spacing;
     levels_.back()->given = lattice;
-    if (lattice) break;
+  };
+  if (lattice) {
+    add(lattice->spec().spacing);
+  } else {
+    for (const double spacing : spacings_for(scene.free_bounds())) add(spacing);
   }
 }
 
@@ -108,16 +160,20 @@ Planner::~Planner() = default;
 bool Planner::search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result) {
   const Lattice& lattice = level.lattice(scene_, run_);
   result.resolution = lattice.spec().spacing;
-  const auto sources = visible_nodes(scene_, lattice, from);
-  const auto goals = visible_nodes(scene_, lattice, to);
+  result.expanded = 0;
   auto search = level.take(lattice);
-  const SearchResult found = search->search(sources, goals);
+  SearchResult found;
+  // The nearest nodes may lie in a pocket that the lattice cannot leave, though the end itself can.
+  for (const Rings rings : {Rings::nearest, Rings::all}) {
+    found = search->search(visible_nodes(scene_, lattice, from, rings),
+                           visible_nodes(scene_, lattice, to, rings));
+    result.expanded += found.expanded;
+    if (found.found) break;
+  }
   level.give_back(std::move(search));
-  result.expanded = found.expanded;
   if (!found.found) return false;
-  result.path = {from};
-  for (const std::size_t node : found.nodes) result.path.push_back(lattice.position(node));
-  result.path.push_back(to);
+  result.path = joined(lattice, from, found.nodes, to);
+  if (level.given) require_free(scene_, result.path);
   return true;
 }
 
@@ -164,7 +220,7 @@ PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& op
       what = fmt::format("inside obstacle {}", scene_.map().ids()[boxes.front()]);
     }
     result.message = fmt::format("{} {} is {}; ", end, shown(p), what);
-    result.message += free ? fmt::format("a free point is {:.3f} m away", (*free - p).norm())
+    result.message += free ? fmt::format("the nearest free point is {:.3f} m away", (*free - p).norm())
                            : fmt::format("no free point within {} m", kLookAround);
     return result;
   }

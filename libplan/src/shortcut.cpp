@@ -36,6 +36,19 @@ Polyline shortest_chain(const geom::CollisionScene& scene, const Polyline& point
   return chain;
 }
 
+// Without the points that lie on the straight line between their neighbours, to 1 nm of length.
+Polyline without_collinear(const geom::CollisionScene& scene, const Polyline& path) {
+  Polyline out = {path.front()};
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const Vec3& a = out.back();
+    const Vec3& b = path[i + 1];
+    const double detour = (path[i] - a).norm() + (b - path[i]).norm() - (b - a).norm();
+    if (detour > 1e-9 || !scene.free(a, b)) out.push_back(path[i]);
+  }
+  out.push_back(path.back());
+  return out;
+}
+
 }  // namespace
 
 Polyline resample_free(const geom::CollisionScene& scene, const Polyline& path, double step) {
@@ -58,7 +71,8 @@ Polyline shortcut(const geom::CollisionScene& scene, const Polyline& path) {
   Polyline best = shortest_chain(scene, path);
   for (int round = 0; round < kRounds; ++round) {
     const double before = geom::length(best);
-    best = shortest_chain(scene, resample_free(scene, best, std::max(before / kPoints, 1e-3)));
+    best = without_collinear(
+        scene, shortest_chain(scene, resample_free(scene, best, std::max(before / kPoints, 1e-3))));
     if (before - geom::length(best) < 1e-3) break;
   }
   return best;

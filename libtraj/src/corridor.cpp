@@ -11,9 +11,9 @@
 namespace traj {
 namespace {
 
-constexpr double kLongest = 40;       // metres, of a middle piece
-constexpr double kNear = 8;           // metres, of the piece next to a corner
-constexpr double kSmallGap = 1e-3;    // metres: below it the nearest points say little
+constexpr double kLongest = 40;        // metres, of a middle piece
+constexpr double kNear = 8;            // metres, of the piece next to a corner
+constexpr double kSmallGap = 1e-3;     // metres: below it the nearest points say little
 constexpr double kLargestPull = 1e-3;  // metres
 
 double lower_support(const geom::Aabb& box, const Vec3& n) {
@@ -175,7 +175,8 @@ geom::Polyline joints(const geom::Polyline& path) {
 
 Corridor pieces_between(const geom::Polyline& points) {
   Corridor corridor;
-  for (std::size_t i = 1; i < points.size(); ++i) corridor.push_back({points[i - 1], points[i], {}});
+  for (std::size_t i = 1; i < points.size(); ++i)
+    corridor.push_back({points[i - 1], points[i], {}});
   return corridor;
 }
 

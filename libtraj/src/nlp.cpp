@@ -14,9 +14,9 @@
 namespace traj {
 namespace {
 
-constexpr double kUnbounded = 1e20;   // beyond Ipopt's nlp_upper_bound_inf
-constexpr double kJointReach = 10;    // metres a joint may move
-constexpr int kTime = 12;             // local index of the duration
+constexpr double kUnbounded = 1e20;  // beyond Ipopt's nlp_upper_bound_inf
+constexpr double kJointReach = 10;   // metres a joint may move
+constexpr int kTime = 12;            // local index of the duration
 constexpr std::array<StateTable<8>, 4> padded_tables() {
   std::array<StateTable<8>, 4> out{};
   const auto copy = [&](int order, const auto& table) {
@@ -33,9 +33,7 @@ constexpr std::array<StateTable<8>, 4> padded_tables() {
 constexpr std::array<StateTable<8>, 4> kTables = padded_tables();  // [order][point][state]
 
 constexpr int power_of(int state) { return state % 4; }
-constexpr int local_of(int state, int axis) {
-  return 3 * state + axis + (state >= 4 ? 1 : 0);
-}
+constexpr int local_of(int state, int axis) { return 3 * state + axis + (state >= 4 ? 1 : 0); }
 
 // duration^e for e = -8..3.
 struct Powers {
@@ -113,7 +111,8 @@ void Nlp::add_variables() {
     for (int i = 0; i < 12; ++i) {
       const bool position = i < 3;
       const std::array<const Vec3*, 4> parts{&s.position, &s.velocity, &s.acceleration, &s.jerk};
-      start_.push_back(position ? 0 : (*parts[static_cast<std::size_t>(i / 3)])[i % 3] / scale(k + 1, i));
+      start_.push_back(
+          position ? 0 : (*parts[static_cast<std::size_t>(i / 3)])[i % 3] / scale(k + 1, i));
       lower_.push_back(position ? -kJointReach : -kUnbounded);
       upper_.push_back(position ? kJointReach : kUnbounded);
     }
@@ -281,8 +280,7 @@ std::vector<double> Nlp::jacobian(std::span<const double> x) const {
       const Point z = p.point(row.order, row.point);
       const Vec3 outer = row.order == 0 ? row.normal : Vec3(2 / row.square * z.value);
       for_each_local(row, [&](int m, int i) {
-        out.push_back(outer[i] * z.weight[static_cast<std::size_t>(m)] *
-                      scale(k, local_of(m, i)));
+        out.push_back(outer[i] * z.weight[static_cast<std::size_t>(m)] * scale(k, local_of(m, i)));
       });
       if (row.on_time) out.push_back(outer.dot(z.dt));
     }

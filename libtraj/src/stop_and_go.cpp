@@ -26,7 +26,9 @@ double acceleration_within(double tilt, const Vec3& step) {
 double shortest(const Vec3& step, const Limits& limits) {
   const double length = step.norm();
   double t = 0;
-  const auto accelerating = [&](double amax) { return std::sqrt(kPeakAcceleration * length / amax); };
+  const auto accelerating = [&](double amax) {
+    return std::sqrt(kPeakAcceleration * length / amax);
+  };
   if (limits.vmax) t = std::max(t, kPeakSpeed * length / *limits.vmax);
   if (limits.amax) t = std::max(t, accelerating(*limits.amax));
   if (limits.jmax) t = std::max(t, cube_root(kPeakJerk * length / *limits.jmax));

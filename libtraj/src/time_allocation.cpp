@@ -22,9 +22,8 @@ double corner_speed(const Vec3& in, const Vec3& out, const SpeedProfile& profile
 double leg_time(double length, double from, double to, const SpeedProfile& profile) {
   const double a = profile.amax;
   const double peak_square = a * length + (from * from + to * to) / 2;
-  const double peak =
-      std::max({std::min(std::sqrt(peak_square), profile.vmax), std::min(from, profile.vmax),
-                std::min(to, profile.vmax)});
+  const double peak = std::max({std::min(std::sqrt(peak_square), profile.vmax),
+                                std::min(from, profile.vmax), std::min(to, profile.vmax)});
   const double ramps =
       std::max(0.0, peak * peak - from * from) + std::max(0.0, peak * peak - to * to);
   const double cruise = std::max(0.0, length - ramps / (2 * a));

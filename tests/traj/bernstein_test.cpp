@@ -36,7 +36,8 @@ TEST(Split, HalvesFollowTheSameCurve) {
 
 TEST(SnapCost, OfAQuarticIsItsConstantSnapSquaredTimesDuration) {
   // x = t^4 over 2 s: snap 24, so 24^2 * 2.
-  const Segment s = hermite({}, {Vec3(16, 0, 0), Vec3(32, 0, 0), Vec3(48, 0, 0), Vec3(48, 0, 0)}, 2);
+  const Segment s =
+      hermite({}, {Vec3(16, 0, 0), Vec3(32, 0, 0), Vec3(48, 0, 0), Vec3(48, 0, 0)}, 2);
   EXPECT_NEAR(snap_cost(s), 1152, 1e-8);
 }
 

@@ -116,7 +116,8 @@ TEST(AddPlanes, HidesEveryBoxInReachFromItsPiece) {
     const Vec3 p = random.vector(60) + Vec3(0, 0, 60);
     boxes.push_back({p, p + Vec3(random.number(0, 4), random.number(0, 4), random.number(0, 20))});
   }
-  const geom::CollisionScene scene = testing::scene_of(boxes, {Vec3(-90, -90, 0), Vec3(90, 90, 150)});
+  const geom::CollisionScene scene =
+      testing::scene_of(boxes, {Vec3(-90, -90, 0), Vec3(90, 90, 150)});
   int pieces = 0;
   while (pieces < 40) {
     const Vec3 a = random.vector(40) + Vec3(0, 0, 60);
@@ -132,9 +133,9 @@ TEST(AddPlanes, HidesEveryBoxInReachFromItsPiece) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       if (segment_distance(a, b, scene.grown(i)) > 10) continue;
       const auto& planes = corridor[0].planes;
-      EXPECT_TRUE(std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-        return behind(scene.grown(i), plane);
-      })) << "box " << i;
+      EXPECT_TRUE(std::any_of(planes.begin(), planes.end(),
+                              [&](const Plane& plane) { return behind(scene.grown(i), plane); }))
+          << "box " << i;
     }
   }
 }

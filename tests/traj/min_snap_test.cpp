@@ -93,7 +93,8 @@ TEST(MinSnap, AgreesWithADenseSolverOnTheInterpolatingSpline) {
     for (std::size_t leg = 0; leg < want.size(); ++leg) {
       for (const double u : {0.0, 0.3, 0.5, 0.9, 1.0}) {
         Vec3 position = Vec3::Zero();
-        for (int k = 0; k < 8; ++k) position += want[leg][static_cast<std::size_t>(k)] * std::pow(u, k);
+        for (int k = 0; k < 8; ++k)
+          position += want[leg][static_cast<std::size_t>(k)] * std::pow(u, k);
         const Vec3 here = evaluate(got.segments[leg], u * p.times[leg]).position;
         EXPECT_LT((here - position).norm(), 1e-7 * (1 + position.norm())) << "seed " << seed;
       }

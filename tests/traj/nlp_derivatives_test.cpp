@@ -81,9 +81,8 @@ TEST(Nlp, JacobianMatchesFiniteDifferencesAndMissesNoEntry) {
       dense(entry.row, entry.column) += values[e];
     }
     for (int i = 0; i < nlp.variables(); ++i) {
-      const auto [p, m] =
-          difference([&](const Vector& y) { return nlp.constraint_values(y); }, x,
-                     static_cast<std::size_t>(i), 1e-5);
+      const auto [p, m] = difference([&](const Vector& y) { return nlp.constraint_values(y); }, x,
+                                     static_cast<std::size_t>(i), 1e-5);
       for (int r = 0; r < nlp.constraints(); ++r) {
         const std::size_t row = static_cast<std::size_t>(r);
         const double want = (p[row] - m[row]) / 2e-5;
@@ -130,9 +129,9 @@ TEST(Nlp, HessianBlocksMatchFiniteDifferencesBeforeTheirEigenvaluesAreTurned) {
     }
     const double size = sum.cwiseAbs().maxCoeff();
     for (int i = 0; i < nlp.variables(); ++i) {
-      const auto [p, m] = difference(
-          [&](const Vector& y) { return lagrangian_gradient(nlp, y, 0.7, lambda); }, x,
-          static_cast<std::size_t>(i), 1e-5);
+      const auto [p, m] =
+          difference([&](const Vector& y) { return lagrangian_gradient(nlp, y, 0.7, lambda); }, x,
+                     static_cast<std::size_t>(i), 1e-5);
       for (int j = 0; j < nlp.variables(); ++j) {
         const std::size_t column = static_cast<std::size_t>(j);
         const double want = (p[column] - m[column]) / 2e-5;

@@ -22,8 +22,8 @@ TEST(Optimize, FliesAStraightLineNearlyAsFastAsTheLimitsAllow) {
   const double least = 200 / 8.0 + 8 / 6.0;
   EXPECT_GT(duration(result.trajectory), least);
   EXPECT_LT(duration(result.trajectory), 1.03 * least);
-  EXPECT_NEAR(result.objective,
-              duration(result.trajectory) + 1e-5 * snap_cost(result.trajectory), 1e-9);
+  EXPECT_NEAR(result.objective, duration(result.trajectory) + 1e-5 * snap_cost(result.trajectory),
+              1e-9);
 }
 
 TEST(Optimize, TradesDurationForSnap) {

@@ -15,7 +15,8 @@ geom::CollisionScene block() {
   return testing::scene_of({{Vec3(10, -20, 0), Vec3(30, 20, 40)}}, kBounds);
 }
 // Around the block, 10 cm from its corners.
-const geom::Polyline kAround{Vec3(0, 0, 5), Vec3(9.9, 20.1, 5), Vec3(30.1, 20.1, 5), Vec3(40, 0, 5)};
+const geom::Polyline kAround{Vec3(0, 0, 5), Vec3(9.9, 20.1, 5), Vec3(30.1, 20.1, 5),
+                             Vec3(40, 0, 5)};
 
 SolveResult solved(const geom::CollisionScene& scene, const geom::Polyline& path, Solver solver,
                    const Limits& limits = kLimits) {
@@ -77,8 +78,7 @@ TEST(Solve, PathAlongTheFloorOfTheBoundsIsSolved) {
 TEST(Solve, PathTouchDistanceFromTheBlockIsSolved) {
   const geom::CollisionScene scene = block();
   const double y = 20 + 1e-7;
-  const SolveResult result =
-      solved(scene, {Vec3(0, y, 5), Vec3(50, y, 5)}, Solver::automatic);
+  const SolveResult result = solved(scene, {Vec3(0, y, 5), Vec3(50, y, 5)}, Solver::automatic);
   ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
   EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
 }
@@ -115,7 +115,7 @@ TEST(Solve, PathOfOnePlaceRestsThere) {
 
 TEST(Solve, ShortLegsRepeatedPointsAndReversalsAreSolved) {
   const geom::CollisionScene scene = block();
-  const geom::Polyline path{Vec3(0, 0, 5),  Vec3(0, 1e-4, 5), Vec3(0, 1e-4, 5), Vec3(-20, 0, 5),
+  const geom::Polyline path{Vec3(0, 0, 5), Vec3(0, 1e-4, 5), Vec3(0, 1e-4, 5), Vec3(-20, 0, 5),
                             Vec3(5, 0, 5), Vec3(5, 30, 5),   Vec3(5, 30, 45)};
   const SolveResult result = solved(scene, path, Solver::automatic);
   ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;

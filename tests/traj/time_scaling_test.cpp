@@ -37,8 +37,8 @@ TEST(Slowed, KeepsTheCurveAndDividesTheSpeed) {
 TEST(SmallestFactor, MakesEachLimitJustHold) {
   const geom::CollisionScene empty =
       testing::scene_of({}, {Vec3::Constant(-1e4), Vec3::Constant(1e4)});
-  const std::vector<Limits> cases{{5, {}, {}, {}}, {{}, 3, {}, {}}, {{}, {}, 7, {}},
-                                  {{}, {}, {}, 0.4}, {5, 3, 7, 0.4}};
+  const std::vector<Limits> cases{
+      {5, {}, {}, {}}, {{}, 3, {}, {}}, {{}, {}, 7, {}}, {{}, {}, {}, 0.4}, {5, 3, 7, 0.4}};
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Trajectory t = random_trajectory(seed);
     for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -24,8 +24,8 @@ TEST(Hermite, HasTheGivenStatesAtItsEnds) {
 }
 
 TEST(Hermite, IsTheSeventhPowerWhereItsEndsAre) {
-  const Segment s = hermite({}, {Vec3::Constant(1), Vec3::Constant(7), Vec3::Constant(42),
-                                 Vec3::Constant(210)}, 1);
+  const Segment s = hermite(
+      {}, {Vec3::Constant(1), Vec3::Constant(7), Vec3::Constant(42), Vec3::Constant(210)}, 1);
   for (int i = 0; i < kDegree; ++i) EXPECT_LT(s.point[static_cast<std::size_t>(i)].norm(), 1e-13);
   EXPECT_NEAR(evaluate(s, 0.5).position.x(), 1.0 / 128, 1e-14);
 }

@@ -2,6 +2,7 @@
 
 // A* on a lattice.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,10 +23,12 @@ struct SearchResult {
   std::size_t expanded = 0;
 };
 
-// Shortest paths from any source to any goal, exact up to the rounding of sums of edge lengths. The
-// workspace is kept between searches and no search depends on an earlier one. The heuristic is the
-// distance on the unobstructed lattice of this connectivity (consistent); ties go to the larger
-// cost so far, then to the lowest node. The lattice must outlive the search.
+// Shortest paths from any source to any goal. Lengths are counted in whole units of 2^-36 spacings,
+// so sums are exact, ties are ties, and a path is shortest up to 1e-11 of its length. The heuristic
+// is the distance on the unobstructed lattice of this connectivity (consistent); ties go to the
+// larger cost so far, then to the lowest node. Terminals must be free nodes, their costs
+// non-negative and below 2^20 spacings. The workspace (16 bytes a node) is kept between searches,
+// and no search depends on an earlier one. The lattice must outlive it; one thread at a time.
 class AstarSearch {
  public:
   explicit AstarSearch(const Lattice& lattice);
@@ -33,28 +36,43 @@ class AstarSearch {
   SearchResult search(std::span<const Terminal> sources, std::span<const Terminal> goals);
 
  private:
+  using Units = std::uint64_t;
+
   struct Visit {
-    double cost = 0;
+    Units cost = 0;
     std::uint32_t stamp = 0;
     std::int8_t arrived_by = -1;  // direction of the last edge; -1 at a source
     bool settled = false;
   };
   struct Open {
-    double bound;
-    double cost;
+    Units bound;
+    Units cost;
     std::uint32_t node;
   };
+  struct Goal {
+    std::int32_t x, y, z;
+    std::uint32_t node;
+    Units cost;
+    double metres;
+  };
 
-  static bool comes_later(const Open& a, const Open& b);
-  double to_goal(std::size_t node) const;
-  void push(std::size_t node, double cost, int direction);
+  static bool earlier(const Open& a, const Open& b);
+  void start(std::span<const Terminal> sources, std::span<const Terminal> goals);
+  void expand(const Open& from);
+  void push(std::uint32_t node, Units cost, int direction, std::int32_t x, std::int32_t y,
+            std::int32_t z);
+  void insert(const Open& entry);
+  Open take_first();
+  Units to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const;
+  Units units(double metres) const;
   std::vector<std::size_t> trace(std::size_t node) const;
+  double metres(std::span<const std::size_t> nodes) const;
 
   const Lattice* lattice_;
   std::vector<Visit> visits_;
-  std::vector<Open> open_;
-  std::vector<Terminal> goals_;
-  std::vector<Index3> goal_index_;
+  std::vector<Open> open_;  // a heap of four children a node: shallower, and fewer cache misses
+  std::vector<Goal> goals_;
+  std::array<Units, kDirections> step_;
   std::uint32_t stamp_ = 0;
 };
 

@@ -39,8 +39,10 @@ struct PlanResult {
 
 // The straight line first, then A* on a lattice joined to both ends by checked segments, then
 // shortcut() and, where asked, resampling. Without a lattice of its own it searches 26-connected
-// ones of 10, 5 and 2.5 m until one finds a path, each built once, when first needed. The scene
-// and the lattice must outlive it. Threads may plan at once; no answer depends on another.
+// ones of 10, 5 and 2.5 m until one finds a path, each built once, when first needed; on maps too
+// small or too large for these, of 10 m halved or doubled until the node count is sane. An edge of
+// a given lattice that is blocked on this map throws geom::InputError. The scene and the lattice
+// must outlive it. Threads may plan at once; no answer depends on another.
 class Planner {
  public:
   Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run);

@@ -41,10 +41,10 @@ Separation separation(const Vec3& from, const Vec3& to, const geom::Aabb& box);
 // Whether every point of the closed box is strictly off the free side.
 bool behind(const geom::Aabb& box, const Plane& plane);
 
-// Where an optimiser gets its joints: legs of up to 10 m are one piece, up to 20 m two halves, others
-// 8 m, equal middles of at most 40 m, and 8 m; the first and the last piece are cut once more a
-// quarter from the end where the vehicle rests. Equal neighbouring points count once. Empty for
-// a path of one place.
+// Where an optimiser gets its joints: legs of up to 10 m are one piece, up to 20 m two halves,
+// others 8 m, equal middles of at most 40 m, and 8 m; the first and the last piece are cut once
+// more a quarter from the end where the vehicle rests. Equal neighbouring points count once. Empty
+// for a path of one place.
 geom::Polyline joints(const geom::Polyline& path);
 
 // The pieces between these points, without planes.

@@ -17,8 +17,8 @@ struct OptimizeOptions {
 };
 
 struct OptimizeResult {
-  Trajectory trajectory;                // one segment a piece; whatever the solver came back with
-  std::string status = "was not run";   // the solver's word; never a proof
+  Trajectory trajectory;               // one segment a piece; whatever the solver came back with
+  std::string status = "was not run";  // the solver's word; never a proof
   int iterations = 0;
   double objective = 0;      // duration + rho * integral of snap^2
   double max_violation = 0;  // of the constraints, in their own units: metres, squared ratios

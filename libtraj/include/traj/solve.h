@@ -27,15 +27,15 @@ enum class SolveStatus { solved, infeasible };
 
 struct SolveResult {
   SolveStatus status = SolveStatus::infeasible;
-  std::string reason;          // why not, in words; empty when solved
-  Trajectory trajectory;       // empty unless solved
-  std::string rung;            // "closed", "ipopt" or "stop_and_go"; empty unless solved
-  std::string solver_status;   // the optimiser's own word, "was not run" before it runs
-  int iterations = 0;          // of the optimiser, all rounds
-  int rounds = 0;              // of the optimiser
-  double objective = 0;        // of its last round
-  double max_violation = 0;    // the largest constraint violation of its last round
-  double snap = 0;             // integral of |fourth derivative|^2 of the result, m2/s7
+  std::string reason;         // why not, in words; empty when solved
+  Trajectory trajectory;      // empty unless solved
+  std::string rung;           // "closed", "ipopt" or "stop_and_go"; empty unless solved
+  std::string solver_status;  // the optimiser's own word, "was not run" before it runs
+  int iterations = 0;         // of the optimiser, all rounds
+  int rounds = 0;             // of the optimiser
+  double objective = 0;       // of its last round
+  double max_violation = 0;   // the largest constraint violation of its last round
+  double snap = 0;            // integral of |fourth derivative|^2 of the result, m2/s7
 };
 
 // Whatever comes back as solved has passed traj::check for these limits. Every path whose legs are
