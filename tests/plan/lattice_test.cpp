@@ -1,0 +1,127 @@
+#include "plan/lattice.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <sstream>
+
+#include "geom/error.h"
+#include "plan/build_lattice.h"
+#include "plan/io/lattice_file.h"
+#include "support/exact_oracle.h"
+#include "support/random_city.h"
+
+namespace plan {
+namespace {
+
+using geom::CollisionScene;
+
+bool blocked(const CollisionScene& scene, const Vec3& a, const Vec3& b) {
+  for (std::size_t i = 0; i < scene.map().boxes().size(); ++i) {
+    const geom::Aabb box = scene.grown(i);
+    if (geom::overlap(box, {a.cwiseMin(b), a.cwiseMax(b)}) && oracle::segment_hits(a, b, box)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+struct Case {
+  Connectivity connectivity;
+  double spacing;
+  Vec3 half;
+};
+
+class LatticeProperty : public testing::TestWithParam<Case> {};
+
+// Boxes stand on whole metres and the vehicle has whole or half sizes, so nodes and edges often
+// touch faces, edges and corners exactly.
+TEST_P(LatticeProperty, EveryNodeAndEdgeAgreesWithRationals) {
+  const Case& c = GetParam();
+  const CollisionScene scene(support::random_city(21, 60, 80), {"box", c.half}, 0);
+  const Lattice lattice = build_lattice(scene, {c.spacing, c.connectivity, scene.map().spec().bounds.min});
+  const int directions = half_directions(c.connectivity);
+  std::size_t edges = 0;
+  for (std::size_t n = 0; n < lattice.size(); ++n) {
+    const Vec3 p = lattice.position(n);
+    ASSERT_EQ(lattice.free(n), !blocked(scene, p, p)) << "node " << n;
+    for (int d = 0; d < directions; ++d) {
+      geom::Vec3 q = p;
+      Index3 to = lattice.index(n);
+      for (int k = 0; k < 3; ++k) to[k] += kDirection[d][k];
+      const auto other = lattice.node(to);
+      const bool free = lattice.mask(n) & 1u << d;
+      if (!other) {
+        ASSERT_FALSE(free);
+        continue;
+      }
+      q = lattice.position(*other);
+      ASSERT_EQ(free, !blocked(scene, p, q)) << "edge " << d << " of node " << n;
+      ASSERT_EQ(free, (lattice.mask(*other) & 1u << (kHalfDirections + d)) != 0);
+      edges += free;
+    }
+  }
+  EXPECT_EQ(edges, lattice.free_edges());
+  EXPECT_GT(edges, 100u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, LatticeProperty,
+    testing::Values(Case{Connectivity::six, 5, {1, 1, 1}}, Case{Connectivity::eighteen, 4, {0.5, 0.5, 0}},
+                    Case{Connectivity::twenty_six, 5, {1, 1, 1}},
+                    Case{Connectivity::twenty_six, 3.3, {0.7, 0.7, 0.2}}));
+
+TEST(Lattice, IsTheSameForAnyNumberOfThreads) {
+  const CollisionScene scene(support::random_city(22, 200, 300), {"box", {1, 1, 1}}, 0.5);
+  std::string bytes[3];
+  const unsigned threads[] = {1, 2, 7};
+  for (int i = 0; i < 3; ++i) {
+    std::ostringstream out;
+    write_lattice(out, build_lattice(scene, {5, Connectivity::twenty_six, Vec3(0.3, 0, 0)}, {threads[i], {}}));
+    bytes[i] = out.str();
+  }
+  EXPECT_EQ(bytes[0], bytes[1]);
+  EXPECT_EQ(bytes[0], bytes[2]);
+}
+
+TEST(LatticeFile, ReadsBackEveryMask) {
+  const CollisionScene scene(support::random_city(23, 100, 200), {"box", {1, 1, 1}}, 0);
+  const Lattice lattice = build_lattice(scene, {6, Connectivity::twenty_six, Vec3(1, 2, 3)});
+  std::ostringstream out;
+  write_lattice(out, lattice);
+  const std::string text = out.str();
+  const Lattice back = read_lattice(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "l"));
+  ASSERT_EQ(back.size(), lattice.size());
+  for (std::size_t n = 0; n < lattice.size(); ++n) ASSERT_EQ(back.mask(n), lattice.mask(n));
+  EXPECT_EQ(back.made_for().map, lattice.made_for().map);
+}
+
+TEST(LatticeFile, HostileBytesAreRefusedOrLoadAsSoundLattices) {
+  const CollisionScene scene(support::random_city(24, 10, 40), {"box", {1, 1, 1}}, 0);
+  std::ostringstream out;
+  write_lattice(out, build_lattice(scene, {10, Connectivity::twenty_six, Vec3::Zero()}));
+  const std::string good = out.str();
+  support::Random random(5);
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = good;
+    for (int k = 0; k < 3; ++k) text[random.below(static_cast<int>(text.size()))] = static_cast<char>(random.below(256));
+    if (i % 4 == 0) text.resize(random.below(static_cast<int>(text.size())));
+    try {
+      const Lattice lattice = read_lattice(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "l"));
+      for (std::size_t n = 0; n < lattice.size(); ++n) {
+        for (std::uint32_t m = lattice.mask(n) & ~Lattice::kNode; m; m &= m - 1) {
+          const auto other = static_cast<std::size_t>(n + lattice.offset(std::countr_zero(m)));
+          ASSERT_LT(other, lattice.size());
+          ASSERT_TRUE(lattice.free(other));
+        }
+      }
+    } catch (const geom::InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 700);
+}
+
+}  // namespace
+}  // namespace plan

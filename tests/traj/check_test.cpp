@@ -1,0 +1,172 @@
+#include "traj/check.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/error.h"
+#include "support/random_city.h"
+#include "traj/io/trajectory_record.h"
+#include "traj/solve.h"
+#include "traj/stop_and_go.h"
+
+namespace traj {
+namespace {
+
+using geom::CollisionScene;
+
+geom::BoxMap one_box() {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{-50, -50, -50}, {50, 50, 50}};
+  return geom::BoxMap(spec, support::table_of({{{-1, -1, -1}, {1, 1, 1}}}));
+}
+
+State rest(const Vec3& p) { return {p, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
+
+// A curve that bends around, with a state at its middle.
+Trajectory arc(const Vec3& middle, const Vec3& velocity) {
+  const State through{middle, velocity, {0, 0, 1}, Vec3::Zero()};
+  return {{hermite(rest(middle + Vec3(-12, 3, 2)), through, 4),
+           hermite(through, rest(middle + Vec3(13, -2, 5)), 4)}};
+}
+
+Trajectory moved(Trajectory t, const Vec3& by) {
+  for (Segment& s : t.segments) {
+    for (Vec3& p : s.point) p += by;
+  }
+  return t;
+}
+
+TEST(Check, AcceptsAClearCurveAndMeasuresItsClearance) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
+  const CheckResult result = check(scene, line, Limits{});
+  EXPECT_TRUE(result.ok) << result.reason;
+  ASSERT_TRUE(result.clearance);
+  EXPECT_NEAR(result.clearance->value, 2.5, 1.1e-3);
+  EXPECT_NEAR(result.speed.value, 20.0 / 8 * 35 / 16, 1e-3);
+}
+
+TEST(Check, NamesPlaceTimeAndBoxOfTheWorstCollision) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const CheckResult result = check(scene, {{hermite(rest({-10, 0, 0}), rest({10, 0, 0}), 8)}}, Limits{});
+  EXPECT_EQ(result.reason, "collision");
+  EXPECT_NEAR(result.worst, 1.5, 1e-3);
+  EXPECT_NEAR(result.time, 4, 0.05);
+  EXPECT_EQ(result.box, 0u);
+}
+
+TEST(Check, SeesGapsJumpsBoundsAndDurations) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  Trajectory t = arc({0, 20, 0}, {3, 0, 0});
+  EXPECT_TRUE(check(scene, t, Limits{}).ok);
+  Trajectory gap = t;
+  for (Vec3& p : gap.segments[1].point) p.x() += 1e-6;
+  EXPECT_EQ(check(scene, gap, Limits{}).reason, "discontinuous");
+  Trajectory jump = t;
+  jump.segments[1].duration = 3;
+  EXPECT_EQ(check(scene, jump, Limits{}).reason, "discontinuous");
+  EXPECT_EQ(check(scene, moved(t, {0, 28, 0}), Limits{}).reason, "bounds");
+  t.segments[0].duration = 0;
+  EXPECT_EQ(check(scene, t, Limits{}).reason, "duration");
+  EXPECT_EQ(check(scene, Trajectory{}, Limits{}).reason, "duration");
+}
+
+TEST(Check, HoldsEachLimitApart) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const Trajectory t = arc({0, 20, 0}, {6, 0, 0});
+  const CheckResult free = check(scene, t, Limits{});
+  const auto with = [&](Limits limits) { return check(scene, t, limits).reason; };
+  EXPECT_EQ(with({.vmax = free.speed.value * 1.001}), "");
+  EXPECT_EQ(with({.vmax = free.speed.value * 0.999}), "speed");
+  EXPECT_EQ(with({.amax = free.acceleration.value * 0.999}), "acceleration");
+  EXPECT_EQ(with({.jmax = free.jerk.value * 0.999}), "jerk");
+  EXPECT_EQ(with({.tilt = 0.05}), "tilt");
+  EXPECT_EQ(with({.tilt = 1.5}), "");
+}
+
+// The known touch: a point of the curve is put on a face of a grown box, or up to 1 cm inside.
+TEST(Check, RejectsEveryCurveMovedIntoTouch) {
+  const CollisionScene scene(support::random_city(51, 80, 150), {"box", {0.7, 0.7, 0.3}}, 0.2);
+  support::Random random(52);
+  int accepted = 0;
+  for (int i = 0; accepted < 1000; ++i) {
+    const Vec3 middle(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(60, 100));
+    const Trajectory t = arc(middle, {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-2, 2)});
+    if (!check(scene, t, Limits{}).ok) continue;
+    ++accepted;
+    const double time = random.uniform(0, duration(t));
+    const Vec3 p = evaluate(t, time).position;
+    const auto box = scene.map().boxes()[random.below(80)];  // the truth, not the grown box
+    const int axis = random.below(3);
+    const double depth = i % 3 ? random.uniform(0, 0.01) : 0;
+    Vec3 target = 0.5 * (box.min + box.max);
+    target[axis] = box.max[axis] + scene.half()[axis] - depth;
+    const CheckResult result = check(scene, moved(t, target - p), Limits{});
+    ASSERT_FALSE(result.ok) << "case " << i << ", depth " << depth;
+  }
+}
+
+TEST(Check, AStraightSegmentOneNanometreClearIsDecidedExactly) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const double face = scene.grown(0).max.y();
+  const auto along = [&](double y) {
+    return check(scene, stop_and_go(std::vector<Vec3>{{-10, y, 0}, {10, y, 0}}, {.vmax = 5, .amax = 5}), Limits{}).ok;
+  };
+  EXPECT_FALSE(along(face));
+  EXPECT_TRUE(along(std::nextafter(face, 10)));
+}
+
+TEST(CheckPath, IsExactOnEveryLeg) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const std::vector<Vec3> around = {{-10, 0, 0}, {0, 5, 0}, {10, 0, 0}};
+  EXPECT_TRUE(check_path(scene, around).ok);
+  const std::vector<Vec3> through = {{-10, 0, 0}, {10, 0, 0}};
+  EXPECT_EQ(check_path(scene, through).reason, "collision");
+  EXPECT_EQ(check_path(scene, {}).reason, "no_path");
+}
+
+TEST(Solve, ProvesEveryFreePathOfARandomCity) {
+  const CollisionScene scene(support::random_city(53, 60, 100), {"box", {0.5, 0.5, 0.3}}, 0);
+  support::Random random(54);
+  int solved = 0;
+  for (int i = 0; solved < 12; ++i) {
+    geom::Polyline path;
+    for (int k = 0; k < 4; ++k) {
+      path.push_back({random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(5, 90)});
+    }
+    bool free = true;
+    for (std::size_t k = 1; k < path.size(); ++k) free = free && scene.free(path[k - 1], path[k]);
+    if (!free) continue;
+    const Limits limits{.vmax = 8, .amax = 6};
+    const SolveResult result = solve(scene, path, {.limits = limits});
+    ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+    EXPECT_TRUE(check(scene, result.trajectory, limits).ok);
+    ++solved;
+  }
+}
+
+TEST(TrajectoryRecord, ComesBackBitForBit) {
+  TrajectoryRecord record{"a \"b\"", "solved", arc({0.1, 20.3, 0.7}, {3, 0.2, 0}), {}, {.vmax = 8}, "", "ipopt", ""};
+  record.trajectory.segments[0].yaw = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  const std::string line = to_json_line(record);
+  EXPECT_EQ(to_json_line(parse_trajectory_record(line, "t", 1)), line);
+}
+
+TEST(TrajectoryRecord, HostileLinesAreRefused) {
+  const std::string good = to_json_line({"a", "solved", arc({0, 20, 0}, {3, 0, 0}), {}, {}, "", "", ""});
+  support::Random random(55);
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string text = good;
+    text[random.below(static_cast<int>(text.size()))] = static_cast<char>(random.below(256));
+    if (i % 3 == 0) text.resize(random.below(static_cast<int>(text.size())));
+    try {
+      parse_trajectory_record(text, "t", 1);
+    } catch (const geom::InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 600);
+}
+
+}  // namespace
+}  // namespace traj
