@@ -65,6 +65,7 @@ std::string npy_header(const NamedArray& array) {
 }
 
 std::uint32_t crc_of(std::uint32_t crc, std::span<const std::byte> bytes) {
+  if (bytes.empty()) return crc;  // crc32_z() starts anew when it is given no buffer
   return static_cast<std::uint32_t>(
       crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }

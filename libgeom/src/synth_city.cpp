@@ -58,7 +58,11 @@ class City {
     const auto millimetres = [](double v) { return std::floor(v * 1000 + 0.5) / 1000; };
     const Vec3 low(millimetres(x0), millimetres(y0), millimetres(z0));
     const Vec3 high(millimetres(x1), millimetres(y1), millimetres(z1));
-    boxes_.push_back({0.5 * (low + high), 0.5 * (high - low)});
+    const auto tidy = [](double v) { return std::floor(v * 10000 + 0.5) / 10000; };
+    CenteredBox box{0.5 * (low + high), 0.5 * (high - low)};
+    for (int i = 0; i < 3; ++i) box.center[i] = tidy(box.center[i]);
+    for (int i = 0; i < 3; ++i) box.half[i] = tidy(box.half[i]);
+    boxes_.push_back(box);
   }
 
   // How built up a place is: 1 in the middle, 0 at the rim.

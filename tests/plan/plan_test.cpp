@@ -56,7 +56,7 @@ TEST(Plan, SaysWhyNot) {
   EXPECT_EQ(plan_in(walled(true), {-10, 5, 10}, {50, 5, 10}).status, PlanStatus::start_outside);
   const PlanResult outside = plan_in(walled(true), {10, 5, 10}, {99.5, 5, 10});
   EXPECT_EQ(outside.status, PlanStatus::goal_outside);
-  EXPECT_NE(outside.message.find("a free point is 0.500 m away"), std::string::npos) << outside.message;
+  EXPECT_NE(outside.message.find("the nearest free point is 0.500 m away"), std::string::npos) << outside.message;
 }
 
 TEST(Plan, SnapsEndsWhenAskedAndRecordsIt) {
