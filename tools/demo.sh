@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# demo.sh BIN_DIR OUT_DIR: the whole chain on data/downtown.csv, one line a step.
+set -euo pipefail
+bin=$(cd "$1" && pwd)
+out=$2
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+mkdir -p "$out"
+export PATH="$bin:$PATH"
+vehicle=(--vehicle box:0.5,0.5,0.3)
+map=$out/city.boxmap
+
+# step WORDS COUNT-COMMAND TOOL [ARGUMENT ...]: runs a tool and says what came out, and how fast.
+step() {
+  local words=$1 count=$2 begin end
+  shift 2
+  begin=$(date +%s%N)
+  "$@"
+  end=$(date +%s%N)
+  printf '%-34s %-44s %6d ms\n' "$words" "$(eval "$count")" $(((end - begin) / 1000000))
+}
+
+number() { grep -o "\"$1\":[0-9.]*" "$2" | head -n 1 | cut -d: -f2; }
+
+step "city table to box map" 'skyway-info "$map" | grep boxes' \
+  skyway-import -q "$here/data/downtown.csv" -o "$map"
+step "lattice, 10 m, 26 neighbours" 'skyway-info "$out/city.lattice" | grep -E "nodes|edges" | paste -sd" "' \
+  skyway-lattice -q "$map" --spacing 10 --connect 26 "${vehicle[@]}" -o "$out/city.lattice"
+step "path across the city" 'printf "length: %.1f m" "$(number length "$out/path.jsonl")"' \
+  skyway-plan -q "$map" --lattice "$out/city.lattice" "${vehicle[@]}" --from=-425,-320.5,7 --to=357,204,5 \
+  --snap-ends 5 -o "$out/path.jsonl"
+step "minimum-snap trajectory" 'printf "duration: %.1f s, by %s" "$(number duration "$out/trajectory.jsonl")" "$(grep -o "\"rung\":\"[a-z_]*" "$out/trajectory.jsonl" | cut -d\" -f4)"' \
+  skyway-traj -q "$map" "$out/path.jsonl" --vmax 8 --amax 6 -o "$out/trajectory.jsonl"
+step "proof" 'printf "ok: %s, clearance: %.3f m" "$(grep -o "\"ok\":[a-z]*" "$out/report.jsonl" | cut -d: -f2)" "$(number clearance "$out/report.jsonl")"' \
+  skyway-check -q "$map" "$out/trajectory.jsonl" -o "$out/report.jsonl"
+step "Crazyflie polynomials" 'echo "segments: $(($(wc -l < "$out/crazyflie.csv") - 1))"' \
+  skyway-export -q "$map" "$out/trajectory.jsonl" --format crazyflie -o "$out/crazyflie.csv"
+step "plan view" 'echo "$out/plan.svg"' skyway-plot -q plan "$map" "$out/path.jsonl" -o "$out/plan.svg"
+step "motion profile" 'echo "$out/profile.svg"' \
+  skyway-plot -q profile "$out/trajectory.jsonl" -o "$out/profile.svg"
+echo "Open $out/plan.svg and $out/profile.svg."
