@@ -21,6 +21,7 @@ constexpr double kSpacing = 10;         // metres: of the first lattice on a map
 constexpr int kLevels = 3;              // each of half the spacing of the one before
 constexpr double kMostNodes = 0x1p25;   // of a lattice built here: 0.7 GB with one workspace
 constexpr double kFewestNodes = 1e4;    // of the first lattice: a small map gets a finer one
+constexpr double kDetour = 1.2;         // of the straight line: then a finer lattice may know better
 constexpr double kLookAround = 50;      // metres: how far a message looks for a free place
 
 std::string shown(const Vec3& p) { return fmt::format("({}, {}, {})", p[0], p[1], p[2]); }
@@ -177,6 +178,22 @@ bool Planner::search_level(Level& level, const Vec3& from, const Vec3& to, PlanR
   return true;
 }
 
+void Planner::search_levels(const Vec3& from, const Vec3& to, bool raw, PlanResult& result) {
+  const double straight = (to - from).norm();
+  for (const auto& level : levels_) {
+    PlanResult tried;
+    tried.method = result.method;
+    const bool found = search_level(*level, from, to, tried);
+    if (found && !raw) tried.path = shortcut(scene_, tried.path);
+    if (!result.path.empty()) {  // a second opinion on a detour
+      if (found && geom::length(tried.path) < geom::length(result.path)) result = std::move(tried);
+      return;
+    }
+    result = std::move(tried);
+    if (found && (raw || geom::length(result.path) <= kDetour * straight)) return;
+  }
+}
+
 PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   PlanResult result;
   if (scene_.free(from, to)) {
@@ -184,14 +201,11 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
     result.path = {from, to};
   } else {
     result.method = "lattice";
-    const bool found = std::any_of(levels_.begin(), levels_.end(), [&](const auto& level) {
-      return search_level(*level, from, to, result);
-    });
-    if (!found) {
+    search_levels(from, to, options.raw, result);
+    if (result.path.empty()) {
       result.message = fmt::format("no path on a lattice of {} m", result.resolution);
       return result;
     }
-    if (!options.raw) result.path = shortcut(scene_, result.path);
   }
   if (options.resample > 0) result.path = resample_free(scene_, result.path, options.resample);
   result.status = PlanStatus::found;

@@ -31,7 +31,7 @@ struct PlanResult {
   geom::Polyline path;  // start to goal, every leg free; empty unless found
   std::string message;  // why not, in words
   std::string method;   // "straight" or "lattice"; empty unless searched
-  double resolution = 0;     // spacing of the last lattice searched, metres; 0: none was
+  double resolution = 0;     // spacing of the path's lattice, or of the last searched; 0: none was
   std::size_t expanded = 0;  // nodes, on that lattice
   std::optional<Vec3> snapped_start;  // where an end was moved to
   std::optional<Vec3> snapped_goal;
@@ -40,7 +40,8 @@ struct PlanResult {
 // The straight line first, then A* on a lattice joined to both ends by checked segments, then
 // shortcut() and, where asked, resampling. Without a lattice of its own it searches 26-connected
 // ones of 10, 5 and 2.5 m until one finds a path, each built once, when first needed; on maps too
-// small or too large for these, of 10 m halved or doubled until the node count is sane. An edge of
+// small or too large for these, of 10 m halved or doubled until the node count is sane. A shortened
+// path of more than 1.2 times the straight line is compared with the next lattice's. An edge of
 // a given lattice that is blocked on this map throws geom::InputError. The scene and the lattice
 // must outlive it. Threads may plan at once; no answer depends on another.
 class Planner {
@@ -54,6 +55,7 @@ class Planner {
   struct Level;
 
   PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  void search_levels(const Vec3& from, const Vec3& to, bool raw, PlanResult& result);
   bool search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result);
 
   const geom::CollisionScene& scene_;

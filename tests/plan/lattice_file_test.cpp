@@ -1,0 +1,229 @@
+#include "plan/io/lattice_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "geom/error.h"
+#include "plan/build_lattice.h"
+#include "plan/scenes.h"
+
+namespace plan {
+namespace {
+
+Lattice some_lattice(std::uint64_t seed = 1, Connectivity connectivity = Connectivity::twenty_six) {
+  const auto scene = random_scene(seed, 8, 18, {0.3, 0.3, 0.3});
+  return build_lattice(scene, {1, connectivity, {0.25, 0.5, -100.125}});
+}
+
+std::string written(const Lattice& lattice) {
+  std::ostringstream out;
+  write_lattice(out, lattice);
+  return out.str();
+}
+
+Lattice read(std::string_view bytes) {
+  const auto span = std::as_bytes(std::span(bytes.data(), bytes.size()));
+  return read_lattice(geom::ArrayArchive::from_bytes(span, "test.lattice"));
+}
+
+void expect_same(const Lattice& a, const Lattice& b) {
+  EXPECT_EQ(a.spec().spacing, b.spec().spacing);
+  EXPECT_EQ(a.spec().origin, b.spec().origin);
+  EXPECT_EQ(a.spec().connectivity, b.spec().connectivity);
+  EXPECT_EQ(a.first(), b.first());
+  EXPECT_EQ(a.dims(), b.dims());
+  EXPECT_EQ(a.made_for().map, b.made_for().map);
+  EXPECT_EQ(a.made_for().frame, b.made_for().frame);
+  EXPECT_EQ(a.made_for().vehicle, b.made_for().vehicle);
+  EXPECT_EQ(a.made_for().margin, b.made_for().margin);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t n = 0; n < a.size(); ++n) ASSERT_EQ(a.mask(n), b.mask(n)) << n;
+}
+
+// The file of `lattice` with its arrays or its meta changed, everything else in order.
+struct Parts {
+  std::string meta;
+  std::vector<std::uint8_t> state;
+  std::vector<std::uint8_t> nodes;
+  std::vector<std::uint16_t> edges;
+
+  explicit Parts(const Lattice& lattice) {
+    const std::string bytes = written(lattice);
+    const auto span = std::as_bytes(std::span(bytes.data(), bytes.size()));
+    const auto archive = geom::ArrayArchive::from_bytes(span, "parts");
+    const auto copy = [](auto values, auto& to) { to.assign(values.begin(), values.end()); };
+    meta = archive.meta();
+    copy(archive.array<std::uint8_t>("block_state"), state);
+    copy(archive.array<std::uint8_t>("block_nodes", 64), nodes);
+    copy(archive.array<std::uint16_t>("block_edges", 512), edges);
+  }
+
+  std::string bytes() const {
+    const geom::NamedArray arrays[] = {
+        geom::named_array<std::uint8_t>("block_state", state),
+        geom::named_array<std::uint8_t>("block_nodes", nodes, 64),
+        geom::named_array<std::uint16_t>("block_edges", edges, 512),
+    };
+    std::ostringstream out;
+    geom::write_array_archive(out, meta, arrays);
+    return out.str();
+  }
+
+  void replace(const std::string& what, const std::string& by) {
+    const auto at = meta.find(what);
+    ASSERT_NE(at, std::string::npos) << meta;
+    meta.replace(at, what.size(), by);
+  }
+};
+
+std::string refusal(const Parts& parts) {
+  try {
+    read(parts.bytes());
+  } catch (const geom::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LatticeFile, ReadsBackBitForBit) {
+  for (const auto connectivity :
+       {Connectivity::six, Connectivity::eighteen, Connectivity::twenty_six}) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const Lattice lattice = some_lattice(seed, connectivity);
+      expect_same(lattice, read(written(lattice)));
+      EXPECT_EQ(written(lattice), written(read(written(lattice))));
+    }
+  }
+}
+
+TEST(LatticeFile, StoresNothingForFreeAndBlockedBlocks) {
+  const geom::Aabb bounds{{0, 0, 0}, {23, 15, 7}};
+  const auto scene = scene_of({{{15.5, -1, -1}, {30, 20, 10}}}, bounds);
+  const Lattice lattice = build_lattice(scene, {1, Connectivity::twenty_six, {0, 0, 0}});
+  const Parts parts(lattice);
+  EXPECT_EQ(parts.state, (std::vector<std::uint8_t>{1, 2, 0, 1, 2, 0}));
+  EXPECT_EQ(parts.edges.size(), 2 * 512u);
+  expect_same(lattice, read(parts.bytes()));
+}
+
+TEST(LatticeFile, KeepsIndicesBeyondTheLargestCoordinate) {
+  const auto scene = scene_of({}, {{1e6, 0, 0}, {1e6 + 1, 1, 1}});
+  const Lattice lattice = build_lattice(scene, {0x1p-8, Connectivity::six, {-1e6, 0.5, 0.5}});
+  EXPECT_GT(lattice.first()[0], 100'000'000);
+  expect_same(lattice, read(written(lattice)));
+}
+
+TEST(LatticeFile, RefusesAnotherFormatOrVersion) {
+  Parts version(some_lattice());
+  version.replace("\"version\":1", "\"version\":2");
+  EXPECT_NE(refusal(version).find("expected lattice version 1, found 2"), std::string::npos);
+  Parts format(some_lattice());
+  format.replace("skyway-lattice", "skyway-boxmap");
+  EXPECT_NE(refusal(format).find("expected a lattice"), std::string::npos);
+}
+
+TEST(LatticeFile, RefusesMetaThatCannotBe) {
+  const std::pair<const char*, const char*> changes[] = {
+      {"\"spacing\":1", "\"spacing\":0"},
+      {"\"spacing\":1", "\"spacing\":-1"},
+      {"\"spacing\":1", "\"spacing\":\"x\""},
+      {"\"connectivity\":26", "\"connectivity\":8"},
+      {"\"connectivity\":26", "\"connectivity\":6"},
+      {"\"dims\":[", "\"dims\":[0"},
+      {"\"dims\":[", "\"dims\":[100000"},
+      {"\"dims\":[", "\"dims\":[-"},
+      {"\"dims\":[", "\"dims\":[0.5,"},
+      {"\"dims\":", "\"sizes\":"},
+      {"\"first\":[", "\"first\":[1e300,"},
+      {"\"first\":[", "\"first\":[0."},
+      {"\"first\":", "\"last\":"},
+      {"\"origin\":", "\"other\":"},
+  };
+  for (const auto& [what, by] : changes) {
+    Parts parts(some_lattice());
+    parts.replace(what, by);
+    EXPECT_NE(refusal(parts), "") << what << " -> " << by;
+  }
+}
+
+TEST(LatticeFile, RefusesArraysOfTheWrongLength) {
+  Parts few(some_lattice());
+  few.state.pop_back();
+  EXPECT_NE(refusal(few), "");
+  Parts nodes(some_lattice());
+  nodes.nodes.resize(nodes.nodes.size() - 64);
+  EXPECT_NE(refusal(nodes), "");
+  Parts edges(some_lattice());
+  edges.edges.resize(edges.edges.size() + 512);
+  EXPECT_NE(refusal(edges), "");
+  Parts state(some_lattice());
+  state.state[0] = 3;
+  EXPECT_NE(refusal(state), "");
+}
+
+TEST(LatticeFile, RefusesAnEdgeToABlockedNode) {
+  Parts parts(some_lattice());
+  const auto at = std::find(parts.edges.begin(), parts.edges.end(), 0x1fff);
+  ASSERT_NE(at, parts.edges.end());
+  const auto next = static_cast<std::size_t>(at - parts.edges.begin()) + 1;  // its x neighbour
+  parts.edges[next] = 0;
+  parts.nodes[next / 8] &= static_cast<std::uint8_t>(~(1u << (next % 8)));
+  EXPECT_NE(refusal(parts).find("blocked node"), std::string::npos) << refusal(parts);
+}
+
+// No bit is ignored: a changed one is refused, or comes out again.
+TEST(LatticeFile, RefusesOrKeepsEveryFlippedEdgeBit) {
+  const Parts good(some_lattice());
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < good.edges.size(); i += 37) {
+    Parts bad = good;
+    bad.edges[i] ^= static_cast<std::uint16_t>(1u << (i % 16));
+    try {
+      const Parts again(read(bad.bytes()));
+      EXPECT_EQ(again.edges, bad.edges);
+      EXPECT_EQ(again.nodes, bad.nodes);
+    } catch (const geom::InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0u);
+}
+
+TEST(LatticeFile, RefusesEveryTruncation) {
+  const std::string bytes = written(some_lattice());
+  for (std::size_t n = 0; n < bytes.size(); n += n < 512 ? 1 : 257) {
+    EXPECT_THROW(read(std::string_view(bytes).substr(0, n)), geom::InputError) << n;
+  }
+}
+
+TEST(LatticeFile, SurvivesFlippedBytesAnywhere) {
+  const std::string good = written(some_lattice());
+  support::Random random(4);
+  std::size_t refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string bad = good;
+    // Half of the flips where the directory and the headers are.
+    const int n = static_cast<int>(bad.size());
+    const int at = i % 2 ? random.below(n) : i % 4 ? random.below(1024) : n - 1 - random.below(1024);
+    bad[static_cast<std::size_t>(at)] ^= static_cast<char>(1 << random.below(8));
+    try {
+      const Lattice lattice = read(bad);
+      for (std::size_t k = 0; k < lattice.size(); ++k) {
+        for (int d = 0; d < kDirections; ++d) {
+          if (!(lattice.mask(k) >> d & 1)) continue;
+          const auto other = static_cast<std::size_t>(static_cast<std::int64_t>(k) + lattice.offset(d));
+          ASSERT_LT(other, lattice.size());
+          ASSERT_TRUE(lattice.free(k) && lattice.free(other));
+        }
+      }
+    } catch (const geom::InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 500u);
+}
+
+}  // namespace
+}  // namespace plan
