@@ -115,7 +115,7 @@ Meta parse_meta(const geom::ArrayArchive& archive) {
   }
   meta.spec.connectivity = static_cast<Connectivity>(static_cast<int>(connectivity));
   Vec3 first;  // not a point: with a small spacing the indices are larger than any coordinate
-  const auto& listed = fields.object()["first"];
+  const auto listed = fields.object().value("first", nlohmann::json());
   if (!listed.is_array() || listed.size() != 3) fields.refuse("first must be three whole numbers");
   for (int k = 0; k < 3; ++k) first[k] = fields.number(listed[k], "first");
   const Vec3 dims = fields.point("dims");

@@ -87,7 +87,7 @@ std::string refusal(const Parts& parts) {
   return "";
 }
 
-TEST(LatticeFile, ReadsBackBitForBit) {
+TEST(LatticeFileContent, ReadsBackBitForBit) {
   for (const auto connectivity :
        {Connectivity::six, Connectivity::eighteen, Connectivity::twenty_six}) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -98,7 +98,7 @@ TEST(LatticeFile, ReadsBackBitForBit) {
   }
 }
 
-TEST(LatticeFile, StoresNothingForFreeAndBlockedBlocks) {
+TEST(LatticeFileContent, StoresNothingForFreeAndBlockedBlocks) {
   const geom::Aabb bounds{{0, 0, 0}, {23, 15, 7}};
   const auto scene = scene_of({{{15.5, -1, -1}, {30, 20, 10}}}, bounds);
   const Lattice lattice = build_lattice(scene, {1, Connectivity::twenty_six, {0, 0, 0}});
@@ -108,14 +108,14 @@ TEST(LatticeFile, StoresNothingForFreeAndBlockedBlocks) {
   expect_same(lattice, read(parts.bytes()));
 }
 
-TEST(LatticeFile, KeepsIndicesBeyondTheLargestCoordinate) {
+TEST(LatticeFileContent, KeepsIndicesBeyondTheLargestCoordinate) {
   const auto scene = scene_of({}, {{1e6, 0, 0}, {1e6 + 1, 1, 1}});
   const Lattice lattice = build_lattice(scene, {0x1p-8, Connectivity::six, {-1e6, 0.5, 0.5}});
   EXPECT_GT(lattice.first()[0], 100'000'000);
   expect_same(lattice, read(written(lattice)));
 }
 
-TEST(LatticeFile, RefusesAnotherFormatOrVersion) {
+TEST(LatticeFileContent, RefusesAnotherFormatOrVersion) {
   Parts version(some_lattice());
   version.replace("\"version\":1", "\"version\":2");
   EXPECT_NE(refusal(version).find("expected lattice version 1, found 2"), std::string::npos);
@@ -124,7 +124,7 @@ TEST(LatticeFile, RefusesAnotherFormatOrVersion) {
   EXPECT_NE(refusal(format).find("expected a lattice"), std::string::npos);
 }
 
-TEST(LatticeFile, RefusesMetaThatCannotBe) {
+TEST(LatticeFileContent, RefusesMetaThatCannotBe) {
   const std::pair<const char*, const char*> changes[] = {
       {"\"spacing\":1", "\"spacing\":0"},
       {"\"spacing\":1", "\"spacing\":-1"},
@@ -148,7 +148,7 @@ TEST(LatticeFile, RefusesMetaThatCannotBe) {
   }
 }
 
-TEST(LatticeFile, RefusesArraysOfTheWrongLength) {
+TEST(LatticeFileContent, RefusesArraysOfTheWrongLength) {
   Parts few(some_lattice());
   few.state.pop_back();
   EXPECT_NE(refusal(few), "");
@@ -163,7 +163,7 @@ TEST(LatticeFile, RefusesArraysOfTheWrongLength) {
   EXPECT_NE(refusal(state), "");
 }
 
-TEST(LatticeFile, RefusesAnEdgeToABlockedNode) {
+TEST(LatticeFileContent, RefusesAnEdgeToABlockedNode) {
   Parts parts(some_lattice());
   const auto at = std::find(parts.edges.begin(), parts.edges.end(), 0x1fff);
   ASSERT_NE(at, parts.edges.end());
@@ -174,7 +174,7 @@ TEST(LatticeFile, RefusesAnEdgeToABlockedNode) {
 }
 
 // No bit is ignored: a changed one is refused, or comes out again.
-TEST(LatticeFile, RefusesOrKeepsEveryFlippedEdgeBit) {
+TEST(LatticeFileContent, RefusesOrKeepsEveryFlippedEdgeBit) {
   const Parts good(some_lattice());
   std::size_t refused = 0;
   for (std::size_t i = 0; i < good.edges.size(); i += 37) {
@@ -191,14 +191,14 @@ TEST(LatticeFile, RefusesOrKeepsEveryFlippedEdgeBit) {
   EXPECT_GT(refused, 0u);
 }
 
-TEST(LatticeFile, RefusesEveryTruncation) {
+TEST(LatticeFileContent, RefusesEveryTruncation) {
   const std::string bytes = written(some_lattice());
   for (std::size_t n = 0; n < bytes.size(); n += n < 512 ? 1 : 257) {
     EXPECT_THROW(read(std::string_view(bytes).substr(0, n)), geom::InputError) << n;
   }
 }
 
-TEST(LatticeFile, SurvivesFlippedBytesAnywhere) {
+TEST(LatticeFileContent, SurvivesFlippedBytesAnywhere) {
   const std::string good = written(some_lattice());
   support::Random random(4);
   std::size_t refused = 0;
