@@ -42,7 +42,12 @@ struct Handles {  // an Embree scene over closed boxes, its coordinates relative
 struct TileScene {
   Handles handles;
   std::vector<Aabb> grown;
+  std::vector<Aabb> by_vehicle;  // grown without the margin; empty where that is the same
   std::once_flag built;
+
+  const Aabb& without_margin(std::size_t i) const {
+    return by_vehicle.empty() ? grown[i] : by_vehicle[i];
+  }
 };
 
 void throw_on_error(RTCDevice device) {
@@ -175,9 +180,6 @@ struct CollisionScene::Impl {
   }
 
   TileScene& tile(std::size_t t);
-  double vehicle_distance(const Vec3& p, std::size_t box) const {
-    return distance(p, grow(map.boxes()[box], vehicle.half));
-  }
 };
 
 namespace {
@@ -207,6 +209,7 @@ struct NearestContext {
   Vec3 point;
   std::optional<Nearest> best;
   double radius;  // boxes further than this are of no interest
+  const TileScene* tile = nullptr;
   std::size_t first_box = 0;
 };
 
@@ -253,6 +256,7 @@ TileScene& CollisionScene::Impl::tile(std::size_t t) {
     scene.grown.reserve(tile.count);
     for (const Aabb& box : map.boxes().subspan(tile.first, tile.count)) {
       scene.grown.push_back(grow(box, half));
+      if (margin > 0) scene.by_vehicle.push_back(grow(box, vehicle.half));
     }
     build(device, scene.grown, segment_against_box, visit, nullptr, scene.handles);
   });
@@ -271,13 +275,13 @@ void segment_against_tile(const RTCOccludedFunctionNArguments* args) {
   if (occluded(inner.tile->handles, *outer.a, *outer.b, inner)) mark_hit(args);
 }
 
-bool visit_nearest_box(NearestContext& context, std::size_t box) {
-  const double d = context.scene->vehicle_distance(context.point, box);
-  if (d > context.radius) return false;
-  if (context.best && d == context.radius && box > context.best->box) return false;
+void visit_nearest_box(NearestContext& context, std::size_t i) {
+  const double d = distance(context.point, context.tile->without_margin(i));
+  const std::size_t box = context.first_box + i;
+  if (d > context.radius) return;
+  if (context.best && d == context.radius && box > context.best->box) return;
   context.best = Nearest{box, d};
   context.radius = d;
-  return true;
 }
 
 bool visit_nearest(RTCPointQueryFunctionArguments* args, NearestContext& context, bool top,
@@ -285,12 +289,13 @@ bool visit_nearest(RTCPointQueryFunctionArguments* args, NearestContext& context
   CollisionScene::Impl& scene = *context.scene;
   const double before = context.radius;
   if (!top) {
-    visit_nearest_box(context, context.first_box + args->primID);
+    visit_nearest_box(context, args->primID);
   } else {
     if (distance(context.point, scene.tile_extent[args->primID]) > context.radius) return false;
     context.first_box = scene.map.tiles()[args->primID].first;
+    context.tile = &scene.tile(args->primID);
     PointContext inner{&context, nullptr, false};
-    near(scene.tile(args->primID).handles, context.point, context.radius, inner);
+    near(context.tile->handles, context.point, context.radius, inner);
   }
   if (context.radius == before) return false;
   args->query->radius = float_up(context.radius + slack);

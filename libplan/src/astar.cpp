@@ -15,6 +15,7 @@ constexpr double kOne = 0x1p36;
 constexpr std::uint64_t kAxis = 1ull << 36;
 constexpr std::uint64_t kSqrt2 = 97184015999;   // round(2^36 sqrt 2)
 constexpr std::uint64_t kSqrt3 = 119025625176;  // round(2^36 sqrt 3)
+constexpr std::size_t kFewGoals = 16;  // beyond, the least of all their distances costs too much
 constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
 // The length of the shortest way over x, y, z nodes along the axes, without obstacles.
@@ -53,16 +54,34 @@ AstarSearch::Units AstarSearch::units(double metres) const {
 }
 
 AstarSearch::Units AstarSearch::to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  if (goals_.size() > kFewGoals) return to_box(x, y, z);
   const Connectivity connectivity = lattice_->spec().connectivity;
   Units best = kNone;
   for (const Goal& goal : goals_) {
     const auto apart = [](std::int32_t a, std::int32_t b) {
       return static_cast<std::uint64_t>(std::abs(a - b));
     };
-    const Units way = unobstructed(connectivity, apart(x, goal.x), apart(y, goal.y), apart(z, goal.z));
+    const Units way =
+        unobstructed(connectivity, apart(x, goal.x), apart(y, goal.y), apart(z, goal.z));
     best = std::min(best, way + goal.cost);
   }
   return best;
+}
+
+// Clamping moves no coordinate further than the step does, so this is consistent too.
+AstarSearch::Units AstarSearch::to_box(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  const auto apart = [](std::int32_t v, std::int32_t low, std::int32_t high) {
+    return static_cast<std::uint64_t>(std::max({low - v, v - high, 0}));
+  };
+  return lowest_.cost + unobstructed(lattice_->spec().connectivity, apart(x, lowest_.x, highest_.x),
+                                     apart(y, lowest_.y, highest_.y),
+                                     apart(z, lowest_.z, highest_.z));
+}
+
+const AstarSearch::Goal* AstarSearch::goal_at(std::uint32_t node) const {
+  const auto by_node = [](const Goal& goal, std::uint32_t n) { return goal.node < n; };
+  const auto at = std::lower_bound(goals_.begin(), goals_.end(), node, by_node);
+  return at != goals_.end() && at->node == node ? &*at : nullptr;
 }
 
 void AstarSearch::insert(const Open& entry) {
@@ -132,10 +151,23 @@ void AstarSearch::start(std::span<const Terminal> sources, std::span<const Termi
   };
   for (const Terminal& goal : goals) {
     const std::size_t n = goal.node;
-    goals_.push_back({at(n, 0), at(n, 1), at(n, 2), static_cast<std::uint32_t>(n),
-                      units(goal.cost), goal.cost});
+    goals_.push_back(
+        {at(n, 0), at(n, 1), at(n, 2), static_cast<std::uint32_t>(n), units(goal.cost), goal.cost});
   }
   if (goals_.empty()) return;
+  std::sort(goals_.begin(), goals_.end(), [](const Goal& a, const Goal& b) {
+    return a.node != b.node ? a.node < b.node : a.metres < b.metres;
+  });
+  lowest_ = highest_ = goals_.front();
+  for (const Goal& goal : goals_) {
+    lowest_.x = std::min(lowest_.x, goal.x);
+    lowest_.y = std::min(lowest_.y, goal.y);
+    lowest_.z = std::min(lowest_.z, goal.z);
+    lowest_.cost = std::min(lowest_.cost, goal.cost);
+    highest_.x = std::max(highest_.x, goal.x);
+    highest_.y = std::max(highest_.y, goal.y);
+    highest_.z = std::max(highest_.z, goal.z);
+  }
   for (const Terminal& source : sources) {
     const std::size_t n = source.node;
     push(static_cast<std::uint32_t>(n), units(source.cost), -1, at(n, 0), at(n, 1), at(n, 2));
@@ -173,11 +205,10 @@ SearchResult AstarSearch::search(std::span<const Terminal> sources,
     if (visit.settled) continue;
     visit.settled = true;
     ++result.expanded;
-    for (const Goal& goal : goals_) {
-      if (goal.node == top.node && top.cost + goal.cost < best) {
-        best = top.cost + goal.cost;
-        reached = &goal;
-      }
+    const Goal* goal = goal_at(top.node);
+    if (goal && top.cost + goal->cost < best) {
+      best = top.cost + goal->cost;
+      reached = goal;
     }
     if (best > top.bound) expand(top);
   }

@@ -42,7 +42,8 @@ struct Grid {
 Grid make_grid(const geom::CollisionScene& scene, const LatticeSpec& spec) {
   Grid grid{spec, {}, {}, {}};
   const std::string where = fmt::format("lattice of {} m", spec.spacing);
-  if (!scene.free_bounds()) throw geom::InputError(where, "the vehicle does not fit into the bounds");
+  if (!scene.free_bounds())
+    throw geom::InputError(where, "the vehicle does not fit into the bounds");
   const Aabb& inner = *scene.free_bounds();
   double total = 1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -160,7 +161,8 @@ void mirror_layer(const Grid& grid, int directions, std::int64_t k,
         const std::int64_t a = i - kDirection[d][0];
         const std::int64_t b = j - kDirection[d][1];
         const std::int64_t c = k - kDirection[d][2];
-        if (a < 0 || b < 0 || c < 0 || a >= grid.dims[0] || b >= grid.dims[1] || c >= grid.dims[2]) {
+        if (a < 0 || b < 0 || c < 0 || a >= grid.dims[0] || b >= grid.dims[1] ||
+            c >= grid.dims[2]) {
           continue;
         }
         // Bits below kHalfDirections are final by now, and this pass leaves them alone.
@@ -177,7 +179,8 @@ Lattice build_lattice(const geom::CollisionScene& scene, const LatticeSpec& spec
                       const geom::Execution& run) {
   const Grid grid = make_grid(scene, spec);
   const int directions = half_directions(spec.connectivity);
-  std::vector<std::uint32_t> masks(static_cast<std::size_t>(grid.dims[0] * grid.dims[1] * grid.dims[2]));
+  std::vector<std::uint32_t> masks(
+      static_cast<std::size_t>(grid.dims[0] * grid.dims[1] * grid.dims[2]));
   std::vector<Aabb> boxes(scene.map().boxes().size());
   for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = scene.grown(i);
 

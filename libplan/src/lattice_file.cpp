@@ -199,8 +199,10 @@ void mirror(const Meta& meta, const BlockReader& reader, std::vector<std::uint32
   for (std::size_t n = 0; n < masks.size(); ++n) {
     for (std::uint32_t lower = masks[n] & kLower; lower; lower &= lower - 1) {
       const int d = __builtin_ctz(lower);
-      const std::size_t other = n + static_cast<std::size_t>(
-          kDirection[d][0] + meta.dims[0] * (kDirection[d][1] + meta.dims[1] * kDirection[d][2]));
+      const std::size_t other =
+          n + static_cast<std::size_t>(kDirection[d][0] +
+                                       meta.dims[0] *
+                                           (kDirection[d][1] + meta.dims[1] * kDirection[d][2]));
       if (!(masks[other] & Lattice::kNode)) {
         reader.refuse(fmt::format("node {} has an edge to a blocked node", n));
       }
@@ -261,7 +263,8 @@ Lattice read_lattice(const geom::ArrayArchive& archive) {
   if (state.size() != blocks.size()) {
     reader.refuse(fmt::format("expected {} blocks, found {}", blocks.size(), state.size()));
   }
-  std::vector<std::uint32_t> masks(static_cast<std::size_t>(meta.dims[0] * meta.dims[1] * meta.dims[2]));
+  std::vector<std::uint32_t> masks(
+      static_cast<std::size_t>(meta.dims[0] * meta.dims[1] * meta.dims[2]));
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     if (state[b] > kStored) reader.refuse(fmt::format("block {} has state {}", b, state[b]));
     reader.read(blocks, b, static_cast<BlockState>(state[b]), masks);

@@ -16,13 +16,13 @@ namespace {
 
 using geom::Polyline;
 
-constexpr std::int64_t kRings = 4;      // of nodes around an end that may be joined to it
-constexpr double kSpacing = 10;         // metres: of the first lattice on a map of a city's size
-constexpr int kLevels = 3;              // each of half the spacing of the one before
-constexpr double kMostNodes = 0x1p25;   // of a lattice built here: 0.7 GB with one workspace
-constexpr double kFewestNodes = 1e4;    // of the first lattice: a small map gets a finer one
-constexpr double kDetour = 1.2;         // of the straight line: then a finer lattice may know better
-constexpr double kLookAround = 50;      // metres: how far a message looks for a free place
+constexpr std::int64_t kRings = 4;     // of nodes around an end that may be joined to it
+constexpr double kSpacing = 10;        // metres: of the first lattice on a map of a city's size
+constexpr int kLevels = 3;             // each of half the spacing of the one before
+constexpr double kMostNodes = 0x1p25;  // of a lattice built here: 0.7 GB with one workspace
+constexpr double kFewestNodes = 1e4;   // of the first lattice: a small map gets a finer one
+constexpr double kDetour = 1.2;        // of the straight line: then a finer lattice may know better
+constexpr double kLookAround = 50;     // metres: how far a message looks for a free place
 
 std::string shown(const Vec3& p) { return fmt::format("({}, {}, {})", p[0], p[1], p[2]); }
 
@@ -100,12 +100,18 @@ Polyline joined(const Lattice& lattice, const Vec3& from, const std::vector<std:
 
 std::string_view name(PlanStatus status) {
   switch (status) {
-    case PlanStatus::found: return "found";
-    case PlanStatus::unreachable: return "unreachable";
-    case PlanStatus::start_blocked: return "start_blocked";
-    case PlanStatus::goal_blocked: return "goal_blocked";
-    case PlanStatus::start_outside: return "start_outside";
-    case PlanStatus::goal_outside: return "goal_outside";
+    case PlanStatus::found:
+      return "found";
+    case PlanStatus::unreachable:
+      return "unreachable";
+    case PlanStatus::start_blocked:
+      return "start_blocked";
+    case PlanStatus::goal_blocked:
+      return "goal_blocked";
+    case PlanStatus::start_outside:
+      return "start_outside";
+    case PlanStatus::goal_outside:
+      return "goal_outside";
   }
   return "";
 }
@@ -122,8 +128,8 @@ struct Planner::Level {
   const Lattice& lattice(const geom::CollisionScene& scene, const geom::Execution& run) {
     if (given) return *given;
     std::call_once(once, [&] {
-      built = build_lattice(
-          scene, {spacing, Connectivity::twenty_six, scene.free_bounds()->min}, {run.threads, {}});
+      built = build_lattice(scene, {spacing, Connectivity::twenty_six, scene.free_bounds()->min},
+                            {run.threads, {}});
     });
     return *built;
   }
@@ -234,8 +240,9 @@ PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& op
       what = fmt::format("inside obstacle {}", scene_.map().ids()[boxes.front()]);
     }
     result.message = fmt::format("{} {} is {}; ", end, shown(p), what);
-    result.message += free ? fmt::format("the nearest free point is {:.3f} m away", (*free - p).norm())
-                           : fmt::format("no free point within {} m", kLookAround);
+    result.message +=
+        free ? fmt::format("the nearest free point is {:.3f} m away", (*free - p).norm())
+             : fmt::format("no free point within {} m", kLookAround);
     return result;
   }
   PlanResult result = search(ends[0], ends[1], options);

@@ -10,9 +10,9 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kOutside = 1e-6;  // metres
+constexpr double kOutside = 1e-6;   // metres
 constexpr double kFirstRadius = 1;  // metres; doubled until something is found
-constexpr std::size_t kMost = 40;  // coordinates an axis: bounds the candidates to 40^3
+constexpr std::size_t kMost = 40;   // coordinates an axis: bounds the candidates to 40^3
 
 // Free space is cut by the planes of the faces into cells that are products of intervals, so the
 // coordinates of the nearest free place are the point's own or those of faces. Nearest first.
@@ -50,7 +50,9 @@ std::optional<Vec3> nearest_within(const geom::CollisionScene& scene, const Vec3
   for (const double x : at[0]) {
     if (std::abs(x - p[0]) > best_distance) break;
     for (const double y : at[1]) {
-      if (std::sqrt((x - p[0]) * (x - p[0]) + (y - p[1]) * (y - p[1])) > best_distance * (1 + 1e-12)) break;
+      if (std::sqrt((x - p[0]) * (x - p[0]) + (y - p[1]) * (y - p[1])) >
+          best_distance * (1 + 1e-12))
+        break;
       for (const double z : at[2]) {
         const Vec3 q(x, y, z);
         const double d = (q - p).norm();

@@ -1,7 +1,6 @@
-#include "plan/astar.h"
-
 #include <gtest/gtest.h>
 
+#include "plan/astar.h"
 #include "plan/build_lattice.h"
 #include "plan/scenes.h"
 #include "support/dijkstra.h"
@@ -51,7 +50,7 @@ TEST_P(Astar, CostsWhatDijkstraSaysFromManySourcesToManyGoals) {
     support::Random random(seed);
     for (int query = 0; query < 12; ++query) {
       const auto sources = random_terminals(random, lattice, 1 + query % 3);
-      const auto goals = random_terminals(random, lattice, 1 + query % 4);
+      const auto goals = random_terminals(random, lattice, query % 4 ? query % 4 : 40);
       const double expected = oracle::cheapest(lattice, sources, goals);
       const SearchResult result = search.search(sources, goals);
       ASSERT_EQ(result.found, expected < 1e300);

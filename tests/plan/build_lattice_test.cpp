@@ -50,7 +50,8 @@ TEST(LatticeDirections, AreThe26AndEachIsFollowedBy13ByItsOpposite) {
   EXPECT_FALSE(seen.contains({0, 0, 0}));
   for (int d = 0; d < kHalfDirections; ++d) {
     for (int k = 0; k < 3; ++k) EXPECT_EQ(kDirection[d][k], -kDirection[d + kHalfDirections][k]);
-    const int axes = std::abs(kDirection[d][0]) + std::abs(kDirection[d][1]) + std::abs(kDirection[d][2]);
+    const int axes =
+        std::abs(kDirection[d][0]) + std::abs(kDirection[d][1]) + std::abs(kDirection[d][2]);
     EXPECT_EQ(axes, d < 3 ? 1 : d < 9 ? 2 : 3);
   }
 }

@@ -206,14 +206,17 @@ TEST(LatticeFileContent, SurvivesFlippedBytesAnywhere) {
     std::string bad = good;
     // Half of the flips where the directory and the headers are.
     const int n = static_cast<int>(bad.size());
-    const int at = i % 2 ? random.below(n) : i % 4 ? random.below(1024) : n - 1 - random.below(1024);
+    const int at = i % 2   ? random.below(n)
+                   : i % 4 ? random.below(1024)
+                           : n - 1 - random.below(1024);
     bad[static_cast<std::size_t>(at)] ^= static_cast<char>(1 << random.below(8));
     try {
       const Lattice lattice = read(bad);
       for (std::size_t k = 0; k < lattice.size(); ++k) {
         for (int d = 0; d < kDirections; ++d) {
           if (!(lattice.mask(k) >> d & 1)) continue;
-          const auto other = static_cast<std::size_t>(static_cast<std::int64_t>(k) + lattice.offset(d));
+          const auto other =
+              static_cast<std::size_t>(static_cast<std::int64_t>(k) + lattice.offset(d));
           ASSERT_LT(other, lattice.size());
           ASSERT_TRUE(lattice.free(k) && lattice.free(other));
         }

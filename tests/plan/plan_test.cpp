@@ -79,13 +79,16 @@ TEST(NearestFree, IsCloserThanAnyPointOfAFineGrid) {
       EXPECT_EQ(*found, p);
       continue;
     }
-    if (found) ASSERT_TRUE(scene.free(*found));
+    if (found) {
+      ASSERT_TRUE(scene.free(*found));
+    }
     const double bound = found ? (*found - p).norm() : 8;
     for (double x = -8; x <= 8; x += 0.5) {
       for (double y = -8; y <= 8; y += 0.5) {
         for (double z = -8; z <= 8; z += 0.5) {
           const Vec3 d(x, y, z);
-          if (d.norm() < bound - 1e-5) ASSERT_FALSE(scene.free(p + d)) << "case " << i;
+          if (d.norm() >= bound - 1e-5) continue;
+          ASSERT_FALSE(scene.free(p + d)) << "case " << i;
         }
       }
     }

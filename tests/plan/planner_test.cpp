@@ -1,10 +1,9 @@
-#include "plan/plan.h"
-
 #include <gtest/gtest.h>
 
 #include "geom/error.h"
 #include "geom/parallel.h"
 #include "plan/build_lattice.h"
+#include "plan/plan.h"
 #include "plan/scenes.h"
 
 namespace plan {
@@ -133,8 +132,8 @@ TEST(Planner, SnapsEndsWithinTheDistanceAskedFor) {
 }
 
 TEST(Planner, WorksOnMapsSmallerThanAnySpacing) {
-  const auto room = scene_of({{{1, -1, -1}, {1.1, 2.5, 4}}}, {{0, 0, 0}, {2, 3, 2.5}},
-                             {0.1, 0.1, 0.05});
+  const auto room =
+      scene_of({{{1, -1, -1}, {1.1, 2.5, 4}}}, {{0, 0, 0}, {2, 3, 2.5}}, {0.1, 0.1, 0.05});
   const PlanResult result = planned(room, {0.3, 0.3, 1}, {1.8, 0.3, 1});
   ASSERT_EQ(result.status, PlanStatus::found) << result.message;
   expect_free(room, result.path);

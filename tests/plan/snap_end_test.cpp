@@ -37,7 +37,8 @@ TEST(NearestFree, IsAsNearAsAnyRandomFreePoint) {
       EXPECT_TRUE(scene.free(*found));
       const double d = (*found - p).norm();
       for (int k = 0; k < 300; ++k) {
-        const Vec3 q = p + Vec3(random.uniform(-d, d), random.uniform(-d, d), random.uniform(-d, d));
+        const Vec3 q =
+            p + Vec3(random.uniform(-d, d), random.uniform(-d, d), random.uniform(-d, d));
         if (!scene.free(q)) continue;
         EXPECT_GT((q - p).norm(), d - 1e-5);
       }

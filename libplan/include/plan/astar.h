@@ -25,10 +25,11 @@ struct SearchResult {
 
 // Shortest paths from any source to any goal. Lengths are counted in whole units of 2^-36 spacings,
 // so sums are exact, ties are ties, and a path is shortest up to 1e-11 of its length. The heuristic
-// is the distance on the unobstructed lattice of this connectivity (consistent); ties go to the
-// larger cost so far, then to the lowest node. Terminals must be free nodes, their costs
-// non-negative and below 2^20 spacings. The workspace (16 bytes a node) is kept between searches,
-// and no search depends on an earlier one. The lattice must outlive it; one thread at a time.
+// is the distance to the goals on the unobstructed lattice of this connectivity, or to the box
+// around them where they are many (both consistent); ties go to the larger cost so far, then to the
+// lowest node. Terminals must be free nodes, their costs non-negative and below 2^20 spacings. The
+// workspace (16 bytes a node) is kept between searches, and no search depends on an earlier one.
+// The lattice must outlive it; one thread at a time.
 class AstarSearch {
  public:
   explicit AstarSearch(const Lattice& lattice);
@@ -64,14 +65,18 @@ class AstarSearch {
   void insert(const Open& entry);
   Open take_first();
   Units to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const;
+  Units to_box(std::int32_t x, std::int32_t y, std::int32_t z) const;
+  const Goal* goal_at(std::uint32_t node) const;
   Units units(double metres) const;
   std::vector<std::size_t> trace(std::size_t node) const;
   double metres(std::span<const std::size_t> nodes) const;
 
   const Lattice* lattice_;
   std::vector<Visit> visits_;
-  std::vector<Open> open_;  // a heap of four children a node: shallower, and fewer cache misses
-  std::vector<Goal> goals_;
+  std::vector<Open> open_;   // a heap of four children a node: shallower, and fewer cache misses
+  std::vector<Goal> goals_;  // by node, the cheapest of each
+  Goal lowest_{};            // the box around the goals, and the least cost of any
+  Goal highest_{};
   std::array<Units, kDirections> step_;
   std::uint32_t stamp_ = 0;
 };

@@ -16,7 +16,14 @@
 
 namespace plan {
 
-enum class PlanStatus { found, unreachable, start_blocked, goal_blocked, start_outside, goal_outside };
+enum class PlanStatus {
+  found,
+  unreachable,
+  start_blocked,
+  goal_blocked,
+  start_outside,
+  goal_outside
+};
 
 std::string_view name(PlanStatus status);  // as records say it
 
@@ -28,9 +35,9 @@ struct PlanOptions {
 
 struct PlanResult {
   PlanStatus status = PlanStatus::unreachable;
-  geom::Polyline path;  // start to goal, every leg free; empty unless found
-  std::string message;  // why not, in words
-  std::string method;   // "straight" or "lattice"; empty unless searched
+  geom::Polyline path;       // start to goal, every leg free; empty unless found
+  std::string message;       // why not, in words
+  std::string method;        // "straight" or "lattice"; empty unless searched
   double resolution = 0;     // spacing of the path's lattice, or of the last searched; 0: none was
   std::size_t expanded = 0;  // nodes, on that lattice
   std::optional<Vec3> snapped_start;  // where an end was moved to

@@ -1,0 +1,162 @@
+// Times of the parts, on one thread and warm, beside the brute force that all targets scale by.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "geom/collision.h"
+#include "plan/astar.h"
+#include "plan/build_lattice.h"
+#include "plan/plan.h"
+#include "support/city.h"
+#include "support/random_city.h"
+#include "traj/check.h"
+#include "traj/min_snap.h"
+#include "traj/solve.h"
+#include "traj/stop_and_go.h"
+
+namespace {
+
+using geom::Vec3;
+
+const geom::CollisionScene& scene() {
+  static const geom::CollisionScene one(support::load_city(support::city_file()), {"box", {1, 1, 1}}, 0);
+  return one;
+}
+
+Vec3 random_point(support::Random& random) {
+  const geom::Aabb& b = *scene().free_bounds();
+  return {random.uniform(b.min[0], b.max[0]), random.uniform(b.min[1], b.max[1]), random.uniform(b.min[2], b.max[2])};
+}
+
+// Random segments of 5 to 50 m in every direction, anywhere inside the bounds.
+const std::vector<std::pair<Vec3, Vec3>>& segments() {
+  static const auto made = [] {
+    support::Random random(1);
+    std::vector<std::pair<Vec3, Vec3>> list;
+    while (list.size() < 20000) {
+      const Vec3 a = random_point(random);
+      const Vec3 d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      if (d.norm() > 1 || d.norm() < 0.1) continue;
+      list.push_back({a, a + d.normalized() * random.uniform(5, 50)});
+    }
+    return list;
+  }();
+  return made;
+}
+
+// The yardstick: the textbook slab test (Kay and Kajiya 1986) in double against one box after
+// another, until one is hit.
+bool slabs_hit(const Vec3& a, const Vec3& b, const geom::Aabb& box) {
+  double first = 0;
+  double last = 1;
+  for (int i = 0; i < 3; ++i) {
+    const double d = b[i] - a[i];
+    if (d == 0) {
+      if (a[i] < box.min[i] || a[i] > box.max[i]) return false;
+      continue;
+    }
+    const double u = (box.min[i] - a[i]) / d;
+    const double v = (box.max[i] - a[i]) / d;
+    first = std::max(first, std::min(u, v));
+    last = std::min(last, std::max(u, v));
+    if (first > last) return false;
+  }
+  return true;
+}
+
+void BruteForceSegment(benchmark::State& state) {
+  std::vector<geom::Aabb> grown;
+  for (std::size_t i = 0; i < scene().map().boxes().size(); ++i) grown.push_back(scene().grown(i));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& [a, b] = segments()[i++ % segments().size()];
+    benchmark::DoNotOptimize(std::any_of(grown.begin(), grown.end(), [&](const geom::Aabb& box) {
+      return slabs_hit(a, b, box);
+    }));
+  }
+}
+BENCHMARK(BruteForceSegment);
+
+void SceneSegment(benchmark::State& state) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& [a, b] = segments()[i++ % segments().size()];
+    benchmark::DoNotOptimize(scene().hits(a, b));
+  }
+}
+BENCHMARK(SceneSegment);
+
+void SceneNearest(benchmark::State& state) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        scene().nearest(segments()[i++ % segments().size()].first, std::numeric_limits<double>::infinity()));
+  }
+}
+BENCHMARK(SceneNearest);
+
+void LatticeBuild(benchmark::State& state) {
+  const plan::LatticeSpec spec{static_cast<double>(state.range(0)), static_cast<plan::Connectivity>(state.range(1)),
+                               scene().map().spec().bounds.min};
+  for (auto _ : state) benchmark::DoNotOptimize(plan::build_lattice(scene(), spec, {2, {}}));
+}
+BENCHMARK(LatticeBuild)->Args({25, 6})->Args({25, 26})->Args({10, 26})->Args({5, 6})->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// 200 node pairs 600 to 700 m apart that are joined.
+void AstarSixConnected(benchmark::State& state) {
+  const plan::Lattice lattice = plan::build_lattice(
+      scene(), {static_cast<double>(state.range(0)), plan::Connectivity::six, scene().map().spec().bounds.min}, {2, {}});
+  plan::AstarSearch search(lattice);
+  support::Random random(2);
+  std::vector<std::pair<plan::Terminal, plan::Terminal>> queries;
+  while (queries.size() < 200) {
+    const plan::Terminal a{static_cast<std::size_t>(random.below(static_cast<int>(lattice.size()))), 0};
+    const plan::Terminal b{static_cast<std::size_t>(random.below(static_cast<int>(lattice.size()))), 0};
+    const double far = (lattice.position(a.node) - lattice.position(b.node)).norm();
+    if (!lattice.free(a.node) || !lattice.free(b.node) || far < 600 || far > 700) continue;
+    if (search.search({&a, 1}, {&b, 1}).found) queries.push_back({a, b});
+  }
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& [a, b] = queries[i++ % queries.size()];
+    benchmark::DoNotOptimize(search.search({&a, 1}, {&b, 1}).cost);
+  }
+}
+BENCHMARK(AstarSixConnected)->Arg(25)->Arg(5)->Unit(benchmark::kMicrosecond);
+
+void MinSnap(benchmark::State& state) {
+  support::Random random(3);
+  std::vector<Vec3> points;
+  std::vector<double> times;
+  for (int i = 0; i < state.range(0); ++i) {
+    points.push_back({10.0 * i, random.uniform(-5, 5), random.uniform(20, 40)});
+    if (i) times.push_back(random.uniform(1, 3));
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(traj::min_snap(points, times));
+}
+BENCHMARK(MinSnap)->Arg(10)->Arg(1000)->Unit(benchmark::kMicrosecond);
+
+// The proof of an optimised trajectory of at least 50 segments through the city.
+void CheckTrajectory(benchmark::State& state) {
+  plan::Planner planner(scene(), nullptr, {2, {}});
+  support::Random random(4);
+  traj::SolveResult solved;
+  const traj::Limits limits{8, 6, {}, {}};
+  while (solved.trajectory.segments.size() < 50) {
+    const plan::PlanResult path = planner.plan(random_point(random), random_point(random), {});
+    if (path.status != plan::PlanStatus::found || path.path.size() < 8) continue;
+    solved = traj::solve(scene(), path.path, {limits, traj::Solver::automatic, 1e-3, 200});
+  }
+  for (auto _ : state) {
+    const traj::CheckResult result = traj::check(scene(), solved.trajectory, limits);
+    if (!result.ok) state.SkipWithError("the trajectory is not proved");
+  }
+  state.counters["segments"] = static_cast<double>(solved.trajectory.segments.size());
+}
+BENCHMARK(CheckTrajectory)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
