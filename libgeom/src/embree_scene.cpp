@@ -28,7 +28,7 @@ float float_down(double x) { return -float_up(-x); }
 struct Handles {  // an Embree scene over closed boxes, its coordinates relative to `corner`
   RTCScene scene = nullptr;
   Vec3 corner = Vec3::Zero();
-  Aabb reach;        // the bounding box of the boxes, plus what clipped queries may stick out
+  Aabb reach;        // the bounding box of the boxes, plus what queries may stick out
   double pad = 0;    // what the bounds given to Embree exceed the boxes by, in metres
 
   Handles() = default;
@@ -86,11 +86,11 @@ void build(RTCDevice device, std::span<const Aabb> boxes, RTCOccludedFunctionN o
   for (const Aabb& box : boxes) all = merged(all, box);
   const double size = (all.max - all.min).maxCoeff();
   out.corner = all.min;
-  // A query is clipped to `reach`; rounding it to float moves it by less than 2^-23 of that size,
-  // and the subtraction of the corner by less than an ulp of the coordinates.
+  // Queries are clipped to `reach` where they leave it. Rounding origin and direction to float moves
+  // a point by less than 2^-22 of the reach, and the subtraction of the corner by an ulp.
   const double largest = std::max(all.min.cwiseAbs().maxCoeff(), all.max.cwiseAbs().maxCoeff());
-  out.pad = std::max({2e-4, std::ldexp(size, -21), std::ldexp(largest, -48)});
-  const Vec3 margin = Vec3::Constant(1 + out.pad);
+  out.pad = std::max({4e-4, std::ldexp(size, -20), std::ldexp(largest, -48)});
+  const Vec3 margin = Vec3::Constant(1000);
   out.reach = {all.min - margin, all.max + margin};
 
   BoundsSource source{boxes, out.corner, out.pad};
@@ -131,9 +131,10 @@ bool clip(const Vec3& a, const Vec3& b, const Aabb& box, Vec3& from, Vec3& to) {
 
 template <class Context>
 bool occluded(const Handles& h, const Vec3& a, const Vec3& b, Context& context) {
-  Vec3 from;
-  Vec3 to;
-  if (!clip(a, b, h.reach, from, to)) return false;
+  Vec3 from = a;
+  Vec3 to = b;
+  const bool inside = contains(h.reach, a) && contains(h.reach, b);
+  if (!inside && !clip(a, b, h.reach, from, to)) return false;
   RTCRay ray{};
   ray.org_x = static_cast<float>(from[0] - h.corner[0]);
   ray.org_y = static_cast<float>(from[1] - h.corner[1]);
