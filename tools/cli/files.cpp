@@ -1,5 +1,6 @@
 #include "files.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,7 +10,10 @@
 #include <cstdio>
 #include <iostream>
 #include <iterator>
+#include <streambuf>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
@@ -21,6 +25,43 @@ namespace {
 [[noreturn]] void fail(const std::string& what) {
   throw std::system_error(errno ? errno : EIO, std::generic_category(), what);
 }
+
+// Writes to a file descriptor, and throws std::system_error with the reason when that fails.
+class DescriptorBuffer : public std::streambuf {
+ public:
+  DescriptorBuffer(int descriptor, std::string name)
+      : descriptor_(descriptor), name_(std::move(name)), buffer_(1 << 16) {
+    rewind();
+  }
+
+ private:
+  void rewind() { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
+
+  int sync() override {
+    const char* const begin = pbase();
+    const char* const end = pptr();
+    rewind();
+    for (const char* at = begin; at < end;) {
+      const ssize_t written = ::write(descriptor_, at, static_cast<std::size_t>(end - at));
+      if (written < 0 && errno != EINTR) fail("cannot write " + name_);
+      at += std::max<ssize_t>(written, 0);
+    }
+    return 0;
+  }
+
+  int_type overflow(int_type c) override {
+    sync();
+    if (!traits_type::eq_int_type(c, traits_type::eof())) {
+      *pptr() = traits_type::to_char_type(c);
+      pbump(1);
+    }
+    return traits_type::not_eof(c);
+  }
+
+  int descriptor_;
+  std::string name_;
+  std::vector<char> buffer_;
+};
 
 bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r") == std::string::npos;
@@ -75,39 +116,48 @@ geom::ArrayArchive open_archive(const std::string& path) {
 
 geom::BoxMap open_map(const std::string& path) { return geom::read_box_map(open_archive(path)); }
 
+struct OutputFile::Sink {
+  DescriptorBuffer buffer;
+  std::ostream stream{&buffer};
+
+  Sink(int descriptor, std::string name) : buffer(descriptor, std::move(name)) {
+    stream.exceptions(std::ios::badbit);
+  }
+};
+
 OutputFile::OutputFile(const std::string& path, OutputKind kind) : path_(path) {
   if (path == "-") {
     if (kind == OutputKind::artefact && isatty(STDOUT_FILENO)) {
       throw UsageError("this output is binary and not for a terminal: use -o FILE or a pipe");
     }
+    sink_ = std::make_unique<Sink>(STDOUT_FILENO, "stdout");
     return;
   }
   struct stat info {};
   const bool in_place = stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode);
   if (!in_place) temporary_ = fmt::format("{}.{}.part", path, getpid());
-  errno = 0;
-  file_.open(in_place ? path : temporary_, std::ios::binary);
-  if (!file_) fail("cannot write " + path);
+  const std::string& name = in_place ? path : temporary_;
+  descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) {
+    temporary_.clear();
+    fail("cannot write " + path);
+  }
+  sink_ = std::make_unique<Sink>(descriptor_, path);
 }
 
 OutputFile::~OutputFile() {
-  if (temporary_.empty()) return;
-  file_.close();
-  std::remove(temporary_.c_str());
+  if (descriptor_ > STDOUT_FILENO) close(descriptor_);
+  if (!temporary_.empty()) std::remove(temporary_.c_str());
 }
 
-std::ostream& OutputFile::stream() { return path_ == "-" ? std::cout : file_; }
+std::ostream& OutputFile::stream() { return sink_->stream; }
 
-void OutputFile::flush() {
-  errno = 0;
-  if (!stream().flush()) fail("cannot write " + (path_ == "-" ? "stdout" : path_));
-}
+void OutputFile::flush() { sink_->stream.flush(); }
 
 void OutputFile::commit() {
   flush();
   if (temporary_.empty()) return;
-  file_.close();
-  if (!file_) fail("cannot write " + path_);
+  if (close(std::exchange(descriptor_, -1)) != 0) fail("cannot write " + path_);
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot write " + path_);
   temporary_.clear();
 }

@@ -5,8 +5,8 @@
 
 #include <fstream>
 #include <functional>
-#include <iosfwd>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <string_view>
 
@@ -49,13 +49,15 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream();
-  void flush();   // so that the next tool of a pipe sees what is there; throws if that failed
+  void flush();   // so that the next tool of a pipe sees what is there
   void commit();  // call last
 
  private:
   std::string path_;
   std::string temporary_;  // empty: written in place (stdout, a device, a pipe)
-  std::ofstream file_;
+  int descriptor_ = 1;
+  struct Sink;  // a stream onto the descriptor that throws when writing fails
+  std::unique_ptr<Sink> sink_;
 };
 
 // Refuses (UsageError) more than one input named "-".
