@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# run.sh BIN_DIR TABLE: the chain with 1, 2 and 7 threads gives the same bytes.
+set -euo pipefail
+export PATH="$1:$PATH"
+table=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+skyway-import -q "$table" -o map
+for i in 1 2 3 4 5 6 7 8 9; do
+  echo "{\"id\":\"q$i\",\"from\":[-4${i}0,-30$i,6],\"to\":[3${i}0,2${i}4,9]}"
+done > queries
+for threads in 1 2 7; do
+  skyway-lattice map --spacing 10 --connect 26 --vehicle box:0.5,0.5,0.3 --threads $threads -o lattice.$threads
+  skyway-plan map --lattice lattice.$threads --queries queries --vehicle box:0.5,0.5,0.3 --snap-ends 30 \
+    --threads $threads -o paths.$threads || [ $? -eq 1 ]
+  skyway-traj map paths.$threads --vmax 8 --amax 6 --solver stop-and-go -o trajectories.$threads || [ $? -eq 1 ]
+  skyway-check map trajectories.$threads -o reports.$threads || [ $? -eq 1 ]
+done
+for kind in lattice paths trajectories reports; do
+  cmp $kind.1 $kind.2
+  cmp $kind.1 $kind.7
+done
+[ "$(grep -c '"ok":true' reports.1)" -ge 5 ]
+echo "same bytes"
