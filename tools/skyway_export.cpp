@@ -50,9 +50,9 @@ struct Format {
 };
 
 std::string refusal(const TrajectoryRecord& record, const traj::CheckResult& result) {
-  return fmt::format("{}: refused: as flown, {} at t = {:.3f} s, ({:.3f}, {:.3f}, {:.3f}) m, {:.3g}",
-                     record.id, result.reason, result.time, result.place[0], result.place[1],
-                     result.place[2], result.worst);
+  return fmt::format(
+      "{}: refused: as flown, {} at t = {:.3f} s, ({:.3f}, {:.3f}, {:.3f}) m, {:.3g}", record.id,
+      result.reason, result.time, result.place[0], result.place[1], result.place[2], result.worst);
 }
 
 // The one record of the stream. Two flights do not fit one drone file.
@@ -76,7 +76,9 @@ TrajectoryRecord read_named(const std::string& input, const std::string& id) {
     TrajectoryRecord record = traj::parse_trajectory_record(line, file.name(), number);
     if (!found && record.id == id) found = std::move(record);
   });
-  if (!found) throw geom::InputError(file.name(), fmt::format("expected a trajectory of id \"{}\", found none", id));
+  if (!found)
+    throw geom::InputError(file.name(),
+                           fmt::format("expected a trajectory of id \"{}\", found none", id));
   return *found;
 }
 
@@ -91,8 +93,10 @@ int main(int argc, char** argv) {
   std::string output = "-";
   std::string id;
   bool unchecked = false;
-  app.add_option("map_and_file", files, "box map, then trajectories (default: stdin); with "
-                 "--unchecked trajectories alone")->expected(0, 2);
+  app.add_option("map_and_file", files,
+                 "box map, then trajectories (default: stdin); with "
+                 "--unchecked trajectories alone")
+      ->expected(0, 2);
   app.add_option("--format", format.name, "crazyflie or setpoints")
       ->required()
       ->check(CLI::IsMember({"crazyflie", "setpoints"}));
@@ -126,7 +130,8 @@ int main(int argc, char** argv) {
         return cli::Exit::no;
       }
     }
-    if (format.name == "crazyflie" && record.trajectory.segments.size() > traj::kCrazyflieSegments) {
+    if (format.name == "crazyflie" &&
+        record.trajectory.segments.size() > traj::kCrazyflieSegments) {
       common.warn(fmt::format("{}: {} segments; a Crazyflie's memory holds {}", record.id,
                               record.trajectory.segments.size(), traj::kCrazyflieSegments));
     }

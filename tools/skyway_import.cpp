@@ -37,7 +37,8 @@ std::string detect(const std::string& text) {
     if (line.find("min_x_m") != std::string::npos) return "box-csv";
     const std::size_t at = line.find_first_not_of(" \t\r");
     if (at == std::string::npos || line[at] == '#') continue;
-    if (line.compare(at, 8, "boundary") == 0 || line.compare(at, 5, "block") == 0) return "block-text";
+    if (line.compare(at, 8, "boundary") == 0 || line.compare(at, 5, "block") == 0)
+      return "block-text";
     return "fcnd";
   }
   return "fcnd";
@@ -49,8 +50,8 @@ Source read(const std::string& text, const std::string& name, const Options& opt
   Source source;
   if (options.format == "fcnd") {
     geom::FcndTable fcnd = geom::read_fcnd_csv(in, name);
-    source = {std::move(fcnd.table), {geom::Axes::neu, fcnd.origin, ""}, fcnd.flat,
-              fcnd.largest_change};
+    source = {
+        std::move(fcnd.table), {geom::Axes::neu, fcnd.origin, ""}, fcnd.flat, fcnd.largest_change};
     if (!map.floor) map.floor = 0;
     map.seal = options.seal.value_or(1);
   } else if (options.format == "box-csv") {
@@ -100,7 +101,8 @@ int main(int argc, char** argv) {
                  "let obstacles that hang less than this above the floor down to it, metres "
                  "(default: 1 for FCND tables, else 0)")
       ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--floor", options.map.floor, "lower z of the bounds (default: 0 for FCND tables)");
+  app.add_option("--floor", options.map.floor,
+                 "lower z of the bounds (default: 0 for FCND tables)");
   app.add_option("--ceiling", options.map.ceiling, "upper z of the bounds");
   app.add_option("--pad", options.map.pad, "metres around the obstacles, sideways and upward")
       ->check(CLI::Range(0.0, 1e6));
@@ -113,12 +115,14 @@ int main(int argc, char** argv) {
     if (options.format == "auto") options.format = detect(text);
     geom::MakeMapOptions map_options = options.map;
     Source source = read(text, file.name(), options, map_options, common);
-    if (source.flat > 0) common.warn(fmt::format("{}: {} flat box(es) kept", file.name(), source.flat));
+    if (source.flat > 0)
+      common.warn(fmt::format("{}: {} flat box(es) kept", file.name(), source.flat));
     const geom::MadeMap made =
         geom::make_map(std::move(source.table), source.frame,
                        history_of(text, options, map_options), file.name(), map_options);
     if (made.beyond > 0) {
-      common.warn(fmt::format("{}: {} box(es) wholly outside the bounds", file.name(), made.beyond));
+      common.warn(
+          fmt::format("{}: {} box(es) wholly outside the bounds", file.name(), made.beyond));
     }
     cli::OutputFile out(output, cli::OutputKind::artefact);
     geom::write_box_map(out.stream(), made.map);

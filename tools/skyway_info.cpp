@@ -48,7 +48,8 @@ Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
   } else if (plan::is_lattice(archive)) {
     out = describe_lattice(archive);
   } else {
-    throw geom::InputError(archive.name(), "expected a box map or a lattice, found another archive");
+    throw geom::InputError(archive.name(),
+                           "expected a box map or a lattice, found another archive");
   }
   if (verify) out["verified"] = true;
   return out;
@@ -90,7 +91,8 @@ int main(int argc, char** argv) {
     if (file.stream().peek() == 'P') {
       if (input == "-") {
         const std::string text = file.read_all();
-        out = describe_archive(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "stdin"), verify);
+        out = describe_archive(
+            geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "stdin"), verify);
       } else {
         out = describe_archive(cli::open_archive(input), verify);
       }

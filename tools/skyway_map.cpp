@@ -29,13 +29,15 @@ BoxMap crop(const BoxMap& map, const geom::Aabb& region, const std::string& name
   geom::BoxMapSpec spec = map.spec();
   spec.bounds = {spec.bounds.min.cwiseMax(region.min), spec.bounds.max.cwiseMin(region.max)};
   if ((spec.bounds.min.array() >= spec.bounds.max.array()).any()) {
-    throw geom::InputError(name, "the map's bounds and the region to crop to have no volume in common");
+    throw geom::InputError(name,
+                           "the map's bounds and the region to crop to have no volume in common");
   }
   auto history = nlohmann::ordered_json::parse(spec.history);
   history.push_back({{"tool", "skyway-map crop"},
                      {"input", map.hash()},
-                     {"bounds", {region.min[0], region.min[1], region.min[2], region.max[0],
-                                 region.max[1], region.max[2]}}});
+                     {"bounds",
+                      {region.min[0], region.min[1], region.min[2], region.max[0], region.max[1],
+                       region.max[2]}}});
   spec.history = history.dump();
   return BoxMap(spec, table_of(map, region));
 }

@@ -22,7 +22,8 @@ void append_nearest(std::string& out, const geom::CollisionScene& scene, const V
 }
 
 std::string answer_point(const geom::CollisionScene& scene, const Vec3& p) {
-  std::string out = fmt::format(R"("hit":{},"inside_bounds":{})", scene.hits(p), scene.inside_bounds(p));
+  std::string out =
+      fmt::format(R"("hit":{},"inside_bounds":{})", scene.hits(p), scene.inside_bounds(p));
   append_nearest(out, scene, p);
   return out;
 }
@@ -49,7 +50,8 @@ std::string answer(const geom::CollisionScene& scene, const std::string& text,
   out += ',';
   const auto pair = [&](const char* key) {
     const auto points = fields.points(key);
-    if (points.size() != 2) fields.refuse(fmt::format("{} must be two points, found {}", key, points.size()));
+    if (points.size() != 2)
+      fields.refuse(fmt::format("{} must be two points, found {}", key, points.size()));
     return std::pair(points[0], points[1]);
   };
   if (fields.has("point")) {

@@ -54,8 +54,8 @@ std::string npy_header(const NamedArray& array) {
   for (const std::size_t n : array.shape) shape += fmt::format("{}, ", n);
   if (array.shape.size() > 1) shape.resize(shape.size() - 2);
   if (array.shape.size() == 1) shape.pop_back();
-  std::string dict = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}",
-                                 array.dtype, shape);
+  std::string dict =
+      fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", array.dtype, shape);
   const std::size_t used = kNpyMark.size() + 2 + dict.size() + 1;
   dict.append((kAlignment - used % kAlignment) % kAlignment, ' ');
   dict += '\n';
@@ -229,7 +229,8 @@ struct Directory {
 };
 
 Directory find_directory(const Bytes& in) {
-  if (in.size() < kEndSize) in.refuse(fmt::format("expected a ZIP archive, found {} bytes", in.size()));
+  if (in.size() < kEndSize)
+    in.refuse(fmt::format("expected a ZIP archive, found {} bytes", in.size()));
   const std::uint64_t end = in.size() - kEndSize;
   if (in.get<std::uint32_t>(end, "the end record") != kEndMark) {
     in.refuse("expected a ZIP archive that ends in its end record, found none (truncated?)");
@@ -238,7 +239,8 @@ Directory find_directory(const Bytes& in) {
               in.get<std::uint16_t>(end + 10, "end")};
   std::uint64_t limit = end;
   if (d.start == kFull32 || d.size == kFull32 || d.count == kFull16) {
-    if (end < kLocatorSize || in.get<std::uint32_t>(end - kLocatorSize, "locator") != kLocatorMark) {
+    if (end < kLocatorSize ||
+        in.get<std::uint32_t>(end - kLocatorSize, "locator") != kLocatorMark) {
       in.refuse("expected a Zip64 locator before the end record, found none");
     }
     const auto at = in.get<std::uint64_t>(end - kLocatorSize + 8, "locator");
@@ -307,9 +309,11 @@ ZipEntry read_entry(const Bytes& in, const Directory& d, std::uint64_t& at) {
     in.refuse(fmt::format("{}: expected an entry stored without compression, found method {}",
                           entry.name, method));
   }
-  if (flags & 1) in.refuse(fmt::format("{}: expected a plain entry, found an encrypted one", entry.name));
+  if (flags & 1)
+    in.refuse(fmt::format("{}: expected a plain entry, found an encrypted one", entry.name));
   if (in.get<std::uint32_t>(entry.header, "a local header") != kLocalMark) {
-    in.refuse(fmt::format("{}: expected a local header where the directory points, found none", entry.name));
+    in.refuse(fmt::format("{}: expected a local header where the directory points, found none",
+                          entry.name));
   }
   const auto local_name = in.get<std::uint16_t>(entry.header + 26, "a local header");
   const auto local_extra = in.get<std::uint16_t>(entry.header + 28, "a local header");
@@ -420,7 +424,8 @@ void write_array_archive(std::ostream& out, std::string_view meta_json,
                          std::span<const NamedArray> arrays) {
   ZipWriter zip(out);
   zip.add("meta.json", meta_json, {});
-  for (const NamedArray& array : arrays) zip.add(array.name + ".npy", npy_header(array), array.bytes);
+  for (const NamedArray& array : arrays)
+    zip.add(array.name + ".npy", npy_header(array), array.bytes);
   zip.finish();
 }
 
@@ -438,7 +443,7 @@ struct ArrayArchive::Data {
   Data& operator=(const Data&) = delete;
   ~Data() {
     if (mapped) munmap(mapped, bytes.size());
-    if (owned) ::operator delete(owned, std::align_val_t{kAlignment});
+    if (owned) ::operator delete (owned, std::align_val_t{kAlignment});
   }
 };
 
@@ -479,7 +484,8 @@ ArrayArchive ArrayArchive::map(const std::string& path) {
   void* const at = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
   const int error = errno;
   close(file);
-  if (at == MAP_FAILED) throw std::system_error(error, std::generic_category(), "cannot map " + path);
+  if (at == MAP_FAILED)
+    throw std::system_error(error, std::generic_category(), "cannot map " + path);
   data->mapped = at;
   data->bytes = {static_cast<const std::byte*>(at), size};
   return open(std::move(data));
@@ -488,7 +494,8 @@ ArrayArchive ArrayArchive::map(const std::string& path) {
 ArrayArchive ArrayArchive::from_bytes(std::span<const std::byte> bytes, std::string name) {
   auto data = std::make_shared<Data>();
   data->name = std::move(name);
-  data->owned = static_cast<std::byte*>(::operator new(bytes.size() + 1, std::align_val_t{kAlignment}));
+  data->owned =
+      static_cast<std::byte*>(::operator new (bytes.size() + 1, std::align_val_t{kAlignment}));
   std::copy(bytes.begin(), bytes.end(), data->owned);
   data->bytes = {data->owned, bytes.size()};
   return open(std::move(data));
@@ -523,8 +530,9 @@ const ArrayArchive::Entry& ArrayArchive::find(std::string_view array, std::strin
 void ArrayArchive::verify() const {
   const auto check = [&](std::string_view entry, std::uint32_t expected, std::uint32_t found) {
     if (expected == found) return;
-    throw InputError(name(), fmt::format("{}: expected CRC {:08x}, found {:08x}: the file is damaged",
-                                         entry, expected, found));
+    throw InputError(
+        name(), fmt::format("{}: expected CRC {:08x}, found {:08x}: the file is damaged", entry,
+                            expected, found));
   };
   check("meta.json", data_->meta_crc, crc_of(0, bytes_of(data_->meta)));
   for (const Entry& entry : data_->arrays) check(entry.name, entry.crc, crc_of(0, entry.stored));

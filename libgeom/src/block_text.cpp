@@ -23,7 +23,8 @@ std::vector<std::string_view> words(std::string_view line) {
 
 Aabb parse_box(const TextLines& lines, const std::vector<std::string_view>& fields) {
   if (fields.size() != 7 && fields.size() != 10) {
-    lines.refuse(fmt::format("{} must have 6 or 9 numbers, found {}", fields[0], fields.size() - 1));
+    lines.refuse(
+        fmt::format("{} must have 6 or 9 numbers, found {}", fields[0], fields.size() - 1));
   }
   double v[6];
   for (int i = 0; i < 6; ++i) {

@@ -29,8 +29,8 @@ BoxTable read_box_csv(std::istream& in, std::string_view source) {
   table.labels = {""};
   std::map<std::string, std::uint32_t> known = {{"", 0}};
   if (!lines.next() || lines.line() != kHeader) {
-    lines.refuse(fmt::format("expected the header {}, found \"{}\"", kHeader,
-                             lines.line().substr(0, 80)));
+    lines.refuse(
+        fmt::format("expected the header {}, found \"{}\"", kHeader, lines.line().substr(0, 80)));
   }
   while (lines.next()) {
     if (lines.line().empty()) continue;

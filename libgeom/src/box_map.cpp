@@ -52,9 +52,8 @@ std::string hash_of(const BoxMapSpec& spec, std::span<const Aabb> boxes) {
   // Tiles sort by position, so the sorted boxes are put in one order that no tile size changes.
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return comes_before(boxes[a], boxes[b]);
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return comes_before(boxes[a], boxes[b]); });
   Sha256 sum;
   std::string head(name(spec.frame.axes));
   head += '\n' + spec.frame.crs + '\n';

@@ -82,8 +82,8 @@ BoxMapSpec spec_of(const ArrayArchive& archive, const Json& meta) {
   BoxMapSpec spec;
   const auto axes = axes_from_name(meta.at("frame").get<std::string>());
   if (!axes) {
-    refuse(archive, "meta.json: frame must be \"enu\" or \"neu\", found " +
-                        meta.at("frame").dump());
+    refuse(archive,
+           "meta.json: frame must be \"enu\" or \"neu\", found " + meta.at("frame").dump());
   }
   spec.frame.axes = *axes;
   if (meta.contains("origin")) {
@@ -102,8 +102,8 @@ BoxMapSpec spec_of(const ArrayArchive& archive, const Json& meta) {
   spec.bounds_from = meta.at("bounds_from").get<std::string>();
   spec.tile_size = meta.at("tile_size").get<double>();
   if (!(spec.tile_size >= 1 && spec.tile_size <= kLargestCoordinate)) {
-    refuse(archive, "meta.json: tile_size must be at least 1 m, found " +
-                        meta.at("tile_size").dump());
+    refuse(archive,
+           "meta.json: tile_size must be at least 1 m, found " + meta.at("tile_size").dump());
   }
   spec.history = meta.at("history").dump();
   return spec;
@@ -119,8 +119,8 @@ void check_tile(const ArrayArchive& archive, const BoxMap::Data& data, std::size
     if (!ordered || !inside) {
       refuse(archive, fmt::format("box {} must be finite, with min <= max, inside the extent of "
                                   "its tile {}; found [{}, {}, {}] to [{}, {}, {}]",
-                                  i, t, box.min[0], box.min[1], box.min[2], box.max[0],
-                                  box.max[1], box.max[2]));
+                                  i, t, box.min[0], box.min[1], box.min[2], box.max[0], box.max[1],
+                                  box.max[2]));
     }
     if (data.label[i] >= data.labels.size()) {
       refuse(archive, fmt::format("label of box {} must be below {}, found {}", i,
@@ -157,8 +157,8 @@ void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
     data.tiles.push_back(tile);
   }
   if (next != data.boxes.size()) {
-    refuse(archive, fmt::format("the tiles must hold all {} boxes, and hold {}",
-                                data.boxes.size(), next));
+    refuse(archive,
+           fmt::format("the tiles must hold all {} boxes, and hold {}", data.boxes.size(), next));
   }
 }
 

@@ -28,8 +28,8 @@ float float_down(double x) { return -float_up(-x); }
 struct Handles {  // an Embree scene over closed boxes, its coordinates relative to `corner`
   RTCScene scene = nullptr;
   Vec3 corner = Vec3::Zero();
-  Aabb reach;        // the bounding box of the boxes, plus what queries may stick out
-  double pad = 0;    // what the bounds given to Embree exceed the boxes by, in metres
+  Aabb reach;      // the bounding box of the boxes, plus what queries may stick out
+  double pad = 0;  // what the bounds given to Embree exceed the boxes by, in metres
 
   Handles() = default;
   Handles(const Handles&) = delete;
@@ -52,11 +52,14 @@ struct TileScene {
 
 void throw_on_error(RTCDevice device) {
   switch (rtcGetDeviceError(device)) {
-    case RTC_ERROR_NONE: return;
-    case RTC_ERROR_OUT_OF_MEMORY: throw std::bad_alloc();
+    case RTC_ERROR_NONE:
+      return;
+    case RTC_ERROR_OUT_OF_MEMORY:
+      throw std::bad_alloc();
     case RTC_ERROR_UNSUPPORTED_CPU:
       throw std::runtime_error("Embree does not support this processor");
-    default: throw std::runtime_error("Embree could not build the collision structure");
+    default:
+      throw std::runtime_error("Embree could not build the collision structure");
   }
 }
 
@@ -86,8 +89,8 @@ void build(RTCDevice device, std::span<const Aabb> boxes, RTCOccludedFunctionN o
   for (const Aabb& box : boxes) all = merged(all, box);
   const double size = (all.max - all.min).maxCoeff();
   out.corner = all.min;
-  // Queries are clipped to `reach` where they leave it. Rounding origin and direction to float moves
-  // a point by less than 2^-22 of the reach, and the subtraction of the corner by an ulp.
+  // Queries are clipped to `reach` where they leave it. Rounding origin and direction to float
+  // moves a point by less than 2^-22 of the reach, and the subtraction of the corner by an ulp.
   const double largest = std::max(all.min.cwiseAbs().maxCoeff(), all.max.cwiseAbs().maxCoeff());
   out.pad = std::max({4e-4, std::ldexp(size, -20), std::ldexp(largest, -48)});
   const Vec3 margin = Vec3::Constant(1000);

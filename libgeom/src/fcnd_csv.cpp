@@ -37,8 +37,10 @@ std::optional<GeodeticOrigin> parse_origin(const TextLines& lines) {
   const auto longitude = number_after(fields[1], "lon0");
   if (!latitude || !longitude) return std::nullopt;
   if (!(std::abs(*latitude) <= 90 && std::abs(*longitude) <= 360)) {
-    lines.refuse(fmt::format("latitude must be within 90 and longitude within 360 degrees, found "
-                             "\"{}\"", lines.line()));
+    lines.refuse(
+        fmt::format("latitude must be within 90 and longitude within 360 degrees, found "
+                    "\"{}\"",
+                    lines.line()));
   }
   return GeodeticOrigin{*latitude, *longitude, 0};
 }
@@ -82,8 +84,10 @@ void add_box(const TextLines& lines, const Columns& columns, FcndTable& out) {
   }
   const auto zeros = std::count(v.begin() + 3, v.end(), 0.0);
   if (zeros == 3) {
-    lines.refuse(fmt::format("expected a half size > 0, found three zeros (is this a latitude and "
-                             "longitude line?): \"{}\"", lines.line().substr(0, 80)));
+    lines.refuse(
+        fmt::format("expected a half size > 0, found three zeros (is this a latitude and "
+                    "longitude line?): \"{}\"",
+                    lines.line().substr(0, 80)));
   }
   out.flat += zeros > 0;
   Aabb box;

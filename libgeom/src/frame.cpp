@@ -10,8 +10,6 @@ std::optional<Axes> axes_from_name(std::string_view word) {
   return std::nullopt;
 }
 
-Vec3 to_enu(Axes axes, const Vec3& v) {
-  return axes == Axes::enu ? v : Vec3(v.y(), v.x(), v.z());
-}
+Vec3 to_enu(Axes axes, const Vec3& v) { return axes == Axes::enu ? v : Vec3(v.y(), v.x(), v.z()); }
 
 }  // namespace geom

@@ -31,8 +31,8 @@ class CsvQueries {
     const auto need = [&](std::string_view name) {
       const auto at = find(name);
       if (!at) {
-        header.refuse(fmt::format("expected a column {}, found \"{}\"", name,
-                                  header.line().substr(0, 80)));
+        header.refuse(
+            fmt::format("expected a column {}, found \"{}\"", name, header.line().substr(0, 80)));
       }
       return *at;
     };

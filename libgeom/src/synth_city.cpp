@@ -82,7 +82,8 @@ class City {
   }
 
   void park(const Area& a) {
-    for (int i = 0; i < 28; ++i) tree(dice_.uniform(a.x0 + 3, a.x1 - 3), dice_.uniform(a.y0 + 3, a.y1 - 3));
+    for (int i = 0; i < 28; ++i)
+      tree(dice_.uniform(a.x0 + 3, a.x1 - 3), dice_.uniform(a.y0 + 3, a.y1 - 3));
   }
 
   void buildings(const Area& a) {

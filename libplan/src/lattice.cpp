@@ -6,17 +6,20 @@
 namespace plan {
 
 const std::array<std::array<int, 3>, kDirections> kDirection = {{
-    {1, 0, 0},   {0, 1, 0},   {0, 0, 1},    {1, 1, 0},    {1, -1, 0},   {1, 0, 1},   {1, 0, -1},
-    {0, 1, 1},   {0, 1, -1},  {1, 1, 1},    {1, 1, -1},   {1, -1, 1},   {1, -1, -1}, {-1, 0, 0},
-    {0, -1, 0},  {0, 0, -1},  {-1, -1, 0},  {-1, 1, 0},   {-1, 0, -1},  {-1, 0, 1},  {0, -1, -1},
-    {0, -1, 1},  {-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1},  {-1, 1, 1},
+    {1, 0, 0},  {0, 1, 0},    {0, 0, 1},   {1, 1, 0},   {1, -1, 0},  {1, 0, 1},   {1, 0, -1},
+    {0, 1, 1},  {0, 1, -1},   {1, 1, 1},   {1, 1, -1},  {1, -1, 1},  {1, -1, -1}, {-1, 0, 0},
+    {0, -1, 0}, {0, 0, -1},   {-1, -1, 0}, {-1, 1, 0},  {-1, 0, -1}, {-1, 0, 1},  {0, -1, -1},
+    {0, -1, 1}, {-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {-1, 1, 1},
 }};
 
 int half_directions(Connectivity connectivity) { return static_cast<int>(connectivity) / 2; }
 
 Lattice::Lattice(LatticeSpec spec, Index3 first, Index3 dims, geom::Provenance made_for,
                  std::vector<std::uint32_t> masks)
-    : spec_(spec), first_(first), dims_(dims), made_for_(std::move(made_for)),
+    : spec_(spec),
+      first_(first),
+      dims_(dims),
+      made_for_(std::move(made_for)),
       masks_(std::move(masks)) {
   for (int d = 0; d < kDirections; ++d) {
     const auto& [dx, dy, dz] = kDirection[d];

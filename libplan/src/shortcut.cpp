@@ -56,7 +56,8 @@ Polyline resample_free(const geom::CollisionScene& scene, const Polyline& path, 
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Polyline parts = geom::resample({path[i - 1], path[i]}, step);
     bool clear = true;
-    for (std::size_t k = 1; k < parts.size() && clear; ++k) clear = scene.free(parts[k - 1], parts[k]);
+    for (std::size_t k = 1; k < parts.size() && clear; ++k)
+      clear = scene.free(parts[k - 1], parts[k]);
     if (clear) {
       out.insert(out.end(), parts.begin() + 1, parts.end());
     } else {

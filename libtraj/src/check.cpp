@@ -13,7 +13,7 @@ namespace traj {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kDeepest = 60;       // halvings; 2^-60 of a segment is below any rounding
+constexpr int kDeepest = 60;         // halvings; 2^-60 of a segment is below any rounding
 constexpr double kSmallest = 2e-10;  // metres: a piece this small that is not clear collides
 
 template <std::size_t N>
@@ -133,8 +133,8 @@ geom::Aabb sure_box(const Points<kPoints>& q, int depth, double scale) {
 
 // The first time that cannot be shown clear of every candidate, or nothing. Works relative to an
 // origin on the curve, so errors scale with the piece and not with its coordinates.
-std::optional<double> first_touch(const Piece& piece, const std::vector<Candidate>& near,
-                                  int depth, double scale) {
+std::optional<double> first_touch(const Piece& piece, const std::vector<Candidate>& near, int depth,
+                                  double scale) {
   const geom::Aabb box = sure_box(piece.q, depth, scale);
   std::vector<Candidate> rest;
   for (const Candidate& c : near) {
@@ -170,9 +170,8 @@ double largest_coordinate(const Piece& piece) {
 }
 
 bool on_the_line_between_its_ends(const Piece& piece) {
-  return std::all_of(piece.q.begin(), piece.q.end(), [&](const Vec3& p) {
-    return p == piece.q.front() || p == piece.q.back();
-  });
+  return std::all_of(piece.q.begin(), piece.q.end(),
+                     [&](const Vec3& p) { return p == piece.q.front() || p == piece.q.back(); });
 }
 
 bool touches(const geom::CollisionScene& scene, const Piece& piece) {
@@ -257,7 +256,8 @@ void check_place(const geom::CollisionScene& scene, const std::vector<Piece>& pi
   }
   if (!outside.empty()) {
     Largest worst;
-    search_largest(outside, 1e-6, [&](const Vec3& p, double) { return way_out(scene, p); }, worst);
+    search_largest(
+        outside, 1e-6, [&](const Vec3& p, double) { return way_out(scene, p); }, worst);
     note(result, "bounds", worst);
   } else if (!colliding.empty()) {
     report_collision(scene, colliding, result);

@@ -61,8 +61,8 @@ std::vector<double> parse_row(std::string_view text, std::string_view source, st
     const auto [rest, error] = std::from_chars(text.data() + at, text.data() + stop, value);
     if (error != std::errc() || rest != text.data() + stop || !std::isfinite(value)) {
       throw geom::InputError(source, line,
-                             fmt::format("column {} must be a number, found \"{}\"",
-                                         row.size() + 1, text.substr(at, stop - at)));
+                             fmt::format("column {} must be a number, found \"{}\"", row.size() + 1,
+                                         text.substr(at, stop - at)));
     }
     row.push_back(value);
     at = stop + 1;

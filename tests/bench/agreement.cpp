@@ -52,7 +52,8 @@ std::pair<Vec3, Vec3> segment_of_kind(support::Random& random, const geom::Aabb&
   return {a, a + d * random.uniform(5, 50)};
 }
 
-std::size_t compare_segments(const geom::CollisionScene& scene, const Oracle& exact, std::size_t n) {
+std::size_t compare_segments(const geom::CollisionScene& scene, const Oracle& exact,
+                             std::size_t n) {
   support::Random random(1);
   std::size_t wrong = 0;
   std::size_t hits = 0;
@@ -99,18 +100,21 @@ std::size_t move_into_touch(const geom::CollisionScene& scene) {
   while (originals < 1000) {
     const geom::Aabb& b = *scene.free_bounds();
     const Vec3 from = in_bounds(random, b, 40);
-    const Vec3 to = from + Vec3(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(-5, 5));
+    const Vec3 to =
+        from + Vec3(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(-5, 5));
     const plan::PlanResult path = planner.plan(from, to, {});
     if (path.status != plan::PlanStatus::found) continue;
     const traj::Solver solver = originals % 2 ? traj::Solver::automatic : traj::Solver::stop_and_go;
     const traj::SolveResult solved = traj::solve(scene, path.path, {limits, solver, 1e-3, 200});
-    if (solved.status != traj::SolveStatus::solved || !traj::check(scene, solved.trajectory, limits).ok) {
+    if (solved.status != traj::SolveStatus::solved ||
+        !traj::check(scene, solved.trajectory, limits).ok) {
       ++missed;
       continue;
     }
     traj::Trajectory moved = solved.trajectory;
     const Vec3 p = traj::evaluate(moved, random.uniform(0, traj::duration(moved))).position;
-    const geom::Aabb box = scene.map().boxes()[random.below(static_cast<int>(scene.map().boxes().size()))];
+    const geom::Aabb box =
+        scene.map().boxes()[random.below(static_cast<int>(scene.map().boxes().size()))];
     const int axis = random.below(3);
     Vec3 target = 0.5 * (box.min + box.max);
     const double depth = originals % 3 ? random.uniform(0, 0.01) : 0;

@@ -21,13 +21,15 @@ namespace {
 using geom::Vec3;
 
 const geom::CollisionScene& scene() {
-  static const geom::CollisionScene one(support::load_city(support::city_file()), {"box", {1, 1, 1}}, 0);
+  static const geom::CollisionScene one(support::load_city(support::city_file()),
+                                        {"box", {1, 1, 1}}, 0);
   return one;
 }
 
 Vec3 random_point(support::Random& random) {
   const geom::Aabb& b = *scene().free_bounds();
-  return {random.uniform(b.min[0], b.max[0]), random.uniform(b.min[1], b.max[1]), random.uniform(b.min[2], b.max[2])};
+  return {random.uniform(b.min[0], b.max[0]), random.uniform(b.min[1], b.max[1]),
+          random.uniform(b.min[2], b.max[2])};
 }
 
 // Random segments of 5 to 50 m in every direction, anywhere inside the bounds.
@@ -72,9 +74,8 @@ void BruteForceSegment(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     const auto& [a, b] = segments()[i++ % segments().size()];
-    benchmark::DoNotOptimize(std::any_of(grown.begin(), grown.end(), [&](const geom::Aabb& box) {
-      return slabs_hit(a, b, box);
-    }));
+    benchmark::DoNotOptimize(std::any_of(
+        grown.begin(), grown.end(), [&](const geom::Aabb& box) { return slabs_hit(a, b, box); }));
   }
 }
 BENCHMARK(BruteForceSegment);
@@ -91,29 +92,41 @@ BENCHMARK(SceneSegment);
 void SceneNearest(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        scene().nearest(segments()[i++ % segments().size()].first, std::numeric_limits<double>::infinity()));
+    benchmark::DoNotOptimize(scene().nearest(segments()[i++ % segments().size()].first,
+                                             std::numeric_limits<double>::infinity()));
   }
 }
 BENCHMARK(SceneNearest);
 
 void LatticeBuild(benchmark::State& state) {
-  const plan::LatticeSpec spec{static_cast<double>(state.range(0)), static_cast<plan::Connectivity>(state.range(1)),
+  const plan::LatticeSpec spec{static_cast<double>(state.range(0)),
+                               static_cast<plan::Connectivity>(state.range(1)),
                                scene().map().spec().bounds.min};
   for (auto _ : state) benchmark::DoNotOptimize(plan::build_lattice(scene(), spec, {2, {}}));
 }
-BENCHMARK(LatticeBuild)->Args({25, 6})->Args({25, 26})->Args({10, 26})->Args({5, 6})->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(LatticeBuild)
+    ->Args({25, 6})
+    ->Args({25, 26})
+    ->Args({10, 26})
+    ->Args({5, 6})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 // 200 node pairs 600 to 700 m apart that are joined.
 void AstarSixConnected(benchmark::State& state) {
-  const plan::Lattice lattice = plan::build_lattice(
-      scene(), {static_cast<double>(state.range(0)), plan::Connectivity::six, scene().map().spec().bounds.min}, {2, {}});
+  const plan::Lattice lattice =
+      plan::build_lattice(scene(),
+                          {static_cast<double>(state.range(0)), plan::Connectivity::six,
+                           scene().map().spec().bounds.min},
+                          {2, {}});
   plan::AstarSearch search(lattice);
   support::Random random(2);
   std::vector<std::pair<plan::Terminal, plan::Terminal>> queries;
   while (queries.size() < 200) {
-    const plan::Terminal a{static_cast<std::size_t>(random.below(static_cast<int>(lattice.size()))), 0};
-    const plan::Terminal b{static_cast<std::size_t>(random.below(static_cast<int>(lattice.size()))), 0};
+    const plan::Terminal a{static_cast<std::size_t>(random.below(static_cast<int>(lattice.size()))),
+                           0};
+    const plan::Terminal b{static_cast<std::size_t>(random.below(static_cast<int>(lattice.size()))),
+                           0};
     const double far = (lattice.position(a.node) - lattice.position(b.node)).norm();
     if (!lattice.free(a.node) || !lattice.free(b.node) || far < 600 || far > 700) continue;
     if (search.search({&a, 1}, {&b, 1}).found) queries.push_back({a, b});

@@ -1,7 +1,7 @@
+#include "readers.h"
 #include "traj/export/setpoints.h"
 
-#include "readers.h"
-
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return refuses_or_reads(data, size, [](std::istream& in) { traj::read_setpoints(in, "fuzz", geom::Axes::neu); });
+  return refuses_or_reads(
+      data, size, [](std::istream& in) { traj::read_setpoints(in, "fuzz", geom::Axes::neu); });
 }

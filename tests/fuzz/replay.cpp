@@ -27,7 +27,8 @@ int main(int argc, char** argv) {
     std::mt19937_64 random(1);
     for (int k = 0; k < 2000 && !whole.empty(); ++k) {
       std::string changed = whole;
-      for (std::uint64_t n = random() % 4; n < 4; ++n) changed[random() % changed.size()] = static_cast<char>(random());
+      for (std::uint64_t n = random() % 4; n < 4; ++n)
+        changed[random() % changed.size()] = static_cast<char>(random());
       feed(changed);
     }
     ++inputs;

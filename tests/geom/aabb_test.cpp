@@ -22,10 +22,10 @@ TEST(AabbDistance, IsEuclideanAtFacesEdgesAndCorners) {
 }
 
 TEST(AabbSegment, TouchingIsAHit) {
-  EXPECT_TRUE(segment_hits({-1, 1, 0.5}, {2, 1, 0.5}, kUnit));   // along a face
-  EXPECT_TRUE(segment_hits({-1, 2, 0.5}, {2, -1, 0.5}, kUnit));  // through
-  EXPECT_TRUE(segment_hits({0, 2, 0.5}, {2, 0, 0.5}, kUnit));    // the edge (1, 1)
-  EXPECT_TRUE(segment_hits({1, 1, 1}, {1, 1, 1}, kUnit));        // a corner as a point
+  EXPECT_TRUE(segment_hits({-1, 1, 0.5}, {2, 1, 0.5}, kUnit));         // along a face
+  EXPECT_TRUE(segment_hits({-1, 2, 0.5}, {2, -1, 0.5}, kUnit));        // through
+  EXPECT_TRUE(segment_hits({0, 2, 0.5}, {2, 0, 0.5}, kUnit));          // the edge (1, 1)
+  EXPECT_TRUE(segment_hits({1, 1, 1}, {1, 1, 1}, kUnit));              // a corner as a point
   EXPECT_TRUE(segment_hits({0.2, 0.2, 0.2}, {0.3, 0.3, 0.3}, kUnit));  // wholly inside
 }
 
@@ -33,7 +33,8 @@ TEST(AabbSegment, OneUlpBesideIsAMiss) {
   const double beyond = std::nextafter(1.0, 2.0);
   EXPECT_FALSE(segment_hits({-1, beyond, 0.5}, {2, beyond, 0.5}, kUnit));
   EXPECT_FALSE(segment_hits({beyond, 0, 0}, {beyond, 0, 0}, kUnit));
-  EXPECT_FALSE(segment_hits({0, std::nextafter(2.0, 3.0), 0.5}, {2, std::nextafter(0.0, 1.0), 0.5}, kUnit));
+  EXPECT_FALSE(
+      segment_hits({0, std::nextafter(2.0, 3.0), 0.5}, {2, std::nextafter(0.0, 1.0), 0.5}, kUnit));
 }
 
 // A segment with ends on a coarse grid, on nearby doubles, or anywhere.

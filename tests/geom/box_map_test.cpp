@@ -54,7 +54,8 @@ TEST(BoxMapFile, ReadsBackWhatWasWrittenByteForByte) {
   const auto bytes = file_of(map);
   const BoxMap back = read_box_map(ArrayArchive::from_bytes(bytes, "m"));
   EXPECT_EQ(back.hash(), map.hash());
-  EXPECT_TRUE(std::equal(back.boxes().begin(), back.boxes().end(), map.boxes().begin(), map.boxes().end()));
+  EXPECT_TRUE(
+      std::equal(back.boxes().begin(), back.boxes().end(), map.boxes().begin(), map.boxes().end()));
   EXPECT_EQ(file_of(back), bytes);
 }
 
@@ -64,7 +65,8 @@ TEST(BoxMapFile, HostileBytesAreRefusedOrLoadAsSoundMaps) {
   int refused = 0;
   for (int i = 0; i < 4000; ++i) {
     auto bytes = good;
-    for (int k = 0; k < 3; ++k) bytes[random.below(static_cast<int>(bytes.size()))] = std::byte(random.below(256));
+    for (int k = 0; k < 3; ++k)
+      bytes[random.below(static_cast<int>(bytes.size()))] = std::byte(random.below(256));
     if (i % 4 == 0) bytes.resize(random.below(static_cast<int>(bytes.size())));
     try {
       const BoxMap map = read_box_map(ArrayArchive::from_bytes(bytes, "m"));

@@ -21,14 +21,19 @@ Segment random_segment(support::Random& random, double side, const Vec3& center)
     const auto coordinate = [&](double low, double high) {
       return random.below(2) ? random.stepped(low, high, 0.5) : random.uniform(low, high);
     };
-    return Vec3(center + Vec3(coordinate(-side, side), coordinate(-side, side), coordinate(-5, 70)));
+    return Vec3(center +
+                Vec3(coordinate(-side, side), coordinate(-side, side), coordinate(-5, 70)));
   };
   const Vec3 a = point();
   switch (random.below(4)) {
-    case 0: return {a, a};
-    case 1: return {a, a + Vec3(random.stepped(-60, 60, 1), 0, 0)};
-    case 2: return {a, a + Vec3(random.uniform(-40, 40), random.uniform(-40, 40), random.uniform(-9, 9))};
-    default: return {a, point()};
+    case 0:
+      return {a, a};
+    case 1:
+      return {a, a + Vec3(random.stepped(-60, 60, 1), 0, 0)};
+    case 2:
+      return {a, a + Vec3(random.uniform(-40, 40), random.uniform(-40, 40), random.uniform(-9, 9))};
+    default:
+      return {a, point()};
   }
 }
 
@@ -50,8 +55,8 @@ TEST_P(CollisionProperty, HitsAgreeWithRationalsOnEveryBox) {
     const Segment s = random_segment(random, 250, center);
     const bool expected = brute_force(scene, s);
     hits += expected;
-    ASSERT_EQ(scene.hits(s.a, s.b), expected) << "case " << i << ": " << s.a.transpose() << " to "
-                                              << s.b.transpose();
+    ASSERT_EQ(scene.hits(s.a, s.b), expected)
+        << "case " << i << ": " << s.a.transpose() << " to " << s.b.transpose();
   }
   EXPECT_GT(hits, 300);
   EXPECT_LT(hits, 2700);

@@ -33,8 +33,8 @@ std::string refusal(const std::string& text) {
 TEST(FcndCsv, ReadsEveryHeaderVariant) {
   const std::string row = "1,2,3,1,1,3\n";
   for (const std::string& head :
-       {std::string(), kHeader, "lat0 37.5, lon0 -122.25\n" + kHeader, "37.5,-122.25,,,,\n" + kHeader,
-        "lat0,lon0\n37.5,-122.25\n" + kHeader}) {
+       {std::string(), kHeader, "lat0 37.5, lon0 -122.25\n" + kHeader,
+        "37.5,-122.25,,,,\n" + kHeader, "lat0,lon0\n37.5,-122.25\n" + kHeader}) {
     const FcndTable t = fcnd(head + row);
     ASSERT_EQ(t.table.boxes.size(), 1u) << head;
     EXPECT_EQ(t.table.boxes[0], (Aabb{{0, 1, 0}, {2, 3, 6}})) << head;
@@ -79,8 +79,9 @@ TEST(FcndCsv, KeepsFlatBoxesAndCountsThem) {
 }
 
 TEST(BoxCsv, ComesBackBitForBit) {
-  std::istringstream in("min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n"
-                        "0.1,-0,1e-300,0.30000000000000004,2,3,\"a \"\"b\"\", c\"\n");
+  std::istringstream in(
+      "min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n"
+      "0.1,-0,1e-300,0.30000000000000004,2,3,\"a \"\"b\"\", c\"\n");
   const BoxTable table = read_box_csv(in, "b.csv");
   EXPECT_EQ(table.labels[1], "a \"b\", c");
   std::ostringstream once;
@@ -100,17 +101,18 @@ TEST(BlockText, ReadsColoursCommentsAndUnknownWords) {
 }
 
 TEST(BlockText, WantsOneBoundaryAndUprightBlocks) {
-  for (const char* bad : {"block 0 0 0 1 1 1\n", "boundary 0 0 0 1 1 1\n",
-                          "boundary 0 0 0 1 1 1\nboundary 0 0 0 1 1 1\nblock 0 0 0 1 1 1\n",
-                          "boundary 0 0 0 1 1 1\nblock 1 0 0 0 1 1\n",
-                          "boundary 0 0 0 1 1 1\nblock 1 0 0 1 1\n"}) {
+  for (const char* bad :
+       {"block 0 0 0 1 1 1\n", "boundary 0 0 0 1 1 1\n",
+        "boundary 0 0 0 1 1 1\nboundary 0 0 0 1 1 1\nblock 0 0 0 1 1 1\n",
+        "boundary 0 0 0 1 1 1\nblock 1 0 0 0 1 1\n", "boundary 0 0 0 1 1 1\nblock 1 0 0 1 1\n"}) {
     std::istringstream in(bad);
     EXPECT_THROW(read_block_text(in, "m.txt"), InputError) << bad;
   }
 }
 
 TEST(PlanQueries, ReadsBothForms) {
-  std::istringstream json("{\"from\":[1,2,3],\"to\":[4,5,6]}\n\n{\"id\":\"b\",\"from\":[1,2,3],\"to\":[4,5,6]}");
+  std::istringstream json(
+      "{\"from\":[1,2,3],\"to\":[4,5,6]}\n\n{\"id\":\"b\",\"from\":[1,2,3],\"to\":[4,5,6]}");
   const auto a = read_plan_queries(json, "q");
   EXPECT_EQ(a[0].id, "q1");
   EXPECT_EQ(a[1].id, "b");
@@ -121,7 +123,9 @@ TEST(PlanQueries, ReadsBothForms) {
 }
 
 TEST(PlanQueries, StopAtTheFirstMalformedLine) {
-  std::istringstream twice("{\"id\":\"b\",\"from\":[1,2,3],\"to\":[4,5,6]}\n{\"id\":\"b\",\"from\":[1,2,3],\"to\":[4,5,6]}\n");
+  std::istringstream twice(
+      "{\"id\":\"b\",\"from\":[1,2,3],\"to\":[4,5,6]}\n{\"id\":\"b\",\"from\":[1,2,3],\"to\":[4,5,"
+      "6]}\n");
   EXPECT_THROW(read_plan_queries(twice, "q"), InputError);
   std::istringstream empty("\n");
   EXPECT_THROW(read_plan_queries(empty, "q"), InputError);

@@ -66,7 +66,8 @@ TEST_P(AstarProperty, CostsAreDijkstrasAndNoSearchDependsOnAnother) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, AstarProperty,
-                         testing::Values(Connectivity::six, Connectivity::eighteen, Connectivity::twenty_six));
+                         testing::Values(Connectivity::six, Connectivity::eighteen,
+                                         Connectivity::twenty_six));
 
 }  // namespace
 }  // namespace plan

@@ -39,7 +39,8 @@ class LatticeProperty : public testing::TestWithParam<Case> {};
 TEST_P(LatticeProperty, EveryNodeAndEdgeAgreesWithRationals) {
   const Case& c = GetParam();
   const CollisionScene scene(support::random_city(21, 60, 80), {"box", c.half}, 0);
-  const Lattice lattice = build_lattice(scene, {c.spacing, c.connectivity, scene.map().spec().bounds.min});
+  const Lattice lattice =
+      build_lattice(scene, {c.spacing, c.connectivity, scene.map().spec().bounds.min});
   const int directions = half_directions(c.connectivity);
   std::size_t edges = 0;
   for (std::size_t n = 0; n < lattice.size(); ++n) {
@@ -65,11 +66,11 @@ TEST_P(LatticeProperty, EveryNodeAndEdgeAgreesWithRationals) {
   EXPECT_GT(edges, 100u);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, LatticeProperty,
-    testing::Values(Case{Connectivity::six, 5, {1, 1, 1}}, Case{Connectivity::eighteen, 4, {0.5, 0.5, 0}},
-                    Case{Connectivity::twenty_six, 5, {1, 1, 1}},
-                    Case{Connectivity::twenty_six, 3.3, {0.7, 0.7, 0.2}}));
+INSTANTIATE_TEST_SUITE_P(Kinds, LatticeProperty,
+                         testing::Values(Case{Connectivity::six, 5, {1, 1, 1}},
+                                         Case{Connectivity::eighteen, 4, {0.5, 0.5, 0}},
+                                         Case{Connectivity::twenty_six, 5, {1, 1, 1}},
+                                         Case{Connectivity::twenty_six, 3.3, {0.7, 0.7, 0.2}}));
 
 TEST(Lattice, IsTheSameForAnyNumberOfThreads) {
   const CollisionScene scene(support::random_city(22, 200, 300), {"box", {1, 1, 1}}, 0.5);
@@ -77,7 +78,8 @@ TEST(Lattice, IsTheSameForAnyNumberOfThreads) {
   const unsigned threads[] = {1, 2, 7};
   for (int i = 0; i < 3; ++i) {
     std::ostringstream out;
-    write_lattice(out, build_lattice(scene, {5, Connectivity::twenty_six, Vec3(0.3, 0, 0)}, {threads[i], {}}));
+    write_lattice(out, build_lattice(scene, {5, Connectivity::twenty_six, Vec3(0.3, 0, 0)},
+                                     {threads[i], {}}));
     bytes[i] = out.str();
   }
   EXPECT_EQ(bytes[0], bytes[1]);
@@ -90,7 +92,8 @@ TEST(LatticeFile, ReadsBackEveryMask) {
   std::ostringstream out;
   write_lattice(out, lattice);
   const std::string text = out.str();
-  const Lattice back = read_lattice(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "l"));
+  const Lattice back =
+      read_lattice(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "l"));
   ASSERT_EQ(back.size(), lattice.size());
   for (std::size_t n = 0; n < lattice.size(); ++n) ASSERT_EQ(back.mask(n), lattice.mask(n));
   EXPECT_EQ(back.made_for().map, lattice.made_for().map);
@@ -105,10 +108,12 @@ TEST(LatticeFile, HostileBytesAreRefusedOrLoadAsSoundLattices) {
   int refused = 0;
   for (int i = 0; i < 3000; ++i) {
     std::string text = good;
-    for (int k = 0; k < 3; ++k) text[random.below(static_cast<int>(text.size()))] = static_cast<char>(random.below(256));
+    for (int k = 0; k < 3; ++k)
+      text[random.below(static_cast<int>(text.size()))] = static_cast<char>(random.below(256));
     if (i % 4 == 0) text.resize(random.below(static_cast<int>(text.size())));
     try {
-      const Lattice lattice = read_lattice(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "l"));
+      const Lattice lattice =
+          read_lattice(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "l"));
       for (std::size_t n = 0; n < lattice.size(); ++n) {
         for (std::uint32_t m = lattice.mask(n) & ~Lattice::kNode; m; m &= m - 1) {
           const auto other = static_cast<std::size_t>(n + lattice.offset(std::countr_zero(m)));

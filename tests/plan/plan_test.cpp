@@ -21,7 +21,8 @@ geom::BoxMap walled(bool with_hole) {
   return geom::BoxMap(spec, support::table_of(boxes));
 }
 
-PlanResult plan_in(const geom::BoxMap& map, const Vec3& from, const Vec3& to, PlanOptions options = {}) {
+PlanResult plan_in(const geom::BoxMap& map, const Vec3& from, const Vec3& to,
+                   PlanOptions options = {}) {
   const CollisionScene scene(map, {"box", {1, 1, 1}}, 0);
   Planner planner(scene, nullptr, {});
   return planner.plan(from, to, options);
@@ -56,7 +57,8 @@ TEST(Plan, SaysWhyNot) {
   EXPECT_EQ(plan_in(walled(true), {-10, 5, 10}, {50, 5, 10}).status, PlanStatus::start_outside);
   const PlanResult outside = plan_in(walled(true), {10, 5, 10}, {99.5, 5, 10});
   EXPECT_EQ(outside.status, PlanStatus::goal_outside);
-  EXPECT_NE(outside.message.find("the nearest free point is 0.500 m away"), std::string::npos) << outside.message;
+  EXPECT_NE(outside.message.find("the nearest free point is 0.500 m away"), std::string::npos)
+      << outside.message;
 }
 
 TEST(Plan, SnapsEndsWhenAskedAndRecordsIt) {

@@ -26,7 +26,9 @@ inline geom::BoxMap load_city(const std::string& file) {
   geom::MakeMapOptions options;
   options.floor = 0;
   options.seal = 1;
-  return geom::make_map(std::move(table.table), {geom::Axes::neu, table.origin, ""}, "[]", file, options).map;
+  return geom::make_map(std::move(table.table), {geom::Axes::neu, table.origin, ""}, "[]", file,
+                        options)
+      .map;
 }
 
 }  // namespace support

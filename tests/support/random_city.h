@@ -39,9 +39,11 @@ inline geom::BoxMap random_city(std::uint64_t seed, int count, double side,
   Random random(seed);
   std::vector<geom::Aabb> boxes;
   for (int i = 0; i < count; ++i) {
-    const geom::Vec3 low(random.stepped(-side / 2, side / 2, 1), random.stepped(-side / 2, side / 2, 1),
+    const geom::Vec3 low(random.stepped(-side / 2, side / 2, 1),
+                         random.stepped(-side / 2, side / 2, 1),
                          random.below(4) ? 0 : random.stepped(0, 30, 1));
-    const geom::Vec3 size(random.stepped(0, 12, 1), random.stepped(1, 12, 1), random.stepped(1, 60, 1));
+    const geom::Vec3 size(random.stepped(0, 12, 1), random.stepped(1, 12, 1),
+                          random.stepped(1, 60, 1));
     boxes.push_back({center + low, center + low + size});
   }
   if (count > 0) {  // one that spans many tiles

@@ -47,7 +47,8 @@ TEST(Check, AcceptsAClearCurveAndMeasuresItsClearance) {
 
 TEST(Check, NamesPlaceTimeAndBoxOfTheWorstCollision) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
-  const CheckResult result = check(scene, {{hermite(rest({-10, 0, 0}), rest({10, 0, 0}), 8)}}, Limits{});
+  const CheckResult result =
+      check(scene, {{hermite(rest({-10, 0, 0}), rest({10, 0, 0}), 8)}}, Limits{});
   EXPECT_EQ(result.reason, "collision");
   EXPECT_NEAR(result.worst, 1.5, 1e-3);
   EXPECT_NEAR(result.time, 4, 0.05);
@@ -90,7 +91,8 @@ TEST(Check, RejectsEveryCurveMovedIntoTouch) {
   int accepted = 0;
   for (int i = 0; accepted < 1000; ++i) {
     const Vec3 middle(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(60, 100));
-    const Trajectory t = arc(middle, {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-2, 2)});
+    const Trajectory t =
+        arc(middle, {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-2, 2)});
     if (!check(scene, t, Limits{}).ok) continue;
     ++accepted;
     const double time = random.uniform(0, duration(t));
@@ -109,7 +111,10 @@ TEST(Check, AStraightSegmentOneNanometreClearIsDecidedExactly) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const double face = scene.grown(0).max.y();
   const auto along = [&](double y) {
-    return check(scene, stop_and_go(std::vector<Vec3>{{-10, y, 0}, {10, y, 0}}, {.vmax = 5, .amax = 5}), Limits{}).ok;
+    return check(scene,
+                 stop_and_go(std::vector<Vec3>{{-10, y, 0}, {10, y, 0}}, {.vmax = 5, .amax = 5}),
+                 Limits{})
+        .ok;
   };
   EXPECT_FALSE(along(face));
   EXPECT_TRUE(along(std::nextafter(face, 10)));
@@ -145,14 +150,16 @@ TEST(Solve, ProvesEveryFreePathOfARandomCity) {
 }
 
 TEST(TrajectoryRecord, ComesBackBitForBit) {
-  TrajectoryRecord record{"a \"b\"", "solved", arc({0.1, 20.3, 0.7}, {3, 0.2, 0}), {}, {.vmax = 8}, "", "ipopt", ""};
+  TrajectoryRecord record{
+      "a \"b\"", "solved", arc({0.1, 20.3, 0.7}, {3, 0.2, 0}), {}, {.vmax = 8}, "", "ipopt", ""};
   record.trajectory.segments[0].yaw = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
   const std::string line = to_json_line(record);
   EXPECT_EQ(to_json_line(parse_trajectory_record(line, "t", 1)), line);
 }
 
 TEST(TrajectoryRecord, HostileLinesAreRefused) {
-  const std::string good = to_json_line({"a", "solved", arc({0, 20, 0}, {3, 0, 0}), {}, {}, "", "", ""});
+  const std::string good =
+      to_json_line({"a", "solved", arc({0, 20, 0}, {3, 0, 0}), {}, {}, "", "", ""});
   support::Random random(55);
   int refused = 0;
   for (int i = 0; i < 2000; ++i) {

@@ -52,7 +52,8 @@ TEST(Crazyflie, WritesEastFirstWhateverTheMapsAxes) {
 }
 
 TEST(Exports, BadTablesAreRefused) {
-  for (const char* text : {"", "duration\n", "1,2,3\n", "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n"}) {
+  for (const char* text : {"", "duration\n", "1,2,3\n",
+                           "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n"}) {
     std::istringstream in(text);
     EXPECT_THROW(read_crazyflie(in, "c.csv", geom::Axes::enu), geom::InputError) << text;
   }

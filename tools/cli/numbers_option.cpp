@@ -29,7 +29,8 @@ CLI::Option* add_point(CLI::App& app, const std::string& flag, std::optional<geo
           flag,
           [&point, flag](const std::string& text) {
             const auto v = parse_numbers(text, 3);
-            if (!v) throw CLI::ValidationError(flag, "expected x,y,z in metres, found \"" + text + '"');
+            if (!v)
+              throw CLI::ValidationError(flag, "expected x,y,z in metres, found \"" + text + '"');
             point = geom::Vec3((*v)[0], (*v)[1], (*v)[2]);
           },
           description)

@@ -35,8 +35,10 @@ class ProgressLine {
     if (done < total && now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
     if (json_) {
-      fmt::print(stderr, R"({{"progress":"{}","done":{},"total":{}}})"
-                 "\n", label_, done, total);
+      fmt::print(stderr,
+                 R"({{"progress":"{}","done":{},"total":{}}})"
+                 "\n",
+                 label_, done, total);
     } else {
       fmt::print(stderr, "\r{} {}/{}{}", label_, done, total, done == total ? "\n" : "");
     }

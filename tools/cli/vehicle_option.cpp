@@ -25,8 +25,7 @@ struct NamedBody {
   double vmax;      // m/s
 };
 
-VehicleProfile from_body(std::string name, const Vec3& body, double tilt_deg,
-                         traj::Limits limits) {
+VehicleProfile from_body(std::string name, const Vec3& body, double tilt_deg, traj::Limits limits) {
   const double tilt = tilt_deg * std::numbers::pi / 180;
   limits.tilt = tilt;
   return {{std::move(name), geom::attitude_half_sizes(body, tilt)}, limits};
@@ -35,8 +34,8 @@ VehicleProfile from_body(std::string name, const Vec3& body, double tilt_deg,
 std::optional<VehicleProfile> built_in(const std::string& word) {
   // Ryze Tello user manual: 98 x 92.5 x 41 mm, 8 m/s. Bitcraze Crazyflie 2.1 data sheet:
   // 92 x 92 x 29 mm.
-  const std::array<NamedBody, 2> bodies = {{{"tello", {0.049, 0.04625, 0.0205}, 35, 8},
-                                            {"crazyflie", {0.046, 0.046, 0.0145}, 35, 3}}};
+  const std::array<NamedBody, 2> bodies = {
+      {{"tello", {0.049, 0.04625, 0.0205}, 35, 8}, {"crazyflie", {0.046, 0.046, 0.0145}, 35, 3}}};
   for (const NamedBody& b : bodies) {
     if (word != b.name) continue;
     traj::Limits limits;
@@ -49,10 +48,13 @@ std::optional<VehicleProfile> built_in(const std::string& word) {
 Vec3 half_sizes(std::string_view numbers, std::size_t count, const std::string& word) {
   const auto values = parse_numbers(numbers, count);
   if (!values || *std::min_element(values->begin(), values->end()) < 0) {
-    throw UsageError(fmt::format("--vehicle: expected {} finite number(s) >= 0 in metres, "
-                                 "found \"{}\"", count, word));
+    throw UsageError(
+        fmt::format("--vehicle: expected {} finite number(s) >= 0 in metres, "
+                    "found \"{}\"",
+                    count, word));
   }
-  return count == 1 ? Vec3::Constant(values->front()) : Vec3((*values)[0], (*values)[1], (*values)[2]);
+  return count == 1 ? Vec3::Constant(values->front())
+                    : Vec3((*values)[0], (*values)[1], (*values)[2]);
 }
 
 VehicleProfile from_file(const std::string& path) {
@@ -79,8 +81,10 @@ VehicleProfile parse_vehicle(const std::string& word) {
   if (word.starts_with("sphere:")) return {{word, half_sizes(word.substr(7), 1, word)}, {}};
   if (const auto named = built_in(word)) return *named;
   if (word.ends_with(".json")) return from_file(word);
-  throw UsageError(fmt::format("--vehicle: expected tello, crazyflie, FILE.json, box:HX,HY,HZ or "
-                               "sphere:R, found \"{}\"", word));
+  throw UsageError(
+      fmt::format("--vehicle: expected tello, crazyflie, FILE.json, box:HX,HY,HZ or "
+                  "sphere:R, found \"{}\"",
+                  word));
 }
 
 void VehicleOptions::add_to(CLI::App& app) {

@@ -20,8 +20,7 @@ struct Panel {
   const char* colour;
 };
 
-void draw(Svg& svg, const traj::Trajectory& trajectory, const Panel& panel, double top,
-          bool last) {
+void draw(Svg& svg, const traj::Trajectory& trajectory, const Panel& panel, double top, bool last) {
   const double end = traj::duration(trajectory);
   std::vector<Point> curve;
   double high = panel.limit.value_or(0);
@@ -52,17 +51,19 @@ std::string motion_profile(const traj::TrajectoryRecord& record) {
   const traj::Limits& limits = record.limits;
   const Panel panels[] = {
       {"z, m", [](const traj::State& s) { return s.position.z(); }, {}, "#0072b2"},
-      {"speed, m/s", [](const traj::State& s) { return s.velocity.norm(); }, limits.vmax, "#009e73"},
+      {"speed, m/s", [](const traj::State& s) { return s.velocity.norm(); }, limits.vmax,
+       "#009e73"},
       {"accel., m/s\u00b2", [](const traj::State& s) { return s.acceleration.norm(); }, limits.amax,
        "#d55e00"},
-      {"jerk, m/s\u00b3", [](const traj::State& s) { return s.jerk.norm(); }, limits.jmax, "#cc79a7"},
+      {"jerk, m/s\u00b3", [](const traj::State& s) { return s.jerk.norm(); }, limits.jmax,
+       "#cc79a7"},
   };
   Svg svg(910, 50 + 4 * (kPanel + 30) + 30);
-  svg.text({80, 32},
-           fmt::format("{}: {:.2f} s, {} segments{}", record.id, traj::duration(record.trajectory),
-                       record.trajectory.segments.size(),
-                       record.rung.empty() ? "" : ", " + record.rung),
-           18);
+  svg.text(
+      {80, 32},
+      fmt::format("{}: {:.2f} s, {} segments{}", record.id, traj::duration(record.trajectory),
+                  record.trajectory.segments.size(), record.rung.empty() ? "" : ", " + record.rung),
+      18);
   double top = 50;
   for (const Panel& panel : panels) {
     draw(svg, record.trajectory, panel, top, &panel == std::end(panels) - 1);

@@ -25,7 +25,11 @@ Frame frame_for(const geom::Aabb& bounds) {
   const double dx = bounds.max.x() - bounds.min.x();
   const double dy = bounds.max.y() - bounds.min.y();
   const double scale = kSide / std::max(dx, dy);
-  return {80, 50, dx * scale, dy * scale, {bounds.min.x(), bounds.min.y()},
+  return {80,
+          50,
+          dx * scale,
+          dy * scale,
+          {bounds.min.x(), bounds.min.y()},
           {bounds.max.x(), bounds.max.y()}};
 }
 
@@ -74,7 +78,8 @@ void draw_key(Svg& svg, const Frame& frame, const geom::BoxMap& map) {
   }
   svg.text({x, frame.top + 20}, "top, m", 12);
   svg.text({x + 24, frame.top + 40}, fmt::format("{:.0f}", map.spec().bounds.max.z()), 12);
-  svg.text({x + 24, frame.top + 30 + kSteps * 8.0}, fmt::format("{:.0f}", map.spec().bounds.min.z()), 12);
+  svg.text({x + 24, frame.top + 30 + kSteps * 8.0},
+           fmt::format("{:.0f}", map.spec().bounds.min.z()), 12);
   svg.circle({x + 9, frame.top + 260}, 7, "fill=\"#009e73\"");
   svg.text({x + 24, frame.top + 264}, "start", 12);
   svg.circle({x + 9, frame.top + 284}, 7, "fill=\"#0072b2\"");

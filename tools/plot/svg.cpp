@@ -16,9 +16,12 @@ std::string px(double value) {
 std::string escaped(std::string_view words) {
   std::string out;
   for (const char c : words) {
-    if (c == '<') out += "&lt;";
-    else if (c == '&') out += "&amp;";
-    else out += c;
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '&')
+      out += "&amp;";
+    else
+      out += c;
   }
   return out;
 }
@@ -58,8 +61,9 @@ void Svg::text(Point at, std::string_view words, double size, std::string_view a
                double turn) {
   const std::string rotate =
       turn == 0 ? "" : fmt::format(" transform=\"rotate({} {} {})\"", turn, px(at.x), px(at.y));
-  body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"#222\"{}>{}</text>\n",
-                       px(at.x), px(at.y), size, anchor, rotate, escaped(words));
+  body_ += fmt::format(
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"#222\"{}>{}</text>\n",
+      px(at.x), px(at.y), size, anchor, rotate, escaped(words));
 }
 
 void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_label) {

@@ -15,7 +15,7 @@ namespace geom {
 
 // The nearest obstacle and how far it is.
 struct Nearest {
-  std::size_t box = 0;   // index into BoxMap::boxes()
+  std::size_t box = 0;  // index into BoxMap::boxes()
   double distance = 0;  // metres from the point to that obstacle grown by the vehicle, without
                         // the margin; 0 inside or on it
 };

@@ -29,7 +29,7 @@ struct Frame {
   friend bool operator==(const Frame&, const Frame&) = default;
 };
 
-std::string_view name(Axes axes);                       // "enu" or "neu"
+std::string_view name(Axes axes);                      // "enu" or "neu"
 std::optional<Axes> axes_from_name(std::string_view);  // the inverse; nothing for another word
 
 // A vector of the map in east-north-up axes; its own inverse.

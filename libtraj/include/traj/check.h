@@ -33,15 +33,15 @@ struct CheckResult {
   // finite and positive), "discontinuous", "bounds", "collision", "speed", "acceleration",
   // "jerk", "tilt".
   std::string reason;
-  double time = 0;                  // of the worst violation, seconds
-  Vec3 place = Vec3::Zero();        // where that is, metres
-  std::optional<std::size_t> box;   // the obstacle hit: an index into BoxMap::boxes()
+  double time = 0;                 // of the worst violation, seconds
+  Vec3 place = Vec3::Zero();       // where that is, metres
+  std::optional<std::size_t> box;  // the obstacle hit: an index into BoxMap::boxes()
   double worst = 0;  // how bad: penetration or way out of bounds or gap in metres, else the value
 
-  double duration = 0;             // seconds
+  double duration = 0;               // seconds
   std::optional<Extreme> clearance;  // metres to the obstacles grown by the vehicle without its
                                      // margin, the least, to 1 mm; absent without obstacles
-  Extreme speed;                   // the largest, to a relative 1e-4: m/s, m/s2, m/s3, radians
+  Extreme speed;                     // the largest, to a relative 1e-4: m/s, m/s2, m/s3, radians
   Extreme acceleration;
   Extreme jerk;
   Extreme tilt;

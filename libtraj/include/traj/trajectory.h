@@ -17,8 +17,8 @@ inline constexpr int kPoints = kDegree + 1;
 
 // One polynomial on [0, duration]: sum over i of point[i] B(7, i)(t / duration).
 struct Segment {
-  double duration = 0;               // seconds, > 0
-  std::array<Vec3, kPoints> point{};  // Bernstein control points, metres
+  double duration = 0;                             // seconds, > 0
+  std::array<Vec3, kPoints> point{};               // Bernstein control points, metres
   std::optional<std::array<double, kPoints>> yaw;  // radians, unwrapped
 };
 

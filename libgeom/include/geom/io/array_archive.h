@@ -57,7 +57,7 @@ class ArrayArchive {
     std::string name;  // in the ZIP, "boxes.npy"
     std::string dtype;
     std::vector<std::size_t> shape;
-    std::span<const std::byte> bytes;  // the array's data alone
+    std::span<const std::byte> bytes;   // the array's data alone
     std::span<const std::byte> stored;  // the whole ZIP entry
     std::uint32_t crc = 0;
   };
