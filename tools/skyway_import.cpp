@@ -5,12 +5,11 @@
 #include <sstream>
 
 #include "cli/files.h"
-#include "cli/numbers_option.h"
+#include "cli/map_output.h"
 #include "cli/run.h"
 #include "geom/error.h"
 #include "geom/io/block_text.h"
 #include "geom/io/box_csv.h"
-#include "geom/io/box_map_file.h"
 #include "geom/io/fcnd_csv.h"
 #include "geom/make_map.h"
 #include "geom/sha256.h"
@@ -27,8 +26,7 @@ struct Source {
 struct Options {
   std::string format = "auto";
   std::string frame;
-  std::optional<double> seal;
-  geom::MakeMapOptions map;
+  cli::MapOptions map;
 };
 
 std::string detect(const std::string& text) {
@@ -46,6 +44,7 @@ std::string detect(const std::string& text) {
 
 Source read(const std::string& text, const std::string& name, const Options& options,
             geom::MakeMapOptions& map, const cli::Common& common) {
+  map = options.map.make(options.format == "fcnd" ? 1 : 0);
   std::istringstream in(text);
   Source source;
   if (options.format == "fcnd") {
@@ -53,17 +52,14 @@ Source read(const std::string& text, const std::string& name, const Options& opt
     source = {
         std::move(fcnd.table), {geom::Axes::neu, fcnd.origin, ""}, fcnd.flat, fcnd.largest_change};
     if (!map.floor) map.floor = 0;
-    map.seal = options.seal.value_or(1);
   } else if (options.format == "box-csv") {
     source.table = geom::read_box_csv(in, name);
-    map.seal = options.seal.value_or(0);
   } else {
     geom::BlockText block = geom::read_block_text(in, name);
     for (const std::string& word : block.unknown) common.warn(name + ": unknown keyword, " + word);
     source.table = std::move(block.table);
     source.flat = block.flat;
     map.source_bounds = block.boundary;
-    map.seal = options.seal.value_or(0);
   }
   if (!options.frame.empty()) source.frame.axes = *geom::axes_from_name(options.frame);
   return source;
@@ -73,13 +69,9 @@ std::string history_of(const std::string& text, const Options& options,
                        const geom::MakeMapOptions& map) {
   geom::Sha256 sum;
   sum.update(std::as_bytes(std::span(text)));
-  nlohmann::ordered_json step = {{"tool", "skyway-import"},
-                                 {"input", "sha256:" + sum.hex()},
-                                 {"format", options.format},
-                                 {"seal", map.seal},
-                                 {"pad", map.pad}};
-  if (map.floor) step["floor"] = *map.floor;
-  if (map.ceiling) step["ceiling"] = *map.ceiling;
+  nlohmann::ordered_json step = {
+      {"tool", "skyway-import"}, {"input", "sha256:" + sum.hex()}, {"format", options.format}};
+  step.update(cli::history_of(map));
   return nlohmann::ordered_json::array({step}).dump();
 }
 
@@ -97,44 +89,22 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"auto", "fcnd", "box-csv", "block-text"}));
   app.add_option("--frame", options.frame, "enu or neu (default: neu for FCND tables, else enu)")
       ->check(CLI::IsMember({"enu", "neu"}));
-  app.add_option("--seal", options.seal,
-                 "let obstacles that hang less than this above the floor down to it, metres "
-                 "(default: 1 for FCND tables, else 0)")
-      ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--floor", options.map.floor,
-                 "lower z of the bounds (default: 0 for FCND tables)");
-  app.add_option("--ceiling", options.map.ceiling, "upper z of the bounds");
-  app.add_option("--pad", options.map.pad, "metres around the obstacles, sideways and upward")
-      ->check(CLI::Range(0.0, 1e6));
-  cli::add_box(app, "--bounds", options.map.bounds, "the bounds, instead of all of the above");
-  app.add_option("--tile", options.map.tile_size, "tile size, metres (default 100)")
-      ->check(CLI::Range(1.0, 1e6));
+  options.map.add_to(app, "1 for FCND tables, else 0");
   return cli::run_tool(app, argc, argv, [&] {
     cli::InputFile file(input);
     const std::string text = file.read_all();
     if (options.format == "auto") options.format = detect(text);
-    geom::MakeMapOptions map_options = options.map;
+    geom::MakeMapOptions map_options;
     Source source = read(text, file.name(), options, map_options, common);
     if (source.flat > 0)
       common.warn(fmt::format("{}: {} flat box(es) kept", file.name(), source.flat));
     const geom::MadeMap made =
         geom::make_map(std::move(source.table), source.frame,
                        history_of(text, options, map_options), file.name(), map_options);
-    if (made.beyond > 0) {
-      common.warn(
-          fmt::format("{}: {} box(es) wholly outside the bounds", file.name(), made.beyond));
-    }
-    cli::OutputFile out(output, cli::OutputKind::artefact);
-    geom::write_box_map(out.stream(), made.map);
-    out.commit();
-    common.write_stats({{"boxes", made.map.boxes().size()},
-                        {"format", options.format},
-                        {"flat", source.flat},
-                        {"sealed", made.sealed},
-                        {"beyond", made.beyond},
-                        {"largest_change_m", source.largest_change},
-                        {"tiles", made.map.tiles().size()},
-                        {"hash", made.map.hash()}});
+    cli::write_map(common, output, made, file.name(),
+                   {{"format", options.format},
+                    {"flat", source.flat},
+                    {"largest_change_m", source.largest_change}});
     return cli::Exit::yes;
   });
 }

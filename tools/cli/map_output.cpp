@@ -1,0 +1,55 @@
+#include "cli/map_output.h"
+
+#include <fmt/format.h>
+
+#include "cli/files.h"
+#include "cli/numbers_option.h"
+#include "geom/io/box_map_file.h"
+
+namespace cli {
+
+void MapOptions::add_to(CLI::App& app, const std::string& seal_default) {
+  app.add_option("--seal", seal,
+                 "let obstacles that hang less than this above the floor down to it, metres "
+                 "(default: " +
+                     seal_default + ")")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--floor", map.floor, "lower z of the bounds (default: 0 for FCND tables)");
+  app.add_option("--ceiling", map.ceiling, "upper z of the bounds");
+  app.add_option("--pad", map.pad, "metres around the obstacles, sideways and upward")
+      ->check(CLI::Range(0.0, 1e6));
+  add_box(app, "--bounds", map.bounds, "the bounds, instead of all of the above");
+  app.add_option("--tile", map.tile_size, "tile size, metres (default 100)")
+      ->check(CLI::Range(1.0, 1e6));
+}
+
+geom::MakeMapOptions MapOptions::make(double seal_default) const {
+  geom::MakeMapOptions made = map;
+  made.seal = seal.value_or(seal_default);
+  return made;
+}
+
+nlohmann::ordered_json history_of(const geom::MakeMapOptions& options) {
+  nlohmann::ordered_json step = {{"seal", options.seal}, {"pad", options.pad}};
+  if (options.floor) step["floor"] = *options.floor;
+  if (options.ceiling) step["ceiling"] = *options.ceiling;
+  return step;
+}
+
+void write_map(const Common& common, const std::string& output, const geom::MadeMap& made,
+               const std::string& source, nlohmann::ordered_json stats) {
+  if (made.beyond > 0) {
+    common.warn(fmt::format("{}: {} box(es) wholly outside the bounds", source, made.beyond));
+  }
+  OutputFile out(output, OutputKind::artefact);
+  geom::write_box_map(out.stream(), made.map);
+  out.commit();
+  stats.update({{"boxes", made.map.boxes().size()},
+                {"sealed", made.sealed},
+                {"beyond", made.beyond},
+                {"tiles", made.map.tiles().size()},
+                {"hash", made.map.hash()}});
+  common.write_stats(std::move(stats));
+}
+
+}  // namespace cli
