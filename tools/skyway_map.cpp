@@ -15,7 +15,7 @@ using geom::BoxMap;
 geom::BoxTable table_of(const BoxMap& map, const std::optional<geom::Aabb>& region) {
   geom::BoxTable table;
   table.labels = map.labels();
-  for (std::size_t i = 0; i < map.boxes().size(); ++i) {
+  for (std::size_t i = 0; i < map.size(); ++i) {
     if (region && !geom::overlap(map.boxes()[i], *region)) continue;
     table.boxes.push_back(map.boxes()[i]);
     table.ids.push_back(map.ids()[i]);

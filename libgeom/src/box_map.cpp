@@ -117,14 +117,38 @@ std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable&
 
 }  // namespace
 
+void BoxMap::Data::look_at(std::size_t tile) const {
+  if (!check || looked_at[tile].load(std::memory_order_acquire)) return;
+  check(tile);
+  looked_at[tile].store(true, std::memory_order_release);
+}
+
+void BoxMap::Data::look_at_all() const {
+  if (!check || all_looked_at.load(std::memory_order_acquire)) return;
+  for (std::size_t t = 0; t < tiles.size(); ++t) look_at(t);
+  all_looked_at.store(true, std::memory_order_release);
+}
+
 BoxMap::BoxMap(BoxMapSpec spec, const BoxTable& table)
     : data_(sorted_into_tiles(std::move(spec), table)) {}
 BoxMap::BoxMap(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
 const BoxMapSpec& BoxMap::spec() const { return data_->spec; }
-std::span<const Aabb> BoxMap::boxes() const { return data_->boxes; }
+std::size_t BoxMap::size() const { return data_->boxes.size(); }
+std::span<const Aabb> BoxMap::boxes() const {
+  data_->look_at_all();
+  return data_->boxes;
+}
+std::span<const Aabb> BoxMap::boxes_of(std::size_t tile) const {
+  data_->look_at(tile);
+  return data_->boxes.subspan(data_->tiles[tile].first, data_->tiles[tile].count);
+}
+const Aabb& BoxMap::box(std::size_t i) const { return data_->boxes[i]; }
 std::span<const std::uint64_t> BoxMap::ids() const { return data_->ids; }
-std::span<const std::uint32_t> BoxMap::label() const { return data_->label; }
+std::span<const std::uint32_t> BoxMap::label() const {
+  data_->look_at_all();
+  return data_->label;
+}
 const std::vector<std::string>& BoxMap::labels() const { return data_->labels; }
 std::span<const Tile> BoxMap::tiles() const { return data_->tiles; }
 const std::string& BoxMap::hash() const { return data_->hash; }

@@ -2,6 +2,8 @@
 
 // What a BoxMap shares: views of arrays that it owns or that a mapped file holds.
 
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +27,15 @@ struct BoxMap::Data {
   std::span<const std::uint64_t> ids;
   std::span<const std::uint32_t> label;
   std::shared_ptr<const void> keep_alive;  // whatever the spans point into
+
+  // Throws where a value of that tile is wrong; empty where the values are our own. Looking twice
+  // is harmless, so threads need no more than the flags.
+  std::function<void(std::size_t tile)> check;
+  mutable std::vector<std::atomic<bool>> looked_at;  // one a tile
+  mutable std::atomic<bool> all_looked_at = false;
+
+  void look_at(std::size_t tile) const;
+  void look_at_all() const;
 };
 
 }  // namespace geom

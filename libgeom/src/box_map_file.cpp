@@ -109,7 +109,7 @@ BoxMapSpec spec_of(const ArrayArchive& archive, const Json& meta) {
   return spec;
 }
 
-void check_tile(const ArrayArchive& archive, const BoxMap::Data& data, std::size_t t) {
+void check_tile(const std::string& source, const BoxMap::Data& data, std::size_t t) {
   const Tile& tile = data.tiles[t];
   for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
     const Aabb& box = data.boxes[i];
@@ -117,14 +117,15 @@ void check_tile(const ArrayArchive& archive, const BoxMap::Data& data, std::size
     const bool inside = (box.min.array() >= tile.extent.min.array()).all() &&
                         (box.max.array() <= tile.extent.max.array()).all();
     if (!ordered || !inside) {
-      refuse(archive, fmt::format("box {} must be finite, with min <= max, inside the extent of "
-                                  "its tile {}; found [{}, {}, {}] to [{}, {}, {}]",
-                                  i, t, box.min[0], box.min[1], box.min[2], box.max[0], box.max[1],
-                                  box.max[2]));
+      throw InputError(source,
+                       fmt::format("box {} must be finite, with min <= max, inside the extent of "
+                                   "its tile {}; found [{}, {}, {}] to [{}, {}, {}]",
+                                   i, t, box.min[0], box.min[1], box.min[2], box.max[0], box.max[1],
+                                   box.max[2]));
     }
     if (data.label[i] >= data.labels.size()) {
-      refuse(archive, fmt::format("label of box {} must be below {}, found {}", i,
-                                  data.labels.size(), data.label[i]));
+      throw InputError(source, fmt::format("label of box {} must be below {}, found {}", i,
+                                           data.labels.size(), data.label[i]));
     }
   }
 }
@@ -214,8 +215,11 @@ BoxMap read_box_map(const ArrayArchive& archive) {
                                 data->boxes.size(), data->ids.size(), data->label.size()));
   }
   read_tiles(archive, *data);
-  for (std::size_t t = 0; t < data->tiles.size(); ++t) check_tile(archive, *data, t);
   data->keep_alive = archive.keep_alive();
+  data->looked_at = std::vector<std::atomic<bool>>(data->tiles.size());
+  data->check = [name = archive.name(), raw = data.get()](std::size_t t) {
+    check_tile(name, *raw, t);
+  };
   return BoxMap(data);
 }
 

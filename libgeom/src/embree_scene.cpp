@@ -1,8 +1,11 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -10,14 +13,17 @@
 
 #include "geom/collision.h"
 
-// Two levels of Embree scenes: one over the tiles, and one a tile over its boxes, built on first
-// touch. Embree only proposes candidates, in single precision relative to a near corner and with
-// bounds padded past every rounding; each candidate is decided in double.
+// Two levels of Embree scenes: one over groups of neighbouring tiles, and one a group over its
+// boxes, built on first touch and given up, the oldest first, past the budget. A small map is one
+// group and has no upper level. Embree only proposes candidates, in single precision relative to a
+// near corner and with bounds padded past every rounding; each candidate is decided in double.
 
 namespace geom {
 namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+constexpr double kBoxesPerGroup = 4096;
+constexpr std::size_t kEmbreeBytesPerBox = 80;  // measured: 78
 
 float float_up(double x) {
   const float f = static_cast<float>(x);
@@ -39,15 +45,27 @@ struct Handles {  // an Embree scene over closed boxes, its coordinates relative
   }
 };
 
-struct TileScene {
+struct GroupScene {
   Handles handles;
+  std::vector<std::size_t> box;  // ascending: their indices in the map
   std::vector<Aabb> grown;
   std::vector<Aabb> by_vehicle;  // grown without the margin; empty where that is the same
-  std::once_flag built;
 
   const Aabb& without_margin(std::size_t i) const {
     return by_vehicle.empty() ? grown[i] : by_vehicle[i];
   }
+  std::size_t bytes() const {
+    return box.size() * (sizeof(std::size_t) + kEmbreeBytesPerBox) +
+           (grown.size() + by_vehicle.size()) * sizeof(Aabb);
+  }
+};
+
+// Tiles whose boxes share a scene.
+struct Group {
+  std::vector<std::size_t> tiles;
+  Aabb extent;                                    // grown
+  std::atomic<const GroupScene*> scene{nullptr};  // null until touched, and again once given up
+  std::atomic<int> users{0};                      // queries inside; never given up while > 0
 };
 
 void throw_on_error(RTCDevice device) {
@@ -163,6 +181,26 @@ void near(const Handles& h, const Vec3& p, double radius, Context& context) {
   rtcPointQuery(h.scene, &query, &rtc, nullptr, &context);
 }
 
+// The tiles by squares of so many tiles that a square has about kBoxesPerGroup boxes; the tile of
+// large boxes is a group of its own unless the whole map is one group.
+std::vector<std::vector<std::size_t>> grouped(const BoxMap& map) {
+  const auto tiles = map.tiles();
+  if (tiles.empty()) return {};
+  const double per_tile = static_cast<double>(map.size()) / static_cast<double>(tiles.size());
+  const bool one = static_cast<double>(map.size()) <= 2 * kBoxesPerGroup;
+  const auto side = static_cast<std::int32_t>(std::ceil(std::sqrt(kBoxesPerGroup / per_tile)));
+  const auto square = [&](std::int32_t i) {
+    return one ? 0 : i >= 0 ? i / side : -1 - (-1 - i) / side;
+  };
+  std::map<std::tuple<bool, std::int32_t, std::int32_t>, std::vector<std::size_t>> groups;
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    groups[{!one && tiles[t].large, square(tiles[t].iy), square(tiles[t].ix)}].push_back(t);
+  }
+  std::vector<std::vector<std::size_t>> out;
+  for (auto& [key, members] : groups) out.push_back(std::move(members));
+  return out;
+}
+
 }  // namespace
 
 struct CollisionScene::Impl {
@@ -170,30 +208,58 @@ struct CollisionScene::Impl {
   Vehicle vehicle;
   double margin;
   Vec3 half;
+  std::size_t budget;
   std::optional<Aabb> free_bounds;
   RTCDevice device = nullptr;
   Handles top;
-  std::vector<Aabb> tile_extent;
-  std::vector<TileScene> tiles;
+  std::vector<Aabb> group_extent;
+  std::vector<Group> groups;
+  std::mutex building;            // guards the two below and every change of Group::scene
+  std::deque<std::size_t> built;  // groups with a scene, oldest first
+  std::size_t bytes = 0;          // of all scenes
 
-  Impl(BoxMap m, Vehicle v, double mg);
+  Impl(BoxMap m, Vehicle v, double mg, std::size_t bg);
   ~Impl() {
-    tiles.clear();
+    for (Group& group : groups) delete group.scene.load();
     if (top.scene) rtcReleaseScene(std::exchange(top.scene, nullptr));
     rtcReleaseDevice(device);
   }
 
-  TileScene& tile(std::size_t t);
+  // The group's scene, built if need be. It stays while the caller counts among `users`.
+  const GroupScene& touch(std::size_t g) {
+    const GroupScene* scene = groups[g].scene.load();
+    return scene ? *scene : build_group(g);
+  }
+  const GroupScene& build_group(std::size_t g);
+  void give_up_oldest(std::size_t keep);
 };
 
 namespace {
 
+// A query inside a group.
+class Visit {
+ public:
+  Visit(CollisionScene::Impl& impl, std::size_t g) : group_(impl.groups[g]) {
+    group_.users.fetch_add(1);
+    scene_ = &impl.touch(g);
+  }
+  ~Visit() { group_.users.fetch_sub(1); }
+  Visit(const Visit&) = delete;
+  Visit& operator=(const Visit&) = delete;
+
+  const GroupScene& scene() const { return *scene_; }
+
+ private:
+  Group& group_;
+  const GroupScene* scene_;
+};
+
 struct SegmentContext {
   RTCIntersectContext rtc;
-  CollisionScene::Impl* scene;
+  CollisionScene::Impl* impl;
   const Vec3* a;
   const Vec3* b;
-  TileScene* tile;
+  const GroupScene* group;
 };
 
 void mark_hit(const RTCOccludedFunctionNArguments* args) {
@@ -203,28 +269,40 @@ void mark_hit(const RTCOccludedFunctionNArguments* args) {
 void segment_against_box(const RTCOccludedFunctionNArguments* args) {
   if (!args->valid[0]) return;
   const auto& context = *reinterpret_cast<const SegmentContext*>(args->context);
-  if (segment_hits(*context.a, *context.b, context.tile->grown[args->primID])) mark_hit(args);
+  if (segment_hits(*context.a, *context.b, context.group->grown[args->primID])) mark_hit(args);
 }
 
-void segment_against_tile(const RTCOccludedFunctionNArguments* args);
+bool hits_group(const SegmentContext& outer, const GroupScene& group) {
+  SegmentContext inner = outer;
+  rtcInitIntersectContext(&inner.rtc);
+  inner.group = &group;
+  return occluded(group.handles, *outer.a, *outer.b, inner);
+}
+
+void segment_against_group(const RTCOccludedFunctionNArguments* args) {
+  if (!args->valid[0]) return;
+  const auto& outer = *reinterpret_cast<const SegmentContext*>(args->context);
+  if (!segment_hits(*outer.a, *outer.b, outer.impl->group_extent[args->primID])) return;
+  const Visit visit(*outer.impl, args->primID);
+  if (hits_group(outer, visit.scene())) mark_hit(args);
+}
 
 struct NearestContext {
-  CollisionScene::Impl* scene;
+  CollisionScene::Impl* impl;
   Vec3 point;
-  std::optional<Nearest> best;
-  double radius;  // boxes further than this are of no interest
-  const TileScene* tile = nullptr;
-  std::size_t first_box = 0;
+  std::size_t count;          // how many are wanted
+  std::vector<Nearest> best;  // a heap, the worst on top
+  double radius;              // boxes further than this are of no interest
+  const GroupScene* group = nullptr;
 };
 
 struct RegionContext {
-  CollisionScene::Impl* scene;
+  CollisionScene::Impl* impl;
   const Aabb* region;
   Vec3 center;
   double radius;
   std::vector<std::size_t> found;
-  const TileScene* tile = nullptr;
-  std::size_t first_box = 0;
+  const GroupScene* group = nullptr;
 };
 
 // One point-query callback serves both kinds of query and both levels.
@@ -239,8 +317,8 @@ bool visit(RTCPointQueryFunctionArguments* args);
 
 }  // namespace
 
-CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg)
-    : map(std::move(m)), vehicle(std::move(v)), margin(mg), tiles(map.tiles().size()) {
+CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, std::size_t bg)
+    : map(std::move(m)), vehicle(std::move(v)), margin(mg), budget(bg) {
   for (int i = 0; i < 3; ++i) {
     half[i] = vehicle.half[i] + margin;
     if (margin > 0) half[i] = std::nextafter(half[i], std::numeric_limits<double>::infinity());
@@ -248,58 +326,91 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg)
   free_bounds = shrink(map.spec().bounds, half);
   device = rtcNewDevice("threads=1");
   if (!device) throw_on_error(nullptr);
-  if (tiles.empty()) return;
-  for (const Tile& t : map.tiles()) tile_extent.push_back(grow(t.extent, half));
-  build(device, tile_extent, segment_against_tile, visit, nullptr, top);
+  auto members = grouped(map);
+  groups = std::vector<Group>(members.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    groups[g].tiles = std::move(members[g]);
+    Aabb extent = map.tiles()[groups[g].tiles.front()].extent;
+    for (const std::size_t t : groups[g].tiles) extent = merged(extent, map.tiles()[t].extent);
+    group_extent.push_back(grow(extent, half));
+  }
+  if (groups.size() > 1) build(device, group_extent, segment_against_group, visit, nullptr, top);
 }
 
-TileScene& CollisionScene::Impl::tile(std::size_t t) {
-  TileScene& scene = tiles[t];
-  std::call_once(scene.built, [&] {
-    const Tile& tile = map.tiles()[t];
-    scene.grown.reserve(tile.count);
-    for (const Aabb& box : map.boxes().subspan(tile.first, tile.count)) {
-      scene.grown.push_back(grow(box, half));
-      if (margin > 0) scene.by_vehicle.push_back(grow(box, vehicle.half));
+const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
+  const std::lock_guard lock(building);
+  if (const GroupScene* scene = groups[g].scene.load()) return *scene;
+  auto scene = std::make_unique<GroupScene>();
+  for (const std::size_t t : groups[g].tiles) {
+    std::size_t i = map.tiles()[t].first;
+    for (const Aabb& box : map.boxes_of(t)) {
+      scene->box.push_back(i++);
+      scene->grown.push_back(grow(box, half));
+      if (margin > 0) scene->by_vehicle.push_back(grow(box, vehicle.half));
     }
-    build(device, scene.grown, segment_against_box, visit, nullptr, scene.handles);
-  });
-  return scene;
+  }
+  geom::build(device, scene->grown, segment_against_box, visit, nullptr, scene->handles);
+  bytes += scene->bytes();
+  built.push_back(g);
+  groups[g].scene.store(scene.get());
+  const GroupScene& made = *scene.release();
+  if (bytes > budget) give_up_oldest(g);
+  return made;
+}
+
+// A query counts itself among the users before it reads `scene`, and here `scene` is taken away
+// before the users are counted, so one of the two always sees the other.
+void CollisionScene::Impl::give_up_oldest(std::size_t keep) {
+  for (std::size_t tries = built.size(); tries > 0 && bytes > budget; --tries) {
+    const std::size_t g = built.front();
+    built.pop_front();
+    const GroupScene* scene = groups[g].scene.exchange(nullptr);
+    if (g == keep || groups[g].users.load() > 0) {
+      groups[g].scene.store(scene);
+      built.push_back(g);
+      continue;
+    }
+    bytes -= scene->bytes();
+    delete scene;
+  }
 }
 
 namespace {
 
-void segment_against_tile(const RTCOccludedFunctionNArguments* args) {
-  if (!args->valid[0]) return;
-  const auto& outer = *reinterpret_cast<const SegmentContext*>(args->context);
-  if (!segment_hits(*outer.a, *outer.b, outer.scene->tile_extent[args->primID])) return;
-  SegmentContext inner = outer;
-  rtcInitIntersectContext(&inner.rtc);
-  inner.tile = &outer.scene->tile(args->primID);
-  if (occluded(inner.tile->handles, *outer.a, *outer.b, inner)) mark_hit(args);
+bool closer(const Nearest& a, const Nearest& b) {
+  return std::tie(a.distance, a.box) < std::tie(b.distance, b.box);
 }
 
 void visit_nearest_box(NearestContext& context, std::size_t i) {
-  const double d = distance(context.point, context.tile->without_margin(i));
-  const std::size_t box = context.first_box + i;
-  if (d > context.radius) return;
-  if (context.best && d == context.radius && box > context.best->box) return;
-  context.best = Nearest{box, d};
-  context.radius = d;
+  const Nearest found{context.group->box[i],
+                      distance(context.point, context.group->without_margin(i))};
+  if (found.distance > context.radius) return;
+  auto& best = context.best;
+  if (best.size() == context.count) {
+    if (!closer(found, best.front())) return;
+    std::pop_heap(best.begin(), best.end(), closer);
+    best.back() = found;
+  } else {
+    best.push_back(found);
+  }
+  std::push_heap(best.begin(), best.end(), closer);
+  if (best.size() == context.count) context.radius = best.front().distance;
 }
+
+void search_group(NearestContext& context, const GroupScene& group);
+void search_group(RegionContext& context, const GroupScene& group);
 
 bool visit_nearest(RTCPointQueryFunctionArguments* args, NearestContext& context, bool top,
                    double slack) {
-  CollisionScene::Impl& scene = *context.scene;
   const double before = context.radius;
   if (!top) {
     visit_nearest_box(context, args->primID);
   } else {
-    if (distance(context.point, scene.tile_extent[args->primID]) > context.radius) return false;
-    context.first_box = scene.map.tiles()[args->primID].first;
-    context.tile = &scene.tile(args->primID);
-    PointContext inner{&context, nullptr, false};
-    near(context.tile->handles, context.point, context.radius, inner);
+    if (distance(context.point, context.impl->group_extent[args->primID]) > context.radius) {
+      return false;
+    }
+    const Visit visit(*context.impl, args->primID);
+    search_group(context, visit.scene());
   }
   if (context.radius == before) return false;
   args->query->radius = float_up(context.radius + slack);
@@ -307,18 +418,15 @@ bool visit_nearest(RTCPointQueryFunctionArguments* args, NearestContext& context
 }
 
 void visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, bool top) {
-  CollisionScene::Impl& scene = *context.scene;
   if (!top) {
-    if (overlap(*context.region, context.tile->grown[args->primID])) {
-      context.found.push_back(context.first_box + args->primID);
+    if (overlap(*context.region, context.group->grown[args->primID])) {
+      context.found.push_back(context.group->box[args->primID]);
     }
     return;
   }
-  if (!overlap(*context.region, scene.tile_extent[args->primID])) return;
-  context.first_box = scene.map.tiles()[args->primID].first;
-  context.tile = &scene.tile(args->primID);
-  PointContext inner{nullptr, &context, false};
-  near(context.tile->handles, context.center, context.radius, inner);
+  if (!overlap(*context.region, context.impl->group_extent[args->primID])) return;
+  const Visit visit(*context.impl, args->primID);
+  search_group(context, visit.scene());
 }
 
 bool visit(RTCPointQueryFunctionArguments* args) {
@@ -328,10 +436,22 @@ bool visit(RTCPointQueryFunctionArguments* args) {
   return false;
 }
 
+void search_group(NearestContext& context, const GroupScene& group) {
+  context.group = &group;
+  PointContext inner{&context, nullptr, false};
+  near(group.handles, context.point, context.radius, inner);
+}
+
+void search_group(RegionContext& context, const GroupScene& group) {
+  context.group = &group;
+  PointContext inner{nullptr, &context, false};
+  near(group.handles, context.center, context.radius, inner);
+}
+
 }  // namespace
 
-CollisionScene::CollisionScene(BoxMap map, Vehicle vehicle, double margin)
-    : impl_(std::make_unique<Impl>(std::move(map), std::move(vehicle), margin)) {}
+CollisionScene::CollisionScene(BoxMap map, Vehicle vehicle, double margin, std::size_t budget)
+    : impl_(std::make_unique<Impl>(std::move(map), std::move(vehicle), margin, budget)) {}
 CollisionScene::~CollisionScene() = default;
 CollisionScene::CollisionScene(CollisionScene&&) noexcept = default;
 CollisionScene& CollisionScene::operator=(CollisionScene&&) noexcept = default;
@@ -347,8 +467,10 @@ bool CollisionScene::inside_bounds(const Vec3& p) const {
 }
 
 bool CollisionScene::hits(const Vec3& a, const Vec3& b) const {
-  if (impl_->tiles.empty()) return false;
+  if (impl_->groups.empty()) return false;
   SegmentContext context{{}, impl_.get(), &a, &b, nullptr};
+  // The only group is never given up.
+  if (impl_->groups.size() == 1) return hits_group(context, impl_->touch(0));
   rtcInitIntersectContext(&context.rtc);
   return occluded(impl_->top, a, b, context);
 }
@@ -357,25 +479,41 @@ bool CollisionScene::free(const Vec3& a, const Vec3& b) const {
   return inside_bounds(a) && inside_bounds(b) && !hits(a, b);
 }
 
+std::vector<Nearest> CollisionScene::nearest(const Vec3& p, double radius,
+                                             std::size_t count) const {
+  if (impl_->groups.empty() || count == 0) return {};
+  NearestContext context{impl_.get(), p, count, {}, radius};
+  if (impl_->groups.size() == 1) {
+    search_group(context, impl_->touch(0));
+  } else {
+    PointContext point{&context, nullptr, true};
+    near(impl_->top, p, radius, point);
+  }
+  std::sort_heap(context.best.begin(), context.best.end(), closer);
+  return std::move(context.best);
+}
+
 std::optional<Nearest> CollisionScene::nearest(const Vec3& p, double radius) const {
-  if (impl_->tiles.empty()) return std::nullopt;
-  NearestContext context{impl_.get(), p, std::nullopt, radius};
-  PointContext point{&context, nullptr, true};
-  near(impl_->top, p, radius, point);
-  return context.best;
+  const auto best = nearest(p, radius, 1);
+  if (best.empty()) return std::nullopt;
+  return best.front();
 }
 
 std::vector<std::size_t> CollisionScene::boxes_meeting(const Aabb& region) const {
-  if (impl_->tiles.empty()) return {};
+  if (impl_->groups.empty()) return {};
   const Vec3 center = 0.5 * (region.min + region.max);
   const double radius = 0.5 * (region.max - region.min).norm() * (1 + 1e-12) + 1e-9;
   RegionContext context{impl_.get(), &region, center, radius, {}};
-  PointContext point{nullptr, &context, true};
-  near(impl_->top, center, radius, point);
+  if (impl_->groups.size() == 1) {
+    search_group(context, impl_->touch(0));
+  } else {
+    PointContext point{nullptr, &context, true};
+    near(impl_->top, center, radius, point);
+  }
   std::sort(context.found.begin(), context.found.end());
   return std::move(context.found);
 }
 
-Aabb CollisionScene::grown(std::size_t i) const { return grow(impl_->map.boxes()[i], impl_->half); }
+Aabb CollisionScene::grown(std::size_t i) const { return grow(impl_->map.box(i), impl_->half); }
 
 }  // namespace geom

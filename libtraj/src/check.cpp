@@ -266,7 +266,7 @@ void check_place(const geom::CollisionScene& scene, const std::vector<Piece>& pi
 
 void measure_clearance(const geom::CollisionScene& scene, const std::vector<Piece>& pieces,
                        CheckResult& result) {
-  if (scene.map().boxes().empty()) return;
+  if (scene.map().size() == 0) return;
   Largest best;
   search_largest(
       pieces, 1e-3,

@@ -21,7 +21,7 @@ using geom::Vec3;
 class Oracle {
  public:
   explicit Oracle(const geom::CollisionScene& scene) {
-    for (std::size_t i = 0; i < scene.map().boxes().size(); ++i) grown_.push_back(scene.grown(i));
+    for (std::size_t i = 0; i < scene.map().size(); ++i) grown_.push_back(scene.grown(i));
   }
 
   bool hits(const Vec3& a, const Vec3& b) const {
@@ -114,7 +114,7 @@ std::size_t move_into_touch(const geom::CollisionScene& scene) {
     traj::Trajectory moved = solved.trajectory;
     const Vec3 p = traj::evaluate(moved, random.uniform(0, traj::duration(moved))).position;
     const geom::Aabb box =
-        scene.map().boxes()[random.below(static_cast<int>(scene.map().boxes().size()))];
+        scene.map().boxes()[random.below(static_cast<int>(scene.map().size()))];
     const int axis = random.below(3);
     Vec3 target = 0.5 * (box.min + box.max);
     const double depth = originals % 3 ? random.uniform(0, 0.01) : 0;

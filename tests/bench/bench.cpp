@@ -70,7 +70,7 @@ bool slabs_hit(const Vec3& a, const Vec3& b, const geom::Aabb& box) {
 
 void BruteForceSegment(benchmark::State& state) {
   std::vector<geom::Aabb> grown;
-  for (std::size_t i = 0; i < scene().map().boxes().size(); ++i) grown.push_back(scene().grown(i));
+  for (std::size_t i = 0; i < scene().map().size(); ++i) grown.push_back(scene().grown(i));
   std::size_t i = 0;
   for (auto _ : state) {
     const auto& [a, b] = segments()[i++ % segments().size()];

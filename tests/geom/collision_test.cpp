@@ -38,7 +38,7 @@ Segment random_segment(support::Random& random, double side, const Vec3& center)
 }
 
 bool brute_force(const CollisionScene& scene, const Segment& s) {
-  for (std::size_t i = 0; i < scene.map().boxes().size(); ++i) {
+  for (std::size_t i = 0; i < scene.map().size(); ++i) {
     if (oracle::segment_hits(s.a, s.b, scene.grown(i))) return true;
   }
   return false;
@@ -69,7 +69,7 @@ TEST_P(CollisionProperty, NearestIsTheLowestIndexAtTheSmallestDistance) {
   for (int i = 0; i < 3000; ++i) {
     const Vec3 p = random_segment(random, i % 10 ? 250 : 4000, center).a;
     Nearest best{0, std::numeric_limits<double>::infinity()};
-    for (std::size_t k = 0; k < scene.map().boxes().size(); ++k) {
+    for (std::size_t k = 0; k < scene.map().size(); ++k) {
       const double d = distance(p, grow(scene.map().boxes()[k], scene.vehicle().half));
       if (d < best.distance) best = {k, d};
     }
@@ -93,7 +93,7 @@ TEST_P(CollisionProperty, BoxesMeetingARegionAreAllAndOnlyThose) {
     const Segment s = random_segment(random, 250, center);
     const Aabb region = {s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)};
     std::vector<std::size_t> expected;
-    for (std::size_t k = 0; k < scene.map().boxes().size(); ++k) {
+    for (std::size_t k = 0; k < scene.map().size(); ++k) {
       if (overlap(region, scene.grown(k))) expected.push_back(k);
     }
     ASSERT_EQ(scene.boxes_meeting(region), expected) << "case " << i;

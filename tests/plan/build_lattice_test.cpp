@@ -14,7 +14,7 @@ namespace {
 const geom::Aabb kCube{{0, 0, 0}, {10, 10, 10}};
 
 bool exactly_free(const geom::CollisionScene& scene, const Vec3& a, const Vec3& b) {
-  for (std::size_t i = 0; i < scene.map().boxes().size(); ++i) {
+  for (std::size_t i = 0; i < scene.map().size(); ++i) {
     if (oracle::segment_hits(a, b, scene.grown(i))) return false;
   }
   return true;

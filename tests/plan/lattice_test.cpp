@@ -17,7 +17,7 @@ namespace {
 using geom::CollisionScene;
 
 bool blocked(const CollisionScene& scene, const Vec3& a, const Vec3& b) {
-  for (std::size_t i = 0; i < scene.map().boxes().size(); ++i) {
+  for (std::size_t i = 0; i < scene.map().size(); ++i) {
     const geom::Aabb box = scene.grown(i);
     if (geom::overlap(box, {a.cwiseMin(b), a.cwiseMax(b)}) && oracle::segment_hits(a, b, box)) {
       return true;

@@ -11,7 +11,7 @@ nlohmann::ordered_json describe(const geom::BoxMap& map) {
   const geom::BoxMapSpec& spec = map.spec();
   nlohmann::ordered_json out = {{"type", "boxmap"},
                                 {"hash", map.hash()},
-                                {"boxes", map.boxes().size()},
+                                {"boxes", map.size()},
                                 {"tiles", map.tiles().size()},
                                 {"tile_size_m", spec.tile_size},
                                 {"frame", geom::name(spec.frame.axes)},

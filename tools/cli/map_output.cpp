@@ -44,7 +44,7 @@ void write_map(const Common& common, const std::string& output, const geom::Made
   OutputFile out(output, OutputKind::artefact);
   geom::write_box_map(out.stream(), made.map);
   out.commit();
-  stats.update({{"boxes", made.map.boxes().size()},
+  stats.update({{"boxes", made.map.size()},
                 {"sealed", made.sealed},
                 {"beyond", made.beyond},
                 {"tiles", made.map.tiles().size()},

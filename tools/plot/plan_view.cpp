@@ -41,7 +41,7 @@ void draw_boxes(Svg& svg, const Frame& frame, const geom::BoxMap& map) {
   const geom::Axes axes = map.spec().frame.axes;
   const double top = map.spec().bounds.max.z();
   const double floor = map.spec().bounds.min.z();
-  std::vector<std::size_t> order(map.boxes().size());
+  std::vector<std::size_t> order(map.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return map.boxes()[a].max.z() < map.boxes()[b].max.z();
@@ -103,7 +103,7 @@ std::string plan_view(const geom::BoxMap& map, std::span<const geom::PathRecord>
   }
   svg.axes(frame, "east, m", "north, m");
   draw_key(svg, frame, map);
-  std::string title = fmt::format("{} boxes", map.boxes().size());
+  std::string title = fmt::format("{} boxes", map.size());
   if (drawn == 1) title += fmt::format(", path of {:.1f} m", length);
   if (drawn > 1) title += fmt::format(", {} paths, {:.1f} m in all", drawn, length);
   svg.text({frame.left, 32}, title, 18);

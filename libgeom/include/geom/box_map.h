@@ -40,14 +40,19 @@ struct BoxMapSpec {
 
 // Immutable and cheap to copy: the arrays are shared (mapped from a file, or owned). Boxes are
 // ordered by tile (large first, then by iy, ix), in a tile by (min, max, id), so equal content
-// gives equal bytes. Threads may read one at once.
+// gives equal bytes. Threads may read one at once. The values of a mapped file are looked at tile
+// by tile when boxes_of(), boxes() or label() first gives them out: those throw InputError where
+// one is wrong (not finite, inverted, beyond its tile's extent, an unknown label).
 class BoxMap {
  public:
   // Sorts `table` into tiles. No box may be inverted or not finite (precondition).
   BoxMap(BoxMapSpec spec, const BoxTable& table);
 
   const BoxMapSpec& spec() const;
-  std::span<const Aabb> boxes() const;
+  std::size_t size() const;             // how many boxes
+  std::span<const Aabb> boxes() const;  // all of them: reads the whole map
+  std::span<const Aabb> boxes_of(std::size_t tile) const;
+  const Aabb& box(std::size_t i) const;  // of a tile that was given out before; not looked at
   std::span<const std::uint64_t> ids() const;
   std::span<const std::uint32_t> label() const;
   const std::vector<std::string>& labels() const;

@@ -20,13 +20,18 @@ struct Nearest {
                         // the margin; 0 inside or on it
 };
 
-// Holds the map, grown by vehicle and margin (geom::grow). Tiles are built on first touch, once,
-// whatever the threads. All queries are const and may run from several threads at once. Answers
-// are exact for the grown boxes, and ties break on the lowest index.
+// Holds the map, grown by vehicle and margin (geom::grow). Groups of neighbouring tiles (about
+// 4,096 boxes) are built on first touch, once, whatever the threads, and given up, the oldest
+// first, once all together take more than `budget` bytes. All queries are const and may run from
+// several threads at once. Answers are exact for the grown boxes, and ties break on the lowest
+// index. A query throws InputError where a tile of a mapped file that it touches holds a wrong
+// value.
 class CollisionScene {
  public:
+  static constexpr std::size_t kBudget = std::size_t{1} << 29;
+
   // `margin` in metres, >= 0, is added to each half size.
-  CollisionScene(BoxMap map, Vehicle vehicle, double margin);
+  CollisionScene(BoxMap map, Vehicle vehicle, double margin, std::size_t budget = kBudget);
   ~CollisionScene();
   CollisionScene(CollisionScene&&) noexcept;
   CollisionScene& operator=(CollisionScene&&) noexcept;
@@ -52,10 +57,13 @@ class CollisionScene {
   // The nearest obstacle within `radius` metres (closed), or nothing.
   std::optional<Nearest> nearest(const Vec3& p, double radius) const;
 
+  // The `count` nearest obstacles within `radius`, nearest first; fewer where there are no more.
+  std::vector<Nearest> nearest(const Vec3& p, double radius, std::size_t count) const;
+
   // Indices, ascending, of the boxes that once grown meet the closed region.
   std::vector<std::size_t> boxes_meeting(const Aabb& region) const;
 
-  // grow(map().boxes()[i], half()).
+  // grow(map().box(i), half()).
   Aabb grown(std::size_t i) const;
 
   struct Impl;  // embree_scene.cpp only

@@ -11,9 +11,8 @@ namespace geom {
 
 void write_box_map(std::ostream& out, const BoxMap& map);
 
-// Views the archive's arrays, without copying the boxes. Checks the directory, shapes, types, tile
-// ranges, and each tile's boxes (finite, min <= max, inside the tile's recorded extent); throws
-// InputError otherwise.
+// Views the archive's arrays, without copying the boxes. Checks the directory, shapes, types and
+// tile ranges; throws InputError otherwise. The boxes are looked at as BoxMap says.
 BoxMap read_box_map(const ArrayArchive& archive);
 
 // Whether the archive says that it is a box map.
