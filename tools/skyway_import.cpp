@@ -1,18 +1,22 @@
-// skyway-import: city tables and block texts become box maps.
+// skyway-import: city tables, block texts, voxels and octrees become box maps.
 
 #include <fmt/format.h>
 
+#include <map>
 #include <sstream>
 
 #include "cli/files.h"
+#include "cli/hashed_input.h"
 #include "cli/map_output.h"
 #include "cli/run.h"
 #include "geom/error.h"
 #include "geom/io/block_text.h"
 #include "geom/io/box_csv.h"
 #include "geom/io/fcnd_csv.h"
+#include "geom/io/octomap.h"
+#include "geom/io/voxel_3dmap.h"
+#include "geom/io/world_json.h"
 #include "geom/make_map.h"
-#include "geom/sha256.h"
 
 namespace {
 
@@ -26,81 +30,154 @@ struct Source {
 struct Options {
   std::string format = "auto";
   std::string frame;
+  std::string units = "m";
+  std::string unknown = "free";
   cli::MapOptions map;
 };
 
-std::string detect(const std::string& text) {
-  std::istringstream in(text);
+const std::map<std::string, double> kMetres = {{"m", 1},
+                                               {"km", 1000},
+                                               {"cm", 0.01},
+                                               {"mm", 0.001},
+                                               {"ft", 0.3048},
+                                               {"in", 0.0254},
+                                               {"us-ft", 1200.0 / 3937}};
+
+const std::vector<std::string> kFormats = {"auto",       "fcnd",  "box-csv", "block-text",
+                                           "world-json", "3dmap", "octomap"};
+
+// "auto": what the first line with something in it looks like; nothing where it is none of these.
+std::optional<std::string> detect(std::string_view head) {
+  if (head.starts_with("# Octomap")) return "octomap";
+  std::istringstream in{std::string(head)};
   for (std::string line; std::getline(in, line);) {
     if (line.find("min_x_m") != std::string::npos) return "box-csv";
     const std::size_t at = line.find_first_not_of(" \t\r");
     if (at == std::string::npos || line[at] == '#') continue;
-    if (line.compare(at, 8, "boundary") == 0 || line.compare(at, 5, "block") == 0)
-      return "block-text";
-    return "fcnd";
+    const std::string_view text = std::string_view(line).substr(at);
+    if (text.starts_with("boundary") || text.starts_with("block")) return "block-text";
+    if (text.starts_with("voxel")) return "3dmap";
+    if (text.starts_with("{")) return "world-json";
+    const bool table =
+        text.find("pos") != std::string::npos || text.find("half") != std::string::npos;
+    const bool numbers = text.find_first_of("0123456789") < 2;
+    if (table || numbers || text.starts_with("lat0") || text.starts_with("\xef\xbb\xbf"))
+      return "fcnd";
+    return std::nullopt;
   }
   return "fcnd";
 }
 
-Source read(const std::string& text, const std::string& name, const Options& options,
-            geom::MakeMapOptions& map, const cli::Common& common) {
-  map = options.map.make(options.format == "fcnd" ? 1 : 0);
-  std::istringstream in(text);
-  Source source;
-  if (options.format == "fcnd") {
-    geom::FcndTable fcnd = geom::read_fcnd_csv(in, name);
-    source = {
-        std::move(fcnd.table), {geom::Axes::neu, fcnd.origin, ""}, fcnd.flat, fcnd.largest_change};
-    if (!map.floor) map.floor = 0;
-  } else if (options.format == "box-csv") {
-    source.table = geom::read_box_csv(in, name);
-  } else {
-    geom::BlockText block = geom::read_block_text(in, name);
-    for (const std::string& word : block.unknown) common.warn(name + ": unknown keyword, " + word);
-    source.table = std::move(block.table);
-    source.flat = block.flat;
-    map.source_bounds = block.boundary;
+std::string detected(std::string_view head, const std::string& source) {
+  if (const auto format = detect(head)) return *format;
+  throw geom::InputError(
+      source, 1,
+      fmt::format(
+          "expected an FCND table, box CSV, block text, RotorPy JSON, .3dmap or OctoMap .bt "
+          "(or --format), found \"{}\"",
+          head.substr(0, std::min<std::size_t>(60, head.find_first_of("\r\n")))));
+}
+
+Source read_fcnd(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {
+  geom::FcndTable fcnd = geom::read_fcnd_csv(in, name);
+  if (!map.floor) map.floor = 0;
+  return {
+      std::move(fcnd.table), {geom::Axes::neu, fcnd.origin, ""}, fcnd.flat, fcnd.largest_change};
+}
+
+Source read_block_text(std::istream& in, const std::string& name, geom::MakeMapOptions& map,
+                       const cli::Common& common) {
+  geom::BlockText block = geom::read_block_text(in, name);
+  for (const std::string& word : block.unknown) common.warn(name + ": unknown keyword, " + word);
+  map.source_bounds = block.boundary;
+  return {std::move(block.table), {}, block.flat, 0};
+}
+
+Source read_world_json(std::istream& in, const std::string& name, geom::MakeMapOptions& map,
+                       const cli::Common& common) {
+  geom::WorldJson world = geom::read_world_json(in, name);
+  for (const std::string& key : world.unknown) common.warn(name + ": unknown key, " + key);
+  map.source_bounds = world.bounds;
+  return {std::move(world.table), {}, world.flat, 0};
+}
+
+Source read_3dmap(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {
+  geom::VoxelMap voxels = geom::read_voxel_3dmap(in, name);
+  map.source_bounds = voxels.bounds;
+  return {std::move(voxels.table), {}, 0, 0};
+}
+
+Source read_octomap(std::istream& in, const std::string& name, const Options& options,
+                    geom::MakeMapOptions& map, const cli::Common& common) {
+  geom::Octomap tree = geom::read_octomap(in, name, {options.unknown == "blocked"});
+  map.source_bounds = tree.bounds;
+  if (tree.unknown > 0 && options.unknown == "free") {
+    common.warn(
+        fmt::format("{}: {} cell(s) within the bounds were never seen and count as free "
+                    "(--unknown blocked makes them obstacles)",
+                    name, tree.unknown));
   }
+  return {std::move(tree.table), {}, 0, 0};
+}
+
+Source read(std::istream& in, const std::string& name, const Options& options,
+            geom::MakeMapOptions& map, const cli::Common& common) {
+  Source source;
+  if (options.format == "fcnd") source = read_fcnd(in, name, map);
+  if (options.format == "box-csv") source.table = geom::read_box_csv(in, name);
+  if (options.format == "block-text") source = read_block_text(in, name, map, common);
+  if (options.format == "world-json") source = read_world_json(in, name, map, common);
+  if (options.format == "3dmap") source = read_3dmap(in, name, map);
+  if (options.format == "octomap") source = read_octomap(in, name, options, map, common);
   if (!options.frame.empty()) source.frame.axes = *geom::axes_from_name(options.frame);
   return source;
 }
 
-std::string history_of(const std::string& text, const Options& options,
+std::string history_of(const std::string& hash, const Options& options,
                        const geom::MakeMapOptions& map) {
-  geom::Sha256 sum;
-  sum.update(std::as_bytes(std::span(text)));
   nlohmann::ordered_json step = {
-      {"tool", "skyway-import"}, {"input", "sha256:" + sum.hex()}, {"format", options.format}};
+      {"tool", "skyway-import"}, {"input", hash}, {"format", options.format}};
   step.update(cli::history_of(map));
+  if (options.format == "octomap") step["unknown"] = options.unknown;
   return nlohmann::ordered_json::array({step}).dump();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Convert a city table or a block text to a box map.", "skyway-import"};
+  CLI::App app{"Convert a city table, block text, voxels or an OctoMap to a box map.",
+               "skyway-import"};
   cli::Common common(app);
   Options options;
   std::string input;
   std::string output = "-";
-  app.add_option("file", input, "FCND CSV, box CSV or block text; - for stdin")->required();
+  app.add_option("file", input,
+                 "FCND CSV, box CSV, block text, RotorPy JSON, Moving AI .3dmap or OctoMap .bt; - "
+                 "for stdin")
+      ->required();
   app.add_option("-o,--output", output, "box map to write (default: stdout)");
-  app.add_option("--format", options.format, "auto, fcnd, box-csv or block-text")
-      ->check(CLI::IsMember({"auto", "fcnd", "box-csv", "block-text"}));
+  app.add_option("--format", options.format, "what the file is (default: auto)")
+      ->check(CLI::IsMember(kFormats));
   app.add_option("--frame", options.frame, "enu or neu (default: neu for FCND tables, else enu)")
       ->check(CLI::IsMember({"enu", "neu"}));
+  app.add_option("--units", options.units, "unit of the source's numbers (default m)")
+      ->check(CLI::IsMember(kMetres));
+  app.add_option("--unknown", options.unknown,
+                 "cells of an OctoMap that were never seen: free (default) or blocked")
+      ->check(CLI::IsMember({"free", "blocked"}));
   options.map.add_to(app, "1 for FCND tables, else 0");
   return cli::run_tool(app, argc, argv, [&] {
     cli::InputFile file(input);
-    const std::string text = file.read_all();
-    if (options.format == "auto") options.format = detect(text);
-    geom::MakeMapOptions map_options;
-    Source source = read(text, file.name(), options, map_options, common);
+    cli::HashedInput hashed(file);
+    if (options.format == "auto") options.format = detected(hashed.head(), file.name());
+    geom::MakeMapOptions map = options.map.make(options.format == "fcnd" ? 1 : 0);
+    map.scale *= kMetres.at(options.units);
+    Source source = read(hashed.stream(), file.name(), options, map, common);
     if (source.flat > 0)
       common.warn(fmt::format("{}: {} flat box(es) kept", file.name(), source.flat));
     const geom::MadeMap made =
         geom::make_map(std::move(source.table), source.frame,
-                       history_of(text, options, map_options), file.name(), map_options);
+                       history_of(hashed.hash(), options, map), file.name(), map);
     cli::write_map(common, output, made, file.name(),
                    {{"format", options.format},
                     {"flat", source.flat},

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 #include "geom/error.h"
 
 namespace geom {
@@ -11,6 +14,41 @@ Aabb bounding_box(const BoxTable& table) {
   Aabb all = table.boxes.front();
   for (const Aabb& box : table.boxes) all = merged(all, box);
   return all;
+}
+
+// a * b, not above (sign -1) or not below (sign 1) the real product.
+double multiply_outward(double a, double b, double sign) {
+  const double product = a * b;
+  const double error = std::fma(a, b, -product);
+  if (error * sign <= 0) return product;
+  return std::nextafter(product, sign * std::numeric_limits<double>::infinity());
+}
+
+Aabb scaled(const Aabb& box, double factor) {
+  Aabb out;
+  for (int i = 0; i < 3; ++i) {
+    out.min[i] = multiply_outward(box.min[i], factor, -1);
+    out.max[i] = multiply_outward(box.max[i], factor, 1);
+  }
+  return out;
+}
+
+void resize(BoxTable& table, std::string_view source, const MakeMapOptions& options) {
+  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
+    Aabb& box = table.boxes[i];
+    if (options.scale != 1) box = scaled(box, options.scale);
+    if (options.bloat_percent > 0) {
+      box = grow(box, (box.max - box.min) * (options.bloat_percent / 200));
+    }
+    if (options.inflate > 0) box = grow(box, Vec3::Constant(options.inflate));
+    if (!(box.min.cwiseAbs().maxCoeff() <= kLargestCoordinate &&
+          box.max.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
+      throw InputError(source, fmt::format("box of source id {} reaches beyond 1e8 m once scaled "
+                                           "and grown: [{}, {}, {}] to [{}, {}, {}]",
+                                           table.ids[i], box.min[0], box.min[1], box.min[2],
+                                           box.max[0], box.max[1], box.max[2]));
+    }
+  }
 }
 
 std::size_t seal_to_floor(BoxTable& table, double floor, double seal) {
@@ -28,13 +66,14 @@ std::size_t seal_to_floor(BoxTable& table, double floor, double seal) {
 
 MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_view source,
                  const MakeMapOptions& options) {
+  resize(table, source, options);
   BoxMapSpec spec;
   spec.frame = std::move(frame);
   spec.history = std::move(history);
   spec.tile_size = options.tile_size;
   const bool given = options.bounds || options.source_bounds;
   if (given) {
-    spec.bounds = options.bounds ? *options.bounds : *options.source_bounds;
+    spec.bounds = options.bounds ? *options.bounds : scaled(*options.source_bounds, options.scale);
   } else {
     spec.bounds = bounding_box(table);
     const Vec3 low(options.pad, options.pad, 0);

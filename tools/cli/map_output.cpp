@@ -18,7 +18,14 @@ void MapOptions::add_to(CLI::App& app, const std::string& seal_default) {
   app.add_option("--ceiling", map.ceiling, "upper z of the bounds");
   app.add_option("--pad", map.pad, "metres around the obstacles, sideways and upward")
       ->check(CLI::Range(0.0, 1e6));
-  add_box(app, "--bounds", map.bounds, "the bounds, instead of all of the above");
+  app.add_option("--scale", map.scale, "metres per unit of the source (default 1)")
+      ->check(CLI::Range(1e-9, 1e9));
+  app.add_option("--bloat-percent", map.bloat_percent,
+                 "grow each box about its centre by this share of its size")
+      ->check(CLI::Range(0.0, 1000.0));
+  app.add_option("--inflate", map.inflate, "grow each box by this on every side, metres")
+      ->check(CLI::Range(0.0, 1e4));
+  add_box(app, "--bounds", map.bounds, "the bounds, instead of --floor, --ceiling and --pad");
   app.add_option("--tile", map.tile_size, "tile size, metres (default 100)")
       ->check(CLI::Range(1.0, 1e6));
 }
@@ -31,6 +38,9 @@ geom::MakeMapOptions MapOptions::make(double seal_default) const {
 
 nlohmann::ordered_json history_of(const geom::MakeMapOptions& options) {
   nlohmann::ordered_json step = {{"seal", options.seal}, {"pad", options.pad}};
+  if (options.scale != 1) step["scale"] = options.scale;
+  if (options.bloat_percent > 0) step["bloat_percent"] = options.bloat_percent;
+  if (options.inflate > 0) step["inflate"] = options.inflate;
   if (options.floor) step["floor"] = *options.floor;
   if (options.ceiling) step["ceiling"] = *options.ceiling;
   return step;

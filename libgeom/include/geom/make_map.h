@@ -1,6 +1,6 @@
 #pragma once
 
-// From a table of boxes to a map: bounds, floor and sealing.
+// From a table of boxes to a map: units, growth, bounds, floor and sealing.
 
 #include <optional>
 
@@ -8,7 +8,12 @@
 
 namespace geom {
 
+// In this order: the source's numbers times `scale`; boxes bloated, then inflated (the vehicle's
+// growth comes later, by CollisionScene, and is another matter); bounds; sealing.
 struct MakeMapOptions {
+  double scale = 1;          // metres per unit of the source, > 0
+  double bloat_percent = 0;  // each box grows about its centre by this share of its own size
+  double inflate = 0;        // metres that each face moves outward, rounded outward (geom::grow)
   std::optional<Aabb> source_bounds;  // bounds that the source itself gives: kept
   std::optional<Aabb> bounds;         // asked for: replaces all others
   std::optional<double> floor;        // lower z of the bounds, metres
@@ -24,7 +29,8 @@ struct MadeMap {
   std::size_t beyond = 0;  // obstacles wholly outside the bounds (kept)
 };
 
-// `table` has at least one box. Throws InputError(source, …) when the bounds are empty.
+// `table` has at least one box. Throws InputError(source, …) when the bounds are empty, and when
+// scale or growth take a box beyond kLargestCoordinate.
 MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_view source,
                  const MakeMapOptions& options);
 
