@@ -39,12 +39,14 @@ struct Grid {
   }
 };
 
-Grid make_grid(const geom::CollisionScene& scene, const LatticeSpec& spec) {
+Grid make_grid(const geom::CollisionScene& scene, const LatticeSpec& spec,
+               const std::optional<Aabb>& within) {
   Grid grid{spec, {}, {}, {}};
   const std::string where = fmt::format("lattice of {} m", spec.spacing);
   if (!scene.free_bounds())
     throw geom::InputError(where, "the vehicle does not fit into the bounds");
-  const Aabb& inner = *scene.free_bounds();
+  Aabb inner = *scene.free_bounds();
+  if (within) inner = {inner.min.cwiseMax(within->min), inner.max.cwiseMin(within->max)};
   double total = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const auto coordinate = [&](double k) { return spec.origin[axis] + k * spec.spacing; };
@@ -173,16 +175,27 @@ void mirror_layer(const Grid& grid, int directions, std::int64_t k,
   }
 }
 
+std::vector<Aabb> grown_boxes(const geom::CollisionScene& scene,
+                              const std::optional<Aabb>& within) {
+  std::vector<Aabb> boxes;
+  if (within) {
+    for (const std::size_t i : scene.boxes_meeting(*within)) boxes.push_back(scene.grown(i));
+    return boxes;
+  }
+  boxes.reserve(scene.map().size());
+  for (const Aabb& box : scene.map().boxes()) boxes.push_back(geom::grow(box, scene.half()));
+  return boxes;
+}
+
 }  // namespace
 
 Lattice build_lattice(const geom::CollisionScene& scene, const LatticeSpec& spec,
-                      const geom::Execution& run) {
-  const Grid grid = make_grid(scene, spec);
+                      const geom::Execution& run, const std::optional<Aabb>& within) {
+  const Grid grid = make_grid(scene, spec, within);
   const int directions = half_directions(spec.connectivity);
   std::vector<std::uint32_t> masks(
       static_cast<std::size_t>(grid.dims[0] * grid.dims[1] * grid.dims[2]));
-  std::vector<Aabb> boxes(scene.map().boxes().size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = scene.grown(i);
+  const std::vector<Aabb> boxes = grown_boxes(scene, within);
 
   const auto layers = static_cast<std::size_t>(grid.dims[2]);
   geom::parallel_for(layers, run, [&](std::size_t k) {

@@ -20,6 +20,8 @@ constexpr std::int64_t kRings = 4;     // of nodes around an end that may be joi
 constexpr double kSpacing = 10;        // metres: of the first lattice on a map of a city's size
 constexpr int kLevels = 3;             // each of half the spacing of the one before
 constexpr double kMostNodes = 0x1p25;  // of a lattice built here: 0.7 GB with one workspace
+constexpr double kWholeMap = 0x1p19;   // nodes at kSpacing: beyond, regions are searched
+constexpr double kRegion = 150;        // metres around the ends, at first
 constexpr double kFewestNodes = 1e4;   // of the first lattice: a small map gets a finer one
 constexpr double kDetour = 1.2;        // of the straight line: then a finer lattice may know better
 constexpr double kLookAround = 50;     // metres: how far a message looks for a free place
@@ -35,13 +37,12 @@ double nodes_at(const geom::Aabb& inner, double spacing) {
 }
 
 // The spacings to try, coarse to fine: a function of the bounds alone.
-std::vector<double> spacings_for(const std::optional<geom::Aabb>& inner) {
-  if (!inner) return {};
+std::vector<double> spacings_for(const geom::Aabb& inner) {
   double first = kSpacing;
-  while (nodes_at(*inner, first) > kMostNodes) first *= 2;
-  for (int i = 0; i < 10 && nodes_at(*inner, first) < kFewestNodes; ++i) first /= 2;
+  while (nodes_at(inner, first) > kMostNodes) first *= 2;
+  for (int i = 0; i < 10 && nodes_at(inner, first) < kFewestNodes; ++i) first /= 2;
   std::vector<double> spacings = {first};
-  while (spacings.size() < kLevels && nodes_at(*inner, spacings.back() / 2) <= kMostNodes) {
+  while (spacings.size() < kLevels && nodes_at(inner, spacings.back() / 2) <= kMostNodes) {
     spacings.push_back(spacings.back() / 2);
   }
   return spacings;
@@ -120,6 +121,7 @@ std::string_view name(PlanStatus status) {
 struct Planner::Level {
   const Lattice* given = nullptr;
   double spacing = 0;
+  std::optional<geom::Aabb> within;
   std::once_flag once;
   std::optional<Lattice> built;
   std::mutex mutex;
@@ -129,7 +131,7 @@ struct Planner::Level {
     if (given) return *given;
     std::call_once(once, [&] {
       built = build_lattice(scene, {spacing, Connectivity::twenty_six, scene.free_bounds()->min},
-                            {run.threads, {}});
+                            {run.threads, {}}, within);
     });
     return *built;
   }
@@ -157,8 +159,8 @@ Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom
   };
   if (lattice) {
     add(lattice->spec().spacing);
-  } else {
-    for (const double spacing : spacings_for(scene.free_bounds())) add(spacing);
+  } else if (scene.free_bounds() && nodes_at(*scene.free_bounds(), kSpacing) <= kWholeMap) {
+    for (const double spacing : spacings_for(*scene.free_bounds())) add(spacing);
   }
 }
 
@@ -184,19 +186,53 @@ bool Planner::search_level(Level& level, const Vec3& from, const Vec3& to, PlanR
   return true;
 }
 
-void Planner::search_levels(const Vec3& from, const Vec3& to, bool raw, PlanResult& result) {
+PlanResult Planner::search_levels(const Levels& levels, const Vec3& from, const Vec3& to,
+                                  bool raw) {
+  PlanResult result;
   const double straight = (to - from).norm();
-  for (const auto& level : levels_) {
+  for (const auto& level : levels) {
     PlanResult tried;
-    tried.method = result.method;
     const bool found = search_level(*level, from, to, tried);
     if (found && !raw) tried.path = shortcut(scene_, tried.path);
     if (!result.path.empty()) {  // a second opinion on a detour
       if (found && geom::length(tried.path) < geom::length(result.path)) result = std::move(tried);
-      return;
+      return result;
     }
     result = std::move(tried);
-    if (found && (raw || geom::length(result.path) <= kDetour * straight)) return;
+    if (found && (raw || geom::length(result.path) <= kDetour * straight)) return result;
+  }
+  return result;
+}
+
+// A path of length l stays within sqrt(l^2 - d^2) / 2 of the straight line of length d sideways and
+// (l - d) / 2 beyond its ends, which is less.
+PlanResult Planner::search_regions(const Vec3& from, const Vec3& to, bool raw) {
+  const geom::Aabb all = *scene_.free_bounds();
+  const double straight = (to - from).norm();
+  PlanResult best;
+  for (double pad = std::max(kRegion, straight / 4);;) {
+    const Vec3 around(pad, pad, all.max.z() - all.min.z());
+    const geom::Aabb region{(from.cwiseMin(to) - around).cwiseMax(all.min),
+                            (from.cwiseMax(to) + around).cwiseMin(all.max)};
+    Levels levels;
+    for (const double spacing : spacings_for(region)) {
+      levels.push_back(std::make_unique<Level>());
+      levels.back()->spacing = spacing;
+      levels.back()->within = region;
+    }
+    PlanResult tried = search_levels(levels, from, to, raw);
+    const bool found = !tried.path.empty();
+    if (!best.path.empty()) {
+      return found && geom::length(tried.path) < geom::length(best.path) ? tried : best;
+    }
+    best = std::move(tried);
+    if (region.min == all.min && region.max == all.max) return best;
+    pad *= 4;
+    if (!found) continue;
+    const double length = geom::length(best.path);
+    const double needed = std::sqrt(std::max(0.0, length * length - straight * straight)) / 2;
+    if (length <= kDetour * straight || needed <= pad / 4) return best;
+    pad = needed;
   }
 }
 
@@ -206,8 +242,9 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
     result.method = "straight";
     result.path = {from, to};
   } else {
+    result = levels_.empty() ? search_regions(from, to, options.raw)
+                             : search_levels(levels_, from, to, options.raw);
     result.method = "lattice";
-    search_levels(from, to, options.raw, result);
     if (result.path.empty()) {
       result.message = fmt::format("no path on a lattice of {} m", result.resolution);
       return result;

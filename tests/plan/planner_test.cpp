@@ -147,9 +147,19 @@ TEST(Planner, WorksOnFlatMaps) {
   expect_free(flat, result.path);
 }
 
-TEST(Planner, CoarsensOnMapsTooLargeForTheUsualSpacing) {
+TEST(Planner, SearchesARegionAroundTheQueryOnLargeMaps) {
   const geom::Aabb bounds{{0, 0, 0}, {40000, 40000, 500}};
   const auto scene = scene_of({{{10000, -1, -1}, {10100, 40001, 400}}}, bounds, {1, 1, 1});
+  Planner planner(scene, nullptr, {2, {}});
+  const PlanResult result = planner.plan({9900, 20000, 50}, {10200, 20000, 50}, {});
+  ASSERT_EQ(result.status, PlanStatus::found) << result.message;
+  EXPECT_EQ(result.resolution, 10);
+  expect_free(scene, result.path);
+}
+
+TEST(Planner, WidensTheRegionAndCoarsensUntilThereIsAWayRound) {
+  const geom::Aabb bounds{{0, 0, 0}, {40000, 40000, 500}};
+  const auto scene = scene_of({{{10000, -1, -1}, {10100, 26000, 501}}}, bounds, {1, 1, 1});
   Planner planner(scene, nullptr, {2, {}});
   const PlanResult result = planner.plan({9900, 20000, 50}, {10200, 20000, 50}, {});
   ASSERT_EQ(result.status, PlanStatus::found) << result.message;

@@ -47,9 +47,11 @@ struct PlanResult {
 // The straight line first, then A* on a lattice joined to both ends by checked segments, then
 // shortcut() and, where asked, resampling. Without a lattice of its own it searches 26-connected
 // ones of 10, 5 and 2.5 m until one finds a path, each built once, when first needed; on maps too
-// small or too large for these, of 10 m halved or doubled until the node count is sane. A shortened
-// path of more than 1.2 times the straight line is compared with the next lattice's. An edge of
-// a given lattice that is blocked on this map throws geom::InputError. The scene and the lattice
+// small for these, of 10 m halved until the node count is sane. On maps of more than 2^19 nodes at
+// 10 m they cover only a region around the query, widened until a path is found or the region is
+// all there is. A shortened path of more than 1.2 times the straight line is compared with the next
+// lattice's, and with a region wide enough for every shorter path. An edge of a given lattice that
+// is blocked on this map throws geom::InputError. The scene and the lattice
 // must outlive it. Threads may plan at once; no answer depends on another.
 class Planner {
  public:
@@ -61,13 +63,16 @@ class Planner {
  private:
   struct Level;
 
+  using Levels = std::vector<std::unique_ptr<Level>>;
+
   PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
-  void search_levels(const Vec3& from, const Vec3& to, bool raw, PlanResult& result);
+  PlanResult search_regions(const Vec3& from, const Vec3& to, bool raw);
+  PlanResult search_levels(const Levels& levels, const Vec3& from, const Vec3& to, bool raw);
   bool search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result);
 
   const geom::CollisionScene& scene_;
   geom::Execution run_;
-  std::vector<std::unique_ptr<Level>> levels_;
+  Levels levels_;  // of the whole map; empty where regions are searched
 };
 
 }  // namespace plan
