@@ -22,7 +22,6 @@ namespace geom {
 namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
-constexpr double kBoxesPerGroup = 4096;
 constexpr std::size_t kEmbreeBytesPerBox = 80;  // measured: 78
 
 float float_up(double x) {
@@ -181,14 +180,14 @@ void near(const Handles& h, const Vec3& p, double radius, Context& context) {
   rtcPointQuery(h.scene, &query, &rtc, nullptr, &context);
 }
 
-// The tiles by squares of so many tiles that a square has about kBoxesPerGroup boxes; the tile of
-// large boxes is a group of its own unless the whole map is one group.
-std::vector<std::vector<std::size_t>> grouped(const BoxMap& map) {
+// The tiles by squares of so many tiles that a square has about `wanted` boxes; the tile of large
+// boxes is a group of its own unless the whole map is one group.
+std::vector<std::vector<std::size_t>> grouped(const BoxMap& map, double wanted) {
   const auto tiles = map.tiles();
   if (tiles.empty()) return {};
   const double per_tile = static_cast<double>(map.size()) / static_cast<double>(tiles.size());
-  const bool one = static_cast<double>(map.size()) <= 2 * kBoxesPerGroup;
-  const auto side = static_cast<std::int32_t>(std::ceil(std::sqrt(kBoxesPerGroup / per_tile)));
+  const bool one = static_cast<double>(map.size()) <= 2 * wanted;
+  const auto side = static_cast<std::int32_t>(std::ceil(std::sqrt(wanted / per_tile)));
   const auto square = [&](std::int32_t i) {
     return one ? 0 : i >= 0 ? i / side : -1 - (-1 - i) / side;
   };
@@ -218,7 +217,7 @@ struct CollisionScene::Impl {
   std::deque<std::size_t> built;  // groups with a scene, oldest first
   std::size_t bytes = 0;          // of all scenes
 
-  Impl(BoxMap m, Vehicle v, double mg, std::size_t bg);
+  Impl(BoxMap m, Vehicle v, double mg, const CollisionOptions& options);
   ~Impl() {
     for (Group& group : groups) delete group.scene.load();
     if (top.scene) rtcReleaseScene(std::exchange(top.scene, nullptr));
@@ -317,8 +316,8 @@ bool visit(RTCPointQueryFunctionArguments* args);
 
 }  // namespace
 
-CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, std::size_t bg)
-    : map(std::move(m)), vehicle(std::move(v)), margin(mg), budget(bg) {
+CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOptions& options)
+    : map(std::move(m)), vehicle(std::move(v)), margin(mg), budget(options.budget) {
   for (int i = 0; i < 3; ++i) {
     half[i] = vehicle.half[i] + margin;
     if (margin > 0) half[i] = std::nextafter(half[i], std::numeric_limits<double>::infinity());
@@ -326,7 +325,7 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, std::size_t bg)
   free_bounds = shrink(map.spec().bounds, half);
   device = rtcNewDevice("threads=1");
   if (!device) throw_on_error(nullptr);
-  auto members = grouped(map);
+  auto members = grouped(map, static_cast<double>(options.boxes_per_group));
   groups = std::vector<Group>(members.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     groups[g].tiles = std::move(members[g]);
@@ -450,8 +449,9 @@ void search_group(RegionContext& context, const GroupScene& group) {
 
 }  // namespace
 
-CollisionScene::CollisionScene(BoxMap map, Vehicle vehicle, double margin, std::size_t budget)
-    : impl_(std::make_unique<Impl>(std::move(map), std::move(vehicle), margin, budget)) {}
+CollisionScene::CollisionScene(BoxMap map, Vehicle vehicle, double margin,
+                               const CollisionOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(map), std::move(vehicle), margin, options)) {}
 CollisionScene::~CollisionScene() = default;
 CollisionScene::CollisionScene(CollisionScene&&) noexcept = default;
 CollisionScene& CollisionScene::operator=(CollisionScene&&) noexcept = default;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "geom/parallel.h"
@@ -44,11 +45,26 @@ bool brute_force(const CollisionScene& scene, const Segment& s) {
   return false;
 }
 
-class CollisionProperty : public testing::TestWithParam<double> {};
+// Where the city stands, and how many boxes share a scene: few, so that there are many, or all.
+struct Case {
+  double offset;
+  std::size_t boxes_per_group;
+};
+
+class CollisionProperty : public testing::TestWithParam<Case> {
+ protected:
+  Vec3 center() const { return {GetParam().offset, -GetParam().offset, 0}; }
+  CollisionScene scene(std::uint64_t seed, double margin) const {
+    return {support::random_city(seed, 120, 400, center()),
+            {"box", {1, 1, 0.5}},
+            margin,
+            {std::size_t{1} << 29, GetParam().boxes_per_group}};
+  }
+};
 
 TEST_P(CollisionProperty, HitsAgreeWithRationalsOnEveryBox) {
-  const Vec3 center(GetParam(), -GetParam(), 0);
-  const CollisionScene scene(support::random_city(1, 120, 400, center), {"box", {1, 1, 0.5}}, 0.5);
+  const Vec3 center = this->center();
+  const CollisionScene scene = this->scene(1, 0.5);
   support::Random random(11);
   int hits = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -63,8 +79,8 @@ TEST_P(CollisionProperty, HitsAgreeWithRationalsOnEveryBox) {
 }
 
 TEST_P(CollisionProperty, NearestIsTheLowestIndexAtTheSmallestDistance) {
-  const Vec3 center(GetParam(), -GetParam(), 0);
-  const CollisionScene scene(support::random_city(2, 120, 400, center), {"box", {1, 1, 0.5}}, 0.5);
+  const Vec3 center = this->center();
+  const CollisionScene scene = this->scene(2, 0.5);
   support::Random random(12);
   for (int i = 0; i < 3000; ++i) {
     const Vec3 p = random_segment(random, i % 10 ? 250 : 4000, center).a;
@@ -86,8 +102,8 @@ TEST_P(CollisionProperty, NearestIsTheLowestIndexAtTheSmallestDistance) {
 }
 
 TEST_P(CollisionProperty, BoxesMeetingARegionAreAllAndOnlyThose) {
-  const Vec3 center(GetParam(), -GetParam(), 0);
-  const CollisionScene scene(support::random_city(3, 120, 400, center), {"box", {1, 1, 0.5}}, 0);
+  const Vec3 center = this->center();
+  const CollisionScene scene = this->scene(3, 0);
   support::Random random(13);
   for (int i = 0; i < 1000; ++i) {
     const Segment s = random_segment(random, 250, center);
@@ -100,7 +116,114 @@ TEST_P(CollisionProperty, BoxesMeetingARegionAreAllAndOnlyThose) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Offsets, CollisionProperty, testing::Values(0.0, 1e5, 5e5));
+TEST_P(CollisionProperty, TheNearestSoManyAreSortedAndComplete) {
+  const CollisionScene scene = this->scene(5, 0.25);
+  support::Random random(15);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p = random_segment(random, 250, center()).a;
+    std::vector<std::pair<double, std::size_t>> all;
+    for (std::size_t k = 0; k < scene.map().size(); ++k) {
+      all.push_back({distance(p, grow(scene.map().box(k), scene.vehicle().half)), k});
+    }
+    std::sort(all.begin(), all.end());
+    const double radius = i % 2 ? all[4].first : std::numeric_limits<double>::infinity();
+    const auto found = scene.nearest(p, radius, 7);
+    const auto within = std::count_if(all.begin(), all.end(),
+                                      [&](const auto& entry) { return entry.first <= radius; });
+    ASSERT_EQ(found.size(), std::min<std::size_t>(7, within));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      ASSERT_EQ(found[k].distance, all[k].first);
+      ASSERT_EQ(found[k].box, all[k].second);
+    }
+  }
+}
+
+TEST_P(CollisionProperty, SweptBoxesAgreeWithRationals) {
+  const CollisionScene scene = this->scene(6, 0);
+  support::Random random(16);
+  int hits = 0;
+  for (int i = 0; i < 600; ++i) {
+    const Segment s = random_segment(random, 250, center());
+    const Vec3 half(random.stepped(0, 4, 0.5), random.uniform(0, 4), 0.25);
+    bool expected = false;
+    for (const Aabb& box : scene.map().boxes()) {
+      expected = expected || oracle::segment_hits(s.a, s.b, grow(box, half));
+    }
+    hits += expected;
+    ASSERT_EQ(scene.sweep_hits(s.a, s.b, half), expected) << "case " << i;
+  }
+  EXPECT_GT(hits, 50);
+  EXPECT_LT(hits, 550);
+}
+
+TEST_P(CollisionProperty, SeparatingPlanesKeepEveryNearBoxOffTheSegment) {
+  const CollisionScene scene = this->scene(7, 0);
+  support::Random random(17);
+  std::size_t planes = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Segment s = random_segment(random, 250, center());
+    const auto found = scene.separating_planes(s.a, s.b, 15);
+    std::vector<std::size_t> listed;
+    for (const auto& [box, separation] : found) {
+      listed.push_back(box);
+      if (separation.gap <= 0) continue;
+      ++planes;
+      ASSERT_TRUE(behind(scene.grown(box), separation.plane));
+      const double tolerance = 1e-12 * GetParam().offset;
+      ASSERT_LE(separation.plane.normal.dot(s.a), separation.plane.offset + tolerance);
+      ASSERT_LE(separation.plane.normal.dot(s.b), separation.plane.offset + tolerance);
+    }
+    std::sort(listed.begin(), listed.end());
+    std::vector<std::size_t> expected;
+    for (std::size_t k = 0; k < scene.map().size(); ++k) {
+      if (distance(s.a, s.b, scene.grown(k)) <= 15) expected.push_back(k);
+    }
+    ASSERT_EQ(listed, expected);
+  }
+  EXPECT_GT(planes, 300u);
+}
+
+TEST_P(CollisionProperty, EmptyBoxesHoldTheSegmentAndNoObstacle) {
+  const CollisionScene scene = this->scene(8, 0);
+  support::Random random(18);
+  int found = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 a =
+        random_segment(random, 200, center()).a.cwiseMax(0.0 * center() - Vec3(1e9, 1e9, -2));
+    const Vec3 b = a + Vec3(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(0, 5));
+    const auto empty = scene.empty_box(a, b, 40);
+    const auto blocked = scene.boxes_meeting({a.cwiseMin(b), a.cwiseMax(b)});
+    ASSERT_EQ(empty.has_value(),
+              blocked.empty() && scene.inside_bounds(a) && scene.inside_bounds(b));
+    if (!empty) continue;
+    ++found;
+    ASSERT_TRUE(contains(empty->box, a) && contains(empty->box, b));
+    for (const std::size_t k : scene.boxes_meeting(empty->box)) {
+      const Aabb box = scene.grown(k);
+      ASSERT_TRUE((box.min.array() >= empty->box.max.array()).any() ||
+                  (box.max.array() <= empty->box.min.array()).any());
+    }
+  }
+  EXPECT_GT(found, 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Offsets, CollisionProperty,
+                         testing::Values(Case{0, 4096}, Case{1e5, 4096}, Case{5e5, 4096},
+                                         Case{0, 5}, Case{5e5, 5}));
+
+// A budget that holds a scene or two: queries of several threads take them from under each other.
+TEST(Collision, GivingScenesUpChangesNoAnswer) {
+  const BoxMap map = support::random_city(9, 300, 600);
+  std::vector<std::pair<Vec3, Vec3>> segments;
+  support::Random random(19);
+  for (int i = 0; i < 4000; ++i) {
+    const Segment s = random_segment(random, 350, Vec3::Zero());
+    segments.emplace_back(s.a, s.b);
+  }
+  const CollisionScene whole(map, {"box", {1, 1, 1}}, 0);
+  const CollisionScene tight(map, {"box", {1, 1, 1}}, 0, {8000, 10});
+  EXPECT_EQ(whole.hits(segments, {1, {}}), tight.hits(segments, {7, {}}));
+}
 
 TEST(Collision, TilesAreBuiltOnceWhateverTheThreads) {
   const BoxMap map = support::random_city(4, 300, 600);

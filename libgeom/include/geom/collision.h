@@ -3,12 +3,18 @@
 // The collision structure: exact queries of a box map for one vehicle and margin, by Embree.
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "geom/aabb.h"
 #include "geom/box_map.h"
+#include "geom/empty_box.h"
+#include "geom/execution.h"
+#include "geom/separation.h"
 #include "geom/vehicle.h"
 
 namespace geom {
@@ -20,18 +26,20 @@ struct Nearest {
                         // the margin; 0 inside or on it
 };
 
-// Holds the map, grown by vehicle and margin (geom::grow). Groups of neighbouring tiles (about
-// 4,096 boxes) are built on first touch, once, whatever the threads, and given up, the oldest
-// first, once all together take more than `budget` bytes. All queries are const and may run from
-// several threads at once. Answers are exact for the grown boxes, and ties break on the lowest
-// index. A query throws InputError where a tile of a mapped file that it touches holds a wrong
-// value.
+struct CollisionOptions {
+  std::size_t budget = std::size_t{1} << 29;  // bytes that groups of tiles may take
+  std::size_t boxes_per_group = 4096;         // about; a map of up to twice as many is one group
+};
+
+// Holds the map, grown by vehicle and margin (geom::grow). Groups of neighbouring tiles are built
+// on first touch, once, whatever the threads, and given up, the oldest first, once all together
+// take more than the budget. All queries are const and may run from several threads at once.
+// Answers are exact for the grown boxes, and ties break on the lowest index. A query throws
+// InputError where a tile of a mapped file that it touches holds a wrong value.
 class CollisionScene {
  public:
-  static constexpr std::size_t kBudget = std::size_t{1} << 29;
-
   // `margin` in metres, >= 0, is added to each half size.
-  CollisionScene(BoxMap map, Vehicle vehicle, double margin, std::size_t budget = kBudget);
+  CollisionScene(BoxMap map, Vehicle vehicle, double margin, const CollisionOptions& options = {});
   ~CollisionScene();
   CollisionScene(CollisionScene&&) noexcept;
   CollisionScene& operator=(CollisionScene&&) noexcept;
@@ -54,6 +62,14 @@ class CollisionScene {
   bool free(const Vec3& a, const Vec3& b) const;
   bool free(const Vec3& p) const { return free(p, p); }
 
+  // Whether the closed box of half sizes `half` (in place of vehicle and margin), moved along the
+  // segment, meets an obstacle grown by it (geom::grow).
+  bool sweep_hits(const Vec3& a, const Vec3& b, const Vec3& half) const;
+
+  // hits() of many segments, 1 where it is true.
+  std::vector<std::uint8_t> hits(std::span<const std::pair<Vec3, Vec3>> segments,
+                                 const Execution& run) const;
+
   // The nearest obstacle within `radius` metres (closed), or nothing.
   std::optional<Nearest> nearest(const Vec3& p, double radius) const;
 
@@ -62,6 +78,18 @@ class CollisionScene {
 
   // Indices, ascending, of the boxes that once grown meet the closed region.
   std::vector<std::size_t> boxes_meeting(const Aabb& region) const;
+
+  // Planes to the grown boxes within `reach` metres of the segment, nearest first (ties: the lower
+  // index). Each separates the whole segment from its box where its gap is > 0.
+  struct Separated {
+    std::size_t box = 0;
+    Separation separation;
+  };
+  std::vector<Separated> separating_planes(const Vec3& a, const Vec3& b, double reach) const;
+
+  // The largest box around the segment, within `reach` metres of its bounding box and inside the
+  // bounds, that the reference point may use: see geom::empty_box.
+  std::optional<EmptyBox> empty_box(const Vec3& a, const Vec3& b, double reach) const;
 
   // grow(map().box(i), half()).
   Aabb grown(std::size_t i) const;
