@@ -113,8 +113,7 @@ std::size_t move_into_touch(const geom::CollisionScene& scene) {
     }
     traj::Trajectory moved = solved.trajectory;
     const Vec3 p = traj::evaluate(moved, random.uniform(0, traj::duration(moved))).position;
-    const geom::Aabb box =
-        scene.map().boxes()[random.below(static_cast<int>(scene.map().size()))];
+    const geom::Aabb box = scene.map().boxes()[random.below(static_cast<int>(scene.map().size()))];
     const int axis = random.below(3);
     Vec3 target = 0.5 * (box.min + box.max);
     const double depth = originals % 3 ? random.uniform(0, 0.01) : 0;

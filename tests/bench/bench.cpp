@@ -2,15 +2,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "geom/collision.h"
 #include "plan/astar.h"
 #include "plan/build_lattice.h"
 #include "plan/plan.h"
-#include "support/city.h"
-#include "support/random_city.h"
+#include "support/bench_scene.h"
 #include "traj/check.h"
 #include "traj/min_snap.h"
 #include "traj/solve.h"
@@ -20,62 +18,15 @@ namespace {
 
 using geom::Vec3;
 
-const geom::CollisionScene& scene() {
-  static const geom::CollisionScene one(support::load_city(support::city_file()),
-                                        {"box", {1, 1, 1}}, 0);
-  return one;
-}
-
-Vec3 random_point(support::Random& random) {
-  const geom::Aabb& b = *scene().free_bounds();
-  return {random.uniform(b.min[0], b.max[0]), random.uniform(b.min[1], b.max[1]),
-          random.uniform(b.min[2], b.max[2])};
-}
-
-// Random segments of 5 to 50 m in every direction, anywhere inside the bounds.
-const std::vector<std::pair<Vec3, Vec3>>& segments() {
-  static const auto made = [] {
-    support::Random random(1);
-    std::vector<std::pair<Vec3, Vec3>> list;
-    while (list.size() < 20000) {
-      const Vec3 a = random_point(random);
-      const Vec3 d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-      if (d.norm() > 1 || d.norm() < 0.1) continue;
-      list.push_back({a, a + d.normalized() * random.uniform(5, 50)});
-    }
-    return list;
-  }();
-  return made;
-}
-
-// The yardstick: the textbook slab test (Kay and Kajiya 1986) in double against one box after
-// another, until one is hit.
-bool slabs_hit(const Vec3& a, const Vec3& b, const geom::Aabb& box) {
-  double first = 0;
-  double last = 1;
-  for (int i = 0; i < 3; ++i) {
-    const double d = b[i] - a[i];
-    if (d == 0) {
-      if (a[i] < box.min[i] || a[i] > box.max[i]) return false;
-      continue;
-    }
-    const double u = (box.min[i] - a[i]) / d;
-    const double v = (box.max[i] - a[i]) / d;
-    first = std::max(first, std::min(u, v));
-    last = std::min(last, std::max(u, v));
-    if (first > last) return false;
-  }
-  return true;
-}
+using support::random_point;
+using support::scene;
+using support::segments;
 
 void BruteForceSegment(benchmark::State& state) {
-  std::vector<geom::Aabb> grown;
-  for (std::size_t i = 0; i < scene().map().size(); ++i) grown.push_back(scene().grown(i));
   std::size_t i = 0;
   for (auto _ : state) {
     const auto& [a, b] = segments()[i++ % segments().size()];
-    benchmark::DoNotOptimize(std::any_of(
-        grown.begin(), grown.end(), [&](const geom::Aabb& box) { return slabs_hit(a, b, box); }));
+    benchmark::DoNotOptimize(support::brute_force(a, b));
   }
 }
 BENCHMARK(BruteForceSegment);
