@@ -1,11 +1,15 @@
-// agreement N: compares N segment queries (random, street-level, lattice-aligned), and the lattices
+// agreement N: compares N segment queries (random, street-level, lattice-aligned, grazing, of no
+// length, inside obstacles, huge) on the map at its place and 100 and 500 km away, and the lattices
 // of 25 and 10 m, with rational arithmetic, and moves 1,000 proved trajectories into touch.
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 #include "geom/collision.h"
+#include "geom/parallel.h"
 #include "plan/build_lattice.h"
 #include "plan/plan.h"
 #include "support/city.h"
@@ -41,30 +45,82 @@ Vec3 in_bounds(support::Random& random, const geom::Aabb& b, double ceiling) {
           random.uniform(b.min[2], std::min(b.max[2], ceiling))};
 }
 
-std::pair<Vec3, Vec3> segment_of_kind(support::Random& random, const geom::Aabb& b, int kind) {
+constexpr int kKinds = 7;
+
+std::pair<Vec3, Vec3> segment_of_kind(support::Random& random, const geom::CollisionScene& scene,
+                                      int kind) {
+  const geom::Aabb& b = scene.map().spec().bounds;
   const Vec3 a = in_bounds(random, b, kind == 1 ? 30 : 1e9);
-  if (kind == 2) {  // between nodes of a 5 m lattice on the lower corner, along and across
-    Vec3 p = b.min + 5 * ((a - b.min) / 5).array().floor().matrix();
-    const Vec3 d(random.below(3) - 1, random.below(3) - 1, random.below(3) - 1);
-    return {p, p + d * 5 * (1 + random.below(6))};
-  }
   const Vec3 d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.3, 0.3));
-  return {a, a + d * random.uniform(5, 50)};
+  const auto box = [&] {
+    return scene.grown(
+        static_cast<std::size_t>(random.below(static_cast<int>(scene.map().size()))));
+  };
+  const auto inside = [&](const geom::Aabb& in) {
+    return Vec3(random.uniform(in.min[0], in.max[0]), random.uniform(in.min[1], in.max[1]),
+                random.uniform(in.min[2], in.max[2]));
+  };
+  switch (kind) {
+    case 2: {  // between nodes of a 5 m lattice on the lower corner, along and across
+      const Vec3 p = b.min + 5 * ((a - b.min) / 5).array().floor().matrix();
+      const Vec3 step(random.below(3) - 1, random.below(3) - 1, random.below(3) - 1);
+      return {p, p + step * 5 * (1 + random.below(6))};
+    }
+    case 3: {  // along a face or an edge, on it or one unit in the last place off
+      const geom::Aabb one = box();
+      Vec3 p = inside(one);
+      Vec3 q = p + 30 * d;
+      for (int axis = 0; axis < 1 + random.below(2); ++axis) {
+        double at = random.below(2) ? one.min[axis] : one.max[axis];
+        if (random.below(2)) at = std::nextafter(at, random.below(2) ? -1e9 : 1e9);
+        p[axis] = q[axis] = at;
+      }
+      return {p, q};
+    }
+    case 4:
+      return {a, a};
+    case 5: {
+      const geom::Aabb one = box();
+      return {inside(one), inside(one)};
+    }
+    case 6:
+      return {a, a + d * random.uniform(2e3, 2e4)};
+    default:
+      return {a, a + d * random.uniform(5, 50)};
+  }
 }
 
-std::size_t compare_segments(const geom::CollisionScene& scene, const Oracle& exact,
-                             std::size_t n) {
-  support::Random random(1);
-  std::size_t wrong = 0;
-  std::size_t hits = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto [a, b] = segment_of_kind(random, scene.map().spec().bounds, static_cast<int>(i % 3));
-    const bool hit = scene.hits(a, b);
-    hits += hit;
-    wrong += hit != exact.hits(a, b);
-  }
-  fmt::print("segments {} hits {} disagreements {}\n", n, hits, wrong);
-  return wrong;
+// The map, shifted: its coordinates rounded anew.
+geom::BoxMap shifted(const geom::BoxMap& map, const Vec3& by) {
+  geom::BoxTable table{{},
+                       {map.ids().begin(), map.ids().end()},
+                       {map.label().begin(), map.label().end()},
+                       map.labels()};
+  for (const geom::Aabb& box : map.boxes()) table.boxes.push_back({box.min + by, box.max + by});
+  geom::BoxMapSpec spec = map.spec();
+  spec.bounds = {spec.bounds.min + by, spec.bounds.max + by};
+  return {spec, table};
+}
+
+std::size_t compare_segments(const geom::BoxMap& map, double offset, std::size_t n) {
+  constexpr std::size_t kBatch = 1000;
+  const geom::CollisionScene scene(shifted(map, {offset, -offset, 0}), {"box", {1, 1, 1}}, 0);
+  const Oracle exact(scene);
+  std::vector<std::size_t> wrong((n + kBatch - 1) / kBatch);
+  std::vector<std::size_t> hits(wrong.size());
+  geom::parallel_for(wrong.size(), {2, {}}, [&](std::size_t batch) {
+    support::Random random(1 + batch);
+    for (std::size_t i = 0; i < std::min(kBatch, n - batch * kBatch); ++i) {
+      const auto [a, b] = segment_of_kind(random, scene, static_cast<int>(i % kKinds));
+      const bool hit = scene.hits(a, b);
+      hits[batch] += hit;
+      wrong[batch] += hit != exact.hits(a, b);
+    }
+  });
+  const std::size_t all_wrong = std::accumulate(wrong.begin(), wrong.end(), std::size_t{0});
+  fmt::print("{:.0f} km away: segments {} hits {} disagreements {}\n", offset / 1000, n,
+             std::accumulate(hits.begin(), hits.end(), std::size_t{0}), all_wrong);
+  return all_wrong;
 }
 
 std::size_t compare_lattice(const geom::CollisionScene& scene, const Oracle& exact, double spacing,
@@ -134,7 +190,10 @@ int main(int argc, char** argv) {
   const auto n = static_cast<std::size_t>(argc > 1 ? std::atof(argv[1]) : 1e5);
   const geom::CollisionScene scene(support::load_city(support::city_file()), {"box", {1, 1, 1}}, 0);
   const Oracle exact(scene);
-  std::size_t wrong = compare_segments(scene, exact, n);
+  std::size_t wrong = 0;
+  for (const double offset : {0.0, 1e5, 5e5}) {
+    wrong += compare_segments(scene.map(), offset, n / 3 + 1);
+  }
   for (const double spacing : {25.0, 10.0}) {
     for (const auto connectivity : {plan::Connectivity::six, plan::Connectivity::twenty_six}) {
       wrong += compare_lattice(scene, exact, spacing, connectivity);
