@@ -1,0 +1,282 @@
+#include "geom/cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace geom {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kThin = 1e-7;  // metres: strips are not cut any thinner
+
+struct Interval {
+  double low;
+  double high;
+};
+
+// A polygon's edge, from its lower to its upper end.
+struct Edge {
+  Vec2 low;
+  Vec2 high;
+  int ring;  // 0 is the outer one
+  int turn;  // 1 where the ring runs upward along it, -1 downward
+
+  double x_at(double y) const {
+    if (high.y() == low.y()) return low.x();
+    const double t = std::clamp((y - low.y()) / (high.y() - low.y()), 0.0, 1.0);
+    return low.x() + t * (high.x() - low.x());
+  }
+};
+
+double outward(double v, double sign) {
+  const double pad = 1e-9 + 4 * (std::nextafter(std::abs(v), kInfinity) - std::abs(v));
+  return v + sign * pad;
+}
+
+std::vector<Interval> merged(std::vector<Interval> list) {
+  std::sort(list.begin(), list.end(), [](const Interval& a, const Interval& b) {
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
+  std::vector<Interval> out;
+  for (const Interval& i : list) {
+    if (!out.empty() && i.low <= out.back().high) {
+      out.back().high = std::max(out.back().high, i.high);
+    } else {
+      out.push_back(i);
+    }
+  }
+  return out;
+}
+
+// The polygon cut by slabs [y0, y1].
+class Slabs {
+ public:
+  // With `at_corners` a slab that reaches a corner's level ends at one, else as far as it may.
+  Slabs(const Polygon& polygon, double slack, bool at_corners)
+      : polygon_(polygon), slack_(slack), at_corners_(at_corners) {
+    add(polygon.outer, 0);
+    for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
+      add(polygon.holes[i], static_cast<int>(i) + 1);
+    }
+    for (const Edge& edge : edges_) {
+      levels_.push_back(edge.low.y());
+      levels_.push_back(edge.high.y());
+    }
+    std::sort(levels_.begin(), levels_.end());
+    levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
+  }
+
+  std::vector<Rectangle> cover() const {
+    std::vector<Rectangle> out;
+    for (double y0 = edges_.empty() ? 0 : levels_.front();
+         !edges_.empty() && y0 < levels_.back();) {
+      const double y1 = furthest(y0);
+      for (const Rectangle& r : rectangles(y0, y1)) out.push_back(r);
+      y0 = y1;
+    }
+    add_flat_edges(out);
+    return out;
+  }
+
+ private:
+  void add(const std::vector<Vec2>& ring, int index) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2& a = ring[i];
+      const Vec2& b = ring[(i + 1) % ring.size()];
+      const bool up = a.y() <= b.y();
+      edges_.push_back({up ? a : b, up ? b : a, index, up ? 1 : -1});
+    }
+  }
+
+  // Edges along the slabs bound them and are covered with what they bound; spurs are not.
+  void add_flat_edges(std::vector<Rectangle>& out) const {
+    for (const Edge& edge : edges_) {
+      if (edge.low.y() < edge.high.y()) continue;
+      const Interval x = range(edge, edge.low.y(), edge.low.y());
+      std::vector<Interval> list;
+      for (const Rectangle& r : out) {
+        if (r.min.y() <= edge.low.y() && r.max.y() >= edge.low.y()) {
+          list.push_back({r.min.x(), r.max.x()});
+        }
+      }
+      list = merged(std::move(list));
+      if (std::any_of(list.begin(), list.end(),
+                      [&](const Interval& i) { return i.low <= x.low && i.high >= x.high; })) {
+        continue;
+      }
+      out.push_back({{outward(x.low, -1), outward(edge.low.y(), -1)},
+                     {outward(x.high, 1), outward(edge.low.y(), 1)}});
+    }
+  }
+
+  // Of what lies inside the open slab, and its closure.
+  std::vector<Rectangle> rectangles(double y0, double y1) const {
+    std::vector<Interval> list;
+    std::vector<double> cuts = {y0};
+    cuts.insert(cuts.end(), std::upper_bound(levels_.begin(), levels_.end(), y0),
+                std::lower_bound(levels_.begin(), levels_.end(), y1));
+    cuts.push_back(y1);
+    for (const Edge& edge : edges_) {
+      if (edge.high.y() > y0 && edge.low.y() < y1) list.push_back(range(edge, y0, y1));
+    }
+    for (std::size_t i = 1; i < cuts.size(); ++i) add_inside(cuts[i - 1], cuts[i], list);
+    std::vector<Rectangle> out;
+    for (const Interval& i : merged(std::move(list))) {
+      out.push_back({{outward(i.low, -1), outward(y0, -1)}, {outward(i.high, 1), outward(y1, 1)}});
+    }
+    return out;
+  }
+
+  // x of the edge's part inside the slab.
+  static Interval range(const Edge& edge, double y0, double y1) {
+    if (edge.low.y() == edge.high.y()) {
+      return {std::min(edge.low.x(), edge.high.x()), std::max(edge.low.x(), edge.high.x())};
+    }
+    const double a = edge.x_at(std::max(y0, edge.low.y()));
+    const double b = edge.x_at(std::min(y1, edge.high.y()));
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+  // What lies between edges in a strip that no edge begins or ends in: trapezoids, where no two
+  // edges cross. Where they do, the strip is halved until what lies between them is negligible:
+  // the edges' own ranges then touch.
+  void add_inside(double y0, double y1, std::vector<Interval>& list) const {
+    std::vector<const Edge*> across;
+    for (const Edge& edge : edges_) {
+      if (edge.low.y() <= y0 && edge.high.y() >= y1 && edge.low.y() < edge.high.y()) {
+        across.push_back(&edge);
+      }
+    }
+    const double middle = 0.5 * (y0 + y1);
+    std::sort(across.begin(), across.end(), [&](const Edge* a, const Edge* b) {
+      const double xa = a->x_at(middle);
+      const double xb = b->x_at(middle);
+      return xa != xb ? xa < xb : a < b;
+    });
+    if (y1 - y0 > kThin && crossing(across, y0, y1)) {
+      add_inside(y0, middle, list);
+      add_inside(middle, y1, list);
+      return;
+    }
+    std::vector<int> turns(polygon_.holes.size() + 1);
+    for (std::size_t i = 0; i + 1 < across.size(); ++i) {
+      turns[static_cast<std::size_t>(across[i]->ring)] += across[i]->turn;
+      const bool in_hole =
+          std::any_of(turns.begin() + 1, turns.end(), [](int t) { return t != 0; });
+      if (i % 2 != 0 && (turns[0] == 0 || in_hole)) continue;
+      const Interval left = range(*across[i], y0, y1);
+      const Interval right = range(*across[i + 1], y0, y1);
+      list.push_back({std::min(left.low, right.low), std::max(left.high, right.high)});
+    }
+  }
+
+  static bool crossing(const std::vector<const Edge*>& sorted, double y0, double y1) {
+    for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
+      if (sorted[i]->x_at(y0) > sorted[i + 1]->x_at(y0) ||
+          sorted[i]->x_at(y1) > sorted[i + 1]->x_at(y1)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // How far the slab from y0 may reach. Each x of its rectangles is that of a point of the polygon
+  // in the slab, so one no higher than the slack is always right; a higher one is looked at.
+  double furthest(double y0) const {
+    const double top = levels_.back();
+    const double sure = std::min(top, y0 + slack_ - 4e-9 - 1e-14 * std::abs(y0));
+    double good = sure;
+    double bad = kInfinity;
+    std::vector<double> tries(std::upper_bound(levels_.begin(), levels_.end(), sure),
+                              levels_.end());
+    for (const double y1 : tries) {
+      if (!valid(y0, y1)) {
+        bad = y1;
+        break;
+      }
+      good = y1;
+    }
+    if (good >= top || (at_corners_ && good > sure)) return good;
+    bad = std::min(bad, good + 8 * slack_);
+    if (valid(y0, bad)) return bad;
+    for (int i = 0; i < 6; ++i) {
+      const double middle = 0.5 * (good + bad);
+      (valid(y0, middle) ? good : bad) = middle;
+    }
+    return good;
+  }
+
+  bool valid(double y0, double y1) const {
+    for (const Rectangle& r : rectangles(y0, y1)) {
+      if (!within_slack(r)) return false;
+    }
+    return true;
+  }
+
+  // The distance to the polygon grows by no more than one goes, so a piece whose centre is near
+  // enough for its corners is settled.
+  bool within_slack(const Rectangle& r) const {
+    const Vec2 half = 0.5 * (r.max - r.min);
+    const double at_centre = distance(polygon_, Vec2(0.5 * (r.min + r.max)));
+    const double radius = half.norm() * (1 + 1e-12);
+    if (at_centre + radius <= slack_) return true;
+    if (at_centre > slack_ || radius < 0.02 * slack_) return false;
+    Rectangle first = r;
+    Rectangle second = r;
+    const int axis = half.x() >= half.y() ? 0 : 1;
+    first.max[axis] = second.min[axis] = 0.5 * (r.min[axis] + r.max[axis]);
+    // A part wholly inside would be halved down to the slack for nothing.
+    if (at_centre == 0 && clear_of_edges(r)) return true;
+    return within_slack(first) && within_slack(second);
+  }
+
+  // Whether no edge meets the rectangle.
+  bool clear_of_edges(const Rectangle& r) const {
+    return std::none_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+      if (edge.low.y() > r.max.y() || edge.high.y() < r.min.y()) return false;
+      const Interval x = range(edge, r.min.y(), r.max.y());
+      return outward(x.high, 1) >= r.min.x() && outward(x.low, -1) <= r.max.x();
+    });
+  }
+
+  const Polygon& polygon_;
+  double slack_;
+  bool at_corners_;
+  std::vector<Edge> edges_;
+  std::vector<double> levels_;  // the y of all corners, ascending
+};
+
+Polygon transposed(const Polygon& polygon) {
+  const auto swap = [](std::vector<Vec2> ring) {
+    for (Vec2& p : ring) std::swap(p.x(), p.y());
+    return ring;
+  };
+  Polygon out{swap(polygon.outer), {}};
+  for (const auto& hole : polygon.holes) out.holes.push_back(swap(hole));
+  return out;
+}
+
+}  // namespace
+
+std::vector<Rectangle> cover(const Polygon& polygon, double slack) {
+  std::vector<Rectangle> best = Slabs(polygon, slack, true).cover();
+  const auto consider = [&](std::vector<Rectangle> other) {
+    if (other.size() < best.size()) best = std::move(other);
+  };
+  if (best.size() <= 1) return best;
+  consider(Slabs(polygon, slack, false).cover());
+  const Polygon turned = transposed(polygon);
+  for (const bool at_corners : {true, false}) {
+    std::vector<Rectangle> across = Slabs(turned, slack, at_corners).cover();
+    for (Rectangle& r : across) {
+      std::swap(r.min.x(), r.min.y());
+      std::swap(r.max.x(), r.max.y());
+    }
+    consider(std::move(across));
+  }
+  return best;
+}
+
+}  // namespace geom

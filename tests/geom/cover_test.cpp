@@ -1,0 +1,128 @@
+#include "geom/cover.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "support/cover_oracle.h"
+#include "support/random_city.h"
+
+namespace geom {
+namespace {
+
+Polygon rotated_rectangle(double width, double height, double angle, const Vec2& center) {
+  Polygon out;
+  const Eigen::Rotation2Dd turn(angle);
+  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+    out.outer.push_back(center + turn * Vec2(0.5 * x * width, 0.5 * y * height));
+  }
+  return out;
+}
+
+Polygon star(support::Random& random, const Vec2& center, int corners, double radius) {
+  Polygon out;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * M_PI * i / corners;
+    const double r = random.uniform(0.2, 1) * radius;
+    out.outer.push_back(center + r * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return out;
+}
+
+// Anything: corners at random, so edges cross.
+Polygon tangle(support::Random& random, int corners) {
+  Polygon out;
+  for (int i = 0; i < corners; ++i) {
+    out.outer.push_back({random.stepped(0, 20, 1), random.stepped(0, 20, 1)});
+  }
+  return out;
+}
+
+void expect_cover(const Polygon& polygon, double slack, support::Random& random,
+                  const std::string& what) {
+  const auto rectangles = cover(polygon, slack);
+  Vec2 low = polygon.outer.front();
+  Vec2 high = low;
+  const auto ring = [&](const std::vector<Vec2>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2& a = points[i];
+      const Vec2& b = points[(i + 1) % points.size()];
+      low = low.cwiseMin(a);
+      high = high.cwiseMax(a);
+      ASSERT_TRUE(oracle::covered(rectangles, a)) << what << ": a corner";
+      for (const double t : {0.5, 0.1, random.uniform(0, 1)}) {
+        ASSERT_TRUE(oracle::covered(rectangles, a + t * (b - a))) << what << ": on an edge";
+      }
+    }
+  };
+  ring(polygon.outer);
+  for (const auto& hole : polygon.holes) ring(hole);
+  const oracle::Distance distance(polygon);
+  for (int i = 0; i < 300; ++i) {
+    const Vec2 p(random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()));
+    if (distance(p.x(), p.y()) > 0) continue;
+    ASSERT_TRUE(oracle::covered(rectangles, p)) << what << ": inside, " << p.transpose();
+  }
+  for (const Rectangle& r : rectangles) {
+    ASSERT_LE(oracle::furthest_outside(polygon, r, 1e-4 * slack), slack * (1 + 2e-4)) << what;
+  }
+}
+
+TEST(Cover, IsOneForAnAlignedRectangle) {
+  EXPECT_EQ(cover(rotated_rectangle(80, 35, 0, {3, 4}), 0.5).size(), 1u);
+}
+
+TEST(Cover, IsTwoForAnL) {
+  const Polygon l{{{0, 0}, {30, 0}, {30, 10}, {10, 10}, {10, 50}, {0, 50}}, {}};
+  EXPECT_EQ(cover(l, 0.5).size(), 2u);
+}
+
+TEST(Cover, KeepsACourtyardOpen) {
+  Polygon block = rotated_rectangle(40, 40, 0, {0, 0});
+  block.holes.push_back(rotated_rectangle(20, 20, 0, {0, 0}).outer);
+  const auto rectangles = cover(block, 0.5);
+  EXPECT_EQ(rectangles.size(), 4u);
+  EXPECT_FALSE(oracle::covered(rectangles, {0, 0}));
+  EXPECT_FALSE(oracle::covered(rectangles, {9.4, 9.4}));
+}
+
+TEST(Cover, OfRotatedRectanglesHoldsAll) {
+  support::Random random(1);
+  for (int i = 0; i < 60; ++i) {
+    const double offset = i % 3 == 0 ? 4e5 : 0;
+    const Polygon p = rotated_rectangle(random.uniform(0.5, 40), random.uniform(0.5, 40),
+                                        random.uniform(0, M_PI), {offset, -offset});
+    expect_cover(p, random.uniform(0.2, 2), random, "rotated " + std::to_string(i));
+  }
+}
+
+TEST(Cover, OfStarsWithHolesHoldsAll) {
+  support::Random random(2);
+  for (int i = 0; i < 60; ++i) {
+    Polygon p = star(random, {0, 0}, 3 + i % 20, 30);
+    if (i % 2) p.holes.push_back(star(random, {0, 0}, 5, 5).outer);
+    if (i % 4 == 1) std::reverse(p.holes[0].begin(), p.holes[0].end());
+    expect_cover(p, 0.5, random, "star " + std::to_string(i));
+  }
+}
+
+TEST(Cover, OfRingsThatCrossThemselvesHoldsAll) {
+  support::Random random(3);
+  for (int i = 0; i < 100; ++i) {
+    expect_cover(tangle(random, 3 + i % 9), 0.5, random, "tangle " + std::to_string(i));
+  }
+}
+
+TEST(Cover, OfPointsAndLinesHasNoExtentToSpeakOf) {
+  const auto point = cover({{{3, 4}}, {}}, 0.5);
+  ASSERT_EQ(point.size(), 1u);
+  EXPECT_LT((point[0].max - point[0].min).maxCoeff(), 1e-8);
+  const auto line = cover({{{3, 4}, {30, 4}}, {}}, 0.5);
+  ASSERT_EQ(line.size(), 1u);
+  EXPECT_LT(line[0].max.y() - line[0].min.y(), 1e-8);
+  EXPECT_TRUE(cover({}, 0.5).empty());
+}
+
+}  // namespace
+}  // namespace geom

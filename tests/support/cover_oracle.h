@@ -1,0 +1,92 @@
+#pragma once
+
+// What a cover promises, tried in other ways than it is made.
+
+#include <algorithm>
+#include <queue>
+
+#include "geom/cover.h"
+
+namespace oracle {
+
+using geom::Polygon;
+using geom::Rectangle;
+using geom::Vec2;
+
+inline bool covered(const std::vector<Rectangle>& rectangles, const Vec2& p) {
+  return std::any_of(rectangles.begin(), rectangles.end(), [&](const Rectangle& r) {
+    return (p.array() >= r.min.array()).all() && (p.array() <= r.max.array()).all();
+  });
+}
+
+// Distance by rays and feet in long double, all rings by the polygon's own definition.
+class Distance {
+ public:
+  explicit Distance(const Polygon& polygon) : polygon_(polygon) {}
+
+  long double operator()(long double x, long double y) const {
+    int crossings = 0;
+    bool in_hole = false;
+    long double best = 1e30L;
+    const int outer = look(polygon_.outer, x, y, crossings, best);
+    for (const auto& hole : polygon_.holes) in_hole |= look(hole, x, y, crossings, best) != 0;
+    return crossings % 2 == 1 || (outer != 0 && !in_hole) ? 0 : best;
+  }
+
+ private:
+  static int look(const std::vector<Vec2>& ring, long double x, long double y, int& crossings,
+                  long double& best) {
+    int turns = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2& a = ring[i];
+      const Vec2& b = ring[(i + 1) % ring.size()];
+      const long double dx = static_cast<long double>(b.x()) - a.x();
+      const long double dy = static_cast<long double>(b.y()) - a.y();
+      const long double square = dx * dx + dy * dy;
+      long double t = square > 0 ? ((x - a.x()) * dx + (y - a.y()) * dy) / square : 0;
+      t = std::clamp(t, 0.0L, 1.0L);
+      best = std::min(best, std::hypot(a.x() + t * dx - x, a.y() + t * dy - y));
+      if ((a.y() > y) == (b.y() > y)) continue;
+      if (a.x() + (y - a.y()) / dy * dx <= x) continue;
+      turns += dy > 0 ? 1 : -1;
+      ++crossings;
+    }
+    return turns;
+  }
+
+  const Polygon& polygon_;
+};
+
+// The furthest that any point of the rectangle lies from the polygon, to `tolerance`: best first by
+// the bound that distance grows no faster than one goes.
+inline double furthest_outside(const Polygon& polygon, const Rectangle& r, double tolerance) {
+  const Distance distance(polygon);
+  struct Piece {
+    long double bound;
+    Rectangle r;
+    bool operator<(const Piece& other) const { return bound < other.bound; }
+  };
+  long double best = 0;
+  std::priority_queue<Piece> open;
+  const auto push = [&](const Rectangle& piece) {
+    const Vec2 c = 0.5 * (piece.min + piece.max);
+    const long double d = distance(c.x(), c.y());
+    best = std::max(best, d);
+    open.push({d + 0.5L * (piece.max - piece.min).norm(), piece});
+  };
+  push(r);
+  while (open.top().bound > best + tolerance) {
+    const Rectangle top = open.top().r;
+    open.pop();
+    const Vec2 size = top.max - top.min;
+    const int axis = size.x() >= size.y() ? 0 : 1;
+    Rectangle low = top;
+    Rectangle high = top;
+    low.max[axis] = high.min[axis] = 0.5 * (top.min[axis] + top.max[axis]);
+    push(low);
+    push(high);
+  }
+  return static_cast<double>(open.top().bound);
+}
+
+}  // namespace oracle
