@@ -36,4 +36,24 @@ for text in "$SKYWAY_REALDATA"/blockmaps/*.txt; do
   case $text in *startgoal*) continue ;; esac
   skyway-import "$text" | skyway-map info - > /dev/null
 done
+for text in "$SKYWAY_REALDATA"/blockmaps/*.json "$SKYWAY_REALDATA"/voxels/*.3dmap; do
+  skyway-import "$text" | skyway-map info - > /dev/null
+done
+count() { skyway-map info "$1" | sed -n 's/^boxes: //p'; }
+skyway-import -q "$SKYWAY_REALDATA/clouds/octomap/geb079.bt" -o tree
+[ "$(count tree)" -eq 143729 ]  # what octomap-tools' bt2vrml counts
+skyway-import -q "$SKYWAY_REALDATA/voxels/Complex.3dmap" -o voxels
+[ "$(count voxels)" -eq "$(grep -c '^[0-9]' "$SKYWAY_REALDATA/voxels/Complex.3dmap")" ]
+if command -v skyway-footprints > /dev/null; then
+  city=$SKYWAY_REALDATA/city
+  skyway-footprints -q "$city/osm/Helsinki.osm.pbf" --stats stats -o helsinki
+  grep -q '"footprints": 572' stats  # the areas that osmium's own export gives, less members without a building tag
+  skyway-footprints -q "$city/geojson/Helsinki_buildings_from_osm.geojson" --stats stats -o helsinki
+  grep -q '"footprints": 575' stats
+  skyway-footprints -q "$city/cityjson/cjio_delft.json" -o delft
+  for refused in spec_invalid3 spec_twocube; do
+    if skyway-footprints "$city/cityjson/$refused.json" -o none 2> why; then exit 1; fi
+    grep -q 'expected CityJSON version' why
+  done
+fi
 echo "real data agree"

@@ -1,0 +1,41 @@
+#pragma once
+
+// Heights as people write them into building attributes.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace geom {
+
+// A length in metres from text such as "12.13 m", "12,5", "40 ft", "40'", "7'4\"" or "~15"; nothing
+// where no such number leads it, or it is not in [-1e4, 1e4].
+std::optional<double> parse_length(std::string_view text);
+
+// The largest whole or half number of storeys in text such as "3", "L3.5", "2;4" or "3-5"; nothing
+// where there is none in [0, 300].
+std::optional<double> parse_levels(std::string_view text);
+
+struct HeightOptions {
+  std::string attribute;       // looked at before the usual ones; may be empty
+  double storey = 3;           // metres
+  double default_height = 10;  // metres, where nothing tells
+};
+
+enum class HeightFrom { height, levels, nothing };
+
+struct BuildingHeight {
+  double bottom = 0;  // metres above the ground
+  double top = 0;     // > bottom
+  HeightFrom from = HeightFrom::nothing;
+  bool junk = false;  // an attribute of height was there and could not be understood
+};
+
+// From `height`, `building:height`, `building:levels` (and roof:levels, roof:height where the
+// height is counted by storeys), `min_height` and `building:min_level`. `tag` gives an attribute's
+// text, empty where there is none.
+BuildingHeight building_height(const std::function<std::string(const char*)>& tag,
+                               const HeightOptions& options);
+
+}  // namespace geom

@@ -1,0 +1,234 @@
+#include "geom/io/city_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <istream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "geom/error.h"
+#include "geom/vec3.h"
+
+namespace geom {
+namespace {
+
+using Json = nlohmann::json;
+using Surface = std::vector<std::vector<Vec3>>;  // an outer ring, then holes
+
+constexpr double kWall = 1e-6;  // m2 in plan: below it a surface stands upright
+const std::set<std::string> kNoObstacle = {"Road",     "Railway",        "TransportSquare",
+                                           "Waterway", "WaterBody",      "TINRelief",
+                                           "LandUse",  "CityObjectGroup"};
+
+class Reader {
+ public:
+  explicit Reader(std::string_view source) : source_(source) {}
+
+  CityJson read(std::istream& in) {
+    const Json root = Json::parse(in, nullptr, false);
+    if (!root.is_object() || root.value("type", Json()) != "CityJSON") {
+      refuse("expected a JSON object with \"type\":\"CityJSON\"");
+    }
+    const std::string version = root.value("version", Json()).dump();
+    if (!version.starts_with("\"1.") && !version.starts_with("\"2.")) {
+      refuse("expected CityJSON version 1.0, 1.1 or 2.0, found " + version.substr(0, 40));
+    }
+    read_crs(root);
+    read_vertices(root);
+    const Json objects = root.value("CityObjects", Json());
+    if (!objects.is_object()) refuse("expected \"CityObjects\" to be an object");
+    std::uint64_t id = 0;
+    for (const auto& [name, object] : objects.items()) read_object(name, object, id++);
+    if (out_.footprints.empty()) refuse("expected at least one object with surfaces, found none");
+    return std::move(out_);
+  }
+
+ private:
+  [[noreturn]] void refuse(std::string_view message) const { throw InputError(source_, message); }
+  [[noreturn]] void refuse_object(std::string_view message) const {
+    refuse(fmt::format("object \"{}\": {}", object_.substr(0, 60), message));
+  }
+
+  void read_crs(const Json& root) {
+    const Json metadata = root.value("metadata", Json::object());
+    if (!metadata.is_object()) return;
+    const Json named = metadata.value("referenceSystem", Json());
+    if (!named.is_string()) return;
+    const std::string text = named.get<std::string>();
+    const std::size_t at = text.find_last_of(":/");
+    const std::string code = at == std::string::npos ? text : text.substr(at + 1);
+    const bool digits = !code.empty() && code.size() < 10 &&
+                        code.find_first_not_of("0123456789") == std::string::npos;
+    out_.crs = digits ? "EPSG:" + code : text;
+  }
+
+  double number(const Json& value, std::string_view what) const {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) {
+      refuse(fmt::format("{} must be a finite number, found {}", what, value.dump().substr(0, 40)));
+    }
+    return value.get<double>();
+  }
+
+  Vec3 triple(const Json& value, std::string_view what) const {
+    if (!value.is_array() || value.size() != 3) {
+      refuse(fmt::format("{} must be 3 numbers, found {}", what, value.dump().substr(0, 60)));
+    }
+    return {number(value[0], what), number(value[1], what), number(value[2], what)};
+  }
+
+  void read_vertices(const Json& root) {
+    Vec3 scale = Vec3::Ones();
+    Vec3 translate = Vec3::Zero();
+    if (root.contains("transform")) {
+      const Json& transform = root["transform"];
+      if (!transform.is_object()) refuse("transform must be an object");
+      scale = triple(transform.value("scale", Json()), "transform.scale");
+      translate = triple(transform.value("translate", Json()), "transform.translate");
+    }
+    const Json vertices = root.value("vertices", Json());
+    if (!vertices.is_array()) refuse("expected \"vertices\" to be an array");
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Vec3 v =
+          triple(vertices[i], fmt::format("vertex {}", i)).cwiseProduct(scale) + translate;
+      if (!(v.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
+        refuse(fmt::format("vertex {} lies beyond 1e8", i));
+      }
+      vertices_.push_back(v);
+    }
+  }
+
+  void read_object(const std::string& name, const Json& object, std::uint64_t id) {
+    object_ = name;
+    if (!object.is_object() || !object.value("type", Json()).is_string()) {
+      refuse_object("expected an object with a type");
+    }
+    const std::string type = object["type"];
+    if (kNoObstacle.contains(type)) {
+      ++out_.skipped[type];
+      return;
+    }
+    const Json* geometry = finest(object);
+    if (!geometry) {
+      ++out_.skipped[type + " without geometry"];
+      return;
+    }
+    surfaces_.clear();
+    collect(geometry->value("boundaries", Json()), 0);
+    add_footprints(id);
+  }
+
+  // The geometry of the highest level of detail that is made of surfaces.
+  const Json* finest(const Json& object) {
+    const Json* best = nullptr;
+    double best_lod = -1;
+    if (!object.contains("geometry")) return nullptr;
+    const Json& list = object["geometry"];
+    if (!list.is_array()) refuse_object("geometry must be an array");
+    for (const Json& geometry : list) {
+      const std::string type = geometry.is_object() ? geometry.value("type", Json()).dump() : "";
+      if (type.find("Surface") == std::string::npos && type.find("Solid") == std::string::npos) {
+        ++out_.skipped["geometry " + type.substr(0, 40)];
+        continue;
+      }
+      const Json lod = geometry.value("lod", Json(0));
+      const double value = lod.is_string()   ? std::atof(lod.get<std::string>().c_str())
+                           : lod.is_number() ? lod.get<double>()
+                                             : 0;
+      if (best && value <= best_lod) continue;
+      best = &geometry;
+      best_lod = value;
+    }
+    return best;
+  }
+
+  // Boundaries nest to a depth that their type gives; a surface is an array of rings of indices.
+  void collect(const Json& boundaries, int depth) {
+    if (!boundaries.is_array()) refuse_object("boundaries must be nested arrays of vertex indices");
+    if (depth > 4) refuse_object("boundaries nest too deep");
+    for (const Json& part : boundaries) {
+      const bool surface = part.is_array() && !part.empty() && part[0].is_array() &&
+                           !part[0].empty() && !part[0][0].is_array();
+      if (surface) {
+        surfaces_.push_back(surface_of(part));
+      } else {
+        collect(part, depth + 1);
+      }
+    }
+  }
+
+  Surface surface_of(const Json& rings) const {
+    Surface surface;
+    for (const Json& ring : rings) {
+      if (!ring.is_array() || ring.empty()) refuse_object("a ring must have vertices");
+      surface.emplace_back();
+      for (const Json& index : ring) {
+        if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= vertices_.size()) {
+          refuse_object(fmt::format("a vertex index must be below {}, found {}", vertices_.size(),
+                                    index.dump().substr(0, 40)));
+        }
+        surface.back().push_back(vertices_[index.get<std::size_t>()]);
+      }
+    }
+    return surface;
+  }
+
+  void add_footprints(std::uint64_t id) {
+    double bottom = kLargestCoordinate;
+    for (const Surface& surface : surfaces_) {
+      for (const Vec3& v : surface[0]) bottom = std::min(bottom, v.z());
+    }
+    if (surfaces_.empty()) {
+      ++out_.skipped["object without surfaces"];
+      return;
+    }
+    ++out_.objects;
+    for (const Surface& surface : surfaces_) {
+      Footprint f;
+      f.id = id;
+      f.bottom = bottom;
+      f.top = bottom;
+      double area = 0;
+      for (std::size_t r = 0; r < surface.size(); ++r) {
+        std::vector<Vec2> ring;
+        for (const Vec3& v : surface[r]) {
+          ring.push_back({v.x(), v.y()});
+          f.top = std::max(f.top, v.z());
+        }
+        if (r == 0) area = plan_area(ring);
+        if (r == 0) {
+          f.polygon.outer = std::move(ring);
+        } else {
+          f.polygon.holes.push_back(std::move(ring));
+        }
+      }
+      f.likely_covered = area < kWall || f.top == bottom;
+      out_.footprints.push_back(std::move(f));
+    }
+  }
+
+  static double plan_area(const std::vector<Vec2>& ring) {
+    double twice = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+      const Vec2 a = ring[i] - ring[0];
+      const Vec2 b = ring[i + 1] - ring[0];
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return std::abs(twice) / 2;
+  }
+
+  std::string source_;
+  std::string object_;
+  std::vector<Vec3> vertices_;
+  std::vector<Surface> surfaces_;
+  CityJson out_;
+};
+
+}  // namespace
+
+CityJson read_city_json(std::istream& in, std::string_view source) {
+  return Reader(source).read(in);
+}
+
+}  // namespace geom

@@ -1,0 +1,52 @@
+#pragma once
+
+// GDAL's spatial references, opened the same way everywhere (gdal_*.cpp only).
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <memory>
+#include <string>
+
+#include "geom/error.h"
+
+namespace footprints {
+
+struct DatasetCloser {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
+
+// Opens quietly; null where GDAL cannot.
+inline Dataset open(const std::string& path, unsigned kind) {
+  GDALAllRegister();
+  CPLSetErrorHandler(CPLQuietErrorHandler);  // what it says goes into our own messages
+  Dataset dataset(static_cast<GDALDataset*>(
+      GDALOpenEx(path.c_str(), kind | GDAL_OF_READONLY, nullptr, nullptr, nullptr)));
+  return dataset;
+}
+
+inline OGRSpatialReference reference(const std::string& crs, const std::string& name) {
+  OGRSpatialReference out;
+  CPLSetErrorHandler(CPLQuietErrorHandler);
+  const OGRErr error = out.SetFromUserInput(crs.c_str());
+  if (error != OGRERR_NONE) {
+    throw geom::InputError(name, fmt::format("expected a coordinate reference system that PROJ "
+                                             "knows, found \"{}\"",
+                                             crs.substr(0, 80)));
+  }
+  out.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return out;
+}
+
+inline std::string wkt_of(const OGRSpatialReference* reference) {
+  if (!reference || reference->IsLocal()) return "";
+  char* text = nullptr;
+  reference->exportToWkt(&text);
+  const std::string out = text ? text : "";
+  CPLFree(text);
+  return out;
+}
+
+}  // namespace footprints

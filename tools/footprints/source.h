@@ -1,0 +1,86 @@
+#pragma once
+
+// What the readers of footprints give, in the coordinates of their source.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geom/footprint.h"
+#include "geom/io/building_height.h"
+
+namespace footprints {
+
+struct Source {
+  std::vector<geom::Footprint> footprints;
+  std::string crs;                            // whatever PROJ understands; empty: local metres
+  std::map<std::string, std::size_t> counts;  // for the report: "heights from levels", "skipped …"
+};
+
+struct ReadOptions {
+  geom::HeightOptions height;
+  std::string where;         // OGR SQL on attributes; empty: all features
+  double height_step = 0.5;  // metres: surface models are rounded up to multiples of it; 0: not
+};
+
+// Counts where the height of a building came from and gives its range.
+geom::BuildingHeight counted_height(const std::function<std::string(const char*)>& tag,
+                                    const ReadOptions& options, Source& source);
+
+// GeoJSON, GeoPackage, Shapefile, FlatGeobuf and whatever else GDAL reads as polygons. `path` may
+// be one of GDAL's virtual files; `name` is for messages. Throws geom::InputError.
+Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options);
+
+// Whether GDAL reads the file as a raster.
+bool is_raster(const std::string& path);
+
+// A surface or terrain model: rectangles of cells of equal height, from the lowest cell up.
+Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options);
+
+// OpenStreetMap data: buildings and building parts, multipolygons assembled.
+Source read_osm(const std::string& path, const std::string& name, const ReadOptions& options);
+
+// The ground under a place, from a terrain model.
+class Terrain {
+ public:
+  Terrain(const std::string& path, const std::string& name);
+
+  struct Range {
+    double low;
+    double high;
+  };
+  // Of the cells that the region (x and y in `crs`) may touch; nothing where none has a height.
+  std::optional<Range> range(const geom::Vec2& low, const geom::Vec2& high,
+                             const std::string& crs) const;
+
+ private:
+  std::string name_;
+  std::string crs_;
+  double transform_[6];
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<float> cells_;  // NaN where there is no data
+};
+
+// From the source's coordinates to metres east and north of an origin.
+class Projector {
+ public:
+  // Without a CRS coordinates are metres already and stay. `origin`: latitude, longitude; else the
+  // middle of the footprints. Throws geom::InputError(name, …) for a CRS that PROJ does not know.
+  Projector(const Source& source, const std::string& name, const std::optional<geom::Vec2>& origin);
+  ~Projector();
+
+  geom::Vec2 operator()(const geom::Vec2& p) const;
+  const geom::Frame& frame() const { return frame_; }
+
+ private:
+  struct Transformation;
+  std::string name_;
+  geom::Frame frame_;
+  std::unique_ptr<Transformation> transformation_;
+};
+
+}  // namespace footprints
