@@ -4,6 +4,7 @@
 
 #include "footprints/gdal_reference.h"
 #include "footprints/source.h"
+#include "geom/row_merge.h"
 
 namespace footprints {
 namespace {
@@ -58,14 +59,6 @@ Raster open_raster(const std::string& path, const std::string& name) {
   return raster;
 }
 
-// Cells of one height in a row, and the same columns of the rows above it.
-struct Run {
-  int first_column;
-  int last_column;  // exclusive
-  int first_row;
-  double top;
-};
-
 class SurfaceReader {
  public:
   SurfaceReader(const Raster& raster, const std::string& name, const ReadOptions& options)
@@ -73,12 +66,19 @@ class SurfaceReader {
 
   Source read() {
     out_.crs = raster_.crs;
+    geom::RowMerge<double, Add> merge(Add{*this});
     std::vector<float> cells(static_cast<std::size_t>(raster_.width));
     for (int row = 0; row < raster_.height; ++row) {
       raster_.read_row(row, name_, cells.data());
-      advance(row, runs_of(cells, row));
+      for (int i = 0; i < raster_.width; ++i) {
+        const float cell = cells[static_cast<std::size_t>(i)];
+        ++out_.counts[std::isnan(cell) ? "cells_without_data" : "cells"];
+        if (std::isnan(cell)) continue;
+        lowest_ = std::min(lowest_, static_cast<double>(cell));
+        merge.add(row, i, rounded_up(cell));
+      }
     }
-    advance(raster_.height, {});
+    merge.finish();
     for (geom::Footprint& f : out_.footprints) f.bottom = lowest_;
     return std::move(out_);
   }
@@ -88,58 +88,26 @@ class SurfaceReader {
     return step_ > 0 ? std::ceil(height / step_) * step_ : static_cast<double>(height);
   }
 
-  std::vector<Run> runs_of(const std::vector<float>& cells, int row) {
-    std::vector<Run> runs;
-    for (int i = 0; i < raster_.width; ++i) {
-      const float cell = cells[static_cast<std::size_t>(i)];
-      if (std::isnan(cell)) {
-        ++out_.counts["cells_without_data"];
-        continue;
-      }
-      ++out_.counts["cells"];
-      lowest_ = std::min(lowest_, static_cast<double>(cell));
-      const double top = rounded_up(cell);
-      if (!runs.empty() && runs.back().last_column == i && runs.back().top == top) {
-        ++runs.back().last_column;
-      } else {
-        runs.push_back({i, i + 1, row, top});
-      }
-    }
-    return runs;
-  }
+  struct Add {
+    SurfaceReader& reader;
 
-  // Runs that the new row repeats grow; the others are done.
-  void advance(int row, std::vector<Run> runs) {
-    std::size_t next = 0;
-    for (const Run& open : open_) {
-      while (next < runs.size() && runs[next].first_column < open.first_column) ++next;
-      const bool same = next < runs.size() && runs[next].first_column == open.first_column &&
-                        runs[next].last_column == open.last_column && runs[next].top == open.top;
-      if (same) {
-        runs[next].first_row = open.first_row;
-      } else {
-        add(open, row);
-      }
+    void operator()(const geom::CellRectangle<double>& r) const {
+      const auto corner = [&](long column, long row) {
+        return reader.raster_.corner(static_cast<double>(column), static_cast<double>(row));
+      };
+      geom::Footprint f;
+      f.id = reader.out_.footprints.size();
+      f.top = r.value;
+      f.polygon.outer = {corner(r.first_column, r.first_row), corner(r.last_column, r.first_row),
+                         corner(r.last_column, r.last_row), corner(r.first_column, r.last_row)};
+      reader.out_.footprints.push_back(std::move(f));
     }
-    open_ = std::move(runs);
-  }
-
-  void add(const Run& run, int last_row) {
-    geom::Footprint f;
-    f.id = out_.footprints.size();
-    f.top = run.top;
-    f.polygon.outer = {raster_.corner(run.first_column, run.first_row),
-                       raster_.corner(run.last_column, run.first_row),
-                       raster_.corner(run.last_column, last_row),
-                       raster_.corner(run.first_column, last_row)};
-    out_.footprints.push_back(std::move(f));
-  }
+  };
 
   const Raster& raster_;
   const std::string& name_;
   double step_;
   double lowest_ = std::numeric_limits<double>::infinity();
-  std::vector<Run> open_;
   Source out_;
 };
 
@@ -182,10 +150,10 @@ std::optional<Terrain::Range> Terrain::range(const geom::Vec2& low, const geom::
   if (!GDALInvGeoTransform(forward, inverse)) {
     throw geom::InputError(name_, "expected a raster whose cells have an area");
   }
-  double c0 = width_;
-  double c1 = 0;
-  double r0 = height_;
-  double r1 = 0;
+  double c0 = std::numeric_limits<double>::infinity();
+  double c1 = -c0;
+  double r0 = c0;
+  double r1 = -c0;
   for (geom::Vec2 p : {low, high, geom::Vec2(low.x(), high.y()), geom::Vec2(high.x(), low.y())}) {
     if (to_raster && !to_raster->Transform(1, &p.x(), &p.y())) return std::nullopt;
     const double column = inverse[0] + p.x() * inverse[1] + p.y() * inverse[2];
