@@ -56,4 +56,15 @@ if command -v skyway-footprints > /dev/null; then
     grep -q 'expected CityJSON version' why
   done
 fi
+if command -v skyway-cloud > /dev/null; then
+  clouds=$SKYWAY_REALDATA/clouds
+  points() { skyway-cloud -q "$clouds/$1" --stats stats -o cloud; sed -n 's/^  "points": \([0-9]*\),/\1/p' stats; }
+  [ "$(points las/1.2-with-color.las)" -eq 1065 ]
+  [ "$(points las/autzen_trim_7.las)" -eq 110000 ]
+  [ "$(points pcd/samp11-utm.pcd)" -eq 38010 ]
+  [ "$(points pcd/pdal_autzen-utm.pcd)" -eq 1065 ]
+  [ "$(points ply/pdal_simple_binary.ply)" -eq 3 ]
+  if skyway-cloud "$clouds/las/no-points.las" -o none 2> why; then exit 1; fi
+  grep -q 'at least one point' why
+fi
 echo "real data agree"

@@ -1,0 +1,89 @@
+#pragma once
+
+// Points as columns: the boxes of a laser scan.
+
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "geom/box_map.h"
+
+namespace geom {
+
+struct ColumnSpec {
+  double cell = 1;               // metres, side of a column
+  double step = 0.5;             // metres: heights are rounded outward to multiples of it
+  double gap = 2;                // metres: returns of a column further apart leave free space
+  bool unknown_blocked = false;  // what was not scanned becomes boxes labelled "unknown"
+};
+
+// Collects points, in any order; memory grows with the area that they cover, not with their number.
+// Indices of cells and steps must fit 31 bits: |coordinate| / cell < 2^31.
+class ColumnGrid {
+ public:
+  explicit ColumnGrid(const ColumnSpec& spec) : spec_(spec) {}
+
+  void add(const Vec3& p);
+
+  // Closed boxes that contain every point added, columns of equal heights joined. With
+  // unknown_blocked also: below and between a column's returns down to the lowest of all, and over
+  // that to the highest in cells without returns, within the rectangle around all cells. Throws
+  // InputError(source, …) where that rectangle has more than 2e8 cells. The same for any order of
+  // the points. Empty without points.
+  BoxTable boxes(std::string_view source) const;
+
+  std::size_t cells() const;  // with returns
+
+ private:
+  static constexpr int kSide = 64;  // cells of a tile
+
+  struct Span {  // of heights, in steps: closed
+    std::int32_t low;
+    std::int32_t high;
+
+    friend bool operator==(const Span&, const Span&) = default;
+  };
+  using Column = std::vector<Span>;  // ascending, further apart than the gap
+  using Tile = std::vector<Column>;
+  struct Labelled {
+    Span span;
+    std::uint32_t label;
+
+    friend bool operator==(const Labelled&, const Labelled&) = default;
+  };
+
+  Column& column(std::int32_t x, std::int32_t y);
+  std::vector<Labelled> labelled(const Column& column, const Span& all) const;
+
+  ColumnSpec spec_;
+  std::map<std::pair<std::int32_t, std::int32_t>, Tile> tiles_;  // by y, then x
+  std::pair<std::int32_t, std::int32_t> last_key_{};
+  Tile* last_ = nullptr;
+};
+
+struct GroundSpec {
+  double cell = 2;      // metres
+  double slope = 1;     // metres up a metre aside: what rises faster is no ground
+  double height = 0.3;  // metres above the ground of a cell, sloped as to its neighbours
+};
+
+// The ground of a scan: the lowest return of each cell, lowered to what its neighbours allow at the
+// slope. Add all points, finish(), then ask.
+class GroundGrid {
+ public:
+  explicit GroundGrid(const GroundSpec& spec) : spec_(spec) {}
+
+  void add(const Vec3& p);
+  void finish();
+  bool is_ground(const Vec3& p) const;
+
+ private:
+  using Key = std::pair<std::int32_t, std::int32_t>;
+  Key key(const Vec3& p) const;
+
+  GroundSpec spec_;
+  std::map<Key, double> lowest_;
+};
+
+}  // namespace geom

@@ -1,0 +1,208 @@
+#include "geom/column_grid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "geom/error.h"
+#include "geom/row_merge.h"
+
+namespace geom {
+namespace {
+
+// The k with k * size <= v < (k + 1) * size as doubles multiply: division may be one off.
+std::int32_t floor_index(double v, double size) {
+  auto k = static_cast<std::int32_t>(std::floor(v / size));
+  while (k * size > v) --k;
+  while ((k + 1) * size <= v) ++k;
+  return k;
+}
+
+std::int32_t ceil_index(double v, double size) {
+  auto k = static_cast<std::int32_t>(std::ceil(v / size));
+  while (k * size < v) ++k;
+  while ((k - 1) * size >= v) --k;
+  return k;
+}
+
+std::int32_t tile_of(std::int32_t cell, int side) {
+  return cell >= 0 ? cell / side : -1 - (-1 - cell) / side;
+}
+
+}  // namespace
+
+ColumnGrid::Column& ColumnGrid::column(std::int32_t x, std::int32_t y) {
+  const std::pair key(tile_of(y, kSide), tile_of(x, kSide));
+  if (!last_ || key != last_key_) {
+    last_ = &tiles_[key];
+    last_key_ = key;
+    if (last_->empty()) last_->resize(kSide * kSide);
+  }
+  return (
+      *last_)[static_cast<std::size_t>((y - key.first * kSide) * kSide + (x - key.second * kSide))];
+}
+
+void ColumnGrid::add(const Vec3& p) {
+  Column& spans = column(floor_index(p.x(), spec_.cell), floor_index(p.y(), spec_.cell));
+  Span span{floor_index(p.z(), spec_.step), ceil_index(p.z(), spec_.step)};
+  if (span.low == span.high) ++span.high;  // on a step: some height, so that boxes join
+  const auto gap = static_cast<std::int64_t>(std::floor(spec_.gap / spec_.step));
+  const auto near = [&](const Span& s) {
+    return static_cast<std::int64_t>(s.low) - span.high <= gap &&
+           static_cast<std::int64_t>(span.low) - s.high <= gap;
+  };
+  // What is near is consecutive; it and the new one become one, which may reach no others: those
+  // are further from it than the gap, or would be near themselves.
+  auto first = std::find_if(spans.begin(), spans.end(), near);
+  if (first == spans.end()) {
+    spans.insert(
+        std::find_if(spans.begin(), spans.end(), [&](const Span& s) { return s.low > span.high; }),
+        span);
+    return;
+  }
+  const auto last = std::find_if_not(first, spans.end(), near);
+  first->low = std::min(first->low, span.low);
+  first->high = std::max((last - 1)->high, span.high);
+  spans.erase(first + 1, last);
+}
+
+std::vector<ColumnGrid::Labelled> ColumnGrid::labelled(const Column& column,
+                                                       const Span& all) const {
+  std::vector<Labelled> out;
+  std::int32_t reached = all.low;
+  for (const Span& span : column) {
+    if (spec_.unknown_blocked && span.low > reached) out.push_back({{reached, span.low}, 1});
+    out.push_back({span, 0});
+    reached = span.high;
+  }
+  if (spec_.unknown_blocked && column.empty()) out.push_back({all, 1});
+  return out;
+}
+
+std::size_t ColumnGrid::cells() const {
+  std::size_t count = 0;
+  for (const auto& [key, tile] : tiles_) {
+    count += static_cast<std::size_t>(
+        std::count_if(tile.begin(), tile.end(), [](const Column& c) { return !c.empty(); }));
+  }
+  return count;
+}
+
+BoxTable ColumnGrid::boxes(std::string_view source) const {
+  BoxTable table;
+  table.labels = {"", "unknown"};
+  constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+  Span all{kMost, -kMost};
+  std::int32_t x0 = kMost, x1 = -kMost, y0 = kMost, y1 = -kMost;
+  for (const auto& [key, tile] : tiles_) {
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const Column& c = tile[static_cast<std::size_t>(i)];
+      if (c.empty()) continue;
+      all = {std::min(all.low, c.front().low), std::max(all.high, c.back().high)};
+      x0 = std::min(x0, key.second * kSide + i % kSide);
+      x1 = std::max(x1, key.second * kSide + i % kSide);
+      y0 = std::min(y0, key.first * kSide + i / kSide);
+      y1 = std::max(y1, key.first * kSide + i / kSide);
+    }
+  }
+  if (x0 > x1) return table;
+  const double rectangle = (x1 - x0 + 1.0) * (y1 - y0 + 1.0);
+  if (spec_.unknown_blocked && rectangle > 2e8) {
+    throw InputError(source, fmt::format("expected at most 2e8 cells in the rectangle around the "
+                                         "points, found {}: use larger cells",
+                                         rectangle));
+  }
+  const auto emit = [&](const CellRectangle<std::vector<Labelled>>& r) {
+    for (const Labelled& l : r.value) {
+      table.boxes.push_back(
+          {{static_cast<double>(r.first_column) * spec_.cell,
+            static_cast<double>(r.first_row) * spec_.cell, l.span.low * spec_.step},
+           {static_cast<double>(r.last_column) * spec_.cell,
+            static_cast<double>(r.last_row) * spec_.cell, l.span.high * spec_.step}});
+      table.ids.push_back(table.ids.size());
+      table.label.push_back(l.label);
+    }
+  };
+  RowMerge<std::vector<Labelled>, decltype(emit)> merge(emit);
+  const Column none;
+  for (auto row = tiles_.begin(); row != tiles_.end();) {
+    const std::int32_t ty = row->first.first;
+    const auto row_end =
+        std::find_if(row, tiles_.end(), [&](const auto& entry) { return entry.first.first != ty; });
+    for (std::int32_t y = std::max(y0, ty * kSide); y <= std::min(y1, ty * kSide + kSide - 1);
+         ++y) {
+      std::int32_t x = x0;  // the next cell of the row
+      const auto visit_to = [&](std::int32_t end) {
+        for (; spec_.unknown_blocked && x < end; ++x) merge.add(y, x, labelled(none, all));
+        x = std::max(x, end);
+      };
+      for (auto tile = row; tile != row_end; ++tile) {
+        const std::int32_t left = tile->first.second * kSide;
+        visit_to(std::clamp(left, x0, x1 + 1));
+        for (; x < left + kSide && x <= x1; ++x) {
+          const Column& c =
+              tile->second[static_cast<std::size_t>((y - ty * kSide) * kSide + (x - left))];
+          if (!c.empty() || spec_.unknown_blocked) merge.add(y, x, labelled(c, all));
+        }
+      }
+      visit_to(x1 + 1);
+    }
+    // Rows of cells between this row of tiles and the next hold nothing.
+    const std::int32_t next = row_end == tiles_.end() ? y1 + 1 : row_end->first.first * kSide;
+    for (std::int32_t y = ty * kSide + kSide; spec_.unknown_blocked && y < next && y <= y1; ++y) {
+      for (std::int32_t x = x0; x <= x1; ++x) merge.add(y, x, labelled(none, all));
+    }
+    row = row_end;
+  }
+  merge.finish();
+  return table;
+}
+
+GroundGrid::Key GroundGrid::key(const Vec3& p) const {
+  return {floor_index(p.y(), spec_.cell), floor_index(p.x(), spec_.cell)};
+}
+
+void GroundGrid::add(const Vec3& p) {
+  const auto [at, fresh] = lowest_.try_emplace(key(p), p.z());
+  if (!fresh) at->second = std::min(at->second, p.z());
+}
+
+// Dijkstra's order: the lowest cell first, so each is lowered once.
+void GroundGrid::finish() {
+  using Entry = std::pair<double, Key>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  for (const auto& [key, z] : lowest_) open.push({z, key});
+  while (!open.empty()) {
+    const auto [z, at] = open.top();
+    open.pop();
+    if (z > lowest_[at]) continue;
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const auto next = lowest_.find({at.first + dy, at.second + dx});
+        if (next == lowest_.end()) continue;
+        const double allowed = z + spec_.slope * spec_.cell * std::hypot(dx, dy);
+        if (allowed >= next->second) continue;
+        next->second = allowed;
+        open.push({allowed, next->first});
+      }
+    }
+  }
+}
+
+// Within its cell the ground may rise as it does to the neighbours.
+bool GroundGrid::is_ground(const Vec3& p) const {
+  const Key at = key(p);
+  const auto here = lowest_.find(at);
+  if (here == lowest_.end()) return false;
+  double rise = 0;
+  for (const auto& [dy, dx] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+    const auto next = lowest_.find({at.first + dy, at.second + dx});
+    if (next != lowest_.end()) rise = std::max(rise, std::abs(next->second - here->second));
+  }
+  return p.z() <= here->second + rise + spec_.height;
+}
+
+}  // namespace geom

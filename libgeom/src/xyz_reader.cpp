@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include "geom/io/point_cloud.h"
+#include "point_chunks.h"
+#include "text_table.h"
+
+namespace geom {
+
+CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink& sink) {
+  constexpr std::string_view kSeparators = " \t,;\r";
+  TextLines lines(in, source);
+  PointChunks chunks(source, sink);
+  bool first = true;
+  while (lines.next()) {
+    std::string_view rest = lines.line();
+    if (rest.empty() || rest[0] == '#' || rest.starts_with("//")) continue;
+    Vec3 p;
+    bool words = false;
+    for (int i = 0; i < 3 && !words; ++i) {
+      const std::size_t at = rest.find_first_not_of(kSeparators);
+      const std::size_t end = at == rest.npos ? at : rest.find_first_of(kSeparators, at);
+      const std::string_view field = at == rest.npos ? "" : rest.substr(at, end - at);
+      const auto value = parse_number(field);
+      words = !value;
+      if (words && !first) {
+        lines.refuse(
+            fmt::format("expected three numbers, found \"{}\"", lines.line().substr(0, 60)));
+      }
+      if (value) p[i] = *value;
+      rest = end == rest.npos ? std::string_view() : rest.substr(end);
+    }
+    if (!words) chunks.add(p);
+    first = false;
+  }
+  return chunks.finish();
+}
+
+}  // namespace geom

@@ -1,0 +1,105 @@
+#include "geom/column_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/random_city.h"
+
+namespace geom {
+namespace {
+
+std::vector<Vec3> scan(std::uint64_t seed, int count, const Vec3& center) {
+  support::Random random(seed);
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i) {
+    // On cell borders and steps as often as not.
+    const auto any = [&](double side) {
+      return random.below(2) ? random.stepped(-side, side, 0.25) : random.uniform(-side, side);
+    };
+    points.push_back(center + Vec3(any(40), any(40), any(9)));
+  }
+  return points;
+}
+
+BoxTable boxes(const std::vector<Vec3>& points, const ColumnSpec& spec) {
+  ColumnGrid grid(spec);
+  for (const Vec3& p : points) grid.add(p);
+  return grid.boxes("test");
+}
+
+TEST(ColumnGrid, HoldsEveryPointNearAndFarFromTheOrigin) {
+  for (const double offset : {0.0, 5e5, -5.4e6}) {
+    for (const double cell : {0.3, 1.0, 7.0}) {
+      const auto points = scan(1, 2000, {offset, -offset, 100});
+      const BoxTable table = boxes(points, {cell, 0.7, 1, false});
+      for (const Vec3& p : points) {
+        ASSERT_TRUE(std::any_of(table.boxes.begin(), table.boxes.end(), [&](const Aabb& box) {
+          return contains(box, p);
+        })) << p.transpose();
+      }
+    }
+  }
+}
+
+TEST(ColumnGrid, DoesNotDependOnTheOrderOfThePoints) {
+  auto points = scan(2, 3000, Vec3::Zero());
+  const BoxTable one = boxes(points, {1, 0.5, 2, true});
+  std::reverse(points.begin(), points.end());
+  const BoxTable other = boxes(points, {1, 0.5, 2, true});
+  EXPECT_TRUE(one.boxes == other.boxes);
+  EXPECT_EQ(one.label, other.label);
+}
+
+TEST(ColumnGrid, LeavesNothingFreeBelowTheHighestReturnWhereUnknownIsBlocked) {
+  const auto points = scan(3, 300, Vec3::Zero());
+  const BoxTable table = boxes(points, {1, 0.5, 2, true});
+  support::Random random(4);
+  double low = 1e9;
+  for (const Vec3& p : points) low = std::min(low, p.z());
+  for (const Vec3& p : points) {
+    const Vec3 below(p.x(), p.y(), random.uniform(low, p.z()));
+    ASSERT_TRUE(std::any_of(table.boxes.begin(), table.boxes.end(),
+                            [&](const Aabb& box) { return contains(box, below); }));
+  }
+  for (int i = 0; i < 500; ++i) {  // a place without returns is full to the top
+    const Vec3 p(random.uniform(-39, 39), random.uniform(-39, 39), low + 0.1);
+    ASSERT_TRUE(std::any_of(table.boxes.begin(), table.boxes.end(), [&](const Aabb& box) {
+      return contains(box, p);
+    })) << p.transpose();
+  }
+}
+
+TEST(ColumnGrid, LeavesGapsFreeWhereUnknownIsFree) {
+  const BoxTable table =
+      boxes({{0.5, 0.5, 0}, {0.5, 0.5, 10}, {0.5, 0.5, 8.5}}, {1, 0.5, 2, false});
+  ASSERT_EQ(table.boxes.size(), 2u);
+  EXPECT_EQ(table.boxes[0].max.z(), 0.5);
+  EXPECT_EQ(table.boxes[1].min.z(), 8.5);
+  EXPECT_EQ(table.boxes[1].max.z(), 10.5);
+}
+
+TEST(GroundGrid, TellsAHouseOnASlopeFromTheSlope) {
+  GroundGrid ground({});
+  std::vector<Vec3> slope;
+  std::vector<Vec3> house;
+  support::Random random(5);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p(random.uniform(0, 60), random.uniform(0, 60), 0);
+    const bool in_house = p.x() > 20 && p.x() < 35 && p.y() > 20 && p.y() < 35;
+    (in_house ? house : slope).push_back({p.x(), p.y(), 0.4 * p.x() + (in_house ? 8 : 0)});
+  }
+  for (const auto& points : {slope, house}) {
+    for (const Vec3& p : points) ground.add(p);
+  }
+  ground.finish();
+  const auto counted = [&](const std::vector<Vec3>& points) {
+    return std::count_if(points.begin(), points.end(),
+                         [&](const Vec3& p) { return ground.is_ground(p); });
+  };
+  EXPECT_GT(counted(slope), 0.95 * static_cast<double>(slope.size()));
+  EXPECT_LT(counted(house), 0.15 * static_cast<double>(house.size()));  // the eaves, upslope
+}
+
+}  // namespace
+}  // namespace geom

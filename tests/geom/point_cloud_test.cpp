@@ -1,0 +1,96 @@
+#include "geom/io/point_cloud.h"
+
+#include <gtest/gtest.h>
+#include <liblzf/lzf.h>
+
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+#include "geom/error.h"
+
+namespace geom {
+namespace {
+
+std::vector<Vec3> read_as_pcd(const std::string& bytes) {
+  std::istringstream in(bytes);
+  std::vector<Vec3> out;
+  read_pcd(in, "test.pcd", [&](std::span<const CloudPoint> chunk) {
+    for (const CloudPoint& p : chunk) out.push_back(p.position);
+  });
+  return out;
+}
+
+std::string header(const std::string& data, int points) {
+  return "# .PCD v0.7\nVERSION 0.7\nFIELDS intensity x y z\nSIZE 2 8 8 8\nTYPE U F F F\nCOUNT 1 1 "
+         "1 1\n"
+         "WIDTH " +
+         std::to_string(points) + "\nHEIGHT 1\nPOINTS " + std::to_string(points) + "\nDATA " +
+         data + "\n";
+}
+
+void append(std::string& out, const auto& value) {
+  out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+// Points at UTM coordinates, a quarter of a millimetre apart: single precision would lose them.
+Vec3 point(int i) { return {500000.1 + i * 0.00025, 5400000.2 - i * 0.00025, 100.5 + i}; }
+
+TEST(Pcd, BinaryLosesNothing) {
+  std::string bytes = header("binary", 50000);
+  for (int i = 0; i < 50000; ++i) {
+    append(bytes, static_cast<std::uint16_t>(i));
+    for (int k = 0; k < 3; ++k) append(bytes, point(i)[k]);
+  }
+  const auto points = read_as_pcd(bytes);
+  ASSERT_EQ(points.size(), 50000u);
+  for (int i = 0; i < 50000; ++i) ASSERT_EQ(points[static_cast<std::size_t>(i)], point(i));
+}
+
+std::string compressed(int count) {
+  std::string fields;
+  for (int i = 0; i < count; ++i) append(fields, static_cast<std::uint16_t>(i));
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < count; ++i) append(fields, point(i)[k]);
+  }
+  std::string packed(2 * fields.size(), '\0');
+  packed.resize(lzf_compress(fields.data(), static_cast<unsigned>(fields.size()), packed.data(),
+                             static_cast<unsigned>(packed.size())));
+  std::string bytes = header("binary_compressed", count);
+  append(bytes, static_cast<std::uint32_t>(packed.size()));
+  append(bytes, static_cast<std::uint32_t>(fields.size()));
+  return bytes + packed;
+}
+
+TEST(Pcd, CompressedLosesNothing) {
+  const auto points = read_as_pcd(compressed(1000));
+  ASSERT_EQ(points.size(), 1000u);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(points[static_cast<std::size_t>(i)], point(i));
+}
+
+TEST(Pcd, RefusesCompressedDataThatAreDamagedOrShort) {
+  std::string bytes = compressed(1000);
+  EXPECT_THROW(read_as_pcd(bytes.substr(0, bytes.size() - 5)), InputError);
+  for (std::size_t i = bytes.size() - 200; i < bytes.size(); ++i) bytes[i] = '\xff';
+  EXPECT_THROW(read_as_pcd(bytes), InputError);
+}
+
+TEST(Las, RefusesACountThatTheFileDoesNotHold) {
+  std::string bytes(227, '\0');
+  std::memcpy(bytes.data(), "LASF", 4);
+  bytes[24] = 1;
+  bytes[25] = 2;
+  const auto put = [&](std::size_t at, const auto& value) {
+    std::memcpy(bytes.data() + at, &value, sizeof value);
+  };
+  put(94, std::uint16_t{227});
+  put(96, std::uint32_t{227});
+  put(105, std::uint16_t{20});
+  put(107, std::uint32_t{0xffffffff});
+  for (const std::size_t i : {0, 1, 2}) put(131 + 8 * i, 0.01);
+  std::istringstream in(bytes + std::string(60, '\0'));
+  EXPECT_THROW(read_las(in, "test.las", [](std::span<const CloudPoint>) {}), InputError);
+}
+
+}  // namespace
+}  // namespace geom

@@ -1,0 +1,85 @@
+#include "cloud/pcl_filters.h"
+
+#include <pcl/filters/statistical_outlier_removal.h>
+#include <pcl/filters/uniform_sampling.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/segmentation/extract_clusters.h>
+
+#include <algorithm>
+
+namespace cloud {
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+Cloud::Ptr shifted(const Points& points) {
+  auto out = std::make_shared<Cloud>();
+  out->reserve(points.size());
+  for (const geom::CloudPoint& p : points) {
+    const Eigen::Vector3f f = (p.position - points.front().position).cast<float>();
+    out->push_back({f.x(), f.y(), f.z()});
+  }
+  return out;
+}
+
+Points chosen(const Points& points, pcl::Indices indices) {
+  std::sort(indices.begin(), indices.end());
+  Points out;
+  out.reserve(indices.size());
+  for (const pcl::index_t i : indices) out.push_back(points[static_cast<std::size_t>(i)]);
+  return out;
+}
+
+}  // namespace
+
+Points without_outliers(const Points& points, int neighbours, double deviations) {
+  if (points.empty()) return {};
+  pcl::StatisticalOutlierRemoval<pcl::PointXYZ> filter;
+  filter.setInputCloud(shifted(points));
+  filter.setMeanK(neighbours);
+  filter.setStddevMulThresh(deviations);
+  pcl::Indices kept;
+  filter.filter(kept);
+  return chosen(points, std::move(kept));
+}
+
+Points one_per_voxel(const Points& points, double side) {
+  if (points.empty()) return {};
+  pcl::UniformSampling<pcl::PointXYZ> filter(true);
+  filter.setInputCloud(shifted(points));
+  filter.setRadiusSearch(side);
+  Cloud sampled;
+  filter.filter(sampled);
+  // What is not removed is kept: the filter gives the points, and only these as indices.
+  std::vector<bool> removed(points.size());
+  for (const pcl::index_t i : *filter.getRemovedIndices())
+    removed[static_cast<std::size_t>(i)] = true;
+  Points out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!removed[i]) out.push_back(points[i]);
+  }
+  return out;
+}
+
+std::vector<std::vector<std::size_t>> clusters(const Points& points, double tolerance) {
+  if (points.empty()) return {};
+  const Cloud::Ptr cloud = shifted(points);
+  auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
+  tree->setInputCloud(cloud);
+  pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
+  extraction.setClusterTolerance(tolerance);
+  extraction.setMinClusterSize(1);
+  extraction.setSearchMethod(tree);
+  extraction.setInputCloud(cloud);
+  std::vector<pcl::PointIndices> found;
+  extraction.extract(found);
+  std::vector<std::vector<std::size_t>> out;
+  for (const pcl::PointIndices& cluster : found) {
+    out.emplace_back(cluster.indices.begin(), cluster.indices.end());
+  }
+  return out;
+}
+
+}  // namespace cloud

@@ -1,0 +1,281 @@
+// skyway-cloud: point clouds become box maps.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "cli/files.h"
+#include "cli/hashed_input.h"
+#include "cli/map_output.h"
+#include "cli/numbers_option.h"
+#include "cli/run.h"
+#include "cloud/pcl_filters.h"
+#include "geom/column_grid.h"
+#include "geom/error.h"
+#include "geom/io/point_cloud.h"
+
+namespace {
+
+using cloud::Points;
+using geom::CloudPoint;
+using Report = nlohmann::ordered_json;  // how many points each step dropped, in order
+
+struct Options {
+  std::string format = "auto";
+  std::string mode = "columns";
+  std::string ground = "keep";
+  std::string unknown = "free";
+  std::string outliers;  // "K,DEVIATIONS"
+  double voxel = 0;
+  double tolerance = 1;
+  std::size_t min_points = 1;
+  std::vector<int> classes;
+  geom::ColumnSpec columns;
+  geom::GroundSpec ground_spec;
+  cli::MapOptions map;
+
+  bool in_memory() const { return !outliers.empty() || voxel > 0 || mode == "objects"; }
+};
+
+std::string detect(std::string_view head, const std::string& name) {
+  if (head.starts_with("LASF")) return "las";
+  if (head.starts_with("ply")) return "ply";
+  const std::size_t pcd = head.substr(0, 2000).find("FIELDS");
+  if (pcd != std::string_view::npos && head.find("DATA") != std::string_view::npos) return "pcd";
+  if (head.empty()) throw geom::InputError(name, "the file is empty");
+  return "xyz";
+}
+
+geom::CloudCounts read(std::istream& in, const std::string& name, const Options& options,
+                       const geom::PointSink& sink) {
+  if (options.format == "las") return geom::read_las(in, name, sink);
+  if (options.format == "ply") return geom::read_ply(in, name, sink);
+  if (options.format == "pcd") return geom::read_pcd(in, name, sink);
+  return geom::read_xyz(in, name, sink);
+}
+
+// The points of the classes asked for, one by one.
+class Cloud {
+ public:
+  Cloud(const std::string& path, Options& options) : path_(path), options_(options) {}
+
+  void for_each(const std::function<void(const CloudPoint&)>& f) {
+    cli::InputFile file(path_);
+    cli::HashedInput hashed(file);
+    if (options_.format == "auto") options_.format = detect(hashed.head(), file.name());
+    other_class_ = 0;
+    counts_ = read(hashed.stream(), file.name(), options_, [&](std::span<const CloudPoint> chunk) {
+      for (const CloudPoint& p : chunk) {
+        const bool wanted = options_.classes.empty() ||
+                            std::find(options_.classes.begin(), options_.classes.end(), p.cls) !=
+                                options_.classes.end();
+        if (wanted) {
+          f(p);
+        } else {
+          ++other_class_;
+        }
+      }
+    });
+    hash_ = hashed.hash();
+  }
+
+  const std::string& hash() const { return hash_; }
+
+  void report(Report& out) const {
+    out["points"] = counts_.read;
+    out["dropped_not_finite"] = counts_.not_finite;
+    if (!options_.classes.empty()) out["dropped_by_class"] = other_class_;
+  }
+
+ private:
+  std::string path_;
+  Options& options_;
+  geom::CloudCounts counts_;
+  std::size_t other_class_ = 0;
+  std::string hash_;
+};
+
+geom::BoxTable stream(Cloud& points, const Options& options, const std::string& name,
+                      Report& report) {
+  geom::GroundGrid ground(options.ground_spec);
+  const bool drop_ground = options.ground == "drop";
+  if (drop_ground) {
+    points.for_each([&](const CloudPoint& p) { ground.add(p.position); });
+    ground.finish();
+  }
+  geom::ColumnGrid columns(options.columns);
+  std::size_t kept = 0;
+  std::size_t dropped = 0;
+  points.for_each([&](const CloudPoint& p) {
+    if (drop_ground && ground.is_ground(p.position)) {
+      ++dropped;
+      return;
+    }
+    ++kept;
+    columns.add(p.position);
+  });
+  points.report(report);
+  if (drop_ground) report["dropped_as_ground"] = dropped;
+  report["kept"] = kept;
+  return columns.boxes(name);
+}
+
+Points without_ground(const Points& points, const geom::GroundSpec& spec) {
+  geom::GroundGrid ground(spec);
+  for (const CloudPoint& p : points) ground.add(p.position);
+  ground.finish();
+  Points out;
+  for (const CloudPoint& p : points) {
+    if (!ground.is_ground(p.position)) out.push_back(p);
+  }
+  return out;
+}
+
+// A box an object, and none for objects of too few points.
+geom::BoxTable object_boxes(const Points& points, const Options& options, Report& report) {
+  geom::BoxTable table;
+  table.labels = {""};
+  std::size_t dropped = 0;
+  for (const auto& cluster : cloud::clusters(points, options.tolerance)) {
+    if (cluster.size() < options.min_points) {
+      dropped += cluster.size();
+      continue;
+    }
+    geom::Aabb box{points[cluster.front()].position, points[cluster.front()].position};
+    for (const std::size_t i : cluster) {
+      box = geom::merged(box, {points[i].position, points[i].position});
+    }
+    table.ids.push_back(table.boxes.size());
+    table.boxes.push_back(box);
+    table.label.push_back(0);
+  }
+  if (options.min_points > 1) report["dropped_in_small_objects"] = dropped;
+  report["kept"] = points.size() - dropped;
+  report["objects"] = table.boxes.size();
+  return table;
+}
+
+geom::BoxTable filter(Cloud& source, const Options& options, const std::string& name,
+                      Report& report) {
+  Points points;
+  source.for_each([&](const CloudPoint& p) { points.push_back(p); });
+  source.report(report);
+  const auto apply = [&](const char* what, Points left) {
+    report[what] = points.size() - left.size();
+    points = std::move(left);
+  };
+  if (!options.outliers.empty()) {
+    const auto numbers = cli::parse_numbers(options.outliers, 2);
+    const double k = numbers ? (*numbers)[0] : 0;
+    if (!(k >= 1 && k <= 1000) || k != std::floor(k) || !((*numbers)[1] > 0)) {
+      throw cli::UsageError("--outliers must be NEIGHBOURS,DEVIATIONS, found \"" +
+                            options.outliers + "\"");
+    }
+    apply("dropped_as_outliers",
+          cloud::without_outliers(points, static_cast<int>(k), (*numbers)[1]));
+  }
+  if (options.voxel > 0) apply("dropped_by_voxel", cloud::one_per_voxel(points, options.voxel));
+  if (options.ground == "drop") {
+    apply("dropped_as_ground", without_ground(points, options.ground_spec));
+  }
+  if (options.mode == "objects") return object_boxes(points, options, report);
+  geom::ColumnGrid columns(options.columns);
+  for (const CloudPoint& p : points) columns.add(p.position);
+  report["kept"] = points.size();
+  return columns.boxes(name);
+}
+
+std::string history_of(const std::string& hash, const Options& options,
+                       const geom::MakeMapOptions& map) {
+  Report step = {{"tool", "skyway-cloud"},       {"input", hash},
+                 {"format", options.format},     {"mode", options.mode},
+                 {"cell", options.columns.cell}, {"step", options.columns.step},
+                 {"gap", options.columns.gap},   {"ground", options.ground},
+                 {"unknown", options.unknown}};
+  if (!options.outliers.empty()) step["outliers"] = options.outliers;
+  if (options.voxel > 0) step["voxel"] = options.voxel;
+  step.update(cli::history_of(map));
+  return Report::array({step}).dump();
+}
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--format", options.format, "what the file is (default: auto)")
+      ->check(CLI::IsMember({"auto", "pcd", "ply", "las", "xyz"}));
+  app.add_option("--mode", options.mode, "boxes per column (default) or per object")
+      ->check(CLI::IsMember({"columns", "objects"}));
+  app.add_option("--cell", options.columns.cell, "side of a column, metres (default 1)")
+      ->check(CLI::Range(0.05, 1000.0));
+  app.add_option("--step", options.columns.step,
+                 "heights of columns are rounded outward to multiples of this (default 0.5)")
+      ->check(CLI::Range(0.05, 1000.0));
+  app.add_option("--gap", options.columns.gap,
+                 "returns of a column further apart leave free space between (default 2)")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--classes", options.classes, "keep only these LAS classes: 6,9,…")
+      ->delimiter(',');
+  app.add_option("--outliers", options.outliers,
+                 "NEIGHBOURS,DEVIATIONS: drop points far from their neighbours");
+  app.add_option("--voxel", options.voxel, "keep one point per cube of this side, metres")
+      ->check(CLI::Range(0.001, 1000.0));
+  app.add_option("--ground", options.ground, "keep (default) the ground as boxes, or drop it")
+      ->check(CLI::IsMember({"keep", "drop"}));
+  app.add_option("--ground-cell", options.ground_spec.cell,
+                 "cells whose lowest returns make the ground, metres (default 2)")
+      ->check(CLI::Range(0.1, 1000.0));
+  app.add_option("--ground-slope", options.ground_spec.slope,
+                 "metres up a metre that ground may rise (default 1)")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--ground-height", options.ground_spec.height,
+                 "metres above it that count as ground (default 0.3)")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--tolerance", options.tolerance, "points this near are one object (default 1)")
+      ->check(CLI::Range(0.001, 1000.0));
+  app.add_option("--min-points", options.min_points, "drop objects of fewer points (default 1)")
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--unknown", options.unknown,
+                 "space that was not scanned: free (default) or blocked")
+      ->check(CLI::IsMember({"free", "blocked"}));
+  options.map.add_to(app);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Convert a point cloud to a box map.", "skyway-cloud"};
+  cli::Common common(app);
+  Options options;
+  std::string input;
+  std::string output = "-";
+  app.add_option("file", input, "PCD, PLY, LAS or XYZ; - for stdin")->required();
+  app.add_option("-o,--output", output, "box map to write (default: stdout)");
+  add_options(app, options);
+  return cli::run_tool(app, argc, argv, [&] {
+    options.columns.unknown_blocked = options.unknown == "blocked";
+    if (options.columns.unknown_blocked && options.mode == "objects") {
+      throw cli::UsageError("--unknown blocked goes with --mode columns");
+    }
+    const std::string name = input == "-" ? "stdin" : input;
+    if (input == "-" && options.ground == "drop" && !options.in_memory()) {
+      throw cli::UsageError("--ground drop reads the file twice: it cannot be stdin");
+    }
+    Cloud points(input, options);
+    Report report;
+    geom::BoxTable table = options.in_memory() ? filter(points, options, name, report)
+                                               : stream(points, options, name, report);
+    std::string line;
+    for (const auto& [what, count] : report.items()) {
+      line += fmt::format("{}{}: {}", line.empty() ? "" : "; ", what, count.dump());
+    }
+    if (table.boxes.empty()) {
+      throw geom::InputError(
+          name, "expected at least one point to make boxes of, found none (" + line + ")");
+    }
+    common.warn(name + ": " + line);
+    const geom::MakeMapOptions map = options.map.make();
+    const geom::MadeMap made =
+        geom::make_map(std::move(table), {}, history_of(points.hash(), options, map), name, map);
+    cli::write_map(common, output, made, name, report);
+    return cli::Exit::yes;
+  });
+}
