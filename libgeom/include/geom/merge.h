@@ -1,0 +1,31 @@
+#pragma once
+
+// The same obstacles in fewer boxes.
+
+#include "geom/box_map.h"
+
+namespace geom {
+
+struct Merged {
+  BoxTable table;
+  std::size_t contained = 0;  // boxes dropped because another contains them, whatever its label
+  std::size_t joined = 0;     // boxes that became part of a neighbour of the same label
+};
+
+// Drops contained boxes and joins those that are equal on two axes and touch or overlap on the
+// third, until neither finds anything. The union is exactly the same closed set: no coordinate is
+// new. A joined box has the smallest id of its parts. O(n log n) a round. Deterministic.
+Merged merge(BoxTable table);
+
+struct Simplified {
+  BoxTable table;
+  std::size_t tried = 0;  // pairs looked at
+};
+
+// Joins near boxes of one label into their hull where every point of the hull is within `slack`
+// metres (Euclidean) of an input box; so each input box lies in an output box, and no output box
+// reaches further than the slack from the input. After merge(). Greedy: by ascending index, each
+// box takes the neighbour that adds least volume, until none fits. Deterministic.
+Simplified simplify(BoxTable table, double slack);
+
+}  // namespace geom

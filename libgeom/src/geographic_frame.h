@@ -1,0 +1,31 @@
+#pragma once
+
+// Metres east and north of an origin, and latitudes and longitudes.
+
+#include <memory>
+
+#include "geom/frame.h"
+
+namespace geom {
+
+// By a transverse Mercator projection of scale 1 about the origin, on WGS 84: what the coordinates
+// of a map whose frame counts from its origin mean. Good to nanometres within 1000 km of it.
+class GeographicFrame {
+ public:
+  explicit GeographicFrame(const GeodeticOrigin& origin);
+  ~GeographicFrame();
+
+  void to_geodetic(double east, double north, double& latitude, double& longitude) const;
+  void from_geodetic(double latitude, double longitude, double& east, double& north) const;
+
+ private:
+  struct Projection;
+  std::unique_ptr<Projection> projection_;
+  GeodeticOrigin origin_;
+  double north_ = 0;  // of the origin from the equator
+};
+
+// Whether a frame's coordinates are metres from its origin: it has one, and no CRS of another kind.
+bool counts_from_origin(const Frame& frame);
+
+}  // namespace geom

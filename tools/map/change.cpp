@@ -1,0 +1,239 @@
+// Maps that differ: diff and patch.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <iterator>
+#include <set>
+
+#include "cli/files.h"
+#include "geom/cover.h"
+#include "geom/error.h"
+#include "geom/io/box_csv.h"
+#include "geom/io/keep_out.h"
+#include "geom/io/record.h"
+#include "geom/join.h"
+#include "map/verbs.h"
+
+namespace verbs {
+namespace {
+
+using geom::Aabb;
+using geom::BoxMap;
+using geom::BoxTable;
+using Json = nlohmann::ordered_json;
+
+// A box with its label, in an order that no tile size changes.
+struct Entry {
+  std::array<double, 6> box;
+  std::string label;
+  std::uint64_t id;
+
+  friend bool operator<(const Entry& a, const Entry& b) {
+    return std::tie(a.box, a.label) < std::tie(b.box, b.label);
+  }
+};
+
+std::vector<Entry> entries(const BoxMap& map) {
+  std::vector<Entry> out;
+  const auto boxes = map.boxes();
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Aabb& b = boxes[i];
+    out.push_back({{b.min[0], b.min[1], b.min[2], b.max[0], b.max[1], b.max[2]},
+                   map.labels()[map.label()[i]],
+                   map.ids()[i]});
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::string line_of(const char* change, const Entry& entry) {
+  std::string out = fmt::format(R"({{"type":"box","change":"{}","id":{},"min":)", change, entry.id);
+  geom::append_json(out, geom::Vec3(entry.box[0], entry.box[1], entry.box[2]));
+  out += ",\"max\":";
+  geom::append_json(out, geom::Vec3(entry.box[3], entry.box[4], entry.box[5]));
+  out += ",\"label\":";
+  geom::append_json(out, std::string_view(entry.label));
+  return out + "}\n";
+}
+
+cli::Exit run_diff(const std::string& before, const std::string& after, const std::string& output,
+                   const cli::Common& common) {
+  cli::at_most_one_stdin({before, after});
+  const BoxMap a = cli::open_map(before);
+  const BoxMap b = cli::open_map(after);
+  const bool same_place = a.spec().frame == b.spec().frame;
+  const bool same_bounds = a.spec().bounds == b.spec().bounds;
+  const auto was = entries(a);
+  const auto is = entries(b);
+  std::vector<Entry> removed;
+  std::vector<Entry> added;
+  std::set_difference(was.begin(), was.end(), is.begin(), is.end(), std::back_inserter(removed));
+  std::set_difference(is.begin(), is.end(), was.begin(), was.end(), std::back_inserter(added));
+  cli::OutputFile out(output, cli::OutputKind::text);
+  for (const Entry& entry : removed) out.stream() << line_of("removed", entry);
+  for (const Entry& entry : added) out.stream() << line_of("added", entry);
+  out.stream() << fmt::format(
+      R"({{"type":"diff","removed":{},"added":{},"same_frame":{},"same_bounds":{}}})"
+      "\n",
+      removed.size(), added.size(), same_place, same_bounds);
+  out.commit();
+  common.write_stats({{"removed", removed.size()}, {"added", added.size()}});
+  const bool same = removed.empty() && added.empty() && same_place && same_bounds;
+  return same ? cli::Exit::yes : cli::Exit::no;
+}
+
+struct Changes {
+  std::string add;
+  std::string remove;
+  std::string keep_out;
+  bool local = false;
+  double slack = 0.5;
+};
+
+// "1,2,3", or a file of ids between white space and commas.
+std::set<std::uint64_t> ids_of(const std::string& word) {
+  const bool list = word.find_first_not_of("0123456789, ") == std::string::npos;
+  const std::string text = list ? word : cli::InputFile(word).read_all();
+  std::set<std::uint64_t> ids;
+  std::size_t line = 1;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == '\n') ++line;
+    if (std::string_view(" \t\r\n,").find(text[at]) != std::string_view::npos) {
+      ++at;
+      continue;
+    }
+    std::uint64_t id = 0;
+    const auto [rest, error] = std::from_chars(text.data() + at, text.data() + text.size(), id);
+    if (error != std::errc()) {
+      throw geom::InputError(list ? "--remove" : word, line,
+                             "expected ids (whole numbers), found \"" + text.substr(at, 20) + "\"");
+    }
+    ids.insert(id);
+    at = static_cast<std::size_t>(rest - text.data());
+  }
+  return ids;
+}
+
+std::size_t remove(BoxTable& table, const std::string& word, const std::string& map) {
+  const std::set<std::uint64_t> ids = ids_of(word);
+  std::set<std::uint64_t> found;
+  BoxTable kept;
+  kept.labels = table.labels;
+  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
+    if (ids.contains(table.ids[i])) {
+      found.insert(table.ids[i]);
+      continue;
+    }
+    kept.boxes.push_back(table.boxes[i]);
+    kept.ids.push_back(table.ids[i]);
+    kept.label.push_back(table.label[i]);
+  }
+  for (const std::uint64_t id : ids) {
+    if (!found.contains(id)) {
+      throw geom::InputError(map, fmt::format("no box has the id {} that --remove names", id));
+    }
+  }
+  const std::size_t removed = table.boxes.size() - kept.boxes.size();
+  table = std::move(kept);
+  return removed;
+}
+
+BoxTable keep_out_boxes(const Changes& changes, const geom::BoxMapSpec& spec) {
+  cli::InputFile file(changes.keep_out);
+  const geom::KeepOut zones =
+      geom::read_keep_out(file.stream(), file.name(), spec.frame,
+                          {changes.local, spec.bounds.min.z(), spec.bounds.max.z()});
+  BoxTable table;
+  table.labels = {""};
+  for (std::size_t i = 0; i < zones.volumes.size(); ++i) {
+    const geom::Footprint& zone = zones.volumes[i];
+    BoxTable one;
+    one.labels = {"", zones.labels[i]};
+    for (const geom::Rectangle& r : geom::cover(zone.polygon, changes.slack)) {
+      one.boxes.push_back({{r.min.x(), r.min.y(), zone.bottom}, {r.max.x(), r.max.y(), zone.top}});
+      one.ids.push_back(zone.id);
+      one.label.push_back(1);
+    }
+    geom::append(table, one);
+  }
+  return table;
+}
+
+// New boxes get ids above all that are there.
+void renumber(BoxTable& fresh, const BoxTable& table) {
+  std::uint64_t next = 0;
+  for (const std::uint64_t id : table.ids) next = std::max(next, id + 1);
+  for (std::uint64_t& id : fresh.ids) id = next++;
+}
+
+void run_patch(const Files& files, const Changes& changes, const cli::Common& common) {
+  if (changes.add.empty() && changes.remove.empty() && changes.keep_out.empty()) {
+    throw cli::UsageError("give --add, --remove or --keep-out");
+  }
+  cli::at_most_one_stdin({files.map, changes.add, changes.keep_out});
+  const BoxMap map = cli::open_map(files.map);
+  BoxTable table = geom::table_of(map);
+  Json step = {{"tool", "skyway-map patch"}, {"input", map.hash()}};
+  Json stats;
+  if (!changes.remove.empty()) {
+    step["removed"] = stats["removed"] = remove(table, changes.remove, files.map);
+  }
+  const auto add = [&](const char* what, BoxTable fresh) {
+    renumber(fresh, table);
+    geom::append(table, fresh);
+    step[what] = stats[what] = fresh.boxes.size();
+  };
+  if (!changes.add.empty()) {
+    cli::InputFile file(changes.add);
+    add("added", geom::read_box_csv(file.stream(), file.name()));
+  }
+  if (!changes.keep_out.empty()) add("keep_out", keep_out_boxes(changes, map.spec()));
+  if (table.boxes.empty()) throw geom::InputError(files.map, "the patch leaves no boxes at all");
+  write(files.output, map.spec(), table, step);
+  common.write_stats(stats);
+}
+
+}  // namespace
+
+Verb diff(CLI::App& app, const cli::Common& common) {
+  struct Options {
+    std::string before;
+    std::string after;
+    std::string output = "-";
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand(
+      "diff", "boxes that one of two maps has and the other has not (exit 1 if any)");
+  verb->fallthrough();
+  verb->add_option("before", options->before, "box map; - for stdin")->required();
+  verb->add_option("after", options->after, "box map; - for stdin")->required();
+  verb->add_option("-o,--output", options->output, "JSON Lines (default: stdout)");
+  return {verb, [=, &common] {
+            return run_diff(options->before, options->after, options->output, common);
+          }};
+}
+
+Verb patch(CLI::App& app, const cli::Common& common) {
+  auto files = std::make_shared<Files>();
+  auto changes = std::make_shared<Changes>();
+  CLI::App* verb = files->add(app, "patch", "add boxes, remove boxes, keep volumes out");
+  verb->add_option("--add", changes->add, "box CSV of boxes to add");
+  verb->add_option("--remove", changes->remove, "ids to remove: 1,2,3 or a file of them");
+  verb->add_option("--keep-out", changes->keep_out,
+                   "GeoJSON of no-fly volumes (lower, upper: metres); they become boxes labelled "
+                   "keep-out");
+  verb->add_flag("--keep-out-local", changes->local,
+                 "its coordinates are the map's metres, not longitude and latitude");
+  verb->add_option("--slack", changes->slack,
+                   "how far boxes may reach outside a volume, metres (default 0.5)")
+      ->check(CLI::Range(0.01, 100.0));
+  return {verb, [=, &common] {
+            run_patch(*files, *changes, common);
+            return cli::Exit::yes;
+          }};
+}
+
+}  // namespace verbs

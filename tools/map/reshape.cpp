@@ -1,0 +1,200 @@
+// Maps of the same obstacles, or fewer of them: crop, join, merge, simplify, inflate, tile.
+
+#include <fmt/format.h>
+
+#include "cli/files.h"
+#include "cli/numbers_option.h"
+#include "geom/error.h"
+#include "geom/io/box_map_file.h"
+#include "geom/join.h"
+#include "geom/merge.h"
+#include "map/verbs.h"
+
+namespace verbs {
+namespace {
+
+using geom::Aabb;
+using geom::BoxMap;
+using geom::BoxTable;
+using Json = nlohmann::ordered_json;
+
+Json numbers(const Aabb& box) {
+  return {box.min[0], box.min[1], box.min[2], box.max[0], box.max[1], box.max[2]};
+}
+
+Json step_of(const char* verb, const BoxMap& input) {
+  return {{"tool", std::string("skyway-map ") + verb}, {"input", input.hash()}};
+}
+
+void run_crop(const Files& files, const Aabb& region) {
+  const BoxMap map = cli::open_map(files.map);
+  geom::BoxMapSpec spec = map.spec();
+  spec.bounds = {spec.bounds.min.cwiseMax(region.min), spec.bounds.max.cwiseMin(region.max)};
+  if ((spec.bounds.min.array() >= spec.bounds.max.array()).any()) {
+    throw geom::InputError(files.map,
+                           "the map's bounds and the region to crop to have no volume in common");
+  }
+  Json step = step_of("crop", map);
+  step["bounds"] = numbers(region);
+  write(files.output, spec, geom::table_of(map, &region), step);
+}
+
+void run_join(const std::vector<std::string>& names, const std::string& output) {
+  cli::at_most_one_stdin({names[0]});
+  const BoxMap first = cli::open_map(names[0]);
+  geom::BoxMapSpec spec = first.spec();
+  BoxTable table = geom::table_of(first);
+  Json step = step_of("join", first);
+  Json others = Json::array();
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    if (names[i] == "-") throw cli::UsageError("only the first map may be stdin");
+    const BoxMap other = cli::open_map(names[i]);
+    others.push_back(other.hash());
+    geom::append(table, geom::in_frame(spec.frame, other, names[i]));
+    // Bounds move as a box does.
+    geom::BoxMapSpec moved = other.spec();
+    BoxTable corner;
+    corner.boxes = {other.spec().bounds};
+    corner.ids = {0};
+    corner.label = {0};
+    corner.labels = {""};
+    const BoxTable bounds = geom::in_frame(spec.frame, BoxMap(moved, corner), names[i]);
+    spec.bounds = geom::merged(spec.bounds, bounds.boxes.front());
+  }
+  step["others"] = others;
+  write(output, spec, table, step);
+}
+
+void run_merge(const Files& files, const cli::Common& common) {
+  const BoxMap map = cli::open_map(files.map);
+  const geom::Merged merged = geom::merge(geom::table_of(map));
+  write(files.output, map.spec(), merged.table, step_of("merge", map));
+  common.warn(fmt::format("{}: {} boxes become {}: {} were contained, {} joined", files.map,
+                          map.size(), merged.table.boxes.size(), merged.contained, merged.joined));
+  common.write_stats({{"before", map.size()},
+                      {"after", merged.table.boxes.size()},
+                      {"contained", merged.contained},
+                      {"joined", merged.joined}});
+}
+
+void run_simplify(const Files& files, double slack, const cli::Common& common) {
+  const BoxMap map = cli::open_map(files.map);
+  const geom::Simplified simple = geom::simplify(geom::table_of(map), slack);
+  Json step = step_of("simplify", map);
+  step["slack"] = slack;
+  write(files.output, map.spec(), simple.table, step);
+  common.warn(
+      fmt::format("{}: {} boxes become {}", files.map, map.size(), simple.table.boxes.size()));
+  common.write_stats({{"before", map.size()}, {"after", simple.table.boxes.size()}});
+}
+
+void run_inflate(const Files& files, double by) {
+  const BoxMap map = cli::open_map(files.map);
+  BoxTable table = geom::table_of(map);
+  for (Aabb& box : table.boxes) box = geom::grow(box, geom::Vec3::Constant(by));
+  Json step = step_of("inflate", map);
+  step["by"] = by;
+  write(files.output, map.spec(), table, step);
+}
+
+void run_tile(const Files& files, double size) {
+  const BoxMap map = cli::open_map(files.map);
+  geom::BoxMapSpec spec = map.spec();
+  spec.tile_size = size;
+  Json step = step_of("tile", map);
+  step["size"] = size;
+  write(files.output, spec, geom::table_of(map), step);
+}
+
+}  // namespace
+
+CLI::App* Files::add(CLI::App& app, const char* name, const char* description) {
+  CLI::App* verb = app.add_subcommand(name, description);
+  verb->fallthrough();
+  verb->add_option("map", map, "box map; - for stdin")->required();
+  verb->add_option("-o,--output", output, "file to write (default: stdout)");
+  return verb;
+}
+
+void write(const std::string& output, geom::BoxMapSpec spec, const BoxTable& table, Json step) {
+  Json history = Json::parse(spec.history.empty() ? "[]" : spec.history);
+  history.push_back(std::move(step));
+  spec.history = history.dump();
+  const BoxMap made(std::move(spec), table);
+  cli::OutputFile out(output, cli::OutputKind::artefact);
+  geom::write_box_map(out.stream(), made);
+  out.commit();
+}
+
+Verb crop(CLI::App& app, const cli::Common&) {
+  auto files = std::make_shared<Files>();
+  auto region = std::make_shared<std::optional<Aabb>>();
+  CLI::App* verb = files->add(app, "crop", "keep the boxes that meet a region");
+  cli::add_box(*verb, "--bounds", *region, "the region to keep")->required();
+  return {verb, [=] {
+            run_crop(*files, **region);
+            return cli::Exit::yes;
+          }};
+}
+
+Verb join(CLI::App& app, const cli::Common&) {
+  auto names = std::make_shared<std::vector<std::string>>();
+  auto output = std::make_shared<std::string>("-");
+  CLI::App* verb = app.add_subcommand(
+      "join", "one map of several: of one frame, or brought together by their origins");
+  verb->fallthrough();
+  verb->add_option("maps", *names, "box maps; the first gives the frame")
+      ->required()
+      ->expected(2, 10000);
+  verb->add_option("-o,--output", *output, "file to write (default: stdout)");
+  return {verb, [=] {
+            run_join(*names, *output);
+            return cli::Exit::yes;
+          }};
+}
+
+Verb merge(CLI::App& app, const cli::Common& common) {
+  auto files = std::make_shared<Files>();
+  CLI::App* verb = files->add(
+      app, "merge", "drop contained boxes and join aligned neighbours: the same set, exactly");
+  return {verb, [=, &common] {
+            run_merge(*files, common);
+            return cli::Exit::yes;
+          }};
+}
+
+Verb simplify(CLI::App& app, const cli::Common& common) {
+  auto files = std::make_shared<Files>();
+  auto slack = std::make_shared<double>(1);
+  CLI::App* verb = files->add(app, "simplify", "fewer boxes that cover the same and little more");
+  verb->add_option("--slack", *slack, "how far they may reach outside, metres (default 1)")
+      ->check(CLI::Range(1e-3, 1000.0));
+  return {verb, [=, &common] {
+            run_simplify(*files, *slack, common);
+            return cli::Exit::yes;
+          }};
+}
+
+Verb inflate(CLI::App& app, const cli::Common&) {
+  auto files = std::make_shared<Files>();
+  auto by = std::make_shared<double>(0);
+  CLI::App* verb = files->add(app, "inflate", "grow every box on every side");
+  verb->add_option("--by", *by, "metres")->required()->check(CLI::Range(0.0, 1e4));
+  return {verb, [=] {
+            run_inflate(*files, *by);
+            return cli::Exit::yes;
+          }};
+}
+
+Verb tile(CLI::App& app, const cli::Common&) {
+  auto files = std::make_shared<Files>();
+  auto size = std::make_shared<double>(100);
+  CLI::App* verb = files->add(app, "tile", "the same map in tiles of another size");
+  verb->add_option("--size", *size, "metres")->required()->check(CLI::Range(1.0, 1e6));
+  return {verb, [=] {
+            run_tile(*files, *size);
+            return cli::Exit::yes;
+          }};
+}
+
+}  // namespace verbs

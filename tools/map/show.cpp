@@ -1,0 +1,106 @@
+// Looking at maps: info, to-csv, to-ply, to-gltf.
+
+#include "cli/describe.h"
+#include "cli/files.h"
+#include "geom/io/box_csv.h"
+#include "geom/io/mesh.h"
+#include "geom/join.h"
+#include "geom/map_statistics.h"
+#include "map/verbs.h"
+
+namespace verbs {
+namespace {
+
+using geom::BoxMap;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kManyBoxes = 1000000;  // beyond, overlaps are counted when asked for
+
+Json quartet(const geom::Quartet& q) {
+  return {{"min", q.least}, {"median", q.median}, {"mean", q.mean}, {"max", q.most}};
+}
+
+// The steps of the history that say what unknown space became.
+Json unknown_of(const BoxMap& map) {
+  Json out = Json::array();
+  for (const Json& step : Json::parse(map.spec().history.empty() ? "[]" : map.spec().history)) {
+    if (step.is_object() && step.contains("unknown")) out.push_back(step["unknown"]);
+  }
+  return out;
+}
+
+Json description(const BoxMap& map, bool all) {
+  Json out = cli::describe(map);
+  const Json history = out["history"];
+  out.erase("history");
+  const geom::MapStatistics stats = geom::statistics(map);
+  out["heights_m"] = quartet(stats.height);
+  out["boxes_per_tile"] = quartet(stats.boxes_per_tile);
+  out["flat"] = stats.flat;
+  if (all || map.size() <= kManyBoxes) {
+    const geom::Overlaps overlaps = geom::overlaps(map);
+    out["overlapping_pairs"] = overlaps.pairs;
+    out["contained"] = overlaps.contained;
+  }
+  const Json unknown = unknown_of(map);
+  if (!unknown.empty()) out["unknown"] = unknown;
+  if (stats.unknown > 0) out["unknown_boxes"] = stats.unknown;
+  out["file_bytes"] = map.size() * (sizeof(geom::Aabb) + 12);
+  out["collision_bytes"] =
+      map.size() * (2 * sizeof(geom::Aabb) + 88);  // once every tile is touched
+  out["history"] = history;
+  return out;
+}
+
+template <class Write>
+Verb writer(CLI::App& app, const char* name, const char* what, cli::OutputKind kind, Write write) {
+  auto files = std::make_shared<Files>();
+  CLI::App* verb = files->add(app, name, what);
+  return {verb, [=] {
+            const BoxMap map = cli::open_map(files->map);
+            cli::OutputFile out(files->output, kind);
+            write(out.stream(), map);
+            out.commit();
+            return cli::Exit::yes;
+          }};
+}
+
+}  // namespace
+
+Verb info(CLI::App& app, const cli::Common&) {
+  struct Flags {
+    bool json = false;
+    bool all = false;
+  };
+  auto files = std::make_shared<Files>();
+  auto flags = std::make_shared<Flags>();
+  CLI::App* verb = files->add(app, "info", "print what is in the map");
+  verb->add_flag("--json", flags->json, "as one JSON object");
+  verb->add_flag("--all", flags->all, "count overlaps on maps of over a million boxes too");
+  return {verb, [=] {
+            const BoxMap map = cli::open_map(files->map);
+            const Json out = description(map, flags->all);
+            cli::OutputFile file(files->output, cli::OutputKind::text);
+            file.stream() << (flags->json ? out.dump() + '\n' : cli::as_lines(out));
+            file.commit();
+            return cli::Exit::yes;
+          }};
+}
+
+Verb to_csv(CLI::App& app, const cli::Common&) {
+  return writer(
+      app, "to-csv", "write the boxes as box CSV", cli::OutputKind::text,
+      [](std::ostream& out, const BoxMap& map) { geom::write_box_csv(out, geom::table_of(map)); });
+}
+
+Verb to_ply(CLI::App& app, const cli::Common&) {
+  return writer(app, "to-ply", "write the boxes as triangles (binary PLY, east north up)",
+                cli::OutputKind::artefact, geom::write_ply);
+}
+
+Verb to_gltf(CLI::App& app, const cli::Common&) {
+  return writer(app, "to-gltf", "write the boxes as a mesh a label (binary glTF, .glb)",
+                cli::OutputKind::artefact, geom::write_glb);
+}
+
+}  // namespace verbs

@@ -1,0 +1,44 @@
+#pragma once
+
+// The verbs of skyway-map. Each adds its subcommand and gives what runs it.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "cli/run.h"
+#include "geom/box_map.h"
+
+namespace verbs {
+
+struct Verb {
+  CLI::App* app;
+  std::function<cli::Exit()> run;
+};
+
+Verb info(CLI::App& app, const cli::Common& common);
+Verb crop(CLI::App& app, const cli::Common& common);
+Verb join(CLI::App& app, const cli::Common& common);
+Verb merge(CLI::App& app, const cli::Common& common);
+Verb simplify(CLI::App& app, const cli::Common& common);
+Verb inflate(CLI::App& app, const cli::Common& common);
+Verb tile(CLI::App& app, const cli::Common& common);
+Verb diff(CLI::App& app, const cli::Common& common);
+Verb patch(CLI::App& app, const cli::Common& common);
+Verb to_csv(CLI::App& app, const cli::Common& common);
+Verb to_ply(CLI::App& app, const cli::Common& common);
+Verb to_gltf(CLI::App& app, const cli::Common& common);
+
+// What every verb has: a map and an output.
+struct Files {
+  std::string map;
+  std::string output = "-";
+
+  CLI::App* add(CLI::App& app, const char* name, const char* description);
+};
+
+// Writes a map made of another, with one more step in its history.
+void write(const std::string& output, geom::BoxMapSpec spec, const geom::BoxTable& table,
+           nlohmann::ordered_json step);
+
+}  // namespace verbs
