@@ -1,6 +1,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <deque>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "geom/collision.h"
+#include "skyline.h"
 
 // Two levels of Embree scenes: one over groups of neighbouring tiles, and one a group over its
 // boxes, built on first touch and given up, the oldest first, past the budget. A small map is one
@@ -33,7 +35,8 @@ float float_down(double x) { return -float_up(-x); }
 struct Handles {  // an Embree scene over closed boxes, its coordinates relative to `corner`
   RTCScene scene = nullptr;
   Vec3 corner = Vec3::Zero();
-  Aabb reach;      // the bounding box of the boxes, plus what queries may stick out
+  Aabb extent;     // the bounding box of the boxes
+  Aabb reach;      // that, plus what queries may stick out
   double pad = 0;  // what the bounds given to Embree exceed the boxes by, in metres
 
   Handles() = default;
@@ -49,13 +52,28 @@ struct GroupScene {
   std::vector<std::size_t> box;  // ascending: their indices in the map
   std::vector<Aabb> grown;
   std::vector<Aabb> by_vehicle;  // grown without the margin; empty where that is the same
+  Skyline skyline;
+  std::vector<std::uint32_t> hint;  // of each cell of a grid, a box near its middle
+  Eigen::Vector3i hints{0, 0, 0};
+
+  // The distance of a box that is likely near, so that a search need not start from nowhere.
+  double hinted_distance(const Vec3& p) const {
+    const Aabb& all = handles.extent;
+    std::size_t cell = 0;
+    for (int i = 2; i >= 0; --i) {
+      const double share = (p[i] - all.min[i]) / (all.max[i] - all.min[i]);  // NaN where flat
+      const int k = share > 0 ? static_cast<int>(std::min(share, 1.0) * (hints[i] - 1e-9)) : 0;
+      cell = cell * static_cast<std::size_t>(hints[i]) + static_cast<std::size_t>(k);
+    }
+    return distance(p, without_margin(hint[cell]));
+  }
 
   const Aabb& without_margin(std::size_t i) const {
     return by_vehicle.empty() ? grown[i] : by_vehicle[i];
   }
   std::size_t bytes() const {
     return box.size() * (sizeof(std::size_t) + kEmbreeBytesPerBox) +
-           (grown.size() + by_vehicle.size()) * sizeof(Aabb);
+           (grown.size() + by_vehicle.size()) * sizeof(Aabb) + hint.size() * 4 + (1 << 15);
   }
 };
 
@@ -106,6 +124,7 @@ void build(RTCDevice device, std::span<const Aabb> boxes, RTCOccludedFunctionN o
   for (const Aabb& box : boxes) all = merged(all, box);
   const double size = (all.max - all.min).maxCoeff();
   out.corner = all.min;
+  out.extent = all;
   // Queries are clipped to `reach` where they leave it. Rounding origin and direction to float
   // moves a point by less than 2^-22 of the reach, and the subtraction of the corner by an ulp.
   const double largest = std::max(all.min.cwiseAbs().maxCoeff(), all.max.cwiseAbs().maxCoeff());
@@ -272,6 +291,7 @@ void segment_against_box(const RTCOccludedFunctionNArguments* args) {
 }
 
 bool hits_group(const SegmentContext& outer, const GroupScene& group) {
+  if (group.skyline.clears(*outer.a, *outer.b)) return false;
   SegmentContext inner = outer;
   rtcInitIntersectContext(&inner.rtc);
   inner.group = &group;
@@ -289,9 +309,9 @@ void segment_against_group(const RTCOccludedFunctionNArguments* args) {
 struct NearestContext {
   CollisionScene::Impl* impl;
   Vec3 point;
-  std::size_t count;          // how many are wanted
-  std::vector<Nearest> best;  // a heap, the worst on top
-  double radius;              // boxes further than this are of no interest
+  std::span<Nearest> room;  // for as many as are wanted
+  std::size_t found = 0;    // a heap at the start of `room`, the worst on top
+  double radius;            // boxes further than this are of no interest
   const GroupScene* group = nullptr;
 };
 
@@ -336,6 +356,12 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
   if (groups.size() > 1) build(device, group_extent, segment_against_group, visit, nullptr, top);
 }
 
+namespace {
+
+void add_hints(CollisionScene::Impl& impl, GroupScene& group);
+
+}  // namespace
+
 const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
   const std::lock_guard lock(building);
   if (const GroupScene* scene = groups[g].scene.load()) return *scene;
@@ -349,6 +375,8 @@ const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
     }
   }
   geom::build(device, scene->grown, segment_against_box, visit, nullptr, scene->handles);
+  scene->skyline = Skyline(scene->grown, scene->handles.extent);
+  add_hints(*this, *scene);
   bytes += scene->bytes();
   built.push_back(g);
   groups[g].scene.store(scene.get());
@@ -381,19 +409,19 @@ bool closer(const Nearest& a, const Nearest& b) {
 }
 
 void visit_nearest_box(NearestContext& context, std::size_t i) {
-  const Nearest found{context.group->box[i],
-                      distance(context.point, context.group->without_margin(i))};
-  if (found.distance > context.radius) return;
-  auto& best = context.best;
-  if (best.size() == context.count) {
-    if (!closer(found, best.front())) return;
-    std::pop_heap(best.begin(), best.end(), closer);
-    best.back() = found;
+  const Nearest next{context.group->box[i],
+                     distance(context.point, context.group->without_margin(i))};
+  if (next.distance > context.radius) return;
+  const auto begin = context.room.begin();
+  if (context.found == context.room.size()) {
+    if (!closer(next, context.room.front())) return;
+    std::pop_heap(begin, begin + static_cast<std::ptrdiff_t>(context.found), closer);
+    context.room.back() = next;
   } else {
-    best.push_back(found);
+    context.room[context.found++] = next;
   }
-  std::push_heap(best.begin(), best.end(), closer);
-  if (best.size() == context.count) context.radius = best.front().distance;
+  std::push_heap(begin, begin + static_cast<std::ptrdiff_t>(context.found), closer);
+  if (context.found == context.room.size()) context.radius = context.room.front().distance;
 }
 
 void search_group(NearestContext& context, const GroupScene& group);
@@ -437,6 +465,9 @@ bool visit(RTCPointQueryFunctionArguments* args) {
 
 void search_group(NearestContext& context, const GroupScene& group) {
   context.group = &group;
+  if (context.room.size() == 1 && !group.hint.empty()) {
+    context.radius = std::min(context.radius, group.hinted_distance(context.point));
+  }
   PointContext inner{&context, nullptr, false};
   near(group.handles, context.point, context.radius, inner);
 }
@@ -445,6 +476,34 @@ void search_group(RegionContext& context, const GroupScene& group) {
   context.group = &group;
   PointContext inner{nullptr, &context, false};
   near(group.handles, context.center, context.radius, inner);
+}
+
+}  // namespace
+
+namespace {
+
+// About as many cells as boxes, as near to cubes as that gives.
+void add_hints(CollisionScene::Impl& impl, GroupScene& group) {
+  const Aabb& all = group.handles.extent;
+  const Vec3 size = (all.max - all.min).cwiseMax(1.0);
+  const double side = std::cbrt(size.prod() / static_cast<double>(group.box.size()));
+  const Eigen::Vector3i cells = (size / side).array().ceil().cwiseMin(32).cast<int>();
+  std::vector<std::uint32_t> hint;
+  for (int z = 0; z < cells[2]; ++z) {
+    for (int y = 0; y < cells[1]; ++y) {
+      for (int x = 0; x < cells[0]; ++x) {
+        const Vec3 share((x + 0.5) / cells[0], (y + 0.5) / cells[1], (z + 0.5) / cells[2]);
+        Nearest one;
+        NearestContext context{&impl, all.min + (all.max - all.min).cwiseProduct(share),
+                               std::span(&one, 1), 0, std::numeric_limits<double>::infinity()};
+        search_group(context, group);
+        const auto at = std::lower_bound(group.box.begin(), group.box.end(), one.box);
+        hint.push_back(static_cast<std::uint32_t>(at - group.box.begin()));
+      }
+    }
+  }
+  group.hint = std::move(hint);
+  group.hints = cells;
 }
 
 }  // namespace
@@ -479,24 +538,30 @@ bool CollisionScene::free(const Vec3& a, const Vec3& b) const {
   return inside_bounds(a) && inside_bounds(b) && !hits(a, b);
 }
 
-std::vector<Nearest> CollisionScene::nearest(const Vec3& p, double radius,
-                                             std::size_t count) const {
-  if (impl_->groups.empty() || count == 0) return {};
-  NearestContext context{impl_.get(), p, count, {}, radius};
+std::size_t CollisionScene::nearest(const Vec3& p, double radius, std::span<Nearest> room) const {
+  if (impl_->groups.empty() || room.empty()) return 0;
+  NearestContext context{impl_.get(), p, room, 0, radius};
   if (impl_->groups.size() == 1) {
     search_group(context, impl_->touch(0));
   } else {
     PointContext point{&context, nullptr, true};
     near(impl_->top, p, radius, point);
   }
-  std::sort_heap(context.best.begin(), context.best.end(), closer);
-  return std::move(context.best);
+  std::sort_heap(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(context.found), closer);
+  return context.found;
 }
 
 std::optional<Nearest> CollisionScene::nearest(const Vec3& p, double radius) const {
-  const auto best = nearest(p, radius, 1);
-  if (best.empty()) return std::nullopt;
-  return best.front();
+  Nearest one;
+  if (nearest(p, radius, std::span(&one, 1)) == 0) return std::nullopt;
+  return one;
+}
+
+std::vector<Nearest> CollisionScene::nearest(const Vec3& p, double radius,
+                                             std::size_t count) const {
+  std::vector<Nearest> list(std::min(count, impl_->map.size()));
+  list.resize(nearest(p, radius, std::span(list)));
+  return list;
 }
 
 std::vector<std::size_t> CollisionScene::boxes_meeting(const Aabb& region) const {

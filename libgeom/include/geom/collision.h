@@ -76,6 +76,9 @@ class CollisionScene {
   // The `count` nearest obstacles within `radius`, nearest first; fewer where there are no more.
   std::vector<Nearest> nearest(const Vec3& p, double radius, std::size_t count) const;
 
+  // The same into memory of the caller's: as many as there is room for. Returns how many.
+  std::size_t nearest(const Vec3& p, double radius, std::span<Nearest> room) const;
+
   // Indices, ascending, of the boxes that once grown meet the closed region.
   std::vector<std::size_t> boxes_meeting(const Aabb& region) const;
 
