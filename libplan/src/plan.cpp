@@ -10,6 +10,7 @@
 #include "plan/build_lattice.h"
 #include "plan/shortcut.h"
 #include "plan/snap_end.h"
+#include "plan/taut.h"
 
 namespace plan {
 namespace {
@@ -193,7 +194,7 @@ PlanResult Planner::search_levels(const Levels& levels, const Vec3& from, const 
   for (const auto& level : levels) {
     PlanResult tried;
     const bool found = search_level(*level, from, to, tried);
-    if (found && !raw) tried.path = shortcut(scene_, tried.path);
+    if (found && !raw) tried.path = taut(scene_, shortcut(scene_, tried.path));
     if (!result.path.empty()) {  // a second opinion on a detour
       if (found && geom::length(tried.path) < geom::length(result.path)) result = std::move(tried);
       return result;
