@@ -9,7 +9,7 @@ namespace plan {
 
 struct TautOptions {
   int rounds = 50;     // at most
-  double gain = 1e-4;  // metres: a round that gains less is the last
+  double gain = 1e-3;  // metres: a round that gains less is the last
 };
 
 // A path of the same ends, no longer than `path`, whose every leg has passed scene.free(), as those

@@ -1,0 +1,367 @@
+#include "plan/roadmap.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "geom/error.h"
+#include "geom/parallel.h"
+
+namespace plan {
+namespace {
+
+constexpr double kOff = 1e-4;    // metres that bends keep from their box
+constexpr double kFlush = 1e-3;  // metres
+constexpr double kCell = 40;     // metres, of the cells that start links are sought in
+constexpr double kLoose = 0.08;  // how far a turn may miss wrapping: bends stand in for their part
+
+// The direction across the box edge, with outward signs: the box is where both are negative.
+struct Across {
+  double x;
+  double y;
+
+  // Boxes in a row are flush to the last digit only: what misses by less than kFlush passes.
+  bool tangent() const { return x * y <= 0 || std::min(std::abs(x), std::abs(y)) < kFlush; }
+  bool second_side() const { return x > y; }
+  double ratio() const {
+    const double sum = std::abs(x) + std::abs(y);
+    return sum > 0 ? std::abs(y) / sum : 0;
+  }
+};
+
+Across across(const Bend& bend, const Vec3& direction) {
+  return {direction[(bend.axis + 1) % 3] * bend.outward[0],
+          direction[(bend.axis + 2) % 3] * bend.outward[1]};
+}
+
+// Whether a path that comes from one direction and leaves in another, both tangent, wraps around
+// the box: seen from outside it turns by at least a half circle.
+bool wraps(const Across& in, const Across& out) {
+  if (in.second_side() == out.second_side()) return false;
+  return in.second_side() ? out.ratio() <= in.ratio() + kLoose : out.ratio() >= in.ratio() - kLoose;
+}
+
+// The parts of [low, high] that none of the intervals covers.
+std::vector<std::pair<double, double>> uncovered(double low, double high,
+                                                 std::vector<std::pair<double, double>> covered) {
+  std::sort(covered.begin(), covered.end());
+  std::vector<std::pair<double, double>> out;
+  for (const auto& [from, to] : covered) {
+    if (from > low) out.push_back({low, std::min(from, high)});
+    low = std::max(low, to);
+    if (low >= high) return out;
+  }
+  out.push_back({low, high});
+  return out;
+}
+
+// One edge of a grown box: along `axis`, at the lower or upper ends of the next two.
+class BoxEdge {
+ public:
+  BoxEdge(const geom::CollisionScene& scene, const geom::Aabb& box, int axis, int corner)
+      : scene_(scene), box_(box), k_(axis), i1_((axis + 1) % 3), i2_((axis + 2) % 3) {
+    outward_ = {static_cast<std::int8_t>(corner & 1 ? 1 : -1),
+                static_cast<std::int8_t>(corner & 2 ? 1 : -1)};
+  }
+
+  // In the middle of what is exposed of each part.
+  void add_bends(double part, std::vector<Bend>& out) const {
+    const auto open = exposed();
+    const double length = box_.max[k_] - box_.min[k_];
+    const double parts = std::max(1.0, std::ceil(length / part));
+    for (double n = 0; n < parts; ++n) {
+      const double from = box_.min[k_] + length * (n / parts);
+      const double to = box_.min[k_] + length * ((n + 1) / parts);
+      for (const auto& [low, high] : open) {
+        if (high < from || low > to) continue;
+        const double middle = 0.5 * (std::max(low, from) + std::min(high, to));
+        const Bend bend{beside(1, 1, middle), static_cast<std::int8_t>(k_), outward_};
+        if (scene_.free(bend.position)) out.push_back(bend);
+      }
+    }
+  }
+
+ private:
+  Vec3 beside(double side1, double side2, double along) const {
+    Vec3 p;
+    p[k_] = along;
+    p[i1_] = (outward_[0] > 0 ? box_.max[i1_] : box_.min[i1_]) + side1 * kOff * outward_[0];
+    p[i2_] = (outward_[1] > 0 ? box_.max[i2_] : box_.min[i2_]) + side2 * kOff * outward_[1];
+    return p;
+  }
+
+  // Where the three outer quadrants are free, each looked at along a line just off the edge.
+  std::vector<std::pair<double, double>> exposed() const {
+    const Vec3 a = beside(1, 1, box_.min[k_]);
+    const Vec3 b = beside(-1, -1, box_.max[k_]);
+    std::vector<std::pair<double, double>> covered;
+    for (const std::size_t i : scene_.boxes_meeting({a.cwiseMin(b), a.cwiseMax(b)})) {
+      const geom::Aabb other = scene_.grown(i);
+      for (const auto& [side1, side2] : {std::pair{1, 1}, {-1, 1}, {1, -1}}) {
+        const Vec3 p = beside(side1, side2, 0);
+        const bool inside = p[i1_] >= other.min[i1_] && p[i1_] <= other.max[i1_] &&
+                            p[i2_] >= other.min[i2_] && p[i2_] <= other.max[i2_];
+        if (inside && !(other == box_)) covered.push_back({other.min[k_], other.max[k_]});
+      }
+    }
+    return uncovered(box_.min[k_], box_.max[k_], std::move(covered));
+  }
+
+  const geom::CollisionScene& scene_;
+  const geom::Aabb& box_;
+  int k_;
+  int i1_;
+  int i2_;
+  std::array<std::int8_t, 2> outward_{};
+};
+
+void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double part,
+               std::vector<Bend>& out) {
+  for (int k = 0; k < 3; ++k) {
+    for (int corner = 0; corner < 4; ++corner) {
+      BoxEdge(scene, box, k, corner).add_bends(part, out);
+    }
+  }
+}
+
+std::vector<Bend> make_bends(const geom::CollisionScene& scene, double part,
+                             const geom::Execution& run) {
+  const auto boxes = scene.map().boxes();
+  std::vector<std::vector<Bend>> of_box(boxes.size());
+  geom::parallel_for(boxes.size(), {run.threads, {}}, [&](std::size_t i) {
+    add_bends(scene, geom::grow(boxes[i], scene.half()), part, of_box[i]);
+  });
+  std::vector<Bend> out;
+  for (const auto& some : of_box) out.insert(out.end(), some.begin(), some.end());
+  return out;
+}
+
+bool linked(const geom::CollisionScene& scene, const Bend& a, const Bend& b, double reach) {
+  const Vec3 d = b.position - a.position;
+  return d.squaredNorm() <= reach * reach && across(a, d).tangent() && across(b, -d).tangent() &&
+         !scene.hits(a.position, b.position);
+}
+
+// Sorts the edges of a bend as Roadmap says. Returns how many are on the first side.
+std::uint32_t sort_edges(const std::vector<Bend>& bends, std::size_t i,
+                         std::vector<std::uint32_t>& to) {
+  struct Key {
+    bool second;
+    double ratio;
+    std::uint32_t to;
+    bool operator<(const Key& other) const {
+      return std::tie(second, ratio, to) < std::tie(other.second, other.ratio, other.to);
+    }
+  };
+  std::vector<Key> keys;
+  for (const std::uint32_t j : to) {
+    const Across a = across(bends[i], bends[j].position - bends[i].position);
+    keys.push_back({a.second_side(), a.ratio(), j});
+  }
+  std::sort(keys.begin(), keys.end());
+  std::uint32_t split = 0;
+  for (std::size_t n = 0; n < keys.size(); ++n) {
+    to[n] = keys[n].to;
+    split += !keys[n].second;
+  }
+  return split;
+}
+
+}  // namespace
+
+Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec,
+                      const geom::Execution& run) {
+  Roadmap out;
+  out.spec = spec;
+  out.made_for = {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(),
+                  scene.margin()};
+  out.bends = make_bends(scene, spec.part, run);
+  const std::size_t n = out.bends.size();
+  std::vector<std::vector<std::uint32_t>> to(n);
+  geom::parallel_for(n, run, [&](std::size_t i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      if (linked(scene, out.bends[i], out.bends[j], spec.reach)) {
+        to[i].push_back(static_cast<std::uint32_t>(j));
+      }
+    }
+  });
+  std::vector<std::uint32_t> back(n);  // how many lower bends each is linked to
+  std::uint64_t edges = 0;
+  for (const auto& list : to) {
+    edges += list.size();
+    for (const std::uint32_t j : list) ++back[j];
+  }
+  if (2 * edges > 0x7fffffff) {
+    throw geom::InputError("roadmap", fmt::format("expected at most 2^31 edges, found {}: use a "
+                                                  "smaller reach",
+                                                  2 * edges));
+  }
+  std::vector<std::size_t> own(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    own[i] = to[i].size();
+    to[i].reserve(own[i] + back[i]);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t e = 0; e < own[i]; ++e) to[to[i][e]].push_back(static_cast<std::uint32_t>(i));
+  }
+  out.split.resize(n);
+  geom::parallel_for(n, {run.threads, {}},
+                     [&](std::size_t i) { out.split[i] = sort_edges(out.bends, i, to[i]); });
+  out.first.push_back(0);
+  out.to.reserve(2 * edges);
+  for (auto& list : to) {
+    out.to.insert(out.to.end(), list.begin(), list.end());
+    out.first.push_back(out.to.size());
+    std::vector<std::uint32_t>().swap(list);
+  }
+  return out;
+}
+
+RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap)
+    : scene_(&scene), roadmap_(&roadmap), visits_(roadmap.bends.size()) {
+  std::map<std::array<std::int64_t, 3>, std::vector<std::uint32_t>> cells;
+  for (std::size_t i = 0; i < roadmap.bends.size(); ++i) {
+    std::array<std::int64_t, 3> key;
+    for (int k = 0; k < 3; ++k) {
+      key[static_cast<std::size_t>(k)] =
+          static_cast<std::int64_t>(std::floor(roadmap.bends[i].position[k] / kCell));
+    }
+    cells[key].push_back(static_cast<std::uint32_t>(i));
+  }
+  for (auto& [key, bends] : cells) {
+    Cell cell{{roadmap.bends[bends[0]].position, roadmap.bends[bends[0]].position}, {}};
+    for (const std::uint32_t i : bends) {
+      const Vec3& p = roadmap.bends[i].position;
+      cell.extent = geom::merged(cell.extent, {p, p});
+    }
+    cell.bends = std::move(bends);
+    cells_.push_back(std::move(cell));
+  }
+}
+
+bool RoadmapSearch::later(const Open& a, const Open& b) {
+  return std::tie(a.bound, b.cost, a.kind, a.bend) > std::tie(b.bound, a.cost, b.kind, b.bend);
+}
+
+void RoadmapSearch::push(const Open& open) {
+  open_.push_back(open);
+  std::push_heap(open_.begin(), open_.end(), later);
+}
+
+// The edges that keep wrapping around the bend's box for a path from there.
+void RoadmapSearch::expand(std::uint32_t i, const Vec3& arrived_from, const Vec3& goal) {
+  const Roadmap& map = *roadmap_;
+  const Bend& bend = map.bends[i];
+  const Across in = across(bend, arrived_from - bend.position);
+  const std::uint32_t* const edges = map.to.data() + map.first[i];
+  const std::size_t split = map.split[i];
+  const std::size_t count = map.first[i + 1] - map.first[i];
+  const auto ratio = [&](std::size_t e) {
+    return across(bend, map.bends[edges[e]].position - bend.position).ratio();
+  };
+  std::size_t begin = 0;
+  std::size_t end = split;
+  if (in.second_side()) {  // out on the first side, by at most as much
+    const double most = in.ratio() + kLoose;
+    for (std::size_t left = 0; left < end;) {
+      const std::size_t middle = left + (end - left) / 2;
+      if (ratio(middle) <= most) {
+        left = middle + 1;
+      } else {
+        end = middle;
+      }
+    }
+  } else {  // out on the second side, by at least as much
+    const double least = in.ratio() - kLoose;
+    begin = split;
+    end = count;
+    for (std::size_t right = count; begin < right;) {
+      const std::size_t middle = begin + (right - begin) / 2;
+      if (ratio(middle) < least) {
+        begin = middle + 1;
+      } else {
+        right = middle;
+      }
+    }
+  }
+  const double cost = visits_[i].cost;
+  for (std::size_t e = begin; e < end; ++e) {
+    const std::uint32_t j = edges[e];
+    const Vec3& p = map.bends[j].position;
+    const double through = cost + (p - bend.position).norm();
+    Visit& visit = visits_[j];
+    if (visit.stamp == stamp_ && (visit.settled || visit.cost <= through)) continue;
+    visit = {through, i, stamp_, false};
+    push({through + (goal - p).norm(), through, j, Open::reached});
+  }
+}
+
+geom::Polyline RoadmapSearch::trace(std::uint32_t bend, const Vec3& from, const Vec3& to) const {
+  geom::Polyline path = {to};
+  for (; bend != kStart; bend = visits_[bend].from) {
+    path.push_back(roadmap_->bends[bend].position);
+  }
+  path.push_back(from);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const RoadmapLimits& limits) {
+  RoadmapResult result;
+  open_.clear();
+  if (++stamp_ == 0) {
+    std::fill(visits_.begin(), visits_.end(), Visit{});
+    stamp_ = 1;
+  }
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const double bound =
+        geom::distance(from, cells_[c].extent) + geom::distance(to, cells_[c].extent);
+    open_.push_back({bound, 0, static_cast<std::uint32_t>(c), Open::cell});
+  }
+  std::make_heap(open_.begin(), open_.end(), later);
+  double longest = std::numeric_limits<double>::infinity();
+  while (!open_.empty() && open_.front().bound <= longest) {
+    std::pop_heap(open_.begin(), open_.end(), later);
+    const Open top = open_.back();
+    open_.pop_back();
+    if (top.kind == Open::cell) {
+      for (const std::uint32_t i : cells_[top.bend].bends) {
+        const Vec3& p = roadmap_->bends[i].position;
+        const double cost = (p - from).norm();
+        push({cost + (to - p).norm(), cost, i, Open::unlinked});
+      }
+      continue;
+    }
+    const Bend& bend = roadmap_->bends[top.bend];
+    Visit& visit = visits_[top.bend];
+    const bool seen = visit.stamp == stamp_;
+    if (seen && visit.settled) continue;
+    if (top.kind == Open::unlinked) {
+      if (seen && visit.cost <= top.cost) continue;
+      if (!across(bend, from - bend.position).tangent()) continue;
+      if (scene_->hits(from, bend.position)) continue;
+      visit = {top.cost, kStart, stamp_, false};
+    } else if (visit.cost < top.cost) {
+      continue;
+    }
+    visit.settled = true;
+    if (++result.settled > limits.settled) break;
+    const Vec3 back = visit.from == kStart ? from : roadmap_->bends[visit.from].position;
+    const Across in = across(bend, back - bend.position);
+    const Across out = across(bend, to - bend.position);
+    if (out.tangent() && wraps(in, out) && !scene_->hits(bend.position, to)) {
+      if (result.paths.empty()) longest = top.bound * (1 + limits.beyond);
+      result.paths.push_back(trace(top.bend, from, to));
+      if (result.paths.size() == limits.paths) return result;
+    }
+    expand(top.bend, back, to);
+  }
+  result.gave_up = result.paths.empty();
+  return result;
+}
+
+}  // namespace plan
