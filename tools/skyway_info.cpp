@@ -13,6 +13,7 @@
 #include "geom/io/box_map_file.h"
 #include "geom/io/json_fields.h"
 #include "plan/io/lattice_file.h"
+#include "plan/io/roadmap_file.h"
 
 namespace {
 
@@ -27,6 +28,18 @@ Json describe_lattice(const geom::ArrayArchive& archive) {
   described.update(out);
   described["nodes"] = lattice.free_nodes();
   described["edges"] = lattice.free_edges();
+  return described;
+}
+
+Json describe_roadmap(const geom::ArrayArchive& archive) {
+  const plan::Roadmap roadmap = plan::read_roadmap(archive);
+  Json out = Json::parse(archive.meta());
+  out.erase("format");
+  out.erase("version");
+  Json described = {{"type", "roadmap"}};
+  described.update(out);
+  described["bends"] = roadmap.bends.size();
+  described["edges"] = roadmap.to.size() / 2;
   return described;
 }
 
@@ -47,9 +60,11 @@ Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
     }
   } else if (plan::is_lattice(archive)) {
     out = describe_lattice(archive);
+  } else if (plan::is_roadmap(archive)) {
+    out = describe_roadmap(archive);
   } else {
     throw geom::InputError(archive.name(),
-                           "expected a box map or a lattice, found another archive");
+                           "expected a box map, a lattice or a roadmap, found another archive");
   }
   if (verify) out["verified"] = true;
   return out;

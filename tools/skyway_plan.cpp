@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <optional>
 
 #include "cli/files.h"
@@ -12,6 +13,7 @@
 #include "geom/io/query_record.h"
 #include "geom/parallel.h"
 #include "plan/io/lattice_file.h"
+#include "plan/io/roadmap_file.h"
 #include "plan/plan.h"
 
 namespace {
@@ -40,18 +42,22 @@ geom::PathRecord record_of(const geom::CollisionScene& scene, const geom::PlanQu
   return record;
 }
 
-// A lattice serves one map, frame, vehicle and margin.
-void require_same(const geom::Provenance& lattice, const geom::CollisionScene& scene,
-                  const std::string& source) {
+// A lattice or roadmap serves one map, frame, vehicle and margin.
+void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
+                  const std::string& source, const char* kind) {
   const geom::Provenance ours = cli::provenance_of(scene);
   const auto refuse = [&](const char* what) {
-    throw geom::InputError(source, fmt::format("the lattice was made for another {}", what));
+    throw geom::InputError(source, fmt::format("the {} was made for another {}", kind, what));
   };
-  if (lattice.map != ours.map) refuse("map");
-  if (lattice.frame != ours.frame) refuse("frame");
-  if (!lattice.vehicle || lattice.vehicle->half != ours.vehicle->half) refuse("vehicle");
-  if (lattice.margin != ours.margin) refuse("margin");
+  if (made_for.map != ours.map) refuse("map");
+  if (made_for.frame != ours.frame) refuse("frame");
+  if (!made_for.vehicle || made_for.vehicle->half != ours.vehicle->half) refuse("vehicle");
+  if (made_for.margin != ours.margin) refuse("margin");
 }
+
+const std::map<std::string, plan::Quality> kQuality = {{"fast", plan::Quality::fast},
+                                                       {"normal", plan::Quality::normal},
+                                                       {"best", plan::Quality::best}};
 
 }  // namespace
 
@@ -62,6 +68,7 @@ int main(int argc, char** argv) {
   plan::PlanOptions options;
   std::string map_file;
   std::string lattice_file;
+  std::string roadmap_file;
   std::string queries_file;
   std::string output = "-";
   std::optional<geom::Vec3> from;
@@ -69,6 +76,10 @@ int main(int argc, char** argv) {
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("--lattice", lattice_file,
                  "lattice of the same map and vehicle (default: built as needed)");
+  app.add_option("--roadmap", roadmap_file,
+                 "roadmap of the same map and vehicle: shorter paths, sooner");
+  app.add_option("--quality", options.quality, "fast, normal (default) or best")
+      ->transform(CLI::CheckedTransformer(kQuality));
   auto* queries = app.add_option("--queries", queries_file, "JSON Lines or CSV; - for stdin");
   auto* start = cli::add_point(app, "--from", from, "start, metres");
   auto* goal = cli::add_point(app, "--to", to, "goal, metres");
@@ -84,13 +95,18 @@ int main(int argc, char** argv) {
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     if (queries_file.empty() && !from) throw cli::UsageError("give --from and --to, or --queries");
-    cli::at_most_one_stdin({map_file, lattice_file, queries_file});
+    cli::at_most_one_stdin({map_file, lattice_file, roadmap_file, queries_file});
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
     std::optional<plan::Lattice> lattice;
     if (!lattice_file.empty()) {
       lattice = plan::read_lattice(cli::open_archive(lattice_file));
-      require_same(lattice->made_for(), scene, lattice_file);
+      require_same(lattice->made_for(), scene, lattice_file, "lattice");
+    }
+    std::optional<plan::Roadmap> roadmap;
+    if (!roadmap_file.empty()) {
+      roadmap = plan::read_roadmap(cli::open_archive(roadmap_file));
+      require_same(roadmap->made_for, scene, roadmap_file, "roadmap");
     }
     std::vector<geom::PlanQuery> list;
     if (from) {
@@ -100,7 +116,7 @@ int main(int argc, char** argv) {
       list = geom::read_plan_queries(file.stream(), file.name());
     }
     const geom::Execution run = common.execution("paths");
-    plan::Planner planner(scene, lattice ? &*lattice : nullptr, run);
+    plan::Planner planner(scene, lattice ? &*lattice : nullptr, run, roadmap ? &*roadmap : nullptr);
     std::vector<geom::PathRecord> records(list.size());
     geom::parallel_for(list.size(), run, [&](std::size_t i) {
       records[i] = record_of(scene, list[i], planner.plan(list[i].from, list[i].to, options));

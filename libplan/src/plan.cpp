@@ -79,13 +79,17 @@ std::vector<Terminal> visible_nodes(const geom::CollisionScene& scene, const Lat
   return found;
 }
 
-// A lattice that was read may say what it likes of its edges.
-void require_free(const geom::CollisionScene& scene, const Polyline& path) {
+// What was read may say what it likes of its edges.
+void require_free(const geom::CollisionScene& scene, const Polyline& path, const char* source) {
   for (std::size_t i = 1; i < path.size(); ++i) {
     if (scene.free(path[i - 1], path[i])) continue;
-    throw geom::InputError("lattice", fmt::format("the edge from {} to {} is blocked on this map",
-                                                  shown(path[i - 1]), shown(path[i])));
+    throw geom::InputError(source, fmt::format("the edge from {} to {} is blocked on this map",
+                                               shown(path[i - 1]), shown(path[i])));
   }
+}
+
+bool polished(const PlanOptions& options) {
+  return !options.raw && options.quality != Quality::fast;
 }
 
 Polyline joined(const Lattice& lattice, const Vec3& from, const std::vector<std::size_t>& nodes,
@@ -151,8 +155,9 @@ struct Planner::Level {
   }
 };
 
-Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run)
-    : scene_(scene), run_(std::move(run)) {
+Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run,
+                 const Roadmap* roadmap)
+    : scene_(scene), run_(std::move(run)), roadmap_(roadmap) {
   const auto add = [&](double spacing) {
     levels_.push_back(std::make_unique<Level>());
     levels_.back()->spacing = spacing;
@@ -183,31 +188,61 @@ bool Planner::search_level(Level& level, const Vec3& from, const Vec3& to, PlanR
   level.give_back(std::move(search));
   if (!found.found) return false;
   result.path = joined(lattice, from, found.nodes, to);
-  if (level.given) require_free(scene_, result.path);
+  if (level.given) require_free(scene_, result.path, "lattice");
   return true;
 }
 
 PlanResult Planner::search_levels(const Levels& levels, const Vec3& from, const Vec3& to,
-                                  bool raw) {
+                                  const PlanOptions& options) {
   PlanResult result;
   const double straight = (to - from).norm();
   for (const auto& level : levels) {
     PlanResult tried;
     const bool found = search_level(*level, from, to, tried);
-    if (found && !raw) tried.path = taut(scene_, shortcut(scene_, tried.path));
+    if (found && !options.raw) tried.path = shortcut(scene_, tried.path);
+    if (found && polished(options)) tried.path = taut(scene_, tried.path);
     if (!result.path.empty()) {  // a second opinion on a detour
       if (found && geom::length(tried.path) < geom::length(result.path)) result = std::move(tried);
       return result;
     }
     result = std::move(tried);
-    if (found && (raw || geom::length(result.path) <= kDetour * straight)) return result;
+    if (found && (options.raw || geom::length(result.path) <= kDetour * straight)) return result;
   }
   return result;
 }
 
+bool Planner::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                             PlanResult& result) {
+  std::unique_ptr<RoadmapSearch> search;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!idle_.empty()) {
+      search = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  if (!search) search = std::make_unique<RoadmapSearch>(scene_, *roadmap_);
+  RoadmapLimits limits;
+  if (options.quality == Quality::best) limits = {limits.settled, 40, 0.02};
+  const RoadmapResult found = search->search(from, to, limits);
+  {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(search));
+  }
+  result.expanded = found.settled;
+  for (const Polyline& raw : found.paths) {
+    require_free(scene_, raw, "roadmap");
+    Polyline path = polished(options) ? taut(scene_, raw) : raw;
+    if (result.path.empty() || geom::length(path) < geom::length(result.path)) {
+      result.path = std::move(path);
+    }
+  }
+  return !result.path.empty();
+}
+
 // A path of length l stays within sqrt(l^2 - d^2) / 2 of the straight line of length d sideways and
 // (l - d) / 2 beyond its ends, which is less.
-PlanResult Planner::search_regions(const Vec3& from, const Vec3& to, bool raw) {
+PlanResult Planner::search_regions(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   const geom::Aabb all = *scene_.free_bounds();
   const double straight = (to - from).norm();
   PlanResult best;
@@ -221,7 +256,7 @@ PlanResult Planner::search_regions(const Vec3& from, const Vec3& to, bool raw) {
       levels.back()->spacing = spacing;
       levels.back()->within = region;
     }
-    PlanResult tried = search_levels(levels, from, to, raw);
+    PlanResult tried = search_levels(levels, from, to, options);
     const bool found = !tried.path.empty();
     if (!best.path.empty()) {
       return found && geom::length(tried.path) < geom::length(best.path) ? tried : best;
@@ -242,9 +277,11 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
   if (scene_.free(from, to)) {
     result.method = "straight";
     result.path = {from, to};
+  } else if (roadmap_ && search_roadmap(from, to, options, result)) {
+    result.method = "roadmap";
   } else {
-    result = levels_.empty() ? search_regions(from, to, options.raw)
-                             : search_levels(levels_, from, to, options.raw);
+    result = levels_.empty() ? search_regions(from, to, options)
+                             : search_levels(levels_, from, to, options);
     result.method = "lattice";
     if (result.path.empty()) {
       result.message = fmt::format("no path on a lattice of {} m", result.resolution);

@@ -128,13 +128,23 @@ void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double 
   }
 }
 
-std::vector<Bend> make_bends(const geom::CollisionScene& scene, double part,
+std::vector<geom::Aabb> boxes_of(const geom::CollisionScene& scene,
+                                 const std::optional<geom::Aabb>& region) {
+  std::vector<geom::Aabb> out;
+  if (region) {
+    for (const std::size_t i : scene.boxes_meeting(*region)) out.push_back(scene.grown(i));
+  } else {
+    for (const geom::Aabb& box : scene.map().boxes()) out.push_back(geom::grow(box, scene.half()));
+  }
+  return out;
+}
+
+std::vector<Bend> make_bends(const geom::CollisionScene& scene, const RoadmapSpec& spec,
                              const geom::Execution& run) {
-  const auto boxes = scene.map().boxes();
+  const auto boxes = boxes_of(scene, spec.region);
   std::vector<std::vector<Bend>> of_box(boxes.size());
-  geom::parallel_for(boxes.size(), {run.threads, {}}, [&](std::size_t i) {
-    add_bends(scene, geom::grow(boxes[i], scene.half()), part, of_box[i]);
-  });
+  geom::parallel_for(boxes.size(), {run.threads, {}},
+                     [&](std::size_t i) { add_bends(scene, boxes[i], spec.part, of_box[i]); });
   std::vector<Bend> out;
   for (const auto& some : of_box) out.insert(out.end(), some.begin(), some.end());
   return out;
@@ -179,7 +189,7 @@ Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec
   out.spec = spec;
   out.made_for = {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(),
                   scene.margin()};
-  out.bends = make_bends(scene, spec.part, run);
+  out.bends = make_bends(scene, spec, run);
   const std::size_t n = out.bends.size();
   std::vector<std::vector<std::uint32_t>> to(n);
   geom::parallel_for(n, run, [&](std::size_t i) {

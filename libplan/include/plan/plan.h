@@ -13,6 +13,7 @@
 #include "geom/execution.h"
 #include "plan/astar.h"
 #include "plan/lattice.h"
+#include "plan/roadmap.h"
 
 namespace plan {
 
@@ -27,7 +28,14 @@ enum class PlanStatus {
 
 std::string_view name(PlanStatus status);  // as records say it
 
+enum class Quality {
+  fast,    // not pulled taut
+  normal,  // pulled taut
+  best     // of a roadmap, the best of up to 40 paths within 2%, each pulled taut
+};
+
 struct PlanOptions {
+  Quality quality = Quality::normal;
   bool raw = false;      // the search's own path, not shortened
   double resample = 0;   // metres; 0: not
   double snap_ends = 0;  // metres a blocked or outside end may move; 0: not at all
@@ -37,25 +45,27 @@ struct PlanResult {
   PlanStatus status = PlanStatus::unreachable;
   geom::Polyline path;       // start to goal, every leg free; empty unless found
   std::string message;       // why not, in words
-  std::string method;        // "straight" or "lattice"; empty unless searched
+  std::string method;        // "straight", "roadmap" or "lattice"; empty unless searched
   double resolution = 0;     // spacing of the path's lattice, or of the last searched; 0: none was
   std::size_t expanded = 0;  // nodes, on that lattice
   std::optional<Vec3> snapped_start;  // where an end was moved to
   std::optional<Vec3> snapped_goal;
 };
 
-// The straight line first, then A* on a lattice joined to both ends by checked segments, then
-// shortcut() and, where asked, resampling. Without a lattice of its own it searches 26-connected
-// ones of 10, 5 and 2.5 m until one finds a path, each built once, when first needed; on maps too
-// small for these, of 10 m halved until the node count is sane. On maps of more than 2^19 nodes at
-// 10 m they cover only a region around the query, widened until a path is found or the region is
-// all there is. A shortened path of more than 1.2 times the straight line is compared with the next
-// lattice's, and with a region wide enough for every shorter path. An edge of a given lattice that
-// is blocked on this map throws geom::InputError. The scene and the lattice
+// The straight line first; then the roadmap, where one is given, to 20,000 bends; then, where that
+// found nothing, A* on a lattice joined to both ends by checked segments and shortened by
+// shortcut(). Then taut() and, where asked, resampling. Without a lattice of its own it searches
+// 26-connected ones of 10, 5 and 2.5 m until one finds a path, each built once, when first needed;
+// on maps too small for these, of 10 m halved until the node count is sane. On maps of more than
+// 2^19 nodes at 10 m they cover only a region around the query, widened until a path is found or
+// the region is all there is. A shortened path of more than 1.2 times the straight line is compared
+// with the next lattice's, and with a region wide enough for every shorter path. An edge of a given
+// lattice or roadmap that is blocked on this map throws geom::InputError. The scene and the lattice
 // must outlive it. Threads may plan at once; no answer depends on another.
 class Planner {
  public:
-  Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run);
+  Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run,
+          const Roadmap* roadmap = nullptr);
   ~Planner();
 
   PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options);
@@ -66,12 +76,18 @@ class Planner {
   using Levels = std::vector<std::unique_ptr<Level>>;
 
   PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
-  PlanResult search_regions(const Vec3& from, const Vec3& to, bool raw);
-  PlanResult search_levels(const Levels& levels, const Vec3& from, const Vec3& to, bool raw);
+  bool search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                      PlanResult& result);
+  PlanResult search_regions(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  PlanResult search_levels(const Levels& levels, const Vec3& from, const Vec3& to,
+                           const PlanOptions& options);
   bool search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result);
 
   const geom::CollisionScene& scene_;
   geom::Execution run_;
+  const Roadmap* roadmap_;
+  std::mutex mutex_;  // guards the workspaces
+  std::vector<std::unique_ptr<RoadmapSearch>> idle_;
   Levels levels_;  // of the whole map; empty where regions are searched
 };
 

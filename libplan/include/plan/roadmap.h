@@ -24,8 +24,9 @@ struct Bend {
 };
 
 struct RoadmapSpec {
-  double part = 10;    // metres: box edges are cut into equal parts of at most this
-  double reach = 500;  // metres: the longest edge of the roadmap
+  double part = 10;                  // metres: box edges are cut into equal parts of at most this
+  double reach = 500;                // metres: the longest edge of the roadmap
+  std::optional<geom::Aabb> region;  // only around boxes that, once grown, meet it
 };
 
 // Immutable. Edges of bend i are to[first[i]] … to[first[i + 1]]; the first `split[i]` of them run

@@ -1,0 +1,20 @@
+#pragma once
+
+// `.roadmap`: a roadmap as a ZIP of NumPy arrays (docs/formats.md).
+
+#include <iosfwd>
+
+#include "geom/io/array_archive.h"
+#include "plan/roadmap.h"
+
+namespace plan {
+
+void write_roadmap(std::ostream& out, const Roadmap& roadmap);
+
+bool is_roadmap(const geom::ArrayArchive& archive);
+
+// Throws geom::InputError for another kind of file, arrays of other lengths, an axis or a sign that
+// is none, and an edge to a bend that is not there. What an edge crosses is not looked at.
+Roadmap read_roadmap(const geom::ArrayArchive& archive);
+
+}  // namespace plan

@@ -1,0 +1,102 @@
+#include "plan/io/roadmap_file.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "geom/error.h"
+#include "geom/io/json_fields.h"
+
+namespace plan {
+namespace {
+
+constexpr int kVersion = 1;
+
+}  // namespace
+
+void write_roadmap(std::ostream& out, const Roadmap& roadmap) {
+  std::vector<double> position;
+  std::vector<std::int8_t> axis;
+  std::vector<std::int8_t> outward;
+  for (const Bend& bend : roadmap.bends) {
+    position.insert(position.end(), bend.position.begin(), bend.position.end());
+    axis.push_back(bend.axis);
+    outward.insert(outward.end(), bend.outward.begin(), bend.outward.end());
+  }
+  std::string meta = fmt::format(R"({{"format":"skyway-roadmap","version":{},)", kVersion);
+  geom::append_json(meta, roadmap.made_for);
+  meta += "\"part\":";
+  geom::append_json(meta, roadmap.spec.part);
+  meta += ",\"reach\":";
+  geom::append_json(meta, roadmap.spec.reach);
+  if (roadmap.spec.region) {
+    meta += ",\"region\":[";
+    geom::append_json(meta, roadmap.spec.region->min);
+    meta += ',';
+    geom::append_json(meta, roadmap.spec.region->max);
+    meta += ']';
+  }
+  meta +=
+      fmt::format(",\"bends\":{},\"edges\":{}}}\n", roadmap.bends.size(), roadmap.to.size() / 2);
+  const geom::NamedArray arrays[] = {
+      geom::named_array<double>("bend_position", position, 3),
+      geom::named_array<std::int8_t>("bend_axis", axis),
+      geom::named_array<std::int8_t>("bend_outward", outward, 2),
+      geom::named_array<std::uint64_t>("edge_first", roadmap.first),
+      geom::named_array<std::uint32_t>("edge_split", roadmap.split),
+      geom::named_array<std::uint32_t>("edge_to", roadmap.to),
+  };
+  geom::write_array_archive(out, meta, arrays);
+}
+
+bool is_roadmap(const geom::ArrayArchive& archive) {
+  const geom::JsonFields fields(archive.meta(), archive.name(), 0);
+  return fields.text("format", "") == "skyway-roadmap";
+}
+
+Roadmap read_roadmap(const geom::ArrayArchive& archive) {
+  const geom::JsonFields fields(archive.meta(), archive.name(), 0);
+  if (fields.text("format", "") != "skyway-roadmap") {
+    fields.refuse(fmt::format("expected a roadmap (format \"skyway-roadmap\"), found format \"{}\"",
+                              fields.text("format", "")));
+  }
+  if (fields.number("version") != kVersion) {
+    fields.refuse(fmt::format("expected roadmap version {}, found {}", kVersion,
+                              fields.number("version").value_or(0)));
+  }
+  const auto refuse = [&](std::string_view message) {
+    throw geom::InputError(archive.name(), message);
+  };
+  Roadmap out;
+  out.made_for = fields.provenance();
+  out.spec = {fields.number("part").value_or(0), fields.number("reach").value_or(0), {}};
+  const auto position = archive.array<double>("bend_position", 3);
+  const auto axis = archive.array<std::int8_t>("bend_axis");
+  const auto outward = archive.array<std::int8_t>("bend_outward", 2);
+  const auto first = archive.array<std::uint64_t>("edge_first");
+  const auto split = archive.array<std::uint32_t>("edge_split");
+  const auto to = archive.array<std::uint32_t>("edge_to");
+  const std::size_t n = axis.size();
+  if (position.size() != 3 * n || outward.size() != 2 * n || first.size() != n + 1 ||
+      split.size() != n || first[0] != 0 || first[n] != to.size() || n > 0x7fffffff) {
+    refuse("the arrays of bends and edges do not fit each other");
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 p(position[3 * i], position[3 * i + 1], position[3 * i + 2]);
+    const bool signs = std::abs(outward[2 * i]) == 1 && std::abs(outward[2 * i + 1]) == 1;
+    if (!(p.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate) || axis[i] < 0 || axis[i] > 2 ||
+        !signs || first[i] > first[i + 1] || split[i] > first[i + 1] - first[i]) {
+      refuse(fmt::format("bend {} has a position, axis, sign or range of edges that cannot be", i));
+    }
+    out.bends.push_back({p, axis[i], {outward[2 * i], outward[2 * i + 1]}});
+  }
+  for (std::size_t e = 0; e < to.size(); ++e) {
+    if (to[e] >= n) refuse(fmt::format("edge {} leads to bend {} of {}", e, to[e], n));
+  }
+  out.first.assign(first.begin(), first.end());
+  out.split.assign(split.begin(), split.end());
+  out.to.assign(to.begin(), to.end());
+  return out;
+}
+
+}  // namespace plan
