@@ -14,7 +14,7 @@
 namespace plan {
 namespace {
 
-constexpr double kOff = 1e-4;    // metres that bends keep from their box
+constexpr double kOff = 1e-3;    // metres that bends keep from their box
 constexpr double kFlush = 1e-3;  // metres
 constexpr double kCell = 40;     // metres, of the cells that start links are sought in
 constexpr double kLoose = 0.08;  // how far a turn may miss wrapping: bends stand in for their part

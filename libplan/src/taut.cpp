@@ -11,7 +11,7 @@ namespace {
 using geom::Polyline;
 using geom::Vec3;
 
-constexpr double kOff = 1e-4;    // metres that bends keep from boxes
+constexpr double kOff = 1e-3;    // metres that bends keep from boxes
 constexpr double kLeast = 1e-9;  // metres: gains below it are rounding
 constexpr int kHalvings = 5;     // of a slide that is blocked
 

@@ -1,5 +1,6 @@
 #include "geom/io/box_map_file.h"
 #include "plan/io/lattice_file.h"
+#include "plan/io/roadmap_file.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -7,7 +8,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [&](std::istream&) {
     const auto archive = geom::ArrayArchive::from_bytes(bytes, "fuzz");
     if (geom::is_box_map(archive)) {
-      geom::read_box_map(archive);
+      geom::read_box_map(archive).boxes();
+    } else if (plan::is_roadmap(archive)) {
+      plan::read_roadmap(archive);
     } else {
       // 2^24 nodes are enough to fuzz with: larger claims are well formed and cost memory.
       const auto state = archive.array<std::uint8_t>("block_state");

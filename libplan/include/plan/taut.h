@@ -15,7 +15,8 @@ struct TautOptions {
 // A path of the same ends, no longer than `path`, whose every leg has passed scene.free(), as those
 // of `path` must have. At each bend the triangle with its neighbours is cut by the boxes in it, and
 // the bend becomes the convex chain around what they cut; then bends slide along the axes to where
-// the unfolded path is straight. Bends keep 1e-4 m from the boxes. A local optimum: of ways round
+// the unfolded path is straight. Bends keep 1 mm from the boxes, so that a
+// trajectory along the path has room to be sampled and rounded. A local optimum: of ways round
 // on other sides it knows nothing. Deterministic.
 geom::Polyline taut(const geom::CollisionScene& scene, const geom::Polyline& path,
                     const TautOptions& options = {});

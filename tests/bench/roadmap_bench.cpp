@@ -1,0 +1,103 @@
+// roadmap_bench QUERIES.csv: planning on a roadmap of the city, a query at a time on one thread:
+// path length over the best known of the table, and thread CPU time, the least of 3, per set.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "plan/plan.h"
+#include "support/bench_scene.h"
+
+namespace {
+
+using geom::Vec3;
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Query {
+  std::string set;
+  Vec3 from;
+  Vec3 to;
+  double best = 0;
+};
+
+std::vector<Query> read(const char* file) {
+  std::ifstream in(file);
+  std::vector<Query> out;
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    std::istringstream fields(line);
+    std::vector<std::string> f;
+    for (std::string field; std::getline(fields, field, ',');) f.push_back(field);
+    const auto at = [&](std::size_t i) { return std::stod(f[i]); };
+    out.push_back({f[0], {at(2), at(3), at(4)}, {at(5), at(6), at(7)}, at(9)});
+  }
+  return out;
+}
+
+// By nearest rank.
+double percentile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+  return values[std::max<std::size_t>(rank, 1) - 1];
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const geom::CollisionScene& scene = support::scene();
+  const auto begin = std::chrono::steady_clock::now();
+  const plan::Roadmap roadmap = plan::build_roadmap(scene, {}, {2, {}});
+  const std::chrono::duration<double> built = std::chrono::steady_clock::now() - begin;
+  const double bytes = static_cast<double>(4 * roadmap.to.size() + 44 * roadmap.bends.size());
+  double brute = cpu_seconds();
+  for (const auto& [a, b] : support::segments()) {
+    if (support::brute_force(a, b) && !scene.hits(a, b)) return 1;
+  }
+  brute = (cpu_seconds() - brute) / static_cast<double>(support::segments().size());
+  fmt::print("bends {} edges {} built in {:.2f} s, {:.0f} MB; k = {:.2f}\n", roadmap.bends.size(),
+             roadmap.to.size() / 2, built.count(), bytes / 1e6, brute / 30e-6);
+  const auto queries = read(argv[1]);
+  for (const auto& [name, quality] : {std::pair{"fast", plan::Quality::fast},
+                                      {"normal", plan::Quality::normal},
+                                      {"best", plan::Quality::best}}) {
+    plan::Planner planner(scene, nullptr, {}, &roadmap);
+    plan::PlanOptions options;
+    options.quality = quality;
+    std::map<std::string, std::vector<double>> ratio;
+    std::map<std::string, std::vector<double>> milliseconds;
+    for (const Query& q : queries) {
+      double least = 1e9;
+      for (int i = 0; i < 3; ++i) {
+        const double start = cpu_seconds();
+        const plan::PlanResult result = planner.plan(q.from, q.to, options);
+        least = std::min(least, cpu_seconds() - start);
+        if (i == 0) ratio[q.set].push_back(geom::length(result.path) / q.best);
+        if (result.status != plan::PlanStatus::found) fmt::print("not found: {}\n", result.message);
+      }
+      milliseconds[q.set].push_back(1e3 * least);
+    }
+    for (const auto& [set, r] : ratio) {
+      double mean = 0;
+      for (const double x : r) mean += x / static_cast<double>(r.size());
+      const auto& t = milliseconds[set];
+      fmt::print(
+          "{} {}: length mean {:.5f} p99 {:.4f} max {:.4f}; ms median {:.3f} p99 {:.3f} max "
+          "{:.3f}\n",
+          name, set, mean, percentile(r, 0.99), percentile(r, 1), percentile(t, 0.5),
+          percentile(t, 0.99), percentile(t, 1));
+    }
+  }
+  return 0;
+}

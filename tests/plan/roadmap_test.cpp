@@ -1,0 +1,155 @@
+#include "plan/roadmap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "geom/error.h"
+#include "plan/io/roadmap_file.h"
+#include "plan/plan.h"
+#include "plan/taut.h"
+#include "support/random_city.h"
+
+namespace plan {
+namespace {
+
+geom::CollisionScene city(std::uint64_t seed) {
+  return {support::random_city(seed, 60, 200), {"box", {1, 1, 0.5}}, 0.25};
+}
+
+// The shortest way over and round one wall, by trying all heights of its edges.
+TEST(Roadmap, FindsTheShortestWayOverAWall) {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{-50, -50, 0}, {50, 50, 60}};
+  const geom::CollisionScene scene(
+      geom::BoxMap(spec, support::table_of({{{-1, -60, 0}, {1, 60, 20}}})), {"box", {1, 1, 1}}, 0);
+  const Roadmap roadmap = build_roadmap(scene, {});
+  RoadmapSearch search(scene, roadmap);
+  const Vec3 from(-20, -10, 5);
+  const Vec3 to(20, 30, 5);
+  const RoadmapResult found = search.search(from, to, {});
+  ASSERT_EQ(found.paths.size(), 1u);
+  const geom::Polyline path = taut(scene, found.paths[0]);
+  // Unfolded: 18 m and 16 m up to the edge, 4 m across, and the same down; 40 m along.
+  const double flat = 2 * std::hypot(18.0, 16.0) + 4;
+  EXPECT_NEAR(geom::length(path), std::hypot(flat, 40.0), 2e-3);
+}
+
+class RoadmapProperty : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RoadmapProperty, BendsAreFreeAndEdgesSeeEachOtherBothWays) {
+  const auto scene = city(GetParam());
+  const Roadmap roadmap = build_roadmap(scene, {10, 120, {}}, {2, {}});
+  ASSERT_GT(roadmap.bends.size(), 100u);
+  ASSERT_EQ(roadmap.first.size(), roadmap.bends.size() + 1);
+  const auto edges = [&](std::size_t i) {
+    return std::span(roadmap.to).subspan(roadmap.first[i], roadmap.first[i + 1] - roadmap.first[i]);
+  };
+  for (std::size_t i = 0; i < roadmap.bends.size(); ++i) {
+    const Vec3& p = roadmap.bends[i].position;
+    ASSERT_TRUE(scene.free(p));
+    for (const std::uint32_t j : edges(i)) {
+      const Vec3& q = roadmap.bends[j].position;
+      ASSERT_LE((q - p).norm(), 120);
+      ASSERT_FALSE(scene.hits(p, q));
+      const auto back = edges(j);
+      ASSERT_TRUE(std::find(back.begin(), back.end(), i) != back.end());
+    }
+  }
+}
+
+TEST_P(RoadmapProperty, IsTheSameForAnyThreads) {
+  const auto scene = city(GetParam());
+  std::string bytes;
+  for (const unsigned threads : {1u, 2u, 7u}) {
+    std::ostringstream out;
+    write_roadmap(out, build_roadmap(scene, {}, {threads, {}}));
+    if (bytes.empty()) bytes = out.str();
+    ASSERT_EQ(out.str(), bytes);
+  }
+}
+
+TEST_P(RoadmapProperty, ComesBackFromItsFile) {
+  const auto scene = city(GetParam());
+  const Roadmap roadmap = build_roadmap(scene, {});
+  std::ostringstream out;
+  write_roadmap(out, roadmap);
+  const std::string bytes = out.str();
+  const Roadmap back =
+      read_roadmap(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "test.roadmap"));
+  EXPECT_EQ(back.to, roadmap.to);
+  EXPECT_EQ(back.first, roadmap.first);
+  EXPECT_EQ(back.split, roadmap.split);
+  ASSERT_EQ(back.bends.size(), roadmap.bends.size());
+  EXPECT_EQ(back.made_for.map, scene.map().hash());
+}
+
+TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
+  const auto scene = city(GetParam());
+  const Roadmap roadmap = build_roadmap(scene, {});
+  Planner by_roadmap(scene, nullptr, {}, &roadmap);
+  Planner by_lattice(scene, nullptr, {});
+  support::Random random(GetParam());
+  double roadmaps = 0;
+  double lattices = 0;
+  int compared = 0;
+  while (compared < 40) {
+    const auto point = [&] {
+      return Vec3(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 40));
+    };
+    const Vec3 from = point();
+    const Vec3 to = point();
+    if (!scene.free(from) || !scene.free(to) || scene.free(from, to)) continue;
+    const PlanResult a = by_roadmap.plan(from, to, {});
+    const PlanResult b = by_lattice.plan(from, to, {});
+    ASSERT_EQ(a.status, b.status);
+    if (a.status != PlanStatus::found) continue;
+    for (std::size_t i = 1; i < a.path.size(); ++i) {
+      ASSERT_TRUE(scene.free(a.path[i - 1], a.path[i]));
+    }
+    roadmaps += geom::length(a.path);
+    lattices += geom::length(b.path);
+    ++compared;
+  }
+  EXPECT_LT(roadmaps, lattices);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cities, RoadmapProperty, testing::Values(1, 2, 3));
+
+TEST(RoadmapFile, RefusesAnEdgeThatLeadsNowhere) {
+  const auto scene = city(1);
+  Roadmap roadmap = build_roadmap(scene, {10, 60, {}});
+  roadmap.to[5] = static_cast<std::uint32_t>(roadmap.bends.size());
+  std::ostringstream out;
+  write_roadmap(out, roadmap);
+  const std::string bytes = out.str();
+  EXPECT_THROW(read_roadmap(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "t")),
+               geom::InputError);
+}
+
+TEST(Taut, IsNeverLongerAndEveryLegIsFree) {
+  const auto scene = city(4);
+  Planner planner(scene, nullptr, {});
+  support::Random random(4);
+  int tried = 0;
+  while (tried < 60) {
+    const Vec3 from(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 40));
+    const Vec3 to(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 40));
+    PlanOptions options;
+    options.raw = true;
+    const PlanResult raw = planner.plan(from, to, options);
+    if (raw.status != PlanStatus::found || raw.path.size() < 3) continue;
+    ++tried;
+    const geom::Polyline path = taut(scene, raw.path);
+    EXPECT_LE(geom::length(path), geom::length(raw.path) + 1e-9);
+    EXPECT_EQ(path.front(), from);
+    EXPECT_EQ(path.back(), to);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      ASSERT_TRUE(scene.free(path[i - 1], path[i]));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plan
