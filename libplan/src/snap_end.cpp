@@ -10,7 +10,7 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kOutside = 1e-6;   // metres
+constexpr double kOutside = 1e-3;   // metres: room to round an end that was moved
 constexpr double kFirstRadius = 1;  // metres; doubled until something is found
 constexpr std::size_t kMost = 40;   // coordinates an axis: bounds the candidates to 40^3
 

@@ -92,11 +92,11 @@ TEST(Planner, SaysThatAnEndIsBlockedAndHowFarTheNearestFreePointIs) {
   const PlanResult start = planned(scene, {14.5, 20, 5}, {38, 20, 5});
   EXPECT_EQ(start.status, PlanStatus::start_blocked);
   EXPECT_EQ(start.message,
-            "start (14.5, 20, 5) is inside obstacle 1; the nearest free point is 0.500 m away");
+            "start (14.5, 20, 5) is inside obstacle 1; the nearest free point is 0.501 m away");
   const PlanResult goal = planned(scene, {2, 20, 5}, {20, 20, 29});
   EXPECT_EQ(goal.status, PlanStatus::goal_blocked);
   EXPECT_NE(goal.message.find("goal (20, 20, 29) is inside obstacle 1"), std::string::npos);
-  EXPECT_NE(goal.message.find("2.000 m away"), std::string::npos);
+  EXPECT_NE(goal.message.find("2.001 m away"), std::string::npos);
 }
 
 TEST(Planner, SaysThatAnEndIsOutside) {
@@ -124,7 +124,7 @@ TEST(Planner, SnapsEndsWithinTheDistanceAskedFor) {
   const PlanResult result = planned(scene, inside, outside, {.snap_ends = 1.5});
   ASSERT_EQ(result.status, PlanStatus::found);
   ASSERT_TRUE(result.snapped_start && result.snapped_goal);
-  EXPECT_NEAR((*result.snapped_start - inside).norm(), 0.5, 1e-5);
+  EXPECT_NEAR((*result.snapped_start - inside).norm(), 0.501, 1e-6);
   EXPECT_EQ(*result.snapped_goal, Vec3(39, 20, 5));
   EXPECT_EQ(result.path.front(), *result.snapped_start);
   EXPECT_EQ(result.path.back(), *result.snapped_goal);

@@ -31,9 +31,10 @@ TEST(Roadmap, FindsTheShortestWayOverAWall) {
   const RoadmapResult found = search.search(from, to, {});
   ASSERT_EQ(found.paths.size(), 1u);
   const geom::Polyline path = taut(scene, found.paths[0]);
-  // Unfolded: 18 m and 16 m up to the edge, 4 m across, and the same down; 40 m along.
-  const double flat = 2 * std::hypot(18.0, 16.0) + 4;
-  EXPECT_NEAR(geom::length(path), std::hypot(flat, 40.0), 2e-3);
+  // Unfolded: 18 m and 16 m up to the edge, 4 m across, and the same down; 40 m along. Bends keep a
+  // millimetre off, and the last round of pulling may leave as much.
+  const double flat = 2 * std::hypot(17.999, 16.001) + 4.002;
+  EXPECT_NEAR(geom::length(path), std::hypot(flat, 40.0), 1e-3);
 }
 
 class RoadmapProperty : public testing::TestWithParam<std::uint64_t> {};
