@@ -13,12 +13,15 @@
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 11> kVerbs = {{
+constexpr std::array<std::pair<const char*, const char*>, 14> kVerbs = {{
     {"synth", "make up a city"},
-    {"import", "city tables and block texts to box maps"},
-    {"map", "look at, crop and convert box maps"},
-    {"query", "hits, clearance and nearest boxes"},
+    {"import", "city tables, block texts, voxels and octrees to box maps"},
+    {"footprints", "building footprints, city and height models to box maps"},
+    {"cloud", "point clouds to box maps"},
+    {"map", "look at, join, merge, patch and convert box maps"},
+    {"query", "hits, clearance, nearest boxes, planes, room"},
     {"lattice", "build a lattice graph of a map"},
+    {"roadmap", "build a taut visibility roadmap of a map"},
     {"plan", "plan collision-free paths"},
     {"traj", "minimum-snap trajectories along paths"},
     {"check", "prove trajectories and paths"},
@@ -29,7 +32,7 @@ constexpr std::array<std::pair<const char*, const char*>, 11> kVerbs = {{
 
 void print_verbs(std::FILE* to) {
   fmt::print(to, "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n");
-  for (const auto& [verb, what] : kVerbs) fmt::print(to, "  {:<9} {}\n", verb, what);
+  for (const auto& [verb, what] : kVerbs) fmt::print(to, "  {:<10} {}\n", verb, what);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace plan {
 namespace {
@@ -84,7 +85,22 @@ const AstarSearch::Goal* AstarSearch::goal_at(std::uint32_t node) const {
   return at != goals_.end() && at->node == node ? &*at : nullptr;
 }
 
+// The earliest entry is kept beside the heap while nothing else is taken: a search that runs
+// straight on takes what it has just put in.
 void AstarSearch::insert(const Open& entry) {
+  if (!has_next_ && (open_.empty() || earlier(entry, open_.front()))) {
+    next_ = entry;
+    has_next_ = true;
+    return;
+  }
+  if (has_next_ && earlier(entry, next_)) {
+    push_heap(std::exchange(next_, entry));
+    return;
+  }
+  push_heap(entry);
+}
+
+void AstarSearch::push_heap(const Open& entry) {
   std::size_t at = open_.size();
   open_.push_back(entry);
   while (at > 0) {
@@ -97,6 +113,10 @@ void AstarSearch::insert(const Open& entry) {
 }
 
 AstarSearch::Open AstarSearch::take_first() {
+  if (has_next_) {
+    has_next_ = false;
+    return next_;
+  }
   const Open first = open_.front();
   const Open last = open_.back();
   open_.pop_back();
@@ -141,6 +161,7 @@ void AstarSearch::expand(const Open& from) {
 
 void AstarSearch::start(std::span<const Terminal> sources, std::span<const Terminal> goals) {
   open_.clear();
+  has_next_ = false;
   goals_.clear();
   if (++stamp_ == 0) {
     std::fill(visits_.begin(), visits_.end(), Visit{});
@@ -199,7 +220,7 @@ SearchResult AstarSearch::search(std::span<const Terminal> sources,
   start(sources, goals);
   Units best = kNone;
   const Goal* reached = nullptr;
-  while (!open_.empty() && open_.front().bound < best) {
+  while ((has_next_ || !open_.empty()) && (has_next_ ? next_ : open_.front()).bound < best) {
     const Open top = take_first();
     Visit& visit = visits_[top.node];
     if (visit.settled) continue;

@@ -63,6 +63,7 @@ class AstarSearch {
   void push(std::uint32_t node, Units cost, int direction, std::int32_t x, std::int32_t y,
             std::int32_t z);
   void insert(const Open& entry);
+  void push_heap(const Open& entry);
   Open take_first();
   Units to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const;
   Units to_box(std::int32_t x, std::int32_t y, std::int32_t z) const;
@@ -73,7 +74,9 @@ class AstarSearch {
 
   const Lattice* lattice_;
   std::vector<Visit> visits_;
-  std::vector<Open> open_;   // a heap of four children a node: shallower, and fewer cache misses
+  std::vector<Open> open_;  // a heap of four children a node: shallower, and fewer cache misses
+  Open next_{};             // earlier than all of the heap, where there is one
+  bool has_next_ = false;
   std::vector<Goal> goals_;  // by node, the cheapest of each
   Goal lowest_{};            // the box around the goals, and the least cost of any
   Goal highest_{};
