@@ -125,6 +125,7 @@ class PlyReader {
     if (vertex && std::any_of(axis_of, axis_of + 3, [](int k) { return k < 0; })) {
       refuse("expected the properties x, y and z of element \"vertex\"");
     }
+    if (element.properties.empty()) return;  // takes no bytes, whatever count it claims
     for (std::uint64_t i = 0; i < element.count; ++i) {
       Vec3 p = Vec3::Zero();
       for (std::size_t k = 0; k < element.properties.size(); ++k) {

@@ -75,6 +75,13 @@ TEST(Pcd, RefusesCompressedDataThatAreDamagedOrShort) {
   EXPECT_THROW(read_as_pcd(bytes), InputError);
 }
 
+TEST(Ply, PassesOverAnElementWithoutPropertiesWhateverItsCount) {
+  std::istringstream in(
+      "ply\nformat ascii 1.0\nelement camera 133333333333333\nelement vertex 1\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n1 2 3\n");
+  EXPECT_EQ(read_ply(in, "test.ply", [](std::span<const CloudPoint>) {}).read, 1u);
+}
+
 TEST(Las, RefusesACountThatTheFileDoesNotHold) {
   std::string bytes(227, '\0');
   std::memcpy(bytes.data(), "LASF", 4);
