@@ -175,7 +175,8 @@ geom::BoxTable filter(Cloud& source, const Options& options, const std::string& 
     apply("dropped_as_outliers",
           cloud::without_outliers(points, static_cast<int>(k), (*numbers)[1]));
   }
-  if (options.voxel > 0) apply("dropped_by_voxel", cloud::one_per_voxel(points, options.voxel));
+  if (options.voxel > 0)
+    apply("dropped_by_voxel", cloud::one_per_voxel(points, options.voxel, name));
   if (options.ground == "drop") {
     apply("dropped_as_ground", without_ground(points, options.ground_spec));
   }
@@ -195,6 +196,16 @@ std::string history_of(const std::string& hash, const Options& options,
                  {"unknown", options.unknown}};
   if (!options.outliers.empty()) step["outliers"] = options.outliers;
   if (options.voxel > 0) step["voxel"] = options.voxel;
+  if (!options.classes.empty()) step["classes"] = options.classes;
+  if (options.ground == "drop") {
+    step["ground_cell"] = options.ground_spec.cell;
+    step["ground_slope"] = options.ground_spec.slope;
+    step["ground_height"] = options.ground_spec.height;
+  }
+  if (options.mode == "objects") {
+    step["tolerance"] = options.tolerance;
+    step["min_points"] = options.min_points;
+  }
   step.update(cli::history_of(map));
   return Report::array({step}).dump();
 }
@@ -213,7 +224,8 @@ void add_options(CLI::App& app, Options& options) {
                  "returns of a column further apart leave free space between (default 2)")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--classes", options.classes, "keep only these LAS classes: 6,9,…")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->check(CLI::Range(0, 255));
   app.add_option("--outliers", options.outliers,
                  "NEIGHBOURS,DEVIATIONS: drop points far from their neighbours");
   app.add_option("--voxel", options.voxel, "keep one point per cube of this side, metres")
@@ -224,7 +236,7 @@ void add_options(CLI::App& app, Options& options) {
                  "cells whose lowest returns make the ground, metres (default 2)")
       ->check(CLI::Range(0.1, 1000.0));
   app.add_option("--ground-slope", options.ground_spec.slope,
-                 "metres up a metre that ground may rise (default 1)")
+                 "metres up a metre that ground may rise (default 0.1)")
       ->check(CLI::Range(0.0, 100.0));
   app.add_option("--ground-height", options.ground_spec.height,
                  "metres above it that count as ground (default 0.3)")

@@ -109,7 +109,7 @@ BoxTable ColumnGrid::boxes(std::string_view source) const {
     }
   }
   if (x0 > x1) return table;
-  const double rectangle = (x1 - x0 + 1.0) * (y1 - y0 + 1.0);
+  const double rectangle = (static_cast<double>(x1) - x0 + 1) * (static_cast<double>(y1) - y0 + 1);
   if (spec_.unknown_blocked && rectangle > 2e8) {
     throw InputError(source, fmt::format("expected at most 2e8 cells in the rectangle around the "
                                          "points, found {}: use larger cells",

@@ -14,6 +14,7 @@ namespace geom {
 namespace {
 
 constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 32;
+constexpr std::uint64_t kLargestRecord = 1 << 20;  // bytes a point
 
 struct Field {
   std::string name;
@@ -102,6 +103,10 @@ class PcdReader {
                            names[i].substr(0, 40), types[i].substr(0, 4), sizes[i].substr(0, 8)));
       }
       record_ += field.bytes();
+      if (record_ > kLargestRecord) {
+        refuse(fmt::format("expected at most {} bytes a point, found {} up to field {}",
+                           kLargestRecord, record_, names[i].substr(0, 40)));
+      }
       fields_.push_back(std::move(field));
       const std::string& name = fields_.back().name;
       const char letter = static_cast<char>(name[0] | 0x20);  // some write X, Y, Z

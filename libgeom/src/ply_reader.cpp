@@ -144,7 +144,9 @@ class PlyReader {
     std::uint64_t count = 1;
     if (property.count) {
       const double listed = next_scalar(element, *property.count, i);
-      if (listed < 0) refuse("a list must have 0 or more entries");
+      if (!(listed >= 0 && listed <= 0xffffffff)) {
+        refuse(fmt::format("a list must have 0 to 2^32 - 1 entries, found {}", listed));
+      }
       count = static_cast<std::uint64_t>(listed);
     }
     for (std::uint64_t k = 0; k < count; ++k) value = next_scalar(element, property.scalar, i);

@@ -10,7 +10,7 @@ CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink&
   constexpr std::string_view kSeparators = " \t,;\r";
   TextLines lines(in, source);
   PointChunks chunks(source, sink);
-  bool first = true;
+  bool first = true;  // a header may still come: a line of words, or of a count alone
   while (lines.next()) {
     std::string_view rest = lines.line();
     if (rest.empty() || rest[0] == '#' || rest.starts_with("//")) continue;
@@ -22,7 +22,8 @@ CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink&
       const std::string_view field = at == rest.npos ? "" : rest.substr(at, end - at);
       const auto value = parse_number(field);
       words = !value;
-      if (words && !first) {
+      const bool header = i == 0 || (i == 1 && field.empty());
+      if (words && !(first && header)) {
         lines.refuse(
             fmt::format("expected three numbers, found \"{}\"", lines.line().substr(0, 60)));
       }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geom/error.h"
 #include "support/random_city.h"
 
 namespace geom {
@@ -79,8 +80,12 @@ TEST(ColumnGrid, LeavesGapsFreeWhereUnknownIsFree) {
   EXPECT_EQ(table.boxes[1].max.z(), 10.5);
 }
 
+TEST(ColumnGrid, RefusesARectangleBeyondThirtyOneBits) {
+  EXPECT_THROW(boxes({{1e8, 0, 0}, {-1e8, 0, 0}}, {0.05, 0.5, 2, true}), InputError);
+}
+
 TEST(GroundGrid, TellsAHouseOnASlopeFromTheSlope) {
-  GroundGrid ground({});
+  GroundGrid ground({2, 1, 0.3});
   std::vector<Vec3> slope;
   std::vector<Vec3> house;
   support::Random random(5);

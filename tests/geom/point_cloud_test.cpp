@@ -75,6 +75,34 @@ TEST(Pcd, RefusesCompressedDataThatAreDamagedOrShort) {
   EXPECT_THROW(read_as_pcd(bytes), InputError);
 }
 
+TEST(Pcd, RefusesARecordOfMegabytesBeforeTakingMemory) {
+  EXPECT_THROW(read_as_pcd("FIELDS x y z pad\nSIZE 4 4 4 8\nTYPE F F F F\nCOUNT 1 1 1 1000000\n"
+                           "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary\n"),
+               InputError);
+}
+
+TEST(Ply, RefusesAListOfNotANumberEntries) {
+  std::istringstream in(
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int v\nelement vertex 1\n"
+      "property float x\nproperty float y\nproperty float z\nend_header\nnan\n1 2 3\n");
+  EXPECT_THROW(read_ply(in, "test.ply", [](std::span<const CloudPoint>) {}), InputError);
+}
+
+std::size_t points_of_xyz(const std::string& text) {
+  std::istringstream in(text);
+  return read_xyz(in, "test.xyz", [](std::span<const CloudPoint>) {}).read;
+}
+
+TEST(Xyz, TakesAFirstLineOfWordsOrACountForAHeader) {
+  EXPECT_EQ(points_of_xyz("x y z\n1 2 3\n"), 1u);
+  EXPECT_EQ(points_of_xyz("1\n1 2 3\n"), 1u);
+}
+
+TEST(Xyz, RefusesAFirstLineThatIsAPointWithAWordInIt) {
+  EXPECT_THROW(points_of_xyz("1 two 3\n1 2 3\n"), InputError);
+  EXPECT_THROW(points_of_xyz("1 2\n1 2 3\n"), InputError);
+}
+
 TEST(Ply, PassesOverAnElementWithoutPropertiesWhateverItsCount) {
   std::istringstream in(
       "ply\nformat ascii 1.0\nelement camera 133333333333333\nelement vertex 1\nproperty float x\n"

@@ -1,5 +1,6 @@
 #include "cloud/pcl_filters.h"
 
+#include <fmt/format.h>
 #include <pcl/filters/statistical_outlier_removal.h>
 #include <pcl/filters/uniform_sampling.h>
 #include <pcl/point_cloud.h>
@@ -8,6 +9,8 @@
 #include <pcl/segmentation/extract_clusters.h>
 
 #include <algorithm>
+
+#include "geom/error.h"
 
 namespace cloud {
 namespace {
@@ -32,6 +35,22 @@ Points chosen(const Points& points, pcl::Indices indices) {
   return out;
 }
 
+// Two cells more on each axis than the box needs: whatever single precision rounds stays below.
+void refuse_many_voxels(const Points& points, double side, std::string_view source) {
+  geom::Vec3 low = points.front().position;
+  geom::Vec3 high = low;
+  for (const geom::CloudPoint& p : points) {
+    low = low.cwiseMin(p.position);
+    high = high.cwiseMax(p.position);
+  }
+  const double cells = ((high - low).array() / side + 3).prod();
+  if (cells < 0x1p31) return;
+  throw geom::InputError(
+      source, fmt::format("expected less than 2^31 voxels around the points, found {:.3g}: use a "
+                          "larger --voxel, or drop far points first",
+                          cells));
+}
+
 }  // namespace
 
 Points without_outliers(const Points& points, int neighbours, double deviations) {
@@ -45,8 +64,9 @@ Points without_outliers(const Points& points, int neighbours, double deviations)
   return chosen(points, std::move(kept));
 }
 
-Points one_per_voxel(const Points& points, double side) {
+Points one_per_voxel(const Points& points, double side, std::string_view source) {
   if (points.empty()) return {};
+  refuse_many_voxels(points, side, source);
   pcl::UniformSampling<pcl::PointXYZ> filter(true);
   filter.setInputCloud(shifted(points));
   filter.setRadiusSearch(side);

@@ -4,6 +4,7 @@
 // indices, so that the points themselves lose nothing.
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "geom/io/point_cloud.h"
@@ -17,7 +18,9 @@ using Points = std::vector<geom::CloudPoint>;
 Points without_outliers(const Points& points, int neighbours, double deviations);
 
 // One point of each cubic cell of that side, the one nearest to its middle (pcl::UniformSampling).
-Points one_per_voxel(const Points& points, double side);
+// Throws InputError(source, …) where the box around the points has 2^31 cells or more: PCL's index
+// of cells would wrap, and points far apart count as one.
+Points one_per_voxel(const Points& points, double side, std::string_view source);
 
 // Groups of points that are linked by steps of at most `tolerance` metres, largest first
 // (pcl::EuclideanClusterExtraction).

@@ -36,7 +36,7 @@ class ColumnGrid {
   std::size_t cells() const;  // with returns
 
  private:
-  static constexpr int kSide = 64;  // cells of a tile
+  static constexpr int kSide = 16;  // cells of a tile: a lone return takes 6 KiB
 
   struct Span {  // of heights, in steps: closed
     std::int32_t low;
@@ -64,7 +64,7 @@ class ColumnGrid {
 
 struct GroundSpec {
   double cell = 2;      // metres
-  double slope = 1;     // metres up a metre aside: what rises faster is no ground
+  double slope = 0.1;   // metres up a metre aside: what rises faster is no ground
   double height = 0.3;  // metres above the ground of a cell, sloped as to its neighbours
 };
 

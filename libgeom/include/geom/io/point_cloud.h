@@ -37,7 +37,7 @@ CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink&
 CloudCounts read_las(std::istream& in, std::string_view source, const PointSink& sink);
 
 // Three numbers a line, then anything; fields by white space, comma or semicolon; `#` and `//`
-// start comments, and a first line of words is a header.
+// start comments, and a first line that starts with a word or is a number alone is a header.
 CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink& sink);
 
 }  // namespace geom
