@@ -18,7 +18,7 @@ struct Rectangle {  // closed; min <= max on both axes
 // allows; along the axis that needs fewer. An axis-aligned rectangle gives one, a polygon of one
 // point or line rectangles without extent. Rectangles are rounded outward by 1e-9 m and 4 units in
 // the last place, which the slack includes; it must be at least 1e-6 m and 1e-9 of the coordinates.
-// No point at all gives none. Cost: the number of slabs times that of edges.
+// No point at all gives none. Cost: the number of slabs times that of the edges near each.
 std::vector<Rectangle> cover(const Polygon& polygon, double slack);
 
 }  // namespace geom
