@@ -32,7 +32,7 @@ bool says(const std::string& path, std::string_view word) {
 
 // CityJSON by what it says, OSM by its name, height models by what GDAL makes of them.
 std::string detect(std::string_view head, const std::string& path) {
-  for (const char* end : {".pbf", ".osm", ".osm.bz2"}) {
+  for (const char* end : {".pbf", ".osm", ".osm.bz2", ".osm.gz"}) {
     if (path.ends_with(end)) return "osm";
   }
   const std::size_t first = head.find_first_not_of(" \t\r\n");
@@ -57,6 +57,32 @@ void project(footprints::Source& source, const footprints::Projector& projector)
     for (geom::Vec2& p : f.polygon.outer) p = projector(p);
     for (auto& hole : f.polygon.holes) {
       for (geom::Vec2& p : hole) p = projector(p);
+    }
+  }
+}
+
+// What geom::cover asks of its numbers, and that it ends: a footprint is cut into slabs no lower
+// than the slack.
+void check_sizes(const footprints::Source& source, double slack, const std::string& name) {
+  constexpr double kMostSlabs = 1e6;
+  const double reach = std::min(geom::kLargestCoordinate, 1e9 * slack);
+  for (const geom::Footprint& f : source.footprints) {
+    geom::Vec2 low = f.polygon.outer.front();
+    geom::Vec2 high = low;
+    const auto look = [&](const std::vector<geom::Vec2>& ring) {
+      for (const geom::Vec2& p : ring) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+    };
+    look(f.polygon.outer);
+    for (const auto& hole : f.polygon.holes) look(hole);
+    const double size = (high - low).maxCoeff();
+    if (low.minCoeff() < -reach || high.maxCoeff() > reach || size > kMostSlabs * slack) {
+      throw geom::InputError(
+          name, fmt::format("feature {}: expected a footprint within {} m of the origin and no "
+                            "longer than {} m (1e6 times --slack), found [{}, {}] to [{}, {}]",
+                            f.id, reach, kMostSlabs * slack, low.x(), low.y(), high.x(), high.y()));
     }
   }
 }
@@ -157,6 +183,7 @@ int main(int argc, char** argv) {
     if (!options.terrain.empty()) {
       lift(source, footprints::Terrain(options.terrain, options.terrain), projector.frame().crs);
     }
+    check_sizes(source, options.slack, file.name());
     const std::size_t count = source.footprints.size();
     geom::BoxTable table =
         geom::boxes_of(source.footprints, options.slack, common.execution("footprints"));

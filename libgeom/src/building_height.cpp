@@ -26,6 +26,27 @@ std::optional<double> leading_number(std::string_view& text) {
   return value;
 }
 
+// Calls f(part) for each of "3;4", "3-5" and "3 - 5"; a sign belongs to its number.
+template <class F>
+void for_each_part(std::string_view text, const F& f) {
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    const bool range = i < text.size() && text[i] == '-' &&
+                       text.substr(begin, i - begin).find_first_of("0123456789") < i;
+    if (i < text.size() && text[i] != ';' && !range) continue;
+    f(trimmed(text.substr(begin, i - begin)));
+    begin = i + 1;
+  }
+}
+
+// The first number of a part with its sign, whatever stands around it.
+std::optional<double> level_of(std::string_view part) {
+  const std::size_t at = part.find_first_of("0123456789");
+  if (at == std::string_view::npos) return std::nullopt;
+  part.remove_prefix(at > 0 && part[at - 1] == '-' ? at - 1 : at);
+  return leading_number(part);
+}
+
 }  // namespace
 
 std::optional<double> parse_length(std::string_view text) {
@@ -47,6 +68,8 @@ std::optional<double> parse_length(std::string_view text) {
     metres *= 0.01;
   } else if (text.starts_with("km")) {
     metres *= 1000;
+  } else if (text.starts_with("mi") || text.starts_with("mm")) {
+    return std::nullopt;
   } else if (!text.empty() && text[0] != 'm' && text[0] != 'M' && text[0] != ';') {
     return std::nullopt;
   }
@@ -54,18 +77,44 @@ std::optional<double> parse_length(std::string_view text) {
   return metres;
 }
 
+std::optional<double> parse_highest(std::string_view text) {
+  std::optional<double> most;
+  for_each_part(text, [&](std::string_view part) {
+    const auto value = parse_length(part);
+    if (value) most = std::max(most.value_or(*value), *value);
+  });
+  return most;
+}
+
+std::optional<double> parse_lowest(std::string_view text) {
+  std::optional<double> least;
+  bool junk = false;
+  for_each_part(text, [&](std::string_view part) {
+    const auto value = parse_length(part);
+    if (value) least = std::min(least.value_or(*value), *value);
+    junk |= !value;
+  });
+  return junk ? std::nullopt : least;
+}
+
 std::optional<double> parse_levels(std::string_view text) {
   std::optional<double> most;
-  while (!text.empty()) {
-    if (text[0] < '0' || text[0] > '9') {
-      text.remove_prefix(1);
-      continue;
-    }
-    const auto value = leading_number(text);
-    if (value && *value <= 300) most = std::max(most.value_or(0), *value);
-    if (!value) text.remove_prefix(1);
-  }
+  for_each_part(text, [&](std::string_view part) {
+    const auto value = level_of(part);
+    if (value && std::abs(*value) <= 300) most = std::max(most.value_or(*value), *value);
+  });
   return most;
+}
+
+std::optional<double> parse_lowest_level(std::string_view text) {
+  std::optional<double> least;
+  bool junk = false;
+  for_each_part(text, [&](std::string_view part) {
+    const auto value = level_of(part);
+    if (value) least = std::min(least.value_or(*value), *value);
+    junk |= !value || std::abs(*value) > 300;
+  });
+  return junk ? std::nullopt : least;
 }
 
 BuildingHeight building_height(const std::function<std::string(const char*)>& tag,
@@ -78,7 +127,7 @@ BuildingHeight building_height(const std::function<std::string(const char*)>& ta
     if (!value) out.junk = true;
     return value;
   };
-  const auto metres = [&](const char* key) { return read(key, parse_length); };
+  const auto metres = [&](const char* key) { return read(key, parse_highest); };
   const auto levels = [&](const char* key) { return read(key, parse_levels); };
 
   std::optional<double> top;
@@ -100,9 +149,10 @@ BuildingHeight building_height(const std::function<std::string(const char*)>& ta
     top.reset();
   }
   out.top = top.value_or(options.default_height);
-  auto bottom = metres("min_height");
+  auto bottom = read("min_height", parse_lowest);
   if (!bottom) {
-    if (const auto level = levels("building:min_level")) bottom = *level * options.storey;
+    if (const auto level = read("building:min_level", parse_lowest_level))
+      bottom = *level * options.storey;
   }
   if (bottom && *bottom > 0) {
     if (*bottom < out.top) {

@@ -37,6 +37,7 @@ class Reader {
     }
     read_crs(root);
     read_vertices(root);
+    read_templates(root);
     const Json objects = root.value("CityObjects", Json());
     if (!objects.is_object()) refuse("expected \"CityObjects\" to be an object");
     std::uint64_t id = 0;
@@ -109,35 +110,101 @@ class Reader {
       ++out_.skipped[type];
       return;
     }
-    const Json* geometry = finest(object);
-    if (!geometry) {
+    const std::vector<const Json*> geometries = finest(object);
+    if (geometries.empty()) {
       ++out_.skipped[type + " without geometry"];
       return;
     }
     surfaces_.clear();
-    collect(geometry->value("boundaries", Json()), 0);
+    for (const Json* geometry : geometries) collect_geometry(*geometry);
     add_footprints(id);
   }
 
-  // The geometry of the highest level of detail that is made of surfaces.
-  const Json* finest(const Json& object) {
-    const Json* best = nullptr;
+  // Templates: shapes that objects place by a matrix and a reference point.
+  void read_templates(const Json& root) {
+    const Json section = root.value("geometry-templates", Json());
+    if (section.is_null()) return;
+    const Json list = section.is_object() ? section.value("templates", Json()) : Json();
+    const Json vertices =
+        section.is_object() ? section.value("vertices-templates", Json()) : Json();
+    if (!list.is_array() || !vertices.is_array()) {
+      refuse("geometry-templates must have the arrays templates and vertices-templates");
+    }
+    for (const Json& geometry : list) {
+      if (!geometry.is_object()) refuse("a geometry template must be an object");
+      templates_.push_back(geometry);
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      template_vertices_.push_back(triple(vertices[i], fmt::format("template vertex {}", i)));
+    }
+  }
+
+  const Json& template_of(const Json& instance) const {
+    const Json index = instance.value("template", Json());
+    if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= templates_.size()) {
+      refuse_object(fmt::format("a template must be below {}, found {}", templates_.size(),
+                                index.dump().substr(0, 40)));
+    }
+    return templates_[index.get<std::size_t>()];
+  }
+
+  static bool is_instance(const Json& geometry) {
+    return geometry.value("type", Json()) == "GeometryInstance";
+  }
+
+  void collect_geometry(const Json& geometry) {
+    if (!is_instance(geometry)) {
+      collect(geometry.value("boundaries", Json()), 0);
+      return;
+    }
+    const Json at = geometry.value("boundaries", Json());
+    if (!at.is_array() || at.size() != 1) {
+      refuse_object("the boundaries of a GeometryInstance must be one vertex index");
+    }
+    const Vec3 reference = vertices_[index_below(at[0], vertices_.size())];
+    const Json numbers = geometry.value("transformationMatrix", Json());
+    if (!numbers.is_array() || numbers.size() != 16) {
+      refuse_object("a transformationMatrix must be 16 numbers");
+    }
+    Eigen::Matrix4d matrix;
+    for (int i = 0; i < 16; ++i) {
+      matrix(i / 4, i % 4) = number(numbers[static_cast<std::size_t>(i)], "transformationMatrix");
+    }
+    std::vector<Vec3> placed;
+    for (const Vec3& v : template_vertices_) {
+      const Eigen::Vector4d h = matrix * Eigen::Vector4d(v.x(), v.y(), v.z(), 1);
+      placed.push_back(h.head<3>() + reference);
+      if (!(placed.back().cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
+        refuse_object("a template's vertex is placed beyond 1e8");
+      }
+    }
+    std::swap(vertices_, placed);
+    collect(template_of(geometry).value("boundaries", Json()), 0);
+    std::swap(vertices_, placed);
+  }
+
+  // The geometries of the highest level of detail that are made of surfaces.
+  std::vector<const Json*> finest(const Json& object) {
+    std::vector<const Json*> best;
     double best_lod = -1;
-    if (!object.contains("geometry")) return nullptr;
+    if (!object.contains("geometry")) return best;
     const Json& list = object["geometry"];
     if (!list.is_array()) refuse_object("geometry must be an array");
     for (const Json& geometry : list) {
-      const std::string type = geometry.is_object() ? geometry.value("type", Json()).dump() : "";
+      if (!geometry.is_object()) refuse_object("a geometry must be an object");
+      const Json& shape = is_instance(geometry) ? template_of(geometry) : geometry;
+      const std::string type = shape.value("type", Json()).dump();
       if (type.find("Surface") == std::string::npos && type.find("Solid") == std::string::npos) {
         ++out_.skipped["geometry " + type.substr(0, 40)];
         continue;
       }
-      const Json lod = geometry.value("lod", Json(0));
+      const Json lod = shape.value("lod", Json(0));
       const double value = lod.is_string()   ? std::atof(lod.get<std::string>().c_str())
                            : lod.is_number() ? lod.get<double>()
                                              : 0;
-      if (best && value <= best_lod) continue;
-      best = &geometry;
+      if (value < best_lod) continue;
+      if (value > best_lod) best.clear();
+      best.push_back(&geometry);
       best_lod = value;
     }
     return best;
@@ -158,17 +225,21 @@ class Reader {
     }
   }
 
+  std::size_t index_below(const Json& index, std::size_t count) const {
+    if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= count) {
+      refuse_object(fmt::format("a vertex index must be below {}, found {}", count,
+                                index.dump().substr(0, 40)));
+    }
+    return index.get<std::size_t>();
+  }
+
   Surface surface_of(const Json& rings) const {
     Surface surface;
     for (const Json& ring : rings) {
       if (!ring.is_array() || ring.empty()) refuse_object("a ring must have vertices");
       surface.emplace_back();
       for (const Json& index : ring) {
-        if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= vertices_.size()) {
-          refuse_object(fmt::format("a vertex index must be below {}, found {}", vertices_.size(),
-                                    index.dump().substr(0, 40)));
-        }
-        surface.back().push_back(vertices_[index.get<std::size_t>()]);
+        surface.back().push_back(vertices_[index_below(index, vertices_.size())]);
       }
     }
     return surface;
@@ -220,7 +291,9 @@ class Reader {
 
   std::string source_;
   std::string object_;
-  std::vector<Vec3> vertices_;
+  std::vector<Vec3> vertices_;  // while a template is placed: its own
+  std::vector<Json> templates_;
+  std::vector<Vec3> template_vertices_;
   std::vector<Surface> surfaces_;
   CityJson out_;
 };

@@ -1,6 +1,7 @@
 #include "geom/footprint.h"
 
 #include <algorithm>
+#include <array>
 
 #include "geom/cover.h"
 #include "geom/parallel.h"
@@ -45,6 +46,58 @@ bool wall_covered(const Vec2& a, const Vec2& b, const Footprint& f, std::span<co
   return !parts.empty() && reached >= 1;
 }
 
+constexpr std::size_t kMostGapBoxes = 1000;
+
+// Whether the polygon, whose edges lie within the boxes, holds a place that none of them does. The
+// boxes' sides cut the plane into cells; no edge enters one that no box covers, so it lies inside
+// the polygon as a whole or outside as a whole.
+bool encloses_gap(const Footprint& f, std::span<const Aabb> boxes) {
+  Vec2 low = f.polygon.outer.front();
+  Vec2 high = low;
+  for (const Vec2& p : f.polygon.outer) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  std::vector<Aabb> near;
+  for (const Aabb& box : boxes) {
+    if (box.min.z() <= f.bottom && box.max.z() >= f.top && box.min.x() <= high.x() &&
+        box.max.x() >= low.x() && box.min.y() <= high.y() && box.max.y() >= low.y()) {
+      near.push_back(box);
+    }
+  }
+  if (near.size() > kMostGapBoxes) return true;  // not worth looking: it gets boxes of its own
+  std::array<std::vector<double>, 2> sides;
+  for (int i = 0; i < 2; ++i) {
+    auto& side = sides[static_cast<std::size_t>(i)];
+    side = {low[i], high[i]};
+    for (const Aabb& box : near) {
+      side.push_back(box.min[i]);
+      side.push_back(box.max[i]);
+    }
+    std::sort(side.begin(), side.end());
+    side.erase(std::unique(side.begin(), side.end()), side.end());
+  }
+  const auto& [xs, ys] = sides;
+  for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
+    std::vector<int> depth(xs.size());
+    const auto column = [&](double x) {
+      return static_cast<std::size_t>(std::lower_bound(xs.begin(), xs.end(), x) - xs.begin());
+    };
+    for (const Aabb& box : near) {
+      if (box.min.y() > ys[j] || box.max.y() < ys[j + 1]) continue;
+      ++depth[column(box.min.x())];
+      --depth[column(box.max.x())];
+    }
+    int over = 0;
+    for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+      over += depth[i];
+      const Vec2 middle(0.5 * (xs[i] + xs[i + 1]), 0.5 * (ys[j] + ys[j + 1]));
+      if (over == 0 && contains(f.polygon, middle)) return true;
+    }
+  }
+  return false;
+}
+
 bool covered(const Footprint& f, std::span<const Aabb> boxes) {
   const auto ring_covered = [&](const std::vector<Vec2>& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -53,7 +106,8 @@ bool covered(const Footprint& f, std::span<const Aabb> boxes) {
     return true;
   };
   return ring_covered(f.polygon.outer) &&
-         std::all_of(f.polygon.holes.begin(), f.polygon.holes.end(), ring_covered);
+         std::all_of(f.polygon.holes.begin(), f.polygon.holes.end(), ring_covered) &&
+         !encloses_gap(f, boxes);
 }
 
 }  // namespace

@@ -19,9 +19,25 @@ TEST(ParseLength, UnderstandsWhatPeopleWrite) {
 
 TEST(ParseLength, GivesNothingForTheRest) {
   for (const char* text :
-       {"", "tall", "m 12", "12 storeys", "1e9", "nan", "inf", "--3", "12.1.3x"}) {
+       {"", "tall", "m 12", "12 storeys", "1e9", "nan", "inf", "--3", "12.1.3x", "12 mi"}) {
     EXPECT_FALSE(parse_length(text)) << text;
   }
+}
+
+TEST(ParseHighestAndLowest, TakeTheSideThatLeavesNothingOut) {
+  EXPECT_EQ(parse_highest("3;40"), 40);
+  EXPECT_EQ(parse_highest("30-40 m"), 40);
+  EXPECT_EQ(parse_highest("tall; 40"), 40);
+  EXPECT_EQ(parse_highest("-3"), -3);
+  EXPECT_FALSE(parse_highest("tall"));
+  EXPECT_EQ(parse_lowest("3;1"), 1);
+  EXPECT_EQ(parse_lowest("-2;1"), -2);
+  EXPECT_FALSE(parse_lowest("3;?"));
+  EXPECT_FALSE(parse_lowest(""));
+  EXPECT_EQ(parse_lowest_level("2;4"), 2);
+  EXPECT_EQ(parse_lowest_level("-1"), -1);
+  EXPECT_EQ(parse_lowest_level("1--2"), -2);
+  EXPECT_FALSE(parse_lowest_level("2;ground"));
 }
 
 TEST(ParseLevels, TakesTheLargestNumber) {
@@ -66,6 +82,10 @@ TEST(BuildingHeight, FallsBackAndSaysSo) {
 TEST(BuildingHeight, StartsWhereItHangs) {
   EXPECT_EQ(from({{"height", "20"}, {"min_height", "5"}}).bottom, 5);
   EXPECT_EQ(from({{"height", "20"}, {"building:min_level", "2"}}).bottom, 6);
+  EXPECT_EQ(from({{"height", "20"}, {"building:min_level", "-1"}}).bottom, 0);
+  EXPECT_EQ(from({{"height", "20"}, {"building:min_level", "1;2"}}).bottom, 3);
+  EXPECT_EQ(from({{"height", "20;30"}, {"min_height", "5;4"}}).top, 30);
+  EXPECT_EQ(from({{"height", "20;30"}, {"min_height", "5;4"}}).bottom, 4);
   const BuildingHeight inverted = from({{"height", "20"}, {"min_height", "25"}});
   EXPECT_EQ(inverted.bottom, 0);
   EXPECT_TRUE(inverted.junk);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "footprints/gdal_reference.h"
 #include "footprints/source.h"
@@ -18,26 +19,55 @@ struct Raster {
   std::string crs;
   int width = 0;
   int height = 0;
+  double scale = 1;  // of the numbers in the file
+  double offset = 0;
+  double metres = 1;  // per unit of the band
 
   geom::Vec2 corner(double column, double row) const {
     return {transform[0] + column * transform[1] + row * transform[2],
             transform[3] + column * transform[4] + row * transform[5]};
   }
 
-  // A row's heights; NaN where there is no data.
-  void read_row(int row, const std::string& name, float* out) const {
-    if (band->RasterIO(GF_Read, 0, row, width, 1, out, width, 1, GDT_Float32, 0, 0) != CE_None) {
+  // A row's heights in metres; NaN where there is no data.
+  void read_row(int row, const std::string& name, double* out) const {
+    if (band->RasterIO(GF_Read, 0, row, width, 1, out, width, 1, GDT_Float64, 0, 0) != CE_None) {
       throw geom::InputError(name,
                              fmt::format("row {} cannot be read: {}", row, CPLGetLastErrorMsg()));
     }
     int has_nodata = 0;
-    const auto nodata = static_cast<float>(band->GetNoDataValue(&has_nodata));
+    double nodata = band->GetNoDataValue(&has_nodata);
+    if (band->GetRasterDataType() == GDT_Float32) nodata = static_cast<float>(nodata);
     for (int i = 0; i < width; ++i) {
-      const bool missing = (has_nodata && out[i] == nodata) || !(std::abs(out[i]) <= 1e4f);
-      if (missing) out[i] = std::numeric_limits<float>::quiet_NaN();
+      const bool missing = has_nodata && out[i] == nodata;
+      out[i] = (out[i] * scale + offset) * metres;
+      if (missing || !(std::abs(out[i]) <= 1e4)) out[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
 };
+
+// Metres are what bands are in that say nothing.
+double metres_per(const std::string& unit, const std::string& name) {
+  static const std::map<std::string, double> known = {{"", 1},
+                                                      {"m", 1},
+                                                      {"metre", 1},
+                                                      {"meter", 1},
+                                                      {"metres", 1},
+                                                      {"meters", 1},
+                                                      {"ft", 0.3048},
+                                                      {"foot", 0.3048},
+                                                      {"feet", 0.3048},
+                                                      {"cm", 0.01},
+                                                      {"dm", 0.1},
+                                                      {"us-ft", 1200.0 / 3937},
+                                                      {"ftUS", 1200.0 / 3937},
+                                                      {"US survey foot", 1200.0 / 3937}};
+  const auto at = known.find(unit);
+  if (at == known.end()) {
+    throw geom::InputError(
+        name, fmt::format("expected heights in metres or feet, found the unit \"{}\"", unit));
+  }
+  return at->second;
+}
 
 Raster open_raster(const std::string& path, const std::string& name) {
   Raster raster;
@@ -55,6 +85,9 @@ Raster open_raster(const std::string& path, const std::string& name) {
   if (raster.dataset->GetGeoTransform(raster.transform) != CE_None) {
     throw geom::InputError(name, "expected a raster that says where its cells are");
   }
+  raster.scale = raster.band->GetScale();
+  raster.offset = raster.band->GetOffset();
+  raster.metres = metres_per(raster.band->GetUnitType(), name);
   raster.crs = wkt_of(raster.dataset->GetSpatialRef());
   return raster;
 }
@@ -67,14 +100,14 @@ class SurfaceReader {
   Source read() {
     out_.crs = raster_.crs;
     geom::RowMerge<double, Add> merge(Add{*this});
-    std::vector<float> cells(static_cast<std::size_t>(raster_.width));
+    std::vector<double> cells(static_cast<std::size_t>(raster_.width));
     for (int row = 0; row < raster_.height; ++row) {
       raster_.read_row(row, name_, cells.data());
       for (int i = 0; i < raster_.width; ++i) {
-        const float cell = cells[static_cast<std::size_t>(i)];
+        const double cell = cells[static_cast<std::size_t>(i)];
         ++out_.counts[std::isnan(cell) ? "cells_without_data" : "cells"];
         if (std::isnan(cell)) continue;
-        lowest_ = std::min(lowest_, static_cast<double>(cell));
+        lowest_ = std::min(lowest_, cell);
         merge.add(row, i, rounded_up(cell));
       }
     }
@@ -84,8 +117,23 @@ class SurfaceReader {
   }
 
  private:
-  double rounded_up(float height) const {
-    return step_ > 0 ? std::ceil(height / step_) * step_ : static_cast<double>(height);
+  double rounded_up(double height) const {
+    if (step_ == 0) return height;
+    double steps = std::ceil(height / step_);
+    while (steps * step_ < height) ++steps;  // the division may round down
+    return steps * step_;
+  }
+
+  // All corners of cells along the sides: a long side that is straight here bends once projected.
+  template <class Corner>
+  static std::vector<geom::Vec2> cell_corners(const geom::CellRectangle<double>& r,
+                                              const Corner& corner) {
+    std::vector<geom::Vec2> out;
+    for (long i = r.first_column; i < r.last_column; ++i) out.push_back(corner(i, r.first_row));
+    for (long j = r.first_row; j < r.last_row; ++j) out.push_back(corner(r.last_column, j));
+    for (long i = r.last_column; i > r.first_column; --i) out.push_back(corner(i, r.last_row));
+    for (long j = r.last_row; j > r.first_row; --j) out.push_back(corner(r.first_column, j));
+    return out;
   }
 
   struct Add {
@@ -100,6 +148,7 @@ class SurfaceReader {
       f.top = r.value;
       f.polygon.outer = {corner(r.first_column, r.first_row), corner(r.last_column, r.first_row),
                          corner(r.last_column, r.last_row), corner(r.first_column, r.last_row)};
+      if (!reader.out_.crs.empty()) f.polygon.outer = cell_corners(r, corner);
       reader.out_.footprints.push_back(std::move(f));
     }
   };

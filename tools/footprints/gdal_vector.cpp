@@ -25,12 +25,19 @@ class VectorReader {
       out_.crs = crs;
       read_layer(layer);
     }
+    if (!options_.height.attribute.empty() && !has_attribute_) {
+      throw geom::InputError(name_,
+                             fmt::format("expected an attribute \"{}\" (--height-attribute), "
+                                         "and no layer has it",
+                                         options_.height.attribute));
+    }
     return std::move(out_);
   }
 
  private:
   void read_layer(OGRLayer& layer) {
     CPLErrorReset();
+    has_attribute_ |= layer.GetLayerDefn()->GetFieldIndex(options_.height.attribute.c_str()) >= 0;
     if (!options_.where.empty() &&
         layer.SetAttributeFilter(options_.where.c_str()) != OGRERR_NONE) {
       throw geom::InputError(
@@ -60,16 +67,29 @@ class VectorReader {
                                                                : "";
     };
     const geom::BuildingHeight height = counted_height(tag, options_, out_);
+    const std::size_t before = out_.footprints.size();
+    add_polygons(*geometry, static_cast<std::uint64_t>(feature.GetFID()), height);
+    if (out_.footprints.size() == before) ++out_.counts["skipped_without_polygons"];
+  }
+
+  void add_polygons(const OGRGeometry& geometry, std::uint64_t id,
+                    const geom::BuildingHeight& height) {
+    if (wkbFlatten(geometry.getGeometryType()) == wkbGeometryCollection) {
+      for (const OGRGeometry* part : *geometry.toGeometryCollection()) {
+        add_polygons(*part, id, height);
+      }
+      return;
+    }
     const std::unique_ptr<OGRGeometry> polygons(
-        OGRGeometryFactory::forceToMultiPolygon(geometry->getLinearGeometry()));
+        OGRGeometryFactory::forceToMultiPolygon(geometry.getLinearGeometry()));
     if (wkbFlatten(polygons->getGeometryType()) != wkbMultiPolygon) {
-      ++out_.counts["skipped_without_polygons"];
+      ++out_.counts[std::string("skipped_") + OGRGeometryTypeToName(geometry.getGeometryType())];
       return;
     }
     for (const OGRPolygon* polygon : *polygons->toMultiPolygon()) {
       if (polygon->IsEmpty()) continue;
       geom::Footprint f;
-      f.id = static_cast<std::uint64_t>(feature.GetFID());
+      f.id = id;
       f.bottom = height.bottom;
       f.top = height.top;
       for (const OGRLinearRing* ring : *polygon) {
@@ -93,6 +113,7 @@ class VectorReader {
 
   const std::string& name_;
   const ReadOptions& options_;
+  bool has_attribute_ = false;
   Source out_;
 };
 
@@ -116,7 +137,10 @@ struct Projector::Transformation {
 Projector::Projector(const Source& source, const std::string& name,
                      const std::optional<geom::Vec2>& origin)
     : name_(name), transformation_(std::make_unique<Transformation>()) {
-  if (source.crs.empty()) return;
+  if (source.crs.empty()) {
+    if (origin) frame_.origin = geom::GeodeticOrigin{origin->x(), origin->y(), 0};
+    return;
+  }
   const OGRSpatialReference from = reference(source.crs, name);
   const OGRSpatialReference geodetic = reference("EPSG:4326", name);
   geom::Vec2 at;  // longitude, latitude

@@ -1,13 +1,19 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <osmium/area/assembler.hpp>
 #include <osmium/area/multipolygon_manager.hpp>
 #include <osmium/handler.hpp>
 #include <osmium/handler/node_locations_for_ways.hpp>
 #include <osmium/index/map/flex_mem.hpp>
+#include <osmium/io/bzip2_compression.hpp>
+#include <osmium/io/gzip_compression.hpp>
 #include <osmium/io/pbf_input.hpp>
 #include <osmium/io/xml_input.hpp>
 #include <osmium/visitor.hpp>
+#include <set>
+#include <string_view>
 
 #include "footprints/source.h"
 #include "geom/error.h"
@@ -22,46 +28,191 @@ bool is_building(const osmium::TagList& tags) {
   return part && std::string_view(part) != "no";
 }
 
-class AreaHandler : public osmium::handler::Handler {
+using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
+using Locations = osmium::handler::NodeLocationsForWays<Index>;
+
+geom::Vec2 point_of(const osmium::Location& at) { return {at.lon(), at.lat()}; }
+
+// Ways as they are, so that one that crosses itself or lacks a node is there too; relations as
+// osmium assembles them, and what it cannot assemble by number.
+class BuildingHandler : public osmium::handler::Handler {
  public:
-  AreaHandler(const ReadOptions& options, Source& out) : options_(options), out_(out) {}
+  BuildingHandler(const ReadOptions& options, Source& out) : options_(options), out_(out) {}
+
+  void way(const osmium::Way& way) {
+    if (!is_building(way.tags()) || way.nodes().empty()) return;
+    geom::Footprint f;
+    for (const osmium::NodeRef& node : way.nodes()) {
+      if (node.location().valid()) f.polygon.outer.push_back(point_of(node.location()));
+    }
+    if (f.polygon.outer.size() < way.nodes().size()) ++out_.counts["ways_without_all_nodes"];
+    if (f.polygon.outer.empty()) return;
+    if (!way.is_closed()) ++out_.counts["ways_not_closed"];
+    add(way, osmium::item_type::way, std::move(f));
+  }
 
   void area(const osmium::Area& area) {
-    if (!is_building(area.tags())) return;
-    ++out_.counts["buildings"];
-    const auto tag = [&](const char* key) -> std::string {
-      const char* value = area.tags().get_value_by_key(key);
-      return value ? value : "";
-    };
-    const geom::BuildingHeight height = counted_height(tag, options_, out_);
+    if (area.from_way() || !is_building(area.tags())) return;
+    std::vector<geom::Footprint> parts;
     for (const osmium::OuterRing& outer : area.outer_rings()) {
-      geom::Footprint f;
-      f.id = static_cast<std::uint64_t>(area.id());
-      f.bottom = height.bottom;
-      f.top = height.top;
+      geom::Footprint& f = parts.emplace_back();
       f.polygon.outer = points_of(outer);
       for (const osmium::InnerRing& inner : area.inner_rings(outer)) {
         f.polygon.holes.push_back(points_of(inner));
       }
-      out_.footprints.push_back(std::move(f));
     }
+    if (parts.empty()) return;
+    assembled_.insert(area.orig_id());
+    const geom::BuildingHeight height = count(area);
+    for (geom::Footprint& f : parts) push(area.id(), height, std::move(f));
   }
 
+  void add(const osmium::OSMObject& object, osmium::item_type type, geom::Footprint f) {
+    push(osmium::object_id_to_area_id(object.id(), type), count(object), std::move(f));
+  }
+
+  bool is_assembled(osmium::object_id_type relation) const { return assembled_.contains(relation); }
+
  private:
+  geom::BuildingHeight count(const osmium::OSMObject& object) {
+    ++out_.counts["buildings"];
+    const auto tag = [&](const char* key) -> std::string {
+      const char* value = object.tags().get_value_by_key(key);
+      return value ? value : "";
+    };
+    return counted_height(tag, options_, out_);
+  }
+
+  void push(osmium::object_id_type id, const geom::BuildingHeight& height, geom::Footprint f) {
+    f.id = static_cast<std::uint64_t>(id);
+    f.bottom = height.bottom;
+    f.top = height.top;
+    out_.footprints.push_back(std::move(f));
+  }
+
   static std::vector<geom::Vec2> points_of(const osmium::NodeRefList& ring) {
     std::vector<geom::Vec2> points;
-    for (const osmium::NodeRef& node : ring) points.push_back({node.lon(), node.lat()});
+    for (const osmium::NodeRef& node : ring) points.push_back(point_of(node.location()));
     return points;
   }
 
   const ReadOptions& options_;
   Source& out_;
+  std::set<osmium::object_id_type> assembled_;
 };
+
+// The convex hull, by Andrew's monotone chain; exact, as locations are whole numbers.
+std::vector<geom::Vec2> hull_of(std::vector<osmium::Location> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const auto turns_left = [](const auto& a, const auto& b, const auto& c) {
+    const auto d = [](std::int64_t to, std::int64_t from) {
+      return static_cast<long double>(to - from);
+    };
+    // Differences stay below 2^32, so 64 bits of mantissa hold the products.
+    return d(b.x(), a.x()) * d(c.y(), a.y()) > d(b.y(), a.y()) * d(c.x(), a.x());
+  };
+  std::vector<osmium::Location> hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t first = hull.size();
+    for (const osmium::Location& p : points) {
+      while (hull.size() >= first + 2 && !turns_left(hull[hull.size() - 2], hull.back(), p)) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    if (points.size() > 1) hull.pop_back();  // where the other side begins
+    std::reverse(points.begin(), points.end());
+  }
+  std::vector<geom::Vec2> out;
+  for (const osmium::Location& p : hull) out.push_back(point_of(p));
+  return out;
+}
+
+// Relations that could not be assembled, each by the convex hull of what is there of its ways.
+class HullHandler : public osmium::handler::Handler {
+ public:
+  explicit HullHandler(std::set<osmium::object_id_type> wanted) : wanted_(std::move(wanted)) {}
+
+  void way(const osmium::Way& way) {
+    const auto at = relations_of_.find(way.id());
+    if (at == relations_of_.end()) return;
+    for (const osmium::object_id_type relation : at->second) {
+      for (const osmium::NodeRef& node : way.nodes()) {
+        if (node.location().valid()) points_[relation].push_back(node.location());
+      }
+    }
+  }
+
+  void remember_members(const osmium::Relation& relation) {
+    if (!wanted_.contains(relation.id())) return;
+    for (const osmium::RelationMember& member : relation.members()) {
+      if (member.type() == osmium::item_type::way) {
+        relations_of_[member.ref()].push_back(relation.id());
+      }
+    }
+  }
+
+  std::vector<osmium::Location> points(osmium::object_id_type relation) {
+    return points_[relation];
+  }
+
+ private:
+  std::set<osmium::object_id_type> wanted_;
+  std::map<osmium::object_id_type, std::vector<osmium::object_id_type>> relations_of_;
+  std::map<osmium::object_id_type, std::vector<osmium::Location>> points_;
+};
+
+template <class F>
+void for_each(const osmium::io::File& file, osmium::osm_entity_bits::type kind, const F& f) {
+  osmium::io::Reader reader(file, kind);
+  while (osmium::memory::Buffer buffer = reader.read()) {
+    for (auto& object : buffer.select<osmium::OSMObject>()) f(object);
+  }
+  reader.close();
+}
+
+bool is_building_relation(const osmium::OSMObject& object) {
+  const char* type = object.tags().get_value_by_key("type");
+  return type &&
+         (std::string_view(type) == "multipolygon" || std::string_view(type) == "boundary") &&
+         is_building(object.tags());
+}
+
+void add_hulls(const osmium::io::File& file, Locations& locations, BuildingHandler& buildings,
+               Source& out) {
+  namespace bits = osmium::osm_entity_bits;
+  std::set<osmium::object_id_type> wanted;
+  for_each(file, bits::relation, [&](const osmium::OSMObject& object) {
+    if (is_building_relation(object) && !buildings.is_assembled(object.id())) {
+      wanted.insert(object.id());
+    }
+  });
+  if (wanted.empty()) return;
+  HullHandler hulls(wanted);
+  for_each(file, bits::relation, [&](const osmium::OSMObject& object) {
+    hulls.remember_members(static_cast<const osmium::Relation&>(object));
+  });
+  for_each(file, bits::way, [&](osmium::OSMObject& object) {
+    auto& way = static_cast<osmium::Way&>(object);
+    locations.way(way);
+    hulls.way(way);
+  });
+  for_each(file, bits::relation, [&](const osmium::OSMObject& object) {
+    if (!wanted.contains(object.id())) return;
+    geom::Footprint f;
+    f.polygon.outer = hull_of(hulls.points(object.id()));
+    ++out.counts[f.polygon.outer.empty() ? "multipolygons_without_ways"
+                                         : "multipolygons_by_their_hull"];
+    if (!f.polygon.outer.empty()) {
+      buildings.add(object, osmium::item_type::relation, std::move(f));
+    }
+  });
+}
 
 }  // namespace
 
 Source read_osm(const std::string& path, const std::string& name, const ReadOptions& options) {
-  using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
   Source out;
   out.crs = "EPSG:4326";
   try {
@@ -70,22 +221,15 @@ Source read_osm(const std::string& path, const std::string& name, const ReadOpti
         osmium::area::Assembler::config_type{});
     osmium::relations::read_relations(file, manager);
     Index index;
-    osmium::handler::NodeLocationsForWays locations(index);
-    locations.ignore_errors();  // a way with a node that is not in the extract is counted below
-    AreaHandler areas(options, out);
+    Locations locations(index);
+    locations.ignore_errors();  // a node that is not in the extract: counted with its way
+    BuildingHandler buildings(options, out);
     osmium::io::Reader reader(file);
-    osmium::apply(reader, locations, manager.handler([&](osmium::memory::Buffer&& buffer) {
-      osmium::apply(buffer, areas);
-    }));
+    osmium::apply(reader, locations, buildings,
+                  manager.handler(
+                      [&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, buildings); }));
     reader.close();
-    std::size_t incomplete = 0;
-    manager.for_each_incomplete_relation(
-        [&](const auto& handle) { incomplete += is_building(handle->tags()); });
-    if (incomplete) out.counts["multipolygons_incomplete"] = incomplete;
-    const auto& stats = manager.stats();
-    if (stats.invalid_locations) out.counts["areas_without_all_nodes"] = stats.invalid_locations;
-    const std::size_t broken = stats.open_rings + stats.short_ways;
-    if (broken) out.counts["rings_not_closed"] = broken;
+    add_hulls(file, locations, buildings, out);
   } catch (const std::system_error&) {
     throw;
   } catch (const std::exception& error) {

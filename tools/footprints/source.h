@@ -37,7 +37,8 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
 // Whether GDAL reads the file as a raster.
 bool is_raster(const std::string& path);
 
-// A surface or terrain model: rectangles of cells of equal height, from the lowest cell up.
+// A surface or terrain model: rectangles of cells of equal height, from the lowest cell up. Where
+// there is a CRS their sides have all corners of cells, since straight lines bend when projected.
 Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options);
 
 // OpenStreetMap data: buildings and building parts, multipolygons assembled.
@@ -62,14 +63,15 @@ class Terrain {
   double transform_[6];
   int width_ = 0;
   int height_ = 0;
-  std::vector<float> cells_;  // NaN where there is no data
+  std::vector<double> cells_;  // NaN where there is no data
 };
 
 // From the source's coordinates to metres east and north of an origin.
 class Projector {
  public:
-  // Without a CRS coordinates are metres already and stay. `origin`: latitude, longitude; else the
-  // middle of the footprints. Throws geom::InputError(name, …) for a CRS that PROJ does not know.
+  // Without a CRS coordinates are metres already and stay; `origin` is then where (0, 0) is.
+  // `origin`: latitude, longitude; else the middle of the footprints. Throws geom::InputError(name,
+  // …) for a CRS that PROJ does not know.
   Projector(const Source& source, const std::string& name, const std::optional<geom::Vec2>& origin);
   ~Projector();
 

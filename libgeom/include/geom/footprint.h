@@ -23,7 +23,7 @@ struct Footprint {
 
 // Boxes that contain every point of the footprints, none reaching further than `slack` metres
 // (Euclidean in plan) outside its own: see geom::cover. A footprint that is likely covered gives
-// boxes only where the edges of its polygon are not within its feature's other boxes.
+// boxes only where its polygon is not within its feature's other boxes.
 BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const Execution& run);
 
 }  // namespace geom

@@ -13,9 +13,14 @@ namespace geom {
 // where no such number leads it, or it is not in [-1e4, 1e4].
 std::optional<double> parse_length(std::string_view text);
 
-// The largest whole or half number of storeys in text such as "3", "L3.5", "2;4" or "3-5"; nothing
-// where there is none in [0, 300].
+// The largest and the smallest length in text such as "3;4" or "30-40 m". The largest passes over
+// parts that are none; the smallest is nothing where one is, as that might have been smaller.
+std::optional<double> parse_highest(std::string_view text);
+std::optional<double> parse_lowest(std::string_view text);
+
+// The same of storeys, in text such as "3", "L3.5", "-1", "2;4" or "3-5"; within [-300, 300].
 std::optional<double> parse_levels(std::string_view text);
+std::optional<double> parse_lowest_level(std::string_view text);
 
 struct HeightOptions {
   std::string attribute;       // looked at before the usual ones; may be empty

@@ -21,9 +21,10 @@ struct CityJson {
   std::size_t objects = 0;                     // that gave footprints
 };
 
-// Of each object the geometry of the highest level of detail. Roads, land use, water and terrain
-// are no obstacles and are skipped, as are templates. Throws InputError(source, …) for what is not
-// CityJSON of these versions: an index, a vertex or a ring that is wrong names its object.
+// Of each object all geometries of its highest level of detail, templates in their places. Roads,
+// land use, water and terrain are no obstacles and are skipped. Throws InputError(source, …) for
+// what is not CityJSON of these versions: an index, a vertex or a ring that is wrong names its
+// object.
 CityJson read_city_json(std::istream& in, std::string_view source);
 
 }  // namespace geom
