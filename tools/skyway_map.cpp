@@ -5,7 +5,7 @@
 
 int main(int argc, char** argv) {
   CLI::App app{"Look at box maps, and make others of them.", "skyway-map"};
-  cli::Common common(app);
+  cli::Common common(app, true);
   const verbs::Verb all[] = {
       verbs::info(app, common),   verbs::crop(app, common),     verbs::join(app, common),
       verbs::merge(app, common),  verbs::simplify(app, common), verbs::inflate(app, common),

@@ -84,35 +84,6 @@ std::size_t join_along(BoxTable& table, int axis) {
   return joined;
 }
 
-// The furthest any point of `hull` can be from the boxes is at most `slack`: distance grows no
-// faster than one goes, so a piece near enough at its centre for its corners is settled.
-bool within(const Aabb& hull, std::span<const Aabb> boxes, double slack) {
-  const Vec3 centre = 0.5 * (hull.min + hull.max);
-  const double radius = 0.5 * (hull.max - hull.min).norm() * (1 + 1e-12);
-  double nearest = 2 * slack;
-  for (const Aabb& box : boxes) {
-    if (inside(hull, box)) return true;
-    nearest = std::min(nearest, distance(centre, box));
-  }
-  if (nearest + radius <= slack) return true;
-  if (nearest > slack || radius < 0.05 * slack) return false;
-  int axis = 0;
-  (hull.max - hull.min).maxCoeff(&axis);
-  Aabb low = hull;
-  Aabb high = hull;
-  low.max[axis] = high.min[axis] = centre[axis];
-  // Only boxes near the piece matter to it.
-  const auto near = [&](const Aabb& piece) {
-    std::vector<Aabb> some;
-    const Aabb around = grow(piece, Vec3::Constant(slack));
-    for (const Aabb& box : boxes) {
-      if (overlap(box, around)) some.push_back(box);
-    }
-    return some;
-  };
-  return within(low, near(low), slack) && within(high, near(high), slack);
-}
-
 }  // namespace
 
 Merged merge(BoxTable table) {
@@ -126,59 +97,6 @@ Merged merge(BoxTable table) {
     if (joined == 0) break;
   }
   out.table = std::move(table);
-  return out;
-}
-
-Simplified simplify(BoxTable input, double slack) {
-  Simplified out{merge(std::move(input)).table, 0};
-  BoxTable& table = out.table;
-  const std::vector<Aabb> original = table.boxes;
-  const double cell = index_cell(original) + slack;
-  BoxIndex originals(cell);
-  for (std::size_t i = 0; i < original.size(); ++i) originals.add(i, original[i]);
-  BoxIndex index(cell);
-  for (std::size_t i = 0; i < table.boxes.size(); ++i) index.add(i, table.boxes[i]);
-  std::vector<char> flag(table.boxes.size(), 1);
-  const auto fits = [&](const Aabb& hull) {
-    ++out.tried;
-    std::vector<Aabb> near;
-    for (const std::size_t i : originals.near(grow(hull, Vec3::Constant(slack)))) {
-      near.push_back(original[i]);
-    }
-    return within(hull, near, slack);
-  };
-  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
-    while (flag[i]) {
-      struct Choice {
-        double waste;
-        std::size_t other;
-        Aabb hull;
-      };
-      std::vector<Choice> choices;
-      const Aabb around = grow(table.boxes[i], Vec3::Constant(2 * slack));
-      for (const std::size_t k : index.near(around)) {
-        if (k == i || !flag[k] || table.label[k] != table.label[i] ||
-            !overlap(table.boxes[k], around)) {
-          continue;
-        }
-        const Aabb hull = merged(table.boxes[i], table.boxes[k]);
-        const auto volume = [](const Aabb& box) { return (box.max - box.min).prod(); };
-        choices.push_back(
-            {volume(hull) - volume(table.boxes[i]) - volume(table.boxes[k]), k, hull});
-      }
-      std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
-        return a.waste != b.waste ? a.waste < b.waste : a.other < b.other;
-      });
-      const auto chosen = std::find_if(choices.begin(), choices.end(),
-                                       [&](const Choice& choice) { return fits(choice.hull); });
-      if (chosen == choices.end()) break;
-      table.boxes[i] = chosen->hull;
-      table.ids[i] = std::min(table.ids[i], table.ids[chosen->other]);
-      flag[chosen->other] = 0;
-      index.add(i, chosen->hull);
-    }
-  }
-  keep(table, flag);
   return out;
 }
 

@@ -45,6 +45,27 @@ TEST(Merge, FindsNothingTheSecondTime) {
   EXPECT_EQ(twice.contained + twice.joined, 0u);
 }
 
+// Boxes of all sizes, from a metre to the whole map: each is found by those inside it.
+TEST(Merge, DropsWhatIsContainedWhateverTheSizes) {
+  support::Random random(4);
+  std::vector<Aabb> boxes;
+  for (int i = 0; i < 600; ++i) {
+    const double size = std::ldexp(1.0, random.below(11));
+    const Vec3 low(random.stepped(-1000, 1000, 1), random.stepped(-1000, 1000, 1), 0);
+    boxes.push_back({low, low + Vec3(size, random.below(2) ? size : 1, 5)});
+  }
+  const BoxTable before = support::table_of(boxes);
+  const BoxTable after = merge(before).table;
+  ASSERT_LT(after.boxes.size(), boxes.size() - 50);
+  for (std::size_t i = 0; i < after.boxes.size(); ++i) {
+    for (std::size_t k = 0; k < after.boxes.size(); ++k) {
+      ASSERT_FALSE(i != k && merged(after.boxes[i], after.boxes[k]) == after.boxes[k]);
+    }
+  }
+  EXPECT_EQ(oracle::not_held(before.boxes, after.boxes), 0u);
+  EXPECT_EQ(oracle::not_held(after.boxes, before.boxes), 0u);
+}
+
 TEST(Merge, KeepsLabelsApartUnlessContained) {
   BoxTable table =
       support::table_of({{{0, 0, 0}, {1, 1, 1}}, {{1, 0, 0}, {2, 1, 1}}, {{0, 0, 0}, {1, 1, 0.5}}});
@@ -53,36 +74,6 @@ TEST(Merge, KeepsLabelsApartUnlessContained) {
   const Merged after = merge(table);
   EXPECT_EQ(after.table.boxes.size(), 2u);
   EXPECT_EQ(after.contained, 1u);
-}
-
-TEST(Simplify, CoversAndStaysWithinTheSlack) {
-  support::Random random(9);
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    BoxTable before = crowd(seed, 60);
-    for (Aabb& box : before.boxes) box = grow(box, Vec3::Constant(random.uniform(0, 0.3)));
-    const double slack = 0.5;
-    const Simplified after = simplify(before, slack);
-    EXPECT_LE(after.table.boxes.size(), merge(before).table.boxes.size());
-    for (const Aabb& box : before.boxes) {
-      ASSERT_TRUE(std::any_of(after.table.boxes.begin(), after.table.boxes.end(),
-                              [&](const Aabb& outer) {
-                                return contains(outer, box.min) && contains(outer, box.max);
-                              }) ||
-                  oracle::not_held(std::span(&box, 1), after.table.boxes) == 0);
-    }
-    for (const Aabb& box : after.table.boxes) {
-      for (int i = 0; i < 300; ++i) {
-        Vec3 p;
-        for (int k = 0; k < 3; ++k) {
-          p[k] = i < 8 ? ((i >> k & 1) ? box.max[k] : box.min[k])
-                       : random.uniform(box.min[k], box.max[k]);
-        }
-        double nearest = 1e9;
-        for (const Aabb& inner : before.boxes) nearest = std::min(nearest, distance(p, inner));
-        ASSERT_LE(nearest, slack * (1 + 1e-9)) << p.transpose();
-      }
-    }
-  }
 }
 
 }  // namespace

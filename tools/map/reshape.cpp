@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/files.h"
 #include "cli/numbers_option.h"
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
 #include "geom/join.h"
 #include "geom/merge.h"
+#include "geom/simplify.h"
 #include "map/verbs.h"
 
 namespace verbs {
@@ -79,13 +82,20 @@ void run_merge(const Files& files, const cli::Common& common) {
 
 void run_simplify(const Files& files, double slack, const cli::Common& common) {
   const BoxMap map = cli::open_map(files.map);
-  const geom::Simplified simple = geom::simplify(geom::table_of(map), slack);
+  const geom::Simplified simple =
+      geom::simplify(geom::table_of(map), slack, common.execution("simplify"));
   Json step = step_of("simplify", map);
   step["slack"] = slack;
   write(files.output, map.spec(), simple.table, step);
   common.warn(
       fmt::format("{}: {} boxes become {}", files.map, map.size(), simple.table.boxes.size()));
-  common.write_stats({{"before", map.size()}, {"after", simple.table.boxes.size()}});
+  const double ratio = static_cast<double>(simple.table.boxes.size()) /
+                       static_cast<double>(std::max<std::size_t>(1, map.size()));
+  common.write_stats({{"before", map.size()},
+                      {"after", simple.table.boxes.size()},
+                      {"ratio", ratio},
+                      {"rounds", simple.rounds},
+                      {"tried", simple.tried}});
 }
 
 void run_inflate(const Files& files, double by) {

@@ -1,8 +1,9 @@
 #pragma once
 
-// Which boxes are near: a hash of square cells in plan, for algorithms on tables of boxes.
+// Which boxes are near: hashes of square cells in plan, for algorithms on tables of boxes.
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -11,7 +12,9 @@
 
 namespace geom {
 
-// Refers to boxes by their index; they may change as long as those asked for were added.
+// Refers to boxes by their index; they may change as long as those asked for were added. A hash a
+// size of boxes, each twice that of the one before, so that few large boxes among many small ones
+// cost no more than others.
 class BoxIndex {
  public:
   // `cell`: metres, about the size of a box and its surroundings.
@@ -23,17 +26,14 @@ class BoxIndex {
   std::vector<std::size_t> near(const Aabb& region) const;
 
  private:
-  struct Cells {
-    std::int64_t x0, x1, y0, y1;
-    std::int64_t count() const { return (x1 - x0 + 1) * (y1 - y0 + 1); }
+  struct Level {
+    double cell;
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> hash;
   };
-  static constexpr std::int64_t kMany = 256;  // a box over more cells is looked at every time
-
-  Cells cells(const Aabb& box) const;
 
   double cell_;
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> hash_;
-  std::vector<std::size_t> large_;
+  std::map<int, Level>
+      levels_;  // a box of level n is at most cell_ * 2^n wide: in 4 cells or fewer
 };
 
 // A cell size for a table: the mean side of its boxes in plan, at least 1 m.

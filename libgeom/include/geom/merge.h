@@ -17,15 +17,4 @@ struct Merged {
 // new. A joined box has the smallest id of its parts. O(n log n) a round. Deterministic.
 Merged merge(BoxTable table);
 
-struct Simplified {
-  BoxTable table;
-  std::size_t tried = 0;  // pairs looked at
-};
-
-// Joins near boxes of one label into their hull where every point of the hull is within `slack`
-// metres (Euclidean) of an input box; so each input box lies in an output box, and no output box
-// reaches further than the slack from the input. After merge(). Greedy: by ascending index, each
-// box takes the neighbour that adds least volume, until none fits. Deterministic.
-Simplified simplify(BoxTable table, double slack);
-
 }  // namespace geom
