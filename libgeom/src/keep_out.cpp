@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <istream>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,7 @@ class Reader {
       refuse(
           "longitudes and latitudes need a map whose frame has an origin (or local coordinates)");
     }
+    if (!options.local) geographic_ = std::make_unique<GeographicFrame>(*frame.origin);
   }
 
   KeepOut read(std::istream& in) {
@@ -87,43 +89,67 @@ class Reader {
 
   void add(const Json& rings, Footprint volume) {
     if (!rings.is_array() || rings.empty()) refuse("a polygon must have rings");
-    volume.polygon.outer = ring(rings[0]);
-    for (std::size_t i = 1; i < rings.size(); ++i) volume.polygon.holes.push_back(ring(rings[i]));
+    double bulge = 0;
+    volume.polygon.outer = ring(rings[0], bulge);
+    for (std::size_t i = 1; i < rings.size(); ++i) {
+      volume.polygon.holes.push_back(ring(rings[i], bulge));
+    }
     out_.volumes.push_back(std::move(volume));
     out_.labels.push_back(label_);
+    out_.bulge.push_back(bulge);
   }
 
-  std::vector<Vec2> ring(const Json& positions) const {
+  std::vector<Vec2> ring(const Json& positions, double& bulge) const {
     if (!positions.is_array() || positions.size() < 4) {
       refuse("a ring must have at least 4 positions");
     }
-    std::vector<Vec2> out;
+    std::vector<Vec2> given;
     for (const Json& position : positions) {
       if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
           !position[1].is_number()) {
         refuse("a position must be two numbers, found " + position.dump().substr(0, 60));
       }
-      out.push_back(local(position[0].get<double>(), position[1].get<double>()));
+      given.push_back(checked(position[0].get<double>(), position[1].get<double>()));
+    }
+    if (options_.local) return given;
+    std::vector<Vec2> out;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      follow(given[i], given[(i + 1) % given.size()], out, bulge);
     }
     return out;
   }
 
-  Vec2 local(double x, double y) const {
+  // Appends the edge from `a` to `b` (degrees) in metres, without its end.
+  void follow(const Vec2& a, const Vec2& b, std::vector<Vec2>& out, double& bulge) const {
+    const double length = (local(b) - local(a)).norm();
+    const double pieces = std::clamp(std::ceil(length / 200), 1.0, 1000.0);
+    for (double i = 0; i < pieces; ++i) out.push_back(local(a + (b - a) * (i / pieces)));
+    // A chord of a curve bent by k a metre leaves out k length^2 / 8. Parallels are bent most.
+    const double steepest = std::min(89.0, std::max(std::abs(a.y()), std::abs(b.y())));
+    const double bent = (1 + std::tan(steepest * (M_PI / 180))) / 6.3e6;
+    bulge = std::max(bulge, bent * (length / pieces) * (length / pieces) / 8);
+  }
+
+  Vec2 checked(double x, double y) const {
     const double most = options_.local ? kLargestCoordinate : 180;
     if (!(std::abs(x) <= most && std::abs(y) <= (options_.local ? most : 90))) {
       refuse(fmt::format("a position must be {}, found [{}, {}]",
                          options_.local ? "metres within 1e8" : "degrees [longitude, latitude]", x,
                          y));
     }
-    if (options_.local) return {x, y};
+    return {x, y};
+  }
+
+  Vec2 local(const Vec2& degrees) const {
     Vec3 enu = Vec3::Zero();
-    GeographicFrame(*frame_.origin).from_geodetic(y, x, enu.x(), enu.y());
+    geographic_->from_geodetic(degrees.y(), degrees.x(), enu.x(), enu.y());
     return to_enu(frame_.axes, enu).head<2>();
   }
 
   std::string source_;
   const Frame& frame_;
   KeepOutOptions options_;
+  std::unique_ptr<GeographicFrame> geographic_;  // unless local
   std::size_t feature_ = 0;
   std::string label_;
   KeepOut out_;

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "geographic_frame.h"
 #include "geom/error.h"
 #include "geom/io/keep_out.h"
 #include "support/random_city.h"
@@ -37,6 +38,34 @@ TEST(InFrame, BringsOriginsTogether) {
   EXPECT_GE((box.max - box.min - Vec3(10, 20, 30)).minCoeff(), 0);
 }
 
+// Wherever a point of the box lies on Earth, there the moved box holds it.
+TEST(InFrame, HoldsEveryPointOfEachBox) {
+  for (const double latitude : {0.5, 37.8, 60.0, 75.0}) {
+    for (const double apart : {0.001, 0.05, 0.5}) {
+      const Frame to = at(latitude, 25);
+      const Frame from = at(latitude + apart, 25 - apart);
+      const BoxMap map = map_at(from, {{{-30, 10, 0}, {70, 40, 30}},
+                                       {{900, -900, 0}, {1000, 900, 5}},
+                                       {{-9000, -9000, 3}, {9000, 9000, 5}}});
+      const BoxTable moved = in_frame(to, map, "b");
+      const GeographicFrame there(*from.origin);
+      const GeographicFrame here(*to.origin);
+      for (std::size_t i = 0; i < moved.boxes.size(); ++i) {
+        const Aabb& box = map.boxes()[i];
+        for (int k = 0; k <= 40 * 40; ++k) {
+          const double x = box.min.x() + (box.max.x() - box.min.x()) * (k / 41) / 40;
+          const double y = box.min.y() + (box.max.y() - box.min.y()) * (k % 41) / 40;
+          double lat, lon;
+          Vec3 p(0, 0, box.min.z());
+          there.to_geodetic(x, y, lat, lon);
+          here.from_geodetic(lat, lon, p.x(), p.y());
+          ASSERT_TRUE(contains(moved.boxes[i], p)) << latitude << " " << apart << " box " << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(InFrame, SwapsAxesWhereNorthComesFirst) {
   const BoxMap map = map_at(at(60.001, 25.001, Axes::neu), {{{0, 0, 0}, {10, 20, 30}}});
   const Aabb box = in_frame(at(60, 25, Axes::neu), map, "b").boxes[0];
@@ -59,6 +88,30 @@ TEST(Append, UnitesLabels) {
   append(a, b);
   EXPECT_EQ(a.labels, (std::vector<std::string>{"", "tree"}));
   EXPECT_EQ(a.label, (std::vector<std::uint32_t>{0, 1, 1}));
+}
+
+// Points along edges of 40 km in degrees, far more than the reader takes.
+TEST(KeepOut, FollowsEdgesThatBend) {
+  const double corners[][2] = {{24.5, 59.9}, {25.3, 59.9}, {25.2, 60.2}, {24.6, 60.3}};
+  std::string ring;
+  for (int i = 0; i <= 4; ++i) {
+    ring += (i ? ",[" : "[") + std::to_string(corners[i % 4][0]) + "," +
+            std::to_string(corners[i % 4][1]) + "]";
+  }
+  std::istringstream in(R"({"type":"Polygon","coordinates":[[)" + ring + "]]}");
+  const KeepOut zones = read_keep_out(in, "zones", at(60, 25), {false, 0, 9});
+  EXPECT_LT(zones.bulge[0], 0.01);
+  const GeographicFrame frame({60, 25, 0});
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k <= 5000; ++k) {
+      const auto along = [&](int axis) {
+        return corners[i][axis] + (corners[(i + 1) % 4][axis] - corners[i][axis]) * (k / 5000.0);
+      };
+      Vec2 p;
+      frame.from_geodetic(along(1), along(0), p.x(), p.y());
+      ASSERT_LE(distance(zones.volumes[0].polygon, p), zones.bulge[0] + 1e-6);
+    }
+  }
 }
 
 TEST(KeepOut, StandsWhereItsDegreesSay) {

@@ -152,8 +152,10 @@ BoxTable keep_out_boxes(const Changes& changes, const geom::BoxMapSpec& spec) {
     const geom::Footprint& zone = zones.volumes[i];
     BoxTable one;
     one.labels = {"", zones.labels[i]};
+    const geom::Vec3 bulge(zones.bulge[i], zones.bulge[i], 0);
     for (const geom::Rectangle& r : geom::cover(zone.polygon, changes.slack)) {
-      one.boxes.push_back({{r.min.x(), r.min.y(), zone.bottom}, {r.max.x(), r.max.y(), zone.top}});
+      one.boxes.push_back({geom::Vec3(r.min.x(), r.min.y(), zone.bottom) - bulge,
+                           geom::Vec3(r.max.x(), r.max.y(), zone.top) + bulge});
       one.ids.push_back(zone.id);
       one.label.push_back(1);
     }

@@ -15,6 +15,7 @@ namespace geom {
 struct KeepOut {
   std::vector<Footprint> volumes;   // in the map's coordinates; ids count the features from 0
   std::vector<std::string> labels;  // "keep-out: NAME", one a volume
+  std::vector<double> bulge;        // metres the true outline may reach outside the polygon
 };
 
 struct KeepOutOptions {
@@ -23,6 +24,9 @@ struct KeepOutOptions {
   double ceiling = 0;  // where one without upper altitude ends
 };
 
+// An edge is straight in longitude and latitude, as GeoJSON has it, and bends in metres: it is cut
+// into pieces of 200 m or less (or 1000 pieces), and `bulge` bounds what they leave out.
+//
 // A FeatureCollection, a Feature or a geometry of Polygons and MultiPolygons. Properties: `lower`
 // or `lower_altitude_m`, `upper` or `upper_altitude_m` (metres in the map's z), and `name`.
 // Throws InputError(source, …) for malformed JSON, other geometries, rings of fewer than 4
