@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/cover_oracle.h"
+#include "support/exact_cover.h"
 #include "support/random_city.h"
 
 namespace geom {
@@ -40,7 +41,7 @@ Polygon tangle(support::Random& random, int corners) {
 }
 
 void expect_cover(const Polygon& polygon, double slack, support::Random& random,
-                  const std::string& what) {
+                  const std::string& what, double loose = 1e-4) {
   const auto rectangles = cover(polygon, slack);
   Vec2 low = polygon.outer.front();
   Vec2 high = low;
@@ -64,8 +65,9 @@ void expect_cover(const Polygon& polygon, double slack, support::Random& random,
     if (distance(p.x(), p.y()) > 0) continue;
     ASSERT_TRUE(oracle::covered(rectangles, p)) << what << ": inside, " << p.transpose();
   }
+  ASSERT_TRUE(oracle::exactly_covered(polygon, rectangles)) << what;
   for (const Rectangle& r : rectangles) {
-    ASSERT_LE(oracle::furthest_outside(polygon, r, 1e-4 * slack), slack * (1 + 2e-4)) << what;
+    ASSERT_LE(oracle::furthest_outside(polygon, r, loose * slack), slack * (1 + 2 * loose)) << what;
   }
 }
 
@@ -112,6 +114,43 @@ TEST(Cover, OfRingsThatCrossThemselvesHoldsAll) {
   for (int i = 0; i < 100; ++i) {
     expect_cover(tangle(random, 3 + i % 9), 0.5, random, "tangle " + std::to_string(i));
   }
+}
+
+Polygon regular(int corners, double radius) {
+  Polygon out;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * M_PI * i / corners;
+    out.outer.push_back(radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return out;
+}
+
+// The furthest points of these lie on long lines, where the oracle would look at all of them.
+TEST(Cover, OfSliversSpursAndRepeatedPointsHoldsAll) {
+  support::Random random(4);
+  for (int i = 0; i < 40; ++i) {
+    const double angle = random.uniform(0, M_PI);
+    expect_cover(rotated_rectangle(40, random.uniform(1e-9, 0.01), angle, {7, 5}), 0.5, random,
+                 "sliver " + std::to_string(i), 0.02);
+  }
+  const Vec2 tip(30, 12.3);
+  const Polygon spur{{{0, 0}, {10, 0}, {10, 5}, tip, {10, 5}, {10, 10}, {10, 10}, {0, 10}}, {}};
+  expect_cover(spur, 0.5, random, "spur", 0.02);
+  const Polygon level{{{0, 0}, {10, 0}, {10, 5}, {40, 5}, {10, 5}, {10, 10}, {0, 10}}, {}};
+  expect_cover(level, 0.5, random, "level spur", 0.02);
+  Polygon outside{rotated_rectangle(10, 10, 0.3, {0, 0}).outer, {}};
+  outside.holes.push_back(rotated_rectangle(10, 4, 1.1, {6, 2}).outer);
+  expect_cover(outside, 0.5, random, "a hole that reaches outside", 0.02);
+}
+
+TEST(Cover, OfManyCornersEnds) {
+  EXPECT_LT(cover(regular(20000, 500), 0.5).size(), 2100u);
+  support::Random random(5);
+  Polygon knot;
+  for (int i = 0; i < 100; ++i) {
+    knot.outer.push_back({random.uniform(0, 100), random.uniform(0, 100)});
+  }
+  EXPECT_LT(cover(knot, 0.5).size(), 2000u);
 }
 
 TEST(Cover, OfPointsAndLinesHasNoExtentToSpeakOf) {
