@@ -19,15 +19,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json describe_lattice(const geom::ArrayArchive& archive) {
+Json describe_lattice(const geom::ArrayArchive& archive, bool verify) {
   const plan::Lattice lattice = plan::read_lattice(archive);
+  if (verify) plan::verify_lattice(lattice);
   Json out = Json::parse(archive.meta());
   out.erase("format");
   out.erase("version");
   Json described = {{"type", "lattice"}};
   described.update(out);
-  described["nodes"] = lattice.free_nodes();
-  described["edges"] = lattice.free_edges();
   return described;
 }
 
@@ -59,7 +58,7 @@ Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
       }
     }
   } else if (plan::is_lattice(archive)) {
-    out = describe_lattice(archive);
+    out = describe_lattice(archive, verify);
   } else if (plan::is_roadmap(archive)) {
     out = describe_roadmap(archive);
   } else {

@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
     cli::OutputFile out(output, cli::OutputKind::artefact);
     plan::write_lattice(out.stream(), lattice);
     out.commit();
-    common.write_stats({{"nodes", lattice.free_nodes()}, {"edges", lattice.free_edges()}});
+    const plan::LatticeCounts counts = plan::stored_counts(lattice);
+    common.write_stats({{"nodes", counts.nodes}, {"edges", counts.edges}});
     return cli::Exit::yes;
   });
 }

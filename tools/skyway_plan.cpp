@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
       list = geom::read_plan_queries(file.stream(), file.name());
     }
     const geom::Execution run = common.execution("paths");
-    plan::Planner planner(scene, lattice ? &*lattice : nullptr, run, roadmap ? &*roadmap : nullptr);
+    plan::Planner planner(scene, lattice ? &*lattice : nullptr, roadmap ? &*roadmap : nullptr);
     std::vector<geom::PathRecord> records(list.size());
     geom::parallel_for(list.size(), run, [&](std::size_t i) {
       records[i] = record_of(scene, list[i], planner.plan(list[i].from, list[i].to, options));

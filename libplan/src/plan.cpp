@@ -20,9 +20,6 @@ using geom::Polyline;
 constexpr std::int64_t kRings = 4;     // of nodes around an end that may be joined to it
 constexpr double kSpacing = 10;        // metres: of the first lattice on a map of a city's size
 constexpr int kLevels = 3;             // each of half the spacing of the one before
-constexpr double kMostNodes = 0x1p25;  // of a lattice built here: 0.7 GB with one workspace
-constexpr double kWholeMap = 0x1p19;   // nodes at kSpacing: beyond, regions are searched
-constexpr double kRegion = 150;        // metres around the ends, at first
 constexpr double kFewestNodes = 1e4;   // of the first lattice: a small map gets a finer one
 constexpr double kDetour = 1.2;        // of the straight line: then a finer lattice may know better
 constexpr double kLookAround = 50;     // metres: how far a message looks for a free place
@@ -40,12 +37,9 @@ double nodes_at(const geom::Aabb& inner, double spacing) {
 // The spacings to try, coarse to fine: a function of the bounds alone.
 std::vector<double> spacings_for(const geom::Aabb& inner) {
   double first = kSpacing;
-  while (nodes_at(inner, first) > kMostNodes) first *= 2;
   for (int i = 0; i < 10 && nodes_at(inner, first) < kFewestNodes; ++i) first /= 2;
   std::vector<double> spacings = {first};
-  while (spacings.size() < kLevels && nodes_at(inner, spacings.back() / 2) <= kMostNodes) {
-    spacings.push_back(spacings.back() / 2);
-  }
+  while (spacings.size() < kLevels) spacings.push_back(spacings.back() / 2);
   return spacings;
 }
 
@@ -54,7 +48,7 @@ enum class Rings { nearest, all };
 // Free nodes that see `p`, in the rings of nodes around it: those of the nearest ring that has any,
 // or of all. Ring 0 is the corners of the cell around `p`.
 std::vector<Terminal> visible_nodes(const geom::CollisionScene& scene, const Lattice& lattice,
-                                    const Vec3& p, Rings rings) {
+                                    AstarSearch& search, const Vec3& p, Rings rings) {
   Index3 base;
   for (int k = 0; k < 3; ++k) {
     const double cells = std::floor((p[k] - lattice.coordinate(k, 0)) / lattice.spec().spacing);
@@ -68,8 +62,9 @@ std::vector<Terminal> visible_nodes(const geom::CollisionScene& scene, const Lat
         for (std::int64_t i = -ring; i <= ring + 1; ++i) {
           const auto on_edge = [&](std::int64_t v) { return v == -ring || v == ring + 1; };
           if (!on_edge(i) && !on_edge(j) && !on_edge(k)) continue;
-          const auto node = lattice.node({base[0] + i, base[1] + j, base[2] + k});
-          if (!node || !lattice.free(*node)) continue;
+          const Index3 index = {base[0] + i, base[1] + j, base[2] + k};
+          const auto node = lattice.node(index);
+          if (!node || !search.free(index)) continue;
           const Vec3 q = lattice.position(*node);
           if (scene.free(p, q)) found.push_back({*node, (q - p).norm()});
         }
@@ -118,32 +113,22 @@ std::string_view name(PlanStatus status) {
       return "start_outside";
     case PlanStatus::goal_outside:
       return "goal_outside";
+    case PlanStatus::stopped:
+      return "stopped";
   }
   return "";
 }
 
-// A lattice, given or built when first needed, and workspaces for those who search on it.
+// A lattice, and workspaces for those who search on it.
 struct Planner::Level {
-  const Lattice* given = nullptr;
-  double spacing = 0;
-  std::optional<geom::Aabb> within;
-  std::once_flag once;
-  std::optional<Lattice> built;
+  std::optional<Lattice> lattice;
+  bool given = false;
   std::mutex mutex;
   std::vector<std::unique_ptr<AstarSearch>> idle;
 
-  const Lattice& lattice(const geom::CollisionScene& scene, const geom::Execution& run) {
-    if (given) return *given;
-    std::call_once(once, [&] {
-      built = build_lattice(scene, {spacing, Connectivity::twenty_six, scene.free_bounds()->min},
-                            {run.threads, {}}, within);
-    });
-    return *built;
-  }
-
-  std::unique_ptr<AstarSearch> take(const Lattice& lattice) {
+  std::unique_ptr<AstarSearch> take() {
     const std::lock_guard lock(mutex);
-    if (idle.empty()) return std::make_unique<AstarSearch>(lattice);
+    if (idle.empty()) return std::make_unique<AstarSearch>(*lattice);
     auto search = std::move(idle.back());
     idle.pop_back();
     return search;
@@ -155,50 +140,57 @@ struct Planner::Level {
   }
 };
 
-Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run,
-                 const Roadmap* roadmap)
-    : scene_(scene), run_(std::move(run)), roadmap_(roadmap) {
-  const auto add = [&](double spacing) {
+Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap)
+    : scene_(scene), roadmap_(roadmap) {
+  const auto add = [&](Lattice level, bool given) {
     levels_.push_back(std::make_unique<Level>());
-    levels_.back()->spacing = spacing;
-    levels_.back()->given = lattice;
+    levels_.back()->lattice.emplace(std::move(level));
+    levels_.back()->given = given;
   };
   if (lattice) {
-    add(lattice->spec().spacing);
-  } else if (scene.free_bounds() && nodes_at(*scene.free_bounds(), kSpacing) <= kWholeMap) {
-    for (const double spacing : spacings_for(*scene.free_bounds())) add(spacing);
+    add(*lattice, true);
+  } else if (scene.free_bounds()) {
+    const auto lazy = [&](double spacing) {
+      return lazy_lattice(scene, {spacing, Connectivity::twenty_six, scene.free_bounds()->min});
+    };
+    const auto spacings = spacings_for(*scene.free_bounds());
+    for (const double spacing : spacings) add(lazy(spacing), false);
+    fine_ = levels_.size();
+    for (const double times : {4, 16}) add(lazy(times * spacings[0]), false);
   }
 }
 
 Planner::~Planner() = default;
 
+// Whether there is a path on this lattice.
 bool Planner::search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result) {
-  const Lattice& lattice = level.lattice(scene_, run_);
+  const Lattice& lattice = *level.lattice;
   result.resolution = lattice.spec().spacing;
   result.expanded = 0;
-  auto search = level.take(lattice);
+  auto search = level.take();
   SearchResult found;
   // The nearest nodes may lie in a pocket that the lattice cannot leave, though the end itself can.
   for (const Rings rings : {Rings::nearest, Rings::all}) {
-    found = search->search(visible_nodes(scene_, lattice, from, rings),
-                           visible_nodes(scene_, lattice, to, rings));
+    found = search->search(visible_nodes(scene_, lattice, *search, from, rings),
+                           visible_nodes(scene_, lattice, *search, to, rings));
     result.expanded += found.expanded;
-    if (found.found) break;
+    if (found.found || found.gave_up) break;
   }
   level.give_back(std::move(search));
+  if (found.gave_up) result.status = PlanStatus::stopped;
   if (!found.found) return false;
   result.path = joined(lattice, from, found.nodes, to);
   if (level.given) require_free(scene_, result.path, "lattice");
   return true;
 }
 
-PlanResult Planner::search_levels(const Levels& levels, const Vec3& from, const Vec3& to,
-                                  const PlanOptions& options) {
+PlanResult Planner::search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   PlanResult result;
   const double straight = (to - from).norm();
-  for (const auto& level : levels) {
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    if (i == fine_ && result.status != PlanStatus::stopped) break;
     PlanResult tried;
-    const bool found = search_level(*level, from, to, tried);
+    const bool found = search_level(*levels_[i], from, to, tried);
     if (found && !options.raw) tried.path = shortcut(scene_, tried.path);
     if (found && polished(options)) tried.path = taut(scene_, tried.path);
     if (!result.path.empty()) {  // a second opinion on a detour
@@ -207,6 +199,7 @@ PlanResult Planner::search_levels(const Levels& levels, const Vec3& from, const 
     }
     result = std::move(tried);
     if (found && (options.raw || geom::length(result.path) <= kDetour * straight)) return result;
+    if (result.status == PlanStatus::stopped && i < fine_) i = fine_ - 1;  // go on with coarse ones
   }
   return result;
 }
@@ -240,38 +233,6 @@ bool Planner::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions
   return !result.path.empty();
 }
 
-// A path of length l stays within sqrt(l^2 - d^2) / 2 of the straight line of length d sideways and
-// (l - d) / 2 beyond its ends, which is less.
-PlanResult Planner::search_regions(const Vec3& from, const Vec3& to, const PlanOptions& options) {
-  const geom::Aabb all = *scene_.free_bounds();
-  const double straight = (to - from).norm();
-  PlanResult best;
-  for (double pad = std::max(kRegion, straight / 4);;) {
-    const Vec3 around(pad, pad, all.max.z() - all.min.z());
-    const geom::Aabb region{(from.cwiseMin(to) - around).cwiseMax(all.min),
-                            (from.cwiseMax(to) + around).cwiseMin(all.max)};
-    Levels levels;
-    for (const double spacing : spacings_for(region)) {
-      levels.push_back(std::make_unique<Level>());
-      levels.back()->spacing = spacing;
-      levels.back()->within = region;
-    }
-    PlanResult tried = search_levels(levels, from, to, options);
-    const bool found = !tried.path.empty();
-    if (!best.path.empty()) {
-      return found && geom::length(tried.path) < geom::length(best.path) ? tried : best;
-    }
-    best = std::move(tried);
-    if (region.min == all.min && region.max == all.max) return best;
-    pad *= 4;
-    if (!found) continue;
-    const double length = geom::length(best.path);
-    const double needed = std::sqrt(std::max(0.0, length * length - straight * straight)) / 2;
-    if (length <= kDetour * straight || needed <= pad / 4) return best;
-    pad = needed;
-  }
-}
-
 PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   PlanResult result;
   if (scene_.free(from, to)) {
@@ -280,11 +241,12 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
   } else if (roadmap_ && search_roadmap(from, to, options, result)) {
     result.method = "roadmap";
   } else {
-    result = levels_.empty() ? search_regions(from, to, options)
-                             : search_levels(levels_, from, to, options);
+    result = search_levels(from, to, options);
     result.method = "lattice";
     if (result.path.empty()) {
-      result.message = fmt::format("no path on a lattice of {} m", result.resolution);
+      result.message = fmt::format(
+          "{} on a lattice of {} m",
+          result.status == PlanStatus::stopped ? "too many nodes" : "no path", result.resolution);
       return result;
     }
   }

@@ -148,7 +148,7 @@ std::size_t compare_lattice(const geom::CollisionScene& scene, const Oracle& exa
 
 // A known point of each curve is put on a face of a real obstacle's growth, or up to 1 cm inside.
 std::size_t move_into_touch(const geom::CollisionScene& scene) {
-  plan::Planner planner(scene, nullptr, {2, {}});
+  plan::Planner planner(scene, nullptr);
   support::Random random(5);
   const traj::Limits limits{8, 6, {}, {}};
   std::size_t originals = 0;

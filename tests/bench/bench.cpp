@@ -104,7 +104,7 @@ BENCHMARK(MinSnap)->Arg(10)->Arg(1000)->Unit(benchmark::kMicrosecond);
 
 // The proof of an optimised trajectory of at least 50 segments through the city.
 void CheckTrajectory(benchmark::State& state) {
-  plan::Planner planner(scene(), nullptr, {2, {}});
+  plan::Planner planner(scene(), nullptr);
   support::Random random(4);
   traj::SolveResult solved;
   const traj::Limits limits{8, 6, {}, {}};

@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
   for (const auto& [name, quality] : {std::pair{"fast", plan::Quality::fast},
                                       {"normal", plan::Quality::normal},
                                       {"best", plan::Quality::best}}) {
-    plan::Planner planner(scene, nullptr, {}, &roadmap);
+    plan::Planner planner(scene, nullptr, &roadmap);
     plan::PlanOptions options;
     options.quality = quality;
     std::map<std::string, std::vector<double>> ratio;

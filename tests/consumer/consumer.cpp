@@ -9,7 +9,7 @@ int main() {
   geom::BoxMapSpec spec;
   spec.bounds = {{0, 0, 0}, {10, 10, 10}};
   const geom::CollisionScene scene(geom::BoxMap(spec, table), {"box", {0.5, 0.5, 0.5}}, 0);
-  plan::Planner planner(scene, nullptr, {});
+  plan::Planner planner(scene, nullptr);
   const plan::PlanResult path = planner.plan({1, 1, 1}, {9, 1, 1}, {});
   traj::SolveOptions options;
   options.limits.vmax = 2;

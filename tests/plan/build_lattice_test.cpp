@@ -62,8 +62,8 @@ TEST(BuildLattice, NodesCoverTheClosedFreeBounds) {
   EXPECT_EQ(lattice.dims(), (Index3{5, 5, 4}));  // 1 … 9 in x and y, 2 … 8 in z
   EXPECT_EQ(lattice.first(), (Index3{0, 0, 1}));
   EXPECT_EQ(lattice.position(0), Vec3(1, 1, 2));
-  EXPECT_EQ(lattice.free_nodes(), 100u);
-  EXPECT_EQ(lattice.free_edges(), 4 * 5 * 4 + 5 * 4 * 4 + 5 * 5 * 3u);
+  EXPECT_EQ(lattice.counts().nodes, 100u);
+  EXPECT_EQ(lattice.counts().edges, 4 * 5 * 4 + 5 * 4 * 4 + 5 * 5 * 3u);
 }
 
 TEST(BuildLattice, OriginMayLieAnywhere) {
@@ -87,8 +87,8 @@ TEST(BuildLattice, TouchingAFaceBlocksNodesAndEdges) {
 TEST(BuildLattice, BoxesBetweenNodesBlockOnlyEdges) {
   const auto scene = scene_of({{{4.4, 3.9, 3.9}, {4.6, 4.1, 4.1}}}, kCube);
   const Lattice lattice = build_lattice(scene, {1, Connectivity::six, {0, 0, 0}});
-  EXPECT_EQ(lattice.free_nodes(), 11 * 11 * 11u);
-  EXPECT_EQ(lattice.free_edges(), 3 * 10 * 11 * 11 - 1u);
+  EXPECT_EQ(lattice.counts().nodes, 11 * 11 * 11u);
+  EXPECT_EQ(lattice.counts().edges, 3 * 10 * 11 * 11 - 1u);
   EXPECT_FALSE(lattice.mask(lattice.node({4, 4, 4}).value()) & 1);
 }
 

@@ -25,7 +25,9 @@ std::string written(const Lattice& lattice) {
 
 Lattice read(std::string_view bytes) {
   const auto span = std::as_bytes(std::span(bytes.data(), bytes.size()));
-  return read_lattice(geom::ArrayArchive::from_bytes(span, "test.lattice"));
+  Lattice lattice = read_lattice(geom::ArrayArchive::from_bytes(span, "test.lattice"));
+  verify_lattice(lattice);
+  return lattice;
 }
 
 void expect_same(const Lattice& a, const Lattice& b) {
@@ -45,26 +47,25 @@ void expect_same(const Lattice& a, const Lattice& b) {
 // The file of `lattice` with its arrays or its meta changed, everything else in order.
 struct Parts {
   std::string meta;
-  std::vector<std::uint8_t> state;
-  std::vector<std::uint8_t> nodes;
-  std::vector<std::uint16_t> edges;
+  std::vector<std::uint32_t> block_record;
+  std::vector<std::uint8_t> records;
+  std::size_t columns;
 
-  explicit Parts(const Lattice& lattice) {
+  explicit Parts(const Lattice& lattice)
+      : columns(lattice.spec().connectivity == Connectivity::six ? 256 : 1024) {
     const std::string bytes = written(lattice);
     const auto span = std::as_bytes(std::span(bytes.data(), bytes.size()));
     const auto archive = geom::ArrayArchive::from_bytes(span, "parts");
     const auto copy = [](auto values, auto& to) { to.assign(values.begin(), values.end()); };
     meta = archive.meta();
-    copy(archive.array<std::uint8_t>("block_state"), state);
-    copy(archive.array<std::uint8_t>("block_nodes", 64), nodes);
-    copy(archive.array<std::uint16_t>("block_edges", 512), edges);
+    copy(archive.array<std::uint32_t>("block_record"), block_record);
+    copy(archive.array<std::uint8_t>("records", columns), records);
   }
 
   std::string bytes() const {
     const geom::NamedArray arrays[] = {
-        geom::named_array<std::uint8_t>("block_state", state),
-        geom::named_array<std::uint8_t>("block_nodes", nodes, 64),
-        geom::named_array<std::uint16_t>("block_edges", edges, 512),
+        geom::named_array<std::uint32_t>("block_record", block_record),
+        geom::named_array<std::uint8_t>("records", records, columns),
     };
     std::ostringstream out;
     geom::write_array_archive(out, meta, arrays);
@@ -103,8 +104,10 @@ TEST(LatticeFileContent, StoresNothingForFreeAndBlockedBlocks) {
   const auto scene = scene_of({{{15.5, -1, -1}, {30, 20, 10}}}, bounds);
   const Lattice lattice = build_lattice(scene, {1, Connectivity::twenty_six, {0, 0, 0}});
   const Parts parts(lattice);
-  EXPECT_EQ(parts.state, (std::vector<std::uint8_t>{1, 2, 0, 1, 2, 0}));
-  EXPECT_EQ(parts.edges.size(), 2 * 512u);
+  constexpr std::uint32_t kFree = 0xfffffffe;
+  constexpr std::uint32_t kBlocked = 0xffffffff;
+  EXPECT_EQ(parts.block_record, (std::vector<std::uint32_t>{kFree, 0, kBlocked, kFree, 1, kBlocked}));
+  EXPECT_EQ(parts.records.size(), 2 * 1024u);
   expect_same(lattice, read(parts.bytes()));
 }
 
@@ -117,8 +120,8 @@ TEST(LatticeFileContent, KeepsIndicesBeyondTheLargestCoordinate) {
 
 TEST(LatticeFileContent, RefusesAnotherFormatOrVersion) {
   Parts version(some_lattice());
-  version.replace("\"version\":1", "\"version\":2");
-  EXPECT_NE(refusal(version).find("expected lattice version 1, found 2"), std::string::npos);
+  version.replace("\"version\":2", "\"version\":1");
+  EXPECT_NE(refusal(version).find("expected lattice version 2, found 1"), std::string::npos);
   Parts format(some_lattice());
   format.replace("skyway-lattice", "skyway-boxmap");
   EXPECT_NE(refusal(format).find("expected a lattice"), std::string::npos);
@@ -150,45 +153,49 @@ TEST(LatticeFileContent, RefusesMetaThatCannotBe) {
 
 TEST(LatticeFileContent, RefusesArraysOfTheWrongLength) {
   Parts few(some_lattice());
-  few.state.pop_back();
+  few.block_record.pop_back();
   EXPECT_NE(refusal(few), "");
-  Parts nodes(some_lattice());
-  nodes.nodes.resize(nodes.nodes.size() - 64);
-  EXPECT_NE(refusal(nodes), "");
-  Parts edges(some_lattice());
-  edges.edges.resize(edges.edges.size() + 512);
-  EXPECT_NE(refusal(edges), "");
-  Parts state(some_lattice());
-  state.state[0] = 3;
-  EXPECT_NE(refusal(state), "");
+  Parts records(some_lattice());
+  records.records.resize(records.records.size() - 1024);
+  EXPECT_NE(refusal(records), "");
+  Parts more(some_lattice());
+  more.records.resize(more.records.size() + 1024);
+  EXPECT_NE(refusal(more), "");
+  Parts number(some_lattice());
+  number.block_record[0] = 1000;
+  EXPECT_NE(refusal(number), "");
 }
 
 TEST(LatticeFileContent, RefusesAnEdgeToABlockedNode) {
   Parts parts(some_lattice());
-  const auto at = std::find(parts.edges.begin(), parts.edges.end(), 0x1fff);
-  ASSERT_NE(at, parts.edges.end());
-  const auto next = static_cast<std::size_t>(at - parts.edges.begin()) + 1;  // its x neighbour
-  parts.edges[next] = 0;
-  parts.nodes[next / 8] &= static_cast<std::uint8_t>(~(1u << (next % 8)));
+  std::size_t at = 0;  // a node with all edges
+  while (parts.records[at] != 0xff || parts.records[at + 1] != 0x3f) at += 2;
+  parts.records[at + 2] = parts.records[at + 3] = 0;  // its x neighbour
   EXPECT_NE(refusal(parts).find("blocked node"), std::string::npos) << refusal(parts);
 }
 
+TEST(LatticeFileContent, RefusesCountsThatAreNotTheLattices) {
+  Parts parts(some_lattice());
+  parts.replace("\"nodes\":", "\"nodes\":1");
+  EXPECT_NE(refusal(parts).find("expected"), std::string::npos);
+}
+
 // No bit is ignored: a changed one is refused, or comes out again.
-TEST(LatticeFileContent, RefusesOrKeepsEveryFlippedEdgeBit) {
-  const Parts good(some_lattice());
-  std::size_t refused = 0;
-  for (std::size_t i = 0; i < good.edges.size(); i += 37) {
-    Parts bad = good;
-    bad.edges[i] ^= static_cast<std::uint16_t>(1u << (i % 16));
-    try {
-      const Parts again(read(bad.bytes()));
-      EXPECT_EQ(again.edges, bad.edges);
-      EXPECT_EQ(again.nodes, bad.nodes);
-    } catch (const geom::InputError&) {
-      ++refused;
+TEST(LatticeFileContent, RefusesOrKeepsEveryFlippedBit) {
+  for (const auto connectivity : {Connectivity::six, Connectivity::twenty_six}) {
+    const Parts good(some_lattice(1, connectivity));
+    std::size_t refused = 0;
+    for (std::size_t i = 0; i < good.records.size(); i += 37) {
+      Parts bad = good;
+      bad.records[i] ^= static_cast<std::uint8_t>(1u << (i % 8));
+      try {
+        EXPECT_EQ(Parts(read(bad.bytes())).records, bad.records);
+      } catch (const geom::InputError&) {
+        ++refused;
+      }
     }
+    EXPECT_GT(refused, 0u);
   }
-  EXPECT_GT(refused, 0u);
 }
 
 TEST(LatticeFileContent, RefusesEveryTruncation) {

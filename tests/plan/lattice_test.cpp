@@ -62,7 +62,7 @@ TEST_P(LatticeProperty, EveryNodeAndEdgeAgreesWithRationals) {
       edges += free;
     }
   }
-  EXPECT_EQ(edges, lattice.free_edges());
+  EXPECT_EQ(edges, lattice.counts().edges);
   EXPECT_GT(edges, 100u);
 }
 
@@ -114,6 +114,7 @@ TEST(LatticeFile, HostileBytesAreRefusedOrLoadAsSoundLattices) {
     try {
       const Lattice lattice =
           read_lattice(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "l"));
+      verify_lattice(lattice);
       for (std::size_t n = 0; n < lattice.size(); ++n) {
         for (std::uint32_t m = lattice.mask(n) & ~Lattice::kNode; m; m &= m - 1) {
           const auto other = static_cast<std::size_t>(n + lattice.offset(std::countr_zero(m)));

@@ -24,7 +24,7 @@ geom::BoxMap walled(bool with_hole) {
 PlanResult plan_in(const geom::BoxMap& map, const Vec3& from, const Vec3& to,
                    PlanOptions options = {}) {
   const CollisionScene scene(map, {"box", {1, 1, 1}}, 0);
-  Planner planner(scene, nullptr, {});
+  Planner planner(scene, nullptr);
   return planner.plan(from, to, options);
 }
 
@@ -101,7 +101,7 @@ TEST(NearestFree, IsCloserThanAnyPointOfAFineGrid) {
 
 TEST(Shortcut, NeverLengthensAndKeepsTheEnds) {
   const CollisionScene scene(support::random_city(43, 80, 120), {"box", {1, 1, 1}}, 0);
-  Planner planner(scene, nullptr, {});
+  Planner planner(scene, nullptr);
   support::Random random(44);
   int shortened = 0;
   for (int i = 0; i < 60; ++i) {

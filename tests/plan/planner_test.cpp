@@ -20,7 +20,7 @@ geom::CollisionScene sealed() { return scene_of({{{19, -1, -1}, {21, 41, 41}}}, 
 
 PlanResult planned(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
                    const PlanOptions& options = {}) {
-  return Planner(scene, nullptr, {}).plan(from, to, options);
+  return Planner(scene, nullptr).plan(from, to, options);
 }
 
 void expect_free(const geom::CollisionScene& scene, const geom::Polyline& path) {
@@ -147,20 +147,20 @@ TEST(Planner, WorksOnFlatMaps) {
   expect_free(flat, result.path);
 }
 
-TEST(Planner, SearchesARegionAroundTheQueryOnLargeMaps) {
+TEST(Planner, LooksOnlyAroundTheQueryOnLargeMaps) {
   const geom::Aabb bounds{{0, 0, 0}, {40000, 40000, 500}};
   const auto scene = scene_of({{{10000, -1, -1}, {10100, 40001, 400}}}, bounds, {1, 1, 1});
-  Planner planner(scene, nullptr, {2, {}});
+  Planner planner(scene, nullptr);
   const PlanResult result = planner.plan({9900, 20000, 50}, {10200, 20000, 50}, {});
   ASSERT_EQ(result.status, PlanStatus::found) << result.message;
   EXPECT_EQ(result.resolution, 10);
   expect_free(scene, result.path);
 }
 
-TEST(Planner, WidensTheRegionAndCoarsensUntilThereIsAWayRound) {
+TEST(Planner, CoarsensUntilThereIsAWayRound) {
   const geom::Aabb bounds{{0, 0, 0}, {40000, 40000, 500}};
   const auto scene = scene_of({{{10000, -1, -1}, {10100, 26000, 501}}}, bounds, {1, 1, 1});
-  Planner planner(scene, nullptr, {2, {}});
+  Planner planner(scene, nullptr);
   const PlanResult result = planner.plan({9900, 20000, 50}, {10200, 20000, 50}, {});
   ASSERT_EQ(result.status, PlanStatus::found) << result.message;
   EXPECT_GT(result.resolution, 10);
@@ -170,7 +170,7 @@ TEST(Planner, WidensTheRegionAndCoarsensUntilThereIsAWayRound) {
 TEST(Planner, SearchesOnTheLatticeGiven) {
   const auto scene = tower();
   const Lattice lattice = build_lattice(scene, {3, Connectivity::six, {1, 1, 1}});
-  const PlanResult result = Planner(scene, &lattice, {}).plan({2, 20, 5}, {38, 20, 5}, {});
+  const PlanResult result = Planner(scene, &lattice).plan({2, 20, 5}, {38, 20, 5}, {});
   ASSERT_EQ(result.status, PlanStatus::found);
   EXPECT_EQ(result.resolution, 3);
   expect_free(scene, result.path);
@@ -179,7 +179,7 @@ TEST(Planner, SearchesOnTheLatticeGiven) {
 TEST(Planner, RefusesALatticeWhoseEdgesAreBlockedOnThisMap) {
   const Lattice empty = build_lattice(scene_of({}, kCube), {3, Connectivity::six, {1, 1, 1}});
   const auto scene = tower();
-  EXPECT_THROW(Planner(scene, &empty, {}).plan({2, 20, 5}, {38, 20, 5}, {}), geom::InputError);
+  EXPECT_THROW(Planner(scene, &empty).plan({2, 20, 5}, {38, 20, 5}, {}), geom::InputError);
 }
 
 TEST(Planner, AnswersTheSameInAnyOrderAndOnAnyThreads) {
@@ -194,7 +194,7 @@ TEST(Planner, AnswersTheSameInAnyOrderAndOnAnyThreads) {
     queries.push_back({from, anywhere()});
   }
   const auto all = [&](unsigned threads) {
-    Planner planner(scene, nullptr, {threads, {}});
+    Planner planner(scene, nullptr);
     std::vector<PlanResult> results(queries.size());
     geom::parallel_for(queries.size(), {threads, {}}, [&](std::size_t i) {
       results[i] = planner.plan(queries[i].first, queries[i].second, {.snap_ends = 1});

@@ -89,7 +89,7 @@ TEST_P(RoadmapProperty, ComesBackFromItsFile) {
 TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
   const auto scene = city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {});
-  Planner by_roadmap(scene, nullptr, {}, &roadmap);
+  Planner by_roadmap(scene, nullptr, &roadmap);
   Planner by_lattice(scene, nullptr, {});
   support::Random random(GetParam());
   double roadmaps = 0;
@@ -131,7 +131,7 @@ TEST(RoadmapFile, RefusesAnEdgeThatLeadsNowhere) {
 
 TEST(Taut, IsNeverLongerAndEveryLegIsFree) {
   const auto scene = city(4);
-  Planner planner(scene, nullptr, {});
+  Planner planner(scene, nullptr);
   support::Random random(4);
   int tried = 0;
   while (tried < 60) {

@@ -47,7 +47,7 @@ TEST(Shortcut, KeepsTheEndsIsFreeAndNeverLonger) {
     SCOPED_TRACE(seed);
     const auto scene = random_scene(seed, 120, 20, Vec3::Constant(0.2));
     const Lattice lattice = build_lattice(scene, {1, Connectivity::six, {0.5, 0.5, 0.5}});
-    Planner planner(scene, &lattice, {});
+    Planner planner(scene, &lattice);
     const PlanResult raw = planner.plan({0.5, 0.5, 0.5}, {19.3, 19.3, 15}, {.raw = true});
     if (raw.status != PlanStatus::found) continue;
     bent += raw.path.size() > 2;

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "plan/lattice.h"
@@ -18,6 +20,7 @@ struct Terminal {  // a node where a search may begin or end, and what getting t
 
 struct SearchResult {
   bool found = false;
+  bool gave_up = false;            // there may be a path all the same: too many nodes to look at
   std::vector<std::size_t> nodes;  // from a source to a goal; empty unless found
   double cost = 0;                 // metres, the costs of both terminals included
   std::size_t expanded = 0;
@@ -27,17 +30,28 @@ struct SearchResult {
 // so sums are exact, ties are ties, and a path is shortest up to 1e-11 of its length. The heuristic
 // is the distance to the goals on the unobstructed lattice of this connectivity, or to the box
 // around them where they are many (both consistent); ties go to the larger cost so far, then to the
-// lowest node. Terminals must be free nodes, their costs non-negative and below 2^20 spacings. The
-// workspace (16 bytes a node) is kept between searches, and no search depends on an earlier one.
-// The lattice must outlive it; one thread at a time.
+// lowest block, then the lowest node in it. A search that takes long floods the lattice from the
+// goals too, so that goals in a pocket are known to be out of reach once the pocket was searched.
+// Terminals must be free nodes, their costs non-negative and below 2^20 spacings. Blocks of the
+// lattice are read when first met and kept, with 20 bytes a node, up to 170 MB between searches;
+// one that meets more than 16,384 new blocks (8 M nodes) gives up. No search depends on an earlier one. The lattice must outlive
+// it; one thread at a time.
 class AstarSearch {
  public:
   explicit AstarSearch(const Lattice& lattice);
+  ~AstarSearch();
+  AstarSearch(AstarSearch&&) noexcept;
+  AstarSearch& operator=(AstarSearch&&) noexcept;
 
   SearchResult search(std::span<const Terminal> sources, std::span<const Terminal> goals);
 
+  bool free(const Index3& node);  // as Lattice::free of one inside it, by the blocks kept here
+
  private:
   using Units = std::uint64_t;
+  // A node: its block, its place in the block, and the page that holds the block. In that order
+  // from the highest bits, so that comparing handles compares nodes.
+  using Handle = std::uint64_t;
 
   struct Visit {
     Units cost = 0;
@@ -48,32 +62,45 @@ class AstarSearch {
   struct Open {
     Units bound;
     Units cost;
-    std::uint32_t node;
+    Handle node;
   };
   struct Goal {
     std::int32_t x, y, z;
-    std::uint32_t node;
+    Handle node;
     Units cost;
     double metres;
   };
+  struct Page;
+  struct Place {  // of a node on its page
+    std::int32_t x, y, z;
+  };
 
   static bool earlier(const Open& a, const Open& b);
+  Page& page_of(Handle node);
+  Handle handle(const Index3& node);
+  Handle neighbour(Handle from, Page& page, const Place& place, int direction);
+  std::uint32_t page_at(std::uint64_t block);
   void start(std::span<const Terminal> sources, std::span<const Terminal> goals);
   void expand(const Open& from);
-  void push(std::uint32_t node, Units cost, int direction, std::int32_t x, std::int32_t y,
+  void push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y,
             std::int32_t z);
   void insert(const Open& entry);
   void push_heap(const Open& entry);
   Open take_first();
+  void flood(Handle node);
+  void flood_next();
+  bool goals_cut_off() const { return flooding_ && flood_next_ == flooded_.size(); }
   Units to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const;
   Units to_box(std::int32_t x, std::int32_t y, std::int32_t z) const;
-  const Goal* goal_at(std::uint32_t node) const;
+  const Goal* goal_at(Handle node) const;
   Units units(double metres) const;
-  std::vector<std::size_t> trace(std::size_t node) const;
+  std::vector<std::size_t> trace(Handle node);
   double metres(std::span<const std::size_t> nodes) const;
 
   const Lattice* lattice_;
-  std::vector<Visit> visits_;
+  Index3 blocks_;
+  std::vector<std::unique_ptr<Page>> pages_;
+  std::unordered_map<std::uint64_t, std::uint32_t> page_of_block_;
   std::vector<Open> open_;  // a heap of four children a node: shallower, and fewer cache misses
   Open next_{};             // earlier than all of the heap, where there is one
   bool has_next_ = false;
@@ -82,6 +109,9 @@ class AstarSearch {
   Goal highest_{};
   std::array<Units, kDirections> step_;
   std::uint32_t stamp_ = 0;
+  std::vector<Handle> flooded_;  // from the goals, in the order met
+  std::size_t flood_next_ = 0;
+  bool flooding_ = false;  // until the flood meets the search
 };
 
 }  // namespace plan

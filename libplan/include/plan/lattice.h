@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <vector>
 
 #include "geom/io/record.h"
 
@@ -31,44 +31,84 @@ extern const std::array<std::array<int, 3>, kDirections> kDirection;
 
 int half_directions(Connectivity connectivity);  // 3, 9 or 13
 
+// Where the nodes are: dims[0] * dims[1] * dims[2] of them, at origin + (first + i) * spacing.
+struct LatticeGrid {
+  static constexpr std::int64_t kSide = 8;  // nodes along the edge of a block
+  static constexpr std::size_t kBlock = 512;
+
+  LatticeSpec spec;
+  Index3 first{};
+  Index3 dims{};
+
+  double coordinate(int axis, std::int64_t i) const {
+    return spec.origin[axis] + static_cast<double>(first[axis] + i) * spec.spacing;
+  }
+  Vec3 position(const Index3& i) const {
+    return {coordinate(0, i[0]), coordinate(1, i[1]), coordinate(2, i[2])};
+  }
+  bool contains(const Index3& i) const {
+    return i[0] >= 0 && i[1] >= 0 && i[2] >= 0 && i[0] < dims[0] && i[1] < dims[1] &&
+           i[2] < dims[2];
+  }
+  Index3 blocks() const;                             // how many along each axis
+  std::size_t block_count() const;                   // numbered x fastest, then y, then z
+  Index3 block_low(std::size_t block) const;         // its first node
+  std::uint32_t possible(const Index3& node) const;  // half directions that stay on the grid
+};
+
+// What is free: where a lattice has its masks from. Safe for threads.
+class MaskSource {
+ public:
+  virtual ~MaskSource() = default;
+
+  // For each node of [low, low + count), x fastest: Lattice::kNode where it is free, and the bits
+  // of the half directions in which its edges are. 0 beyond the grid.
+  virtual void read(const Index3& low, const Index3& count, std::uint32_t* masks) const = 0;
+};
+
+struct LatticeCounts {
+  std::size_t nodes = 0;
+  std::size_t edges = 0;  // each counted once
+};
+
 // Immutable. Nodes are numbered x fastest, then y, then z. A node is free when the vehicle at it is
 // inside the bounds and clear of every closed grown box; an edge when its closed straight segment
 // is. Both exact for the doubles of the node positions, origin + k * spacing for integer k.
 class Lattice {
  public:
   static constexpr std::uint32_t kNode = 1u << 31;  // in a mask: the node itself is free
+  using Block = std::array<std::uint32_t, LatticeGrid::kBlock>;  // masks, x fastest
 
-  // `first` is the k of node 0; masks has dims[0] * dims[1] * dims[2] entries and is symmetric.
-  Lattice(LatticeSpec spec, Index3 first, Index3 dims, geom::Provenance made_for,
-          std::vector<std::uint32_t> masks);
+  Lattice(LatticeGrid grid, geom::Provenance made_for, std::shared_ptr<const MaskSource> source);
 
-  const LatticeSpec& spec() const { return spec_; }
-  const Index3& first() const { return first_; }
-  const Index3& dims() const { return dims_; }
+  const LatticeGrid& grid() const { return grid_; }
+  const LatticeSpec& spec() const { return grid_.spec; }
+  const Index3& first() const { return grid_.first; }
+  const Index3& dims() const { return grid_.dims; }
   const geom::Provenance& made_for() const { return made_for_; }  // map, frame, vehicle, margin
-  std::size_t size() const { return masks_.size(); }
+  const MaskSource& source() const { return *source_; }
+  std::size_t size() const;  // nodes, free or not
 
-  bool free(std::size_t node) const { return (masks_[node] & kNode) != 0; }
-  std::uint32_t mask(std::size_t node) const { return masks_[node]; }
-  std::int64_t offset(int direction) const { return offset_[direction]; }  // to that neighbour
-  double edge_length(int direction) const { return length_[direction]; }   // metres
+  // Masks of the nodes of a block, 0 beyond the lattice. Throws InputError where a file that they
+  // come from has an edge to a blocked node.
+  void read(std::size_t block, Block& masks) const;
+
+  std::uint32_t mask(std::size_t node) const;
+  bool free(std::size_t node) const { return (mask(node) & kNode) != 0; }
+  std::int64_t offset(int direction) const;      // to that neighbour
+  double edge_length(int direction) const;       // metres
 
   Index3 index(std::size_t node) const;
   std::optional<std::size_t> node(const Index3& index) const;  // nothing outside
-  Vec3 position(std::size_t node) const;
-  double coordinate(int axis, std::int64_t i) const;  // of the i-th node along an axis
+  Vec3 position(std::size_t node) const { return grid_.position(index(node)); }
+  double coordinate(int axis, std::int64_t i) const { return grid_.coordinate(axis, i); }
 
-  std::size_t free_nodes() const;
-  std::size_t free_edges() const;  // each counted once
+  LatticeCounts counts() const;  // of what is free; reads all of it, and so checks it
 
  private:
-  LatticeSpec spec_;
-  Index3 first_;
-  Index3 dims_;
+  LatticeGrid grid_;
   geom::Provenance made_for_;
-  std::vector<std::uint32_t> masks_;
-  std::array<std::int64_t, kDirections> offset_;
-  std::array<double, kDirections> length_;
+  std::shared_ptr<const MaskSource> source_;
 };
 
 }  // namespace plan

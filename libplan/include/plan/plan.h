@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "geom/collision.h"
-#include "geom/execution.h"
 #include "plan/astar.h"
 #include "plan/lattice.h"
 #include "plan/roadmap.h"
@@ -23,7 +22,8 @@ enum class PlanStatus {
   start_blocked,
   goal_blocked,
   start_outside,
-  goal_outside
+  goal_outside,
+  stopped  // gave up: there may be a path
 };
 
 std::string_view name(PlanStatus status);  // as records say it
@@ -55,16 +55,15 @@ struct PlanResult {
 // The straight line first; then the roadmap, where one is given, to 20,000 bends; then, where that
 // found nothing, A* on a lattice joined to both ends by checked segments and shortened by
 // shortcut(). Then taut() and, where asked, resampling. Without a lattice of its own it searches
-// 26-connected ones of 10, 5 and 2.5 m until one finds a path, each built once, when first needed;
-// on maps too small for these, of 10 m halved until the node count is sane. On maps of more than
-// 2^19 nodes at 10 m they cover only a region around the query, widened until a path is found or
-// the region is all there is. A shortened path of more than 1.2 times the straight line is compared
-// with the next lattice's, and with a region wide enough for every shorter path. An edge of a given
-// lattice or roadmap that is blocked on this map throws geom::InputError. The scene and the lattice
-// must outlive it. Threads may plan at once; no answer depends on another.
+// 26-connected ones of 10, 5 and 2.5 m (finer on maps too small for these) until one finds a path,
+// each worked out where the search goes. A shortened path of more than 1.2 times the straight line
+// is compared with the next lattice's. Where a lattice has too many nodes to look at, ones of 4 and 16
+// times the first spacing are tried. An edge of a given lattice or roadmap that is blocked on
+// this map throws geom::InputError. The scene and the roadmap must outlive it. Threads may plan at
+// once; no answer depends on another.
 class Planner {
  public:
-  Planner(const geom::CollisionScene& scene, const Lattice* lattice, geom::Execution run,
+  Planner(const geom::CollisionScene& scene, const Lattice* lattice,
           const Roadmap* roadmap = nullptr);
   ~Planner();
 
@@ -73,22 +72,18 @@ class Planner {
  private:
   struct Level;
 
-  using Levels = std::vector<std::unique_ptr<Level>>;
-
   PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
   bool search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
                       PlanResult& result);
-  PlanResult search_regions(const Vec3& from, const Vec3& to, const PlanOptions& options);
-  PlanResult search_levels(const Levels& levels, const Vec3& from, const Vec3& to,
-                           const PlanOptions& options);
+  PlanResult search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options);
   bool search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result);
 
   const geom::CollisionScene& scene_;
-  geom::Execution run_;
   const Roadmap* roadmap_;
   std::mutex mutex_;  // guards the workspaces
   std::vector<std::unique_ptr<RoadmapSearch>> idle_;
-  Levels levels_;  // of the whole map; empty where regions are searched
+  std::vector<std::unique_ptr<Level>> levels_;  // from the first to try to finer ones; coarse ones
+  std::size_t fine_ = 1;                        // how many of them come before the coarse
 };
 
 }  // namespace plan

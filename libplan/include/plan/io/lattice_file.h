@@ -9,12 +9,19 @@
 
 namespace plan {
 
+// Of a lattice that was built or read, not of one worked out where it is looked at.
 void write_lattice(std::ostream& out, const Lattice& lattice);
 
-// Checks every shape, size and bit: an edge to a blocked node, out of the lattice, or of another
-// connectivity is refused with InputError.
+// Opened lazily: shapes, sizes and numbers of blocks are checked, the masks when they are read. An
+// edge to a blocked node, out of the lattice, or of another connectivity is refused with InputError
+// then.
 Lattice read_lattice(const geom::ArrayArchive& archive);
 
 bool is_lattice(const geom::ArrayArchive& archive);  // whether the archive says so
+
+// As written down where it is; counted where not.
+LatticeCounts stored_counts(const Lattice& lattice);
+
+void verify_lattice(const Lattice& lattice);  // every bit; InputError where one is wrong
 
 }  // namespace plan

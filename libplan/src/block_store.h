@@ -1,0 +1,59 @@
+#pragma once
+
+// Masks of a lattice in blocks of 8 x 8 x 8 nodes; those that are all free or all blocked take no
+// room.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/execution.h"
+#include "plan/lattice.h"
+
+namespace plan {
+
+class BlockStore final : public MaskSource {
+ public:
+  static constexpr std::uint32_t kBlocked = 0xffffffff;  // in place of a record's number
+  static constexpr std::uint32_t kFree = 0xfffffffe;
+
+  // Bytes of the record of a block: 4 bits a node (6 neighbours) or 16, x fastest, little endian.
+  // The lower bits are the half directions, the next one (bit 3 or 13) is that the node is free.
+  static std::size_t record_bytes(Connectivity connectivity) {
+    return connectivity == Connectivity::six ? LatticeGrid::kBlock / 2 : LatticeGrid::kBlock * 2;
+  }
+
+  // The spans must stay valid while `keep_alive` lives. Throws InputError(name, …) where numbers of
+  // records are not each below their count, or not as many as there are.
+  BlockStore(const LatticeGrid& grid, LatticeCounts counts, std::span<const std::uint32_t> record,
+             std::span<const std::byte> records, std::shared_ptr<const void> keep_alive,
+             std::string name);
+
+  // Throws InputError where a record has a bit that cannot be.
+  void read(const Index3& low, const Index3& count, std::uint32_t* masks) const override;
+
+  void check() const;  // what read() does not see: bits beyond the lattice
+
+  LatticeCounts counts() const { return counts_; }
+  std::span<const std::uint32_t> record() const { return record_; }  // of each block
+  std::span<const std::byte> records() const { return records_; }
+
+ private:
+  std::uint32_t stored(std::uint32_t record, std::size_t local) const;
+  [[noreturn]] void refuse(const std::string& message) const;
+
+  LatticeGrid grid_;
+  LatticeCounts counts_;
+  std::span<const std::uint32_t> record_;
+  std::span<const std::byte> records_;
+  std::shared_ptr<const void> keep_alive_;
+  std::string name_;
+};
+
+// All masks of a source, read block by block.
+std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
+                                               const geom::Execution& run);
+
+}  // namespace plan
