@@ -36,7 +36,7 @@ struct Checker {
     }
     const auto& scene = scenes.scene_for(record.provenance, source, line);
     report.limits = limits_for(record.limits);
-    report.provenance = cli::provenance_of(scene);
+    report.provenance = geom::provenance_of(scene);
     report.result = traj::check(scene, record.trajectory, report.limits);
     return report;
   }
@@ -50,7 +50,7 @@ struct Checker {
       return report;
     }
     const auto& scene = scenes.scene_for(record.provenance, source, line);
-    report.provenance = cli::provenance_of(scene);
+    report.provenance = geom::provenance_of(scene);
     report.result = traj::check_path(scene, record.points);
     return report;
   }

@@ -36,7 +36,7 @@ geom::PathRecord record_of(const geom::CollisionScene& scene, const geom::PlanQu
   record.id = query.id;
   record.status = plan::name(result.status);
   record.points = result.path;
-  record.provenance = cli::provenance_of(scene);
+  record.provenance = geom::provenance_of(scene);
   record.message = result.message;
   if (!result.method.empty()) record.search = search_report(result);
   return record;
@@ -45,7 +45,7 @@ geom::PathRecord record_of(const geom::CollisionScene& scene, const geom::PlanQu
 // A lattice or roadmap serves one map, frame, vehicle and margin.
 void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
                   const std::string& source, const char* kind) {
-  const geom::Provenance ours = cli::provenance_of(scene);
+  const geom::Provenance ours = geom::provenance_of(scene);
   const auto refuse = [&](const char* what) {
     throw geom::InputError(source, fmt::format("the {} was made for another {}", kind, what));
   };

@@ -32,7 +32,7 @@ traj::TrajectoryRecord solve(const geom::CollisionScene& scene, const geom::Path
                              const traj::SolveOptions& options) {
   traj::TrajectoryRecord record;
   record.id = path.id;
-  record.provenance = cli::provenance_of(scene);
+  record.provenance = geom::provenance_of(scene);
   record.limits = options.limits;
   const traj::SolveResult result = traj::solve(scene, path.points, options);
   record.status = result.status == traj::SolveStatus::solved ? "solved" : "infeasible";

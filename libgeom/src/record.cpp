@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "geom/collision.h"
 #include "geom/error.h"
 #include "geom/io/json_fields.h"
 
@@ -98,6 +99,10 @@ PathRecord parse_path_record(std::string_view json, std::string_view source, std
     fields.refuse("points must hold at least one point when the status is found, found none");
   }
   return record;
+}
+
+Provenance provenance_of(const CollisionScene& scene) {
+  return {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(), scene.margin()};
 }
 
 }  // namespace geom

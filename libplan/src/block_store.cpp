@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
+#include <new>
 
 #include "geom/error.h"
 #include "geom/parallel.h"
@@ -16,22 +18,25 @@ constexpr std::size_t kBlock = LatticeGrid::kBlock;
 constexpr std::int64_t kTile = 4;  // columns of blocks along the edge of what one thread does
 constexpr std::uint32_t kFreeBit16 = 1u << kHalfDirections;
 
-// One block's masks without a record, or as one.
+// kFree, kBlocked, or 0 for one that needs a record.
 std::uint32_t classify(const LatticeGrid& grid, const Index3& low, const Lattice::Block& masks) {
-  bool any = false;
+  const std::uint32_t first = masks[0];
+  const bool same = std::all_of(masks.begin(), masks.end(), [&](auto m) { return m == first; });
+  if (same && first == 0) return BlockStore::kBlocked;
+  if (grid.inside({low[0] - 1, low[1] - 1, low[2] - 1}, {kSide + 2, kSide + 2, kSide + 2})) {
+    return same && first == (Lattice::kNode | grid.possible(low)) ? BlockStore::kFree : 0;
+  }
   bool all = true;
   std::size_t n = 0;
   for (std::int64_t k = 0; k < kSide; ++k) {
     for (std::int64_t j = 0; j < kSide; ++j) {
       for (std::int64_t i = 0; i < kSide; ++i, ++n) {
         const Index3 node = {low[0] + i, low[1] + j, low[2] + k};
-        any = any || masks[n] != 0;
-        all = all && (!grid.contains(node) ||
-                      masks[n] == (Lattice::kNode | grid.possible(node)));
+        all = all && (!grid.contains(node) || masks[n] == (Lattice::kNode | grid.possible(node)));
       }
     }
   }
-  return all ? BlockStore::kFree : any ? 0 : BlockStore::kBlocked;
+  return all ? BlockStore::kFree : 0;
 }
 
 void append_record(Connectivity connectivity, const Lattice::Block& masks,
@@ -83,9 +88,34 @@ Tile read_tile(const LatticeGrid& grid, const MaskSource& source, std::int64_t x
   return tile;
 }
 
+// Grows in place where the system can move pages: a vector would hold two copies now and then.
+class Bytes {
+ public:
+  void append(std::span<const std::byte> more) {
+    if (size_ + more.size() > room_) {
+      room_ = std::max(size_ + more.size(), 2 * room_);
+      auto* const moved = static_cast<std::byte*>(std::realloc(at_.get(), room_));
+      if (!moved) throw std::bad_alloc();
+      static_cast<void>(at_.release());
+      at_.reset(moved);
+    }
+    std::copy(more.begin(), more.end(), at_.get() + size_);
+    size_ += more.size();
+  }
+  std::span<const std::byte> view() const { return {at_.get(), size_}; }
+
+ private:
+  struct Free {
+    void operator()(std::byte* at) const { std::free(at); }
+  };
+  std::unique_ptr<std::byte, Free> at_;
+  std::size_t size_ = 0;
+  std::size_t room_ = 0;
+};
+
 struct Owned {
   std::vector<std::uint32_t> record;
-  std::vector<std::byte> records;
+  Bytes records;
 };
 
 }  // namespace
@@ -140,7 +170,8 @@ void BlockStore::read(const Index3& low, const Index3& count, std::uint32_t* mas
       for (std::int64_t i = low[0]; i < low[0] + count[0]; ++i, ++out) {
         *out = 0;
         if (outside || i < 0 || i >= grid_.dims[0]) continue;
-        const auto block = static_cast<std::size_t>(i / kSide + n[0] * (j / kSide + n[1] * (k / kSide)));
+        const auto block =
+            static_cast<std::size_t>(i / kSide + n[0] * (j / kSide + n[1] * (k / kSide)));
         const std::uint32_t record = record_[block];
         if (record == kBlocked) continue;
         const std::uint32_t possible = grid_.possible({i, j, k});
@@ -181,30 +212,37 @@ std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const Ma
   const Index3 n = grid.blocks();
   const std::int64_t across = (n[0] + kTile - 1) / kTile;
   const std::int64_t along = (n[1] + kTile - 1) / kTile;
-  std::vector<Tile> tiles(static_cast<std::size_t>(across * along));
-  geom::parallel_for(tiles.size(), run, [&](std::size_t t) {
-    const auto tile = static_cast<std::int64_t>(t);
-    tiles[t] = read_tile(grid, source, tile % across * kTile, tile / across * kTile);
-  });
+  const auto total = static_cast<std::size_t>(across * along);
   auto owned = std::make_shared<Owned>();
   owned->record.resize(grid.block_count());
-  std::size_t bytes = 0;
-  for (const Tile& tile : tiles) bytes += tile.records.size();
-  owned->records.reserve(bytes);
   LatticeCounts counts;
-  for (Tile& tile : tiles) {
-    const auto first = static_cast<std::uint32_t>(
-        owned->records.size() / BlockStore::record_bytes(grid.spec.connectivity));
-    for (const auto& [block, record] : tile.blocks) {
-      owned->record[block] = record >= BlockStore::kFree ? record : first + record;
+  std::size_t stored = 0;
+  std::vector<Tile> tiles(std::min<std::size_t>(total, 64));
+  for (std::size_t begin = 0; begin < total; begin += tiles.size()) {
+    const std::size_t some = std::min(tiles.size(), total - begin);
+    geom::parallel_for(some, {run.threads, {}}, [&](std::size_t t) {
+      const auto tile = static_cast<std::int64_t>(begin + t);
+      tiles[t] = read_tile(grid, source, tile % across * kTile, tile / across * kTile);
+    });
+    for (std::size_t t = 0; t < some; ++t) {
+      for (const auto& [block, record] : tiles[t].blocks) {
+        const bool has_one = record < BlockStore::kFree;
+        owned->record[block] = has_one ? static_cast<std::uint32_t>(stored + record) : record;
+      }
+      owned->records.append(tiles[t].records);
+      stored = owned->records.view().size() / BlockStore::record_bytes(grid.spec.connectivity);
+      if (stored >= BlockStore::kFree) {
+        throw geom::InputError("lattice",
+                               "expected less than 2^32 blocks that are not all free "
+                               "or blocked: use a larger spacing");
+      }
+      counts.nodes += tiles[t].counts.nodes;
+      counts.edges += tiles[t].counts.edges;
     }
-    owned->records.insert(owned->records.end(), tile.records.begin(), tile.records.end());
-    counts.nodes += tile.counts.nodes;
-    counts.edges += tile.counts.edges;
-    tile = {};  // so that no more than one copy is ever held
+    if (run.progress) run.progress(begin + some, total);
   }
-  return std::make_shared<const BlockStore>(grid, counts, owned->record, owned->records, owned,
-                                            "lattice");
+  return std::make_shared<const BlockStore>(grid, counts, owned->record, owned->records.view(),
+                                            owned, "lattice");
 }
 
 }  // namespace plan

@@ -71,6 +71,11 @@ class Stamp {
 
   void fill() {
     std::uint32_t* out = masks_;
+    if (grid_.inside({low_[0] - 1, low_[1] - 1, low_[2] - 1},
+                     {count_[0] + 2, count_[1] + 2, count_[2] + 2})) {
+      std::fill_n(out, count_[0] * count_[1] * count_[2], Lattice::kNode | grid_.possible(low_));
+      return;
+    }
     for (std::int64_t k = 0; k < count_[2]; ++k) {
       for (std::int64_t j = 0; j < count_[1]; ++j) {
         for (std::int64_t i = 0; i < count_[0]; ++i, ++out) {
@@ -161,10 +166,7 @@ class SceneMasks final : public MaskSource {
 Lattice lazy_lattice(const geom::CollisionScene& scene, const LatticeSpec& spec,
                      const std::optional<Aabb>& within) {
   const LatticeGrid grid = make_grid(scene, spec, within);
-  return Lattice(grid,
-                 {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(),
-                  scene.margin()},
-                 std::make_shared<SceneMasks>(scene, grid));
+  return Lattice(grid, geom::provenance_of(scene), std::make_shared<SceneMasks>(scene, grid));
 }
 
 Lattice build_lattice(const geom::CollisionScene& scene, const LatticeSpec& spec,

@@ -22,9 +22,9 @@ std::uint32_t mirrored(const std::uint32_t* masks, const Strides& strides, int d
 }
 
 constexpr std::array<std::ptrdiff_t, kHalfDirections> strides_of(std::ptrdiff_t side) {
-  constexpr int kHalf[kHalfDirections][3] = {{1, 0, 0}, {0, 1, 0},  {0, 0, 1}, {1, 1, 0}, {1, -1, 0},
-                                             {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}, {1, 1, 1},
-                                             {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
+  constexpr int kHalf[kHalfDirections][3] = {
+      {1, 0, 0}, {0, 1, 0},  {0, 0, 1}, {1, 1, 0},  {1, -1, 0}, {1, 0, 1},  {1, 0, -1},
+      {0, 1, 1}, {0, 1, -1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}};
   std::array<std::ptrdiff_t, kHalfDirections> out{};
   for (std::size_t d = 0; d < kHalfDirections; ++d) {
     out[d] = kHalf[d][0] + side * (kHalf[d][1] + side * kHalf[d][2]);
@@ -100,7 +100,8 @@ void Lattice::read(std::size_t block, Block& masks) const {
         }
         if (to_blocked) {
           throw geom::InputError(
-              "lattice", fmt::format("node {} of block {} has an edge to a blocked node", n, block));
+              "lattice",
+              fmt::format("node {} of block {} has an edge to a blocked node", n, block));
         }
         masks[n] = mirrored(at, kStrides, directions);
       }

@@ -15,28 +15,13 @@ namespace {
 
 constexpr int kVersion = 2;
 
-std::string meta_of(const Lattice& lattice, const LatticeCounts& counts) {
-  const auto indices = [](const Index3& v) { return fmt::format("[{},{},{}]", v[0], v[1], v[2]); };
-  std::string meta = fmt::format(R"({{"format":"skyway-lattice","version":{},)", kVersion);
-  geom::append_json(meta, lattice.made_for());
-  meta += "\"spacing\":";
-  geom::append_json(meta, lattice.spec().spacing);
-  meta += ",\"origin\":";
-  geom::append_json(meta, lattice.spec().origin);
-  meta += fmt::format(",\"connectivity\":{},\"first\":{},\"dims\":{},\"nodes\":{},\"edges\":{}}}\n",
-                      static_cast<int>(lattice.spec().connectivity), indices(lattice.first()),
-                      indices(lattice.dims()), counts.nodes, counts.edges);
-  return meta;
-}
-
 struct Meta {
   LatticeGrid grid;
   LatticeCounts counts;
   geom::Provenance made_for;
 };
 
-Meta parse_meta(const geom::ArrayArchive& archive) {
-  const geom::JsonFields fields(archive.meta(), archive.name(), 0);
+Meta parse_meta(const geom::JsonFields& fields) {
   if (fields.text("format", "") != "skyway-lattice") {
     fields.refuse(fmt::format("expected a lattice (format \"skyway-lattice\"), found format \"{}\"",
                               fields.text("format", "")));
@@ -82,15 +67,33 @@ Meta parse_meta(const geom::ArrayArchive& archive) {
 
 }  // namespace
 
-void write_lattice(std::ostream& out, const Lattice& lattice) {
+std::string lattice_meta(const Lattice& lattice) {
+  const LatticeCounts counts = stored_counts(lattice);
+  const auto indices = [](const Index3& v) { return fmt::format("[{},{},{}]", v[0], v[1], v[2]); };
+  std::string meta = fmt::format(R"({{"format":"skyway-lattice","version":{},)", kVersion);
+  geom::append_json(meta, lattice.made_for());
+  meta += "\"spacing\":";
+  geom::append_json(meta, lattice.spec().spacing);
+  meta += ",\"origin\":";
+  geom::append_json(meta, lattice.spec().origin);
+  return meta +
+         fmt::format(",\"connectivity\":{},\"first\":{},\"dims\":{},\"nodes\":{},\"edges\":{}}}",
+                     static_cast<int>(lattice.spec().connectivity), indices(lattice.first()),
+                     indices(lattice.dims()), counts.nodes, counts.edges);
+}
+
+std::vector<geom::NamedArray> lattice_arrays(const Lattice& lattice) {
   const auto* store = dynamic_cast<const BlockStore*>(&lattice.source());
   if (!store) throw std::logic_error("only a lattice that was built can be written");
   const std::size_t columns = BlockStore::record_bytes(lattice.spec().connectivity);
-  const geom::NamedArray arrays[] = {
+  return {
       geom::named_array<std::uint32_t>("block_record", store->record()),
       {"records", "|u1", {store->records().size() / columns, columns}, store->records()},
   };
-  geom::write_array_archive(out, meta_of(lattice, store->counts()), arrays);
+}
+
+void write_lattice(std::ostream& out, const Lattice& lattice) {
+  geom::write_array_archive(out, lattice_meta(lattice) + '\n', lattice_arrays(lattice));
 }
 
 bool is_lattice(const geom::ArrayArchive& archive) {
@@ -99,7 +102,11 @@ bool is_lattice(const geom::ArrayArchive& archive) {
 }
 
 Lattice read_lattice(const geom::ArrayArchive& archive) {
-  const Meta meta = parse_meta(archive);
+  return read_lattice(archive, archive.meta());
+}
+
+Lattice read_lattice(const geom::ArrayArchive& archive, std::string_view meta_json) {
+  const Meta meta = parse_meta(geom::JsonFields(meta_json, archive.name(), 0));
   const std::size_t columns = BlockStore::record_bytes(meta.grid.spec.connectivity);
   return Lattice(meta.grid, meta.made_for,
                  std::make_shared<const BlockStore>(
@@ -119,10 +126,9 @@ void verify_lattice(const Lattice& lattice) {
   store->check();
   const LatticeCounts counts = lattice.counts();
   if (counts.nodes != store->counts().nodes || counts.edges != store->counts().edges) {
-    throw geom::InputError("lattice",
-                           fmt::format("expected {} nodes and {} edges, found {} and {}",
-                                       store->counts().nodes, store->counts().edges, counts.nodes,
-                                       counts.edges));
+    throw geom::InputError("lattice", fmt::format("expected {} nodes and {} edges, found {} and {}",
+                                                  store->counts().nodes, store->counts().edges,
+                                                  counts.nodes, counts.edges));
   }
 }
 

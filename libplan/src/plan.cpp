@@ -17,12 +17,16 @@ namespace {
 
 using geom::Polyline;
 
-constexpr std::int64_t kRings = 4;     // of nodes around an end that may be joined to it
-constexpr double kSpacing = 10;        // metres: of the first lattice on a map of a city's size
-constexpr int kLevels = 3;             // each of half the spacing of the one before
-constexpr double kFewestNodes = 1e4;   // of the first lattice: a small map gets a finer one
-constexpr double kDetour = 1.2;        // of the straight line: then a finer lattice may know better
-constexpr double kLookAround = 50;     // metres: how far a message looks for a free place
+constexpr std::int64_t kRings = 4;    // of nodes around an end that may be joined to it
+constexpr double kSpacing = 10;       // metres: of the first lattice on a map of a city's size
+constexpr int kLevels = 3;            // each of half the spacing of the one before
+constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets a finer one
+constexpr double kDetour = 1.2;       // of the straight line: then a finer lattice may know better
+constexpr double kCorridor = 40;      // metres beside a lattice's path that bends are sought in
+constexpr double kCorridorReach = 300;        // metres
+constexpr std::size_t kUnknownBends = 1000;   // settled where it is not known that there is a way
+constexpr std::size_t kCorridorBends = 3000;  // settled at most
+constexpr double kLookAround = 50;            // metres: how far a message looks for a free place
 
 std::string shown(const Vec3& p) { return fmt::format("({}, {}, {})", p[0], p[1], p[2]); }
 
@@ -149,6 +153,7 @@ Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, cons
   };
   if (lattice) {
     add(*lattice, true);
+    fine_ = 1;
   } else if (scene.free_bounds()) {
     const auto lazy = [&](double spacing) {
       return lazy_lattice(scene, {spacing, Connectivity::twenty_six, scene.free_bounds()->min});
@@ -204,8 +209,62 @@ PlanResult Planner::search_levels(const Vec3& from, const Vec3& to, const PlanOp
   return result;
 }
 
+// The component of the coarse lattice that a point sees; 0 where it sees none.
+std::uint32_t Planner::component(const Vec3& p) const {
+  const Lattice& lattice = roadmap_->coarse->lattice;
+  Index3 base;
+  for (int k = 0; k < 3; ++k) {
+    const double cells = std::floor((p[k] - lattice.coordinate(k, 0)) / lattice.spec().spacing);
+    base[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(
+        std::clamp(cells, -1.0, static_cast<double>(lattice.dims()[static_cast<std::size_t>(k)])));
+  }
+  for (const std::int64_t ring : {0, 1}) {
+    for (std::int64_t k = ring + 1; k >= -ring; --k) {  // upper nodes first: they see more
+      for (std::int64_t j = -ring; j <= ring + 1; ++j) {
+        for (std::int64_t i = -ring; i <= ring + 1; ++i) {
+          const auto node = lattice.node({base[0] + i, base[1] + j, base[2] + k});
+          if (!node || !roadmap_->coarse->label[*node]) continue;
+          if (scene_.free(p, lattice.position(*node))) return roadmap_->coarse->label[*node];
+        }
+      }
+    }
+  }
+  return 0;
+}
+
+// How far to search the roadmap before the lattices were asked, which know sooner that there is no
+// way.
+RoadmapLimits Planner::first_limits(const Vec3& from, const Vec3& to) const {
+  if (!roadmap_->coarse) return {};
+  const std::uint32_t a = component(from);
+  const std::uint32_t b = component(to);
+  if (a == 0 || b == 0) return {kUnknownBends};
+  return a == b ? RoadmapLimits{} : RoadmapLimits{0};
+}
+
+// The shortest of the roadmap's paths, where it is shorter than what there is.
+bool Planner::improve(RoadmapSearch& search, const Vec3& from, const Vec3& to,
+                      const PlanOptions& options, RoadmapLimits limits, PlanResult& result) {
+  if (options.quality == Quality::best) {
+    limits.paths = 40;
+    limits.beyond = 0.02;
+  }
+  const RoadmapResult found = search.search(from, to, limits);
+  bool better = false;
+  for (const Polyline& raw : found.paths) {
+    require_free(scene_, raw, "roadmap");
+    Polyline path = polished(options) ? taut(scene_, raw) : raw;
+    if (!result.path.empty() && geom::length(path) >= geom::length(result.path)) continue;
+    result.path = std::move(path);
+    result.expanded = found.settled;
+    better = true;
+  }
+  return better;
+}
+
 bool Planner::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                             PlanResult& result) {
+                             const RoadmapLimits& limits, PlanResult& result) {
+  if (limits.settled == 0) return false;
   std::unique_ptr<RoadmapSearch> search;
   {
     const std::lock_guard lock(mutex_);
@@ -215,22 +274,18 @@ bool Planner::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions
     }
   }
   if (!search) search = std::make_unique<RoadmapSearch>(scene_, *roadmap_);
-  RoadmapLimits limits;
-  if (options.quality == Quality::best) limits = {limits.settled, 40, 0.02};
-  const RoadmapResult found = search->search(from, to, limits);
-  {
-    const std::lock_guard lock(mutex_);
-    idle_.push_back(std::move(search));
-  }
-  result.expanded = found.settled;
-  for (const Polyline& raw : found.paths) {
-    require_free(scene_, raw, "roadmap");
-    Polyline path = polished(options) ? taut(scene_, raw) : raw;
-    if (result.path.empty() || geom::length(path) < geom::length(result.path)) {
-      result.path = std::move(path);
-    }
-  }
-  return !result.path.empty();
+  const bool better = improve(*search, from, to, options, limits, result);
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(search));
+  return better;
+}
+
+// Bends around the boxes near a path that a lattice gave.
+bool Planner::search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                              PlanResult& result) {
+  const Roadmap corridor = bends_along(scene_, {10, kCorridorReach, {}}, result.path, kCorridor);
+  RoadmapSearch search(scene_, corridor);
+  return improve(search, from, to, options, {kCorridorBends}, result);
 }
 
 PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& options) {
@@ -238,20 +293,28 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
   if (scene_.free(from, to)) {
     result.method = "straight";
     result.path = {from, to};
-  } else if (roadmap_ && search_roadmap(from, to, options, result)) {
-    result.method = "roadmap";
-  } else {
-    result = search_levels(from, to, options);
-    result.method = "lattice";
-    if (result.path.empty()) {
-      result.message = fmt::format(
-          "{} on a lattice of {} m",
-          result.status == PlanStatus::stopped ? "too many nodes" : "no path", result.resolution);
-      return result;
-    }
+    result.status = PlanStatus::found;
+    return result;
   }
-  if (options.resample > 0) result.path = resample_free(scene_, result.path, options.resample);
+  if (roadmap_ && search_roadmap(from, to, options, first_limits(from, to), result)) {
+    result.method = "roadmap";
+    result.status = PlanStatus::found;
+    return result;
+  }
+  result = search_levels(from, to, options);
+  result.method = "lattice";
+  if (result.path.empty()) {
+    result.message = fmt::format(
+        "{} on a lattice of {} m",
+        result.status == PlanStatus::stopped ? "too many nodes" : "no path", result.resolution);
+    return result;
+  }
   result.status = PlanStatus::found;
+  if (!polished(options)) return result;
+  if (roadmap_ ? search_roadmap(from, to, options, {kCorridorBends}, result)
+               : search_corridor(from, to, options, result)) {
+    result.method = roadmap_ ? "roadmap" : "corridor";
+  }
   return result;
 }
 
@@ -283,6 +346,9 @@ PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& op
     return result;
   }
   PlanResult result = search(ends[0], ends[1], options);
+  if (options.resample > 0 && !result.path.empty()) {
+    result.path = resample_free(scene_, result.path, options.resample);
+  }
   result.snapped_start = snapped[0];
   result.snapped_goal = snapped[1];
   return result;

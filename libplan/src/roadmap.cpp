@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -10,6 +11,7 @@
 
 #include "geom/error.h"
 #include "geom/parallel.h"
+#include "plan/build_lattice.h"
 
 namespace plan {
 namespace {
@@ -140,8 +142,7 @@ std::vector<geom::Aabb> boxes_of(const geom::CollisionScene& scene,
 }
 
 std::vector<Bend> make_bends(const geom::CollisionScene& scene, const RoadmapSpec& spec,
-                             const geom::Execution& run) {
-  const auto boxes = boxes_of(scene, spec.region);
+                             const std::vector<geom::Aabb>& boxes, const geom::Execution& run) {
   std::vector<std::vector<Bend>> of_box(boxes.size());
   geom::parallel_for(boxes.size(), {run.threads, {}},
                      [&](std::size_t i) { add_bends(scene, boxes[i], spec.part, of_box[i]); });
@@ -149,6 +150,39 @@ std::vector<Bend> make_bends(const geom::CollisionScene& scene, const RoadmapSpe
   for (const auto& some : of_box) out.insert(out.end(), some.begin(), some.end());
   return out;
 }
+
+// Bends by square cells of the plan, as wide as the reach: all that may be linked to one are in the
+// nine around it.
+class BendCells {
+ public:
+  BendCells(const std::vector<Bend>& bends, double side) : side_(side) {
+    for (std::size_t i = 0; i < bends.size(); ++i) {
+      cells_[key(bends[i].position)].push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+
+  // Calls f(bend) for all in the nine cells around p.
+  template <class F>
+  void for_near(const Vec3& p, const F& f) const {
+    const auto [x, y] = key(p);
+    for (std::int64_t i = x - 1; i <= x + 1; ++i) {
+      for (std::int64_t j = y - 1; j <= y + 1; ++j) {
+        const auto at = cells_.find({i, j});
+        if (at == cells_.end()) continue;
+        for (const std::uint32_t bend : at->second) f(bend);
+      }
+    }
+  }
+
+ private:
+  std::pair<std::int64_t, std::int64_t> key(const Vec3& p) const {
+    return {static_cast<std::int64_t>(std::floor(p.x() / side_)),
+            static_cast<std::int64_t>(std::floor(p.y() / side_))};
+  }
+
+  double side_;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::uint32_t>> cells_;
+};
 
 bool linked(const geom::CollisionScene& scene, const Bend& a, const Bend& b, double reach) {
   const Vec3 d = b.position - a.position;
@@ -187,17 +221,16 @@ Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec
                       const geom::Execution& run) {
   Roadmap out;
   out.spec = spec;
-  out.made_for = {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(),
-                  scene.margin()};
-  out.bends = make_bends(scene, spec, run);
+  out.made_for = geom::provenance_of(scene);
+  out.bends = make_bends(scene, spec, boxes_of(scene, spec.region), run);
   const std::size_t n = out.bends.size();
+  const BendCells cells(out.bends, spec.reach);
   std::vector<std::vector<std::uint32_t>> to(n);
   geom::parallel_for(n, run, [&](std::size_t i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      if (linked(scene, out.bends[i], out.bends[j], spec.reach)) {
-        to[i].push_back(static_cast<std::uint32_t>(j));
-      }
-    }
+    cells.for_near(out.bends[i].position, [&](std::uint32_t j) {
+      if (j > i && linked(scene, out.bends[i], out.bends[j], spec.reach)) to[i].push_back(j);
+    });
+    std::sort(to[i].begin(), to[i].end());
   });
   std::vector<std::uint32_t> back(n);  // how many lower bends each is linked to
   std::uint64_t edges = 0;
@@ -228,7 +261,70 @@ Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec
     out.first.push_back(out.to.size());
     std::vector<std::uint32_t>().swap(list);
   }
+  if (scene.free_bounds()) {
+    const LatticeSpec coarse{10, Connectivity::twenty_six, scene.free_bounds()->min};
+    out.coarse = label_components(build_lattice(scene, coarse, {run.threads, {}}, spec.region));
+  }
   return out;
+}
+
+Roadmap bends_along(const geom::CollisionScene& scene, const RoadmapSpec& spec,
+                    const geom::Polyline& path, double width) {
+  constexpr double kPiece = 50;  // metres: bounding boxes of longer ones would hold too much
+  Roadmap out;
+  out.spec = spec;
+  out.made_for = geom::provenance_of(scene);
+  std::vector<std::size_t> near;
+  const geom::Polyline pieces = geom::resample(path, kPiece);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const geom::Aabb piece{pieces[i - 1].cwiseMin(pieces[i]), pieces[i - 1].cwiseMax(pieces[i])};
+    for (const std::size_t box : scene.boxes_meeting(geom::grow(piece, Vec3::Constant(width)))) {
+      near.push_back(box);
+    }
+  }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  std::vector<geom::Aabb> boxes;
+  for (const std::size_t i : near) boxes.push_back(scene.grown(i));
+  out.bends = make_bends(scene, spec, boxes, {});
+  return out;
+}
+
+LabelledLattice label_components(Lattice lattice) {
+  const LatticeGrid& grid = lattice.grid();
+  std::vector<std::uint32_t> masks(lattice.size());
+  Lattice::Block block;
+  for (std::size_t b = 0; b < grid.block_count(); ++b) {
+    lattice.read(b, block);
+    const Index3 low = grid.block_low(b);
+    for (std::size_t n = 0; n < block.size(); ++n) {
+      const auto local = static_cast<std::int64_t>(n);
+      const auto node = lattice.node({low[0] + local % LatticeGrid::kSide,
+                                      low[1] + local / LatticeGrid::kSide % LatticeGrid::kSide,
+                                      low[2] + local / (LatticeGrid::kSide * LatticeGrid::kSide)});
+      if (node) masks[*node] = block[n];
+    }
+  }
+  std::vector<std::uint32_t> label(masks.size());
+  std::uint32_t labels = 0;
+  std::vector<std::size_t> open;
+  for (std::size_t start = 0; start < masks.size(); ++start) {
+    if (!(masks[start] & Lattice::kNode) || label[start]) continue;
+    label[start] = ++labels;
+    open.push_back(start);
+    while (!open.empty()) {
+      const std::size_t from = open.back();
+      open.pop_back();
+      for (std::uint32_t m = masks[from] & ~Lattice::kNode; m; m &= m - 1) {
+        const auto to = static_cast<std::size_t>(static_cast<std::int64_t>(from) +
+                                                 lattice.offset(std::countr_zero(m)));
+        if (label[to]) continue;
+        label[to] = labels;
+        open.push_back(to);
+      }
+    }
+  }
+  return {std::move(lattice), std::move(label)};
 }
 
 RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap)
@@ -260,6 +356,32 @@ bool RoadmapSearch::later(const Open& a, const Open& b) {
 void RoadmapSearch::push(const Open& open) {
   open_.push_back(open);
   std::push_heap(open_.begin(), open_.end(), later);
+}
+
+void RoadmapSearch::reach(std::uint32_t i, std::uint32_t j, double through, const Vec3& goal) {
+  visits_[j] = {through, i, stamp_, false};
+  push({through + (goal - roadmap_->bends[j].position).norm(), through, j, Open::reached});
+}
+
+// Where the roadmap has no edges: those that matter, looked for.
+void RoadmapSearch::look_around(std::uint32_t i, const Vec3& arrived_from, const Vec3& goal) {
+  const Roadmap& map = *roadmap_;
+  const Bend& bend = map.bends[i];
+  const Across in = across(bend, arrived_from - bend.position);
+  const double cost = visits_[i].cost;
+  const double most = map.spec.reach * map.spec.reach;
+  for (std::uint32_t j = 0; j < map.bends.size(); ++j) {
+    const Bend& other = map.bends[j];
+    const Vec3 d = other.position - bend.position;
+    const double square = d.squaredNorm();
+    if (j == i || square > most) continue;
+    const double through = cost + std::sqrt(square);
+    const Visit& visit = visits_[j];
+    if (visit.stamp == stamp_ && (visit.settled || visit.cost <= through)) continue;
+    const Across out = across(bend, d);
+    if (!out.tangent() || !wraps(in, out) || !across(other, -d).tangent()) continue;
+    if (!scene_->hits(bend.position, other.position)) reach(i, j, through, goal);
+  }
 }
 
 // The edges that keep wrapping around the bend's box for a path from there.
@@ -303,10 +425,9 @@ void RoadmapSearch::expand(std::uint32_t i, const Vec3& arrived_from, const Vec3
     const std::uint32_t j = edges[e];
     const Vec3& p = map.bends[j].position;
     const double through = cost + (p - bend.position).norm();
-    Visit& visit = visits_[j];
+    const Visit& visit = visits_[j];
     if (visit.stamp == stamp_ && (visit.settled || visit.cost <= through)) continue;
-    visit = {through, i, stamp_, false};
-    push({through + (goal - p).norm(), through, j, Open::reached});
+    reach(i, j, through, goal);
   }
 }
 
@@ -368,7 +489,11 @@ RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const Road
       result.paths.push_back(trace(top.bend, from, to));
       if (result.paths.size() == limits.paths) return result;
     }
-    expand(top.bend, back, to);
+    if (roadmap_->first.empty()) {
+      look_around(top.bend, back, to);
+    } else {
+      expand(top.bend, back, to);
+    }
   }
   result.gave_up = result.paths.empty();
   return result;

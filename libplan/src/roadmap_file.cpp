@@ -6,11 +6,12 @@
 
 #include "geom/error.h"
 #include "geom/io/json_fields.h"
+#include "plan/io/lattice_file.h"
 
 namespace plan {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 }  // namespace
 
@@ -36,9 +37,8 @@ void write_roadmap(std::ostream& out, const Roadmap& roadmap) {
     geom::append_json(meta, roadmap.spec.region->max);
     meta += ']';
   }
-  meta +=
-      fmt::format(",\"bends\":{},\"edges\":{}}}\n", roadmap.bends.size(), roadmap.to.size() / 2);
-  const geom::NamedArray arrays[] = {
+  meta += fmt::format(",\"bends\":{},\"edges\":{}", roadmap.bends.size(), roadmap.to.size() / 2);
+  std::vector<geom::NamedArray> arrays = {
       geom::named_array<double>("bend_position", position, 3),
       geom::named_array<std::int8_t>("bend_axis", axis),
       geom::named_array<std::int8_t>("bend_outward", outward, 2),
@@ -46,7 +46,12 @@ void write_roadmap(std::ostream& out, const Roadmap& roadmap) {
       geom::named_array<std::uint32_t>("edge_split", roadmap.split),
       geom::named_array<std::uint32_t>("edge_to", roadmap.to),
   };
-  geom::write_array_archive(out, meta, arrays);
+  if (roadmap.coarse) {
+    meta += ",\"lattice\":" + lattice_meta(roadmap.coarse->lattice);
+    for (auto& array : lattice_arrays(roadmap.coarse->lattice)) arrays.push_back(std::move(array));
+    arrays.push_back(geom::named_array<std::uint32_t>("node_label", roadmap.coarse->label));
+  }
+  geom::write_array_archive(out, meta + "}\n", arrays);
 }
 
 bool is_roadmap(const geom::ArrayArchive& archive) {
@@ -92,6 +97,15 @@ Roadmap read_roadmap(const geom::ArrayArchive& archive) {
   }
   for (std::size_t e = 0; e < to.size(); ++e) {
     if (to[e] >= n) refuse(fmt::format("edge {} leads to bend {} of {}", e, to[e], n));
+  }
+  if (fields.has("lattice")) {
+    const auto label = archive.array<std::uint32_t>("node_label");
+    out.coarse.emplace(LabelledLattice{read_lattice(archive, fields.object()["lattice"].dump()),
+                                       {label.begin(), label.end()}});
+    if (out.coarse->label.size() != out.coarse->lattice.size()) {
+      refuse(fmt::format("expected {} labels of nodes, found {}", out.coarse->lattice.size(),
+                         label.size()));
+    }
   }
   out.first.assign(first.begin(), first.end());
   out.split.assign(split.begin(), split.end());

@@ -1,4 +1,4 @@
-// roadmap_bench QUERIES.csv: planning on a roadmap of the city, a query at a time on one thread:
+// roadmap_bench QUERIES.csv: planning with and without a roadmap, a query at a time on one thread:
 // path length over the best known of the table, and thread CPU time, the least of 3, per set.
 
 #include <fmt/format.h>
@@ -69,14 +69,21 @@ int main(int argc, char** argv) {
   fmt::print("bends {} edges {} built in {:.2f} s, {:.0f} MB; k = {:.2f}\n", roadmap.bends.size(),
              roadmap.to.size() / 2, built.count(), bytes / 1e6, brute / 30e-6);
   const auto queries = read(argv[1]);
-  for (const auto& [name, quality] : {std::pair{"fast", plan::Quality::fast},
-                                      {"normal", plan::Quality::normal},
-                                      {"best", plan::Quality::best}}) {
-    plan::Planner planner(scene, nullptr, &roadmap);
+  struct Kind {
+    const char* name;
+    plan::Quality quality;
+    const plan::Roadmap* roadmap;
+  };
+  for (const auto& [name, quality, given] : {Kind{"fast", plan::Quality::fast, &roadmap},
+                                             {"normal", plan::Quality::normal, &roadmap},
+                                             {"best", plan::Quality::best, &roadmap},
+                                             {"normal without", plan::Quality::normal, nullptr}}) {
+    plan::Planner planner(scene, nullptr, given);
     plan::PlanOptions options;
     options.quality = quality;
     std::map<std::string, std::vector<double>> ratio;
     std::map<std::string, std::vector<double>> milliseconds;
+    std::size_t missing = 0;
     for (const Query& q : queries) {
       double least = 1e9;
       for (int i = 0; i < 3; ++i) {
@@ -84,10 +91,11 @@ int main(int argc, char** argv) {
         const plan::PlanResult result = planner.plan(q.from, q.to, options);
         least = std::min(least, cpu_seconds() - start);
         if (i == 0) ratio[q.set].push_back(geom::length(result.path) / q.best);
-        if (result.status != plan::PlanStatus::found) fmt::print("not found: {}\n", result.message);
+        missing += result.status != plan::PlanStatus::found;
       }
       milliseconds[q.set].push_back(1e3 * least);
     }
+    if (missing) fmt::print("{}: {} plans found nothing\n", name, missing);
     for (const auto& [set, r] : ratio) {
       double mean = 0;
       for (const double x : r) mean += x / static_cast<double>(r.size());

@@ -106,7 +106,8 @@ TEST(LatticeFileContent, StoresNothingForFreeAndBlockedBlocks) {
   const Parts parts(lattice);
   constexpr std::uint32_t kFree = 0xfffffffe;
   constexpr std::uint32_t kBlocked = 0xffffffff;
-  EXPECT_EQ(parts.block_record, (std::vector<std::uint32_t>{kFree, 0, kBlocked, kFree, 1, kBlocked}));
+  EXPECT_EQ(parts.block_record,
+            (std::vector<std::uint32_t>{kFree, 0, kBlocked, kFree, 1, kBlocked}));
   EXPECT_EQ(parts.records.size(), 2 * 1024u);
   expect_same(lattice, read(parts.bytes()));
 }

@@ -43,7 +43,7 @@ TEST(Planner, GoesRoundAnObstacle) {
   const auto scene = tower();
   const PlanResult result = planned(scene, {2, 20, 5}, {38, 20, 5});
   ASSERT_EQ(result.status, PlanStatus::found);
-  EXPECT_EQ(result.method, "lattice");
+  EXPECT_EQ(result.method, "corridor");
   EXPECT_GT(result.resolution, 0);
   EXPECT_EQ(result.path.front(), Vec3(2, 20, 5));
   EXPECT_EQ(result.path.back(), Vec3(38, 20, 5));

@@ -148,8 +148,4 @@ const geom::CollisionScene& Scenes::scene_for(const geom::Provenance& record,
   return build(vehicle, margin);
 }
 
-geom::Provenance provenance_of(const geom::CollisionScene& scene) {
-  return {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(), scene.margin()};
-}
-
 }  // namespace cli

@@ -57,7 +57,4 @@ class Scenes {
   std::optional<geom::CollisionScene> scene_;
 };
 
-// What a record made with this scene carries.
-geom::Provenance provenance_of(const geom::CollisionScene& scene);
-
 }  // namespace cli

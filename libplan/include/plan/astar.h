@@ -34,8 +34,8 @@ struct SearchResult {
 // goals too, so that goals in a pocket are known to be out of reach once the pocket was searched.
 // Terminals must be free nodes, their costs non-negative and below 2^20 spacings. Blocks of the
 // lattice are read when first met and kept, with 20 bytes a node, up to 170 MB between searches;
-// one that meets more than 16,384 new blocks (8 M nodes) gives up. No search depends on an earlier one. The lattice must outlive
-// it; one thread at a time.
+// one that meets more than 16,384 new blocks (8 M nodes) gives up. No search depends on an earlier
+// one. The lattice must outlive it; one thread at a time.
 class AstarSearch {
  public:
   explicit AstarSearch(const Lattice& lattice);
@@ -82,8 +82,7 @@ class AstarSearch {
   std::uint32_t page_at(std::uint64_t block);
   void start(std::span<const Terminal> sources, std::span<const Terminal> goals);
   void expand(const Open& from);
-  void push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y,
-            std::int32_t z);
+  void push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y, std::int32_t z);
   void insert(const Open& entry);
   void push_heap(const Open& entry);
   Open take_first();

@@ -50,6 +50,10 @@ struct LatticeGrid {
     return i[0] >= 0 && i[1] >= 0 && i[2] >= 0 && i[0] < dims[0] && i[1] < dims[1] &&
            i[2] < dims[2];
   }
+  bool inside(const Index3& low, const Index3& count) const {  // all of [low, low + count)
+    return contains(low) &&
+           contains({low[0] + count[0] - 1, low[1] + count[1] - 1, low[2] + count[2] - 1});
+  }
   Index3 blocks() const;                             // how many along each axis
   std::size_t block_count() const;                   // numbered x fastest, then y, then z
   Index3 block_low(std::size_t block) const;         // its first node
@@ -95,8 +99,8 @@ class Lattice {
 
   std::uint32_t mask(std::size_t node) const;
   bool free(std::size_t node) const { return (mask(node) & kNode) != 0; }
-  std::int64_t offset(int direction) const;      // to that neighbour
-  double edge_length(int direction) const;       // metres
+  std::int64_t offset(int direction) const;  // to that neighbour
+  double edge_length(int direction) const;   // metres
 
   Index3 index(std::size_t node) const;
   std::optional<std::size_t> node(const Index3& index) const;  // nothing outside

@@ -43,11 +43,11 @@ struct PlanOptions {
 
 struct PlanResult {
   PlanStatus status = PlanStatus::unreachable;
-  geom::Polyline path;       // start to goal, every leg free; empty unless found
-  std::string message;       // why not, in words
-  std::string method;        // "straight", "roadmap" or "lattice"; empty unless searched
-  double resolution = 0;     // spacing of the path's lattice, or of the last searched; 0: none was
-  std::size_t expanded = 0;  // nodes, on that lattice
+  geom::Polyline path;    // start to goal, every leg free; empty unless found
+  std::string message;    // why not, in words
+  std::string method;     // "straight", "roadmap", "corridor" or "lattice"; empty unless searched
+  double resolution = 0;  // spacing of the path's lattice, or of the last searched; 0: none was
+  std::size_t expanded = 0;           // nodes, on that lattice
   std::optional<Vec3> snapped_start;  // where an end was moved to
   std::optional<Vec3> snapped_goal;
 };
@@ -57,8 +57,8 @@ struct PlanResult {
 // shortcut(). Then taut() and, where asked, resampling. Without a lattice of its own it searches
 // 26-connected ones of 10, 5 and 2.5 m (finer on maps too small for these) until one finds a path,
 // each worked out where the search goes. A shortened path of more than 1.2 times the straight line
-// is compared with the next lattice's. Where a lattice has too many nodes to look at, ones of 4 and 16
-// times the first spacing are tried. An edge of a given lattice or roadmap that is blocked on
+// is compared with the next lattice's. Where a lattice has too many nodes to look at, ones of 4 and
+// 16 times the first spacing are tried. An edge of a given lattice or roadmap that is blocked on
 // this map throws geom::InputError. The scene and the roadmap must outlive it. Threads may plan at
 // once; no answer depends on another.
 class Planner {
@@ -73,8 +73,14 @@ class Planner {
   struct Level;
 
   PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  std::uint32_t component(const Vec3& p) const;
+  RoadmapLimits first_limits(const Vec3& from, const Vec3& to) const;
+  bool improve(RoadmapSearch& search, const Vec3& from, const Vec3& to, const PlanOptions& options,
+               RoadmapLimits limits, PlanResult& result);
   bool search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                      PlanResult& result);
+                      const RoadmapLimits& limits, PlanResult& result);
+  bool search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                       PlanResult& result);
   PlanResult search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options);
   bool search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result);
 

@@ -11,6 +11,7 @@
 #include "geom/execution.h"
 #include "geom/io/record.h"
 #include "geom/polyline.h"
+#include "plan/lattice.h"
 
 namespace plan {
 
@@ -29,6 +30,14 @@ struct RoadmapSpec {
   std::optional<geom::Aabb> region;  // only around boxes that, once grown, meet it
 };
 
+// A lattice and which of its nodes are joined by paths on it.
+struct LabelledLattice {
+  Lattice lattice;
+  std::vector<std::uint32_t> label;  // of each node; 0: blocked
+};
+
+LabelledLattice label_components(Lattice lattice);
+
 // Immutable. Edges of bend i are to[first[i]] … to[first[i + 1]]; the first `split[i]` of them run
 // to the side where, across the box edge and with outward signs, x < y, the others to the other
 // side; each part ascends by |y| / (|x| + |y|). So the edges that keep wrapping around the box from
@@ -40,11 +49,18 @@ struct Roadmap {
   std::vector<std::uint64_t> first;  // one more than bends
   std::vector<std::uint32_t> split;
   std::vector<std::uint32_t> to;
+  std::optional<LabelledLattice> coarse;  // of 10 m, 26 neighbours, where bends are sought
 };
+
+// The bends of a roadmap without its edges and lattice, around boxes that come within `width`
+// metres of the path (by their bounding boxes): RoadmapSearch then works out edges where it needs
+// them.
+Roadmap bends_along(const geom::CollisionScene& scene, const RoadmapSpec& spec,
+                    const geom::Polyline& path, double width);
 
 // Bends are kept where the space around the box edge, but for the box, is free, and inside the
 // bounds; edges where the bends are within reach, see each other (exact), and the line is tangent
-// to both boxes. Cost: quadratic in the bends within reach. The same for any number of threads.
+// to both boxes. Cost: bends times those within reach of each. The same for any number of threads.
 // Throws geom::InputError where there would be more than 2^31 edges.
 Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec,
                       const geom::Execution& run = {});
@@ -94,6 +110,8 @@ class RoadmapSearch {
 
   static bool later(const Open& a, const Open& b);
   void push(const Open& open);
+  void reach(std::uint32_t from, std::uint32_t to, double cost, const Vec3& goal);
+  void look_around(std::uint32_t bend, const Vec3& arrived_from, const Vec3& goal);
   void expand(std::uint32_t bend, const Vec3& arrived_from, const Vec3& goal);
   geom::Polyline trace(std::uint32_t bend, const Vec3& from, const Vec3& to) const;
 

@@ -22,6 +22,9 @@ struct Provenance {
   std::optional<double> margin;  // metres
 };
 
+class CollisionScene;
+Provenance provenance_of(const CollisionScene& scene);  // of what is made with it
+
 struct PathRecord {
   std::string id;
   std::string status;  // "found", or why not

@@ -3,6 +3,9 @@
 // `.lattice`: a lattice as a ZIP of NumPy arrays in sparse 8x8x8 blocks (docs/formats.md).
 
 #include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "geom/io/array_archive.h"
 #include "plan/lattice.h"
@@ -16,6 +19,12 @@ void write_lattice(std::ostream& out, const Lattice& lattice);
 // edge to a blocked node, out of the lattice, or of another connectivity is refused with InputError
 // then.
 Lattice read_lattice(const geom::ArrayArchive& archive);
+
+// What is in the file, for an archive that holds more: meta.json and the arrays, which stay valid
+// while the lattice lives.
+std::string lattice_meta(const Lattice& lattice);
+std::vector<geom::NamedArray> lattice_arrays(const Lattice& lattice);
+Lattice read_lattice(const geom::ArrayArchive& archive, std::string_view meta_json);
 
 bool is_lattice(const geom::ArrayArchive& archive);  // whether the archive says so
 
