@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "geom/error.h"
+#include "geom/sha256.h"
 #include "plan/scenes.h"
 #include "spheroid.h"
 #include "support/exact_oracle.h"
@@ -195,6 +198,21 @@ TEST(SamplePath, IsTheSameForASeedAndAnotherForAnother) {
     EXPECT_EQ(once.iterations, again.iterations);
     const auto other = sample_path(scene, kFrom, kTo, method, {.iterations = 3000, .seed = 2});
     EXPECT_NE(once.tree, other.tree);
+  }
+}
+
+// The sums change with the methods, and must not with the machine or the compiler.
+TEST(SamplePath, IsTheSameOnEveryMachine) {
+  const std::array<std::string, 4> sums = {"116c3c64e8d92c84", "80a9e8cd533bf9a9",
+                                           "ae316435a36a07f4", "24807fc9a8962119"};
+  const auto scene = pillar();
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const SearchTree tree = sample_path(scene, kFrom, kTo, kMethods[i], {.iterations = 3000}).tree;
+    geom::Sha256 sum;
+    for (const Vec3& p : tree.points) sum.update(std::as_bytes(std::span(p.data(), 3)));
+    sum.update(std::as_bytes(std::span(tree.parent)));
+    sum.update(std::as_bytes(std::span(tree.cost)));
+    EXPECT_EQ(sum.hex().substr(0, 16), sums[i]) << name(kMethods[i]);
   }
 }
 
