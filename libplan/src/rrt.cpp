@@ -68,7 +68,8 @@ class Search {
       : scene_(scene), from_(from), to_(to), options_(options), random_(options.seed) {}
 
  protected:
-  const Vec3& point(std::uint32_t node) const { return result_.tree.points[node]; }
+  // By value: nodes move while the tree grows.
+  Vec3 point(std::uint32_t node) const { return result_.tree.points[node]; }
   std::size_t size() const { return result_.tree.points.size(); }
 
   // Whether there is another iteration to do, which is counted.
@@ -115,7 +116,7 @@ class Search {
   // EXTEND without the new node: where one step from `near` towards `target` ends, if that is
   // progress and free. What is within a step of the target ends there exactly.
   std::optional<Vec3> step_towards(std::uint32_t near, const Vec3& target) const {
-    const Vec3& at = point(near);
+    const Vec3 at = point(near);
     const double distance = (target - at).norm();
     const Vec3 p =
         distance <= options_.step ? target : Vec3(at + (target - at) * (options_.step / distance));
