@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstring>
 #include <ostream>
+#include <utility>
 
 #include "geom/error.h"
+#include "geom/io/bytes.h"
+#include "geom/io/glb.h"
 #include "geom/io/record.h"
 
 namespace geom {
@@ -45,15 +47,6 @@ std::array<std::uint8_t, 3> colour(std::uint32_t label) {
   return kColours[label % kColours.size()];
 }
 
-template <class T>
-void put(std::string& bytes, const T& value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-void pad(std::string& bytes, char with) {
-  while (bytes.size() % 4) bytes += with;
-}
-
 }  // namespace
 
 void write_ply(std::ostream& out, const BoxMap& map) {
@@ -74,16 +67,17 @@ void write_ply(std::ostream& out, const BoxMap& map) {
     bytes.clear();
     for (unsigned k = 0; k < 8; ++k) {
       const Vec3 p = corner(box, k);
-      for (int axis = 0; axis < 3; ++axis) put(bytes, p[axis]);
-      for (const std::uint8_t part : colour(map.label()[i])) put(bytes, part);
+      for (int axis = 0; axis < 3; ++axis) append_bytes(bytes, p[axis]);
+      for (const std::uint8_t part : colour(map.label()[i])) append_bytes(bytes, part);
     }
     out << bytes;
   }
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     bytes.clear();
     for (const auto& triangle : kTriangles) {
-      put(bytes, std::uint8_t{3});
-      for (const std::uint32_t k : triangle) put(bytes, static_cast<std::int32_t>(8 * i + k));
+      append_bytes(bytes, std::uint8_t{3});
+      for (const std::uint32_t k : triangle)
+        append_bytes(bytes, static_cast<std::int32_t>(8 * i + k));
     }
     out << bytes;
   }
@@ -94,7 +88,6 @@ void write_glb(std::ostream& out, const BoxMap& map) {
   const Axes axes = map.spec().frame.axes;
   const Aabb bounds = in_enu(axes, map.spec().bounds);
   const Vec3 middle = 0.5 * (bounds.min + bounds.max);
-  const auto gltf = [](const Vec3& enu) { return Vec3(enu.x(), enu.z(), -enu.y()); };
   std::string bin;
   std::string nodes, meshes, materials, accessors, views;
   std::size_t made = 0;
@@ -110,22 +103,23 @@ void write_glb(std::ostream& out, const BoxMap& map) {
     for (const std::size_t i : members) {
       const Aabb box = in_enu(axes, boxes[i]);
       for (unsigned k = 0; k < 8; ++k) {
-        const Eigen::Vector3f p = gltf(corner(box, k) - middle).cast<float>();
+        const Eigen::Vector3f p = to_gltf(corner(box, k) - middle).cast<float>();
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
-        for (int axis = 0; axis < 3; ++axis) put(bin, p[axis]);
+        for (int axis = 0; axis < 3; ++axis) append_bytes(bin, p[axis]);
       }
     }
     const std::size_t indices = bin.size();
     for (std::size_t n = 0; n < members.size(); ++n) {
       for (const auto& triangle : kTriangles) {
-        for (const std::uint32_t k : triangle) put(bin, static_cast<std::uint32_t>(8 * n + k));
+        for (const std::uint32_t k : triangle)
+          append_bytes(bin, static_cast<std::uint32_t>(8 * n + k));
       }
     }
     if (bin.size() > 0xf0000000u) {
       throw InputError("glTF", "the boxes take more than the 4 GB of a .glb: crop the map");
     }
-    const Vec3 at = gltf(middle);
+    const Vec3 at = to_gltf(middle);
     const std::string comma = made ? "," : "";
     std::string text;
     append_json(text,
@@ -161,16 +155,7 @@ void write_glb(std::ostream& out, const BoxMap& map) {
   std::string json = fmt::format(
       R"({{"asset":{{"version":"2.0","generator":"skyway"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],"meshes":[{}],"materials":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
       scene, nodes, meshes, materials, accessors, views, bin.size());
-  pad(json, ' ');
-  std::string head = "glTF";
-  put(head, std::uint32_t{2});
-  put(head, static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + bin.size()));
-  put(head, static_cast<std::uint32_t>(json.size()));
-  head += "JSON";
-  std::string chunk;
-  put(chunk, static_cast<std::uint32_t>(bin.size()));
-  chunk += std::string("BIN\0", 4);
-  out << head << json << chunk << bin;
+  write_glb_container(out, std::move(json), std::move(bin));
 }
 
 }  // namespace geom

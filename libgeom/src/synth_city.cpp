@@ -3,30 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/random.h"
+
 namespace geom {
 namespace {
 
 constexpr double kBlockX = 75;  // metres: a block with its streets
 constexpr double kBlockY = 90;
-
-// SplitMix64 (Steele, Lea and Flood 2014).
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : state_(seed) {}
-
-  double uniform(double low, double high) {
-    state_ += 0x9e3779b97f4a7c15ull;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return low + (high - low) * (static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53);
-  }
-  bool chance(double p) { return uniform(0, 1) < p; }
-  int whole(int low, int high) { return static_cast<int>(uniform(low, high + 1)); }
-
- private:
-  std::uint64_t state_;
-};
 
 struct Area {
   double x0, y0, x1, y1;
@@ -180,7 +163,7 @@ class City {
   }
 
   SynthSpec spec_;
-  Dice dice_;
+  SplitMix64 dice_;
   std::vector<CenteredBox> boxes_;
 };
 

@@ -1,0 +1,18 @@
+#pragma once
+
+// Values as their bytes, for binary formats.
+
+#include <bit>
+#include <string>
+#include <type_traits>
+
+namespace geom {
+
+// Appends the bytes of a number, little endian.
+template <class T>
+void append_bytes(std::string& bytes, const T& value) {
+  static_assert(std::is_arithmetic_v<T> && std::endian::native == std::endian::little);
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+}  // namespace geom
