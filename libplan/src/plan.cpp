@@ -24,7 +24,7 @@ constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets 
 constexpr double kDetour = 1.2;       // of the straight line: then a finer lattice may know better
 constexpr double kCorridor = 40;      // metres beside a lattice's path that bends are sought in
 constexpr double kCorridorReach = 300;        // metres
-constexpr std::size_t kUnknownBends = 1000;   // settled where it is not known that there is a way
+constexpr std::size_t kUnknownBends = 4000;   // settled where it is not known that there is a way
 constexpr std::size_t kCorridorBends = 3000;  // settled at most
 constexpr double kLookAround = 50;            // metres: how far a message looks for a free place
 
