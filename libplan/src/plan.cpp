@@ -11,18 +11,18 @@
 #include "plan/shortcut.h"
 #include "plan/snap_end.h"
 #include "plan/taut.h"
+#include "plan/visible_nodes.h"
 
 namespace plan {
 namespace {
 
 using geom::Polyline;
 
-constexpr std::int64_t kRings = 4;     // of nodes around an end that may be joined to it
-constexpr double kSpacing = 10;        // metres: of the first lattice on a map of a city's size
-constexpr int kLevels = 3;             // each of half the spacing of the one before
-constexpr double kFewestNodes = 1e4;   // of the first lattice: a small map gets a finer one
-constexpr double kDetour = 1.2;        // of the straight line: then a finer lattice may know better
-constexpr double kLookAround = 50;     // metres: how far a message looks for a free place
+constexpr double kSpacing = 10;       // metres: of the first lattice on a map of a city's size
+constexpr int kLevels = 3;            // each of half the spacing of the one before
+constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets a finer one
+constexpr double kDetour = 1.2;       // of the straight line: then a finer lattice may know better
+constexpr double kLookAround = 50;    // metres: how far a message looks for a free place
 
 std::string shown(const Vec3& p) { return fmt::format("({}, {}, {})", p[0], p[1], p[2]); }
 
@@ -41,37 +41,6 @@ std::vector<double> spacings_for(const geom::Aabb& inner) {
   std::vector<double> spacings = {first};
   while (spacings.size() < kLevels) spacings.push_back(spacings.back() / 2);
   return spacings;
-}
-
-enum class Rings { nearest, all };
-
-// Free nodes that see `p`, in the rings of nodes around it: those of the nearest ring that has any,
-// or of all. Ring 0 is the corners of the cell around `p`.
-std::vector<Terminal> visible_nodes(const geom::CollisionScene& scene, const Lattice& lattice,
-                                    AstarSearch& search, const Vec3& p, Rings rings) {
-  Index3 base;
-  for (int k = 0; k < 3; ++k) {
-    const double cells = std::floor((p[k] - lattice.coordinate(k, 0)) / lattice.spec().spacing);
-    base[k] = std::clamp(static_cast<std::int64_t>(cells), std::int64_t{-1}, lattice.dims()[k]);
-  }
-  std::vector<Terminal> found;
-  for (std::int64_t ring = 0; ring <= kRings; ++ring) {
-    if (rings == Rings::nearest && !found.empty()) break;
-    for (std::int64_t k = -ring; k <= ring + 1; ++k) {
-      for (std::int64_t j = -ring; j <= ring + 1; ++j) {
-        for (std::int64_t i = -ring; i <= ring + 1; ++i) {
-          const auto on_edge = [&](std::int64_t v) { return v == -ring || v == ring + 1; };
-          if (!on_edge(i) && !on_edge(j) && !on_edge(k)) continue;
-          const Index3 index = {base[0] + i, base[1] + j, base[2] + k};
-          const auto node = lattice.node(index);
-          if (!node || !search.free(index)) continue;
-          const Vec3 q = lattice.position(*node);
-          if (scene.free(p, q)) found.push_back({*node, (q - p).norm()});
-        }
-      }
-    }
-  }
-  return found;
 }
 
 // What was read may say what it likes of its edges.
