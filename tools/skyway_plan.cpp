@@ -42,19 +42,6 @@ geom::PathRecord record_of(const geom::CollisionScene& scene, const geom::PlanQu
   return record;
 }
 
-// A lattice or roadmap serves one map, frame, vehicle and margin.
-void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
-                  const std::string& source, const char* kind) {
-  const geom::Provenance ours = cli::provenance_of(scene);
-  const auto refuse = [&](const char* what) {
-    throw geom::InputError(source, fmt::format("the {} was made for another {}", kind, what));
-  };
-  if (made_for.map != ours.map) refuse("map");
-  if (made_for.frame != ours.frame) refuse("frame");
-  if (!made_for.vehicle || made_for.vehicle->half != ours.vehicle->half) refuse("vehicle");
-  if (made_for.margin != ours.margin) refuse("margin");
-}
-
 const std::map<std::string, plan::Quality> kQuality = {{"fast", plan::Quality::fast},
                                                        {"normal", plan::Quality::normal},
                                                        {"best", plan::Quality::best}};
@@ -101,12 +88,12 @@ int main(int argc, char** argv) {
     std::optional<plan::Lattice> lattice;
     if (!lattice_file.empty()) {
       lattice = plan::read_lattice(cli::open_archive(lattice_file));
-      require_same(lattice->made_for(), scene, lattice_file, "lattice");
+      cli::require_same(lattice->made_for(), scene, lattice_file, "lattice");
     }
     std::optional<plan::Roadmap> roadmap;
     if (!roadmap_file.empty()) {
       roadmap = plan::read_roadmap(cli::open_archive(roadmap_file));
-      require_same(roadmap->made_for, scene, roadmap_file, "roadmap");
+      cli::require_same(roadmap->made_for, scene, roadmap_file, "roadmap");
     }
     std::vector<geom::PlanQuery> list;
     if (from) {

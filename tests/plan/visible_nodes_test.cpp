@@ -36,8 +36,8 @@ TEST(VisibleNodes, AreTheCornersOfTheCellThatSeeThePoint) {
 }
 
 TEST(VisibleNodes, AreOfAllRingsWhereAsked) {
-  // x = 0 and 10; 10 nodes each along y and z, of which those below 0 are outside.
-  EXPECT_EQ(visible({13, 25, 25}, Rings::all).size(), 2 * 7 * 7u);
+  // x = 0 and 10; along y and z the nodes from -20 to 70, of which those below 0 are outside.
+  EXPECT_EQ(visible({13, 25, 25}, Rings::all).size(), 2 * 8 * 8u);
 }
 
 TEST(VisibleNodes, AreNoneOfAnEndThatIsBlocked) {

@@ -152,4 +152,16 @@ geom::Provenance provenance_of(const geom::CollisionScene& scene) {
   return {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(), scene.margin()};
 }
 
+void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
+                  const std::string& source, const char* kind) {
+  const geom::Provenance ours = provenance_of(scene);
+  const auto refuse = [&](const char* what) {
+    throw geom::InputError(source, fmt::format("the {} was made for another {}", kind, what));
+  };
+  if (made_for.map != ours.map) refuse("map");
+  if (made_for.frame != ours.frame) refuse("frame");
+  if (!made_for.vehicle || made_for.vehicle->half != ours.vehicle->half) refuse("vehicle");
+  if (made_for.margin != ours.margin) refuse("margin");
+}
+
 }  // namespace cli
