@@ -114,7 +114,7 @@ void add_methods(CLI::App& app, Files& files, Options& options) {
   app.add_option("--connectivity", options.connect, "astar: 6, 18 or 26 neighbours (default 6)")
       ->check(CLI::IsMember({6, 18, 26}));
   app.add_option("--ompl-seconds", options.method.ompl_seconds,
-                 "planners of OMPL: time for a query (default 1)")
+                 "planners of OMPL: time for a query, of CPU for Informed RRT* (default 1)")
       ->check(CLI::Range(1e-3, 1e5));
 }
 

@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
+#include "bench/cpu_clock.h"
 #include "bench/peak_memory.h"
 
 namespace bench {
 namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Timed {
   Answer answer;
