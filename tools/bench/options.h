@@ -25,12 +25,12 @@ struct Options {
   RandomSpec random;
   TrialRule rule;
   MethodOptions method;
-  std::string set = "uniform";
-  std::vector<double> length;
-  std::vector<std::string> methods;
-  std::vector<std::string> commands;
-  double within = 1;  // percent
-  int connect = 6;
+  std::string set = "uniform";        // a name of random.ends
+  std::vector<double> length;         // metres, least and most; or empty
+  std::vector<std::string> methods;   // names in known_methods()
+  std::vector<std::string> commands;  // for the shell
+  double within = 1;                  // percent
+  int connect = 6;                    // neighbours of a node
 };
 
 void add_options(CLI::App& app, Files& files, Options& options);
