@@ -18,8 +18,7 @@ using geom::PlanQuery;
 // std::function copies what it holds, so what a planner keeps between queries is shared.
 
 Method automatic(const CollisionScene& scene, const MethodOptions& options) {
-  const auto planner =
-      std::make_shared<plan::Planner>(scene, options.lattice, geom::Execution{}, options.roadmap);
+  const auto planner = std::make_shared<plan::Planner>(scene, options.lattice, options.roadmap);
   const plan::PlanOptions plan_options{.quality = options.quality};
   return {
       [planner, plan_options](const PlanQuery& query) -> Answer {
