@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <map>
 #include <optional>
 
@@ -12,11 +13,22 @@
 #include "geom/error.h"
 #include "geom/io/query_record.h"
 #include "geom/parallel.h"
+#include "plan/build_lattice.h"
 #include "plan/io/lattice_file.h"
 #include "plan/io/roadmap_file.h"
+#include "plan/io/search_tree.h"
 #include "plan/plan.h"
 
 namespace {
+
+// What `--method` may be refined with.
+struct Search {
+  plan::PlanOptions options;
+  plan::LatticeSpec lattice{10, plan::Connectivity::twenty_six, {}};
+  int connect = 26;
+  double seconds = 0;
+  std::string tree_file;
+};
 
 std::string search_report(const plan::PlanResult& result) {
   std::string out = fmt::format(R"({{"method":"{}","expanded":{})", result.method, result.expanded);
@@ -25,6 +37,16 @@ std::string search_report(const plan::PlanResult& result) {
     geom::append_json(out, value);
   };
   if (result.resolution > 0) add("resolution", result.resolution);
+  if (result.steps.size() > 1) {
+    out += ",\"steps\":[";
+    for (const plan::PathStep& step : result.steps) {
+      out += fmt::format(R"({}{{"step":"{}","points":{},"length":)",
+                         &step == result.steps.data() ? "" : ",", step.name, step.points);
+      geom::append_json(out, step.length);
+      out += '}';
+    }
+    out += ']';
+  }
   if (result.snapped_start) add("snapped_start", *result.snapped_start);
   if (result.snapped_goal) add("snapped_goal", *result.snapped_goal);
   return out + '}';
@@ -42,22 +64,88 @@ geom::PathRecord record_of(const geom::CollisionScene& scene, const geom::PlanQu
   return record;
 }
 
-// A lattice or roadmap serves one map, frame, vehicle and margin.
-void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
-                  const std::string& source, const char* kind) {
-  const geom::Provenance ours = geom::provenance_of(scene);
-  const auto refuse = [&](const char* what) {
-    throw geom::InputError(source, fmt::format("the {} was made for another {}", kind, what));
-  };
-  if (made_for.map != ours.map) refuse("map");
-  if (made_for.frame != ours.frame) refuse("frame");
-  if (!made_for.vehicle || made_for.vehicle->half != ours.vehicle->half) refuse("vehicle");
-  if (made_for.margin != ours.margin) refuse("margin");
-}
-
 const std::map<std::string, plan::Quality> kQuality = {{"fast", plan::Quality::fast},
                                                        {"normal", plan::Quality::normal},
                                                        {"best", plan::Quality::best}};
+
+const std::map<std::string, plan::Method> kMethod = [] {
+  std::map<std::string, plan::Method> out;
+  using plan::Method;
+  for (const Method method : {Method::automatic, Method::astar, Method::rrt, Method::rrt_connect,
+                              Method::rrt_star, Method::informed_rrt_star}) {
+    out.emplace(plan::name(method), method);
+  }
+  return out;
+}();
+
+void add_search_options(CLI::App& app, Search& search) {
+  plan::PlanOptions& options = search.options;
+  plan::SamplingOptions& sampling = options.sampling;
+  app.add_option("--method", options.method,
+                 "auto (default), astar, rrt, rrt-connect, rrt-star or informed-rrt-star")
+      ->transform(CLI::CheckedTransformer(kMethod));
+  app.add_option("--spacing", search.lattice.spacing,
+                 "astar without --lattice: distance of neighbouring nodes, metres (default 10)")
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--connect", search.connect,
+                 "astar without --lattice: neighbours of a node: 6, 18 or 26 (default 26)")
+      ->check(CLI::IsMember({6, 18, 26}));
+  app.add_option("--step", sampling.step, "rrt…: longest edge, metres (default 15)")
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--goal-bias", sampling.goal_bias,
+                 "rrt…: how often the goal is the sample (default 0.05)")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--iterations", sampling.iterations, "rrt…: at most (default 20000)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
+  app.add_option("--radius", sampling.radius,
+                 "rrt-star…: largest neighbourhood, metres (default 30)")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--patience", sampling.patience,
+                 "rrt-star…: end after this many iterations that shorten the path by less than "
+                 "0.1 % (default: use all)");
+  app.add_option("--seconds", search.seconds,
+                 "rrt…: end a search after this time; results then depend on the machine")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--seed", sampling.seed, "rrt…: of the random numbers (default 1)");
+  app.add_option("--tree", search.tree_file,
+                 "rrt…: write the tree of the one query: .ply, .glb, else JSON Lines");
+}
+
+// Each search has its own clock.
+plan::PlanOptions with_deadline(const Search& search) {
+  plan::PlanOptions options = search.options;
+  if (search.seconds <= 0) return options;
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                      std::chrono::duration<double>(search.seconds));
+  options.sampling.stop = [end] { return Clock::now() >= end; };
+  return options;
+}
+
+void write_tree(const std::string& path, const plan::PlanResult& result,
+                const geom::PathRecord& record, geom::Axes axes) {
+  const bool is_text = !path.ends_with(".ply") && !path.ends_with(".glb");
+  cli::OutputFile out(path, is_text ? cli::OutputKind::text : cli::OutputKind::artefact);
+  if (path.ends_with(".ply")) {
+    plan::write_ply(out.stream(), result.tree, axes);
+  } else if (path.ends_with(".glb")) {
+    plan::write_glb(out.stream(), result.tree, axes);
+  } else {
+    plan::write_jsonl(out.stream(), result.tree, record.id, record.provenance);
+  }
+  out.commit();
+}
+
+void check(const Search& search, std::size_t queries) {
+  const plan::Method method = search.options.method;
+  const bool samples = method != plan::Method::automatic && method != plan::Method::astar;
+  if (!search.tree_file.empty() && !samples) {
+    throw cli::UsageError("--tree needs one of the rrt methods: the others grow no tree");
+  }
+  if (!search.tree_file.empty() && queries != 1) {
+    throw cli::UsageError(fmt::format("--tree needs one query, found {}", queries));
+  }
+}
 
 }  // namespace
 
@@ -65,7 +153,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Plan collision-free paths through a box map.", "skyway-plan"};
   cli::Common common(app, true);
   cli::VehicleOptions vehicle;
-  plan::PlanOptions options;
+  Search search;
+  plan::PlanOptions& options = search.options;
   std::string map_file;
   std::string lattice_file;
   std::string roadmap_file;
@@ -92,6 +181,7 @@ int main(int argc, char** argv) {
   app.add_option("--snap-ends", options.snap_ends,
                  "move a blocked or outside end to a free place within this, metres")
       ->check(CLI::Range(0.0, 1e4));
+  add_search_options(app, search);
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     if (queries_file.empty() && !from) throw cli::UsageError("give --from and --to, or --queries");
@@ -101,12 +191,17 @@ int main(int argc, char** argv) {
     std::optional<plan::Lattice> lattice;
     if (!lattice_file.empty()) {
       lattice = plan::read_lattice(cli::open_archive(lattice_file));
-      require_same(lattice->made_for(), scene, lattice_file, "lattice");
+      cli::require_same(lattice->made_for(), scene, lattice_file, "lattice");
+    }
+    if (lattice_file.empty() && options.method == plan::Method::astar && scene.free_bounds()) {
+      search.lattice.connectivity = static_cast<plan::Connectivity>(search.connect);
+      search.lattice.origin = scene.free_bounds()->min;
+      lattice = plan::lazy_lattice(scene, search.lattice);
     }
     std::optional<plan::Roadmap> roadmap;
     if (!roadmap_file.empty()) {
       roadmap = plan::read_roadmap(cli::open_archive(roadmap_file));
-      require_same(roadmap->made_for, scene, roadmap_file, "roadmap");
+      cli::require_same(roadmap->made_for, scene, roadmap_file, "roadmap");
     }
     std::vector<geom::PlanQuery> list;
     if (from) {
@@ -115,11 +210,16 @@ int main(int argc, char** argv) {
       cli::InputFile file(queries_file);
       list = geom::read_plan_queries(file.stream(), file.name());
     }
+    check(search, list.size());
+    options.keep_tree = !search.tree_file.empty();
     const geom::Execution run = common.execution("paths");
     plan::Planner planner(scene, lattice ? &*lattice : nullptr, roadmap ? &*roadmap : nullptr);
     std::vector<geom::PathRecord> records(list.size());
+    plan::PlanResult last;
     geom::parallel_for(list.size(), run, [&](std::size_t i) {
-      records[i] = record_of(scene, list[i], planner.plan(list[i].from, list[i].to, options));
+      plan::PlanResult result = planner.plan(list[i].from, list[i].to, with_deadline(search));
+      records[i] = record_of(scene, list[i], result);
+      if (options.keep_tree) last = std::move(result);
     });
     cli::OutputFile out(output, cli::OutputKind::text);
     std::size_t found = 0;
@@ -128,6 +228,9 @@ int main(int argc, char** argv) {
       out.stream() << geom::to_json_line(record);
     }
     out.commit();
+    if (options.keep_tree) {
+      write_tree(search.tree_file, last, records[0], scene.map().spec().frame.axes);
+    }
     common.write_stats({{"queries", records.size()}, {"found", found}});
     if (records.size() == 1 && !found) fmt::print(stderr, "skyway-plan: {}\n", records[0].message);
     return found == records.size() ? cli::Exit::yes : cli::Exit::no;

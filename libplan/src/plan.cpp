@@ -11,13 +11,13 @@
 #include "plan/shortcut.h"
 #include "plan/snap_end.h"
 #include "plan/taut.h"
+#include "plan/visible_nodes.h"
 
 namespace plan {
 namespace {
 
 using geom::Polyline;
 
-constexpr std::int64_t kRings = 4;    // of nodes around an end that may be joined to it
 constexpr double kSpacing = 10;       // metres: of the first lattice on a map of a city's size
 constexpr int kLevels = 3;            // each of half the spacing of the one before
 constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets a finer one
@@ -47,37 +47,6 @@ std::vector<double> spacings_for(const geom::Aabb& inner) {
   return spacings;
 }
 
-enum class Rings { nearest, all };
-
-// Free nodes that see `p`, in the rings of nodes around it: those of the nearest ring that has any,
-// or of all. Ring 0 is the corners of the cell around `p`.
-std::vector<Terminal> visible_nodes(const geom::CollisionScene& scene, const Lattice& lattice,
-                                    AstarSearch& search, const Vec3& p, Rings rings) {
-  Index3 base;
-  for (int k = 0; k < 3; ++k) {
-    const double cells = std::floor((p[k] - lattice.coordinate(k, 0)) / lattice.spec().spacing);
-    base[k] = std::clamp(static_cast<std::int64_t>(cells), std::int64_t{-1}, lattice.dims()[k]);
-  }
-  std::vector<Terminal> found;
-  for (std::int64_t ring = 0; ring <= kRings; ++ring) {
-    if (rings == Rings::nearest && !found.empty()) break;
-    for (std::int64_t k = -ring; k <= ring + 1; ++k) {
-      for (std::int64_t j = -ring; j <= ring + 1; ++j) {
-        for (std::int64_t i = -ring; i <= ring + 1; ++i) {
-          const auto on_edge = [&](std::int64_t v) { return v == -ring || v == ring + 1; };
-          if (!on_edge(i) && !on_edge(j) && !on_edge(k)) continue;
-          const Index3 index = {base[0] + i, base[1] + j, base[2] + k};
-          const auto node = lattice.node(index);
-          if (!node || !search.free(index)) continue;
-          const Vec3 q = lattice.position(*node);
-          if (scene.free(p, q)) found.push_back({*node, (q - p).norm()});
-        }
-      }
-    }
-  }
-  return found;
-}
-
 // What was read may say what it likes of its edges.
 void require_free(const geom::CollisionScene& scene, const Polyline& path, const char* source) {
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -89,6 +58,23 @@ void require_free(const geom::CollisionScene& scene, const Polyline& path, const
 
 bool polished(const PlanOptions& options) {
   return !options.raw && options.quality != Quality::fast;
+}
+
+PathStep step_of(std::string_view name, const Polyline& path) {
+  return {name, path.size(), geom::length(path)};
+}
+
+SamplingMethod sampling(Method method) {
+  switch (method) {
+    case Method::rrt_connect:
+      return SamplingMethod::rrt_connect;
+    case Method::rrt_star:
+      return SamplingMethod::rrt_star;
+    case Method::informed_rrt_star:
+      return SamplingMethod::informed_rrt_star;
+    default:
+      return SamplingMethod::rrt;
+  }
 }
 
 Polyline joined(const Lattice& lattice, const Vec3& from, const std::vector<std::size_t>& nodes,
@@ -121,6 +107,17 @@ std::string_view name(PlanStatus status) {
       return "stopped";
   }
   return "";
+}
+
+std::string_view name(Method method) {
+  switch (method) {
+    case Method::automatic:
+      return "auto";
+    case Method::astar:
+      return "astar";
+    default:
+      return name(sampling(method));
+  }
 }
 
 // A lattice, and workspaces for those who search on it.
@@ -196,8 +193,7 @@ PlanResult Planner::search_levels(const Vec3& from, const Vec3& to, const PlanOp
     if (i == fine_ && result.status != PlanStatus::stopped) break;
     PlanResult tried;
     const bool found = search_level(*levels_[i], from, to, tried);
-    if (found && !options.raw) tried.path = shortcut(scene_, tried.path);
-    if (found && polished(options)) tried.path = taut(scene_, tried.path);
+    if (found) refine(options, tried);
     if (!result.path.empty()) {  // a second opinion on a detour
       if (found && geom::length(tried.path) < geom::length(result.path)) result = std::move(tried);
       return result;
@@ -253,9 +249,16 @@ bool Planner::improve(RoadmapSearch& search, const Vec3& from, const Vec3& to,
   bool better = false;
   for (const Polyline& raw : found.paths) {
     require_free(scene_, raw, "roadmap");
-    Polyline path = polished(options) ? taut(scene_, raw) : raw;
-    if (!result.path.empty() && geom::length(path) >= geom::length(result.path)) continue;
-    result.path = std::move(path);
+    PlanResult tried;
+    tried.path = raw;
+    tried.steps = {step_of("search", raw)};
+    if (polished(options)) {
+      tried.path = taut(scene_, raw);
+      tried.steps.push_back(step_of("taut", tried.path));
+    }
+    if (!result.path.empty() && geom::length(tried.path) >= geom::length(result.path)) continue;
+    result.path = std::move(tried.path);
+    result.steps = std::move(tried.steps);
     result.expanded = found.settled;
     better = true;
   }
@@ -288,11 +291,51 @@ bool Planner::search_corridor(const Vec3& from, const Vec3& to, const PlanOption
   return improve(search, from, to, options, {kCorridorBends}, result);
 }
 
+// Shortens what a search found.
+void Planner::refine(const PlanOptions& options, PlanResult& result) const {
+  result.steps = {step_of("search", result.path)};
+  if (options.raw) return;
+  result.path = shortcut(scene_, result.path);
+  result.steps.push_back(step_of("shortcut", result.path));
+  if (!polished(options)) return;
+  result.path = taut(scene_, result.path);
+  result.steps.push_back(step_of("taut", result.path));
+}
+
+// By one method alone.
+PlanResult Planner::search_as_asked(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+  PlanResult result;
+  bool found = false;
+  if (options.method == Method::astar) {
+    result.method = "lattice";
+    if (levels_.empty()) return result;
+    found = search_level(*levels_[0], from, to, result);
+    if (!found) result.message = fmt::format("no path on a lattice of {} m", result.resolution);
+  } else {
+    SamplingResult sampled =
+        sample_path(scene_, from, to, sampling(options.method), options.sampling);
+    found = sampled.found;
+    result.method = name(options.method);
+    result.path = std::move(sampled.path);
+    result.expanded = sampled.iterations;
+    if (options.keep_tree) result.tree = std::move(sampled.tree);
+    if (!found) {  // which proves nothing
+      result.status = PlanStatus::stopped;
+      result.message = fmt::format("no path after {} iterations", sampled.iterations);
+    }
+  }
+  if (!found) return result;
+  result.status = PlanStatus::found;
+  refine(options, result);
+  return result;
+}
+
 PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   PlanResult result;
   if (scene_.free(from, to)) {
     result.method = "straight";
     result.path = {from, to};
+    result.steps = {step_of("search", result.path)};
     result.status = PlanStatus::found;
     return result;
   }
@@ -345,9 +388,12 @@ PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& op
              : fmt::format("no free point within {} m", kLookAround);
     return result;
   }
-  PlanResult result = search(ends[0], ends[1], options);
+  PlanResult result = options.method == Method::automatic
+                          ? search(ends[0], ends[1], options)
+                          : search_as_asked(ends[0], ends[1], options);
   if (options.resample > 0 && !result.path.empty()) {
     result.path = resample_free(scene_, result.path, options.resample);
+    result.steps.push_back(step_of("resample", result.path));
   }
   result.snapped_start = snapped[0];
   result.snapped_goal = snapped[1];

@@ -78,6 +78,10 @@ void Common::warn(const std::string& message) const {
   if (!quiet_) fmt::print(stderr, "{}: warning: {}\n", tool_, message);
 }
 
+void Common::note(const std::string& text) const {
+  if (!quiet_) fmt::print(stderr, "{}", text);
+}
+
 void Common::write_stats(nlohmann::ordered_json stats) const {
   if (stats_.empty()) return;
   OutputFile file(stats_, OutputKind::text);

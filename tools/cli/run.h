@@ -27,6 +27,7 @@ class Common {
 
   geom::Execution execution(std::string label) const;
   void warn(const std::string& message) const;  // on stderr, unless -q
+  void note(const std::string& text) const;     // the same, as it stands
   // Writes the JSON of --stats, where that was asked for.
   void write_stats(nlohmann::ordered_json stats) const;
 

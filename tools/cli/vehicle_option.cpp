@@ -148,4 +148,16 @@ const geom::CollisionScene& Scenes::scene_for(const geom::Provenance& record,
   return build(vehicle, margin);
 }
 
+void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
+                  const std::string& source, const char* kind) {
+  const geom::Provenance ours = geom::provenance_of(scene);
+  const auto refuse = [&](const char* what) {
+    throw geom::InputError(source, fmt::format("the {} was made for another {}", kind, what));
+  };
+  if (made_for.map != ours.map) refuse("map");
+  if (made_for.frame != ours.frame) refuse("frame");
+  if (!made_for.vehicle || made_for.vehicle->half != ours.vehicle->half) refuse("vehicle");
+  if (made_for.margin != ours.margin) refuse("margin");
+}
+
 }  // namespace cli

@@ -57,4 +57,9 @@ class Scenes {
   std::optional<geom::CollisionScene> scene_;
 };
 
+// A lattice or roadmap (`kind`) serves one map, frame, vehicle and margin: throws
+// geom::InputError(source, …) where these are not the scene's.
+void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
+                  const std::string& source, const char* kind);
+
 }  // namespace cli

@@ -13,6 +13,7 @@
 #include "plan/astar.h"
 #include "plan/lattice.h"
 #include "plan/roadmap.h"
+#include "plan/rrt.h"
 
 namespace plan {
 
@@ -34,11 +35,32 @@ enum class Quality {
   best     // of a roadmap, the best of up to 40 paths within 2%, each pulled taut
 };
 
+enum class Method {
+  automatic,  // as Planner says
+  astar,      // on the first lattice alone
+  rrt,        // and the other sampling planners: see plan/rrt.h
+  rrt_connect,
+  rrt_star,
+  informed_rrt_star
+};
+
+std::string_view name(Method method);  // as on a command line: "auto", "rrt-connect"
+
 struct PlanOptions {
+  Method method = Method::automatic;
+  SamplingOptions sampling;
+  bool keep_tree = false;  // of a sampling planner
   Quality quality = Quality::normal;
   bool raw = false;      // the search's own path, not shortened
   double resample = 0;   // metres; 0: not
   double snap_ends = 0;  // metres a blocked or outside end may move; 0: not at all
+};
+
+// What is left of a path after a step: "search", "shortcut", "taut", "resample".
+struct PathStep {
+  std::string_view name;
+  std::size_t points = 0;
+  double length = 0;  // metres
 };
 
 struct PlanResult {
@@ -48,6 +70,8 @@ struct PlanResult {
   std::string method;     // "straight", "roadmap", "corridor" or "lattice"; empty unless searched
   double resolution = 0;  // spacing of the path's lattice, or of the last searched; 0: none was
   std::size_t expanded = 0;           // nodes, on that lattice
+  std::vector<PathStep> steps;        // from the search to the path
+  SearchTree tree;                    // where it was to be kept
   std::optional<Vec3> snapped_start;  // where an end was moved to
   std::optional<Vec3> snapped_goal;
 };
@@ -83,6 +107,8 @@ class Planner {
                        PlanResult& result);
   PlanResult search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options);
   bool search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result);
+  PlanResult search_as_asked(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  void refine(const PlanOptions& options, PlanResult& result) const;
 
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;

@@ -1,0 +1,110 @@
+#include "bench/method.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "plan/visible_nodes.h"
+#ifdef SKYWAY_OMPL
+#include "bench/ompl_planners.h"
+#endif
+
+namespace bench {
+namespace {
+
+using geom::CollisionScene;
+using geom::PlanQuery;
+
+// std::function copies what it holds, so what a planner keeps between queries is shared.
+
+Method automatic(const CollisionScene& scene, const MethodOptions& options) {
+  const auto planner = std::make_shared<plan::Planner>(scene, options.lattice, options.roadmap);
+  plan::PlanOptions plan_options;
+  plan_options.quality = options.quality;
+  return {
+      [planner, plan_options](const PlanQuery& query) -> Answer {
+        plan::PlanResult result = planner->plan(query.from, query.to, plan_options);
+        return {std::string(plan::name(result.status)), std::move(result.path), result.expanded};
+      },
+      std::nullopt};
+}
+
+// A* on one lattice, nothing before and nothing after it.
+class Astar {
+ public:
+  Astar(const CollisionScene& scene, const MethodOptions& options)
+      : scene_(scene),
+        lattice_(plan::build_lattice(scene, options.spec, options.build)),
+        search_(lattice_) {}
+
+  Answer plan(const PlanQuery& query) {
+    plan::SearchResult result;
+    std::size_t expanded = 0;
+    for (const plan::Rings rings : {plan::Rings::nearest, plan::Rings::all}) {
+      result = search_.search(plan::visible_nodes(scene_, lattice_, search_, query.from, rings),
+                              plan::visible_nodes(scene_, lattice_, search_, query.to, rings));
+      expanded += result.expanded;
+      if (result.found || result.gave_up) break;
+    }
+    if (!result.found) return {result.gave_up ? "stopped" : "unreachable", {}, expanded};
+    geom::Polyline path = {query.from};
+    for (const std::size_t node : result.nodes) path.push_back(lattice_.position(node));
+    path.push_back(query.to);
+    return {"found", std::move(path), expanded};
+  }
+
+ private:
+  const CollisionScene& scene_;
+  plan::Lattice lattice_;
+  plan::AstarSearch search_;
+};
+
+Method astar(const CollisionScene& scene, const MethodOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto search = std::make_shared<Astar>(scene, options);
+  const std::chrono::duration<double> built = std::chrono::steady_clock::now() - begin;
+  return {[search](const PlanQuery& query) { return search->plan(query); }, built.count()};
+}
+
+// Shortened and pulled taut, as skyway-plan does.
+template <plan::Method method>
+Method sampling(const CollisionScene& scene, const MethodOptions& options) {
+  const auto planner = std::make_shared<plan::Planner>(scene, nullptr);
+  plan::PlanOptions plan_options;
+  plan_options.method = method;
+  plan_options.sampling.seed = options.seed + 1;
+  return {
+      [planner, plan_options](const PlanQuery& query) -> Answer {
+        plan::PlanResult result = planner->plan(query.from, query.to, plan_options);
+        return {std::string(plan::name(result.status)), std::move(result.path), result.expanded};
+      },
+      std::nullopt};
+}
+
+#ifdef SKYWAY_OMPL
+template <OmplPlanner planner>
+Method ompl(const CollisionScene& scene, const MethodOptions& options) {
+  const auto adapter =
+      std::make_shared<OmplAdapter>(scene, planner, options.ompl_seconds, options.seed);
+  return {[adapter](const PlanQuery& query) { return adapter->plan(query); }, std::nullopt};
+}
+#endif
+
+constexpr KnownMethod kMethods[] = {
+    {"auto", automatic},
+    {"astar", astar},
+    {"rrt", sampling<plan::Method::rrt>},
+    {"rrt-connect", sampling<plan::Method::rrt_connect>},
+    {"rrt-star", sampling<plan::Method::rrt_star>},
+    {"informed-rrt-star", sampling<plan::Method::informed_rrt_star>},
+#ifdef SKYWAY_OMPL
+    {"rrt-connect-ompl", ompl<OmplPlanner::rrt_connect>},
+    {"informed-rrt-star-ompl", ompl<OmplPlanner::informed_rrt_star>},
+#endif
+};
+
+}  // namespace
+
+std::span<const KnownMethod> known_methods() { return kMethods; }
+
+}  // namespace bench

@@ -1,0 +1,41 @@
+#pragma once
+
+// The planners that can be compared, by name.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "bench/trial.h"
+#include "geom/execution.h"
+#include "plan/build_lattice.h"
+#include "plan/plan.h"
+
+namespace bench {
+
+struct MethodOptions {
+  std::uint64_t seed = 0;
+  const plan::Lattice* lattice = nullptr;  // of auto; must outlive the method
+  const plan::Roadmap* roadmap = nullptr;
+  plan::Quality quality = plan::Quality::normal;
+  plan::LatticeSpec spec;  // of astar
+  geom::Execution build;   // of what is built before the first query
+  double ompl_seconds = 1;
+};
+
+// From a query to an answer, one at a time.
+struct Method {
+  std::function<Answer(const geom::PlanQuery&)> plan;
+  std::optional<double> build_seconds;  // wall
+};
+
+struct KnownMethod {
+  const char* name;
+  Method (*make)(const geom::CollisionScene& scene, const MethodOptions& options);
+};
+
+// A new planner is a line in this table.
+std::span<const KnownMethod> known_methods();
+
+}  // namespace bench

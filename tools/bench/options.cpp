@@ -1,0 +1,129 @@
+#include "bench/options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "cli/files.h"
+#include "cli/run.h"
+#include "geom/error.h"
+
+namespace bench {
+namespace {
+
+constexpr const char* kFooter = R"(
+The protocol of the older system: 50 A* searches of 600-700 m, 25 m, 6-connected; and sampling
+planners on 45-50 m, until the mean time is known to 1 %:
+  skyway-bench MAP --vehicle V --method astar --spacing 25 --connectivity 6 --length 600 700 --trials 50
+  skyway-bench MAP --vehicle V --method rrt-connect-ompl --length 45 50 --within 1
+)";
+
+const std::map<std::string, plan::Quality> kQuality = {{"fast", plan::Quality::fast},
+                                                       {"normal", plan::Quality::normal},
+                                                       {"best", plan::Quality::best}};
+const std::map<std::string, Ends> kSets = {
+    {"uniform", Ends::uniform}, {"street", Ends::street}, {"street-blocked", Ends::street_blocked}};
+
+void add_queries(CLI::App& app, Files& files, Options& options) {
+  auto* queries = app.add_option("--queries", files.queries, "JSON Lines or CSV; - for stdin");
+  app.add_option("--reference", files.reference,
+                 "CSV of the best lengths known, with columns id and length")
+      ->needs(queries);
+  app.add_option("--set", options.set,
+                 "random queries: uniform in free space (default); street: within 30 m of the "
+                 "floor; street-blocked: and the straight line blocked")
+      ->check(CLI::IsMember({"uniform", "street", "street-blocked"}))
+      ->excludes(queries);
+  app.add_option("--length", options.length, "between the ends of random queries, metres")
+      ->expected(2)
+      ->type_name("MIN MAX")
+      ->check(CLI::Range(0.0, 1e6))
+      ->excludes(queries);
+  app.add_option("--seed", options.random.seed, "of random queries and planners (default 0)");
+  app.add_flag("--until-converged,!--all-trials", options.rule.converge,
+               "random queries until the mean time is known (default), or as many as --trials")
+      ->excludes(queries);
+  app.add_option("--within", options.within,
+                 "the mean is known when its standard error is within this, percent (default 1)")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--min-trials", options.rule.least, "at least (default 100)")
+      ->check(CLI::Range(1, 1000000000));
+  app.add_option("--trials", options.rule.most, "at most (default 10000)")
+      ->check(CLI::Range(1, 1000000000))
+      ->excludes(queries);
+  app.add_option("--repeat", options.rule.repeat, "the median time of this many (default 1)")
+      ->check(CLI::Range(1, 1000));
+}
+
+void add_methods(CLI::App& app, Files& files, Options& options) {
+  std::vector<std::string> names;
+  for (const auto& known : known_methods()) names.emplace_back(known.name);
+  app.add_option("--method", options.methods,
+                 fmt::format("what to compare, by commas; the first is what the others are held "
+                             "against: {} (default auto)",
+                             fmt::join(names, ", ")))
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
+  app.add_option("--planner-cmd", options.commands,
+                 "a planner of anybody's: a shell command that reads queries as JSON Lines and "
+                 "writes path records; may be repeated")
+      ->take_all()
+      ->expected(1);
+  app.add_option("--lattice", files.lattice, "auto: lattice of the same map and vehicle");
+  app.add_option("--roadmap", files.roadmap, "auto: roadmap of the same map and vehicle");
+  app.add_option("--quality", options.method.quality, "auto: fast, normal (default) or best")
+      ->transform(CLI::CheckedTransformer(kQuality));
+  app.add_option("--spacing", options.method.spec.spacing,
+                 "astar: of the lattice, metres (default 25)")
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--connectivity", options.connect, "astar: 6, 18 or 26 neighbours (default 6)")
+      ->check(CLI::IsMember({6, 18, 26}));
+  app.add_option("--ompl-seconds", options.method.ompl_seconds,
+                 "planners of OMPL: time for a query, of CPU for Informed RRT* (default 1)")
+      ->check(CLI::Range(1e-3, 1e5));
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, Files& files, Options& options) {
+  app.add_option("map", files.map, "box map; - for stdin")->required();
+  add_queries(app, files, options);
+  add_methods(app, files, options);
+  app.add_option("-o,--output", files.output, "report, JSON (default: stdout)");
+  app.footer(kFooter);
+}
+
+void complete(Options& options, const geom::BoxMap& map) {
+  options.random.ends = kSets.at(options.set);
+  if (!options.length.empty()) {
+    if (!(options.length[0] <= options.length[1]) || options.length[1] == 0) {
+      throw cli::UsageError("--length: expected MIN <= MAX and MAX > 0");
+    }
+    options.random.length = {options.length[0], options.length[1]};
+  }
+  options.rule.within = options.within / 100;
+  options.method.seed = options.random.seed;
+  options.method.spec.connectivity = static_cast<plan::Connectivity>(options.connect);
+  options.method.spec.origin = map.spec().bounds.min;
+  if (options.methods.empty() && options.commands.empty()) options.methods = {"auto"};
+}
+
+std::vector<geom::PlanQuery> read_queries(const Files& files) {
+  cli::InputFile file(files.queries);
+  auto queries = geom::read_plan_queries(file.stream(), file.name());
+  if (files.reference.empty()) return queries;
+  cli::InputFile reference(files.reference);
+  const auto lengths = geom::read_reference_lengths(reference.stream(), reference.name());
+  std::size_t known = 0;
+  for (geom::PlanQuery& query : queries) {
+    const auto at = lengths.find(query.id);
+    if (at == lengths.end()) continue;
+    query.best_known = at->second;
+    ++known;
+  }
+  if (!known) throw geom::InputError(reference.name(), "none of its ids is one of the queries'");
+  return queries;
+}
+
+}  // namespace bench

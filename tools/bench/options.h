@@ -1,0 +1,44 @@
+#pragma once
+
+// The options of skyway-bench: what is asked, of whom, and until when.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/measure.h"
+#include "bench/method.h"
+#include "bench/query_set.h"
+
+namespace bench {
+
+struct Files {
+  std::string map;
+  std::string lattice;
+  std::string roadmap;
+  std::string queries;
+  std::string reference;
+  std::string output = "-";
+};
+
+struct Options {
+  RandomSpec random;
+  TrialRule rule;
+  MethodOptions method;
+  std::string set = "uniform";        // a name of random.ends
+  std::vector<double> length;         // metres, least and most; or empty
+  std::vector<std::string> methods;   // names in known_methods()
+  std::vector<std::string> commands;  // for the shell
+  double within = 1;                  // percent
+  int connect = 6;                    // neighbours of a node
+};
+
+void add_options(CLI::App& app, Files& files, Options& options);
+
+// Once parsed: what follows from several of them, and from the map. Throws cli::UsageError.
+void complete(Options& options, const geom::BoxMap& map);
+
+// The queries of a file, with the lengths of --reference.
+std::vector<geom::PlanQuery> read_queries(const Files& files);
+
+}  // namespace bench

@@ -1,0 +1,153 @@
+// skyway-bench: planners compared on the same queries, each path judged by proof.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "bench/command.h"
+#include "bench/options.h"
+#include "bench/peak_memory.h"
+#include "bench/report.h"
+#include "cli/files.h"
+#include "cli/run.h"
+#include "cli/vehicle_option.h"
+#include "plan/io/lattice_file.h"
+#include "plan/io/roadmap_file.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json describe(const geom::CollisionScene& scene) {
+  const geom::Vec3& half = scene.vehicle().half;
+  return {{"type", "benchmark"},
+          {"map", scene.map().hash()},
+          {"frame", geom::name(scene.map().spec().frame.axes)},
+          {"vehicle", {{"name", scene.vehicle().name}, {"half", {half[0], half[1], half[2]}}}},
+          {"margin", scene.margin()}};
+}
+
+Json describe(const bench::QuerySet& queries, const bench::Files& files,
+              const bench::Options& options) {
+  if (queries.size()) return {{"queries", files.queries}, {"count", *queries.size()}};
+  Json out = {{"name", options.set}};
+  if (options.random.length) out["length"] = options.length;
+  out["seed"] = options.random.seed;
+  out["rejected"] = {{"outside", queries.rejected().outside},
+                     {"blocked", queries.rejected().blocked},
+                     {"line_free", queries.rejected().line_free}};
+  return out;
+}
+
+// A record may say for what it was made; then it must be this.
+void require_ours(const geom::PathRecord& record, const geom::CollisionScene& scene,
+                  std::size_t line) {
+  geom::Provenance said = geom::provenance_of(scene);
+  if (record.provenance.map) said.map = record.provenance.map;
+  if (record.provenance.frame) said.frame = record.provenance.frame;
+  if (record.provenance.vehicle) said.vehicle = record.provenance.vehicle;
+  if (record.provenance.margin) said.margin = record.provenance.margin;
+  cli::require_same(said, scene, fmt::format("planner-cmd:{}", line), "path");
+}
+
+bench::Run run_method(const std::string& name, const geom::CollisionScene& scene,
+                      bench::QuerySet& queries, const bench::Options& options,
+                      const cli::Common& common) {
+  const auto known = bench::known_methods();
+  const auto method =
+      std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.name == name; });
+  bench::reset_peak_memory();
+  return bench::measure(name, method->make(scene, options.method), scene, queries, options.rule,
+                        common.execution(name));
+}
+
+// The queries that the longest run before it had, or the fewest trials.
+std::vector<geom::PlanQuery> for_command(bench::QuerySet& queries, const bench::Options& options,
+                                         const std::vector<bench::Run>& before) {
+  std::size_t count = queries.size().value_or(std::min(options.rule.least, options.rule.most));
+  for (const bench::Run& run : before) count = std::max(count, run.trials.size());
+  std::vector<geom::PlanQuery> out;
+  for (std::size_t i = 0; i < count; ++i) out.push_back(queries.at(i));
+  return out;
+}
+
+bench::Run run_command(const std::string& command, const geom::CollisionScene& scene,
+                       const std::vector<geom::PlanQuery>& queries, const cli::Common& common) {
+  const bench::CommandOutput output = bench::run_command(
+      command, bench::to_json_lines(queries), queries.size(), common.execution("planner-cmd"));
+  if (output.status > 1) {
+    common.warn(
+        fmt::format("the planner command ended with status {}: {}", output.status, command));
+  }
+  return bench::judge_command(
+      command, output, scene, queries,
+      [&](const geom::PathRecord& record, std::size_t line) { require_ours(record, scene, line); });
+}
+
+std::vector<bench::Run> run_all(const geom::CollisionScene& scene, bench::QuerySet& queries,
+                                const bench::Options& options, const cli::Common& common) {
+  std::vector<bench::Run> runs;
+  for (const std::string& name : options.methods) {
+    runs.push_back(run_method(name, scene, queries, options, common));
+  }
+  if (options.commands.empty()) return runs;
+  const auto asked = for_command(queries, options, runs);
+  for (const std::string& command : options.commands) {
+    runs.push_back(run_command(command, scene, asked, common));
+  }
+  return runs;
+}
+
+bool sound(const bench::Run& run) {
+  return bench::count(run, bench::Verdict::invalid) == 0 && !run.missing && !run.extra;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Compare planners on the same queries; each path is judged by proof.",
+               "skyway-bench"};
+  cli::Common common(app, true);
+  cli::VehicleOptions vehicle;
+  bench::Files files;
+  bench::Options options;
+  bench::add_options(app, files, options);
+  vehicle.add_to(app);
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin(
+        {files.map, files.lattice, files.roadmap, files.queries, files.reference});
+    cli::Scenes scenes(cli::open_map(files.map), vehicle, cli::Scenes::Differences::refused);
+    const geom::CollisionScene& scene = scenes.scene();
+    std::optional<plan::Lattice> lattice;
+    if (!files.lattice.empty()) {
+      lattice = plan::read_lattice(cli::open_archive(files.lattice));
+      cli::require_same(lattice->made_for(), scene, files.lattice, "lattice");
+      options.method.lattice = &*lattice;
+    }
+    std::optional<plan::Roadmap> roadmap;
+    if (!files.roadmap.empty()) {
+      roadmap = plan::read_roadmap(cli::open_archive(files.roadmap));
+      cli::require_same(roadmap->made_for, scene, files.roadmap, "roadmap");
+      options.method.roadmap = &*roadmap;
+    }
+    bench::complete(options, scene.map());
+    options.method.build = common.execution("layers");
+    bench::QuerySet queries = files.queries.empty() ? bench::QuerySet(scene, options.random)
+                                                    : bench::QuerySet(bench::read_queries(files));
+    const std::vector<bench::Run> runs = run_all(scene, queries, options, common);
+    Json report = describe(scene);
+    report["set"] = describe(queries, files, options);
+    Json stats = {{"set", report["set"]}};
+    for (const bench::Run& run : runs) {
+      report["methods"].push_back(bench::report(run, runs.front()));
+      stats["methods"].push_back(bench::counts(run));
+    }
+    cli::OutputFile out(files.output, cli::OutputKind::text);
+    out.stream() << report.dump(2) << '\n';
+    out.commit();
+    common.note(bench::table(runs));
+    common.write_stats(stats);
+    return std::all_of(runs.begin(), runs.end(), sound) ? cli::Exit::yes : cli::Exit::no;
+  });
+}
