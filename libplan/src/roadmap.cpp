@@ -360,7 +360,8 @@ void RoadmapSearch::push(const Open& open) {
 
 void RoadmapSearch::reach(std::uint32_t i, std::uint32_t j, double through, const Vec3& goal) {
   visits_[j] = {through, i, stamp_, false};
-  push({through + (goal - roadmap_->bends[j].position).norm(), through, j, Open::reached});
+  push(
+      {through + weight_ * (goal - roadmap_->bends[j].position).norm(), through, j, Open::reached});
 }
 
 // Where the roadmap has no edges: those that matter, looked for.
@@ -369,18 +370,22 @@ void RoadmapSearch::look_around(std::uint32_t i, const Vec3& arrived_from, const
   const Bend& bend = map.bends[i];
   const Across in = across(bend, arrived_from - bend.position);
   const double cost = visits_[i].cost;
-  const double most = map.spec.reach * map.spec.reach;
-  for (std::uint32_t j = 0; j < map.bends.size(); ++j) {
+  const double reach2 = map.spec.reach * map.spec.reach;
+  const auto look_at = [&](std::uint32_t j) {
     const Bend& other = map.bends[j];
     const Vec3 d = other.position - bend.position;
     const double square = d.squaredNorm();
-    if (j == i || square > most) continue;
+    if (j == i || square > reach2) return;
     const double through = cost + std::sqrt(square);
     const Visit& visit = visits_[j];
-    if (visit.stamp == stamp_ && (visit.settled || visit.cost <= through)) continue;
+    if (visit.stamp == stamp_ && (visit.settled || visit.cost <= through)) return;
     const Across out = across(bend, d);
-    if (!out.tangent() || !wraps(in, out) || !across(other, -d).tangent()) continue;
+    if (!out.tangent() || !wraps(in, out) || !across(other, -d).tangent()) return;
     if (!scene_->hits(bend.position, other.position)) reach(i, j, through, goal);
+  };
+  for (const Cell& cell : cells_) {
+    if (geom::distance(bend.position, cell.extent) > map.spec.reach) continue;
+    for (const std::uint32_t j : cell.bends) look_at(j);
   }
 }
 
@@ -443,6 +448,7 @@ geom::Polyline RoadmapSearch::trace(std::uint32_t bend, const Vec3& from, const 
 
 RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const RoadmapLimits& limits) {
   RoadmapResult result;
+  weight_ = limits.weight;
   open_.clear();
   if (++stamp_ == 0) {
     std::fill(visits_.begin(), visits_.end(), Visit{});
@@ -450,7 +456,7 @@ RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const Road
   }
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const double bound =
-        geom::distance(from, cells_[c].extent) + geom::distance(to, cells_[c].extent);
+        geom::distance(from, cells_[c].extent) + weight_ * geom::distance(to, cells_[c].extent);
     open_.push_back({bound, 0, static_cast<std::uint32_t>(c), Open::cell});
   }
   std::make_heap(open_.begin(), open_.end(), later);
@@ -463,7 +469,7 @@ RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const Road
       for (const std::uint32_t i : cells_[top.bend].bends) {
         const Vec3& p = roadmap_->bends[i].position;
         const double cost = (p - from).norm();
-        push({cost + (to - p).norm(), cost, i, Open::unlinked});
+        push({cost + weight_ * (to - p).norm(), cost, i, Open::unlinked});
       }
       continue;
     }
