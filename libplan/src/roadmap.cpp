@@ -11,6 +11,7 @@
 
 #include "geom/error.h"
 #include "geom/parallel.h"
+#include "heap.h"
 #include "plan/build_lattice.h"
 
 namespace plan {
@@ -349,13 +350,15 @@ RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& r
   }
 }
 
-bool RoadmapSearch::later(const Open& a, const Open& b) {
-  return std::tie(a.bound, b.cost, a.kind, a.bend) > std::tie(b.bound, a.cost, b.kind, b.bend);
+// Ties go to the larger cost, then by kind, then to the lowest bend or cell.
+inline bool RoadmapSearch::earlier(const Open& a, const Open& b) {
+  if (a.bound != b.bound) return a.bound < b.bound;
+  if (a.cost != b.cost) return a.cost > b.cost;
+  return a.kind != b.kind ? a.kind < b.kind : a.bend < b.bend;
 }
 
 void RoadmapSearch::push(const Open& open) {
-  open_.push_back(open);
-  std::push_heap(open_.begin(), open_.end(), later);
+  heap_push(open_, open, [](const Open& a, const Open& b) { return earlier(a, b); });
 }
 
 void RoadmapSearch::reach(std::uint32_t i, std::uint32_t j, double through, const Vec3& goal) {
@@ -457,17 +460,16 @@ RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const Road
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const double bound =
         geom::distance(from, cells_[c].extent) + weight_ * geom::distance(to, cells_[c].extent);
-    open_.push_back({bound, 0, static_cast<std::uint32_t>(c), Open::cell});
+    push({bound, 0, static_cast<std::uint32_t>(c), Open::cell});
   }
-  std::make_heap(open_.begin(), open_.end(), later);
   double longest = std::numeric_limits<double>::infinity();
   while (!open_.empty() && open_.front().bound <= longest) {
-    std::pop_heap(open_.begin(), open_.end(), later);
-    const Open top = open_.back();
-    open_.pop_back();
+    const Open top = heap_pop(open_, [](const Open& a, const Open& b) { return earlier(a, b); });
     if (top.kind == Open::cell) {
       for (const std::uint32_t i : cells_[top.bend].bends) {
-        const Vec3& p = roadmap_->bends[i].position;
+        const Bend& bend = roadmap_->bends[i];
+        const Vec3& p = bend.position;
+        if (!across(bend, from - p).tangent()) continue;
         const double cost = (p - from).norm();
         push({cost + weight_ * (to - p).norm(), cost, i, Open::unlinked});
       }
@@ -479,7 +481,6 @@ RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const Road
     if (seen && visit.settled) continue;
     if (top.kind == Open::unlinked) {
       if (seen && visit.cost <= top.cost) continue;
-      if (!across(bend, from - bend.position).tangent()) continue;
       if (scene_->hits(from, bend.position)) continue;
       visit = {top.cost, kStart, stamp_, false};
     } else if (visit.cost < top.cost) {

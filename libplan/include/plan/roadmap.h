@@ -110,7 +110,7 @@ class RoadmapSearch {
   };
   static constexpr std::uint32_t kStart = 0xffffffffu;
 
-  static bool later(const Open& a, const Open& b);
+  static bool earlier(const Open& a, const Open& b);
   void push(const Open& open);
   void reach(std::uint32_t from, std::uint32_t to, double cost, const Vec3& goal);
   void look_around(std::uint32_t bend, const Vec3& arrived_from, const Vec3& goal);
