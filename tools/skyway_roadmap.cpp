@@ -12,6 +12,14 @@ namespace {
 
 constexpr std::size_t kManyBoxes = 100000;  // beyond, a region must be named
 
+// About: 9 bends a box, and for each a neighbour a metre of reach, as made-up cities have.
+std::string estimate(std::size_t boxes, double reach) {
+  const double bends = 9 * static_cast<double>(boxes);
+  const double edges = 0.5 * bends * reach;
+  return fmt::format("about {:.0f} million bends, {:.0f} million edges and {:.1f} GB", bends / 1e6,
+                     edges / 1e6, (bends * 46 + edges * 8) / 1e9);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -23,8 +31,11 @@ int main(int argc, char** argv) {
   plan::RoadmapSpec spec;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("-o,--output", output, "roadmap to write (default: stdout)");
-  app.add_option("--reach", spec.reach, "longest edge, metres (default 500)")
-      ->check(CLI::Range(1.0, 1e5));
+  auto* reach =
+      app.add_option("--reach,--within", spec.reach,
+                     "longest edge, metres (default 500; to be named on maps of more than "
+                     "100,000 boxes)")
+          ->check(CLI::Range(1.0, 1e5));
   app.add_option("--part", spec.part,
                  "box edges are cut into parts of at most this, metres (default 10)")
       ->check(CLI::Range(0.1, 1e4));
@@ -36,10 +47,12 @@ int main(int argc, char** argv) {
     const std::size_t boxes =
         spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
     if (boxes > kManyBoxes) {
-      throw cli::UsageError(fmt::format(
-          "a roadmap of {} boxes would have about {} million bends and gigabytes of edges: name a "
-          "--region of at most {} boxes",
-          boxes, boxes * 5 / 1000000 + 1, kManyBoxes));
+      const std::string size = estimate(boxes, spec.reach);
+      if (reach->empty()) {
+        throw cli::UsageError(fmt::format(
+            "a roadmap of {} boxes: {}; name a shorter --within or a --region", boxes, size));
+      }
+      common.warn(fmt::format("{}: {} boxes, {}", map_file, boxes, size));
     }
     const plan::Roadmap roadmap = plan::build_roadmap(scene, spec, common.execution("bends"));
     cli::OutputFile out(output, cli::OutputKind::artefact);
