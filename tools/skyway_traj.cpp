@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cli/files.h"
+#include "cli/processes.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "traj/io/trajectory_record.h"
@@ -57,7 +58,7 @@ traj::TrajectoryRecord without_path(const geom::PathRecord& path, const traj::Li
 
 int main(int argc, char** argv) {
   CLI::App app{"Solve minimum-snap trajectories along paths, and prove them.", "skyway-traj"};
-  cli::Common common(app);
+  cli::Common common(app, true);
   cli::VehicleOptions vehicle;
   traj::SolveOptions options;
   std::string map_file;
@@ -89,18 +90,27 @@ int main(int argc, char** argv) {
     }
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
-    std::map<std::string, std::size_t> counts;
-    std::size_t done = 0;
-    const auto run = common.execution("trajectories");
-    file.for_each_line([&](const std::string& line, std::size_t number) {
+    std::vector<std::pair<std::string, std::size_t>> lines;  // and their numbers
+    file.for_each_line(
+        [&](const std::string& line, std::size_t number) { lines.emplace_back(line, number); });
+    // A process an optimisation: MUMPS is not thread safe. What was found comes first in a reply.
+    const auto work = [&](std::size_t i) {
+      const auto& [line, number] = lines[i];
       const geom::PathRecord path = geom::parse_path_record(line, file.name(), number);
       const auto record =
           path.status == "found"
               ? solve(scenes.scene_for(path.provenance, file.name(), number), path, options)
               : without_path(path, options.limits);
-      ++counts[record.status == "solved" ? record.rung : record.status];
-      if (run.progress) run.progress(++done, 0);
-      out.stream() << traj::to_json_line(record);
+      return (record.status == "solved" ? record.rung : record.status) + '\n' +
+             traj::to_json_line(record);
+    };
+    std::map<std::string, std::size_t> counts;
+    const auto run = common.execution("trajectories");
+    cli::in_processes(lines.size(), run.threads, work, [&](std::size_t i, const std::string& text) {
+      const std::size_t end = text.find('\n');
+      ++counts[text.substr(0, end)];
+      if (run.progress) run.progress(i + 1, lines.size());
+      out.stream() << std::string_view(text).substr(end + 1);
       out.flush();
     });
     out.commit();
