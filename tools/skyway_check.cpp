@@ -22,8 +22,7 @@ struct Checker {
       if (!option || !own || override_record) return option ? option : own;
       return std::optional(std::min(*option, *own));
     };
-    return {pick(asked.vmax, record.vmax), pick(asked.amax, record.amax),
-            pick(asked.jmax, record.jmax), pick(asked.tilt, record.tilt)};
+    return traj::combined(asked, record, pick);
   }
 
   traj::ReportRecord trajectory(const std::string& text, const std::string& source,

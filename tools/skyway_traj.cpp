@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <numbers>
+#include <optional>
 
 #include "cli/files.h"
 #include "cli/processes.h"
@@ -17,8 +19,7 @@ namespace {
 traj::Limits merge(const traj::Limits& asked, const std::optional<cli::VehicleProfile>& profile) {
   const traj::Limits own = profile ? profile->limits : traj::Limits{};
   const auto pick = [](std::optional<double> a, std::optional<double> b) { return a ? a : b; };
-  return {pick(asked.vmax, own.vmax), pick(asked.amax, own.amax), pick(asked.jmax, own.jmax),
-          pick(asked.tilt, own.tilt)};
+  return traj::combined(asked, own, pick);
 }
 
 std::string solver_report(const traj::SolveResult& result) {
@@ -65,6 +66,7 @@ int main(int argc, char** argv) {
   std::string input = "-";
   std::string output = "-";
   std::string solver = "auto";
+  std::optional<double> tilt;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("paths", input, "paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "trajectories (default: stdout)");
@@ -73,6 +75,15 @@ int main(int argc, char** argv) {
   app.add_option("--amax", options.limits.amax, "largest acceleration, m/s2")
       ->check(CLI::PositiveNumber);
   app.add_option("--jmax", options.limits.jmax, "largest jerk, m/s3")->check(CLI::PositiveNumber);
+  app.add_option("--vmax-h", options.limits.vmax_h, "largest horizontal speed, m/s")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--vmax-v", options.limits.vmax_v, "largest vertical speed, m/s")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--tilt", tilt, "largest tilt of the thrust from upright, degrees")
+      ->check(CLI::Range(1.0, 80.0));
+  app.add_option("--thrust", options.limits.thrust,
+                 "largest thrust over mass, m/s2 (above 9.80665)")
+      ->check(CLI::Range(9.81, 1e4));
   app.add_option("--solver", solver, "auto, closed, ipopt or stop-and-go")
       ->check(CLI::IsMember({"auto", "closed", "ipopt", "stop-and-go"}));
   app.add_option("--rho", options.rho, "flight seconds a unit of snap is worth, s per m2/s7")
@@ -84,9 +95,13 @@ int main(int argc, char** argv) {
                      : solver == "auto"  ? traj::Solver::automatic
                                          : traj::Solver::stop_and_go;
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
+    if (tilt) options.limits.tilt = *tilt * std::numbers::pi / 180;
     options.limits = merge(options.limits, scenes.profile());
-    if (!options.limits.vmax || !options.limits.amax) {
-      throw cli::UsageError("no limits: give --vmax and --amax (there is no default)");
+    const traj::Limits& limits = options.limits;
+    if ((!limits.vmax && !(limits.vmax_h && limits.vmax_v)) ||
+        (!limits.amax && !(limits.tilt && limits.thrust))) {
+      throw cli::UsageError(
+          "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust)");
     }
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);

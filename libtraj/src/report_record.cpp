@@ -49,6 +49,9 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
     append_extreme(line, "acceleration", result.acceleration);
     append_extreme(line, "jerk", result.jerk);
     if (record.limits.tilt) append_extreme(line, "tilt", result.tilt);
+    if (record.limits.vmax_h) append_extreme(line, "horizontal_speed", result.horizontal_speed);
+    if (record.limits.vmax_v) append_extreme(line, "vertical_speed", result.vertical_speed);
+    if (record.limits.thrust) append_extreme(line, "thrust", result.thrust);
   }
   line += ',';
   geom::append_json(line, record.provenance);
