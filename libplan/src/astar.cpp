@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "heap.h"
+
 namespace plan {
 namespace {
 
@@ -42,6 +44,11 @@ std::uint64_t unobstructed(Connectivity connectivity, std::uint64_t x, std::uint
 
 }  // namespace
 
+inline bool AstarSearch::earlier(const Open& a, const Open& b) {
+  if (a.bound != b.bound) return a.bound < b.bound;
+  return a.cost != b.cost ? a.cost > b.cost : a.node < b.node;
+}
+
 // A block of the lattice and what searches wrote there.
 struct AstarSearch::Page {
   Lattice::Block masks;
@@ -52,11 +59,6 @@ struct AstarSearch::Page {
   std::uint32_t flood_stamp = 0;
   std::bitset<LatticeGrid::kBlock> flooded;
 };
-
-bool AstarSearch::earlier(const Open& a, const Open& b) {
-  if (a.bound != b.bound) return a.bound < b.bound;
-  return a.cost != b.cost ? a.cost > b.cost : a.node < b.node;
-}
 
 AstarSearch::AstarSearch(const Lattice& lattice)
     : lattice_(&lattice), blocks_(lattice.grid().blocks()) {
@@ -168,6 +170,10 @@ const AstarSearch::Goal* AstarSearch::goal_at(Handle node) const {
   return at != goals_.end() && at->node == node ? &*at : nullptr;
 }
 
+void AstarSearch::add(const Open& entry) {
+  heap_push(open_, entry, [](const Open& a, const Open& b) { return earlier(a, b); });
+}
+
 // The earliest entry is kept beside the heap while nothing else is taken: a search that runs
 // straight on takes what it has just put in.
 void AstarSearch::insert(const Open& entry) {
@@ -177,46 +183,17 @@ void AstarSearch::insert(const Open& entry) {
     return;
   }
   if (has_next_ && earlier(entry, next_)) {
-    push_heap(std::exchange(next_, entry));
+    add(std::exchange(next_, entry));
     return;
   }
-  push_heap(entry);
-}
-
-void AstarSearch::push_heap(const Open& entry) {
-  std::size_t at = open_.size();
-  open_.push_back(entry);
-  while (at > 0) {
-    const std::size_t parent = (at - 1) / 4;
-    if (!earlier(entry, open_[parent])) break;
-    open_[at] = open_[parent];
-    at = parent;
-  }
-  open_[at] = entry;
+  add(entry);
 }
 
 AstarSearch::Open AstarSearch::take_first() {
-  if (has_next_) {
-    has_next_ = false;
-    return next_;
-  }
-  const Open first = open_.front();
-  const Open last = open_.back();
-  open_.pop_back();
-  const std::size_t n = open_.size();
-  if (n == 0) return first;
-  std::size_t at = 0;
-  for (std::size_t child = 1; child < n; child = 4 * at + 1) {
-    std::size_t least = child;
-    for (std::size_t c = child + 1; c < std::min(child + 4, n); ++c) {
-      if (earlier(open_[c], open_[least])) least = c;
-    }
-    if (!earlier(open_[least], last)) break;
-    open_[at] = open_[least];
-    at = least;
-  }
-  open_[at] = last;
-  return first;
+  if (!has_next_)
+    return heap_pop(open_, [](const Open& a, const Open& b) { return earlier(a, b); });
+  has_next_ = false;
+  return next_;
 }
 
 void AstarSearch::push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y,

@@ -23,6 +23,11 @@ constexpr int kLevels = 3;            // each of half the spacing of the one bef
 constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets a finer one
 constexpr double kDetour = 1.2;       // of the straight line: then a finer lattice may know better
 constexpr double kCorridor = 40;      // metres beside a lattice's path that bends are sought in
+constexpr double kClose = 4;          // metres beside a path that bends are sought in more closely
+constexpr double kClosePart = 3;      // metres: how closely
+constexpr double kCloseMost = 150;  // metres between ends: beyond, bends are close enough as it is
+constexpr std::size_t kPaths = 4;   // compared once pulled taut
+constexpr double kBend = 10;  // metres that bends in the middle of their parts may cost a path
 constexpr double kCorridorReach = 300;        // metres
 constexpr std::size_t kUnknownBends = 4000;   // settled where it is not known that there is a way
 constexpr std::size_t kCorridorBends = 3000;  // settled at most
@@ -242,8 +247,8 @@ RoadmapLimits Planner::first_limits(const Vec3& from, const Vec3& to) const {
 bool Planner::improve(RoadmapSearch& search, const Vec3& from, const Vec3& to,
                       const PlanOptions& options, RoadmapLimits limits, PlanResult& result) {
   if (options.quality == Quality::best) {
-    limits.paths = 40;
-    limits.beyond = 0.02;
+    limits.paths = kPaths;
+    limits.beyond = kBend / (to - from).norm();
   }
   const RoadmapResult found = search.search(from, to, limits);
   bool better = false;
@@ -263,6 +268,14 @@ bool Planner::improve(RoadmapSearch& search, const Vec3& from, const Vec3& to,
     better = true;
   }
   return better;
+}
+
+// With bends closer to each other along the path that there is.
+void Planner::search_closely(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                             PlanResult& result) {
+  const Roadmap close = bends_along(scene_, {kClosePart, kCorridorReach, {}}, result.path, kClose);
+  RoadmapSearch search(scene_, close);
+  improve(search, from, to, options, {kCorridorBends}, result);
 }
 
 bool Planner::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
@@ -286,9 +299,13 @@ bool Planner::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions
 // Bends around the boxes near a path that a lattice gave.
 bool Planner::search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
                               PlanResult& result) {
-  const Roadmap corridor = bends_along(scene_, {10, kCorridorReach, {}}, result.path, kCorridor);
+  const Roadmap corridor =
+      bends_along(scene_, {10, kCorridorReach, {}}, result.path,
+                  options.quality == Quality::best ? 2 * kCorridor : kCorridor);
   RoadmapSearch search(scene_, corridor);
-  return improve(search, from, to, options, {kCorridorBends}, result);
+  RoadmapLimits limits{kCorridorBends};
+  limits.weight = (to - from).norm() < 1000 ? 1.02 : 1.04;
+  return improve(search, from, to, options, limits, result);
 }
 
 // Shortens what a search found.
@@ -342,6 +359,9 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
   if (roadmap_ && search_roadmap(from, to, options, first_limits(from, to), result)) {
     result.method = "roadmap";
     result.status = PlanStatus::found;
+    if (options.quality == Quality::best && (to - from).norm() < kCloseMost) {
+      search_closely(from, to, options, result);
+    }
     return result;
   }
   result = search_levels(from, to, options);

@@ -12,6 +12,7 @@
 #include "bends.h"
 #include "geom/error.h"
 #include "geom/parallel.h"
+#include "heap.h"
 #include "plan/build_lattice.h"
 
 namespace plan {
@@ -204,18 +205,21 @@ RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& r
   }
 }
 
-bool RoadmapSearch::later(const Open& a, const Open& b) {
-  return std::tie(a.bound, b.cost, a.kind, a.bend) > std::tie(b.bound, a.cost, b.kind, b.bend);
+// Ties go to the larger cost, then by kind, then to the lowest bend or cell.
+inline bool RoadmapSearch::earlier(const Open& a, const Open& b) {
+  if (a.bound != b.bound) return a.bound < b.bound;
+  if (a.cost != b.cost) return a.cost > b.cost;
+  return a.kind != b.kind ? a.kind < b.kind : a.bend < b.bend;
 }
 
 void RoadmapSearch::push(const Open& open) {
-  open_.push_back(open);
-  std::push_heap(open_.begin(), open_.end(), later);
+  heap_push(open_, open, [](const Open& a, const Open& b) { return earlier(a, b); });
 }
 
 void RoadmapSearch::reach(std::uint32_t i, std::uint32_t j, double through, const Vec3& goal) {
   visits_[j] = {through, i, stamp_, false};
-  push({through + (goal - roadmap_->bends[j].position).norm(), through, j, Open::reached});
+  push(
+      {through + weight_ * (goal - roadmap_->bends[j].position).norm(), through, j, Open::reached});
 }
 
 // Where the roadmap has no edges: those that matter, looked for.
@@ -224,18 +228,22 @@ void RoadmapSearch::look_around(std::uint32_t i, const Vec3& arrived_from, const
   const Bend& bend = map.bends[i];
   const Across in = across(bend, arrived_from - bend.position);
   const double cost = visits_[i].cost;
-  const double most = map.spec.reach * map.spec.reach;
-  for (std::uint32_t j = 0; j < map.bends.size(); ++j) {
+  const double reach2 = map.spec.reach * map.spec.reach;
+  const auto look_at = [&](std::uint32_t j) {
     const Bend& other = map.bends[j];
     const Vec3 d = other.position - bend.position;
     const double square = d.squaredNorm();
-    if (j == i || square > most) continue;
+    if (j == i || square > reach2) return;
     const double through = cost + std::sqrt(square);
     const Visit& visit = visits_[j];
-    if (visit.stamp == stamp_ && (visit.settled || visit.cost <= through)) continue;
+    if (visit.stamp == stamp_ && (visit.settled || visit.cost <= through)) return;
     const Across out = across(bend, d);
-    if (!out.tangent() || !wraps(in, out) || !across(other, -d).tangent()) continue;
+    if (!out.tangent() || !wraps(in, out) || !across(other, -d).tangent()) return;
     if (!scene_->hits(bend.position, other.position)) reach(i, j, through, goal);
+  };
+  for (const Cell& cell : cells_) {
+    if (geom::distance(bend.position, cell.extent) > map.spec.reach) continue;
+    for (const std::uint32_t j : cell.bends) look_at(j);
   }
 }
 
@@ -298,6 +306,7 @@ geom::Polyline RoadmapSearch::trace(std::uint32_t bend, const Vec3& from, const 
 
 RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const RoadmapLimits& limits) {
   RoadmapResult result;
+  weight_ = limits.weight;
   open_.clear();
   if (++stamp_ == 0) {
     std::fill(visits_.begin(), visits_.end(), Visit{});
@@ -305,20 +314,19 @@ RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const Road
   }
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const double bound =
-        geom::distance(from, cells_[c].extent) + geom::distance(to, cells_[c].extent);
-    open_.push_back({bound, 0, static_cast<std::uint32_t>(c), Open::cell});
+        geom::distance(from, cells_[c].extent) + weight_ * geom::distance(to, cells_[c].extent);
+    push({bound, 0, static_cast<std::uint32_t>(c), Open::cell});
   }
-  std::make_heap(open_.begin(), open_.end(), later);
   double longest = std::numeric_limits<double>::infinity();
   while (!open_.empty() && open_.front().bound <= longest) {
-    std::pop_heap(open_.begin(), open_.end(), later);
-    const Open top = open_.back();
-    open_.pop_back();
+    const Open top = heap_pop(open_, [](const Open& a, const Open& b) { return earlier(a, b); });
     if (top.kind == Open::cell) {
       for (const std::uint32_t i : cells_[top.bend].bends) {
-        const Vec3& p = roadmap_->bends[i].position;
+        const Bend& bend = roadmap_->bends[i];
+        const Vec3& p = bend.position;
+        if (!across(bend, from - p).tangent()) continue;
         const double cost = (p - from).norm();
-        push({cost + (to - p).norm(), cost, i, Open::unlinked});
+        push({cost + weight_ * (to - p).norm(), cost, i, Open::unlinked});
       }
       continue;
     }
@@ -328,7 +336,6 @@ RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const Road
     if (seen && visit.settled) continue;
     if (top.kind == Open::unlinked) {
       if (seen && visit.cost <= top.cost) continue;
-      if (!across(bend, from - bend.position).tangent()) continue;
       if (scene_->hits(from, bend.position)) continue;
       visit = {top.cost, kStart, stamp_, false};
     } else if (visit.cost < top.cost) {

@@ -90,7 +90,7 @@ TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
   const auto scene = city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {});
   Planner by_roadmap(scene, nullptr, &roadmap);
-  Planner by_lattice(scene, nullptr, {});
+  Planner by_lattice(scene, nullptr);
   support::Random random(GetParam());
   double roadmaps = 0;
   double lattices = 0;
@@ -113,7 +113,7 @@ TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
     lattices += geom::length(b.path);
     ++compared;
   }
-  EXPECT_LT(roadmaps, lattices);
+  EXPECT_LT(roadmaps, 1.0005 * lattices);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cities, RoadmapProperty, testing::Values(1, 2, 3));

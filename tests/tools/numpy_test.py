@@ -29,13 +29,14 @@ with tempfile.TemporaryDirectory() as folder:
 
     arrays = numpy.load(lattice)
     info = json.loads(tool("skyway-info", "--json", lattice))
-    state = arrays["block_state"]
-    assert (state == 2).sum() == len(arrays["block_nodes"]) == len(arrays["block_edges"])
-    assert state.size == numpy.prod([-(-n // 8) for n in info["dims"]])
-    if not (state == 1).any():
-        assert numpy.unpackbits(arrays["block_nodes"]).sum() == info["nodes"]
-        edges = arrays["block_edges"]
-        assert sum(int(n).bit_count() for n in edges.ravel()) == info["edges"]
+    record = arrays["block_record"]
+    stored = record < 0xFFFFFFFE
+    assert sorted(record[stored]) == list(range(len(arrays["records"])))
+    assert record.size == numpy.prod([-(-n // 8) for n in info["dims"]])
+    if not (record == 0xFFFFFFFE).any():
+        words = arrays["records"].view("<u2")
+        assert (words >> 13 & 1).sum() == info["nodes"]
+        assert sum(int(n).bit_count() for n in (words & 0x1FFF).ravel()) == info["edges"]
 
     for path in (box_map, lattice):
         with zipfile.ZipFile(path) as archive:

@@ -84,7 +84,7 @@ class AstarSearch {
   void expand(const Open& from);
   void push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y, std::int32_t z);
   void insert(const Open& entry);
-  void push_heap(const Open& entry);
+  void add(const Open& entry);
   Open take_first();
   void flood(Handle node);
   void flood_next();
@@ -100,7 +100,7 @@ class AstarSearch {
   Index3 blocks_;
   std::vector<std::unique_ptr<Page>> pages_;
   std::unordered_map<std::uint64_t, std::uint32_t> page_of_block_;
-  std::vector<Open> open_;  // a heap of four children a node: shallower, and fewer cache misses
+  std::vector<Open> open_;  // a heap
   Open next_{};             // earlier than all of the heap, where there is one
   bool has_next_ = false;
   std::vector<Goal> goals_;  // by node, the cheapest of each

@@ -69,6 +69,8 @@ struct RoadmapLimits {
   std::size_t settled = 20000;  // bends: gives up beyond
   std::size_t paths = 1;        // how many to find
   double beyond = 0;            // none longer than the shortest by more than this share of it
+  double weight = 1;            // >= 1, of the distance to the goal: more looks at fewer bends, and
+                                // the path may be longer than the shortest by this factor
 };
 
 struct RoadmapResult {
@@ -108,7 +110,7 @@ class RoadmapSearch {
   };
   static constexpr std::uint32_t kStart = 0xffffffffu;
 
-  static bool later(const Open& a, const Open& b);
+  static bool earlier(const Open& a, const Open& b);
   void push(const Open& open);
   void reach(std::uint32_t from, std::uint32_t to, double cost, const Vec3& goal);
   void look_around(std::uint32_t bend, const Vec3& arrived_from, const Vec3& goal);
@@ -118,6 +120,7 @@ class RoadmapSearch {
   const geom::CollisionScene* scene_;
   const Roadmap* roadmap_;
   std::vector<Cell> cells_;
+  double weight_ = 1;
   std::vector<Visit> visits_;
   std::vector<Open> open_;
   std::uint32_t stamp_ = 0;
