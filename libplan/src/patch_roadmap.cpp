@@ -20,6 +20,13 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr double kCell = 40;   // metres
 constexpr double kPad = 1e-3;  // metres, of boxes: far more than rounding
 
+// Each change is held against all lines in its surroundings: measured, patching is slower than
+// building from about a twelfth of the boxes.
+bool too_many(const MapChange& change, std::size_t boxes) {
+  const std::size_t changes = change.removed.size() + change.added.size();
+  return changes > std::max<std::size_t>(100, boxes / 20);
+}
+
 // For each new bend the old one that is the same, else kNone. Of several that are the same, the
 // first is the first.
 std::vector<std::uint32_t> match(const std::vector<Bend>& now, const std::vector<Bend>& old) {
@@ -270,7 +277,9 @@ Roadmap patch_roadmap(const Roadmap& old, const geom::CollisionScene& scene,
   Roadmap out;
   out.spec = old.spec;
   out.made_for = geom::provenance_of(scene);
-  out.bends = make_bends(scene, old.spec, boxes_of(scene, old.spec.region), run);
+  const std::vector<Aabb> boxes = boxes_of(scene, old.spec.region);
+  if (too_many(change, boxes.size())) return build_roadmap(scene, old.spec, run);
+  out.bends = make_bends(scene, old.spec, boxes, {run.threads, {}});
   const std::vector<std::uint32_t> old_of = match(out.bends, old.bends);
   if (!ascends(old_of)) return build_roadmap(scene, old.spec, run);
   RoadmapPatch(old, scene, change, out.bends, old_of).patch_edges(run, out);

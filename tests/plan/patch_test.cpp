@@ -136,6 +136,14 @@ TEST_P(PatchProperty, RoadmapMayHaveBoxesInAnotherOrder) {
   EXPECT_EQ(bytes(patched), bytes(build_roadmap(after, {})));
 }
 
+TEST_P(PatchProperty, RoadmapMayHaveManyChanges) {
+  const auto before = scene_of(was_, kBounds, kHalf);
+  const auto after = scene_of(changed(random_, was_, 150), kBounds, kHalf);
+  const Roadmap patched =
+      patch_roadmap(build_roadmap(before, {}), after, change_since(before.map(), after));
+  EXPECT_EQ(bytes(patched), bytes(build_roadmap(after, {})));
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, PatchProperty, testing::Range<std::uint64_t>(1, 26));
 
 TEST(MapChange, ListsEveryBoxAsOftenAsItChanged) {

@@ -33,9 +33,10 @@ Lattice patch_lattice(const Lattice& old, const geom::CollisionScene& scene,
 
 // What build_roadmap(scene, old.spec, run) gives, where `old` was built so for a map that differs
 // by `change`. Bends are made anew, which is quick; edges between bends that `old` has are looked
-// at only where their line meets a box that changed. Maps of other tile sizes, whose boxes are in
-// another order, cost as much as building. Throws geom::InputError as build_roadmap does, and where
-// `old` was made for another vehicle, margin or frame.
+// at only where their line meets a box that changed. Builds anew where more than 100 boxes and a
+// twentieth of them changed, or the boxes of the maps are in another order (by their tile sizes).
+// Throws geom::InputError as build_roadmap does, and where `old` was made for another vehicle,
+// margin or frame.
 Roadmap patch_roadmap(const Roadmap& old, const geom::CollisionScene& scene,
                       const MapChange& change, const geom::Execution& run = {});
 
