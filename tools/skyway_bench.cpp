@@ -131,23 +131,36 @@ int main(int argc, char** argv) {
       cli::require_same(roadmap->made_for, scene, files.roadmap, "roadmap");
       options.method.roadmap = &*roadmap;
     }
-    bench::complete(options, scene.map());
-    options.method.build = common.execution("layers");
-    bench::QuerySet queries = files.queries.empty() ? bench::QuerySet(scene, options.random)
-                                                    : bench::QuerySet(bench::read_queries(files));
-    const std::vector<bench::Run> runs = run_all(scene, queries, options, common);
+    bool all_sound = true;
     Json report = describe(scene);
-    report["set"] = describe(queries, files, options);
-    Json stats = {{"set", report["set"]}};
-    for (const bench::Run& run : runs) {
-      report["methods"].push_back(bench::report(run, runs.front()));
-      stats["methods"].push_back(bench::counts(run));
+    Json stats;
+    for (bench::Options& part : bench::parts_of(options)) {
+      bench::complete(part, scene.map());
+      part.method.build = common.execution("layers");
+      bench::QuerySet queries = files.queries.empty() ? bench::QuerySet(scene, part.random)
+                                                      : bench::QuerySet(bench::read_queries(files));
+      const std::vector<bench::Run> runs = run_all(scene, queries, part, common);
+      Json set = describe(queries, files, part);
+      Json all = {{"set", set}};
+      Json counts = {{"set", set}};
+      for (const bench::Run& run : runs) {
+        all["methods"].push_back(bench::report(run, runs.front()));
+        counts["methods"].push_back(bench::counts(run));
+        all_sound = all_sound && sound(run);
+      }
+      common.note(bench::table(runs));
+      if (options.older_protocol) {
+        report["parts"].push_back(all);
+        stats["parts"].push_back(counts);
+      } else {
+        report.update(all);
+        stats = counts;
+      }
     }
     cli::OutputFile out(files.output, cli::OutputKind::text);
     out.stream() << report.dump(2) << '\n';
     out.commit();
-    common.note(bench::table(runs));
     common.write_stats(stats);
-    return std::all_of(runs.begin(), runs.end(), sound) ? cli::Exit::yes : cli::Exit::no;
+    return all_sound ? cli::Exit::yes : cli::Exit::no;
   });
 }

@@ -13,27 +13,18 @@ namespace {
 
 constexpr std::size_t kManyBoxes = 100000;  // beyond, a region must be named
 
-void require_not_too_many(const geom::CollisionScene& scene, const plan::RoadmapSpec& spec) {
-  const std::size_t boxes =
-      spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
-  if (boxes <= kManyBoxes) return;
-  throw cli::UsageError(fmt::format(
-      "a roadmap of {} boxes would have about {} million bends and gigabytes of edges: name a "
-      "--region of at most {} boxes",
-      boxes, boxes * 5 / 1000000 + 1, kManyBoxes));
-}
-
-plan::Roadmap built(const geom::CollisionScene& scene, const plan::RoadmapSpec& spec,
-                    const geom::Execution& run) {
-  require_not_too_many(scene, spec);
-  return plan::build_roadmap(scene, spec, run);
+// About: 9 bends a box, and for each a neighbour a metre of reach, as made-up cities have.
+std::string estimate(std::size_t boxes, double reach) {
+  const double bends = 9 * static_cast<double>(boxes);
+  const double edges = 0.5 * bends * reach;
+  return fmt::format("about {:.0f} million bends, {:.0f} million edges and {:.1f} GB", bends / 1e6,
+                     edges / 1e6, (bends * 46 + edges * 8) / 1e9);
 }
 
 plan::Roadmap patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
                       const geom::Execution& run) {
   const plan::Roadmap old = plan::read_roadmap(cli::open_archive(patch.artefact));
   const geom::CollisionScene& scene = patch.scene(scenes, old.made_for);
-  require_not_too_many(scene, old.spec);
   return plan::patch_roadmap(old, scene, patch.change(old.made_for, scene), run);
 }
 
@@ -49,8 +40,11 @@ int main(int argc, char** argv) {
   cli::PatchOptions patch;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("-o,--output", output, "roadmap to write (default: stdout)");
-  auto* reach = app.add_option("--reach", spec.reach, "longest edge, metres (default 500)")
-                    ->check(CLI::Range(1.0, 1e5));
+  auto* reach =
+      app.add_option("--reach,--within", spec.reach,
+                     "longest edge, metres (default 500; to be named on maps of more than "
+                     "100,000 boxes)")
+          ->check(CLI::Range(1.0, 1e5));
   auto* part = app.add_option("--part", spec.part,
                               "box edges are cut into parts of at most this, metres (default 10)")
                    ->check(CLI::Range(0.1, 1e4));
@@ -62,8 +56,21 @@ int main(int argc, char** argv) {
     cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
     const geom::Execution run = common.execution("bends");
-    const plan::Roadmap roadmap =
-        patch.asked() ? patched(scenes, patch, run) : built(scenes.scene(), spec, run);
+    const auto built = [&] {
+      const geom::CollisionScene& scene = scenes.scene();
+      const std::size_t boxes =
+          spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
+      if (boxes > kManyBoxes) {
+        const std::string size = estimate(boxes, spec.reach);
+        if (reach->empty()) {
+          throw cli::UsageError(fmt::format(
+              "a roadmap of {} boxes: {}; name a shorter --within or a --region", boxes, size));
+        }
+        common.warn(fmt::format("{}: {} boxes, {}", map_file, boxes, size));
+      }
+      return plan::build_roadmap(scene, spec, run);
+    };
+    const plan::Roadmap roadmap = patch.asked() ? patched(scenes, patch, run) : built();
     cli::OutputFile out(output, cli::OutputKind::artefact);
     plan::write_roadmap(out.stream(), roadmap);
     out.commit();

@@ -12,9 +12,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     } else if (plan::is_roadmap(archive)) {
       plan::read_roadmap(archive);
     } else {
-      // 2^24 nodes are enough to fuzz with: larger claims are well formed and cost memory.
-      const auto state = archive.array<std::uint8_t>("block_state");
-      if (state.size() <= 32768) plan::read_lattice(archive);
+      // 2^24 nodes are enough to fuzz with: larger claims are well formed and take time.
+      const auto record = archive.array<std::uint32_t>("block_record");
+      if (record.size() <= 32768) plan::verify_lattice(plan::read_lattice(archive));
     }
   });
 }

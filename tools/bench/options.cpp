@@ -12,13 +12,6 @@
 namespace bench {
 namespace {
 
-constexpr const char* kFooter = R"(
-The protocol of the older system: 50 A* searches of 600-700 m, 25 m, 6-connected; and sampling
-planners on 45-50 m, until the mean time is known to 1 %:
-  skyway-bench MAP --vehicle V --method astar --spacing 25 --connectivity 6 --length 600 700 --trials 50
-  skyway-bench MAP --vehicle V --method rrt-connect-ompl --length 45 50 --within 1
-)";
-
 const std::map<std::string, plan::Quality> kQuality = {{"fast", plan::Quality::fast},
                                                        {"normal", plan::Quality::normal},
                                                        {"best", plan::Quality::best}};
@@ -90,8 +83,25 @@ void add_options(CLI::App& app, Files& files, Options& options) {
   app.add_option("map", files.map, "box map; - for stdin")->required();
   add_queries(app, files, options);
   add_methods(app, files, options);
+  app.add_flag(
+         "--older-protocol", options.older_protocol,
+         "what a well-known older planner was measured by: 50 A* searches of 600-700 m (25 m, "
+         "6 neighbours), then rrt, rrt-connect and auto on 45-50 m until the mean time is "
+         "known to 1 %")
+      ->excludes("--queries", "--set", "--length", "--method", "--trials", "--within");
   app.add_option("-o,--output", files.output, "report, JSON (default: stdout)");
-  app.footer(kFooter);
+}
+
+std::vector<Options> parts_of(const Options& options) {
+  if (!options.older_protocol) return {options};
+  Options searches = options;
+  searches.methods = {"astar"};
+  searches.length = {600, 700};
+  searches.rule.least = searches.rule.most = 50;
+  Options sampling = options;
+  sampling.methods = {"rrt", "rrt-connect", "auto"};
+  sampling.length = {45, 50};
+  return {searches, sampling};
 }
 
 void complete(Options& options, const geom::BoxMap& map) {
