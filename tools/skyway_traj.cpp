@@ -7,11 +7,13 @@
 #include <optional>
 
 #include "cli/files.h"
+#include "cli/numbers_option.h"
 #include "cli/processes.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "traj/io/trajectory_record.h"
 #include "traj/solve.h"
+#include "traj/yaw.h"
 
 namespace {
 
@@ -20,6 +22,25 @@ traj::Limits merge(const traj::Limits& asked, const std::optional<cli::VehiclePr
   const traj::Limits own = profile ? profile->limits : traj::Limits{};
   const auto pick = [](std::optional<double> a, std::optional<double> b) { return a ? a : b; };
   return traj::combined(asked, own, pick);
+}
+
+// --yaw along, DEGREES, or X,Y of a point to look at.
+std::optional<traj::YawOptions> yaw_options(const std::string& text, double rate) {
+  if (text.empty()) return std::nullopt;
+  traj::YawOptions yaw;
+  yaw.rate = rate * std::numbers::pi / 180;
+  if (text == "along") return yaw;
+  if (const auto degrees = cli::parse_numbers(text, 1)) {
+    yaw.kind = traj::YawOptions::Kind::fixed;
+    yaw.angle = degrees->front() * std::numbers::pi / 180;
+  } else if (const auto point = cli::parse_numbers(text, 2)) {
+    yaw.kind = traj::YawOptions::Kind::towards;
+    yaw.target = {point->front(), point->back(), 0};
+  } else {
+    throw cli::UsageError(
+        fmt::format("--yaw: expected along, degrees, or X,Y of a point, found {}", text));
+  }
+  return yaw;
 }
 
 std::string solver_report(const traj::SolveResult& result) {
@@ -31,7 +52,8 @@ std::string solver_report(const traj::SolveResult& result) {
 }
 
 traj::TrajectoryRecord solve(const geom::CollisionScene& scene, const geom::PathRecord& path,
-                             const traj::SolveOptions& options) {
+                             const traj::SolveOptions& options,
+                             const std::optional<traj::YawOptions>& yaw) {
   traj::TrajectoryRecord record;
   record.id = path.id;
   record.provenance = geom::provenance_of(scene);
@@ -40,6 +62,7 @@ traj::TrajectoryRecord solve(const geom::CollisionScene& scene, const geom::Path
   record.status = result.status == traj::SolveStatus::solved ? "solved" : "infeasible";
   record.message = result.reason;
   record.trajectory = result.trajectory;
+  if (yaw && !record.trajectory.segments.empty()) traj::add_yaw(*yaw, record.trajectory);
   record.rung = result.rung;
   if (result.status == traj::SolveStatus::solved) record.solver = solver_report(result);
   return record;
@@ -67,6 +90,8 @@ int main(int argc, char** argv) {
   std::string output = "-";
   std::string solver = "auto";
   std::optional<double> tilt;
+  std::string yaw_text;
+  double yaw_rate = 90;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("paths", input, "paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "trajectories (default: stdout)");
@@ -88,7 +113,13 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"auto", "closed", "ipopt", "stop-and-go"}));
   app.add_option("--rho", options.rho, "flight seconds a unit of snap is worth, s per m2/s7")
       ->check(CLI::Range(0.0, 1e3));
+  app.add_option("--yaw", yaw_text,
+                 "along (the velocity), degrees from the map's x axis towards y, or X,Y of a point "
+                 "to look at (default: no yaw)");
+  app.add_option("--yaw-rate", yaw_rate, "largest yaw rate, degrees/s (default 90)")
+      ->check(CLI::Range(0.1, 1e4));
   return cli::run_tool(app, argc, argv, [&] {
+    const auto yaw = yaw_options(yaw_text, yaw_rate);
     cli::at_most_one_stdin({map_file, input});
     options.solver = solver == "closed"  ? traj::Solver::closed
                      : solver == "ipopt" ? traj::Solver::ipopt
@@ -114,7 +145,7 @@ int main(int argc, char** argv) {
       const geom::PathRecord path = geom::parse_path_record(line, file.name(), number);
       const auto record =
           path.status == "found"
-              ? solve(scenes.scene_for(path.provenance, file.name(), number), path, options)
+              ? solve(scenes.scene_for(path.provenance, file.name(), number), path, options, yaw)
               : without_path(path, options.limits);
       return (record.status == "solved" ? record.rung : record.status) + '\n' +
              traj::to_json_line(record);
