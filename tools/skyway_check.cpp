@@ -106,6 +106,9 @@ int main(int argc, char** argv) {
                  "write why each accepted record is clear, JSON Lines; implies --exact");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
+    if (certificate == "-" && output == "-") {
+      throw cli::UsageError("reports and certificates cannot both go to stdout");
+    }
     using Differences = cli::Scenes::Differences;
     cli::Scenes scenes(cli::open_map(map_file), vehicle,
                        override_record ? Differences::allowed : Differences::stricter_allowed);
