@@ -107,6 +107,16 @@ with tempfile.TemporaryDirectory() as folder:
     batches = {"paths": objects(paths), "closed": objects(closed), "straight": objects(straight),
                "limited": limited, "apart": apart}
 
+    def script(records):
+        """What the script itself says of these records, by its exit code."""
+        names = {"records": dump(records), "boxes": tool("skyway-map", "to-csv", box_map)}
+        for name, text in names.items():
+            with open(os.path.join(folder, name), "w") as file:
+                file.write(text)
+        return subprocess.run([sys.executable, os.path.join(os.path.dirname(__file__), "verify_certificate.py"),
+                               *(os.path.join(folder, name) for name in names), "0,0,0,80,60,60", certificates],
+                              capture_output=True).returncode
+
     lies = 0
     planes = 0
     gaps = 0
@@ -117,6 +127,8 @@ with tempfile.TemporaryDirectory() as folder:
         assert [c["id"] for c in good] == ids, "one certificate for each record that was accepted"
         assert len(ids) >= 3, f"{name}: too few to test: {reports}"
         by_id = {c["id"]: c for c in good}
+        assert script([r for r in records if r["id"] in by_id]) == 0
+        assert script([{**records[0], "id": ids[1]}]) == 1, "the certificate of another record"
         for record in records:
             if record["id"] not in by_id:
                 continue
