@@ -40,7 +40,7 @@ void judge(const support::TouchCase& c, Counts& counts) {
 
 void print(const std::string& what, const Counts& c) {
   fmt::print(
-      "{:34}{:8} cases  accepted: fast {:6}  exact {:6}  ms a case: fast {:.2f}  exact {:.2f}\n",
+      "{:37}{:8} cases  accepted: fast {:6}  exact {:6}  ms a case: fast {:.2f}  exact {:.2f}\n",
       what, c.cases, c.fast, c.exact, 1e3 * c.fast_s / c.cases, 1e3 * c.exact_s / c.cases);
 }
 
@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   support::Random random(71);
   Counts touching;
   Counts grazing;
+  Counts edges;
   Counts clear;
   Counts nearly;
   for (int i = 0; i < cases; ++i) {
@@ -58,14 +59,18 @@ int main(int argc, char** argv) {
     const double depth = i % 32 ? std::ldexp(1, -(i % 32 - 1)) : 0;
     judge(support::touching(random, depth), touching);
     judge(support::under(random, -depth), grazing);
-    judge(support::under(random, std::ldexp(1, -(i % 20))), clear);       // 1.9e-6 m to 1 m clear
-    judge(support::under(random, std::ldexp(1, -(32 + i % 9))), nearly);  // less than 2.4e-10 m
+    judge(support::past_edge(random, -depth), edges);
+    const auto beside = i % 2 ? support::under : support::past_edge;
+    judge(beside(random, std::ldexp(1, -(i % 20))), clear);       // 1.9e-6 m to 1 m clear
+    judge(beside(random, std::ldexp(1, -(32 + i % 9))), nearly);  // less than 2.4e-10 m
   }
   print("through or into a face, edge, corner", touching);
   print("grazing from below, 0 to 1 m", grazing);
+  print("along a line into an edge, 0 to 1 m", edges);
   print("clear by 1.9e-6 to 1 m", clear);
   print("clear by 1e-12 to 2.3e-10 m", nearly);
-  const bool sound = !touching.fast && !touching.exact && !grazing.fast && !grazing.exact;
+  bool sound = true;
+  for (const Counts& c : {touching, grazing, edges}) sound = sound && !c.fast && !c.exact;
   const bool tight = clear.fast == cases && clear.exact == cases && nearly.exact == cases;
   return sound && tight && nearly.fast == 0 ? 0 : 1;
 }

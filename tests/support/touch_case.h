@@ -103,4 +103,23 @@ inline TouchCase under(Random& random, double gap) {
   return c;
 }
 
+// A curve along a straight line that passes a box edge at its middle, `gap` metres off along both
+// axes across the edge (a multiple of 2^-40; <= 0: it touches).
+inline TouchCase past_edge(Random& random, double gap) {
+  TouchCase c = touch_base(random);
+  traj::Segment& s = c.trajectory.segments[0];
+  const geom::Vec3 middle = s.point[0];
+  const geom::Vec3 along(random.stepped(1, 4, 0.25), -random.stepped(1, 4, 0.25),
+                         random.stepped(-2, 2, 0.25));
+  for (int i = 0; i < traj::kPoints / 2; ++i) {
+    const geom::Vec3 way = random.stepped(0.25, 4, 0.25) * along;
+    s.point[i] = middle - way;
+    s.point[traj::kDegree - i] = middle + way;
+  }
+  const geom::Vec3 grown = c.half.array() + c.margin;
+  c.box.min = {middle.x() + gap + grown.x(), middle.y() + gap + grown.y(), middle.z() - 20};
+  c.box.max = c.box.min + geom::Vec3(30, 30, 40);
+  return c;
+}
+
 }  // namespace support

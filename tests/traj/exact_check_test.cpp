@@ -70,7 +70,9 @@ TEST(ExactCheck, RefusesWhatTouches) {
   support::Random random(61);
   for (int i = 0; i < 600; ++i) {
     const double depth = i % 4 ? std::ldexp(1, -random.below(31)) : 0;
-    const auto c = i % 2 ? support::touching(random, depth) : support::under(random, -depth);
+    const auto c = i % 3 == 0   ? support::touching(random, depth)
+                   : i % 3 == 1 ? support::under(random, -depth)
+                                : support::past_edge(random, -depth);
     const CollisionScene scene = c.scene();
     EXPECT_FALSE(check(scene, c.trajectory, Limits{}).ok) << "case " << i;
     const ExactResult result = exactly(scene, c.trajectory);
@@ -83,7 +85,7 @@ TEST(ExactCheck, AcceptsWhatIsClearByTheSmallestGap) {
   support::Random random(62);
   for (int i = 0; i < 300; ++i) {
     const double gap = std::ldexp(1, -random.below(41));
-    const auto c = support::under(random, gap);
+    const auto c = i % 2 ? support::under(random, gap) : support::past_edge(random, gap);
     const CollisionScene scene = c.scene();
     const ExactResult result = exactly(scene, c.trajectory);
     EXPECT_TRUE(result.ok) << "case " << i << ", gap " << gap << ": " << result.reason;
