@@ -6,6 +6,8 @@
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "traj/check.h"
+#include "traj/exact_check.h"
+#include "traj/io/certificate_record.h"
 #include "traj/io/report_record.h"
 #include "traj/io/trajectory_record.h"
 
@@ -15,6 +17,7 @@ struct Checker {
   cli::Scenes& scenes;
   traj::Limits asked;  // by the options
   bool override_record;
+  bool exact;
 
   // The record's limits, or stricter ones that were asked for.
   traj::Limits limits_for(const traj::Limits& record) const {
@@ -23,6 +26,11 @@ struct Checker {
       return std::optional(std::min(*option, *own));
     };
     return traj::combined(asked, record, pick);
+  }
+
+  // The scene says only what vehicle it is for; the exact check looks at the map itself.
+  static traj::ExactTask task(const geom::CollisionScene& scene, const traj::Limits& limits) {
+    return {scene.map(), scene.vehicle(), scene.margin(), limits};
   }
 
   traj::ReportRecord trajectory(const std::string& text, const std::string& source,
@@ -37,6 +45,7 @@ struct Checker {
     report.limits = limits_for(record.limits);
     report.provenance = geom::provenance_of(scene);
     report.result = traj::check(scene, record.trajectory, report.limits);
+    if (exact) report.exact = traj::check_exactly(task(scene, report.limits), record.trajectory);
     return report;
   }
 
@@ -51,6 +60,7 @@ struct Checker {
     const auto& scene = scenes.scene_for(record.provenance, source, line);
     report.provenance = geom::provenance_of(scene);
     report.result = traj::check_path(scene, record.points);
+    if (exact) report.exact = traj::check_exactly(task(scene, {}), record.points);
     return report;
   }
 
@@ -61,6 +71,11 @@ struct Checker {
                                          : trajectory(text, source, line);
   }
 };
+
+traj::CertificateRecord certificate_of(const traj::ReportRecord& report, const geom::BoxMap& map) {
+  return {report.id,         report.checked,    *report.exact,
+          map.spec().bounds, report.provenance, report.limits};
+}
 
 }  // namespace
 
@@ -73,7 +88,9 @@ int main(int argc, char** argv) {
   std::string map_file;
   std::string input = "-";
   std::string output = "-";
+  std::string certificate;
   bool override_record = false;
+  bool exact = false;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "reports (default: stdout)");
@@ -83,24 +100,35 @@ int main(int argc, char** argv) {
   app.add_option("--jmax", limits.jmax, "largest jerk, m/s3")->check(CLI::PositiveNumber);
   app.add_flag("--override", override_record,
                "let the options be looser than what the records carry");
+  app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
+  app.add_option("--certificate", certificate,
+                 "write why each accepted record is clear, JSON Lines; implies --exact");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
+    if (certificate == "-" && output == "-") {
+      throw cli::UsageError("reports and certificates cannot both go to stdout");
+    }
     using Differences = cli::Scenes::Differences;
     cli::Scenes scenes(cli::open_map(map_file), vehicle,
                        override_record ? Differences::allowed : Differences::stricter_allowed);
-    const Checker checker{scenes, limits, override_record};
+    const Checker checker{scenes, limits, override_record, exact || !certificate.empty()};
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
+    std::optional<cli::OutputFile> reasons;
+    if (!certificate.empty()) reasons.emplace(certificate, cli::OutputKind::text);
     std::size_t failed = 0;
     std::size_t count = 0;
     file.for_each_line([&](const std::string& line, std::size_t number) {
       const traj::ReportRecord report = checker.check(line, file.name(), number);
-      failed += !report.result.ok;
+      const bool ok = traj::accepted(report);
+      failed += !ok;
       ++count;
+      if (ok && reasons) reasons->stream() << to_json_line(certificate_of(report, scenes.map()));
       out.stream() << traj::to_json_line(report, scenes.map());
       out.flush();
     });
     out.commit();
+    if (reasons) reasons->commit();
     common.write_stats({{"records", count}, {"failed", failed}});
     return failed ? cli::Exit::no : cli::Exit::yes;
   });

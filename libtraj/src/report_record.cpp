@@ -27,18 +27,62 @@ void append_violation(std::string& out, const CheckResult& result, const geom::B
   if (result.box) out += ",\"box\":" + std::to_string(map.ids()[*result.box]);
 }
 
+std::size_t pieces(const ExactResult& exact) {
+  std::size_t count = 0;
+  for (const SegmentProof& proof : exact.segments) {
+    for (const Cover* cover : {&proof.clear.pieces, &proof.bounds, &proof.speed,
+                               &proof.acceleration, &proof.jerk, &proof.tilt}) {
+      count += cover->size();
+    }
+    if (proof.gap) count += proof.gap->pieces.size();
+  }
+  return count;
+}
+
+void append_exact(std::string& out, const ReportRecord& record, const geom::BoxMap& map) {
+  const ExactResult& exact = *record.exact;
+  out += ",\"exact\":{\"ok\":";
+  out += exact.ok ? "true" : "false";
+  if (!exact.ok) {
+    out += ",\"reason\":";
+    geom::append_json(out, std::string_view(exact.reason));
+    if (exact.undecided) out += ",\"undecided\":true";
+    append_number(out, "time", exact.time);
+    out += ",\"place\":";
+    geom::append_json(out, exact.place);
+    if (exact.box) out += ",\"box\":" + std::to_string(map.ids()[*exact.box]);
+  }
+  out += ",\"pieces\":" + std::to_string(pieces(exact));
+  if (record.checked == "trajectory") {
+    const char* names[] = {"position", "velocity", "acceleration", "jerk"};
+    out += ",\"joints\":{";
+    for (std::size_t i = 0; i < exact.joints.size(); ++i) {
+      out += std::string(i ? ",\"" : "\"") + names[i] + "\":";
+      geom::append_json(out, std::string_view(exact.joints[i]));
+    }
+    out += '}';
+  }
+  out += '}';
+}
+
 }  // namespace
+
+bool accepted(const ReportRecord& record) {
+  return record.result.ok && (!record.exact || record.exact->ok);
+}
 
 std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   const CheckResult& result = record.result;
   std::string line = "{\"type\":\"report\",\"id\":";
   geom::append_json(line, std::string_view(record.id));
-  line += result.ok ? ",\"ok\":true" : ",\"ok\":false";
+  line += accepted(record) ? ",\"ok\":true" : ",\"ok\":false";
   if (!result.ok && !result.clearance && result.duration == 0) {
     line += ",\"reason\":";
     geom::append_json(line, std::string_view(result.reason));
   } else if (!result.ok) {
     append_violation(line, result, map);
+  } else if (!accepted(record)) {  // never, unless one of the two checks is wrong
+    line += ",\"reason\":\"exact\"";
   }
   line += ",\"checked\":";
   geom::append_json(line, std::string_view(record.checked));
@@ -53,6 +97,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
     if (record.limits.vmax_v) append_extreme(line, "vertical_speed", result.vertical_speed);
     if (record.limits.thrust) append_extreme(line, "thrust", result.thrust);
   }
+  if (record.exact) append_exact(line, record, map);
   line += ',';
   geom::append_json(line, record.provenance);
   append_json(line, record.limits);

@@ -1,0 +1,23 @@
+#pragma once
+
+// Why a trajectory or path is clear and within its limits, as a JSON Lines record.
+
+#include <string>
+
+#include "geom/io/record.h"
+#include "traj/exact_check.h"
+
+namespace traj {
+
+struct CertificateRecord {
+  std::string id;
+  std::string of;     // "trajectory" or "path"
+  ExactResult proof;  // with ok
+  geom::Aabb bounds;  // the map's
+  geom::Provenance provenance;
+  Limits limits;
+};
+
+std::string to_json_line(const CertificateRecord& record);  // ends with a newline
+
+}  // namespace traj

@@ -1,0 +1,131 @@
+#include "gmp_conditions.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace traj::exact {
+namespace {
+
+Whole choose(std::size_t n, std::size_t k) {
+  Whole out;
+  mpz_bin_uiui(out.get_mpz_t(), n, k);
+  return out;
+}
+
+// A positive factor that makes the Bernstein coefficients of a product of two polynomials of degree
+// n whole.
+Whole common_factor(std::size_t n) {
+  Whole out = 1;
+  for (std::size_t k = 0; k <= 2 * n; ++k) out = lcm(out, choose(2 * n, k));
+  return out;
+}
+
+// common_factor(n) times the square.
+Polynomial squared(const Polynomial& p) {
+  const std::size_t n = p.size() - 1;
+  const Whole factor = common_factor(n);
+  Polynomial out(2 * n + 1);
+  for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      out[i + j] += choose(n, i) * choose(n, j) * p[i] * p[j] * (factor / choose(2 * n, i + j));
+    }
+  }
+  return out;
+}
+
+// The same sign with fewer digits.
+void drop_zeros(Polynomial& p) {
+  mp_bitcnt_t zeros = std::numeric_limits<mp_bitcnt_t>::max();
+  for (const Whole& c : p) {
+    if (c != 0) zeros = std::min(zeros, mpz_scan1(c.get_mpz_t(), 0));
+  }
+  for (Whole& c : p) {
+    if (c != 0) c >>= zeros;
+  }
+}
+
+Whole power(const Whole& base, int exponent) {
+  Whole out = 1;
+  for (int i = 0; i < exponent; ++i) out *= base;
+  return out;
+}
+
+// A fraction <= tan(angle) within 2^-60 of it, by 2^64: the Taylor sums of sine up to the power 39
+// (the last term negative) over cosine up to 40 (the last positive), rounded down.
+Whole tangent_below(double angle) {
+  const mpq_class x(angle);
+  mpq_class term = 1;
+  mpq_class sine = 0;
+  mpq_class cosine = 0;
+  for (int k = 0; k <= 40; ++k) {
+    if (k) term *= x / k;
+    const mpq_class signed_term = k % 4 < 2 ? term : mpq_class(-term);
+    (k % 2 ? sine : cosine) += signed_term;
+  }
+  const mpq_class scaled = sine / cosine * mpq_class(Whole(1) << 64);
+  return scaled.get_num() / scaled.get_den();
+}
+
+}  // namespace
+
+std::pair<Conditions, Conditions> halves(const Conditions& conditions) {
+  std::pair<Conditions, Conditions> out;
+  for (const Polynomial& q : conditions.all) {
+    auto [left, right] = halves(q);
+    out.first.all.push_back(std::move(left));
+    out.second.all.push_back(std::move(right));
+  }
+  return out;
+}
+
+Verdict not_negative(const Conditions& conditions, std::size_t) {
+  bool holds = true;
+  for (const Polynomial& q : conditions.all) {
+    if (q.front() < 0) return Verdict::fails_at_begin;
+    if (q.back() < 0) return Verdict::fails_at_end;
+    holds = holds && std::all_of(q.begin(), q.end(), [](const Whole& c) { return c >= 0; });
+  }
+  return holds ? Verdict::holds : Verdict::unknown;
+}
+
+Polynomial derivative(const Segment& s, int axis, int order) {
+  Polynomial q;
+  for (const Vec3& p : s.point) q.push_back(whole(p[axis]));
+  for (int r = 0; r < order; ++r) {
+    const unsigned degree = static_cast<unsigned>(q.size()) - 1;
+    for (std::size_t i = 0; i + 1 < q.size(); ++i) q[i] = degree * (q[i + 1] - q[i]);
+    q.pop_back();
+  }
+  return q;
+}
+
+// Both sides times duration^(2 order).
+Conditions norm_condition(const Segment& s, int order, double limit) {
+  const std::size_t n = static_cast<std::size_t>(kDegree - order);
+  const Whole most = whole(limit) * power(whole(s.duration), order);
+  Polynomial q(2 * n + 1, common_factor(n) * most * most);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Polynomial square = squared(derivative(s, axis, order));
+    for (std::size_t k = 0; k < q.size(); ++k) q[k] -= square[k] << (2 * order * kUnit);
+  }
+  drop_zeros(q);
+  return {{q}};
+}
+
+Conditions tilt_condition(const Segment& s, double limit) {
+  Polynomial height = derivative(s, 2, 2);
+  const Whole gravity = whole(kGravity) * power(whole(s.duration), 2);
+  for (Whole& c : height) c = (c << (2 * kUnit)) + gravity;
+  Polynomial cone = squared(height);
+  const Whole tangent = tangent_below(limit);
+  for (Whole& c : cone) c *= tangent * tangent;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Polynomial square = squared(derivative(s, axis, 2));
+    for (std::size_t k = 0; k < cone.size(); ++k) cone[k] -= square[k] << (4 * kUnit + 128);
+  }
+  drop_zeros(height);
+  drop_zeros(cone);
+  return {{height, cone}};
+}
+
+}  // namespace traj::exact

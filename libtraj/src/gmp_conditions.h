@@ -1,0 +1,32 @@
+#pragma once
+
+// Limits as polynomials that must not be negative, in whole numbers.
+
+#include <utility>
+#include <vector>
+
+#include "gmp_judge.h"
+
+namespace traj::exact {
+
+// Polynomials that must all be >= 0.
+struct Conditions {
+  std::vector<Polynomial> all;
+};
+
+std::pair<Conditions, Conditions> halves(const Conditions& conditions);
+
+// By the coefficients; fails where a polynomial is negative at an end.
+Verdict not_negative(const Conditions& conditions, std::size_t number);
+
+// Coefficients along one axis of the derivative of that order, times duration^order, in 2^-1074.
+Polynomial derivative(const Segment& s, int axis, int order);
+
+// limit^2 - |derivative|^2, times a positive number.
+Conditions norm_condition(const Segment& s, int order, double limit);
+
+// The thrust a + g within a cone around up: its height z >= 0 and (z tan)^2 - x^2 - y^2 >= 0, each
+// times a positive number. The limit is below pi/2.
+Conditions tilt_condition(const Segment& s, double limit);
+
+}  // namespace traj::exact

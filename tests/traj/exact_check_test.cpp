@@ -1,0 +1,228 @@
+#include "traj/exact_check.h"
+
+#include <gtest/gtest.h>
+
+#include "gmp_bernstein.h"
+#include "support/random_city.h"
+#include "support/touch_case.h"
+#include "traj/check.h"
+#include "traj/io/certificate_record.h"
+#include "traj/stop_and_go.h"
+
+namespace traj {
+namespace {
+
+using geom::CollisionScene;
+
+ExactResult exactly(const CollisionScene& scene, const Trajectory& t, const Limits& limits = {}) {
+  return check_exactly({scene.map(), scene.vehicle(), scene.margin(), limits}, t);
+}
+
+State rest(const Vec3& p) { return {p, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
+
+Trajectory arc(const Vec3& middle, const Vec3& velocity) {
+  const State through{middle, velocity, {0, 0, 1}, Vec3::Zero()};
+  return {{hermite(rest(middle + Vec3(-12, 3, 2)), through, 4),
+           hermite(through, rest(middle + Vec3(13, -2, 5)), 4)}};
+}
+
+geom::BoxMap one_box() {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{-50, -50, -50}, {50, 50, 50}};
+  return geom::BoxMap(spec, support::table_of({{{-1, -1, -1}, {1, 1, 1}}}));
+}
+
+double length_of(const Cover& cover) {
+  double sum = 0;
+  for (const int depth : cover) sum += std::ldexp(1, -depth);
+  return sum;
+}
+
+TEST(Whole, HoldsEveryDouble) {
+  using exact::whole;
+  EXPECT_EQ(whole(1.0), mpz_class(1) << 1074);
+  EXPECT_EQ(whole(-0.75), -3 * (mpz_class(1) << 1072));
+  EXPECT_EQ(whole(std::numeric_limits<double>::denorm_min()), 1);
+  EXPECT_EQ(whole(0.0), 0);
+  support::Random random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const double x = std::ldexp(random.uniform(-1, 1), random.below(2000) - 1040);
+    EXPECT_EQ(mpq_class(whole(x)), mpq_class(x) * (mpz_class(1) << 1074));
+  }
+}
+
+TEST(ExactCheck, CoversEverySegmentOnce) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0.1);
+  const ExactResult result = exactly(scene, arc({0, 8, 0}, {3, 0, 0}), {.vmax = 9, .amax = 20});
+  ASSERT_TRUE(result.ok) << result.reason;
+  ASSERT_EQ(result.segments.size(), 2u);
+  for (const SegmentProof& proof : result.segments) {
+    EXPECT_EQ(length_of(proof.clear.pieces), 1);
+    EXPECT_EQ(length_of(proof.bounds), 1);
+    EXPECT_EQ(length_of(proof.speed), 1);
+    EXPECT_EQ(length_of(proof.acceleration), 1);
+    EXPECT_TRUE(proof.jerk.empty());
+    EXPECT_FALSE(proof.gap);
+  }
+}
+
+TEST(ExactCheck, RefusesWhatTouches) {
+  support::Random random(61);
+  for (int i = 0; i < 600; ++i) {
+    const double depth = i % 4 ? std::ldexp(1, -random.below(31)) : 0;
+    const auto c = i % 3 == 0   ? support::touching(random, depth)
+                   : i % 3 == 1 ? support::under(random, -depth)
+                                : support::past_edge(random, -depth);
+    const CollisionScene scene = c.scene();
+    EXPECT_FALSE(check(scene, c.trajectory, Limits{}).ok) << "case " << i;
+    const ExactResult result = exactly(scene, c.trajectory);
+    EXPECT_EQ(result.reason, "collision") << "case " << i << ", depth " << depth;
+    EXPECT_EQ(result.box, 0u);
+  }
+}
+
+TEST(ExactCheck, AcceptsWhatIsClearByTheSmallestGap) {
+  support::Random random(62);
+  for (int i = 0; i < 300; ++i) {
+    const double gap = std::ldexp(1, -random.below(41));
+    const auto c = i % 2 ? support::under(random, gap) : support::past_edge(random, gap);
+    const CollisionScene scene = c.scene();
+    const ExactResult result = exactly(scene, c.trajectory);
+    EXPECT_TRUE(result.ok) << "case " << i << ", gap " << gap << ": " << result.reason;
+    const bool fast = check(scene, c.trajectory, Limits{}).ok;
+    if (gap >= 1e-6) {
+      EXPECT_TRUE(fast) << "case " << i << ", gap " << gap;
+    }
+    if (gap < 5e-10) {
+      EXPECT_FALSE(fast) << "case " << i << ", gap " << gap;
+    }
+  }
+}
+
+TEST(ExactCheck, AcceptsWhatTheFastCheckAccepts) {
+  const CollisionScene scene(support::random_city(63, 80, 150), {"box", {0.7, 0.7, 0.3}}, 0.2);
+  support::Random random(64);
+  int accepted = 0;
+  int refused = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const Vec3 middle(random.uniform(-75, 75), random.uniform(-75, 75), random.uniform(0, 100));
+    const Vec3 velocity(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-2, 2));
+    const Trajectory t = arc(middle, velocity);
+    const CheckResult loose = check(scene, t, Limits{});
+    const auto near = [&](const Extreme& e) {
+      return e.value * (1 + random.uniform(-1, 4) * 1e-4);
+    };
+    const Limits limits{.vmax = near(loose.speed),
+                        .amax = near(loose.acceleration),
+                        .jmax = near(loose.jerk),
+                        .tilt = 0.3 + random.uniform(0, 1)};
+    const CheckResult fast = check(scene, t, limits);
+    const ExactResult result = exactly(scene, t, limits);
+    EXPECT_GE(result.ok, fast.ok) << "case " << i << ": " << result.reason;
+    if (!result.ok) {
+      EXPECT_EQ(result.reason, fast.reason) << "case " << i;
+    }
+    accepted += result.ok;
+    refused += !result.ok;
+  }
+  EXPECT_GT(accepted, 100);
+  EXPECT_GT(refused, 100);
+}
+
+TEST(ExactCheck, AllowsALimitToBeReached) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const Trajectory line{{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
+  const double most = 20.0 / 8 * 35 / 16;  // at the middle, exactly
+  EXPECT_TRUE(exactly(scene, line, {.vmax = most}).ok);
+  const ExactResult over = exactly(scene, line, {.vmax = std::nextafter(most, 0)});
+  EXPECT_EQ(over.reason, "speed");
+  EXPECT_EQ(over.time, 4);
+  EXPECT_FALSE(over.undecided);
+}
+
+TEST(ExactCheck, SeesGapsJumpsBoundsAndDurations) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  Trajectory t = arc({0, 20, 0}, {3, 0, 0});
+  EXPECT_TRUE(exactly(scene, t).ok);
+  Trajectory gap = t;
+  for (Vec3& p : gap.segments[1].point) p.x() += 0x1p-31;
+  const ExactResult small = exactly(scene, gap);
+  EXPECT_TRUE(small.ok) << small.reason;
+  EXPECT_TRUE(small.segments[0].gap);
+  EXPECT_EQ(small.joints[0], "1/2147483648");
+  for (Vec3& p : gap.segments[1].point) p.x() += 1e-6;
+  EXPECT_EQ(exactly(scene, gap).reason, "discontinuous");
+  Trajectory jump = t;
+  jump.segments[1].duration = 3;
+  EXPECT_EQ(exactly(scene, jump).reason, "discontinuous");
+  EXPECT_EQ(exactly(scene, arc({0, 48, 0}, {3, 0, 0})).reason, "bounds");
+  t.segments[0].duration = 0;
+  EXPECT_EQ(exactly(scene, t).reason, "duration");
+  EXPECT_EQ(exactly(scene, Trajectory{}).reason, "duration");
+}
+
+TEST(ExactCheckOfPaths, DecidesEveryLeg) {
+  support::Random random(65);
+  int free = 0;
+  const CollisionScene scene(support::random_city(66, 80, 150), {"box", {0.75, 0.75, 0.25}}, 0.25);
+  for (int i = 0; i < 1000; ++i) {
+    const auto point = [&] {
+      return Vec3(random.stepped(-70, 70, 1), random.stepped(-70, 70, 1), random.stepped(1, 60, 1));
+    };
+    const std::vector<Vec3> path{point(), point()};
+    const bool fast = check_path(scene, path).ok;
+    const ExactResult result =
+        check_exactly({scene.map(), scene.vehicle(), scene.margin(), {}}, path);
+    EXPECT_EQ(result.ok, fast) << "case " << i;  // on whole metres nothing is nearly touching
+    EXPECT_FALSE(result.undecided);
+    free += fast;
+  }
+  EXPECT_GT(free, 100);
+}
+
+TEST(ExactCheckOfPaths, TouchesAnEdgeButNotItsNeighbour) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const auto passing = [&](double y) {  // the grown box has an edge at (1.5, 1.5)
+    const std::vector<Vec3> path{{0, y, 0}, {y, 0, 0}};
+    return check_exactly({scene.map(), scene.vehicle(), 0, {}}, path);
+  };
+  EXPECT_EQ(passing(3).reason, "collision");
+  EXPECT_TRUE(passing(std::nextafter(3, 4)).ok);
+  EXPECT_EQ(check_exactly({scene.map(), scene.vehicle(), 0, {}}, std::span<const Vec3>()).reason,
+            "no_path");
+}
+
+TEST(ExactCheckOfPaths, MayTouchTheBoundsAndBeOnePoint) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0.125);
+  const auto at = [&](double y) {
+    const std::vector<Vec3> path{{9, y, 9}};
+    return check_exactly({scene.map(), scene.vehicle(), scene.margin(), {}}, path);
+  };
+  EXPECT_TRUE(at(49.375).ok);
+  EXPECT_EQ(at(std::nextafter(49.375, 50)).reason, "bounds");
+}
+
+TEST(ExactCheck, FollowsACurveThatStandsStill) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const auto still = [&](double x) {
+    return exactly(scene, {{hermite(rest({x, 0, 0}), rest({x, 0, 0}), 2)}}, {.vmax = 1e-9});
+  };
+  EXPECT_TRUE(still(std::nextafter(1.5, 2)).ok);
+  EXPECT_EQ(still(1.5).reason, "collision");
+  EXPECT_FALSE(still(1.5).undecided);
+}
+
+TEST(CertificateRecord, ListsPiecesAndPlanes) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const std::vector<Vec3> path{{0, 4, 0}, {4, 0, 0}};
+  const ExactResult proof = check_exactly({scene.map(), scene.vehicle(), 0, {}}, path);
+  const std::string line =
+      to_json_line(CertificateRecord{"a", "path", proof, scene.map().spec().bounds, {}, {}});
+  EXPECT_EQ(
+      line,
+      "{\"type\":\"certificate\",\"id\":\"a\",\"of\":\"path\",\"bounds\":[[-50,-50,-50],"
+      "[50,50,50]],\"segments\":[{\"clear\":[0],\"planes\":[[0,0,\"-z\"]],\"bounds\":[0]}]}\n");
+}
+
+}  // namespace
+}  // namespace traj
