@@ -47,6 +47,7 @@ Mat3 pull(const std::array<double, 7>& inverse, End row, const Vec3& step) {
 struct Joint {
   Mat3 fixed = Mat3::Zero();  // rows v, a, j; columns x, y, z; zero in free rows
   Vec3 free = Vec3::Ones();   // 1 or 0
+  bool all_free = true;
 };
 
 Joint joint_of(const Waypoint& waypoint, bool stops, double unit) {
@@ -55,6 +56,7 @@ Joint joint_of(const Waypoint& waypoint, bool stops, double unit) {
     if (!stops && !value) return;
     joint.fixed.row(row) = value.value_or(Vec3::Zero()).transpose() * scale;
     joint.free[row] = 0;
+    joint.all_free = false;
   };
   fix(0, waypoint.velocity, unit);
   fix(1, waypoint.acceleration, unit * unit);
@@ -65,6 +67,7 @@ Joint joint_of(const Waypoint& waypoint, bool stops, double unit) {
 std::vector<Joint> joints_of(const Legs& legs, double unit) {
   std::vector<Joint> joints;
   const std::size_t n = legs.times.size();
+  joints.reserve(n + 1);
   for (std::size_t i = 0; i <= n; ++i) {
     const Waypoint& waypoint = legs.waypoints[i];
     joints.push_back(joint_of(waypoint, i == 0 || i == n || waypoint.hold > 0, unit));
@@ -75,8 +78,7 @@ std::vector<Joint> joints_of(const Legs& legs, double unit) {
 // One waypoint of the symmetric block-tridiagonal system. Cholesky needs no pivots and is
 // indifferent to the scale of single unknowns, so very unequal legs do no harm.
 struct Inner {
-  Eigen::LLT<Mat3> factor;
-  Mat3 to_next;  // factor^-1 times the coupling to the next waypoint
+  Mat3 to_next;  // the factored diagonal's inverse times the coupling to the next waypoint
   Mat3 value;    // rows v, a, j; columns x, y, z
 };
 
@@ -95,18 +97,24 @@ std::vector<Inner> solve_inner(const Legs& legs, const std::vector<Joint>& joint
     const std::array<double, 7> after = inverse_powers(legs.times[i + 1] / unit);
     const Joint& here = joints[i + 1];
     const Joint& next = joints[i + 2];
-    const auto free = here.free.asDiagonal();
-    const Mat3 own = block(before, kEnd, kEnd) + block(after, kStart, kStart);
-    const Mat3 coupling = block(after, kStart, kEnd);
-    const Mat3 pulled = pull(before, kEnd, step(i)) + pull(after, kStart, step(i + 1)) -
-                        block(before, kEnd, kStart) * joints[i].fixed - own * here.fixed -
-                        coupling * next.fixed;
-    Mat3 diagonal = free * own * free;
-    diagonal.diagonal() += Vec3::Ones() - here.free;
-    const Mat3 to_next = free * coupling * next.free.asDiagonal();
-    inner[i].factor.compute(diagonal - carried);
-    inner[i].to_next = inner[i].factor.solve(to_next);
-    inner[i].value = inner[i].factor.solve(free * pulled + here.fixed - carried_pull);
+    Mat3 own = block(before, kEnd, kEnd) + block(after, kStart, kStart);
+    Mat3 to_next = block(after, kStart, kEnd);
+    Mat3 right = pull(before, kEnd, step(i)) + pull(after, kStart, step(i + 1));
+    if (!joints[i].all_free) right -= block(before, kEnd, kStart) * joints[i].fixed;
+    if (!next.all_free) {
+      right -= to_next * next.fixed;
+      to_next = to_next * next.free.asDiagonal();
+    }
+    if (!here.all_free) {
+      const auto free = here.free.asDiagonal();
+      right = free * (right - own * here.fixed) + here.fixed;
+      own = free * own * free;
+      own.diagonal() += Vec3::Ones() - here.free;
+      to_next = free * to_next;
+    }
+    const Eigen::LLT<Mat3> factor(own - carried);
+    inner[i].to_next = factor.solve(to_next);
+    inner[i].value = factor.solve(right - carried_pull);
     carried = to_next.transpose() * inner[i].to_next;
     carried_pull = to_next.transpose() * inner[i].value;
     before = after;
@@ -130,6 +138,7 @@ std::vector<State> states_of(const Legs& legs) {
   const std::vector<Joint> joints = joints_of(legs, unit);
   const std::vector<Inner> inner = n > 1 ? solve_inner(legs, joints, unit) : std::vector<Inner>{};
   std::vector<State> states;
+  states.reserve(n + 1);
   for (std::size_t i = 0; i <= n; ++i) {
     const Waypoint& waypoint = legs.waypoints[i];
     const bool at_end = i == 0 || i == n;
@@ -154,6 +163,8 @@ std::vector<Waypoint> waypoints_at(std::span<const Vec3> points) {
 Legs without_repeats(std::span<const Waypoint> waypoints, std::span<const double> times) {
   assert(!waypoints.empty() && times.size() + 1 == waypoints.size());
   Legs legs;
+  legs.waypoints.reserve(waypoints.size());
+  legs.times.reserve(times.size());
   legs.waypoints.push_back(waypoints[0]);
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     const Waypoint& next = waypoints[i];
