@@ -11,6 +11,7 @@
 #include "cli/processes.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
+#include "traj/continuity.h"
 #include "traj/io/trajectory_record.h"
 #include "traj/solve.h"
 #include "traj/yaw.h"
@@ -48,7 +49,47 @@ std::string solver_report(const traj::SolveResult& result) {
   geom::append_json(out, std::string_view(result.solver_status));
   out += fmt::format(R"(,"rounds":{},"iterations":{},"snap":)", result.rounds, result.iterations);
   geom::append_json(out, result.snap);
-  return out + '}';
+  const auto jumps = traj::largest_jumps(result.trajectory);
+  for (std::size_t d = 0; d <= 3; ++d) {
+    out += d ? "," : R"(,"jumps":[)";
+    geom::append_json(out, jumps[d]);
+  }
+  return out + "]}";
+}
+
+std::vector<traj::Waypoint> waypoints_of(const geom::PathRecord& path) {
+  std::vector<traj::Waypoint> waypoints = traj::waypoints_at(path.points);
+  for (std::size_t i = 0; i < path.hold.size(); ++i) waypoints[i].hold = path.hold[i];
+  for (std::size_t i = 0; i < path.velocity.size(); ++i) waypoints[i].velocity = path.velocity[i];
+  return waypoints;
+}
+
+// The words of --times; optimised is the solver's own.
+const std::map<std::string, traj::Times> kTimes{{"stops", traj::Times::stops},
+                                                {"distance", traj::Times::distance},
+                                                {"cautious", traj::Times::cautious},
+                                                {"trapezoid", traj::Times::trapezoid}};
+
+traj::Solver solver_from(const std::string& word) {
+  if (word == "closed") return traj::Solver::closed;
+  if (word == "ipopt") return traj::Solver::ipopt;
+  return word == "auto" ? traj::Solver::automatic : traj::Solver::stop_and_go;
+}
+
+// Sets what --solver and --times say together.
+void choose(const std::string& solver, const std::string& times, traj::SolveOptions& options) {
+  options.solver = solver_from(solver);
+  if (times.empty()) return;
+  const auto allocation = kTimes.find(times);
+  const bool optimised = allocation == kTimes.end();
+  if (solver != "auto" && solver != (optimised ? "ipopt" : "closed")) {
+    throw cli::UsageError(fmt::format("--times {} has no meaning with --solver {}", times, solver));
+  }
+  if (optimised) {
+    options.solver = traj::Solver::ipopt;
+  } else {
+    options.times = allocation->second;
+  }
 }
 
 traj::TrajectoryRecord solve(const geom::CollisionScene& scene, const geom::PathRecord& path,
@@ -58,7 +99,7 @@ traj::TrajectoryRecord solve(const geom::CollisionScene& scene, const geom::Path
   record.id = path.id;
   record.provenance = geom::provenance_of(scene);
   record.limits = options.limits;
-  const traj::SolveResult result = traj::solve(scene, path.points, options);
+  const traj::SolveResult result = traj::solve(scene, waypoints_of(path), options);
   record.status = result.status == traj::SolveStatus::solved ? "solved" : "infeasible";
   record.message = result.reason;
   record.trajectory = result.trajectory;
@@ -89,6 +130,7 @@ int main(int argc, char** argv) {
   std::string input = "-";
   std::string output = "-";
   std::string solver = "auto";
+  std::string times;
   std::optional<double> tilt;
   std::string yaw_text;
   double yaw_rate = 90;
@@ -111,6 +153,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(9.81, 1e4));
   app.add_option("--solver", solver, "auto, closed, ipopt or stop-and-go")
       ->check(CLI::IsMember({"auto", "closed", "ipopt", "stop-and-go"}));
+  app.add_option("--times", times, "leg times: stops, distance, cautious, trapezoid or optimised")
+      ->check(CLI::IsMember({"stops", "distance", "cautious", "trapezoid", "optimised"}));
   app.add_option("--rho", options.rho, "flight seconds a unit of snap is worth, s per m2/s7")
       ->check(CLI::Range(0.0, 1e3));
   app.add_option("--yaw", yaw_text,
@@ -121,10 +165,7 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     const auto yaw = yaw_options(yaw_text, yaw_rate);
     cli::at_most_one_stdin({map_file, input});
-    options.solver = solver == "closed"  ? traj::Solver::closed
-                     : solver == "ipopt" ? traj::Solver::ipopt
-                     : solver == "auto"  ? traj::Solver::automatic
-                                         : traj::Solver::stop_and_go;
+    choose(solver, times, options);
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
     if (tilt) options.limits.tilt = *tilt * std::numbers::pi / 180;
     options.limits = merge(options.limits, scenes.profile());

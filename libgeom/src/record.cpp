@@ -69,6 +69,65 @@ void append_json(std::string& out, const Provenance& provenance) {
   }
 }
 
+namespace {
+
+// `,"hold":[…],"velocity":[…]` of what is there.
+void append_motion(std::string& out, const std::vector<double>& hold,
+                   const std::vector<std::optional<Vec3>>& velocity) {
+  for (std::size_t i = 0; i < hold.size(); ++i) {
+    out += i ? "," : ",\"hold\":[";
+    append_json(out, hold[i]);
+  }
+  if (!hold.empty()) out += ']';
+  for (std::size_t i = 0; i < velocity.size(); ++i) {
+    out += i ? "," : ",\"velocity\":[";
+    if (velocity[i]) {
+      append_json(out, *velocity[i]);
+    } else {
+      out += "null";
+    }
+  }
+  if (!velocity.empty()) out += ']';
+}
+
+// The list of the key, one entry a point; empty where there is none.
+const nlohmann::json& list_of(const JsonFields& fields, const char* key, std::size_t points) {
+  static const nlohmann::json kNone = nlohmann::json::array();
+  if (!fields.has(key)) return kNone;
+  const nlohmann::json& list = fields.object()[key];
+  if (!list.is_array() || list.size() != points) {
+    fields.refuse(fmt::format("{} must be a list of {}, one a point, found {}", key, points,
+                              list.is_array() ? fmt::format("{}", list.size()) : list.dump()));
+  }
+  return list;
+}
+
+void parse_holds(const JsonFields& fields, PathRecord& record) {
+  for (const auto& value : list_of(fields, "hold", record.points.size())) {
+    const std::string what = fmt::format("hold[{}]", record.hold.size());
+    record.hold.push_back(fields.number(value, what));
+    if (record.hold.back() < 0) {
+      fields.refuse(fmt::format("{} must be >= 0 s, found {}", what, value.dump()));
+    }
+  }
+}
+
+void parse_velocities(const JsonFields& fields, PathRecord& record) {
+  for (const auto& value : list_of(fields, "velocity", record.points.size())) {
+    const std::size_t i = record.velocity.size();
+    const std::string what = fmt::format("velocity[{}]", i);
+    record.velocity.emplace_back();
+    if (value.is_null()) continue;
+    record.velocity[i] = fields.point(value, what);
+    if (!record.hold.empty() && record.hold[i] > 0 && !record.velocity[i]->isZero(0)) {
+      fields.refuse(fmt::format("{} must be zero or null where the path holds, found {}", what,
+                                value.dump()));
+    }
+  }
+}
+
+}  // namespace
+
 std::string to_json_line(const PathRecord& record) {
   std::string line = "{\"type\":\"path\",\"id\":";
   append_json(line, std::string_view(record.id));
@@ -96,7 +155,9 @@ std::string to_json_line(const PathRecord& record) {
     if (i) line += ',';
     append_json(line, record.points[i]);
   }
-  line += "]}\n";
+  line += ']';
+  append_motion(line, record.hold, record.velocity);
+  line += "}\n";
   return line;
 }
 
@@ -113,6 +174,8 @@ PathRecord parse_path_record(std::string_view json, std::string_view source, std
   if (record.status == "found" && record.points.empty()) {
     fields.refuse("points must hold at least one point when the status is found, found none");
   }
+  parse_holds(fields, record);
+  parse_velocities(fields, record);
   return record;
 }
 

@@ -14,28 +14,6 @@ using Mat3 = Eigen::Matrix3d;
 
 enum End { kStart = 0, kEnd = 4 };  // columns of the Hermite tables
 
-struct Legs {
-  std::vector<Vec3> point;
-  std::vector<double> time;
-};
-
-Legs without_repeats(std::span<const Vec3> waypoints, std::span<const double> times) {
-  Legs legs;
-  legs.point.push_back(waypoints[0]);
-  for (std::size_t i = 1; i < waypoints.size(); ++i) {
-    if (waypoints[i] == legs.point.back()) continue;
-    legs.point.push_back(waypoints[i]);
-    legs.time.push_back(times[i - 1]);
-  }
-  return legs;
-}
-
-Trajectory rest_at(const Vec3& p, std::span<const double> times) {
-  double sum = 0;
-  for (const double t : times) sum += t;
-  return {{hermite({p}, {p}, sum > 0 ? sum : 1)}};
-}
-
 // duration^-e for e = 0..6.
 std::array<double, 7> inverse_powers(double duration) {
   std::array<double, 7> power;
@@ -65,31 +43,80 @@ Mat3 pull(const std::array<double, 7>& inverse, End row, const Vec3& step) {
   return m;
 }
 
-// The symmetric block-tridiagonal system at the inner waypoints. Cholesky needs no pivots and is
+// (v, a, j) at a waypoint in units of time `unit`: what is fixed, and which rows stay free.
+struct Joint {
+  Mat3 fixed = Mat3::Zero();  // rows v, a, j; columns x, y, z; zero in free rows
+  Vec3 free = Vec3::Ones();   // 1 or 0
+  bool all_free = true;
+};
+
+Joint joint_of(const Waypoint& waypoint, bool stops, double unit) {
+  Joint joint;
+  const auto fix = [&](int row, const std::optional<Vec3>& value, double scale) {
+    if (!stops && !value) return;
+    joint.fixed.row(row) = value.value_or(Vec3::Zero()).transpose() * scale;
+    joint.free[row] = 0;
+    joint.all_free = false;
+  };
+  fix(0, waypoint.velocity, unit);
+  fix(1, waypoint.acceleration, unit * unit);
+  fix(2, waypoint.jerk, unit * unit * unit);
+  return joint;
+}
+
+std::vector<Joint> joints_of(const Legs& legs, double unit) {
+  std::vector<Joint> joints;
+  const std::size_t n = legs.times.size();
+  joints.reserve(n + 1);
+  for (std::size_t i = 0; i <= n; ++i) {
+    const Waypoint& waypoint = legs.waypoints[i];
+    joints.push_back(joint_of(waypoint, i == 0 || i == n || waypoint.hold > 0, unit));
+  }
+  return joints;
+}
+
+// One waypoint of the symmetric block-tridiagonal system. Cholesky needs no pivots and is
 // indifferent to the scale of single unknowns, so very unequal legs do no harm.
 struct Inner {
-  Eigen::LLT<Mat3> factor;
-  Mat3 to_next;  // factor^-1 times the coupling to the next waypoint
+  Mat3 to_next;  // the factored diagonal's inverse times the coupling to the next waypoint
   Mat3 value;    // rows v, a, j; columns x, y, z
 };
 
-std::vector<Inner> solve_inner(const Legs& legs, double unit) {
-  const std::size_t n = legs.time.size();
+// (v, a, j) at the inner waypoints. What is fixed moves to the right side, and its rows and columns
+// become those of the identity, which keeps the system symmetric and definite.
+std::vector<Inner> solve_inner(const Legs& legs, const std::vector<Joint>& joints, double unit) {
+  const std::size_t n = legs.times.size();
   std::vector<Inner> inner(n - 1);
+  const auto step = [&](std::size_t leg) {
+    return Vec3(legs.waypoints[leg + 1].position - legs.waypoints[leg].position);
+  };
   Mat3 carried = Mat3::Zero();
   Mat3 carried_pull = Mat3::Zero();
-  std::array<double, 7> before = inverse_powers(legs.time[0] / unit);
+  std::array<double, 7> before = inverse_powers(legs.times[0] / unit);
   for (std::size_t i = 0; i + 1 < n; ++i) {
-    const std::array<double, 7> after = inverse_powers(legs.time[i + 1] / unit);
-    const Mat3 diagonal = block(before, kEnd, kEnd) + block(after, kStart, kStart) - carried;
-    const Mat3 right = pull(before, kEnd, legs.point[i + 1] - legs.point[i]) +
-                       pull(after, kStart, legs.point[i + 2] - legs.point[i + 1]) - carried_pull;
-    const Mat3 coupling = block(after, kStart, kEnd);
-    inner[i].factor.compute(diagonal);
-    inner[i].to_next = inner[i].factor.solve(coupling);
-    inner[i].value = inner[i].factor.solve(right);
-    carried = coupling.transpose() * inner[i].to_next;
-    carried_pull = coupling.transpose() * inner[i].value;
+    const std::array<double, 7> after = inverse_powers(legs.times[i + 1] / unit);
+    const Joint& here = joints[i + 1];
+    const Joint& next = joints[i + 2];
+    Mat3 own = block(before, kEnd, kEnd) + block(after, kStart, kStart);
+    Mat3 to_next = block(after, kStart, kEnd);
+    Mat3 right = pull(before, kEnd, step(i)) + pull(after, kStart, step(i + 1));
+    if (!joints[i].all_free) right -= block(before, kEnd, kStart) * joints[i].fixed;
+    if (!next.all_free) {
+      right -= to_next * next.fixed;
+      to_next = to_next * next.free.asDiagonal();
+    }
+    if (!here.all_free) {
+      const auto free = here.free.asDiagonal();
+      right = free * (right - own * here.fixed) + here.fixed;
+      own = free * own * free;
+      own.diagonal() += Vec3::Ones() - here.free;
+      to_next = free * to_next;
+    }
+    const Eigen::LLT<Mat3> factor(own - carried);
+    inner[i].to_next = factor.solve(to_next);
+    inner[i].value = factor.solve(right - carried_pull);
+    carried = to_next.transpose() * inner[i].to_next;
+    carried_pull = to_next.transpose() * inner[i].value;
     before = after;
   }
   for (std::size_t i = inner.size() - 1; i-- > 0;) {
@@ -103,30 +130,80 @@ State state_of(const Vec3& p, const Mat3& value, double unit) {
           value.row(2).transpose() / (unit * unit * unit)};
 }
 
+// The states at the waypoints, what is given there bit for bit.
+std::vector<State> states_of(const Legs& legs) {
+  const std::size_t n = legs.times.size();
+  double unit = 0;  // the mean leg: keeps the powers of time in range
+  for (const double t : legs.times) unit += t / static_cast<double>(n);
+  const std::vector<Joint> joints = joints_of(legs, unit);
+  const std::vector<Inner> inner = n > 1 ? solve_inner(legs, joints, unit) : std::vector<Inner>{};
+  std::vector<State> states;
+  states.reserve(n + 1);
+  for (std::size_t i = 0; i <= n; ++i) {
+    const Waypoint& waypoint = legs.waypoints[i];
+    const bool at_end = i == 0 || i == n;
+    State s = state_of(waypoint.position, at_end ? joints[i].fixed : inner[i - 1].value, unit);
+    s.velocity = waypoint.velocity.value_or(s.velocity);
+    s.acceleration = waypoint.acceleration.value_or(s.acceleration);
+    s.jerk = waypoint.jerk.value_or(s.jerk);
+    states.push_back(s);
+  }
+  return states;
+}
+
 }  // namespace
 
-Trajectory min_snap(std::span<const Vec3> waypoints, std::span<const double> times) {
+std::vector<Waypoint> waypoints_at(std::span<const Vec3> points) {
+  std::vector<Waypoint> waypoints;
+  waypoints.reserve(points.size());
+  for (const Vec3& p : points) waypoints.push_back({p, {}, {}, {}, 0});
+  return waypoints;
+}
+
+Legs without_repeats(std::span<const Waypoint> waypoints, std::span<const double> times) {
   assert(!waypoints.empty() && times.size() + 1 == waypoints.size());
-  const Legs legs = without_repeats(waypoints, times);
-  const std::size_t n = legs.time.size();
-  if (n == 0) return rest_at(legs.point[0], times);
-  double unit = 0;  // the mean leg: keeps the powers of time in range
-  for (const double t : legs.time) unit += t / static_cast<double>(n);
-  std::vector<State> state(n + 1);
-  state.front().position = legs.point.front();
-  state.back().position = legs.point.back();
-  if (n > 1) {
-    const std::vector<Inner> inner = solve_inner(legs, unit);
-    for (std::size_t i = 1; i < n; ++i) {
-      state[i] = state_of(legs.point[i], inner[i - 1].value, unit);
+  Legs legs;
+  legs.waypoints.reserve(waypoints.size());
+  legs.times.reserve(times.size());
+  legs.waypoints.push_back(waypoints[0]);
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    const Waypoint& next = waypoints[i];
+    Waypoint& last = legs.waypoints.back();
+    if (next.position != last.position) {
+      legs.waypoints.push_back(next);
+      legs.times.push_back(times[i - 1]);
+      continue;
     }
+    last.hold += times[i - 1] + next.hold;
+    if (!last.velocity) last.velocity = next.velocity;
+    if (!last.acceleration) last.acceleration = next.acceleration;
+    if (!last.jerk) last.jerk = next.jerk;
   }
+  for (Waypoint& w : legs.waypoints) {
+    if (w.hold > 0) w = {w.position, {}, {}, {}, w.hold};
+  }
+  return legs;
+}
+
+Trajectory min_snap(std::span<const Waypoint> waypoints, std::span<const double> times) {
+  const Legs legs = without_repeats(waypoints, times);
+  const std::size_t n = legs.times.size();
   Trajectory trajectory;
   trajectory.segments.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    trajectory.segments.push_back(hermite(state[i], state[i + 1], legs.time[i]));
+  const auto rest = [&](const Waypoint& at, double seconds) {
+    trajectory.segments.push_back(hermite({at.position}, {at.position}, seconds));
+  };
+  const std::vector<State> states = n > 0 ? states_of(legs) : std::vector<State>{};
+  for (std::size_t i = 0; i <= n; ++i) {
+    if (legs.waypoints[i].hold > 0) rest(legs.waypoints[i], legs.waypoints[i].hold);
+    if (i < n) trajectory.segments.push_back(hermite(states[i], states[i + 1], legs.times[i]));
   }
+  if (trajectory.segments.empty()) rest(legs.waypoints[0], 1);
   return trajectory;
+}
+
+Trajectory min_snap(std::span<const Vec3> points, std::span<const double> times) {
+  return min_snap(waypoints_at(points), times);
 }
 
 }  // namespace traj

@@ -4,9 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "traj/bernstein.h"
 #include "traj/check.h"
+#include "traj/closed_form.h"
 #include "traj/corridor.h"
 #include "traj/min_snap.h"
 #include "traj/nominal.h"
@@ -23,12 +27,7 @@ namespace {
 constexpr double kNearlyAsFast = 1.1;
 constexpr double kReach = 10;  // metres: obstacles further off get a plane only when met
 constexpr int kRounds = 5;
-
-Trajectory closed_form(const geom::Polyline& path, const Limits& limits) {
-  const auto times = stopping_times(path, nominal_profile(limits, geom::length(path)));
-  const Trajectory curve = min_snap(path, times);
-  return slowed(curve, smallest_factor(curve, limits));
-}
+constexpr const char* kNotRun = "was not run";
 
 // About the least time along the path, corners left out: a trapezoid of the mean of the speeds
 // allowed along its legs.
@@ -91,17 +90,32 @@ std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geo
   }
 }
 
-// The first rung that is proved, from what is left.
-void climb(const geom::CollisionScene& scene, const geom::Polyline& path,
+// The first rung that is proved, from what is left. The waypoints hold nowhere.
+void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoints,
            const SolveOptions& options, SolveResult& result) {
+  geom::Polyline path;
+  bool given = false;
+  for (const Waypoint& w : waypoints) {
+    path.push_back(w.position);
+    given = given || w.velocity;
+  }
   const bool all = options.solver == Solver::automatic;
   std::optional<Trajectory> closed;
   if (all || options.solver == Solver::closed) {
-    const Trajectory curve = closed_form(path, options.limits);
-    if (proved(scene, curve, options.limits, result)) closed = curve;
-    if (closed && (!all || duration(*closed) <= kNearlyAsFast * fastest(path, options.limits))) {
+    closed = closed_form(scene, waypoints, options.limits, options.times.value_or(Times::stops));
+    if (!closed) {
+      result.reason = "no leg times hold the limits at the velocities given";
+    } else if (!proved(scene, *closed, options.limits, result)) {
+      closed.reset();
+    }
+    const bool asked = !all || options.times || given;
+    if (closed && (asked || duration(*closed) <= kNearlyAsFast * fastest(path, options.limits))) {
       return accept(*closed, "closed", result);
     }
+  }
+  if (given) {
+    if (result.reason.empty()) result.reason = "only the closed form keeps given velocities";
+    return;
   }
   if (all || options.solver == Solver::ipopt) {
     const auto curve = optimised(scene, path, options, result);
@@ -114,18 +128,83 @@ void climb(const geom::CollisionScene& scene, const geom::Polyline& path,
   }
 }
 
+int rank(const std::string& rung) {
+  if (rung == "stop_and_go") return 2;
+  return rung == "ipopt" ? 1 : 0;
+}
+
+// Flies `part` after what `whole` has already.
+void append(const SolveResult& part, SolveResult& whole) {
+  if (part.solver_status != kNotRun) whole.solver_status = part.solver_status;
+  whole.iterations += part.iterations;
+  whole.rounds += part.rounds;
+  whole.objective = std::max(whole.objective, part.objective);
+  whole.max_violation = std::max(whole.max_violation, part.max_violation);
+  if (whole.rung.empty() || rank(part.rung) > rank(whole.rung)) whole.rung = part.rung;
+  auto& segments = whole.trajectory.segments;
+  segments.insert(segments.end(), part.trajectory.segments.begin(), part.trajectory.segments.end());
+}
+
+SolveResult solve_part(const geom::CollisionScene& scene, std::span<const Waypoint> part,
+                       const SolveOptions& options) {
+  SolveResult result;
+  result.solver_status = kNotRun;
+  climb(scene, part, options, result);
+  return result;
+}
+
+SolveResult solve_with_holds(const geom::CollisionScene& scene, std::vector<Waypoint> waypoints,
+                             const SolveOptions& options) {
+  SolveResult whole;
+  whole.solver_status = kNotRun;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    const double hold = std::exchange(waypoints[i].hold, 0);
+    if (hold == 0 && i + 1 < waypoints.size()) continue;
+    if (i > first) {
+      const SolveResult part =
+          solve_part(scene, std::span(waypoints).subspan(first, i + 1 - first), options);
+      if (part.status != SolveStatus::solved) return part;
+      append(part, whole);
+    }
+    if (hold > 0) {
+      const State here{waypoints[i].position};
+      whole.trajectory.segments.push_back(hermite(here, here, hold));
+    }
+    first = i;
+  }
+  if (whole.rung.empty()) whole.rung = "closed";
+  if (proved(scene, whole.trajectory, options.limits, whole)) {
+    accept(Trajectory(whole.trajectory), std::string(whole.rung), whole);
+  } else {
+    whole.trajectory = {};
+    whole.rung.clear();
+  }
+  return whole;
+}
+
 }  // namespace
 
-SolveResult solve(const geom::CollisionScene& scene, const geom::Polyline& path,
+SolveResult solve(const geom::CollisionScene& scene, std::span<const Waypoint> waypoints,
                   const SolveOptions& options) {
   SolveResult result;
-  result.solver_status = "was not run";
-  if (path.empty()) {
+  result.solver_status = kNotRun;
+  if (waypoints.empty()) {
     result.reason = "the path has no point";
     return result;
   }
-  climb(scene, path, options, result);
-  return result;
+  const std::vector<double> no_time(waypoints.size() - 1, 0.0);
+  const std::vector<Waypoint> places = without_repeats(waypoints, no_time).waypoints;
+  const auto holds = [](const Waypoint& w) { return w.hold > 0; };
+  if (std::any_of(places.begin(), places.end(), holds)) {
+    return solve_with_holds(scene, places, options);
+  }
+  return solve_part(scene, places, options);
+}
+
+SolveResult solve(const geom::CollisionScene& scene, const geom::Polyline& path,
+                  const SolveOptions& options) {
+  return solve(scene, waypoints_at(path), options);
 }
 
 }  // namespace traj

@@ -1,8 +1,10 @@
 #include "traj/time_allocation.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace traj {
 namespace {
@@ -30,6 +32,47 @@ double leg_time(double length, double from, double to, const SpeedProfile& profi
   if (peak <= 0) return 0;
   if (cruise == 0 && std::max(from, to) >= peak) return 2 * length / (from + to);
   return std::max(0.0, peak - from) / a + std::max(0.0, peak - to) / a + cruise / peak;
+}
+
+std::vector<double> even_times(std::span<const Vec3> points, double speed) {
+  std::vector<double> times;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    times.push_back((points[i] - points[i - 1]).norm() / speed);
+  }
+  return times;
+}
+
+std::vector<double> turn_radii(std::span<const Vec3> points) {
+  const double straight_on = std::numeric_limits<double>::infinity();
+  std::vector<double> radii(points.size(), straight_on);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec3 in = points[i] - points[i - 1];
+    const Vec3 out = points[i + 1] - points[i];
+    const double a = in.norm();
+    const double b = out.norm();
+    const double across = in.cross(out).norm();
+    const double along = a * b + in.dot(out);
+    if (across == 0 && along > 0) continue;
+    if (a == 0 || b == 0) continue;
+    // tan(turn / 2) = across / along.
+    radii[i] = along <= 0 ? 0 : std::min(a, b) / 2 * along / across;
+  }
+  return radii;
+}
+
+std::vector<double> cautious_times(std::span<const Vec3> points, std::span<const double> clearances,
+                                   const Caution& caution) {
+  assert(clearances.size() + 1 == points.size());
+  const std::vector<double> radii = turn_radii(points);
+  std::vector<double> times;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double radius = std::min(radii[i - 1], radii[i]);
+    const double closeness = std::min(1.0, clearances[i - 1] / caution.comfortable);
+    const double speed = std::min(caution.cruise, std::sqrt(caution.amax * radius)) * closeness;
+    times.push_back((points[i] - points[i - 1]).norm() /
+                    std::max(speed, caution.least * caution.cruise));
+  }
+  return times;
 }
 
 std::vector<double> stopping_times(std::span<const Vec3> points, const SpeedProfile& profile) {

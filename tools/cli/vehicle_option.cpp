@@ -11,6 +11,7 @@
 #include "geom/io/json_fields.h"
 #include "numbers_option.h"
 #include "run.h"
+#include "traj/io/airframe_record.h"
 #include "traj/io/trajectory_record.h"
 
 namespace cli {
@@ -28,7 +29,7 @@ struct NamedBody {
 VehicleProfile from_body(std::string name, const Vec3& body, double tilt_deg, traj::Limits limits) {
   const double tilt = tilt_deg * std::numbers::pi / 180;
   limits.tilt = tilt;
-  return {{std::move(name), geom::attitude_half_sizes(body, tilt)}, limits};
+  return {{std::move(name), geom::attitude_half_sizes(body, tilt)}, limits, {}};
 }
 
 std::optional<VehicleProfile> built_in(const std::string& word) {
@@ -67,6 +68,7 @@ VehicleProfile from_file(const std::string& path) {
   VehicleProfile profile =
       from_body(fields.text("name", path), body, tilt, traj::parse_limits(fields));
   if (!fields.has("tilt_max_deg")) profile.limits.tilt.reset();
+  profile.airframe = traj::parse_airframe(fields);
   return profile;
 }
 
@@ -77,8 +79,8 @@ std::string shown(const geom::Vehicle& v) {
 }  // namespace
 
 VehicleProfile parse_vehicle(const std::string& word) {
-  if (word.starts_with("box:")) return {{word, half_sizes(word.substr(4), 3, word)}, {}};
-  if (word.starts_with("sphere:")) return {{word, half_sizes(word.substr(7), 1, word)}, {}};
+  if (word.starts_with("box:")) return {{word, half_sizes(word.substr(4), 3, word)}, {}, {}};
+  if (word.starts_with("sphere:")) return {{word, half_sizes(word.substr(7), 1, word)}, {}, {}};
   if (const auto named = built_in(word)) return *named;
   if (word.ends_with(".json")) return from_file(word);
   throw UsageError(

@@ -9,17 +9,20 @@
 #include "geom/collision.h"
 #include "geom/io/record.h"
 #include "geom/vehicle.h"
+#include "traj/airframe.h"
 #include "traj/limits.h"
 
 namespace cli {
 
 struct VehicleProfile {
   geom::Vehicle vehicle;
-  traj::Limits limits;  // what the vehicle can do; options are stricter or looser
+  traj::Limits limits;      // what the vehicle can do; options are stricter or looser
+  traj::Airframe airframe;  // of a file only
 };
 
 // "box:HX,HY,HZ", "sphere:R", a built-in name, or a JSON file
-// {"name":…,"body":[a,b,c],"tilt_max_deg":T,"limits":{…}} (half sizes of the body in metres).
+// {"name":…,"body":[a,b,c],"tilt_max_deg":T,"limits":{…}} (half sizes of the body in metres) with
+// the keys of parse_airframe.
 // Throws UsageError for a malformed word, geom::InputError for a bad file.
 VehicleProfile parse_vehicle(const std::string& word);
 

@@ -2,11 +2,15 @@
 
 // From a free path to a proved trajectory: the ladder of solvers.
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include "geom/collision.h"
 #include "geom/polyline.h"
+#include "traj/closed_form.h"
 #include "traj/limits.h"
+#include "traj/min_snap.h"
 #include "traj/trajectory.h"
 
 namespace traj {
@@ -19,8 +23,10 @@ enum class Solver { automatic, closed, ipopt, stop_and_go };
 struct SolveOptions {
   Limits limits;
   Solver solver = Solver::automatic;
-  double rho = 1e-3;         // seconds of flight a unit of snap (m2/s7) is worth
-  int max_iterations = 200;  // of the optimiser, each round
+  double rho = 1e-3;           // seconds of flight a unit of snap (m2/s7) is worth
+  int max_iterations = 200;    // of the optimiser, each round
+  std::optional<Times> times;  // of the closed form, which automatic then takes wherever it is
+                               // proved; absent: stops
 };
 
 enum class SolveStatus { solved, infeasible };
@@ -42,6 +48,13 @@ struct SolveResult {
 // free and inside the bounds is solved by `automatic`. One optimisation runs at a time in a process
 // (MUMPS is not thread safe); threads that call this wait for each other there.
 SolveResult solve(const geom::CollisionScene& scene, const geom::Polyline& path,
+                  const SolveOptions& options);
+
+// The same with holds and given velocities (accelerations and jerks are ignored). The path is
+// solved in parts from hold to hold, and `rung` is the lowest of theirs; the optimiser's figures
+// are sums and, from objective on, the worst. A part with given velocities has the closed form
+// only.
+SolveResult solve(const geom::CollisionScene& scene, std::span<const Waypoint> waypoints,
                   const SolveOptions& options);
 
 }  // namespace traj

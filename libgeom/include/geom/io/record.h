@@ -48,6 +48,8 @@ struct PathRecord {
   std::string message;               // why there is no path, in words; may be empty
   std::string search;                // the planner's own report: a JSON object, or empty
   std::optional<PathOrigin> origin;  // of a replanned path; written, but not read
+  std::vector<double> hold;          // seconds to stand still at each point, >= 0; empty: nowhere
+  std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
 };
 
 // Appends numbers (shortest round trip) and strings (escaped) to a line of JSON.
@@ -61,7 +63,8 @@ void append_json(std::string& out, const Provenance& provenance);
 std::string to_json_line(const PathRecord& record);  // ends with a newline
 
 // Throws InputError(source, line, …) for anything that is not a path record: malformed JSON, a
-// missing key, a number that is not finite.
+// missing key, a number that is not finite, holds or velocities that are not one a point, a
+// velocity other than zero where the path holds.
 PathRecord parse_path_record(std::string_view json, std::string_view source, std::size_t line);
 
 }  // namespace geom

@@ -1,0 +1,44 @@
+#include "geom/io/record.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/error.h"
+
+namespace geom {
+namespace {
+
+std::string refusal(const std::string& extra) {
+  try {
+    parse_path_record(R"({"type":"path","id":"a","points":[[0,0,0],[1,0,0]],)" + extra + "}", "p",
+                      1);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PathRecord, CarriesHoldsAndVelocitiesThereAndBack) {
+  PathRecord record;
+  record.id = "a";
+  record.status = "found";
+  record.points = {Vec3(0, 0, 0), Vec3(1, 0, 0)};
+  record.hold = {0, 2.5};
+  record.velocity = {Vec3(0.1, 0, -1), std::nullopt};
+  const std::string line = to_json_line(record);
+  EXPECT_NE(line.find(R"("hold":[0,2.5],"velocity":[[0.1,0,-1],null]})"), std::string::npos);
+  const PathRecord back = parse_path_record(line, "p", 1);
+  EXPECT_EQ(back.hold, record.hold);
+  EXPECT_EQ(back.velocity, record.velocity);
+  EXPECT_EQ(to_json_line(back), line);
+}
+
+TEST(PathRecord, RefusesHoldsAndVelocitiesThatCannotBe) {
+  EXPECT_EQ(refusal(R"("hold":[1])"), "p:1: hold must be a list of 2, one a point, found 1");
+  EXPECT_EQ(refusal(R"("hold":[0,-1])"), "p:1: hold[1] must be >= 0 s, found -1");
+  EXPECT_EQ(refusal(R"("velocity":3)"), "p:1: velocity must be a list of 2, one a point, found 3");
+  EXPECT_EQ(refusal(R"("hold":[0,1],"velocity":[null,[1,0,0]])"),
+            "p:1: velocity[1] must be zero or null where the path holds, found [1,0,0]");
+}
+
+}  // namespace
+}  // namespace geom
