@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 15> kVerbs = {{
+constexpr std::array<std::pair<const char*, const char*>, 16> kVerbs = {{
     {"synth", "make up a city"},
     {"import", "city tables, block texts, voxels and octrees to box maps"},
     {"footprints", "building footprints, city and height models to box maps"},
@@ -23,6 +23,7 @@ constexpr std::array<std::pair<const char*, const char*>, 15> kVerbs = {{
     {"lattice", "build a lattice graph of a map"},
     {"roadmap", "build a taut visibility roadmap of a map"},
     {"plan", "plan collision-free paths"},
+    {"replan", "paths of an older map, kept or mended on a newer one"},
     {"traj", "minimum-snap trajectories along paths"},
     {"check", "prove trajectories and paths"},
     {"export", "write drone files"},

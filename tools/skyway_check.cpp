@@ -25,8 +25,7 @@ struct Checker {
       if (!option || !own || override_record) return option ? option : own;
       return std::optional(std::min(*option, *own));
     };
-    return {pick(asked.vmax, record.vmax), pick(asked.amax, record.amax),
-            pick(asked.jmax, record.jmax), pick(asked.tilt, record.tilt)};
+    return traj::combined(asked, record, pick);
   }
 
   // The scene says only what vehicle it is for; the exact check looks at the map itself.

@@ -4,10 +4,28 @@
 
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/patch_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "plan/build_lattice.h"
 #include "plan/io/lattice_file.h"
+
+namespace {
+
+plan::Lattice built(const geom::CollisionScene& scene, plan::LatticeSpec spec,
+                    const std::optional<geom::Vec3>& origin, const geom::Execution& run) {
+  spec.origin = origin.value_or(scene.map().spec().bounds.min);
+  return plan::build_lattice(scene, spec, run);
+}
+
+plan::Lattice patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
+                      const geom::Execution& run) {
+  const plan::Lattice old = plan::read_lattice(cli::open_archive(patch.artefact));
+  const geom::CollisionScene& scene = patch.scene(scenes, old.made_for());
+  return plan::patch_lattice(old, scene, patch.change(old.made_for(), scene), run);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Build a lattice graph of a box map.", "skyway-lattice"};
@@ -18,20 +36,26 @@ int main(int argc, char** argv) {
   plan::LatticeSpec spec;
   int connect = 6;
   std::optional<geom::Vec3> origin;
+  cli::PatchOptions patch;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("-o,--output", output, "lattice to write (default: stdout)");
-  app.add_option("--spacing", spec.spacing, "distance of neighbouring nodes, metres (default 25)")
-      ->check(CLI::Range(1e-3, 1e6));
-  app.add_option("--connect", connect, "neighbours of a node: 6, 18 or 26 (default 6)")
-      ->check(CLI::IsMember({6, 18, 26}));
-  cli::add_point(app, "--origin", origin, "a node (default: the lower corner of the bounds)");
+  auto* spacing = app.add_option("--spacing", spec.spacing,
+                                 "distance of neighbouring nodes, metres (default 25)")
+                      ->check(CLI::Range(1e-3, 1e6));
+  auto* connectivity =
+      app.add_option("--connect", connect, "neighbours of a node: 6, 18 or 26 (default 6)")
+          ->check(CLI::IsMember({6, 18, 26}));
+  auto* node =
+      cli::add_point(app, "--origin", origin, "a node (default: the lower corner of the bounds)");
+  patch.add_to(app, "a lattice", {spacing, connectivity, node});
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
-    const geom::CollisionScene& scene = scenes.scene();
     spec.connectivity = static_cast<plan::Connectivity>(connect);
-    spec.origin = origin.value_or(scene.map().spec().bounds.min);
-    const plan::Lattice lattice = plan::build_lattice(scene, spec, common.execution("layers"));
+    const geom::Execution run = common.execution("layers");
+    const plan::Lattice lattice =
+        patch.asked() ? patched(scenes, patch, run) : built(scenes.scene(), spec, origin, run);
     cli::OutputFile out(output, cli::OutputKind::artefact);
     plan::write_lattice(out.stream(), lattice);
     out.commit();

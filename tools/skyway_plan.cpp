@@ -8,6 +8,7 @@
 
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/quality_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "geom/error.h"
@@ -15,6 +16,7 @@
 #include "geom/parallel.h"
 #include "plan/build_lattice.h"
 #include "plan/io/lattice_file.h"
+#include "plan/io/path_record.h"
 #include "plan/io/roadmap_file.h"
 #include "plan/io/search_tree.h"
 #include "plan/plan.h"
@@ -29,44 +31,6 @@ struct Search {
   double seconds = 0;
   std::string tree_file;
 };
-
-std::string search_report(const plan::PlanResult& result) {
-  std::string out = fmt::format(R"({{"method":"{}","expanded":{})", result.method, result.expanded);
-  const auto add = [&](const char* key, const auto& value) {
-    out += fmt::format(",\"{}\":", key);
-    geom::append_json(out, value);
-  };
-  if (result.resolution > 0) add("resolution", result.resolution);
-  if (result.steps.size() > 1) {
-    out += ",\"steps\":[";
-    for (const plan::PathStep& step : result.steps) {
-      out += fmt::format(R"({}{{"step":"{}","points":{},"length":)",
-                         &step == result.steps.data() ? "" : ",", step.name, step.points);
-      geom::append_json(out, step.length);
-      out += '}';
-    }
-    out += ']';
-  }
-  if (result.snapped_start) add("snapped_start", *result.snapped_start);
-  if (result.snapped_goal) add("snapped_goal", *result.snapped_goal);
-  return out + '}';
-}
-
-geom::PathRecord record_of(const geom::CollisionScene& scene, const geom::PlanQuery& query,
-                           const plan::PlanResult& result) {
-  geom::PathRecord record;
-  record.id = query.id;
-  record.status = plan::name(result.status);
-  record.points = result.path;
-  record.provenance = geom::provenance_of(scene);
-  record.message = result.message;
-  if (!result.method.empty()) record.search = search_report(result);
-  return record;
-}
-
-const std::map<std::string, plan::Quality> kQuality = {{"fast", plan::Quality::fast},
-                                                       {"normal", plan::Quality::normal},
-                                                       {"best", plan::Quality::best}};
 
 const std::map<std::string, plan::Method> kMethod = [] {
   std::map<std::string, plan::Method> out;
@@ -167,8 +131,7 @@ int main(int argc, char** argv) {
                  "lattice of the same map and vehicle (default: built as needed)");
   app.add_option("--roadmap", roadmap_file,
                  "roadmap of the same map and vehicle: shorter paths, sooner");
-  app.add_option("--quality", options.quality, "fast, normal (default) or best")
-      ->transform(CLI::CheckedTransformer(kQuality));
+  cli::add_quality(app, options.quality);
   auto* queries = app.add_option("--queries", queries_file, "JSON Lines or CSV; - for stdin");
   auto* start = cli::add_point(app, "--from", from, "start, metres");
   auto* goal = cli::add_point(app, "--to", to, "goal, metres");
@@ -218,7 +181,7 @@ int main(int argc, char** argv) {
     plan::PlanResult last;
     geom::parallel_for(list.size(), run, [&](std::size_t i) {
       plan::PlanResult result = planner.plan(list[i].from, list[i].to, with_deadline(search));
-      records[i] = record_of(scene, list[i], result);
+      records[i] = plan::path_record(scene, list[i].id, result);
       if (options.keep_tree) last = std::move(result);
     });
     cli::OutputFile out(output, cli::OutputKind::text);

@@ -4,6 +4,7 @@
 
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/patch_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "plan/io/roadmap_file.h"
@@ -20,6 +21,13 @@ std::string estimate(std::size_t boxes, double reach) {
                      edges / 1e6, (bends * 46 + edges * 8) / 1e9);
 }
 
+plan::Roadmap patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
+                      const geom::Execution& run) {
+  const plan::Roadmap old = plan::read_roadmap(cli::open_archive(patch.artefact));
+  const geom::CollisionScene& scene = patch.scene(scenes, old.made_for);
+  return plan::patch_roadmap(old, scene, patch.change(old.made_for, scene), run);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -29,6 +37,7 @@ int main(int argc, char** argv) {
   std::string map_file;
   std::string output = "-";
   plan::RoadmapSpec spec;
+  cli::PatchOptions patch;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("-o,--output", output, "roadmap to write (default: stdout)");
   auto* reach =
@@ -36,25 +45,32 @@ int main(int argc, char** argv) {
                      "longest edge, metres (default 500; to be named on maps of more than "
                      "100,000 boxes)")
           ->check(CLI::Range(1.0, 1e5));
-  app.add_option("--part", spec.part,
-                 "box edges are cut into parts of at most this, metres (default 10)")
-      ->check(CLI::Range(0.1, 1e4));
-  cli::add_box(app, "--region", spec.region, "bend only around boxes that meet this region");
+  auto* part = app.add_option("--part", spec.part,
+                              "box edges are cut into parts of at most this, metres (default 10)")
+                   ->check(CLI::Range(0.1, 1e4));
+  auto* region =
+      cli::add_box(app, "--region", spec.region, "bend only around boxes that meet this region");
+  patch.add_to(app, "a roadmap", {reach, part, region});
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
-    const geom::CollisionScene& scene = scenes.scene();
-    const std::size_t boxes =
-        spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
-    if (boxes > kManyBoxes) {
-      const std::string size = estimate(boxes, spec.reach);
-      if (reach->empty()) {
-        throw cli::UsageError(fmt::format(
-            "a roadmap of {} boxes: {}; name a shorter --within or a --region", boxes, size));
+    const geom::Execution run = common.execution("bends");
+    const auto built = [&] {
+      const geom::CollisionScene& scene = scenes.scene();
+      const std::size_t boxes =
+          spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
+      if (boxes > kManyBoxes) {
+        const std::string size = estimate(boxes, spec.reach);
+        if (reach->empty()) {
+          throw cli::UsageError(fmt::format(
+              "a roadmap of {} boxes: {}; name a shorter --within or a --region", boxes, size));
+        }
+        common.warn(fmt::format("{}: {} boxes, {}", map_file, boxes, size));
       }
-      common.warn(fmt::format("{}: {} boxes, {}", map_file, boxes, size));
-    }
-    const plan::Roadmap roadmap = plan::build_roadmap(scene, spec, common.execution("bends"));
+      return plan::build_roadmap(scene, spec, run);
+    };
+    const plan::Roadmap roadmap = patch.asked() ? patched(scenes, patch, run) : built();
     cli::OutputFile out(output, cli::OutputKind::artefact);
     plan::write_roadmap(out.stream(), roadmap);
     out.commit();

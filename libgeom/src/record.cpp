@@ -11,6 +11,17 @@
 #include "geom/io/json_fields.h"
 
 namespace geom {
+namespace {
+
+void append_ranges(std::string& out, const char* key, const std::vector<LegRange>& ranges) {
+  out += fmt::format("\"{}\":[", key);
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    out += fmt::format("{}[{},{}]", i ? "," : "", ranges[i].first, ranges[i].last);
+  }
+  out += "],";
+}
+
+}  // namespace
 
 void append_json(std::string& out, double value) {
   char digits[32];
@@ -71,6 +82,10 @@ std::string to_json_line(const PathRecord& record) {
     line += ',';
   }
   if (!record.search.empty()) line += "\"search\":" + record.search + ',';
+  if (record.origin) {
+    append_ranges(line, "kept", record.origin->kept);
+    append_ranges(line, "mended", record.origin->mended);
+  }
   if (!record.points.empty()) {
     line += "\"length\":";
     append_json(line, length(record.points));

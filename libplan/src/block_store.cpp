@@ -56,13 +56,29 @@ void append_record(Connectivity connectivity, const Lattice::Block& masks,
   }
 }
 
+LatticeCounts count(const Lattice::Block& masks) {
+  LatticeCounts counts;
+  for (const std::uint32_t mask : masks) {
+    counts.nodes += mask >> 31;
+    counts.edges += static_cast<std::size_t>(std::popcount(mask & (kFreeBit16 - 1)));
+  }
+  return counts;
+}
+
+void add(LatticeCounts& counts, const LatticeCounts& more) {
+  counts.nodes += more.nodes;
+  counts.edges += more.edges;
+}
+
 struct Tile {
   std::vector<std::pair<std::size_t, std::uint32_t>> blocks;  // and their records in this tile
   std::vector<std::byte> records;
-  LatticeCounts counts;
+  LatticeCounts counts;   // of blocks that were read
+  LatticeCounts instead;  // what the old store had in their place
 };
 
-Tile read_tile(const LatticeGrid& grid, const MaskSource& source, std::int64_t x, std::int64_t y) {
+Tile read_tile(const LatticeGrid& grid, const MaskSource& source, const OldBlocks* old,
+               std::int64_t x, std::int64_t y) {
   const Index3 n = grid.blocks();
   Tile tile;
   Lattice::Block masks;
@@ -70,18 +86,26 @@ Tile read_tile(const LatticeGrid& grid, const MaskSource& source, std::int64_t x
   for (std::int64_t k = 0; k < n[2]; ++k) {
     for (std::int64_t j = y; j < std::min(y + kTile, n[1]); ++j) {
       for (std::int64_t i = x; i < std::min(x + kTile, n[0]); ++i) {
+        const auto block = static_cast<std::size_t>(i + n[0] * (j + n[1] * k));
+        if (old && !old->changed[block]) {
+          const auto bytes = old->store.bytes_of(block);
+          tile.records.insert(tile.records.end(), bytes.begin(), bytes.end());
+          tile.blocks.emplace_back(block, bytes.empty() ? old->store.record()[block] : records++);
+          continue;
+        }
         const Index3 low = {i * kSide, j * kSide, k * kSide};
+        if (old) {
+          old->store.read(low, {kSide, kSide, kSide}, masks.data());
+          add(tile.instead, count(masks));
+        }
         source.read(low, {kSide, kSide, kSide}, masks.data());
+        add(tile.counts, count(masks));
         std::uint32_t record = classify(grid, low, masks);
         if (record == 0) {
           record = records++;
           append_record(grid.spec.connectivity, masks, tile.records);
         }
-        for (const std::uint32_t mask : masks) {
-          tile.counts.nodes += mask >> 31;
-          tile.counts.edges += static_cast<std::size_t>(std::popcount(mask & (kFreeBit16 - 1)));
-        }
-        tile.blocks.emplace_back(static_cast<std::size_t>(i + n[0] * (j + n[1] * k)), record);
+        tile.blocks.emplace_back(block, record);
       }
     }
   }
@@ -192,6 +216,12 @@ void BlockStore::read(const Index3& low, const Index3& count, std::uint32_t* mas
   }
 }
 
+std::span<const std::byte> BlockStore::bytes_of(std::size_t block) const {
+  if (record_[block] >= kFree) return {};
+  const std::size_t size = record_bytes(grid_.spec.connectivity);
+  return records_.subspan(record_[block] * size, size);
+}
+
 void BlockStore::check() const {
   for (std::size_t b = 0; b < record_.size(); ++b) {
     if (record_[b] >= kFree) continue;
@@ -208,21 +238,21 @@ void BlockStore::check() const {
 }
 
 std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
-                                               const geom::Execution& run) {
+                                               const geom::Execution& run, const OldBlocks* old) {
   const Index3 n = grid.blocks();
   const std::int64_t across = (n[0] + kTile - 1) / kTile;
   const std::int64_t along = (n[1] + kTile - 1) / kTile;
   const auto total = static_cast<std::size_t>(across * along);
   auto owned = std::make_shared<Owned>();
   owned->record.resize(grid.block_count());
-  LatticeCounts counts;
+  LatticeCounts counts = old ? old->store.counts() : LatticeCounts{};
   std::size_t stored = 0;
   std::vector<Tile> tiles(std::min<std::size_t>(total, 64));
   for (std::size_t begin = 0; begin < total; begin += tiles.size()) {
     const std::size_t some = std::min(tiles.size(), total - begin);
     geom::parallel_for(some, {run.threads, {}}, [&](std::size_t t) {
       const auto tile = static_cast<std::int64_t>(begin + t);
-      tiles[t] = read_tile(grid, source, tile % across * kTile, tile / across * kTile);
+      tiles[t] = read_tile(grid, source, old, tile % across * kTile, tile / across * kTile);
     });
     for (std::size_t t = 0; t < some; ++t) {
       for (const auto& [block, record] : tiles[t].blocks) {
@@ -236,8 +266,9 @@ std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const Ma
                                "expected less than 2^32 blocks that are not all free "
                                "or blocked: use a larger spacing");
       }
-      counts.nodes += tiles[t].counts.nodes;
-      counts.edges += tiles[t].counts.edges;
+      add(counts, tiles[t].counts);
+      counts.nodes -= tiles[t].instead.nodes;
+      counts.edges -= tiles[t].instead.edges;
     }
     if (run.progress) run.progress(begin + some, total);
   }

@@ -34,6 +34,9 @@ class BlockStore final : public MaskSource {
   // Throws InputError where a record has a bit that cannot be.
   void read(const Index3& low, const Index3& count, std::uint32_t* masks) const override;
 
+  // The bytes of the record of a block; none where it is all free or all blocked.
+  std::span<const std::byte> bytes_of(std::size_t block) const;
+
   void check() const;  // what read() does not see: bits beyond the lattice
 
   LatticeCounts counts() const { return counts_; }
@@ -52,8 +55,15 @@ class BlockStore final : public MaskSource {
   std::string name_;
 };
 
-// All masks of a source, read block by block.
+// What need not be read: blocks of an older store of the same grid that did not change.
+struct OldBlocks {
+  const BlockStore& store;
+  std::vector<char> changed;  // of each block
+};
+
+// All masks of a source, read block by block; those of `old` that did not change copied.
 std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
-                                               const geom::Execution& run);
+                                               const geom::Execution& run,
+                                               const OldBlocks* old = nullptr);
 
 }  // namespace plan

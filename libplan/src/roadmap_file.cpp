@@ -75,6 +75,13 @@ Roadmap read_roadmap(const geom::ArrayArchive& archive) {
   Roadmap out;
   out.made_for = fields.provenance();
   out.spec = {fields.number("part").value_or(0), fields.number("reach").value_or(0), {}};
+  if (fields.has("region")) {
+    const std::vector<Vec3> corners = fields.points("region");
+    if (corners.size() != 2 || !(corners[0].array() <= corners[1].array()).all()) {
+      fields.refuse("region must be two points, the lower corner first");
+    }
+    out.spec.region = geom::Aabb{corners[0], corners[1]};
+  }
   const auto position = archive.array<double>("bend_position", 3);
   const auto axis = archive.array<std::int8_t>("bend_axis");
   const auto outward = archive.array<std::int8_t>("bend_outward", 2);

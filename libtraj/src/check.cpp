@@ -315,6 +315,9 @@ struct LimitVerdicts {
   bool acceleration = true;
   bool jerk = true;
   bool tilt = true;
+  bool horizontal = true;
+  bool vertical = true;
+  bool thrust = true;
 };
 
 void check_segment_limits(const Segment& s, double begin, const CheckOptions& options,
@@ -334,6 +337,21 @@ void check_segment_limits(const Segment& s, double begin, const CheckOptions& op
   const double end = begin + s.duration;
   const Limits& limits = options.limits;
   ok.speed &= bounded(v, begin, end, 0, v_error, with_slack(limits.vmax), norm, result.speed);
+  if (limits.vmax_h) {
+    const auto across = [](const Vec3& p) { return std::sqrt(p.x() * p.x() + p.y() * p.y()); };
+    ok.horizontal &= bounded(v, begin, end, 0, v_error, with_slack(limits.vmax_h), across,
+                             result.horizontal_speed);
+  }
+  if (limits.vmax_v) {
+    const auto up = [](const Vec3& p) { return std::abs(p.z()); };
+    ok.vertical &=
+        bounded(v, begin, end, 0, v_error, with_slack(limits.vmax_v), up, result.vertical_speed);
+  }
+  if (limits.thrust) {
+    const auto thrust = [](const Vec3& p) { return Vec3(p.x(), p.y(), p.z() + kGravity).norm(); };
+    ok.thrust &= bounded(a, begin, end, 0, a_error + 1e-14, with_slack(limits.thrust), thrust,
+                         result.thrust);
+  }
   ok.acceleration &=
       bounded(a, begin, end, 0, a_error, with_slack(limits.amax), norm, result.acceleration);
   ok.jerk &= bounded(j, begin, end, 0, j_error, with_slack(limits.jmax), norm, result.jerk);
@@ -359,6 +377,9 @@ void check_limits(const Trajectory& trajectory, const CheckOptions& options, Che
   violated(ok.acceleration, "acceleration", result.acceleration);
   violated(ok.jerk, "jerk", result.jerk);
   violated(ok.tilt, "tilt", result.tilt);
+  violated(ok.horizontal, "horizontal_speed", result.horizontal_speed);
+  violated(ok.vertical, "vertical_speed", result.vertical_speed);
+  violated(ok.thrust, "thrust", result.thrust);
 }
 
 // --- joints ---------------------------------------------------------------------------------

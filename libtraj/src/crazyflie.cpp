@@ -58,7 +58,11 @@ std::array<double, kPoints> to_bernstein(const std::array<double, kPoints>& powe
 
 std::array<double, kPoints> axis_of(const Segment& s, geom::Axes axes, int axis) {
   std::array<double, kPoints> values{};
-  if (axis == 3) return s.yaw.value_or(values);
+  if (axis == 3) {
+    if (!s.yaw) return values;
+    for (int i = 0; i < kPoints; ++i) values[i] = geom::yaw_to_enu(axes, (*s.yaw)[i]);
+    return values;
+  }
   for (int i = 0; i < kPoints; ++i) values[i] = geom::to_enu(axes, s.point[i])[axis];
   return values;
 }
@@ -133,6 +137,7 @@ Trajectory read_crazyflie(std::istream& in, std::string_view source, geom::Axes 
     for (int i = 0; i < kPoints; ++i) {
       s.point[i] = geom::to_enu(axes, {values[0][i], values[1][i], values[2][i]});
     }
+    for (double& yaw : values[3]) yaw = geom::yaw_to_enu(axes, yaw);
     s.yaw = values[3];
     trajectory.segments.push_back(s);
   }

@@ -155,7 +155,6 @@ void Nlp::add_row(Row row) {
 }
 
 void Nlp::add_rows() {
-  const std::array<double, 4> square{0, spec_.speed, spec_.acceleration, spec_.jerk};
   for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
     first_row_.push_back(rows_.size());
     for (int point = 0; point < 8; ++point) {
@@ -165,12 +164,12 @@ void Nlp::add_rows() {
         bound_.push_back(plane.offset);
       }
     }
-    for (int order = 1; order <= 3; ++order) {
-      const double limit = square[static_cast<std::size_t>(order)];
-      for (int point = 0; limit > 0 && point < 8 - order; ++point) {
-        if (!moves(k, order, point)) continue;
-        add_row({k, order, point, Vec3::Zero(), limit, false, 0});
-        bound_.push_back(1);
+    for (std::size_t l = 0; l < spec_.limits.size(); ++l) {
+      const QuadraticLimit& limit = spec_.limits[l];
+      for (int point = 0; point < 8 - limit.order; ++point) {
+        if (!moves(k, limit.order, point)) continue;
+        add_row({k, limit.order, point, Vec3::Zero(), l, false, 0});
+        bound_.push_back(limit.bound);
       }
     }
   }
@@ -264,7 +263,12 @@ std::vector<double> Nlp::constraint_values(std::span<const double> x) const {
     for (std::size_t r = first_row_[k]; r < first_row_[k + 1]; ++r) {
       const Row& row = rows_[r];
       const Vec3 z = p.point(row.order, row.point).value;
-      out.push_back(row.order == 0 ? row.normal.dot(z) : z.squaredNorm() / row.square);
+      if (row.order == 0) {
+        out.push_back(row.normal.dot(z));
+        continue;
+      }
+      const QuadraticLimit& limit = spec_.limits[row.limit];
+      out.push_back(limit.weight.dot((z + limit.shift).cwiseAbs2()));
     }
   }
   return out;
@@ -278,7 +282,11 @@ std::vector<double> Nlp::jacobian(std::span<const double> x) const {
     for (std::size_t r = first_row_[k]; r < first_row_[k + 1]; ++r) {
       const Row& row = rows_[r];
       const Point z = p.point(row.order, row.point);
-      const Vec3 outer = row.order == 0 ? row.normal : Vec3(2 / row.square * z.value);
+      Vec3 outer = row.normal;
+      if (row.order > 0) {
+        const QuadraticLimit& limit = spec_.limits[row.limit];
+        outer = 2 * limit.weight.cwiseProduct(z.value + limit.shift);
+      }
       for_each_local(row, [&](int m, int i) {
         out.push_back(outer[i] * z.weight[static_cast<std::size_t>(m)] * scale(k, local_of(m, i)));
       });
@@ -324,21 +332,23 @@ void add_plane(const Point& z, const Vec3& pull, Nlp::Block& h) {
   h(kTime, kTime) += pull.dot(z.dtt);
 }
 
-void add_square(const Point& z, double factor, Nlp::Block& h) {
+void add_square(const Point& z, const QuadraticLimit& limit, double factor, Nlp::Block& h) {
+  const Vec3 twice = 2 * factor * limit.weight;
+  const Vec3 pull = twice.cwiseProduct(z.value + limit.shift);
   for (int m = 0; m < kStates; ++m) {
-    const double w = 2 * factor * z.weight[static_cast<std::size_t>(m)];
-    const double dw = 2 * factor * z.weight_dt[static_cast<std::size_t>(m)];
+    const double w = z.weight[static_cast<std::size_t>(m)];
+    const double dw = z.weight_dt[static_cast<std::size_t>(m)];
     for (int n = 0; n < kStates; ++n) {
       const double d = w * z.weight[static_cast<std::size_t>(n)];
-      for (int i = 0; i < 3; ++i) h(local_of(m, i), local_of(n, i)) += d;
+      for (int i = 0; i < 3; ++i) h(local_of(m, i), local_of(n, i)) += twice[i] * d;
     }
     for (int i = 0; i < 3; ++i) {
-      const double d = w * z.dt[i] + dw * z.value[i];
+      const double d = twice[i] * w * z.dt[i] + dw * pull[i];
       h(local_of(m, i), kTime) += d;
       h(kTime, local_of(m, i)) += d;
     }
   }
-  h(kTime, kTime) += 2 * factor * (z.dt.squaredNorm() + z.value.dot(z.dtt));
+  h(kTime, kTime) += twice.dot(z.dt.cwiseAbs2()) + pull.dot(z.dtt);
 }
 
 // The block with its eigenvalues' signs dropped. Most are positive definite already, and Cholesky
@@ -368,7 +378,7 @@ Nlp::Block Nlp::hessian_block(std::size_t index, std::span<const double> x, doub
     if (row.order == 0) {
       pull[static_cast<std::size_t>(row.point)] += multipliers[r] * row.normal;
     } else if (multipliers[r] != 0) {
-      add_square(p.point(row.order, row.point), multipliers[r] / row.square, h);
+      add_square(p.point(row.order, row.point), spec_.limits[row.limit], multipliers[r], h);
     }
   }
   for (int k = 0; k < 8; ++k) {

@@ -12,14 +12,21 @@
 
 namespace traj {
 
-// What the problem is made of. `speed` and so on are squared limits; 0 means not limited.
+// A limit on a derivative z of the position: the sum of weight (z + shift)^2 over the axes <=
+// bound.
+struct QuadraticLimit {
+  int order = 1;
+  Vec3 weight;
+  Vec3 shift = Vec3::Zero();
+  double bound = 1;
+};
+
+// What the problem is made of.
 struct NlpSpec {
   Corridor corridor;
   std::vector<State> state;  // the guess: one more than pieces; first and last at rest, and fixed
   std::vector<double> time;  // the guess: one a piece
-  double speed = 0;
-  double acceleration = 0;
-  double jerk = 0;
+  std::vector<QuadraticLimit> limits;
   double rho = 1e-3;
   std::vector<std::array<double, 4>> scale;  // of p, v, a, j at each joint; durations have none
 };
@@ -71,8 +78,8 @@ class Nlp {
     int order;  // of the derivative; 0: a plane
     int point;  // Bernstein index
     Vec3 normal;
-    double square;  // of the limit
-    bool on_time;   // whether it depends on the duration
+    std::size_t limit;  // its number; of derivatives only
+    bool on_time;       // whether it depends on the duration
     std::size_t first_entry;
   };
   struct Piece;  // states and duration in metres and seconds, and their derivative points

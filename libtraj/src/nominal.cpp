@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "portable_math.h"
 
 namespace traj {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 SpeedProfile nominal_profile(const Limits& limits, double length) {
   std::optional<double> amax = limits.amax;
@@ -16,9 +22,16 @@ SpeedProfile nominal_profile(const Limits& limits, double length) {
     const double ball = kGravity * t / std::sqrt(1 + t * t);
     amax = std::min(amax.value_or(ball), ball);
   }
+  if (limits.thrust) {
+    amax = std::min(amax.value_or(kInfinity), *limits.thrust - kGravity);
+  }
+  double vmax = kInfinity;
+  for (const auto& limit : {limits.vmax, limits.vmax_h, limits.vmax_v}) {
+    vmax = std::min(vmax, limit.value_or(kInfinity));
+  }
   SpeedProfile profile;
-  if (limits.vmax) {
-    profile.vmax = *limits.vmax;
+  if (vmax < kInfinity) {
+    profile.vmax = vmax;
   } else if (amax) {
     profile.vmax = std::max(1e-3, std::sqrt(*amax * length));
   } else {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "ipopt_solve.h"
 #include "nlp.h"
+#include "portable_math.h"
 #include "traj/nominal.h"
 #include "traj/time_allocation.h"
 
@@ -55,17 +57,36 @@ void add_scales(const SpeedProfile& profile, NlpSpec& spec) {
   }
 }
 
-double square_or_none(const std::optional<double>& limit) { return limit ? *limit * *limit : 0; }
+std::vector<QuadraticLimit> quadratic(const Limits& limits) {
+  std::vector<QuadraticLimit> out;
+  const auto add = [&](int order, const std::optional<double>& limit, const Vec3& axes,
+                       const Vec3& shift) {
+    if (limit) out.push_back({order, axes / (*limit * *limit), shift, 1});
+  };
+  const Vec3 gravity(0, 0, kGravity);
+  add(1, limits.vmax, Vec3::Ones(), Vec3::Zero());
+  add(1, limits.vmax_h, {1, 1, 0}, Vec3::Zero());
+  add(1, limits.vmax_v, {0, 0, 1}, Vec3::Zero());
+  add(2, limits.amax, Vec3::Ones(), Vec3::Zero());
+  add(2, limits.thrust, Vec3::Ones(), gravity);
+  add(3, limits.jmax, Vec3::Ones(), Vec3::Zero());
+  if (limits.tilt) {
+    // (|a_xy| / tan)^2 <= (a_z + g)^2, in units of g: the cone, and its mirror image below, which
+    // the start is far from.
+    const double tangent = tangent_below(*limits.tilt);
+    out.push_back(
+        {2, Vec3(1 / (tangent * tangent), 1 / (tangent * tangent), -1) / (kGravity * kGravity),
+         gravity, 0});
+  }
+  return out;
+}
 
 NlpSpec problem(const Corridor& corridor, const OptimizeOptions& options) {
   NlpSpec spec;
   spec.corridor = corridor;
   spec.rho = options.rho;
-  const Limits& limits = options.limits;
-  const SpeedProfile profile = nominal_profile(limits, length_of(corridor));
-  spec.speed = square_or_none(limits.vmax);
-  if (limits.amax || limits.tilt) spec.acceleration = profile.amax * profile.amax;
-  spec.jerk = square_or_none(limits.jmax);
+  const SpeedProfile profile = nominal_profile(options.limits, length_of(corridor));
+  spec.limits = quadratic(options.limits);
   add_guess(profile, spec);
   add_scales(profile, spec);
   return spec;

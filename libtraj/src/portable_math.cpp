@@ -1,6 +1,7 @@
 #include "portable_math.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace traj {
 
@@ -27,6 +28,24 @@ double tangent_below(double angle) {
     term *= square / ((n + 1) * (n + 2));
   }
   return std::max(0.0, sine / cosine * (1 - 1e-12));
+}
+
+double angle_of(double x, double y) {
+  const double most = std::max(std::abs(x), std::abs(y));
+  const double least = std::min(std::abs(x), std::abs(y));
+  // atan(u) = 2 atan(u / (1 + sqrt(1 + u^2))), four times, then its series.
+  double u = least / most;
+  for (int i = 0; i < 4; ++i) u /= 1 + std::sqrt(1 + u * u);
+  double sum = 0;
+  double power = u;
+  for (int n = 1; n < 20; n += 2) {
+    sum += (n % 4 == 1 ? 1 : -1) * power / n;
+    power *= u * u;
+  }
+  double angle = 16 * sum;
+  if (std::abs(y) > std::abs(x)) angle = kPi / 2 - angle;
+  if (x < 0) angle = kPi - angle;
+  return y < 0 ? -angle : angle;
 }
 
 }  // namespace traj

@@ -30,8 +30,9 @@ void append_violation(std::string& out, const CheckResult& result, const geom::B
 std::size_t pieces(const ExactResult& exact) {
   std::size_t count = 0;
   for (const SegmentProof& proof : exact.segments) {
-    for (const Cover* cover : {&proof.clear.pieces, &proof.bounds, &proof.speed,
-                               &proof.acceleration, &proof.jerk, &proof.tilt}) {
+    for (const Cover* cover :
+         {&proof.clear.pieces, &proof.bounds, &proof.speed, &proof.acceleration, &proof.jerk,
+          &proof.tilt, &proof.horizontal_speed, &proof.vertical_speed, &proof.thrust}) {
       count += cover->size();
     }
     if (proof.gap) count += proof.gap->pieces.size();
@@ -93,6 +94,9 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
     append_extreme(line, "acceleration", result.acceleration);
     append_extreme(line, "jerk", result.jerk);
     if (record.limits.tilt) append_extreme(line, "tilt", result.tilt);
+    if (record.limits.vmax_h) append_extreme(line, "horizontal_speed", result.horizontal_speed);
+    if (record.limits.vmax_v) append_extreme(line, "vertical_speed", result.vertical_speed);
+    if (record.limits.thrust) append_extreme(line, "thrust", result.thrust);
   }
   if (record.exact) append_exact(line, record, map);
   line += ',';

@@ -21,7 +21,7 @@ constexpr std::string_view kHeader =
     "t_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,ax_m_s2,ay_m_s2,az_m_s2,yaw_rad";
 constexpr std::size_t kColumns = 11;
 
-double yaw_at(const Trajectory& trajectory, double t) {
+double yaw_at(const Trajectory& trajectory, geom::Axes axes, double t) {
   double begin = 0;
   for (const Segment& s : trajectory.segments) {
     const double u = std::min((t - begin) / s.duration, 1.0);
@@ -32,7 +32,7 @@ double yaw_at(const Trajectory& trajectory, double t) {
     for (int m = 1; m < kPoints; ++m) {
       for (int i = 0; i + m < kPoints; ++i) b[i] += u * (b[i + 1] - b[i]);
     }
-    return b[0];
+    return geom::yaw_to_enu(axes, b[0]);
   }
   return 0;
 }
@@ -48,7 +48,7 @@ void append_row(std::string& text, const Trajectory& trajectory, geom::Axes axes
     }
   }
   text += ',';
-  geom::append_json(text, yaw_at(trajectory, t));
+  geom::append_json(text, yaw_at(trajectory, axes, t));
   text += '\n';
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "traj/bernstein.h"
@@ -27,6 +28,24 @@ Trajectory closed_form(const geom::Polyline& path, const Limits& limits) {
   const auto times = stopping_times(path, nominal_profile(limits, geom::length(path)));
   const Trajectory curve = min_snap(path, times);
   return slowed(curve, smallest_factor(curve, limits));
+}
+
+// About the least time along the path, corners left out: a trapezoid of the mean of the speeds
+// allowed along its legs.
+double fastest(const geom::Polyline& path, const Limits& limits) {
+  const double length = geom::length(path);
+  if (length == 0) return 0;
+  const double most = std::numeric_limits<double>::infinity();
+  SpeedProfile profile = nominal_profile(limits, length);
+  double time = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec3 leg = path[i] - path[i - 1];
+    time += std::max({leg.norm() / limits.vmax.value_or(most),
+                      leg.head<2>().norm() / limits.vmax_h.value_or(most),
+                      std::abs(leg.z()) / limits.vmax_v.value_or(most)});
+  }
+  if (time > 0) profile.vmax = length / time;
+  return leg_time(length, 0, 0, profile);
 }
 
 std::string words(const CheckResult& verdict) {
@@ -80,9 +99,7 @@ void climb(const geom::CollisionScene& scene, const geom::Polyline& path,
   if (all || options.solver == Solver::closed) {
     const Trajectory curve = closed_form(path, options.limits);
     if (proved(scene, curve, options.limits, result)) closed = curve;
-    const SpeedProfile profile = nominal_profile(options.limits, geom::length(path));
-    const double fast = leg_time(geom::length(path), 0, 0, profile);
-    if (closed && (!all || duration(*closed) <= kNearlyAsFast * fast)) {
+    if (closed && (!all || duration(*closed) <= kNearlyAsFast * fastest(path, options.limits))) {
       return accept(*closed, "closed", result);
     }
   }

@@ -23,6 +23,12 @@ double acceleration_within(double tilt, const Vec3& step) {
   return tangent * kGravity * step.norm() / (across + tangent * std::abs(step.z()));
 }
 
+// The same that keeps |a + g| <= thrust.
+double acceleration_within_thrust(double thrust, const Vec3& step) {
+  const double up = kGravity * std::abs(step.z()) / step.norm();
+  return std::sqrt(up * up + thrust * thrust - kGravity * kGravity) - up;
+}
+
 double shortest(const Vec3& step, const Limits& limits) {
   const double length = step.norm();
   double t = 0;
@@ -30,7 +36,15 @@ double shortest(const Vec3& step, const Limits& limits) {
     return std::sqrt(kPeakAcceleration * length / amax);
   };
   if (limits.vmax) t = std::max(t, kPeakSpeed * length / *limits.vmax);
+  if (limits.vmax_h) {
+    const double across = std::sqrt(step.x() * step.x() + step.y() * step.y());
+    t = std::max(t, kPeakSpeed * across / *limits.vmax_h);
+  }
+  if (limits.vmax_v) t = std::max(t, kPeakSpeed * std::abs(step.z()) / *limits.vmax_v);
   if (limits.amax) t = std::max(t, accelerating(*limits.amax));
+  if (limits.thrust) {
+    t = std::max(t, accelerating(acceleration_within_thrust(*limits.thrust, step)));
+  }
   if (limits.jmax) t = std::max(t, cube_root(kPeakJerk * length / *limits.jmax));
   if (limits.tilt) t = std::max(t, accelerating(acceleration_within(*limits.tilt, step)));
   return t > 0 ? t * (1 + 1e-9) : 1;

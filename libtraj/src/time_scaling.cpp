@@ -63,6 +63,23 @@ double smallest_factor(const Trajectory& trajectory, const Limits& limits) {
   if (limits.vmax) {
     factor = std::max(factor, upper_peak(trajectory, velocity_points, norm) / *limits.vmax);
   }
+  if (limits.vmax_h) {
+    const auto across = [](const Vec3& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); };
+    factor = std::max(factor, upper_peak(trajectory, velocity_points, across) / *limits.vmax_h);
+  }
+  if (limits.vmax_v) {
+    const auto up = [](const Vec3& v) { return std::abs(v.z()); };
+    factor = std::max(factor, upper_peak(trajectory, velocity_points, up) / *limits.vmax_v);
+  }
+  if (limits.thrust) {
+    // |a / f^2 + g| <= thrust: the least f^2 is the gauge of a ball around -g, so convex.
+    const double room = *limits.thrust * *limits.thrust - kGravity * kGravity;
+    const auto gauge = [&](const Vec3& a) {
+      const double up = kGravity * a.z();
+      return (up + std::sqrt(up * up + a.squaredNorm() * room)) / room;
+    };
+    factor = std::max(factor, std::sqrt(upper_peak(trajectory, acceleration_points, gauge)));
+  }
   if (limits.amax) {
     const double peak = upper_peak(trajectory, acceleration_points, norm);
     factor = std::max(factor, std::sqrt(peak / *limits.amax));

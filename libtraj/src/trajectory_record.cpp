@@ -69,15 +69,12 @@ Segment parse_segment(const JsonFields& fields, const Json& segment, std::size_t
 
 void append_json(std::string& out, const Limits& limits) {
   std::string body;
-  const auto add = [&](const char* key, const std::optional<double>& value) {
-    if (!value) return;
-    body += fmt::format("{}\"{}\":", body.empty() ? "" : ",", key);
+  for (const LimitField& field : kLimitFields) {
+    const auto& value = limits.*field.member;
+    if (!value) continue;
+    body += fmt::format("{}\"{}\":", body.empty() ? "" : ",", field.name);
     geom::append_json(body, *value);
-  };
-  add("vmax", limits.vmax);
-  add("amax", limits.amax);
-  add("jmax", limits.jmax);
-  add("tilt", limits.tilt);
+  }
   if (!body.empty()) out += "\"limits\":{" + body + "},";
 }
 
@@ -86,17 +83,18 @@ Limits parse_limits(const JsonFields& fields) {
   if (!fields.has("limits")) return limits;
   const Json& object = fields.object()["limits"];
   if (!object.is_object()) fields.refuse("limits must be an object, found " + object.dump());
-  const auto get = [&](const char* key, std::optional<double>& out) {
-    if (!object.contains(key)) return;
-    out = fields.number(object[key], std::string("limits.") + key);
-    if (!(*out > 0)) {
+  for (const auto& [key, member] : kLimitFields) {
+    if (!object.contains(key)) continue;
+    const double value = fields.number(object[key], std::string("limits.") + key);
+    if (!(value > 0)) {
       fields.refuse(fmt::format("limits.{} must be > 0, found {}", key, object[key].dump()));
     }
-  };
-  get("vmax", limits.vmax);
-  get("amax", limits.amax);
-  get("jmax", limits.jmax);
-  get("tilt", limits.tilt);
+    limits.*member = value;
+  }
+  if (limits.thrust && *limits.thrust <= kGravity) {
+    fields.refuse(
+        fmt::format("limits.thrust must be > {} m/s2, found {}", kGravity, *limits.thrust));
+  }
   return limits;
 }
 

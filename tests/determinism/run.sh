@@ -14,10 +14,11 @@ for threads in 1 2 7; do
   skyway-lattice map --spacing 10 --connect 26 --vehicle box:0.5,0.5,0.3 --threads $threads -o lattice.$threads
   skyway-plan map --lattice lattice.$threads --queries queries --vehicle box:0.5,0.5,0.3 --snap-ends 30 \
     --threads $threads -o paths.$threads || [ $? -eq 1 ]
+  skyway-replan map paths.$threads --margin 1 --threads $threads -o replanned.$threads || [ $? -eq 1 ]
   skyway-traj map paths.$threads --vmax 8 --amax 6 --solver stop-and-go -o trajectories.$threads || [ $? -eq 1 ]
   skyway-check map trajectories.$threads -o reports.$threads || [ $? -eq 1 ]
 done
-for kind in lattice paths trajectories reports; do
+for kind in lattice paths replanned trajectories reports; do
   cmp $kind.1 $kind.2
   cmp $kind.1 $kind.7
 done

@@ -82,6 +82,15 @@ TEST(Check, HoldsEachLimitApart) {
   EXPECT_EQ(with({.jmax = free.jerk.value * 0.999}), "jerk");
   EXPECT_EQ(with({.tilt = 0.05}), "tilt");
   EXPECT_EQ(with({.tilt = 1.5}), "");
+  EXPECT_EQ(with({.vmax_h = 0.5}), "horizontal_speed");
+  EXPECT_EQ(with({.vmax_h = free.speed.value * 1.001}), "");
+  const Trajectory climb = arc({0, 20, 0}, {0, 0, 6});
+  const CheckResult up = check(scene, climb, {.vmax_v = 100, .thrust = 100});
+  EXPECT_GT(up.vertical_speed.value, 0.1);
+  EXPECT_EQ(check(scene, climb, {.vmax_v = up.vertical_speed.value * 0.999}).reason,
+            "vertical_speed");
+  EXPECT_EQ(check(scene, climb, {.thrust = up.thrust.value * 0.999}).reason, "thrust");
+  EXPECT_EQ(check(scene, climb, {.thrust = up.thrust.value * 1.001}).reason, "");
 }
 
 // The known touch: a point of the curve is put on a face of a grown box, or up to 1 cm inside.

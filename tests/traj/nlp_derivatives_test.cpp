@@ -16,9 +16,11 @@ using Vector = std::vector<double>;
 Nlp random_problem(testing::Random& random) {
   NlpSpec spec;
   const std::size_t n = 4;
-  spec.speed = 64;
-  spec.acceleration = 36;
-  spec.jerk = 400;
+  spec.limits = {{1, Vec3::Constant(1.0 / 64)},
+                 {2, Vec3::Constant(1.0 / 36)},
+                 {3, Vec3::Constant(1.0 / 400)},
+                 {1, Vec3(0.1, 0.1, 0)},
+                 {2, Vec3(0.02, 0.02, -0.01), Vec3(0, 0, 9.8), 0}};
   spec.rho = 1e-2;
   for (std::size_t k = 0; k <= n; ++k) {
     const bool end = k == 0 || k == n;

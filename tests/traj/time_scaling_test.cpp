@@ -38,7 +38,9 @@ TEST(SmallestFactor, MakesEachLimitJustHold) {
   const geom::CollisionScene empty =
       testing::scene_of({}, {Vec3::Constant(-1e4), Vec3::Constant(1e4)});
   const std::vector<Limits> cases{
-      {5, {}, {}, {}}, {{}, 3, {}, {}}, {{}, {}, 7, {}}, {{}, {}, {}, 0.4}, {5, 3, 7, 0.4}};
+      {5, {}, {}, {}},   {{}, 3, {}, {}}, {{}, {}, 7, {}},
+      {{}, {}, {}, 0.4}, {5, 3, 7, 0.4},  {.vmax_h = 4},
+      {.vmax_v = 2},     {.thrust = 12},  {.tilt = 0.3, .vmax_h = 4, .vmax_v = 1, .thrust = 11}};
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Trajectory t = random_trajectory(seed);
     for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -13,6 +13,11 @@ namespace geom {
 // enu: x east, y north, z up. neu: x north, y east, z up (left-handed), as in FCND tables.
 enum class Axes { enu, neu };
 
+// A yaw of the axes (from x towards y) as one of ENU axes, or back: radians.
+inline double yaw_to_enu(Axes axes, double yaw) {
+  return axes == Axes::enu ? yaw : 1.5707963267948966 - yaw;
+}
+
 struct GeodeticOrigin {
   double latitude = 0;   // degrees, WGS 84
   double longitude = 0;  // degrees

@@ -31,7 +31,7 @@ struct CheckResult {
   bool ok = false;
   // "" when ok, else the first of these that holds: "duration" (empty, or a duration that is not
   // finite and positive), "discontinuous", "bounds", "collision", "speed", "acceleration",
-  // "jerk", "tilt".
+  // "jerk", "tilt", "horizontal_speed", "vertical_speed", "thrust".
   std::string reason;
   double time = 0;                 // of the worst violation, seconds
   Vec3 place = Vec3::Zero();       // where that is, metres
@@ -45,6 +45,9 @@ struct CheckResult {
   Extreme acceleration;
   Extreme jerk;
   Extreme tilt;
+  Extreme horizontal_speed;  // these three and the tilt only where they are limited
+  Extreme vertical_speed;
+  Extreme thrust;
 };
 
 // Decides by control points: a piece whose control points' box meets no grown obstacle is clear

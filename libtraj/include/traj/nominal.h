@@ -7,7 +7,8 @@
 
 namespace traj {
 
-// vmax, and as amax the smaller of amax and the acceleration that keeps the tilt in any direction.
+// The smallest of the speed limits, and of amax and the accelerations that keep tilt and thrust in
+// any direction.
 // A missing one follows from the other: the speed reached over half of `length` (metres, the whole
 // path), or that speed reached in 1 s; 10 m/s when both are missing.
 SpeedProfile nominal_profile(const Limits& limits, double length);

@@ -26,7 +26,7 @@ struct OptimizeResult {
 
 // Minimises duration + rho * integral of snap^2 over trajectories of one segment a piece, at rest
 // at both ends, continuous to jerk, whose Bernstein points are behind the planes of their piece and
-// obey the limits. Tilt is held by |a| <= g sin(tilt). The result need not be feasible: check it.
+// obey the limits. Tilt is a cone. The result need not be feasible: check it.
 // The corridor has at least two pieces of positive length, pieces at its ends included. Threads may
 // call at once, and wait for each other.
 OptimizeResult optimize(const Corridor& corridor, const OptimizeOptions& options);

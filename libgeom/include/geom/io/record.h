@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geom/frame.h"
 #include "geom/polyline.h"
@@ -25,13 +26,28 @@ struct Provenance {
 class CollisionScene;
 Provenance provenance_of(const CollisionScene& scene);  // of what is made with it
 
+// Legs of a path from points[first] to points[last], first < last.
+struct LegRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+
+  friend bool operator==(const LegRange&, const LegRange&) = default;
+};
+
+// Where the legs of a replanned path come from. Together the ranges are the whole path, each once.
+struct PathOrigin {
+  std::vector<LegRange> kept;    // of the old path, bit for bit
+  std::vector<LegRange> mended;  // new
+};
+
 struct PathRecord {
   std::string id;
   std::string status;  // "found", or why not
   Polyline points;     // empty unless found
   Provenance provenance;
-  std::string message;  // why there is no path, in words; may be empty
-  std::string search;   // the planner's own report: a JSON object, or empty
+  std::string message;               // why there is no path, in words; may be empty
+  std::string search;                // the planner's own report: a JSON object, or empty
+  std::optional<PathOrigin> origin;  // of a replanned path; written, but not read
 };
 
 // Appends numbers (shortest round trip) and strings (escaped) to a line of JSON.

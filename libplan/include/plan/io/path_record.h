@@ -1,0 +1,17 @@
+#pragma once
+
+// Path records of what was planned.
+
+#include <string>
+
+#include "geom/collision.h"
+#include "geom/io/record.h"
+#include "plan/plan.h"
+
+namespace plan {
+
+// With a search report where the planner searched.
+geom::PathRecord path_record(const geom::CollisionScene& scene, std::string id,
+                             const PlanResult& result);
+
+}  // namespace plan

@@ -1,0 +1,142 @@
+#include "bends.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geom/error.h"
+#include "geom/parallel.h"
+
+namespace plan {
+namespace {
+
+constexpr double kOff = 1e-3;  // metres that bends keep from their box
+
+// The parts of [low, high] that none of the intervals covers.
+std::vector<std::pair<double, double>> uncovered(double low, double high,
+                                                 std::vector<std::pair<double, double>> covered) {
+  std::sort(covered.begin(), covered.end());
+  std::vector<std::pair<double, double>> out;
+  for (const auto& [from, to] : covered) {
+    if (from > low) out.push_back({low, std::min(from, high)});
+    low = std::max(low, to);
+    if (low >= high) return out;
+  }
+  out.push_back({low, high});
+  return out;
+}
+
+// One edge of a grown box: along `axis`, at the lower or upper ends of the next two.
+class BoxEdge {
+ public:
+  BoxEdge(const geom::CollisionScene& scene, const geom::Aabb& box, int axis, int corner)
+      : scene_(scene), box_(box), k_(axis), i1_((axis + 1) % 3), i2_((axis + 2) % 3) {
+    outward_ = {static_cast<std::int8_t>(corner & 1 ? 1 : -1),
+                static_cast<std::int8_t>(corner & 2 ? 1 : -1)};
+  }
+
+  // In the middle of what is exposed of each part.
+  void add_bends(double part, std::vector<Bend>& out) const {
+    const auto open = exposed();
+    const double length = box_.max[k_] - box_.min[k_];
+    const double parts = std::max(1.0, std::ceil(length / part));
+    for (double n = 0; n < parts; ++n) {
+      const double from = box_.min[k_] + length * (n / parts);
+      const double to = box_.min[k_] + length * ((n + 1) / parts);
+      for (const auto& [low, high] : open) {
+        if (high < from || low > to) continue;
+        const double middle = 0.5 * (std::max(low, from) + std::min(high, to));
+        const Bend bend{beside(1, 1, middle), static_cast<std::int8_t>(k_), outward_};
+        if (scene_.free(bend.position)) out.push_back(bend);
+      }
+    }
+  }
+
+ private:
+  Vec3 beside(double side1, double side2, double along) const {
+    Vec3 p;
+    p[k_] = along;
+    p[i1_] = (outward_[0] > 0 ? box_.max[i1_] : box_.min[i1_]) + side1 * kOff * outward_[0];
+    p[i2_] = (outward_[1] > 0 ? box_.max[i2_] : box_.min[i2_]) + side2 * kOff * outward_[1];
+    return p;
+  }
+
+  // Where the three outer quadrants are free, each looked at along a line just off the edge.
+  std::vector<std::pair<double, double>> exposed() const {
+    const Vec3 a = beside(1, 1, box_.min[k_]);
+    const Vec3 b = beside(-1, -1, box_.max[k_]);
+    std::vector<std::pair<double, double>> covered;
+    for (const std::size_t i : scene_.boxes_meeting({a.cwiseMin(b), a.cwiseMax(b)})) {
+      const geom::Aabb other = scene_.grown(i);
+      for (const auto& [side1, side2] : {std::pair{1, 1}, {-1, 1}, {1, -1}}) {
+        const Vec3 p = beside(side1, side2, 0);
+        const bool inside = p[i1_] >= other.min[i1_] && p[i1_] <= other.max[i1_] &&
+                            p[i2_] >= other.min[i2_] && p[i2_] <= other.max[i2_];
+        if (inside && !(other == box_)) covered.push_back({other.min[k_], other.max[k_]});
+      }
+    }
+    return uncovered(box_.min[k_], box_.max[k_], std::move(covered));
+  }
+
+  const geom::CollisionScene& scene_;
+  const geom::Aabb& box_;
+  int k_;
+  int i1_;
+  int i2_;
+  std::array<std::int8_t, 2> outward_{};
+};
+
+void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double part,
+               std::vector<Bend>& out) {
+  for (int k = 0; k < 3; ++k) {
+    for (int corner = 0; corner < 4; ++corner) {
+      BoxEdge(scene, box, k, corner).add_bends(part, out);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<geom::Aabb> boxes_of(const geom::CollisionScene& scene,
+                                 const std::optional<geom::Aabb>& region) {
+  std::vector<geom::Aabb> out;
+  if (region) {
+    for (const std::size_t i : scene.boxes_meeting(*region)) out.push_back(scene.grown(i));
+  } else {
+    for (const geom::Aabb& box : scene.map().boxes()) out.push_back(geom::grow(box, scene.half()));
+  }
+  return out;
+}
+
+std::vector<Bend> make_bends(const geom::CollisionScene& scene, const RoadmapSpec& spec,
+                             const std::vector<geom::Aabb>& boxes, const geom::Execution& run) {
+  std::vector<std::vector<Bend>> of_box(boxes.size());
+  geom::parallel_for(boxes.size(), {run.threads, {}},
+                     [&](std::size_t i) { add_bends(scene, boxes[i], spec.part, of_box[i]); });
+  std::vector<Bend> out;
+  for (const auto& some : of_box) out.insert(out.end(), some.begin(), some.end());
+  return out;
+}
+
+bool operator<(const EdgeKey& a, const EdgeKey& b) {
+  return std::tie(a.second, a.ratio, a.to) < std::tie(b.second, b.ratio, b.to);
+}
+
+EdgeKey edge_key(const std::vector<Bend>& bends, std::size_t from, std::uint32_t to) {
+  const Across a = across(bends[from], bends[to].position - bends[from].position);
+  return {a.second_side(), a.ratio(), to};
+}
+
+void require_edges_fit(std::uint64_t edges) {
+  if (edges <= 0x7fffffff) return;
+  throw geom::InputError(
+      "roadmap", fmt::format("expected at most 2^31 edges, found {}: use a smaller reach", edges));
+}
+
+LatticeSpec coarse_spec(const geom::CollisionScene& scene) {
+  return {10, Connectivity::twenty_six, scene.free_bounds()->min};
+}
+
+}  // namespace plan

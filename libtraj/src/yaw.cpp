@@ -1,0 +1,117 @@
+#include "traj/yaw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "portable_math.h"
+
+namespace traj {
+namespace {
+
+constexpr double kSlow = 0.1;            // m/s
+constexpr double kClose = 0.1;           // metres
+constexpr double kSteepest = 35.0 / 16;  // of a smoothstep of degree 7, over its mean
+constexpr double kSlack = 0.999;         // for what the bound of a smoothstep is above its peak
+
+std::optional<double> wanted(const YawOptions& options, const State& state) {
+  if (options.kind == YawOptions::Kind::fixed) return options.angle;
+  const bool along = options.kind == YawOptions::Kind::along;
+  const Vec3 look = along ? state.velocity : Vec3(options.target - state.position);
+  if (look.x() * look.x() + look.y() * look.y() < (along ? kSlow * kSlow : kClose * kClose)) {
+    return std::nullopt;
+  }
+  return angle_of(look.x(), look.y());
+}
+
+std::vector<State> joint_states(const Trajectory& trajectory) {
+  std::vector<State> out;
+  for (const Segment& s : trajectory.segments) out.push_back(evaluate(s, 0));
+  out.push_back(evaluate(trajectory.segments.back(), trajectory.segments.back().duration));
+  return out;
+}
+
+// The way from a to b that is at most half a turn.
+double turn(double a, double b) {
+  const double d = b - a;
+  return d - 2 * kPi * std::round(d / (2 * kPi));
+}
+
+// Yaw at the joints: what is wanted, each as near as the rate allows after the one before.
+std::vector<double> at_joints(const YawOptions& options, const Trajectory& trajectory) {
+  std::vector<std::optional<double>> look;
+  for (const State& s : joint_states(trajectory)) look.push_back(wanted(options, s));
+  const auto first =
+      std::find_if(look.begin(), look.end(), [](const auto& l) { return l.has_value(); });
+  std::vector<double> yaw = {first == look.end() ? 0 : **first};
+  for (std::size_t i = 1; i < look.size(); ++i) {
+    const double most = options.rate * trajectory.segments[i - 1].duration / kSteepest * kSlack;
+    const double step = look[i] ? turn(yaw.back(), *look[i]) : 0;
+    yaw.push_back(yaw.back() + std::clamp(step, -most, most));
+  }
+  return yaw;
+}
+
+// Bernstein values with these ends and rates, and no second and third derivative there.
+std::array<double, kPoints> between(double a, double rate_a, double b, double rate_b, double t) {
+  const double up = rate_a * t / kDegree;
+  const double down = rate_b * t / kDegree;
+  return {a, a + up, a + 2 * up, a + 3 * up, b - 3 * down, b - 2 * down, b - down, b};
+}
+
+// Of the absolute values of the curve, from above: by the control points of 2^depth parts.
+double largest(std::array<double, kDegree> b, int depth) {
+  if (depth == 0) {
+    double most = 0;
+    for (const double v : b) most = std::max(most, std::abs(v));
+    return most;
+  }
+  std::array<double, kDegree> left;
+  for (std::size_t m = 0; m < kDegree; ++m) {  // de Casteljau; what is left is the right half
+    left[m] = b[0];
+    for (std::size_t i = 0; i + 1 + m < kDegree; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
+  }
+  return std::max(largest(left, depth - 1), largest(b, depth - 1));
+}
+
+}  // namespace
+
+double yaw_rate_bound(const Segment& segment) {
+  if (!segment.yaw) return 0;
+  std::array<double, kDegree> rate;
+  for (std::size_t i = 0; i < kDegree; ++i) {
+    rate[i] = ((*segment.yaw)[i + 1] - (*segment.yaw)[i]) * kDegree / segment.duration;
+  }
+  return largest(rate, 8);
+}
+
+void add_yaw(const YawOptions& options, Trajectory& trajectory) {
+  auto& segments = trajectory.segments;
+  const std::vector<double> yaw = at_joints(options, trajectory);
+  const auto mean = [&](std::size_t i) { return (yaw[i + 1] - yaw[i]) / segments[i].duration; };
+  std::vector<double> rate(yaw.size());
+  for (std::size_t i = 1; i + 1 < yaw.size(); ++i) {
+    const double before = mean(i - 1);
+    const double after = mean(i);
+    if (before * after > 0) {
+      rate[i] = std::abs(before) < std::abs(after) ? before : after;
+    }
+  }
+  const auto set = [&](std::size_t i) {
+    segments[i].yaw = between(yaw[i], rate[i], yaw[i + 1], rate[i + 1], segments[i].duration);
+  };
+  for (std::size_t i = 0; i < segments.size(); ++i) set(i);
+  // A segment that would turn too fast comes to rest at its ends, where it surely does not.
+  for (std::size_t i = 0; i < segments.size();) {
+    const bool rests = rate[i] == 0 && rate[i + 1] == 0;
+    if (rests || yaw_rate_bound(segments[i]) <= options.rate) {
+      ++i;
+      continue;
+    }
+    rate[i] = rate[i + 1] = 0;
+    for (std::size_t k = i > 0 ? i - 1 : 0; k < std::min(i + 2, segments.size()); ++k) set(k);
+    i = i > 0 ? i - 1 : 0;
+  }
+}
+
+}  // namespace traj

@@ -1,0 +1,110 @@
+#include "traj/yaw.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../../libtraj/src/portable_math.h"
+#include "scenes.h"
+#include "traj/bernstein.h"
+
+namespace traj {
+namespace {
+
+Trajectory random_trajectory(unsigned seed) {
+  testing::Random random(seed);
+  Trajectory t;
+  State state;
+  for (int i = 0; i < 8; ++i) {
+    const State next = i == 7 ? State{random.vector(10)} : random.state(8);
+    t.segments.push_back(hermite(state, next, random.number(0.5, 3)));
+    state = next;
+  }
+  return t;
+}
+
+double yaw_at_end(const Segment& s) { return s.yaw->back(); }
+
+double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
+
+TEST(AngleOf, IsTheArcTangentAllAround) {
+  for (int i = -3000; i <= 3000; ++i) {
+    const double angle = kPi * i / 3001;
+    const double r = std::exp(i % 17 - 8);
+    EXPECT_NEAR(angle_of(r * std::cos(angle), r * std::sin(angle)), angle, 2e-15);
+  }
+  EXPECT_EQ(angle_of(1, 0), 0);
+  EXPECT_EQ(angle_of(0, 2), kPi / 2);
+  EXPECT_EQ(angle_of(-1, 0), kPi);
+}
+
+TEST(Yaw, FollowsTheVelocityWhereTheRateAllows) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Trajectory t = random_trajectory(seed);
+    YawOptions options;
+    options.rate = 1000;
+    add_yaw(options, t);
+    for (std::size_t i = 0; i + 1 < t.segments.size(); ++i) {
+      const State s = evaluate(t.segments[i + 1], 0);
+      if (s.velocity.head<2>().norm() < 0.1) continue;
+      const double heading = std::atan2(s.velocity.y(), s.velocity.x());
+      EXPECT_NEAR(wrapped(yaw_at_end(t.segments[i]) - heading), 0, 1e-9);
+    }
+  }
+}
+
+TEST(Yaw, IsContinuousToItsRateAndNeverTooFast) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    Trajectory t = random_trajectory(seed);
+    YawOptions options;
+    options.rate = 0.2 + 0.1 * seed;
+    add_yaw(options, t);
+    double rate_before = 0;
+    for (std::size_t i = 0; i < t.segments.size(); ++i) {
+      const Segment& s = t.segments[i];
+      const auto& b = *s.yaw;
+      EXPECT_LE(yaw_rate_bound(s), options.rate * (1 + 1e-9));
+      EXPECT_NEAR(kDegree * (b[1] - b[0]) / s.duration, rate_before, 1e-9);
+      if (i > 0) {
+        EXPECT_EQ(b[0], t.segments[i - 1].yaw->back());
+      }
+      rate_before = kDegree * (b[7] - b[6]) / s.duration;
+      // No second and third derivative at the ends.
+      EXPECT_NEAR(b[2] - 2 * b[1] + b[0], 0, 1e-12);
+      EXPECT_NEAR(b[3] - 2 * b[2] + b[1], 0, 1e-12);
+    }
+    EXPECT_EQ(rate_before, 0);
+  }
+}
+
+TEST(Yaw, LooksAtAPointAndStaysWhereItIsOverIt) {
+  Trajectory t = random_trajectory(3);
+  YawOptions options;
+  options.kind = YawOptions::Kind::towards;
+  options.rate = 1000;
+  options.target = evaluate(t.segments[4], 0).position;
+  add_yaw(options, t);
+  EXPECT_NEAR(yaw_at_end(t.segments[3]), yaw_at_end(t.segments[2]), 1e-12);
+  const Vec3 look = options.target - evaluate(t.segments[6], 0).position;
+  EXPECT_NEAR(wrapped(yaw_at_end(t.segments[5]) - std::atan2(look.y(), look.x())), 0, 1e-9);
+}
+
+TEST(Yaw, FixedIsFixed) {
+  Trajectory t = random_trajectory(4);
+  YawOptions options;
+  options.kind = YawOptions::Kind::fixed;
+  options.angle = 2;
+  add_yaw(options, t);
+  for (const Segment& s : t.segments) {
+    for (const double b : *s.yaw) EXPECT_EQ(b, 2);
+  }
+}
+
+TEST(Yaw, KeepsTheFirstHeadingBeforeItMoves) {
+  Trajectory hover{{hermite({}, {}, 1)}};
+  add_yaw({}, hover);
+  for (const double b : *hover.segments[0].yaw) EXPECT_EQ(b, 0);
+}
+
+}  // namespace
+}  // namespace traj

@@ -1,0 +1,13 @@
+#pragma once
+
+// --quality of those tools that plan.
+
+#include <CLI/CLI.hpp>
+
+#include "plan/plan.h"
+
+namespace cli {
+
+void add_quality(CLI::App& app, plan::Quality& quality);
+
+}  // namespace cli
