@@ -31,6 +31,9 @@ void append_segment(std::string& out, const SegmentProof& proof) {
   append_cover(out, "acceleration", proof.acceleration);
   append_cover(out, "jerk", proof.jerk);
   append_cover(out, "tilt", proof.tilt);
+  append_cover(out, "horizontal_speed", proof.horizontal_speed);
+  append_cover(out, "vertical_speed", proof.vertical_speed);
+  append_cover(out, "thrust", proof.thrust);
   if (proof.gap) {
     out += "\"gap\":{";
     append_clear(out, *proof.gap);

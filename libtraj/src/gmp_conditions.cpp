@@ -1,6 +1,7 @@
 #include "gmp_conditions.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace traj::exact {
@@ -66,6 +67,27 @@ Whole tangent_below(double angle) {
   return scaled.get_num() / scaled.get_den();
 }
 
+// limit^2 - |derivative|^2 times duration^(2 order), in 2^-1074 to the power of 2 order + 2.
+Polynomial norm_condition_whole(const Segment& s, int order, double limit,
+                                std::span<const int> axes) {
+  const std::size_t n = static_cast<std::size_t>(kDegree - order);
+  const Whole most = whole(limit) * power(whole(s.duration), order);
+  Polynomial q(2 * n + 1, common_factor(n) * most * most);
+  for (const int axis : axes) {
+    const Polynomial square = squared(derivative(s, axis, order));
+    for (std::size_t k = 0; k < q.size(); ++k) q[k] -= square[k] << (2 * order * kUnit);
+  }
+  return q;
+}
+
+// The vertical part of a + g times duration^2, in 2^-3222.
+Polynomial thrust_height(const Segment& s) {
+  Polynomial height = derivative(s, 2, 2);
+  const Whole gravity = whole(kGravity) * power(whole(s.duration), 2);
+  for (Whole& c : height) c = (c << (2 * kUnit)) + gravity;
+  return height;
+}
+
 }  // namespace
 
 std::pair<Conditions, Conditions> halves(const Conditions& conditions) {
@@ -99,23 +121,14 @@ Polynomial derivative(const Segment& s, int axis, int order) {
   return q;
 }
 
-// Both sides times duration^(2 order).
-Conditions norm_condition(const Segment& s, int order, double limit) {
-  const std::size_t n = static_cast<std::size_t>(kDegree - order);
-  const Whole most = whole(limit) * power(whole(s.duration), order);
-  Polynomial q(2 * n + 1, common_factor(n) * most * most);
-  for (int axis = 0; axis < 3; ++axis) {
-    const Polynomial square = squared(derivative(s, axis, order));
-    for (std::size_t k = 0; k < q.size(); ++k) q[k] -= square[k] << (2 * order * kUnit);
-  }
+Conditions norm_condition(const Segment& s, int order, double limit, std::span<const int> axes) {
+  Polynomial q = norm_condition_whole(s, order, limit, axes);
   drop_zeros(q);
   return {{q}};
 }
 
 Conditions tilt_condition(const Segment& s, double limit) {
-  Polynomial height = derivative(s, 2, 2);
-  const Whole gravity = whole(kGravity) * power(whole(s.duration), 2);
-  for (Whole& c : height) c = (c << (2 * kUnit)) + gravity;
+  Polynomial height = thrust_height(s);
   Polynomial cone = squared(height);
   const Whole tangent = tangent_below(limit);
   for (Whole& c : cone) c *= tangent * tangent;
@@ -126,6 +139,14 @@ Conditions tilt_condition(const Segment& s, double limit) {
   drop_zeros(height);
   drop_zeros(cone);
   return {{height, cone}};
+}
+
+Conditions thrust_condition(const Segment& s, double limit) {
+  Polynomial q = norm_condition_whole(s, 2, limit, std::array{0, 1});
+  const Polynomial square = squared(thrust_height(s));
+  for (std::size_t k = 0; k < q.size(); ++k) q[k] -= square[k];
+  drop_zeros(q);
+  return {{q}};
 }
 
 }  // namespace traj::exact

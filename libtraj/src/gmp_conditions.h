@@ -2,6 +2,7 @@
 
 // Limits as polynomials that must not be negative, in whole numbers.
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,11 +23,14 @@ Verdict not_negative(const Conditions& conditions, std::size_t number);
 // Coefficients along one axis of the derivative of that order, times duration^order, in 2^-1074.
 Polynomial derivative(const Segment& s, int axis, int order);
 
-// limit^2 - |derivative|^2, times a positive number.
-Conditions norm_condition(const Segment& s, int order, double limit);
+// limit^2 - |derivative along these axes|^2, times a positive number.
+Conditions norm_condition(const Segment& s, int order, double limit, std::span<const int> axes);
 
 // The thrust a + g within a cone around up: its height z >= 0 and (z tan)^2 - x^2 - y^2 >= 0, each
 // times a positive number. The limit is below pi/2.
 Conditions tilt_condition(const Segment& s, double limit);
+
+// limit^2 - |a + g|^2, times a positive number.
+Conditions thrust_condition(const Segment& s, double limit);
 
 }  // namespace traj::exact

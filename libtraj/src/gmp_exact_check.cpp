@@ -88,10 +88,14 @@ class Proof {
       return true;
     };
     const Limits& limits = task_.limits;
+    const std::array all{0, 1, 2};
+    const std::array level{0, 1};
+    const std::array upright{2};
     const auto limited = [&](const char* reason, const std::optional<double>& limit, int order,
-                             Cover SegmentProof::*cover) {
+                             Cover SegmentProof::*cover, std::span<const int> axes) {
       return !limit || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-        return within(s, exact::norm_condition(s, order, *limit), timing, reason, proof.*cover);
+        return within(s, exact::norm_condition(s, order, *limit, axes), timing, reason,
+                      proof.*cover);
       });
     };
     result_.ok =
@@ -101,11 +105,17 @@ class Proof {
         each([&](const Segment& s, Timing timing, SegmentProof& proof) {
           return clear(s.point, timing, proof.clear);
         }) &&
-        gaps(trajectory) && limited("speed", limits.vmax, 1, &SegmentProof::speed) &&
-        limited("acceleration", limits.amax, 2, &SegmentProof::acceleration) &&
-        limited("jerk", limits.jmax, 3, &SegmentProof::jerk) &&
+        gaps(trajectory) && limited("speed", limits.vmax, 1, &SegmentProof::speed, all) &&
+        limited("acceleration", limits.amax, 2, &SegmentProof::acceleration, all) &&
+        limited("jerk", limits.jmax, 3, &SegmentProof::jerk, all) &&
         (!limits.tilt || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
           return within(s, exact::tilt_condition(s, *limits.tilt), timing, "tilt", proof.tilt);
+        })) &&
+        limited("horizontal_speed", limits.vmax_h, 1, &SegmentProof::horizontal_speed, level) &&
+        limited("vertical_speed", limits.vmax_v, 1, &SegmentProof::vertical_speed, upright) &&
+        (!limits.thrust || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+          return within(s, exact::thrust_condition(s, *limits.thrust), timing, "thrust",
+                        proof.thrust);
         }));
     return result_;
   }

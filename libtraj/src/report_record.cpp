@@ -30,8 +30,9 @@ void append_violation(std::string& out, const CheckResult& result, const geom::B
 std::size_t pieces(const ExactResult& exact) {
   std::size_t count = 0;
   for (const SegmentProof& proof : exact.segments) {
-    for (const Cover* cover : {&proof.clear.pieces, &proof.bounds, &proof.speed,
-                               &proof.acceleration, &proof.jerk, &proof.tilt}) {
+    for (const Cover* cover :
+         {&proof.clear.pieces, &proof.bounds, &proof.speed, &proof.acceleration, &proof.jerk,
+          &proof.tilt, &proof.horizontal_speed, &proof.vertical_speed, &proof.thrust}) {
       count += cover->size();
     }
     if (proof.gap) count += proof.gap->pieces.size();

@@ -52,7 +52,8 @@ def tampered(record, certificate, boxes, bounds):
 
     segments = certificate["segments"]
     for i, proof in enumerate(segments):
-        for key in ("clear", "bounds", "speed", "acceleration", "jerk", "tilt"):
+        for key in ("clear", "bounds", "speed", "acceleration", "jerk", "tilt", "horizontal_speed", "vertical_speed",
+                    "thrust"):
             if key in proof:
                 yield (f"a piece of {key} missing", record,
                        changed(certificate, lambda c: c["segments"][i][key].pop()), boxes, bounds)
@@ -101,7 +102,7 @@ with tempfile.TemporaryDirectory() as folder:
                  "--queries", "-", text=queries)
     closed = tool("skyway-traj", box_map, "--vmax", "8", "--amax", "6", text=paths)
     straight = tool("skyway-traj", box_map, "--vmax", "8", "--amax", "6", "--solver", "stop-and-go", text=paths)
-    limited = [{**r, "id": "limited " + r["id"], "limits": {**r["limits"], "jmax": 1000, "tilt": 1.2}}
+    limited = [{**r, "id": "limited " + r["id"], "limits": {**r["limits"], "jmax": 1000, "tilt": 1.2, "vmax_h": 8, "vmax_v": 2, "thrust": 12}}
                for r in objects(closed)]
     apart = [{**shifted(r), "id": "apart " + r["id"]} for r in objects(straight)]
     batches = {"paths": objects(paths), "closed": objects(closed), "straight": objects(straight),

@@ -135,9 +135,10 @@ class Verifier:
             require(all(l <= c <= h for p in piece for l, c, h in zip(self.low, p, self.high)),
                     "a piece is not shown to be inside the bounds")
 
-    def norm(self, points, duration, order, key, what, proof):
+    def norm(self, points, duration, order, key, what, proof, axes=(0, 1, 2)):
         if key not in self.limits:
             return
+        points = [[p[axis] for axis in axes] for p in points]
         most = (F(self.limits[key]) * duration**order) ** 2
         require_not_negative([most - c for c in square(derivative(points, order))], proof.get(what), what)
 
@@ -151,6 +152,13 @@ class Verifier:
                 for u, s in zip(square([[z] for z in upward]), square([[x, y] for x, y, _ in thrust]))]
         require_not_negative(upward, proof.get("tilt"), "tilt")
         require_not_negative(cone, proof.get("tilt"), "tilt")
+
+    def thrust(self, points, duration, proof):
+        if "thrust" not in self.limits:
+            return
+        thrust = [[x, y, z + F(9.80665) * duration**2] for x, y, z in derivative(points, 2)]
+        most = (F(self.limits["thrust"]) * duration**2) ** 2
+        require_not_negative([most - c for c in square(thrust)], proof.get("thrust"), "thrust")
 
     def joint(self, before, after, proof):
         for order, most in enumerate([1e-9, 1e-6, 1e-4]):
@@ -174,6 +182,9 @@ class Verifier:
             self.norm(points, duration, 2, "amax", "acceleration", proof)
             self.norm(points, duration, 3, "jmax", "jerk", proof)
             self.tilt(points, duration, proof)
+            self.norm(points, duration, 1, "vmax_h", "horizontal_speed", proof, axes=(0, 1))
+            self.norm(points, duration, 1, "vmax_v", "vertical_speed", proof, axes=(2,))
+            self.thrust(points, duration, proof)
         for before, after, proof in zip(segments, segments[1:], proofs):
             self.joint(before, after, proof)
 
@@ -190,6 +201,8 @@ def verify(record, certificate, boxes, bounds):
     """Raises Refused; else says what has been shown. What the record does not say is the certificate's."""
     said = {**certificate, **record}
     limits = {**certificate.get("limits", {}), **record.get("limits", {})}
+    unknown = set(limits) - {"vmax", "vmax_h", "vmax_v", "amax", "jmax", "tilt", "thrust"}
+    require(not unknown, f"unknown limits: {unknown}")
     verifier = Verifier(boxes, bounds, said["vehicle"]["half"], said.get("margin", 0), limits)
     kind = record.get("type", "trajectory")
     require(certificate.get("of") == kind, "the certificate is of something else")

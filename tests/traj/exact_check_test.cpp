@@ -115,7 +115,10 @@ TEST(ExactCheck, AcceptsWhatTheFastCheckAccepts) {
     const Limits limits{.vmax = near(loose.speed),
                         .amax = near(loose.acceleration),
                         .jmax = near(loose.jerk),
-                        .tilt = 0.3 + random.uniform(0, 1)};
+                        .tilt = 0.3 + random.uniform(0, 1),
+                        .vmax_h = near(loose.speed),
+                        .vmax_v = 1 + random.uniform(0, 9),
+                        .thrust = 10 + random.uniform(0, 30)};
     const CheckResult fast = check(scene, t, limits);
     const ExactResult result = exactly(scene, t, limits);
     EXPECT_GE(result.ok, fast.ok) << "case " << i << ": " << result.reason;

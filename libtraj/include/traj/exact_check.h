@@ -49,7 +49,8 @@ struct ClearCover {
 };
 
 // Covers of one segment or leg. On each piece the Bernstein coefficients of the limit squared less
-// the norm squared are >= 0 (tilt: those of the cone); empty where there is no limit.
+// the norm squared are >= 0 (tilt: those of the cone; thrust: of a + g); empty where there is no
+// limit.
 struct SegmentProof {
   ClearCover clear;
   Cover bounds;  // the control points are inside
@@ -57,6 +58,9 @@ struct SegmentProof {
   Cover acceleration;
   Cover jerk;
   Cover tilt;
+  Cover horizontal_speed;
+  Cover vertical_speed;
+  Cover thrust;
   std::optional<ClearCover> gap;  // the straight step to the next segment, where there is one
 };
 
