@@ -13,7 +13,8 @@
 namespace traj {
 namespace {
 
-constexpr double kCornerDeviation = 1;  // metres
+constexpr double kCornerDeviation = 1;  // metres, in the solver's units
+constexpr double kUsual = 20;           // metres: shorter paths are counted in smaller units
 
 std::vector<Vec3> points_of(const Corridor& corridor) {
   std::vector<Vec3> points{corridor.front().from};
@@ -92,17 +93,64 @@ NlpSpec problem(const Corridor& corridor, const OptimizeOptions& options) {
   return spec;
 }
 
+// What the solver counts in: its tolerances and steps are made for paths of a city. Times go with
+// the root of lengths, so accelerations, gravity among them, stay what they are.
+struct Units {
+  double length = 1;  // metres
+  double time = 1;    // seconds
+};
+
+Units units_for(const Corridor& corridor) {
+  const double length = std::min(1.0, length_of(corridor) / kUsual);
+  return {length, std::sqrt(length)};
+}
+
+Corridor in_units(Corridor corridor, const Units& units) {
+  for (CorridorPiece& piece : corridor) {
+    piece.from /= units.length;
+    piece.to /= units.length;
+    for (Plane& plane : piece.planes) plane.offset /= units.length;
+  }
+  return corridor;
+}
+
+OptimizeOptions in_units(OptimizeOptions options, const Units& units) {
+  const double speed = units.length / units.time;
+  const auto divide = [](std::optional<double>& limit, double unit) {
+    if (limit) *limit /= unit;
+  };
+  divide(options.limits.vmax, speed);
+  divide(options.limits.vmax_h, speed);
+  divide(options.limits.vmax_v, speed);
+  divide(options.limits.jmax, 1 / units.time);
+  return options;  // rho is one of these units: see OptimizeOptions
+}
+
+// Back again; the rests at the ends exactly where they were asked for.
+Trajectory in_metres(Trajectory trajectory, const Units& units, const Corridor& given) {
+  for (Segment& s : trajectory.segments) {
+    s.duration *= units.time;
+    for (Vec3& p : s.point) p *= units.length;
+  }
+  std::fill_n(trajectory.segments.front().point.begin(), 4, given.front().from);
+  std::fill_n(trajectory.segments.back().point.begin() + 4, 4, given.back().to);
+  return trajectory;
+}
+
 }  // namespace
 
-OptimizeResult optimize(const Corridor& corridor, const OptimizeOptions& options) {
-  assert(corridor.size() >= 2);
+OptimizeResult optimize(const Corridor& given, const OptimizeOptions& asked) {
+  assert(given.size() >= 2);
+  const Units units = units_for(given);
+  const Corridor corridor = in_units(given, units);
+  const OptimizeOptions options = in_units(asked, units);
   const Nlp nlp(problem(corridor, options));
   const IpoptOutcome outcome = ipopt_solve(nlp, options.max_iterations);
   OptimizeResult result;
-  result.trajectory = nlp.trajectory(outcome.x);
+  result.trajectory = in_metres(nlp.trajectory(outcome.x), units, given);
   result.status = outcome.status;
   result.iterations = outcome.iterations;
-  result.objective = nlp.objective(outcome.x);
+  result.objective = units.time * nlp.objective(outcome.x);
   const std::vector<double> values = nlp.constraint_values(outcome.x);
   for (std::size_t i = 0; i < values.size(); ++i) {
     result.max_violation = std::max(result.max_violation, values[i] - nlp.bound()[i]);

@@ -119,7 +119,10 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
   }
   if (all || options.solver == Solver::ipopt) {
     const auto curve = optimised(scene, path, options, result);
-    if (curve) return accept(*curve, "ipopt", result);
+    // Cut off by the iterations, it may be proved and yet slower than what is left.
+    const bool quick =
+        !all || !curve || duration(*curve) <= duration(stop_and_go(path, options.limits));
+    if (curve && quick) return accept(*curve, "ipopt", result);
   }
   if (all || options.solver == Solver::stop_and_go) {
     const Trajectory curve = stop_and_go(path, options.limits);

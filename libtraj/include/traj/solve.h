@@ -16,7 +16,8 @@
 namespace traj {
 
 // automatic: the closed form where it is proved and nearly as fast as the limits allow, else the
-// optimiser, else whichever of closed form and stop-and-go is proved and faster. The others try
+// optimiser where that is proved and no slower than stop-and-go, else whichever of closed form and
+// stop-and-go is proved and faster. The others try
 // that one alone.
 enum class Solver { automatic, closed, ipopt, stop_and_go };
 
