@@ -77,7 +77,8 @@ bool encloses_gap(const Footprint& f, std::span<const Aabb> boxes) {
     std::sort(side.begin(), side.end());
     side.erase(std::unique(side.begin(), side.end()), side.end());
   }
-  const auto& [xs, ys] = sides;
+  const std::vector<double>& xs = sides[0];
+  const std::vector<double>& ys = sides[1];
   for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
     std::vector<int> depth(xs.size());
     const auto column = [&](double x) {
