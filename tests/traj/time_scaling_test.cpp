@@ -10,17 +10,7 @@
 namespace traj {
 namespace {
 
-Trajectory random_trajectory(unsigned seed) {
-  testing::Random random(seed);
-  Trajectory t;
-  State state;
-  for (int i = 0; i < 5; ++i) {
-    const State next = i == 4 ? State{random.vector(10)} : random.state(8);
-    t.segments.push_back(hermite(state, next, random.number(0.5, 3)));
-    state = next;
-  }
-  return t;
-}
+using testing::random_trajectory;
 
 TEST(Slowed, KeepsTheCurveAndDividesTheSpeed) {
   const Trajectory t = random_trajectory(1);
