@@ -6,6 +6,7 @@
 #include "cli/limit_options.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
+#include "geom/io/csv_field.h"
 #include "traj/check.h"
 #include "traj/clearance.h"
 #include "traj/exact_check.h"
@@ -29,7 +30,7 @@ struct ProfileFile {
   void add(const std::string& id, const std::vector<traj::ClearanceSpan>& spans) {
     std::string lines;
     for (const traj::ClearanceSpan& span : spans) {
-      geom::append_json(lines, std::string_view(id));
+      lines += geom::csv_field(id);
       for (const double value : {span.begin, span.end, span.clearance}) {
         lines += ',';
         geom::append_json(lines, value);
