@@ -69,12 +69,13 @@ void accept(const Trajectory& trajectory, const std::string& rung, SolveResult& 
 
 // Optimises until the result is proved, adding planes for what it ran into. The start is the same
 // each round: from the last result it would stay beside the obstacle it had just hit.
-std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
-                                    const SolveOptions& options, SolveResult& result) {
-  Corridor corridor = pieces_between(joints(path));
+std::optional<Trajectory> optimised_in(Corridor corridor, const geom::CollisionScene& scene,
+                                       const SolveOptions& options, SolveResult& result) {
   if (corridor.empty()) return std::nullopt;
-  add_planes(scene, kReach, corridor);
-  for (result.rounds = 1;; ++result.rounds) {
+  const int most = result.rounds + kRounds;
+  while (true) {
+    ++result.rounds;
+    result.corridor = corridor;
     const OptimizeResult round =
         optimize(corridor, {options.limits, options.rho, options.max_iterations});
     result.solver_status = round.status;
@@ -84,10 +85,21 @@ std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geo
     const Trajectory curve =
         slowed(round.trajectory, smallest_factor(round.trajectory, options.limits));
     if (proved(scene, curve, options.limits, result)) return curve;
-    if (result.rounds == kRounds || add_planes_met(scene, curve, corridor) == 0) {
+    if (result.rounds == most || add_planes_met(scene, curve, corridor) == 0) {
       return std::nullopt;
     }
   }
+}
+
+std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
+                                    const SolveOptions& options, SolveResult& result) {
+  if (options.corridor == CorridorKind::boxes) {
+    auto curve = optimised_in(box_corridor(scene, path, kReach), scene, options, result);
+    if (curve) return curve;
+  }
+  Corridor corridor = pieces_between(joints(path));
+  add_planes(scene, kReach, corridor);
+  return optimised_in(std::move(corridor), scene, options, result);
 }
 
 // The first rung that is proved, from what is left. The waypoints hold nowhere.
@@ -144,6 +156,7 @@ void append(const SolveResult& part, SolveResult& whole) {
   whole.objective = std::max(whole.objective, part.objective);
   whole.max_violation = std::max(whole.max_violation, part.max_violation);
   if (whole.rung.empty() || rank(part.rung) > rank(whole.rung)) whole.rung = part.rung;
+  whole.corridor.insert(whole.corridor.end(), part.corridor.begin(), part.corridor.end());
   auto& segments = whole.trajectory.segments;
   segments.insert(segments.end(), part.trajectory.segments.begin(), part.trajectory.segments.end());
 }
