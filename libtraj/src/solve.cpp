@@ -27,6 +27,7 @@ namespace {
 constexpr double kNearlyAsFast = 1.1;
 constexpr double kReach = 10;  // metres: obstacles further off get a plane only when met
 constexpr int kRounds = 5;
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 constexpr const char* kNotRun = "was not run";
 
 // About the least time along the path, corners left out: a trapezoid of the mean of the speeds
@@ -91,15 +92,25 @@ std::optional<Trajectory> optimised_in(Corridor corridor, const geom::CollisionS
   }
 }
 
-std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
-                                    const SolveOptions& options, SolveResult& result) {
-  if (options.corridor == CorridorKind::boxes) {
-    auto curve = optimised_in(box_corridor(scene, path, kReach), scene, options, result);
-    if (curve) return curve;
-  }
+Corridor corridor_of(CorridorKind kind, const geom::CollisionScene& scene,
+                     const geom::Polyline& path) {
+  if (kind == CorridorKind::boxes) return box_corridor(scene, path, kReach);
   Corridor corridor = pieces_between(joints(path));
   add_planes(scene, kReach, corridor);
-  return optimised_in(std::move(corridor), scene, options, result);
+  return corridor;
+}
+
+// In the corridor asked for, else in one of the other kind, which may leave more room. Cut off by
+// the iterations, a result may be proved and yet take longer than `most` seconds.
+std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
+                                    const SolveOptions& options, double most, SolveResult& result) {
+  const bool boxes = options.corridor == CorridorKind::boxes;
+  const auto other = boxes ? CorridorKind::planes : CorridorKind::boxes;
+  for (const CorridorKind kind : {options.corridor, other}) {
+    auto curve = optimised_in(corridor_of(kind, scene, path), scene, options, result);
+    if (curve && duration(*curve) <= most) return curve;
+  }
+  return std::nullopt;
 }
 
 // The first rung that is proved, from what is left. The waypoints hold nowhere.
@@ -130,11 +141,9 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
     return;
   }
   if (all || options.solver == Solver::ipopt) {
-    const auto curve = optimised(scene, path, options, result);
-    // Cut off by the iterations, it may be proved and yet slower than what is left.
-    const bool quick =
-        !all || !curve || duration(*curve) <= duration(stop_and_go(path, options.limits));
-    if (curve && quick) return accept(*curve, "ipopt", result);
+    const double most = all ? duration(stop_and_go(path, options.limits)) : kNoEnd;
+    const auto curve = optimised(scene, path, options, most, result);
+    if (curve) return accept(*curve, "ipopt", result);
   }
   if (all || options.solver == Solver::stop_and_go) {
     const Trajectory curve = stop_and_go(path, options.limits);

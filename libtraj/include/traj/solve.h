@@ -18,12 +18,11 @@ namespace traj {
 
 // automatic: the closed form where it is proved and nearly as fast as the limits allow, else the
 // optimiser where that is proved and no slower than stop-and-go, else whichever of closed form and
-// stop-and-go is proved and faster. The others try
-// that one alone.
+// stop-and-go is proved and faster. The others try that one alone.
 enum class Solver { automatic, closed, ipopt, stop_and_go };
 
-// What keeps the optimiser off the obstacles: a plane for each near a piece, or the faces of empty
-// boxes along the path, and planes where those end in no proof.
+// What keeps the optimiser off the obstacles first: a plane for each near a piece, or the faces of
+// empty boxes along the path. Where one ends in no proof, the other is tried.
 enum class CorridorKind { planes, boxes };
 
 struct SolveOptions {
