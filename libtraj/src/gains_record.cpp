@@ -114,6 +114,7 @@ Gains parse_gains(const JsonFields& fields, const Gains& base) {
     block.vector("velocity", gains.geometric.velocity);
     block.vector("attitude", gains.geometric.attitude);
     block.vector("rates", gains.geometric.rates);
+    block.vector("lead", gains.geometric.lead);
   });
   all.end();
   return gains;
@@ -135,7 +136,8 @@ std::string to_json(const Gains& gains) {
                                        {{"position", numbers(geometric.position)},
                                         {"velocity", numbers(geometric.velocity)},
                                         {"attitude", numbers(geometric.attitude)},
-                                        {"rates", numbers(geometric.rates)}}}};
+                                        {"rates", numbers(geometric.rates)},
+                                        {"lead", numbers(geometric.lead)}}}};
   return nlohmann::ordered_json{{"gains", out}}.dump(2) + '\n';
 }
 

@@ -1,11 +1,12 @@
 #include "fly/mission.h"
 
+#include <fmt/format.h>
+
 #include <ctime>
 
 #include "cli/run.h"
 #include "geom/error.h"
 #include "geom/parallel.h"
-#include "traj/continuity.h"
 
 namespace fly {
 namespace {
@@ -20,6 +21,7 @@ double thread_seconds() {
 }
 
 struct Flown {
+  std::optional<traj::SetpointTrack> track;
   traj::Flight flight;
   double cpu = 0;
 };
@@ -28,9 +30,21 @@ struct Flown {
 
 Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle, const std::string& map)
     : options_(options), profile_(*vehicle.profile()), flight_(options.flight(profile_)) {
-  if (!map.empty()) {
-    scenes_.emplace(cli::open_map(map), vehicle, cli::Scenes::Differences::stricter_allowed);
+  if (map.empty()) return;
+  // A record's margin was kept for what happens here, so it is not asked for again.
+  cli::VehicleOptions flown = vehicle;
+  flown.margin = vehicle.margin.value_or(0);
+  scenes_.emplace(cli::open_map(map), flown, cli::Scenes::Differences::allowed);
+}
+
+const geom::CollisionScene& Mission::scene_for(const Entry& entry) {
+  const auto& made_for = entry.record.provenance.vehicle;
+  if (made_for && made_for->half != profile_.vehicle.half) {
+    throw geom::InputError(source_, entry.line,
+                           fmt::format("expected a trajectory for the vehicle {}, found one for {}",
+                                       profile_.vehicle.name, made_for->name));
   }
+  return scenes_->scene_for(entry.record.provenance, source_, entry.line);
 }
 
 geom::Axes Mission::axes(const Entry& entry) const {
@@ -45,7 +59,7 @@ void Mission::read(cli::InputFile& file) {
     if (entry.record.status == "solved" && entry.record.trajectory.segments.empty()) {
       throw geom::InputError(source_, number, "expected at least one segment, found none");
     }
-    if (scenes_) scenes_->scene_for(entry.record.provenance, source_, number);
+    if (scenes_) scene_for(entry);
     entries_.push_back(std::move(entry));
   });
 }
@@ -57,7 +71,7 @@ void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::Flight
   for (const double tilt : flight.tilt) report.tilt = std::max(report.tilt, tilt);
   if (!flight.lost) report.tracking = traj::tracking(flight, report.duration);
   if (!scenes_) return;
-  const auto& scene = scenes_->scene_for(entry.record.provenance, source_, entry.line);
+  const geom::CollisionScene& scene = scene_for(entry);
   report.provenance = geom::provenance_of(scene);
   if (flight.path.empty()) return;
   traj::TiltedVehicle tilted;
@@ -70,53 +84,54 @@ void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::Flight
   report.check = traj::check_flown(scene, flight_.quadrotor, tilted, flight);
 }
 
+traj::FlightReport Mission::report_of(const Entry& entry, const traj::SetpointTrack* track,
+                                      const traj::Flight& flight, unsigned threads) {
+  traj::FlightReport report;
+  report.id = entry.record.id;
+  report.status = entry.record.status;
+  report.options = flight_;
+  report.provenance = entry.record.provenance;
+  if (!track) return report;
+  report.duration = track->duration();
+  judge(entry, flight, report);
+  if (options_.runs > 0) {
+    report.spread = traj::MonteCarloOptions{options_.runs, std::abs(options_.mass_error)};
+    report.tube = traj::fly_often(*track, flight_, *report.spread, {threads, {}});
+  }
+  if (options_.tube && report.tube.lost == 0) {
+    report.tube_check = traj::check_tube(scene_for(entry), entry.record.trajectory,
+                                         report.tube.radius, traj::kTubePeriod);
+  }
+  return report;
+}
+
 Tally Mission::fly(const geom::Execution& run, std::ostream& log, std::ostream* report) {
   Tally tally;
   traj::write_flight_log_header(log);
-  const traj::FlightKeep keep{options_.log_period(), scenes_.has_value()};
-  std::vector<std::optional<traj::SetpointTrack>> tracks(entries_.size());
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (entries_[i].record.status != "solved") continue;
-    tracks[i].emplace(traj::to_enu(axes(entries_[i]), entries_[i].record.trajectory));
-  }
   for (std::size_t first = 0; first < entries_.size(); first += kBlock) {
-    const std::size_t count = std::min(kBlock, entries_.size() - first);
-    std::vector<Flown> flown(count);
-    const geom::Execution quiet{run.threads, {}};
-    geom::parallel_for(count, quiet, [&](std::size_t i) {
-      if (!tracks[first + i]) return;
+    std::vector<Flown> flown(std::min(kBlock, entries_.size() - first));
+    geom::parallel_for(flown.size(), {run.threads, {}}, [&](std::size_t i) {
+      const Entry& entry = entries_[first + i];
+      if (entry.record.status != "solved") return;
+      flown[i].track.emplace(traj::to_enu(axes(entry), entry.record.trajectory));
       const double begin = thread_seconds();
-      flown[i].flight = traj::simulate(*tracks[first + i], flight_, keep);
+      const traj::FlightKeep keep{options_.log_period(), scenes_.has_value()};
+      flown[i].flight = traj::simulate(*flown[i].track, flight_, keep);
       flown[i].cpu = thread_seconds() - begin;
     });
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < flown.size(); ++i) {
       const Entry& entry = entries_[first + i];
-      traj::FlightReport told;
-      told.id = entry.record.id;
-      told.status = entry.record.status;
-      told.options = flight_;
-      told.provenance = entry.record.provenance;
-      if (const auto& track = tracks[first + i]) {
-        told.duration = track->duration();
-        judge(entry, flown[i].flight, told);
-        if (options_.runs > 0) {
-          told.spread = traj::MonteCarloOptions{options_.runs, std::abs(options_.mass_error)};
-          told.tube = traj::fly_often(*track, flight_, *told.spread, quiet);
-        }
-        if (options_.tube && told.tube.lost == 0) {
-          told.tube_check =
-              traj::check_tube(scenes_->scene_for(entry.record.provenance, source_, entry.line),
-                               entry.record.trajectory, told.tube.radius, traj::kTubePeriod);
-        }
-        traj::write_flight(log, {entry.record.id, std::move(flown[i].flight.samples)});
+      const traj::SetpointTrack* track = flown[i].track ? &*flown[i].track : nullptr;
+      const auto told = report_of(entry, track, flown[i].flight, run.threads);
+      traj::write_flight(log, {entry.record.id, std::move(flown[i].flight.samples)});
+      if (track) {
         tally.flown += options_.hover + told.lost.value_or(told.duration + options_.settle);
         tally.cpu += flown[i].cpu;
       }
       ++tally.records;
       tally.failed += !traj::accepted(told);
-      if (report) {
-        *report << traj::to_json_line(told, profile_.airframe, scenes_ ? &scenes_->map() : nullptr);
-      }
+      const geom::BoxMap* map = scenes_ ? &scenes_->map() : nullptr;
+      if (report) *report << traj::to_json_line(told, profile_.airframe, map);
       if (run.progress) run.progress(first + i + 1, entries_.size());
     }
   }

@@ -40,6 +40,9 @@ class Mission {
   };
 
   geom::Axes axes(const Entry& entry) const;
+  const geom::CollisionScene& scene_for(const Entry& entry);
+  traj::FlightReport report_of(const Entry& entry, const traj::SetpointTrack* track,
+                               const traj::Flight& flight, unsigned threads);
   void judge(const Entry& entry, const traj::Flight& flight, traj::FlightReport& report);
 
   Options options_;

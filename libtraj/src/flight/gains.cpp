@@ -14,22 +14,27 @@ constexpr double kSeparation = 4;
 
 Gains nominal_gains(const Quadrotor& quadrotor, double tilt_max) {
   const double lag = quadrotor.motor_time_constant;
-  const double damped = (1 + kRateDerivative) / (2 * kDamping);
-  const double p = damped * damped / lag;
+  // With the derivative gain d, damping is (1 + d) / (2 sqrt(lag p)).
+  const auto rate_gain = [&](double d) {
+    return (1 + d) * (1 + d) / (4 * kDamping * kDamping * lag);
+  };
+  const double p = rate_gain(kRateDerivative);
+  const double yaw = rate_gain(0);  // motors turn a vehicle weakly: no derivative of noise
   const double turn = std::sqrt(p / lag) / kSeparation;  // rad/s, of the attitude loop
   const double speed = turn / kSeparation;
   Gains gains;
-  gains.rates = {Vec3(p, p, p / 2), Vec3(p, p, p / 2), Vec3::Constant(kRateDerivative)};
-  gains.attitude = Vec3(turn, turn, turn / 2);
+  gains.rates = {Vec3(p, p, yaw), Vec3(p, p, yaw), Vec3(kRateDerivative, kRateDerivative, 0)};
+  gains.attitude = Vec3(turn, turn, std::sqrt(yaw / lag) / kSeparation);
   gains.velocity = {Vec3(speed, speed, 2 * speed), Vec3::Constant(speed / 2), Vec3::Zero()};
   gains.position.p = Vec3::Constant(speed / 2);
   gains.tilt_max = tilt_max;
   GeometricGains& geometric = gains.geometric;
   geometric.velocity = gains.velocity.p;
   geometric.position = gains.velocity.p.cwiseProduct(gains.position.p);
-  // A triple pole at 1 / (3 lag): lag s^3 + s^2 + rates s + attitude.
-  geometric.rates = Vec3::Constant(1 / (3 * lag));
-  geometric.attitude = Vec3::Constant(1 / (27 * lag * lag));
+  // The same inner loops as the cascade's.
+  geometric.rates = gains.rates.p;
+  geometric.attitude = gains.rates.p.cwiseProduct(gains.attitude);
+  geometric.lead = gains.rates.d;
   return gains;
 }
 

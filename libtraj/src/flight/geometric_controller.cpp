@@ -9,6 +9,9 @@
 namespace traj {
 namespace {
 
+constexpr double kPeriod = 1e-3;                              // s
+constexpr double kFilter = 1 / (2 * 3.141592653589793 * 30);  // s: as the cascade's rate loop
+
 Vec3 vee(const Eigen::Matrix3d& m) { return {m(2, 1), m(0, 2), m(1, 0)}; }
 
 }  // namespace
@@ -35,7 +38,11 @@ Motors GeometricController::command(long step, const Setpoint& setpoint, const M
   const Eigen::Matrix3d towards = r.transpose() * wanted_;
   const Vec3 attitude_error = 0.5 * vee(towards.transpose() - towards);  // eq. 10
   const Vec3 rate_error = w - towards * wanted_rates_;                   // eq. 11
-  const Vec3 spin_up = -k.attitude.cwiseProduct(attitude_error) - k.rates.cwiseProduct(rate_error);
+  angular_acceleration_ +=
+      kPeriod / (kPeriod + kFilter) * ((w - last_rates_) / kPeriod - angular_acceleration_);
+  last_rates_ = w;
+  const Vec3 spin_up = -k.attitude.cwiseProduct(attitude_error) - k.rates.cwiseProduct(rate_error) -
+                       k.lead.cwiseProduct(angular_acceleration_);
   const Vec3 follow = w.cross(Vec3(towards * wanted_rates_));
   const Vec3& j = model_.inertia;
   const Vec3 torque =

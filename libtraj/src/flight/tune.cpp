@@ -1,5 +1,6 @@
 #include "traj/flight/tune.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -77,17 +78,35 @@ class Search {
   std::size_t flights_ = 0;
 };
 
-void apply_velocity(const Parameters& v, Gains& gains) {
+void apply_velocity(ControlLaw law, const Parameters& v, Gains& gains) {
+  if (law == ControlLaw::geometric) return set_xy(gains.geometric.velocity, v[0], v[1]);
   set_xy(gains.velocity.p, v[0], v[1]);
   set_xy(gains.velocity.i, v[2], v[3]);
   set_xy(gains.velocity.d, v[4], v[5]);
 }
 
-Parameters velocity_start(const Gains& gains) {
-  const PidGains& v = gains.velocity;
-  const auto positive = [](double value, double least) { return std::max(value, least); };
-  return {positive(v.p.x(), 0.1),  positive(v.p.z(), 0.1),  positive(v.i.x(), 0.05),
-          positive(v.i.z(), 0.05), positive(v.d.x(), 0.01), positive(v.d.z(), 0.01)};
+void apply_position(ControlLaw law, const Parameters& p, Gains& gains) {
+  set_xy(law == ControlLaw::geometric ? gains.geometric.position : gains.position.p, p[0], p[1]);
+}
+
+// The gains across and up, at least `least`: a search on logarithms cannot start at 0.
+Parameters across_and_up(const Vec3& gain, double least) {
+  return {std::max(gain.x(), least), std::max(gain.z(), least)};
+}
+
+Parameters velocity_start(ControlLaw law, const Gains& gains) {
+  if (law == ControlLaw::geometric) return across_and_up(gains.geometric.velocity, 0.1);
+  Parameters out = across_and_up(gains.velocity.p, 0.1);
+  for (const Parameters& more :
+       {across_and_up(gains.velocity.i, 0.05), across_and_up(gains.velocity.d, 0.01)}) {
+    out.insert(out.end(), more.begin(), more.end());
+  }
+  return out;
+}
+
+Parameters position_start(ControlLaw law, const Gains& gains) {
+  return across_and_up(law == ControlLaw::geometric ? gains.geometric.position : gains.position.p,
+                       0.1);
 }
 
 double weighed(const FlightCost& cost, const Flight& flight, const SetpointTrack& track) {
@@ -100,28 +119,28 @@ double weighed(const FlightCost& cost, const Flight& flight, const SetpointTrack
 
 TuneResult tune(std::span<const SetpointTrack> tracks, const FlightOptions& base,
                 const FlightCost& cost, const geom::Execution& run) {
+  const ControlLaw law = base.law;
   FlightOptions open = base;
   open.gains.position = {};
-  TuneResult out;
-  out.gains = base.gains;
+  open.gains.geometric.position.setZero();
   Search inner(tracks, open, run);
-  Parameters velocity = velocity_start(base.gains);
+  Parameters velocity = velocity_start(law, base.gains);
+  const auto set_velocity = [&](const Parameters& v, Gains& g) { apply_velocity(law, v, g); };
+  TuneResult out;
   out.velocity_cost = inner.improve(
-      velocity, apply_velocity,
+      velocity, set_velocity,
       [](const Flight& flight, const SetpointTrack&) { return flight.velocity_error; });
-  apply_velocity(velocity, out.gains);
   FlightOptions closed = base;
-  closed.gains = out.gains;
+  set_velocity(velocity, closed.gains);
   Search outer(tracks, closed, run);
-  Parameters position = {std::max(base.gains.position.p.x(), 0.1),
-                         std::max(base.gains.position.p.z(), 0.1)};
-  const Apply apply = [](const Parameters& p, Gains& gains) {
-    set_xy(gains.position.p, p[0], p[1]);
-  };
-  out.cost = outer.improve(position, apply, [&](const Flight& flight, const SetpointTrack& track) {
-    return weighed(cost, flight, track);
-  });
-  apply(position, out.gains);
+  Parameters position = position_start(law, base.gains);
+  const auto set_position = [&](const Parameters& p, Gains& g) { apply_position(law, p, g); };
+  out.cost =
+      outer.improve(position, set_position, [&](const Flight& flight, const SetpointTrack& track) {
+        return weighed(cost, flight, track);
+      });
+  out.gains = closed.gains;
+  set_position(position, out.gains);
   out.flights = inner.flights() + outer.flights();
   return out;
 }

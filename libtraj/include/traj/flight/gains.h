@@ -30,6 +30,7 @@ struct GeometricGains {
   Vec3 velocity = Vec3::Zero();  // 1/s
   Vec3 attitude = Vec3::Zero();  // 1/s2
   Vec3 rates = Vec3::Zero();     // 1/s
+  Vec3 lead = Vec3::Zero();      // 1: on the measured angular acceleration, against the motors' lag
 };
 
 struct Gains {
@@ -42,8 +43,9 @@ struct Gains {
   GeometricGains geometric;
 };
 
-// Gains that follow from the motors' lag: rates of damping 0.8 where the derivative gain makes the
-// lag three times shorter, each outer loop a quarter as fast as the next inner one.
+// Gains that follow from the motors' lag: rates of damping 0.8, where in roll and pitch the
+// derivative gain makes the lag three times shorter; each outer loop a quarter as fast as the next
+// inner one.
 Gains nominal_gains(const Quadrotor& quadrotor, double tilt_max);
 
 // "stack-a" and "stack-b": the position and velocity tables of two older stacks, without
