@@ -40,9 +40,13 @@ Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle, con
 const geom::CollisionScene& Mission::scene_for(const Entry& entry) {
   const auto& made_for = entry.record.provenance.vehicle;
   if (made_for && made_for->half != profile_.vehicle.half) {
-    throw geom::InputError(source_, entry.line,
-                           fmt::format("expected a trajectory for the vehicle {}, found one for {}",
-                                       profile_.vehicle.name, made_for->name));
+    const auto shown = [](const geom::Vehicle& v) {
+      return fmt::format("{} [{}, {}, {}]", v.name, v.half[0], v.half[1], v.half[2]);
+    };
+    throw geom::InputError(
+        source_, entry.line,
+        fmt::format("expected a trajectory for the vehicle {}, as asked, found one for {}",
+                    shown(profile_.vehicle), shown(*made_for)));
   }
   return scenes_->scene_for(entry.record.provenance, source_, entry.line);
 }
