@@ -125,6 +125,8 @@ TEST(Simulate, SaysWhenItIsLost) {
   ASSERT_TRUE(flight.lost);
   EXPECT_LT(flight.samples.size(), 6000u);
   for (const FlightSample& s : flight.samples) EXPECT_TRUE(s.position.allFinite());
+  for (const Vec3& p : flight.path) EXPECT_TRUE(p.allFinite());
+  EXPECT_EQ(flight.path.size(), (flight.error.size() - 1) * 10 + 1);
 }
 
 TEST(SetpointTrack, IsTheTrajectory) {

@@ -11,6 +11,8 @@
 namespace fly {
 namespace {
 
+constexpr double kLongest = 36000;  // s: what is kept of a flight grows with it
+
 // Flights that are held at once before their rows are written.
 constexpr std::size_t kBlock = 32;
 
@@ -63,6 +65,12 @@ void Mission::read(cli::InputFile& file) {
     if (entry.record.status == "solved" && entry.record.trajectory.segments.empty()) {
       throw geom::InputError(source_, number, "expected at least one segment, found none");
     }
+    const double length = traj::duration(entry.record.trajectory);
+    if (length > kLongest) {
+      throw geom::InputError(
+          source_, number,
+          fmt::format("duration must be at most {} s to be flown, found {}", kLongest, length));
+    }
     if (scenes_) scene_for(entry);
     entries_.push_back(std::move(entry));
   });
@@ -77,7 +85,7 @@ void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::Flight
   if (!scenes_) return;
   const geom::CollisionScene& scene = scene_for(entry);
   report.provenance = geom::provenance_of(scene);
-  if (flight.path.empty()) return;
+  if (flight.path.empty()) return;  // lost at once
   traj::TiltedVehicle tilted;
   if (profile_.body) {
     tilted.tilt_max = profile_.limits.tilt.value_or(0);

@@ -35,9 +35,18 @@ std::vector<double> numbers(const char* flag, const std::string& text, std::size
   return *values;
 }
 
+int milliseconds(const char* flag, double seconds) {
+  const double count = seconds * 1e3;
+  if (std::abs(count - std::round(count)) > 1e-6) {
+    throw cli::UsageError(
+        fmt::format("{}: expected a whole number of milliseconds, found {} s", flag, seconds));
+  }
+  return static_cast<int>(std::lround(count));
+}
+
 traj::SensorSpec sensors(const std::string& noise, double delay) {
   traj::SensorSpec spec;
-  spec.delay = delay;
+  spec.delay = milliseconds("--delay", delay) * 1e-3;
   if (noise.empty()) return spec;
   const char* expected = "four deviations >= 0: metres, m/s, degrees, degrees/s";
   const auto v = numbers("--noise", noise, 4, expected);
@@ -107,7 +116,7 @@ traj::FlightOptions Options::flight(const cli::VehicleProfile& profile) const {
   }
   out.law = controller == "cascade" ? traj::ControlLaw::cascade : traj::ControlLaw::geometric;
   if (step > 0) {
-    const int period = static_cast<int>(std::lround(step * 1e3));
+    const int period = milliseconds("--step", step);
     out.periods = {period, period};
   }
   out.mass_error = mass_error;

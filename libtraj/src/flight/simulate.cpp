@@ -55,6 +55,7 @@ class Simulation {
 
   Flight run() {
     for (long n = -before_; n <= steps_ && !flight_.lost; ++n) step(n);
+    if (flight_.lost) keep_what_was_sampled();
     const double samples = static_cast<double>(flight_.error.size());
     if (samples > 0) flight_.saturated /= samples;
     if (velocity_samples_ > 0) {
@@ -65,6 +66,13 @@ class Simulation {
   }
 
  private:
+  // Past the last sample nothing may be finite.
+  void keep_what_was_sampled() {
+    const std::size_t samples = flight_.error.size();
+    const std::size_t most = samples ? (samples - 1) * kStepsPerSample + 1 : 0;
+    if (flight_.path.size() > most) flight_.path.resize(most);
+  }
+
   void step(long n) {
     const long since_start = n + before_;
     const LoopPeriods& periods = options_.periods;
