@@ -52,14 +52,14 @@ TEST(Solve, EmptyBoxesLeadAroundTheBlockToo) {
   EXPECT_LT(duration(result.trajectory), 1.1 * planes);
 }
 
-// One iteration is not enough for either.
+// One iteration is enough for neither to beat what is left.
 TEST(Solve, TriesBothCorridorsBeforeItGivesUp) {
   SolveOptions options;
   options.limits = kLimits;
   options.max_iterations = 1;
-  options.solver = Solver::ipopt;
   const SolveResult result = solve(block(), kAround, options);
-  EXPECT_EQ(result.status, SolveStatus::infeasible);
+  EXPECT_EQ(result.status, SolveStatus::solved);
+  EXPECT_NE(result.rung, "ipopt");
   EXPECT_EQ(result.solver_status, "iteration limit");
   EXPECT_GE(result.rounds, 2);
   EXPECT_EQ(result.corridor.front().planes.size(), 6u);  // of the last
