@@ -93,7 +93,7 @@ void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::Flight
       return geom::attitude_half_sizes(body, std::min(tilt, 1.5707963267948966));
     };
   }
-  report.check = traj::check_flown(scene, flight_.quadrotor, tilted, flight);
+  report.check = traj::check_flown(scene, traj::true_vehicle(flight_), tilted, flight);
 }
 
 traj::FlightReport Mission::report_of(const Entry& entry, const traj::SetpointTrack* track,

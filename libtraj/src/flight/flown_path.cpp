@@ -50,8 +50,11 @@ FlownCheck verdict(const geom::CollisionScene& scene, std::string reason, double
 FlownCheck check_flown(const geom::CollisionScene& scene, const Quadrotor& quadrotor,
                        const TiltedVehicle& vehicle, const Flight& flight) {
   const geom::Axes axes = scene.map().spec().frame.axes;
-  // Within a step the speed of the air grows by far less than the 1 m/s added here.
-  const double most = acceleration_bound(quadrotor, flight.fastest_air + 1);
+  // Between the samples of the air's speed gusts change it by less than 1 m/s, the vehicle by what
+  // it accelerates.
+  const double air = flight.fastest_air + 1;
+  const double most =
+      acceleration_bound(quadrotor, air + kSamplePeriod * acceleration_bound(quadrotor, air));
   const double chord = kStepsPerSample * kStep;
   const double coarse = most * chord * chord / 8;
   const double fine = most * kStep * kStep / 8;

@@ -13,12 +13,6 @@ namespace {
 constexpr double kLostDistance = 100;  // m
 constexpr double kLostRate = 100;      // rad/s
 
-Quadrotor true_vehicle(const FlightOptions& options) {
-  Quadrotor out = options.quadrotor;
-  out.mass *= 1 + options.mass_error;
-  return out;
-}
-
 QuadrotorState start_state(const SetpointTrack& track, const FlightOptions& options,
                            const Quadrotor& vehicle) {
   std::size_t cursor = 0;
@@ -155,6 +149,12 @@ class Simulation {
 };
 
 }  // namespace
+
+Quadrotor true_vehicle(const FlightOptions& options) {
+  Quadrotor out = options.quadrotor;
+  out.mass *= 1 + options.mass_error;
+  return out;
+}
 
 Flight simulate(const SetpointTrack& track, const FlightOptions& options, const FlightKeep& keep) {
   if (options.law == ControlLaw::geometric) {

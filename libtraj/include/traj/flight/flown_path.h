@@ -25,7 +25,7 @@ struct FlownCheck {
 // Exact on the polyline of the integrator's steps; between them the path strays by at most
 // A h^2 / 8, where A bounds the acceleration. "Clear" holds with that added to the vehicle.
 // `half_at` gives the half sizes that hold the vehicle at a tilt beyond `tilt_max` (radians): where
-// it flew so, they count. `flight` has its path.
+// it flew so, they count. `quadrotor` is the true one. `flight` has its path.
 struct TiltedVehicle {
   double tilt_max = 1.5707963267948966;
   std::function<Vec3(double)> half_at;  // may be empty: the scene's half sizes hold at every tilt

@@ -31,6 +31,9 @@ struct FlightOptions {
   double settle = 3;  // s of hovering after the end
 };
 
+// The vehicle as it is: with its true mass.
+Quadrotor true_vehicle(const FlightOptions& options);
+
 // What to keep of a flight beside its errors.
 struct FlightKeep {
   int log_period = 0;  // ms between samples of the log, a multiple of 10; 0: none
