@@ -23,6 +23,7 @@ execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/packaging/changelog
                 OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
 
 set(CPACK_PACKAGE_NAME skyway)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ
@@ -36,16 +37,16 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_COMPONENTS_ALL tools development)
 
 skyway_package(tools skyway science "offline map and path toolkit for drones in cities
- City tables and text maps become box maps, box maps become lattices and
- roadmaps, those give paths, and paths become minimum-snap trajectories that
- are proved free of collision and inside the vehicle's limits, and are written
- in the form that the drone reads. Every step is a command-line tool.")
+City tables and text maps become box maps, box maps become lattices and
+roadmaps, those give paths, and paths become minimum-snap trajectories that
+are proved free of collision and inside the vehicle's limits, and are written
+in the form that the drone reads. Every step is a command-line tool.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, python3-skyway")
 
 skyway_package(development libskyway-dev libdevel "libraries of the Skyway toolkit
- Headers and static libraries of what the tools are made of: box maps and exact
- collision queries, path planning, trajectories and their proof. A CMake package
- is included: find_package(skyway), then link skyway::plan or skyway::traj.")
+Headers and static libraries of what the tools are made of: box maps and exact
+collision queries, path planning, trajectories and their proof. A CMake package
+is included: find_package(skyway), then link skyway::plan or skyway::traj.")
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   libeigen3-dev libfmt-dev nlohmann-json3-dev libembree-dev liboctomap-dev liblzf-dev
   libgeographiclib-dev libgmp-dev libmpfr-dev libssl-dev zlib1g-dev coinor-libipopt-dev pkg-config)
@@ -54,26 +55,26 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 if(SKYWAY_FOOTPRINTS)
   list(APPEND CPACK_COMPONENTS_ALL footprints)
   skyway_package(footprints skyway-footprints science "building footprints to Skyway box maps
- Reads GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OpenStreetMap, CityJSON and
- height models, and makes box maps of them for the tools of the package skyway.")
+Reads GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OpenStreetMap, CityJSON and
+height models, and makes box maps of them for the tools of the package skyway.")
   set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_RECOMMENDS skyway)
 endif()
 
 if(SKYWAY_CLOUD)
   list(APPEND CPACK_COMPONENTS_ALL cloud)
   skyway_package(cloud skyway-cloud science "point clouds to Skyway box maps
- Reads PCD, PLY, LAS and XYZ point clouds, and makes box maps of them for the
- tools of the package skyway.")
+Reads PCD, PLY, LAS and XYZ point clouds, and makes box maps of them for the
+tools of the package skyway.")
   set(CPACK_DEBIAN_CLOUD_PACKAGE_RECOMMENDS skyway)
 endif()
 
 if(SKYWAY_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
   skyway_package(python python3-skyway python "Python module of the Skyway toolkit
- Reads box maps, lattices, roadmaps, paths, trajectories and reports into NumPy
- arrays, answers collision queries in batches without copying, plans, solves
- and checks.")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${SKYWAY_PYTHON_NEXT}), python3-numpy")
+Reads box maps, lattices, roadmaps, paths, trajectories and reports into NumPy
+arrays, answers collision queries in batches without copying, plans, solves
+and checks.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${SKYWAY_PYTHON_DEPENDS}")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS skyway)
 endif()
 
