@@ -13,9 +13,10 @@
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 16> kVerbs = {{
+constexpr std::array<std::pair<const char*, const char*>, 17> kVerbs = {{
     {"synth", "make up a city"},
     {"import", "city tables, block texts, voxels and octrees to box maps"},
+    {"import-trajectory", "drone files and missions to trajectories and paths"},
     {"footprints", "building footprints, city and height models to box maps"},
     {"cloud", "point clouds to box maps"},
     {"map", "look at, join, merge, patch and convert box maps"},

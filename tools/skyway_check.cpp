@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "cli/drone_file.h"
 #include "cli/files.h"
+#include "cli/numbers_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "traj/check.h"
 #include "traj/exact_check.h"
+#include "traj/flown.h"
 #include "traj/io/certificate_record.h"
 #include "traj/io/report_record.h"
 #include "traj/io/trajectory_record.h"
@@ -64,6 +67,18 @@ struct Checker {
     return report;
   }
 
+  // What a drone makes of a file.
+  traj::ReportRecord flown(const cli::DroneFile& file) const {
+    const auto& scene = scenes.scene();
+    const bool path = !file.flown.path.empty();
+    traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}};
+    report.limits = limits_for(scenes.profile()->limits);  // a scene without a record has a profile
+    report.provenance = geom::provenance_of(scene);
+    report.result = traj::check_flown(scene, file.flown, report.limits);
+    if (exact && path) report.exact = traj::check_exactly(task(scene, {}), file.flown.path);
+    return report;
+  }
+
   traj::ReportRecord check(const std::string& text, const std::string& source,
                            std::size_t line) const {
     const geom::JsonFields fields(text, source, line);
@@ -91,6 +106,8 @@ int main(int argc, char** argv) {
   std::string certificate;
   bool override_record = false;
   bool exact = false;
+  cli::DroneFileOptions drone_file;
+  drone_file.format.clear();
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "reports (default: stdout)");
@@ -103,6 +120,14 @@ int main(int argc, char** argv) {
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
   app.add_option("--certificate", certificate,
                  "write why each accepted record is clear, JSON Lines; implies --exact");
+  app.add_option("--file-format", drone_file.format,
+                 "FILE is a drone file, to be checked as it is flown; auto: as it begins")
+      ->check(CLI::IsMember(cli::drone_file_formats()));
+  app.add_flag_callback(
+      "--paths-csv", [&] { drone_file.format = "paths-csv"; },
+      "FILE is a table of paths with columns id,x,y,z");
+  drone_file.placement.add_to(app);
+  cli::add_point(app, "--start", drone_file.start, "where a Tello stands before it takes off");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
     if (certificate == "-" && output == "-") {
@@ -118,15 +143,28 @@ int main(int argc, char** argv) {
     if (!certificate.empty()) reasons.emplace(certificate, cli::OutputKind::text);
     std::size_t failed = 0;
     std::size_t count = 0;
-    file.for_each_line([&](const std::string& line, std::size_t number) {
-      const traj::ReportRecord report = checker.check(line, file.name(), number);
+    const auto answer = [&](const traj::ReportRecord& report) {
       const bool ok = traj::accepted(report);
       failed += !ok;
       ++count;
       if (ok && reasons) reasons->stream() << to_json_line(certificate_of(report, scenes.map()));
       out.stream() << traj::to_json_line(report, scenes.map());
       out.flush();
-    });
+    };
+    if (drone_file.format.empty()) {
+      file.for_each_line([&](const std::string& line, std::size_t number) {
+        answer(checker.check(line, file.name(), number));
+      });
+    } else {
+      const geom::Frame& frame = scenes.map().spec().frame;
+      for (const cli::DroneFile& one :
+           cli::read_drone_file(file.read_all(), file.name(), drone_file, frame)) {
+        if (checker.exact && one.flown.path.empty()) {
+          throw cli::UsageError("--exact takes paths and records, not files of trajectories");
+        }
+        answer(checker.flown(one));
+      }
+    }
     out.commit();
     if (reasons) reasons->commit();
     common.write_stats({{"records", count}, {"failed", failed}});
