@@ -35,7 +35,7 @@ constexpr std::array<std::pair<const char*, const char*>, 17> kVerbs = {{
 
 void print_verbs(std::FILE* to) {
   fmt::print(to, "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n");
-  for (const auto& [verb, what] : kVerbs) fmt::print(to, "  {:<10} {}\n", verb, what);
+  for (const auto& [verb, what] : kVerbs) fmt::print(to, "  {:<17} {}\n", verb, what);
 }
 
 }  // namespace

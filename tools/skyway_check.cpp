@@ -4,7 +4,6 @@
 
 #include "cli/drone_file.h"
 #include "cli/files.h"
-#include "cli/numbers_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "traj/check.h"
@@ -71,11 +70,15 @@ struct Checker {
   traj::ReportRecord flown(const cli::DroneFile& file) const {
     const auto& scene = scenes.scene();
     const bool path = !file.flown.path.empty();
+    if (exact && !path) {
+      throw cli::UsageError("--exact takes paths and records, not files of trajectories");
+    }
     traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}};
     report.limits = limits_for(scenes.profile()->limits);  // a scene without a record has a profile
     report.provenance = geom::provenance_of(scene);
     report.result = traj::check_flown(scene, file.flown, report.limits);
-    if (exact && path) report.exact = traj::check_exactly(task(scene, {}), file.flown.path);
+    const auto way = exact ? traj::whole_way(scene, file.flown) : std::nullopt;
+    if (way) report.exact = traj::check_exactly(task(scene, {}), *way);
     return report;
   }
 
@@ -107,7 +110,6 @@ int main(int argc, char** argv) {
   bool override_record = false;
   bool exact = false;
   cli::DroneFileOptions drone_file;
-  drone_file.format.clear();
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "reports (default: stdout)");
@@ -120,14 +122,7 @@ int main(int argc, char** argv) {
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
   app.add_option("--certificate", certificate,
                  "write why each accepted record is clear, JSON Lines; implies --exact");
-  app.add_option("--file-format", drone_file.format,
-                 "FILE is a drone file, to be checked as it is flown; auto: as it begins")
-      ->check(CLI::IsMember(cli::drone_file_formats()));
-  app.add_flag_callback(
-      "--paths-csv", [&] { drone_file.format = "paths-csv"; },
-      "FILE is a table of paths with columns id,x,y,z");
-  drone_file.placement.add_to(app);
-  cli::add_point(app, "--start", drone_file.start, "where a Tello stands before it takes off");
+  drone_file.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
     if (certificate == "-" && output == "-") {
@@ -157,11 +152,8 @@ int main(int argc, char** argv) {
       });
     } else {
       const geom::Frame& frame = scenes.map().spec().frame;
-      for (const cli::DroneFile& one :
-           cli::read_drone_file(file.read_all(), file.name(), drone_file, frame)) {
-        if (checker.exact && one.flown.path.empty()) {
-          throw cli::UsageError("--exact takes paths and records, not files of trajectories");
-        }
+      const std::string text = file.read_all();
+      for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
         answer(checker.flown(one));
       }
     }

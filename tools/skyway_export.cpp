@@ -4,7 +4,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <tuple>
+#include <optional>
+#include <utility>
 
 #include "cli/files.h"
 #include "cli/run.h"
@@ -158,20 +159,31 @@ void set_ground(const geom::CollisionScene& scene, const TrajectoryRecord& recor
   task.landing = traj::ground_below(scene, segments.back().point.back());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app{"Write a trajectory as a drone file, proved as it will be flown.", "skyway-export"};
-  cli::Common common(app);
-  cli::VehicleOptions vehicle;
-  Task task;
+struct Options {
   std::vector<std::string> files;
   std::string output = "-";
   std::string id;
   std::string axes = "enu";
   bool unchecked = false;
   bool hover = false;
-  app.add_option("map_and_file", files,
+  cli::VehicleOptions vehicle;
+
+  std::string input() const { return files.size() > map_files() ? files.back() : "-"; }
+  std::size_t map_files() const { return unchecked ? 0 : 1; }
+
+  void require_sound(const Task& task) const {
+    if (files.empty() && !unchecked) throw cli::UsageError("map is required (or --unchecked)");
+    if (files.size() > map_files() + 1) throw cli::UsageError("--unchecked takes no map");
+    if (!unchecked) cli::at_most_one_stdin({files[0], input()});
+    if (task.format == "tello" && (output.ends_with(".py") || output.ends_with(".csv"))) {
+      throw cli::UsageError(
+          "a Tello's script needs another name: FILE.py and FILE.csv go beside it");
+    }
+  }
+};
+
+void add_options(CLI::App& app, Options& options, Task& task) {
+  app.add_option("map_and_file", options.files,
                  "box map, then trajectories (default: stdin); with "
                  "--unchecked trajectories alone")
       ->expected(0, 2);
@@ -181,66 +193,75 @@ int main(int argc, char** argv) {
           {"tello", "crazyflie", "qgc-plan", "wpl", "setpoints", "kml", "geojson", "gltf"}));
   app.add_option("--rate", task.rate, "setpoints a second, Hz (default 50)")
       ->check(CLI::Range(0.1, 10000.0));
-  app.add_option("--axes", axes, "of setpoints: enu or ned (default enu)")
+  app.add_option("--axes", options.axes, "of setpoints: enu or ned (default enu)")
       ->check(CLI::IsMember({"enu", "ned"}));
-  app.add_option(
-         "--tolerance", task.tolerance,
-         "metres that straight legs may leave the curve (default 0.2); halved, and points moved "
-         "off obstacles, while they are refused")
+  app.add_option("--tolerance", task.tolerance,
+                 "metres that straight legs may leave the curve (default 0.2); halved, and points "
+                 "moved off obstacles, while they are refused")
       ->check(CLI::Range(1e-3, 100.0));
   app.add_option("--speed", task.speed,
                  "m/s along straight legs (default: the limits', and 1 for a Tello)")
       ->check(CLI::Range(0.1, 100.0));
-  app.add_flag("--hover", hover, "do not land at the end of a mission");
+  app.add_flag("--hover", options.hover, "do not land at the end of a mission");
   task.placement.add_to(app);
-  app.add_option("--id", id, "which trajectory of the stream (default: its only one)");
-  app.add_flag("--unchecked", unchecked, "write without a map and without a proof");
-  app.add_option("-o,--output", output,
+  app.add_option("--id", options.id, "which trajectory of the stream (default: its only one)");
+  app.add_flag("--unchecked", options.unchecked, "write without a map and without a proof");
+  app.add_option("-o,--output", options.output,
                  "file to write (default: stdout); beside a Tello's script FILE.txt go FILE.py and "
                  "FILE.csv");
-  vehicle.add_to(app);
+  options.vehicle.add_to(app);
+}
+
+Written write_unchecked(const TrajectoryRecord& record, Task& task) {
+  task.frame.axes = record.provenance.frame.value_or(geom::Axes::enu);
+  task.ground = task.landing = task.placement.ground.value_or(0);
+  task.enu = traj::in_enu(task.frame.axes, record.trajectory);
+  return exporting::write(task, traj::straight_legs(task.enu, task.tolerance));
+}
+
+// Nothing where it is refused, which it says.
+std::optional<Written> write_checked(const Options& options, const TrajectoryRecord& record,
+                                     Task& task) {
+  cli::Scenes scenes(cli::open_map(options.files[0]), options.vehicle,
+                     cli::Scenes::Differences::refused);
+  const auto& scene = scenes.scene_for(record.provenance, options.input(), 0);
+  task.frame = scene.map().spec().frame;
+  task.enu = traj::in_enu(task.frame.axes, record.trajectory);
+  set_ground(scene, record, task);
+  auto [written, result] = write_proved(scene, task);
+  if (result.ok) return std::move(written);
+  fmt::print(stderr, "skyway-export: {}\n", refusal(task, result));
+  return std::nullopt;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Write a trajectory as a drone file, proved as it will be flown.", "skyway-export"};
+  cli::Common common(app);
+  Options options;
+  Task task;
+  add_options(app, options, task);
   return cli::run_tool(app, argc, argv, [&] {
-    if (files.empty() && !unchecked) throw cli::UsageError("map is required (or --unchecked)");
-    const std::size_t input_at = unchecked ? 0 : 1;
-    if (files.size() > input_at + 1) throw cli::UsageError("--unchecked takes no map");
-    const std::string input = files.size() > input_at ? files[input_at] : "-";
-    if (!unchecked) cli::at_most_one_stdin({files[0], input});
-    if (task.format == "tello" && (output.ends_with(".py") || output.ends_with(".csv"))) {
-      throw cli::UsageError(
-          "a Tello's script needs another name: FILE.py and FILE.csv go beside it");
-    }
-    const TrajectoryRecord record = id.empty() ? read_one(input) : read_named(input, id);
+    options.require_sound(task);
+    const std::string input = options.input();
+    const TrajectoryRecord record =
+        options.id.empty() ? read_one(input) : read_named(input, options.id);
     if (record.status != "solved") {
       fmt::print(stderr, "skyway-export: {}: refused: {}\n", record.id, record.status);
       return cli::Exit::no;
     }
     task.id = record.id;
     task.limits = record.limits;
-    task.ned = axes == "ned";
-    task.lands = !hover;
-    task.checked = !unchecked;
-    Written written;
-    if (unchecked) {
-      task.frame.axes = record.provenance.frame.value_or(geom::Axes::enu);
-      task.ground = task.landing = task.placement.ground.value_or(0);
-      task.enu = traj::in_enu(task.frame.axes, record.trajectory);
-      written = exporting::write(task, traj::straight_legs(task.enu, task.tolerance));
-    } else {
-      cli::Scenes scenes(cli::open_map(files[0]), vehicle, cli::Scenes::Differences::refused);
-      const auto& scene = scenes.scene_for(record.provenance, input, 0);
-      task.frame = scene.map().spec().frame;
-      task.enu = traj::in_enu(task.frame.axes, record.trajectory);
-      set_ground(scene, record, task);
-      traj::CheckResult result;
-      std::tie(written, result) = write_proved(scene, task);
-      if (!result.ok) {
-        fmt::print(stderr, "skyway-export: {}\n", refusal(task, result));
-        return cli::Exit::no;
-      }
-    }
+    task.ned = options.axes == "ned";
+    task.lands = !options.hover;
+    task.checked = !options.unchecked;
+    const std::optional<Written> written =
+        options.unchecked ? write_unchecked(record, task) : write_checked(options, record, task);
+    if (!written) return cli::Exit::no;
     if (task.format == "crazyflie") warn_of_memory(common, task);
-    save(task, written, output);
-    common.write_stats(statistics(task, written));
+    save(task, *written, options.output);
+    common.write_stats(statistics(task, *written));
     return cli::Exit::yes;
   });
 }

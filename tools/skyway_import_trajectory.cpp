@@ -70,7 +70,7 @@ geom::Frame frame_of(const std::string& map, const std::string& axes,
 int main(int argc, char** argv) {
   CLI::App app{"Read a drone file as a trajectory or a path.", "skyway-import-trajectory"};
   cli::Common common(app);
-  cli::DroneFileOptions options;
+  cli::DroneFileOptions options{"auto", {}, {}};
   std::string input;
   std::string output = "-";
   std::string map;

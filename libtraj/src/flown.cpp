@@ -54,24 +54,6 @@ CheckResult check_setpoints(const geom::CollisionScene& scene, const Flown& flow
 
 // --- paths ----------------------------------------------------------------------------------
 
-// With the ascent and the descent; nothing where the ascent has no room.
-std::optional<geom::Polyline> whole_way(const geom::CollisionScene& scene, const Flown& flown) {
-  geom::Polyline way = flown.path;
-  const auto above = [&](const Vec3& p, double ground) {
-    return Vec3(p.x(), p.y(), ground + scene.half().z() + kStanding);
-  };
-  if (flown.ends.takeoff_from) {
-    const Vec3 foot = above(way.front(), *flown.ends.takeoff_from);
-    if (foot.z() > way.front().z()) return std::nullopt;
-    way.insert(way.begin(), foot);
-  }
-  if (flown.ends.landing_on) {
-    const Vec3 foot = above(way.back(), *flown.ends.landing_on);
-    if (foot.z() < way.back().z()) way.push_back(foot);
-  }
-  return way;
-}
-
 void check_legs(const geom::Polyline& way, double speed, const Limits& limits,
                 CheckResult& result) {
   result.speed = {speed, 0};
@@ -125,6 +107,23 @@ CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, con
 }
 
 }  // namespace
+
+std::optional<geom::Polyline> whole_way(const geom::CollisionScene& scene, const Flown& flown) {
+  geom::Polyline way = flown.path;
+  const auto above = [&](const Vec3& p, double ground) {
+    return Vec3(p.x(), p.y(), ground + scene.half().z() + kStanding);
+  };
+  if (flown.ends.takeoff_from) {
+    const Vec3 foot = above(way.front(), *flown.ends.takeoff_from);
+    if (foot.z() > way.front().z()) return std::nullopt;
+    way.insert(way.begin(), foot);
+  }
+  if (flown.ends.landing_on) {
+    const Vec3 foot = above(way.back(), *flown.ends.landing_on);
+    if (foot.z() < way.back().z()) way.push_back(foot);
+  }
+  return way;
+}
 
 CheckOptions file_tolerance(const Limits& limits) {
   CheckOptions options;

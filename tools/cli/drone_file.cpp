@@ -167,9 +167,16 @@ traj::TelloStart Placement::tello_start(const geom::Vec3& enu_ground) const {
   return {enu_ground, heading.value_or(0) * std::numbers::pi / 180, takeoff_height};
 }
 
-std::vector<std::string> drone_file_formats() {
-  return {"auto",     "crazyflie", "setpoints", "tello", "wpl",
-          "qgc-plan", "kml",       "geojson",   "gltf",  "paths-csv"};
+void DroneFileOptions::add_to(CLI::App& app) {
+  app.add_option("--file-format", format,
+                 "FILE is a drone file, to be checked as it is flown; auto: as it begins")
+      ->check(CLI::IsMember({"auto", "crazyflie", "setpoints", "tello", "wpl", "qgc-plan", "kml",
+                             "geojson", "gltf", "paths-csv"}));
+  app.add_flag_callback(
+      "--paths-csv", [this] { format = "paths-csv"; },
+      "FILE is a table of paths with columns id,x,y,z");
+  add_point(app, "--start", start, "where a Tello stands before it takes off");
+  placement.add_to(app);
 }
 
 std::vector<DroneFile> read_drone_file(const std::string& text, const std::string& source,

@@ -29,9 +29,6 @@ struct Placement {
   traj::TelloStart tello_start(const geom::Vec3& enu_ground) const;
 };
 
-// The formats that read_drone_file knows, and "auto".
-std::vector<std::string> drone_file_formats();
-
 struct DroneFile {
   std::string id;
   std::string format;
@@ -40,9 +37,12 @@ struct DroneFile {
 };
 
 struct DroneFileOptions {
-  std::string format = "auto";
+  std::string format;  // empty: not asked for
   Placement placement;
   std::optional<geom::Vec3> start;  // where a Tello stands, in the map's axes
+
+  // --file-format, --paths-csv, --start and those of the placement.
+  void add_to(CLI::App& app);
 };
 
 // What is in a file of this text: one flight, or for a table of paths ("paths-csv") several. The id

@@ -60,7 +60,8 @@ Written write_tello(const Task& task, const geom::Polyline& legs) {
   std::ostringstream python;
   std::ostringstream csv;
   traj::write_tello(text, flight);
-  std::string note = fmt::format("Flight \"{}\". {}", task.id, note_of(task));
+  std::string note =
+      fmt::format("Flight \"{}\".{}{}", task.id, task.checked ? "" : " ", note_of(task));
   std::replace_if(
       note.begin(), note.end(),
       [](char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < ' '; }, '\'');

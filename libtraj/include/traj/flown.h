@@ -25,6 +25,10 @@ struct Flown {
   double airborne = 0;  // s, for the envelope
 };
 
+// A path with the ascent before and the descent after it, from 1 mm above where the vehicle stands:
+// what check_flown looks at. Nothing for a take-off from above the path's beginning.
+std::optional<geom::Polyline> whole_way(const geom::CollisionScene& scene, const Flown& flown);
+
 // Single precision and six decimals: how far a file's segments may miss each other.
 CheckOptions file_tolerance(const Limits& limits);
 
