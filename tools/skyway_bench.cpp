@@ -9,11 +9,10 @@
 #include "bench/options.h"
 #include "bench/peak_memory.h"
 #include "bench/report.h"
+#include "cli/artefacts.h"
 #include "cli/files.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/roadmap_file.h"
 
 namespace {
 
@@ -115,22 +114,14 @@ int main(int argc, char** argv) {
   bench::add_options(app, files, options);
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin(
-        {files.map, files.lattice, files.roadmap, files.queries, files.reference});
+    cli::at_most_one_stdin({files.map, files.artefacts.lattice, files.artefacts.roadmap,
+                            files.queries, files.reference});
     cli::Scenes scenes(cli::open_map(files.map), vehicle, cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
-    std::optional<plan::Lattice> lattice;
-    if (!files.lattice.empty()) {
-      lattice = plan::read_lattice(cli::open_archive(files.lattice));
-      cli::require_same(lattice->made_for(), scene, files.lattice, "lattice");
-      options.method.lattice = &*lattice;
-    }
-    std::optional<plan::Roadmap> roadmap;
-    if (!files.roadmap.empty()) {
-      roadmap = plan::read_roadmap(cli::open_archive(files.roadmap));
-      cli::require_same(roadmap->made_for, scene, files.roadmap, "roadmap");
-      options.method.roadmap = &*roadmap;
-    }
+    const cli::Artefacts artefacts(files.artefacts);
+    artefacts.require_made_for(scene);
+    options.method.lattice = artefacts.lattice();
+    options.method.roadmap = artefacts.roadmap();
     bool all_sound = true;
     Json report = describe(scene);
     Json stats;

@@ -4,9 +4,12 @@
 
 #include "cli/drone_file.h"
 #include "cli/files.h"
+#include "cli/limit_options.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
+#include "geom/io/csv_field.h"
 #include "traj/check.h"
+#include "traj/clearance.h"
 #include "traj/exact_check.h"
 #include "traj/flown.h"
 #include "traj/io/certificate_record.h"
@@ -15,8 +18,34 @@
 
 namespace {
 
+// --profile: CSV.
+struct ProfileFile {
+  std::string file;
+  double step = 0.1;
+  std::optional<cli::OutputFile> out = std::nullopt;
+
+  void open() {
+    if (file.empty()) return;
+    out.emplace(file, cli::OutputKind::text);
+    out->stream() << "id,begin,end,clearance_m\n";
+  }
+  void add(const std::string& id, const std::vector<traj::ClearanceSpan>& spans) {
+    std::string lines;
+    for (const traj::ClearanceSpan& span : spans) {
+      lines += geom::csv_field(id);
+      for (const double value : {span.begin, span.end, span.clearance}) {
+        lines += ',';
+        geom::append_json(lines, value);
+      }
+      lines += '\n';
+    }
+    out->stream() << lines;
+  }
+};
+
 struct Checker {
   cli::Scenes& scenes;
+  ProfileFile& profile;
   traj::Limits asked;  // by the options
   bool override_record;
   bool exact;
@@ -48,6 +77,9 @@ struct Checker {
     report.provenance = geom::provenance_of(scene);
     report.result = traj::check(scene, record.trajectory, report.limits);
     if (exact) report.exact = traj::check_exactly(task(scene, report.limits), record.trajectory);
+    if (profile.out && report.result.reason != "duration") {
+      profile.add(record.id, traj::clearance_profile(scene, record.trajectory, profile.step));
+    }
     return report;
   }
 
@@ -63,6 +95,8 @@ struct Checker {
     report.provenance = geom::provenance_of(scene);
     report.result = traj::check_path(scene, record.points);
     if (exact) report.exact = traj::check_exactly(task(scene, {}), record.points);
+    if (profile.out)
+      profile.add(record.id, traj::clearance_profile(scene, record.points, profile.step));
     return report;
   }
 
@@ -77,8 +111,12 @@ struct Checker {
     report.limits = limits_for(scenes.profile()->limits);  // a scene without a record has a profile
     report.provenance = geom::provenance_of(scene);
     report.result = traj::check_flown(scene, file.flown, report.limits);
-    const auto way = exact ? traj::whole_way(scene, file.flown) : std::nullopt;
-    if (way) report.exact = traj::check_exactly(task(scene, {}), *way);
+    const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
+    if (way && exact) report.exact = traj::check_exactly(task(scene, {}), *way);
+    if (!profile.out) return report;
+    if (way) profile.add(file.id, traj::clearance_profile(scene, *way, profile.step));
+    if (!path)
+      profile.add(file.id, traj::clearance_profile(scene, file.flown.trajectory, profile.step));
     return report;
   }
 
@@ -87,6 +125,22 @@ struct Checker {
     const geom::JsonFields fields(text, source, line);
     return fields.text("type") == "path" ? path(text, source, line)
                                          : trajectory(text, source, line);
+  }
+
+  // All that is in the file, in order.
+  void each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
+            const std::function<void(const traj::ReportRecord&)>& answer) const {
+    if (drone_file.format.empty()) {
+      file.for_each_line([&](const std::string& line, std::size_t number) {
+        answer(check(line, file.name(), number));
+      });
+      return;
+    }
+    const geom::Frame& frame = scenes.map().spec().frame;
+    const std::string text = file.read_all();
+    for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
+      answer(flown(one));
+    }
   }
 };
 
@@ -102,11 +156,12 @@ int main(int argc, char** argv) {
                "skyway-check"};
   cli::Common common(app);
   cli::VehicleOptions vehicle;
-  traj::Limits limits;
+  cli::LimitOptions limits;
   std::string map_file;
   std::string input = "-";
   std::string output = "-";
   std::string certificate;
+  ProfileFile profile;
   bool override_record = false;
   bool exact = false;
   cli::DroneFileOptions drone_file;
@@ -114,28 +169,33 @@ int main(int argc, char** argv) {
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "reports (default: stdout)");
   vehicle.add_to(app);
-  app.add_option("--vmax", limits.vmax, "largest speed, m/s")->check(CLI::PositiveNumber);
-  app.add_option("--amax", limits.amax, "largest acceleration, m/s2")->check(CLI::PositiveNumber);
-  app.add_option("--jmax", limits.jmax, "largest jerk, m/s3")->check(CLI::PositiveNumber);
+  limits.add_to(app);
   app.add_flag("--override", override_record,
                "let the options be looser than what the records carry");
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
+  app.add_option("--profile", profile.file,
+                 "write the least clearance of each part of the way, CSV");
+  app.add_option("--profile-step", profile.step,
+                 "length of those parts: seconds, or metres along a path (default 0.1)")
+      ->check(CLI::Range(1e-4, 1e6));
   app.add_option("--certificate", certificate,
                  "write why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
-    if (certificate == "-" && output == "-") {
-      throw cli::UsageError("reports and certificates cannot both go to stdout");
+    if ((certificate == "-") + (output == "-") + (profile.file == "-") > 1) {
+      throw cli::UsageError("reports, certificates and profiles cannot share stdout");
     }
     using Differences = cli::Scenes::Differences;
     cli::Scenes scenes(cli::open_map(map_file), vehicle,
                        override_record ? Differences::allowed : Differences::stricter_allowed);
-    const Checker checker{scenes, limits, override_record, exact || !certificate.empty()};
+    const Checker checker{scenes, profile, limits.limits(), override_record,
+                          exact || !certificate.empty()};
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
     std::optional<cli::OutputFile> reasons;
     if (!certificate.empty()) reasons.emplace(certificate, cli::OutputKind::text);
+    profile.open();
     std::size_t failed = 0;
     std::size_t count = 0;
     const auto answer = [&](const traj::ReportRecord& report) {
@@ -146,19 +206,10 @@ int main(int argc, char** argv) {
       out.stream() << traj::to_json_line(report, scenes.map());
       out.flush();
     };
-    if (drone_file.format.empty()) {
-      file.for_each_line([&](const std::string& line, std::size_t number) {
-        answer(checker.check(line, file.name(), number));
-      });
-    } else {
-      const geom::Frame& frame = scenes.map().spec().frame;
-      const std::string text = file.read_all();
-      for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
-        answer(checker.flown(one));
-      }
-    }
+    checker.each(file, drone_file, answer);
     out.commit();
     if (reasons) reasons->commit();
+    if (profile.out) profile.out->commit();
     common.write_stats({{"records", count}, {"failed", failed}});
     return failed ? cli::Exit::no : cli::Exit::yes;
   });

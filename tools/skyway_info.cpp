@@ -30,8 +30,9 @@ Json describe_lattice(const geom::ArrayArchive& archive, bool verify) {
   return described;
 }
 
-Json describe_roadmap(const geom::ArrayArchive& archive) {
+Json describe_roadmap(const geom::ArrayArchive& archive, bool verify) {
   const plan::Roadmap roadmap = plan::read_roadmap(archive);
+  if (verify) plan::verify_roadmap(roadmap);
   Json out = Json::parse(archive.meta());
   out.erase("format");
   out.erase("version");
@@ -60,7 +61,7 @@ Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
   } else if (plan::is_lattice(archive)) {
     out = describe_lattice(archive, verify);
   } else if (plan::is_roadmap(archive)) {
-    out = describe_roadmap(archive);
+    out = describe_roadmap(archive, verify);
   } else {
     throw geom::InputError(archive.name(),
                            "expected a box map, a lattice or a roadmap, found another archive");

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "cli/artefacts.h"
 #include "cli/files.h"
 #include "cli/numbers_option.h"
 #include "cli/quality_option.h"
@@ -15,9 +16,7 @@
 #include "geom/io/query_record.h"
 #include "geom/parallel.h"
 #include "plan/build_lattice.h"
-#include "plan/io/lattice_file.h"
 #include "plan/io/path_record.h"
-#include "plan/io/roadmap_file.h"
 #include "plan/io/search_tree.h"
 #include "plan/plan.h"
 
@@ -100,6 +99,21 @@ void write_tree(const std::string& path, const plan::PlanResult& result,
   out.commit();
 }
 
+// The lattice that astar is asked to search where no file gives one.
+std::optional<plan::Lattice> named_lattice(const Search& search,
+                                           const geom::CollisionScene& scene) {
+  if (search.options.method != plan::Method::astar || !scene.free_bounds()) return std::nullopt;
+  plan::LatticeSpec spec = search.lattice;
+  spec.connectivity = static_cast<plan::Connectivity>(search.connect);
+  spec.origin = scene.free_bounds()->min;
+  return plan::lazy_lattice(scene, spec);
+}
+
+std::vector<geom::PlanQuery> read_queries(const std::string& path) {
+  cli::InputFile file(path);
+  return geom::read_plan_queries(file.stream(), file.name());
+}
+
 void check(const Search& search, std::size_t queries) {
   const plan::Method method = search.options.method;
   const bool samples = method != plan::Method::automatic && method != plan::Method::astar;
@@ -120,17 +134,13 @@ int main(int argc, char** argv) {
   Search search;
   plan::PlanOptions& options = search.options;
   std::string map_file;
-  std::string lattice_file;
-  std::string roadmap_file;
+  cli::ArtefactFiles artefact_files;
   std::string queries_file;
   std::string output = "-";
   std::optional<geom::Vec3> from;
   std::optional<geom::Vec3> to;
   app.add_option("map", map_file, "box map; - for stdin")->required();
-  app.add_option("--lattice", lattice_file,
-                 "lattice of the same map and vehicle (default: built as needed)");
-  app.add_option("--roadmap", roadmap_file,
-                 "roadmap of the same map and vehicle: shorter paths, sooner");
+  artefact_files.add_to(app);
   cli::add_quality(app, options.quality);
   auto* queries = app.add_option("--queries", queries_file, "JSON Lines or CSV; - for stdin");
   auto* start = cli::add_point(app, "--from", from, "start, metres");
@@ -148,35 +158,19 @@ int main(int argc, char** argv) {
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     if (queries_file.empty() && !from) throw cli::UsageError("give --from and --to, or --queries");
-    cli::at_most_one_stdin({map_file, lattice_file, roadmap_file, queries_file});
+    cli::at_most_one_stdin(
+        {map_file, artefact_files.lattice, artefact_files.roadmap, queries_file});
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
-    std::optional<plan::Lattice> lattice;
-    if (!lattice_file.empty()) {
-      lattice = plan::read_lattice(cli::open_archive(lattice_file));
-      cli::require_same(lattice->made_for(), scene, lattice_file, "lattice");
-    }
-    if (lattice_file.empty() && options.method == plan::Method::astar && scene.free_bounds()) {
-      search.lattice.connectivity = static_cast<plan::Connectivity>(search.connect);
-      search.lattice.origin = scene.free_bounds()->min;
-      lattice = plan::lazy_lattice(scene, search.lattice);
-    }
-    std::optional<plan::Roadmap> roadmap;
-    if (!roadmap_file.empty()) {
-      roadmap = plan::read_roadmap(cli::open_archive(roadmap_file));
-      cli::require_same(roadmap->made_for, scene, roadmap_file, "roadmap");
-    }
-    std::vector<geom::PlanQuery> list;
-    if (from) {
-      list.push_back({"q1", *from, *to});
-    } else {
-      cli::InputFile file(queries_file);
-      list = geom::read_plan_queries(file.stream(), file.name());
-    }
+    const cli::Artefacts artefacts(artefact_files);
+    artefacts.require_made_for(scene);
+    const auto named = artefacts.lattice() ? std::nullopt : named_lattice(search, scene);
+    const std::vector<geom::PlanQuery> list =
+        from ? std::vector<geom::PlanQuery>{{"q1", *from, *to}} : read_queries(queries_file);
     check(search, list.size());
     options.keep_tree = !search.tree_file.empty();
     const geom::Execution run = common.execution("paths");
-    plan::Planner planner(scene, lattice ? &*lattice : nullptr, roadmap ? &*roadmap : nullptr);
+    plan::Planner planner(scene, named ? &*named : artefacts.lattice(), artefacts.roadmap());
     std::vector<geom::PathRecord> records(list.size());
     plan::PlanResult last;
     geom::parallel_for(list.size(), run, [&](std::size_t i) {

@@ -5,14 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "cli/artefacts.h"
 #include "cli/files.h"
 #include "cli/quality_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "geom/parallel.h"
-#include "plan/io/lattice_file.h"
 #include "plan/io/path_record.h"
-#include "plan/io/roadmap_file.h"
 #include "plan/replan.h"
 
 namespace {
@@ -53,26 +52,20 @@ int main(int argc, char** argv) {
   cli::VehicleOptions vehicle;
   std::string map_file;
   std::string paths_file = "-";
-  std::string lattice_file;
-  std::string roadmap_file;
+  cli::ArtefactFiles artefact_files;
   std::string output = "-";
   plan::Quality quality = plan::Quality::normal;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("file,--paths", paths_file, "paths of another map, JSON Lines (default: stdin)");
-  app.add_option("--lattice", lattice_file,
-                 "lattice of this map and vehicle (default: built as needed)");
-  app.add_option("--roadmap", roadmap_file, "roadmap of this map and vehicle");
+  artefact_files.add_to(app);
   cli::add_quality(app, quality);
   app.add_option("-o,--output", output, "paths (default: stdout)");
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin({map_file, paths_file, lattice_file, roadmap_file});
+    cli::at_most_one_stdin({map_file, paths_file, artefact_files.lattice, artefact_files.roadmap});
     cli::Scenes scenes(cli::open_map(map_file), vehicle,
                        cli::Scenes::Differences::stricter_allowed);
-    std::optional<plan::Lattice> lattice;
-    if (!lattice_file.empty()) lattice = plan::read_lattice(cli::open_archive(lattice_file));
-    std::optional<plan::Roadmap> roadmap;
-    if (!roadmap_file.empty()) roadmap = plan::read_roadmap(cli::open_archive(roadmap_file));
+    const cli::Artefacts artefacts(artefact_files);
     std::string source;
     const std::vector<Input> paths = read_paths(paths_file, source);
 
@@ -92,9 +85,8 @@ int main(int argc, char** argv) {
       geom::Provenance asked = first.provenance;
       asked.map.reset();  // another one, as a rule
       const geom::CollisionScene& scene = scenes.scene_for(asked, source, paths[begin].line);
-      if (lattice) cli::require_same(lattice->made_for(), scene, lattice_file, "lattice");
-      if (roadmap) cli::require_same(roadmap->made_for, scene, roadmap_file, "roadmap");
-      plan::Planner planner(scene, lattice ? &*lattice : nullptr, roadmap ? &*roadmap : nullptr);
+      artefacts.require_made_for(scene);
+      plan::Planner planner(scene, artefacts.lattice(), artefacts.roadmap());
       geom::parallel_for(end - begin, run, [&](std::size_t i) {
         const geom::PathRecord& old = paths[begin + i].record;
         const plan::ReplanResult result = plan::replan(scene, planner, old.points, quality);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cli/files.h"
+#include "cli/limit_options.h"
 #include "cli/numbers_option.h"
 #include "cli/processes.h"
 #include "cli/run.h"
@@ -25,11 +26,20 @@ traj::Limits merge(const traj::Limits& asked, const std::optional<cli::VehiclePr
   return traj::combined(asked, own, pick);
 }
 
-// --yaw along, DEGREES, or X,Y of a point to look at.
-std::optional<traj::YawOptions> yaw_options(const std::string& text, double rate) {
+void require_enough(const traj::Limits& limits) {
+  if ((!limits.vmax && !(limits.vmax_h && limits.vmax_v)) ||
+      (!limits.amax && !(limits.tilt && limits.thrust))) {
+    throw cli::UsageError(
+        "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust)");
+  }
+}
+
+// --yaw along, DEGREES, or X,Y of a point to look at; up to 90 degrees/s where no limit is given.
+std::optional<traj::YawOptions> yaw_options(const std::string& text, traj::Limits& limits) {
   if (text.empty()) return std::nullopt;
+  if (!limits.yaw_rate) limits.yaw_rate = std::numbers::pi / 2;
   traj::YawOptions yaw;
-  yaw.rate = rate * std::numbers::pi / 180;
+  yaw.rate = *limits.yaw_rate * (1 - 1e-9);  // room for rounding in the proof
   if (text == "along") return yaw;
   if (const auto degrees = cli::parse_numbers(text, 1)) {
     yaw.kind = traj::YawOptions::Kind::fixed;
@@ -131,26 +141,13 @@ int main(int argc, char** argv) {
   std::string output = "-";
   std::string solver = "auto";
   std::string times;
-  std::optional<double> tilt;
+  cli::LimitOptions limit_options;
   std::string yaw_text;
-  double yaw_rate = 90;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("paths", input, "paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "trajectories (default: stdout)");
   vehicle.add_to(app);
-  app.add_option("--vmax", options.limits.vmax, "largest speed, m/s")->check(CLI::PositiveNumber);
-  app.add_option("--amax", options.limits.amax, "largest acceleration, m/s2")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--jmax", options.limits.jmax, "largest jerk, m/s3")->check(CLI::PositiveNumber);
-  app.add_option("--vmax-h", options.limits.vmax_h, "largest horizontal speed, m/s")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--vmax-v", options.limits.vmax_v, "largest vertical speed, m/s")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--tilt", tilt, "largest tilt of the thrust from upright, degrees")
-      ->check(CLI::Range(1.0, 80.0));
-  app.add_option("--thrust", options.limits.thrust,
-                 "largest thrust over mass, m/s2 (above 9.80665)")
-      ->check(CLI::Range(9.81, 1e4));
+  limit_options.add_to(app);
   app.add_option("--solver", solver, "auto, closed, ipopt or stop-and-go")
       ->check(CLI::IsMember({"auto", "closed", "ipopt", "stop-and-go"}));
   app.add_option("--times", times, "leg times: stops, distance, cautious, trapezoid or optimised")
@@ -160,21 +157,13 @@ int main(int argc, char** argv) {
   app.add_option("--yaw", yaw_text,
                  "along (the velocity), degrees from the map's x axis towards y, or X,Y of a point "
                  "to look at (default: no yaw)");
-  app.add_option("--yaw-rate", yaw_rate, "largest yaw rate, degrees/s (default 90)")
-      ->check(CLI::Range(0.1, 1e4));
   return cli::run_tool(app, argc, argv, [&] {
-    const auto yaw = yaw_options(yaw_text, yaw_rate);
     cli::at_most_one_stdin({map_file, input});
     choose(solver, times, options);
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
-    if (tilt) options.limits.tilt = *tilt * std::numbers::pi / 180;
-    options.limits = merge(options.limits, scenes.profile());
-    const traj::Limits& limits = options.limits;
-    if ((!limits.vmax && !(limits.vmax_h && limits.vmax_v)) ||
-        (!limits.amax && !(limits.tilt && limits.thrust))) {
-      throw cli::UsageError(
-          "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust)");
-    }
+    options.limits = merge(limit_options.limits(), scenes.profile());
+    require_enough(options.limits);
+    const auto yaw = yaw_options(yaw_text, options.limits);
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
     std::vector<std::pair<std::string, std::size_t>> lines;  // and their numbers

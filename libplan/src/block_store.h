@@ -37,6 +37,8 @@ class BlockStore final : public MaskSource {
   // The bytes of the record of a block; none where it is all free or all blocked.
   std::span<const std::byte> bytes_of(std::size_t block) const;
 
+  std::string_view name() const override { return name_; }
+
   void check() const;  // what read() does not see: bits beyond the lattice
 
   LatticeCounts counts() const { return counts_; }

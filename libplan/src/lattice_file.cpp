@@ -126,9 +126,10 @@ void verify_lattice(const Lattice& lattice) {
   store->check();
   const LatticeCounts counts = lattice.counts();
   if (counts.nodes != store->counts().nodes || counts.edges != store->counts().edges) {
-    throw geom::InputError("lattice", fmt::format("expected {} nodes and {} edges, found {} and {}",
-                                                  store->counts().nodes, store->counts().edges,
-                                                  counts.nodes, counts.edges));
+    throw geom::InputError(
+        store->name(),
+        fmt::format("expected {} nodes and {} edges, found {} and {}", store->counts().nodes,
+                    store->counts().edges, counts.nodes, counts.edges));
   }
 }
 

@@ -164,16 +164,7 @@ class RoadmapPatch {
     out.split.resize(bends_.size());
     geom::parallel_for(bends_.size(), {run.threads, {}},
                        [&](std::size_t i) { out.split[i] = merge_edges(i); });
-    std::uint64_t edges = 0;
-    for (const auto& list : kept_) edges += list.size();
-    require_edges_fit(edges);
-    out.first.push_back(0);
-    out.to.reserve(edges);
-    for (auto& list : kept_) {
-      out.to.insert(out.to.end(), list.begin(), list.end());
-      out.first.push_back(out.to.size());
-      std::vector<std::uint32_t>().swap(list);
-    }
+    set_edges(out, std::move(kept_));
   }
 
  private:
@@ -213,6 +204,7 @@ class RoadmapPatch {
     const std::size_t end = old_.first[old_of_[i] + 1];
     kept_[i].reserve(end - begin);
     for (std::size_t e = begin; e < end; ++e) {
+      require_bend(old_, old_.to[e]);
       const std::uint32_t j = new_of_[old_.to[e]];
       if (j == kNone) continue;
       if (meets_any(bends_[i].position, bends_[j].position, added[cell_of_[j]])) continue;

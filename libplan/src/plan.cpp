@@ -12,6 +12,7 @@
 #include "plan/snap_end.h"
 #include "plan/taut.h"
 #include "plan/visible_nodes.h"
+#include "ring.h"
 
 namespace plan {
 namespace {
@@ -67,6 +68,12 @@ bool polished(const PlanOptions& options) {
 
 PathStep step_of(std::string_view name, const Polyline& path) {
   return {name, path.size(), geom::length(path)};
+}
+
+std::string why_not(const PlanResult& result) {
+  return fmt::format("{} on a lattice of {} m",
+                     result.status == PlanStatus::stopped ? "too many nodes" : "no path",
+                     result.resolution);
 }
 
 SamplingMethod sampling(Method method) {
@@ -148,22 +155,22 @@ struct Planner::Level {
 
 Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap)
     : scene_(scene), roadmap_(roadmap) {
-  const auto add = [&](Lattice level, bool given) {
-    levels_.push_back(std::make_unique<Level>());
-    levels_.back()->lattice.emplace(std::move(level));
-    levels_.back()->given = given;
+  const auto level = [](Lattice l, bool given) {
+    auto out = std::make_unique<Level>();
+    out->lattice.emplace(std::move(l));
+    out->given = given;
+    return out;
+  };
+  const auto lazy = [&](double spacing) {
+    const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
+    return level(lazy_lattice(scene, spec), false);
   };
   if (lattice) {
-    add(*lattice, true);
-    fine_ = 1;
+    levels_.push_back(level(*lattice, true));
   } else if (scene.free_bounds()) {
-    const auto lazy = [&](double spacing) {
-      return lazy_lattice(scene, {spacing, Connectivity::twenty_six, scene.free_bounds()->min});
-    };
     const auto spacings = spacings_for(*scene.free_bounds());
-    for (const double spacing : spacings) add(lazy(spacing), false);
-    fine_ = levels_.size();
-    for (const double times : {4, 16}) add(lazy(times * spacings[0]), false);
+    for (const double spacing : spacings) levels_.push_back(lazy(spacing));
+    for (const double times : {4, 16}) coarse_levels_.push_back(lazy(times * spacings[0]));
   }
 }
 
@@ -194,10 +201,9 @@ bool Planner::search_level(Level& level, const Vec3& from, const Vec3& to, PlanR
 PlanResult Planner::search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   PlanResult result;
   const double straight = (to - from).norm();
-  for (std::size_t i = 0; i < levels_.size(); ++i) {
-    if (i == fine_ && result.status != PlanStatus::stopped) break;
+  for (const auto& level : levels_) {
     PlanResult tried;
-    const bool found = search_level(*levels_[i], from, to, tried);
+    const bool found = search_level(*level, from, to, tried);
     if (found) refine(options, tried);
     if (!result.path.empty()) {  // a second opinion on a detour
       if (found && geom::length(tried.path) < geom::length(result.path)) result = std::move(tried);
@@ -205,30 +211,29 @@ PlanResult Planner::search_levels(const Vec3& from, const Vec3& to, const PlanOp
     }
     result = std::move(tried);
     if (found && (options.raw || geom::length(result.path) <= kDetour * straight)) return result;
-    if (result.status == PlanStatus::stopped && i < fine_) i = fine_ - 1;  // go on with coarse ones
+    if (result.status == PlanStatus::stopped) break;
+  }
+  if (result.status != PlanStatus::stopped) return result;
+  for (const auto& level : coarse_levels_) {
+    PlanResult tried;
+    if (!search_level(*level, from, to, tried)) continue;
+    refine(options, tried);
+    return tried;
   }
   return result;
 }
 
 // The component of the coarse lattice that a point sees; 0 where it sees none.
 std::uint32_t Planner::component(const Vec3& p) const {
-  const Lattice& lattice = roadmap_->coarse->lattice;
-  Index3 base;
-  for (int k = 0; k < 3; ++k) {
-    const double cells = std::floor((p[k] - lattice.coordinate(k, 0)) / lattice.spec().spacing);
-    base[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(
-        std::clamp(cells, -1.0, static_cast<double>(lattice.dims()[static_cast<std::size_t>(k)])));
-  }
+  const LabelledLattice& coarse = *roadmap_->coarse;
+  std::uint32_t found = 0;
+  const auto sees = [&](const Index3& index) {
+    const std::size_t node = *coarse.lattice.node(index);
+    found = coarse.label[node];
+    return found != 0 && scene_.free(p, coarse.lattice.position(node));
+  };
   for (const std::int64_t ring : {0, 1}) {
-    for (std::int64_t k = ring + 1; k >= -ring; --k) {  // upper nodes first: they see more
-      for (std::int64_t j = -ring; j <= ring + 1; ++j) {
-        for (std::int64_t i = -ring; i <= ring + 1; ++i) {
-          const auto node = lattice.node({base[0] + i, base[1] + j, base[2] + k});
-          if (!node || !roadmap_->coarse->label[*node]) continue;
-          if (scene_.free(p, lattice.position(*node))) return roadmap_->coarse->label[*node];
-        }
-      }
-    }
+    if (any_in_ring(coarse.lattice, p, ring, sees)) return found;
   }
   return 0;
 }
@@ -327,7 +332,7 @@ PlanResult Planner::search_as_asked(const Vec3& from, const Vec3& to, const Plan
     result.method = "lattice";
     if (levels_.empty()) return result;
     found = search_level(*levels_[0], from, to, result);
-    if (!found) result.message = fmt::format("no path on a lattice of {} m", result.resolution);
+    if (!found) result.message = why_not(result);
   } else {
     SamplingResult sampled =
         sample_path(scene_, from, to, sampling(options.method), options.sampling);
@@ -367,9 +372,7 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
   result = search_levels(from, to, options);
   result.method = "lattice";
   if (result.path.empty()) {
-    result.message = fmt::format(
-        "{} on a lattice of {} m",
-        result.status == PlanStatus::stopped ? "too many nodes" : "no path", result.resolution);
+    result.message = why_not(result);
     return result;
   }
   result.status = PlanStatus::found;

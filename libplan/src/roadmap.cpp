@@ -77,6 +77,28 @@ std::uint32_t sort_edges(const std::vector<Bend>& bends, std::size_t i,
 
 }  // namespace
 
+void set_edges(Roadmap& roadmap, std::vector<std::vector<std::uint32_t>> lists) {
+  std::uint64_t edges = 0;
+  for (const auto& list : lists) edges += list.size();
+  require_edges_fit(edges);
+  const auto owned = std::make_shared<std::vector<std::uint32_t>>();
+  owned->reserve(edges);
+  roadmap.first = {0};
+  for (auto& list : lists) {
+    owned->insert(owned->end(), list.begin(), list.end());
+    roadmap.first.push_back(owned->size());
+    std::vector<std::uint32_t>().swap(list);  // so that no more than one copy is ever held
+  }
+  roadmap.to = *owned;
+  roadmap.keep_alive = owned;
+}
+
+void require_bend(const Roadmap& roadmap, std::uint32_t bend) {
+  if (bend < roadmap.bends.size()) return;
+  throw geom::InputError(roadmap.source,
+                         fmt::format("an edge leads to bend {} of {}", bend, roadmap.bends.size()));
+}
+
 Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec,
                       const geom::Execution& run) {
   Roadmap out;
@@ -110,13 +132,7 @@ Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec
   out.split.resize(n);
   geom::parallel_for(n, {run.threads, {}},
                      [&](std::size_t i) { out.split[i] = sort_edges(out.bends, i, to[i]); });
-  out.first.push_back(0);
-  out.to.reserve(2 * edges);
-  for (auto& list : to) {
-    out.to.insert(out.to.end(), list.begin(), list.end());
-    out.first.push_back(out.to.size());
-    std::vector<std::uint32_t>().swap(list);
-  }
+  set_edges(out, std::move(to));
   if (scene.free_bounds()) {
     out.coarse =
         label_components(build_lattice(scene, coarse_spec(scene), {run.threads, {}}, spec.region));
@@ -256,6 +272,7 @@ void RoadmapSearch::expand(std::uint32_t i, const Vec3& arrived_from, const Vec3
   const std::size_t split = map.split[i];
   const std::size_t count = map.first[i + 1] - map.first[i];
   const auto ratio = [&](std::size_t e) {
+    require_bend(map, edges[e]);
     return across(bend, map.bends[edges[e]].position - bend.position).ratio();
   };
   std::size_t begin = 0;
@@ -286,6 +303,7 @@ void RoadmapSearch::expand(std::uint32_t i, const Vec3& arrived_from, const Vec3
   const double cost = visits_[i].cost;
   for (std::size_t e = begin; e < end; ++e) {
     const std::uint32_t j = edges[e];
+    require_bend(map, j);
     const Vec3& p = map.bends[j].position;
     const double through = cost + (p - bend.position).norm();
     const Visit& visit = visits_[j];

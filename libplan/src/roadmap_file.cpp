@@ -102,9 +102,6 @@ Roadmap read_roadmap(const geom::ArrayArchive& archive) {
     }
     out.bends.push_back({p, axis[i], {outward[2 * i], outward[2 * i + 1]}});
   }
-  for (std::size_t e = 0; e < to.size(); ++e) {
-    if (to[e] >= n) refuse(fmt::format("edge {} leads to bend {} of {}", e, to[e], n));
-  }
   if (fields.has("lattice")) {
     const auto label = archive.array<std::uint32_t>("node_label");
     out.coarse.emplace(LabelledLattice{read_lattice(archive, fields.object()["lattice"].dump()),
@@ -116,8 +113,15 @@ Roadmap read_roadmap(const geom::ArrayArchive& archive) {
   }
   out.first.assign(first.begin(), first.end());
   out.split.assign(split.begin(), split.end());
-  out.to.assign(to.begin(), to.end());
+  out.to = to;
+  out.keep_alive = archive.keep_alive();
+  out.source = archive.name();
   return out;
+}
+
+void verify_roadmap(const Roadmap& roadmap) {
+  for (const std::uint32_t bend : roadmap.to) require_bend(roadmap, bend);
+  if (roadmap.coarse) verify_lattice(roadmap.coarse->lattice);
 }
 
 }  // namespace plan

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "portable_math.h"
+
 namespace traj {
 namespace {
 
@@ -21,33 +23,40 @@ void refuse(CheckResult& result, std::string_view reason, double time, const Vec
 
 // --- setpoints ------------------------------------------------------------------------------
 
-double tilt_of(const Vec3& a) { return std::atan2(std::hypot(a.x(), a.y()), a.z() + kGravity); }
+double across(const Vec3& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); }
 
 void check_setpoint(const Setpoint& s, const Limits& limits, CheckResult& result) {
   const Vec3& v = s.state.velocity;
-  const Vec3& a = s.state.acceleration;
-  const auto hold = [&](const std::optional<double>& limit, std::string_view reason, double value) {
+  const Vec3 f = s.state.acceleration + Vec3(0, 0, kGravity);
+  const auto hold = [&](const std::optional<double>& limit, std::string_view reason, double value,
+                        Extreme& extreme) {
+    if (value > extreme.value) extreme = {value, s.time};
     if (limit && value > *limit * (1 + kSlack)) {
       refuse(result, reason, s.time, s.state.position, value);
     }
   };
-  hold(limits.vmax, "speed", v.norm());
-  hold(limits.amax, "acceleration", a.norm());
-  hold(limits.tilt, "tilt", tilt_of(a));
-  hold(limits.vmax_h, "horizontal_speed", std::hypot(v.x(), v.y()));
-  hold(limits.vmax_v, "vertical_speed", std::abs(v.z()));
-  hold(limits.thrust, "thrust", (a + Vec3(0, 0, kGravity)).norm());
-  const auto note = [&](Extreme& extreme, double value) {
-    if (value > extreme.value) extreme = {value, s.time};
-  };
-  note(result.speed, v.norm());
-  note(result.acceleration, a.norm());
+  hold(limits.vmax, "speed", v.norm(), result.speed);
+  hold(limits.amax, "acceleration", s.state.acceleration.norm(), result.acceleration);
+  const double tilt = f.isZero(0) ? kPi : angle_of(f.z(), across(f));
+  hold(limits.tilt, "tilt", tilt, result.tilt);
+  hold(limits.vmax_h, "horizontal_speed", across(v), result.horizontal_speed);
+  hold(limits.vmax_v, "vertical_speed", std::abs(v.z()), result.vertical_speed);
+  hold(limits.thrust, "thrust", f.norm(), result.thrust);
+  hold(limits.yaw_rate, "yaw_rate", std::abs(s.yaw_rate), result.yaw_rate);
 }
 
 CheckResult check_setpoints(const geom::CollisionScene& scene, const Flown& flown,
                             const Limits& limits) {
-  CheckResult result = check(scene, flown.trajectory, CheckOptions{});
-  result.speed = result.acceleration = result.jerk = {};  // of the straight ways: not flown so
+  const CheckResult straight = check(scene, flown.trajectory, CheckOptions{});
+  CheckResult result;  // extremes of what is flown, not of the straight ways
+  result.ok = straight.ok;
+  result.reason = straight.reason;
+  result.time = straight.time;
+  result.place = straight.place;
+  result.box = straight.box;
+  result.worst = straight.worst;
+  result.duration = straight.duration;
+  result.clearance = straight.clearance;
   for (const Setpoint& s : flown.setpoints) check_setpoint(s, limits, result);
   return result;
 }
@@ -67,7 +76,7 @@ void check_legs(const geom::Polyline& way, double speed, const Limits& limits,
       }
     };
     hold(limits.vmax, "speed", v.norm());
-    hold(limits.vmax_h, "horizontal_speed", std::hypot(v.x(), v.y()));
+    hold(limits.vmax_h, "horizontal_speed", across(v));
     hold(limits.vmax_v, "vertical_speed", std::abs(v.z()));
   }
 }
@@ -131,6 +140,8 @@ CheckOptions file_tolerance(const Limits& limits) {
   options.position_gap = 1e-3;
   options.velocity_gap = 1e-2;
   options.acceleration_gap = 1e-1;
+  options.yaw_gap = 1e-3;
+  options.yaw_rate_gap = 1e-2;
   options.limit_slack = kSlack;
   return options;
 }

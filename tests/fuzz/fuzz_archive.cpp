@@ -10,7 +10,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (geom::is_box_map(archive)) {
       geom::read_box_map(archive).boxes();
     } else if (plan::is_roadmap(archive)) {
-      plan::read_roadmap(archive);
+      plan::verify_roadmap(plan::read_roadmap(archive));
     } else {
       // 2^24 nodes are enough to fuzz with: larger claims are well formed and take time.
       const auto record = archive.array<std::uint32_t>("block_record");

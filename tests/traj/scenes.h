@@ -44,4 +44,17 @@ struct Random {
   std::mt19937_64 engine;
 };
 
+// From rest, in that many segments, to rest.
+inline Trajectory random_trajectory(unsigned seed, int count = 5) {
+  Random random(seed);
+  Trajectory t;
+  State state;
+  for (int i = 0; i < count; ++i) {
+    const State next = i + 1 == count ? State{random.vector(10)} : random.state(8);
+    t.segments.push_back(hermite(state, next, random.number(0.5, 3)));
+    state = next;
+  }
+  return t;
+}
+
 }  // namespace traj::testing

@@ -10,17 +10,7 @@
 namespace traj {
 namespace {
 
-Trajectory random_trajectory(unsigned seed) {
-  testing::Random random(seed);
-  Trajectory t;
-  State state;
-  for (int i = 0; i < 5; ++i) {
-    const State next = i == 4 ? State{random.vector(10)} : random.state(8);
-    t.segments.push_back(hermite(state, next, random.number(0.5, 3)));
-    state = next;
-  }
-  return t;
-}
+using testing::random_trajectory;
 
 TEST(Slowed, KeepsTheCurveAndDividesTheSpeed) {
   const Trajectory t = random_trajectory(1);
@@ -49,6 +39,18 @@ TEST(SmallestFactor, MakesEachLimitJustHold) {
       EXPECT_FALSE(check(empty, slowed(t, factor * (1 - 2e-6)), cases[i]).ok)
           << "seed " << seed << " case " << i;
     }
+  }
+}
+
+TEST(SmallestFactor, HoldsTheRateAtWhichTheThrustTurns) {
+  const geom::CollisionScene empty =
+      testing::scene_of({}, {Vec3::Constant(-1e4), Vec3::Constant(1e4)});
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Trajectory t = random_trajectory(seed);
+    const Limits limits{.vmax = 5, .body_rate = 0.5};
+    const double factor = smallest_factor(t, limits);
+    EXPECT_GE(factor, smallest_factor(t, {.vmax = 5}));
+    EXPECT_TRUE(check(empty, slowed(t, factor), limits).ok) << seed;
   }
 }
 

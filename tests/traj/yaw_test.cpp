@@ -11,17 +11,7 @@
 namespace traj {
 namespace {
 
-Trajectory random_trajectory(unsigned seed) {
-  testing::Random random(seed);
-  Trajectory t;
-  State state;
-  for (int i = 0; i < 8; ++i) {
-    const State next = i == 7 ? State{random.vector(10)} : random.state(8);
-    t.segments.push_back(hermite(state, next, random.number(0.5, 3)));
-    state = next;
-  }
-  return t;
-}
+using testing::random_trajectory;
 
 double yaw_at_end(const Segment& s) { return s.yaw->back(); }
 
@@ -40,7 +30,7 @@ TEST(AngleOf, IsTheArcTangentAllAround) {
 
 TEST(Yaw, FollowsTheVelocityWhereTheRateAllows) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    Trajectory t = random_trajectory(seed);
+    Trajectory t = random_trajectory(seed, 8);
     YawOptions options;
     options.rate = 1000;
     add_yaw(options, t);
@@ -55,7 +45,7 @@ TEST(Yaw, FollowsTheVelocityWhereTheRateAllows) {
 
 TEST(Yaw, IsContinuousToItsRateAndNeverTooFast) {
   for (unsigned seed = 0; seed < 50; ++seed) {
-    Trajectory t = random_trajectory(seed);
+    Trajectory t = random_trajectory(seed, 8);
     YawOptions options;
     options.rate = 0.2 + 0.1 * seed;
     add_yaw(options, t);
@@ -78,7 +68,7 @@ TEST(Yaw, IsContinuousToItsRateAndNeverTooFast) {
 }
 
 TEST(Yaw, LooksAtAPointAndStaysWhereItIsOverIt) {
-  Trajectory t = random_trajectory(3);
+  Trajectory t = random_trajectory(3, 8);
   YawOptions options;
   options.kind = YawOptions::Kind::towards;
   options.rate = 1000;
@@ -90,7 +80,7 @@ TEST(Yaw, LooksAtAPointAndStaysWhereItIsOverIt) {
 }
 
 TEST(Yaw, FixedIsFixed) {
-  Trajectory t = random_trajectory(4);
+  Trajectory t = random_trajectory(4, 8);
   YawOptions options;
   options.kind = YawOptions::Kind::fixed;
   options.angle = 2;

@@ -6,15 +6,13 @@
 #include <map>
 
 #include "cli/files.h"
+#include "cli/quality_option.h"
 #include "cli/run.h"
 #include "geom/error.h"
 
 namespace bench {
 namespace {
 
-const std::map<std::string, plan::Quality> kQuality = {{"fast", plan::Quality::fast},
-                                                       {"normal", plan::Quality::normal},
-                                                       {"best", plan::Quality::best}};
 const std::map<std::string, Ends> kSets = {
     {"uniform", Ends::uniform}, {"street", Ends::street}, {"street-blocked", Ends::street_blocked}};
 
@@ -63,10 +61,8 @@ void add_methods(CLI::App& app, Files& files, Options& options) {
                  "writes path records; may be repeated")
       ->take_all()
       ->expected(1);
-  app.add_option("--lattice", files.lattice, "auto: lattice of the same map and vehicle");
-  app.add_option("--roadmap", files.roadmap, "auto: roadmap of the same map and vehicle");
-  app.add_option("--quality", options.method.quality, "auto: fast, normal (default) or best")
-      ->transform(CLI::CheckedTransformer(kQuality));
+  files.artefacts.add_to(app);
+  cli::add_quality(app, options.method.quality);
   app.add_option("--spacing", options.method.spec.spacing,
                  "astar: of the lattice, metres (default 25)")
       ->check(CLI::Range(1e-3, 1e6));

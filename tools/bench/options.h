@@ -9,13 +9,13 @@
 #include "bench/measure.h"
 #include "bench/method.h"
 #include "bench/query_set.h"
+#include "cli/artefacts.h"
 
 namespace bench {
 
 struct Files {
   std::string map;
-  std::string lattice;
-  std::string roadmap;
+  cli::ArtefactFiles artefacts;  // for auto
   std::string queries;
   std::string reference;
   std::string output = "-";

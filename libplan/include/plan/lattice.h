@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "geom/io/record.h"
 
@@ -68,6 +69,8 @@ class MaskSource {
   // For each node of [low, low + count), x fastest: Lattice::kNode where it is free, and the bits
   // of the half directions in which its edges are. 0 beyond the grid.
   virtual void read(const Index3& low, const Index3& count, std::uint32_t* masks) const = 0;
+
+  virtual std::string_view name() const { return "lattice"; }  // for messages
 };
 
 struct LatticeCounts {

@@ -118,8 +118,8 @@ class Planner {
   const Roadmap* roadmap_;
   std::mutex mutex_;  // guards the workspaces
   std::vector<std::unique_ptr<RoadmapSearch>> idle_;
-  std::vector<std::unique_ptr<Level>> levels_;  // from the first to try to finer ones; coarse ones
-  std::size_t fine_ = 1;                        // how many of them come before the coarse
+  std::vector<std::unique_ptr<Level>> levels_;         // from the first to try to finer ones
+  std::vector<std::unique_ptr<Level>> coarse_levels_;  // for where the first are too large
 };
 
 }  // namespace plan

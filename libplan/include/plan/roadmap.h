@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "geom/collision.h"
@@ -48,9 +51,17 @@ struct Roadmap {
   std::vector<Bend> bends;
   std::vector<std::uint64_t> first;  // one more than bends
   std::vector<std::uint32_t> split;
-  std::vector<std::uint32_t> to;
-  std::optional<LabelledLattice> coarse;  // of 10 m, 26 neighbours, where bends are sought
+  std::span<const std::uint32_t> to;       // read from a file as searches go: see require_bend
+  std::shared_ptr<const void> keep_alive;  // of what `to` is a part of
+  std::string source = "roadmap";          // for messages
+  std::optional<LabelledLattice> coarse;   // of 10 m, 26 neighbours, where bends are sought
 };
+
+// `first` and `to` from the edges of each bend.
+void set_edges(Roadmap& roadmap, std::vector<std::vector<std::uint32_t>> lists);
+
+// Throws geom::InputError where an edge of a file leads to no bend.
+void require_bend(const Roadmap& roadmap, std::uint32_t bend);
 
 // The bends of a roadmap without its edges and lattice, around boxes that come within `width`
 // metres of the path (by their bounding boxes): RoadmapSearch then works out edges where it needs
