@@ -45,19 +45,23 @@ void check_setpoint(const Setpoint& s, const Limits& limits, CheckResult& result
   hold(limits.yaw_rate, "yaw_rate", std::abs(s.yaw_rate), result.yaw_rate);
 }
 
+// The time at a leg's index and the part of it.
+double time_at(const std::vector<Setpoint>& setpoints, double leg) {
+  const auto i = std::min(static_cast<std::size_t>(leg), setpoints.size() - 2);
+  const double begin = setpoints[i].time;
+  return begin + (leg - static_cast<double>(i)) * (setpoints[i + 1].time - begin);
+}
+
 CheckResult check_setpoints(const geom::CollisionScene& scene, const Flown& flown,
                             const Limits& limits) {
-  const CheckResult straight = check(scene, flown.trajectory, CheckOptions{});
-  CheckResult result;  // extremes of what is flown, not of the straight ways
-  result.ok = straight.ok;
-  result.reason = straight.reason;
-  result.time = straight.time;
-  result.place = straight.place;
-  result.box = straight.box;
-  result.worst = straight.worst;
-  result.duration = straight.duration;
-  result.clearance = straight.clearance;
-  for (const Setpoint& s : flown.setpoints) check_setpoint(s, limits, result);
+  const auto& setpoints = flown.setpoints;
+  geom::Polyline way;
+  for (const Setpoint& s : setpoints) way.push_back(s.state.position);
+  CheckResult result = check_path(scene, way);
+  result.time = time_at(setpoints, result.time);
+  if (result.clearance) result.clearance->time = time_at(setpoints, result.clearance->time);
+  result.duration = setpoints.back().time - setpoints.front().time;
+  for (const Setpoint& s : setpoints) check_setpoint(s, limits, result);
   return result;
 }
 
