@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -10,12 +9,12 @@
 #include "cli/files.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
+#include "export/prove.h"
 #include "export/writer.h"
 #include "geom/error.h"
 #include "traj/export/crazyflie.h"
 #include "traj/export/in_enu.h"
 #include "traj/export/straight_legs.h"
-#include "traj/flown.h"
 #include "traj/io/trajectory_record.h"
 
 namespace {
@@ -23,20 +22,6 @@ namespace {
 using exporting::Task;
 using exporting::Written;
 using traj::TrajectoryRecord;
-
-constexpr int kAttempts = 10;        // of tolerances, halved each time
-constexpr double kRounding = 0.012;  // m: more than centimetres and 1e-7 degrees round by
-constexpr double kEndGap = 0.02;     // m: how well straight legs must meet the ends
-
-// Times of straight legs are their numbers.
-std::string refusal(const Task& task, const traj::CheckResult& result) {
-  const std::string when = exporting::has_legs(task.format)
-                               ? fmt::format("leg {:.0f}", std::floor(result.time))
-                               : fmt::format("t = {:.3f} s", result.time);
-  return fmt::format("{}: refused: as flown, {} at {}, ({:.3f}, {:.3f}, {:.3f}) m, {:.3g}", task.id,
-                     result.reason, when, result.place[0], result.place[1], result.place[2],
-                     result.worst);
-}
 
 // The one record of the stream. Two flights do not fit one drone file.
 TrajectoryRecord read_one(const std::string& input) {
@@ -63,55 +48,6 @@ TrajectoryRecord read_named(const std::string& input, const std::string& id) {
     throw geom::InputError(file.name(),
                            fmt::format("expected a trajectory of id \"{}\", found none", id));
   return *found;
-}
-
-// What the bytes make the drone fly, judged.
-traj::CheckResult judge(const geom::CollisionScene& scene, const Task& task,
-                        const Written& written) {
-  const geom::Frame& frame = scene.map().spec().frame;
-  const traj::Flown flown =
-      cli::read_drone_file(written.text, "what was written", written.reading, frame)[0].flown;
-  traj::CheckResult result = traj::check_flown(scene, flown, task.limits);
-  if (!result.ok || flown.path.empty()) return result;
-  const geom::Vec3 end = geom::to_enu(frame.axes, task.enu.segments.back().point[traj::kDegree]);
-  const double missed = (flown.path.back() - end).norm();
-  if (missed <= kEndGap) return result;
-  result.ok = false;
-  result.reason = "end";
-  result.time = static_cast<double>(flown.path.size() - 1);
-  result.place = flown.path.back();
-  result.worst = missed;
-  return result;
-}
-
-geom::Polyline pushed_legs(const geom::CollisionScene& scene, const Task& task,
-                           const geom::Polyline& legs, double distance) {
-  return traj::in_enu(task.frame.axes,
-                      traj::pushed_off(scene, traj::in_enu(task.frame.axes, legs), distance));
-}
-
-// With the tolerance asked for or, where that fails, with points moved off what the legs would cut,
-// and with ever finer legs.
-std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& scene,
-                                                   const Task& task) {
-  std::pair<Written, traj::CheckResult> made;
-  const auto attempt = [&](const geom::Polyline& legs) {
-    made.first = exporting::write(task, legs);
-    made.second = judge(scene, task, made.first);
-    const std::string& reason = made.second.reason;
-    return reason != "collision" && reason != "bounds" && reason != "end";
-  };
-  if (!exporting::has_legs(task.format)) {
-    attempt({});
-    return made;
-  }
-  double tolerance = task.tolerance;
-  for (int i = 0; i < kAttempts; ++i, tolerance /= 2) {
-    const geom::Polyline legs = traj::straight_legs(task.enu, tolerance);
-    if (attempt(legs)) break;
-    if (attempt(pushed_legs(scene, task, legs, tolerance + kRounding))) break;
-  }
-  return made;
 }
 
 nlohmann::ordered_json statistics(const Task& task, const Written& written) {
@@ -228,7 +164,7 @@ std::optional<Written> write_checked(const Options& options, const TrajectoryRec
   task.frame = scene.map().spec().frame;
   task.enu = traj::in_enu(task.frame.axes, record.trajectory);
   set_ground(scene, record, task);
-  auto [written, result] = write_proved(scene, task);
+  auto [written, result] = exporting::write_proved(scene, task);
   if (result.ok) return std::move(written);
   fmt::print(stderr, "skyway-export: {}\n", refusal(task, result));
   return std::nullopt;

@@ -130,6 +130,20 @@ TEST(CloseJoints, MakesSegmentsMeetAndMovesThemNoFurtherThanTheGap) {
   }
 }
 
+TEST(CloseJoints, MakesYawAndItsRateMeetAcrossWholeTurns) {
+  Random random(10);
+  Trajectory t = with_gap(random, {});
+  t.segments[0].yaw = {0, 0, 0, 0, 1, 2, 3.0, 3.1};
+  t.segments[1].yaw = {-3.18, -3.12, -3, -2, -1, 0, 0, 0};  // a turn back, and 3.2 mrad
+  EXPECT_THROW(close_joints(t, 1e-3, "c.csv"), geom::InputError);
+  const ClosedJoints closed = close_joints(t, 5e-3, "c.csv");
+  const auto& a = *closed.trajectory.segments[0].yaw;
+  const auto& b = *closed.trajectory.segments[1].yaw;
+  EXPECT_DOUBLE_EQ(a[7], b[0]);
+  EXPECT_NEAR(b[0], 3.1016, 1e-4);
+  EXPECT_NEAR((a[7] - a[6]) / 2.5, (b[1] - b[0]) / 1.5, 1e-12);
+}
+
 TEST(CloseJoints, RefusesAJumpWithSegmentTimeAndGap) {
   Random random(9);
   try {
