@@ -13,6 +13,7 @@
 
 #include "geom/error.h"
 #include "geom/io/record.h"
+#include "traj/yaw.h"
 
 namespace traj {
 namespace {
@@ -21,24 +22,9 @@ constexpr std::string_view kHeader =
     "t_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,ax_m_s2,ay_m_s2,az_m_s2,yaw_rad";
 constexpr std::size_t kColumns = 11;
 
-double yaw_at(const Trajectory& trajectory, geom::Axes axes, double t) {
-  double begin = 0;
-  for (const Segment& s : trajectory.segments) {
-    const double u = std::min((t - begin) / s.duration, 1.0);
-    begin += s.duration;
-    if (t >= begin && &s != &trajectory.segments.back()) continue;
-    if (!s.yaw) return 0;
-    auto b = *s.yaw;
-    for (int m = 1; m < kPoints; ++m) {
-      for (int i = 0; i + m < kPoints; ++i) b[i] += u * (b[i + 1] - b[i]);
-    }
-    return geom::yaw_to_enu(axes, b[0]);
-  }
-  return 0;
-}
-
 void append_row(std::string& text, const Trajectory& trajectory, geom::Axes axes, double t) {
   const State s = evaluate(trajectory, t);
+  const std::optional<double> yaw = yaw_at(trajectory, t);
   geom::append_json(text, t);
   for (const Vec3& v : {s.position, s.velocity, s.acceleration}) {
     const Vec3 enu = geom::to_enu(axes, v);
@@ -48,7 +34,7 @@ void append_row(std::string& text, const Trajectory& trajectory, geom::Axes axes
     }
   }
   text += ',';
-  geom::append_json(text, yaw_at(trajectory, axes, t));
+  geom::append_json(text, yaw ? geom::yaw_to_enu(axes, *yaw) : 0);
   text += '\n';
 }
 
