@@ -20,7 +20,7 @@ def free_port():
 class Browser:
     """Draws WebGL in software; `with Browser() as b:` ends it again."""
 
-    def __init__(self, width=1440, height=900):
+    def __init__(self, width=1440, height=900, extra=()):
         driver = shutil.which("chromedriver")
         chromium = shutil.which("chromium")
         if not driver or not chromium:
@@ -31,7 +31,7 @@ class Browser:
                                          stderr=subprocess.DEVNULL)
         arguments = ["--headless=new", f"--window-size={width},{height}", "--use-gl=angle",
                      "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars",
-                     "--disable-dev-shm-usage", "--force-device-scale-factor=1"]
+                     "--disable-dev-shm-usage", "--force-device-scale-factor=1", *extra]
         if os.geteuid() == 0:
             arguments.append("--no-sandbox")
         wanted = {"capabilities": {"alwaysMatch": {

@@ -62,7 +62,7 @@ class Records {
     } else if (type == "trajectory") {
       out_.trajectories.push_back(
           {traj::parse_trajectory_record(text, source_, line), source_, line});
-    } else if (type == "report") {
+    } else if (type == "report" || type == "flight") {
       out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
     } else {
       fields.refuse(

@@ -39,8 +39,9 @@ Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const Loca
   if (report.duration) out["duration"] = *report.duration;
   if (report.exact_ok) out["exact"] = *report.exact_ok;
   Json extremes = Json::array();
-  for (const auto& [name, extreme] : report.extremes) {
-    extremes.push_back({{"name", name}, {"value", extreme.value}, {"time", extreme.time}});
+  for (const auto& [name, value, time] : report.extremes) {
+    extremes.push_back({{"name", name}, {"value", value}});
+    if (time) extremes.back()["time"] = *time;
   }
   out["extremes"] = std::move(extremes);
   out["limits"] = as_json(report.limits);

@@ -14,14 +14,21 @@ void main() {
 
 const boxFragment = `
 uniform sampler2D ramp; uniform float lowest; uniform float span; uniform float byLabel;
-uniform vec3 edge; uniform vec3 sky; uniform float reach; uniform vec3 sun; uniform float edgeShare;
+uniform vec3 focus; uniform float hole; uniform vec3 edge; uniform vec3 sky; uniform float reach; uniform vec3 sun; uniform float edgeShare;
 varying vec3 vLocal; varying vec3 vSize; varying vec3 vNormal; varying vec3 vTint; varying float vTop; varying float vAway;
 float edgeOf(float at, float size) {
   float w = fwidth(at);
   float away = min(at, size - at) / max(w, 1e-6);
   return (1.0 - smoothstep(0.5, 1.5, away)) * clamp(size / w / 14.0 - 0.15, 0.0, 1.0);
 }
+// What hides the followed vehicle is left out around it, with a half-open rim.
+void cutAway() {
+  float away = distance(gl_FragCoord.xy, focus.xy) / hole;
+  if (vAway > focus.z || away > 1.0) return;
+  if (away < 0.8 || mod(floor(gl_FragCoord.x) + floor(gl_FragCoord.y), 2.0) < 0.5) discard;
+}
 void main() {
+  if (hole > 0.0) cutAway();
   vec3 n = normalize(vNormal);
   vec3 base = mix(texture2D(ramp, vec2(clamp((vTop - lowest) / span, 0.002, 0.998), 0.5)).rgb, vTint, byLabel);
   float light = 0.70 + 0.30 * clamp(dot(n, sun), -0.4, 1.0);
@@ -80,7 +87,7 @@ class Boxes {
       uniforms: { ramp: { value: this.ramp }, lowest: { value: this.lowest },
         span: { value: Math.max(this.highest - this.lowest, 1e-3) }, byLabel: { value: 0 },
         edge: { value: new THREE.Color() }, sky: { value: new THREE.Color() },
-        reach: { value: 1e9 }, edgeShare: { value: 0.3 },
+        focus: { value: new THREE.Vector3() }, hole: { value: 0 }, reach: { value: 1e9 }, edgeShare: { value: 0.3 },
         sun: { value: new THREE.Vector3(-0.45, -0.3, 0.84).normalize() } } });
     material.extensions.derivatives = true;
     return material;
@@ -119,6 +126,19 @@ class Boxes {
     uniforms.edge.value.copy(theme.colour("edge"));
     uniforms.sky.value.copy(theme.colour("sky"));
     uniforms.edgeShare.value = theme.current() === "dark" ? 0.55 : 0.3;
+  }
+
+  // The first box of that id in the source; null where there is none.
+  withId(id) {
+    const index = this.ids && id !== undefined ? this.ids.indexOf(id) : -1;
+    return index < 0 ? null : index;
+  }
+
+  // Leaves out what is nearer than `depth` metres within `radius` of (x, y), in pixels; 0: nothing.
+  setHole(x, y, depth, radius) {
+    const { focus, hole } = this.mesh.material.uniforms;
+    focus.value.set(x, y, depth);
+    hole.value = radius;
   }
 
   setHaze(reach) { this.mesh.material.uniforms.reach.value = reach; }

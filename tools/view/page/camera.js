@@ -24,7 +24,9 @@ class View {
       meta.min[2] - origin[2] + Math.min(h / 4, across / 10));
     this.orbit.heading = -0.45;
     this.orbit.elevation = 0.62;
-    this.orbit.distance = across * 0.98;
+    const box = byId("view").getBoundingClientRect();
+    const narrow = box.width > 0 ? Math.max(1, 1.1 * box.height / box.width) : 1;
+    this.orbit.distance = across * 1.02 * narrow;
   }
 
   set(mode) {
@@ -35,12 +37,12 @@ class View {
       this.orbit.elevation = tallest;
     } else if (this.mode === "top") this.orbit.elevation = 0.62;
     if ((mode === "follow" || mode === "ride") && !followed) {
-      this.orbit.distance = mode === "follow" ? Math.min(this.extent().across / 6, 120) : 30;
-      this.orbit.elevation = 0.5;
+      this.orbit.distance = mode === "follow" ? Math.min(this.extent().across / 6, 90) : 30;
+      this.orbit.elevation = 0.6;
     }
     if (mode === "ride") {
-      this.orbit.distance = Math.min(this.orbit.distance, 30);
-      this.orbit.elevation = 0.3;
+      this.orbit.distance = Math.min(this.orbit.distance, 16);
+      this.orbit.elevation = 0.28;
     }
     this.mode = mode;
   }
@@ -58,11 +60,14 @@ class View {
   // How much of the view, one metre away, a pixel is.
   perPixel(height) { return 2 * Math.tan(this.camera.fov * Math.PI / 360) / height; }
 
-  apply(width, height) {
+  // `covered`: pixels at the left that a card hides; the picture's middle is that of the rest.
+  apply(width, height, covered) {
     const { camera, orbit } = this;
     camera.aspect = width / height;
     camera.near = Math.max(orbit.distance * 0.02, 0.02);
     camera.far = orbit.distance + this.extent().across * 6 + 100;
+    if (covered > 0 && covered < width / 3) camera.setViewOffset(width, height, -covered / 2, 0, width, height);
+    else camera.clearViewOffset();
     camera.updateProjectionMatrix();
     orbit.place(camera);
     camera.updateMatrixWorld();

@@ -4,7 +4,8 @@ const extremeRows = {
   clearance: ["Clearance, least", "m", 3, null], speed: ["Speed", "m/s", 2, "vmax"],
   horizontal_speed: ["Speed over ground", "m/s", 2, "vmax_h"], vertical_speed: ["Speed up or down", "m/s", 2, "vmax_v"],
   acceleration: ["Acceleration", "m/s²", 2, "amax"], jerk: ["Jerk", "m/s³", 2, "jmax"],
-  tilt: ["Tilt", "°", 1, "tilt"], thrust: ["Thrust over mass", "m/s²", 2, "thrust"],
+  tilt: ["Tilt", "°", 1, "tilt"], rms: ["Tracking error, RMS", "m", 3, null], p99: ["… 99th percentile", "m", 3, null],
+  max: ["… largest", "m", 3, null], final: ["… at the end", "m", 3, null], thrust: ["Thrust over mass", "m/s²", 2, "thrust"],
 };
 
 const reasons = { collision: "collides with an obstacle", bounds: "leaves the bounds", no_path: "there is no path",
@@ -25,7 +26,7 @@ function checkTable(check) {
     const scale = unit === "°" ? degrees : 1;
     const bound = limit && check.limits[limit] ? withUnit(check.limits[limit] * scale, digits, unit) : "";
     return element("tr", {}, element("td", {}, words), element("td", {}, withUnit(value * scale, digits, unit)),
-      element("td", {}, bound), element("td", {}, check.checked === "path" ? "" : withUnit(time, 2, "s")));
+      element("td", {}, bound), element("td", {}, time === undefined ? "" : withUnit(time, 2, "s")));
   });
   if (!rows.length) return null;
   return element("table", {}, element("thead", {}, element("tr", {}, ["", "extreme", "limit", "at"].map(
@@ -33,7 +34,8 @@ function checkTable(check) {
 }
 
 function goToFailure(check) {
-  stage.goTo(check.place, 40);
+  stage.goTo(check.place, 60);
+  if (stage.picked) stage.picked.choose(stage.boxes.withId(check.box));
   transport.cameras.choose("free");
   const index = motions.findIndex(m => m.id === check.id);
   if (check.checked !== "path" && check.time !== undefined && clock.duration > 0) {

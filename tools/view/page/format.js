@@ -26,16 +26,24 @@ function count(value, word, plural = word + "s") {
 }
 
 function place(x, y, z) {
-  return `${decimals(x, 1)} east, ${decimals(y, 1)} north, ${decimals(z, 1)} up${thinSpace}m`;
+  return `E ${decimals(x, 1)}, N ${decimals(y, 1)}, U ${decimals(z, 1)}${thinSpace}m`;
+}
+
+// The next of 1, 2, 5, 10, … at or above a value > 0, or at or below it.
+function roundUp(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * [1, 2, 5, 10].find(lead => value <= lead * power * (1 + 1e-9));
+}
+
+function roundDown(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * [5, 2, 1].find(lead => value >= lead * power * (1 - 1e-9));
 }
 
 // Round values (1, 2 or 5 times a power of ten) inside [low, high], about `wanted` of them.
 function ticks(low, high, wanted) {
-  const raw = (high - low) / wanted;
-  if (!(raw > 0)) return [low];
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const lead = raw / power;
-  const step = power * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
+  if (!(high > low)) return [low];
+  const step = roundUp((high - low) / wanted);
   const out = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + step * 1e-9; ++k) out.push(k * step);
   return out;
@@ -43,6 +51,6 @@ function ticks(low, high, wanted) {
 
 // Digits after the point that tell neighbouring ticks apart.
 function tickDigits(values) {
-  if (values.length < 2) return 1;
+  if (values.length < 2) return Number.isInteger(values[0]) ? 0 : 2;
   return Math.max(0, -Math.floor(Math.log10(values[1] - values[0]) + 1e-9));
 }

@@ -16,14 +16,15 @@ varying vec2 vAt; varying float vAway;
 float lines(vec2 at, float step) {
   vec2 w = fwidth(at) / step;
   vec2 away = abs(fract(at / step - 0.5) - 0.5) / max(w, vec2(1e-6));
-  vec2 seen = (1.0 - smoothstep(0.3, 1.3, away)) * clamp(0.25 / max(w, vec2(1e-6)) - 0.6, 0.0, 1.0);
+  vec2 seen = (1.0 - smoothstep(0.2, 1.0, away)) * clamp(0.12 / max(w, vec2(1e-6)) - 0.6, 0.0, 1.0);
   return max(seen.x, seen.y);
 }
 void main() {
   vec2 at = vAt + origin;
-  float line = max(0.30 * lines(at, 10.0), 0.75 * lines(at, 100.0));
-  vec2 inside = step(low, vAt) * step(vAt, high);
-  vec3 floor = mix(mix(sky, ground, 0.35), ground, inside.x * inside.y);
+  vec2 both = step(low, vAt) * step(vAt, high);
+  float inside = both.x * both.y;
+  float line = max(0.28 * lines(at, 10.0), 0.6 * lines(at, 100.0)) * mix(0.35, 1.0, inside);
+  vec3 floor = mix(mix(sky, ground, 0.3), ground, inside);
   float haze = clamp((vAway - reach) / (2.0 * reach), 0.0, 1.0);
   gl_FragColor = vec4(mix(mix(floor, grid, line), sky, haze), 1.0);
 }`;

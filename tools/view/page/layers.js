@@ -58,7 +58,7 @@ function pathLayer() {
   const found = meta.paths.filter(p => p.points);
   if (!found.length) return null;
   const key = element("ul", { class: "keys" }, element("li", {}, swatch("var(--path)", "line"),
-    element("span", {}, "planned; ring: start, disc: goal")));
+    element("span", {}, "ring: start; disc: goal")));
   return layer(found.length === 1 ? "Path" : "Paths", found.length === 1 ? metres(found[0].length)
     : count(found.length, "path"), stage.pathGroup, key);
 }
@@ -74,7 +74,7 @@ function motionLayer() {
   colourMotions(null, legend);
   const flights = motions.filter(m => m.isFlight).length;
   const words = flights === motions.length ? count(flights, "flight")
-    : flights ? `${decimals(motions.length - flights, 0)} + ${count(flights, "flight")}` : count(motions.length, "trajectory", "trajectories");
+    : flights ? `${motions.length - flights} planned, ${flights} flown` : count(motions.length, "trajectory", "trajectories");
   return layer("Motion", words, stage.motionGroup, [row, legend]);
 }
 

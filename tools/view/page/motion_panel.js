@@ -43,8 +43,8 @@ class MotionPanel {
   update() {
     const shown = this.hover ? this.hover.time : clock.time;
     for (const plot of this.plots) plot.update(clock.time, shown);
-    const words = this.hover ? `Values at ${withUnit(shown, 2, "s")}, under the pointer`
-      : `Values at ${withUnit(shown, 2, "s")}; dashed lines are limits, thin uprights joints of segments`;
+    const words = this.hover ? `At ${withUnit(shown, 2, "s")}, under the pointer`
+      : `At ${withUnit(shown, 2, "s")} · dashed: limit${this.plots.some(p => p.motion.joints) ? " · thin uprights: joints of segments" : ""}`;
     if (this.note.textContent !== words) this.note.textContent = words;
   }
 }

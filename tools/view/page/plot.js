@@ -1,7 +1,7 @@
 // A plot over time on a canvas: curves, limits, joints of segments, the cursor. Drawn once, then
 // copied under the moving cursor.
 
-const plotHeight = 92, plotLeft = 46, plotRight = 6, plotTop = 6, plotBottom = 6;
+const plotHeight = 84, plotLeft = 46, plotRight = 6, plotTop = 6, plotBottom = 6;
 
 function fitCanvas(canvas, height) {
   const ratio = Math.min(window.devicePixelRatio || 1, 3), width = canvas.clientWidth || 360;
@@ -40,13 +40,12 @@ class Plot {
   }
 
   head() {
-    const names = this.curves.map((curve, k) => element("span", {},
-      this.curves.length > 1 ? [swatch(`var(--${curve.colour})`, "line"), ` ${curve.name} `] : "", this.values[k]));
-    const limit = this.limit === null ? null : element("span", { class: "soft" },
-      swatch("var(--limit)", "line dashed"), ` limit ${decimals(this.limit, 1)}`);
+    const names = this.curves.map((curve, k) => element("span", { title: curve.name },
+      this.curves.length > 1 ? [swatch(`var(--${curve.colour})`), ` ${curve.short || curve.name} `] : "",
+      this.values[k]));
     const { name, unit } = this.quantity;
     return element("div", { class: "plot-head" }, element("span", { class: "name" }, name),
-      element("span", { class: "soft" }, unit), limit, element("span", { class: "values" }, names));
+      element("span", { class: "soft" }, unit), element("span", { class: "values" }, names));
   }
 
   range() {
@@ -73,13 +72,16 @@ class Plot {
     this.width = width;
     this.paintGrid(c, width);
     this.curves.forEach(curve => this.paintCurve(c, width, curve));
+    if (this.limit !== null) this.paintLimit(c, width);
     this.base.width = this.surface.width;
     this.base.height = this.surface.height;
     this.base.getContext("2d").drawImage(this.surface, 0, 0);
   }
 
   paintGrid(c, width) {
-    const marks = ticks(this.low, this.high, 3), digits = tickDigits(marks);
+    let marks = ticks(this.low, this.high, 3.6);
+    if (marks.length < 2) marks = ticks(this.low, this.high, 6);
+    const digits = tickDigits(marks);
     c.lineWidth = 1;
     c.textAlign = "right";
     c.textBaseline = "middle";
@@ -95,12 +97,23 @@ class Plot {
       line(c, theme.css("line"), x, plotTop, x, plotHeight - plotBottom);
     }
     c.globalAlpha = 1;
-    if (this.limit === null) return;
+  }
+
+  paintLimit(c, width) {
+    c.lineWidth = 1;
     c.setLineDash([5, 4]);
     for (const at of this.low < -this.limit ? [this.limit, -this.limit] : [this.limit]) {
       line(c, theme.css("limit"), plotLeft, this.y(at), width - plotRight, this.y(at));
     }
     c.setLineDash([]);
+    const y = this.y(this.limit);
+    c.fillStyle = theme.css("limit");
+    c.textAlign = "right";
+    c.strokeStyle = theme.css("panel");
+    c.lineWidth = 4;
+    for (const draw of ["strokeText", "fillText"]) {
+      c[draw](`limit ${decimals(this.limit, 1)}`, width - plotRight - 12, y > 16 ? y - 7 : y + 9);
+    }
   }
 
   paintCurve(c, width, curve) {
@@ -207,6 +220,6 @@ class TimeAxis {
       c.fillText(decimals(t, digits), x, 8);
     }
     c.textAlign = "left";
-    c.fillText("time, s", 0, 8);
+    c.fillText("t, s", 12, 8);
   }
 }

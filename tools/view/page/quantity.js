@@ -13,8 +13,9 @@ function norm(motion, key) {
 // Curves of a vector: components by colour, the norm in ink.
 function vectorCurves(motion, key, withNorm) {
   const names = ["east", "north", "up"];
-  const curves = names.map((name, axis) => ({ name, colour: name, values: component(motion, key, axis) }));
-  if (withNorm) curves.push({ name: "norm", colour: "ink", values: norm(motion, key), bold: true });
+  const curves = names.map((name, axis) => ({ name, short: name[0].toUpperCase(), colour: name,
+    values: component(motion, key, axis) }));
+  if (withNorm) curves.push({ name: "norm", short: "‖·‖", colour: "ink", values: norm(motion, key), bold: true });
   return curves;
 }
 
@@ -44,7 +45,7 @@ const quantities = [
     curves: m => one("up", component(m, "position", 2, origin[2])) },
   { key: "position", name: "Position", unit: "m", digits: 2, needs: "position",
     curves: m => ["east", "north", "up"].map((name, axis) => (
-      { name, colour: name, values: component(m, "position", axis, origin[axis]) })) },
+      { name, short: name[0].toUpperCase(), colour: name, values: component(m, "position", axis, origin[axis]) })) },
   { key: "velocity", name: "Velocity", unit: "m/s", digits: 2, needs: "velocity", limit: "vmax",
     curves: m => vectorCurves(m, "velocity", true) },
   { key: "acceleration", name: "Acceleration", unit: "m/s²", digits: 2, needs: "acceleration", limit: "amax",

@@ -90,7 +90,7 @@ class Stage {
       this.parts.ribbons.push(ribbon);
       this.motionGroup.add(ribbon.object);
     }
-    const vehicle = new Vehicle(motion, colour);
+    const vehicle = new Vehicle(motion);
     this.parts.vehicles.push(vehicle);
     this.motionGroup.add(vehicle.object);
   }
@@ -173,18 +173,30 @@ class Stage {
     if (!width || !height) return;
     this.fit(width, height);
     this.view.track(this.motion(), clock.time);
-    this.view.apply(width, height);
+    this.view.apply(width, height, byId("layers").offsetWidth);
     const perPixel = this.view.perPixel(height);
     for (const marker of this.parts.markers) marker.resize(perPixel);
     for (const vehicle of this.parts.vehicles) vehicle.update(clock.time, this.view.camera.position, perPixel);
     const reach = this.view.orbit.distance + this.view.extent().across * 0.6;
-    if (this.boxes) this.boxes.setHaze(reach);
+    if (this.boxes) {
+      this.boxes.setHaze(reach);
+      this.cutAway(width, height);
+    }
     this.ground.setHaze(reach);
     this.renderer.render(this.scene, this.view.camera);
     this.frames += 1;
     this.frameMs = performance.now() - begin;
     showCompass(this.view.orbit.heading);
     showScale(this.metresPerPixel());
+  }
+
+  // Opens the view onto the followed vehicle where boxes stand before it.
+  cutAway(width, height) {
+    const { camera, orbit, mode } = this.view;
+    if (mode !== "follow" && mode !== "ride") return this.boxes.setHole(0, 0, 0, 0);
+    const at = orbit.target.clone().project(camera);
+    const half = (v, size) => (v + 1) / 2 * size * this.ratio;
+    this.boxes.setHole(half(at.x, width), half(at.y, height), orbit.distance * 0.97, 0.17 * height * this.ratio);
   }
 
   fit(width, height) {
@@ -210,7 +222,7 @@ function showCompass(heading) {
 }
 
 function showScale(perPixel) {
-  const round = ticks(0, perPixel * 130, 1.2).filter(v => v > 0).pop() || perPixel * 100;
+  const round = roundDown(perPixel * 120);
   const bar = byId("scale");
   const text = withUnit(round, round < 1 ? 2 : 0, "m");
   bar.style.width = `${round / perPixel}px`;

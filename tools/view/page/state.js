@@ -38,7 +38,7 @@ function exposeState() {
     values, position, picked: () => (stage.picked ? stage.picked.index : null),
     checks: () => meta.reports.map(r => ({ id: r.id, ok: r.ok, reason: r.reason || null })),
     target: () => stage.view.orbit.target.toArray().map((x, i) => x + origin[i]),
-    distance: () => stage.view.orbit.distance,
+    distance: () => stage.view.orbit.distance, heading: () => stage.view.orbit.heading,
   };
   const state = {};
   for (const [name, get] of Object.entries(getters)) Object.defineProperty(state, name, { get, enumerable: true });

@@ -7,7 +7,7 @@ const theme = (() => {
   const current = () => chosen || (system.matches ? "dark" : "light");
   const apply = () => {
     document.documentElement.dataset.theme = current();
-    byId("theme").textContent = current() === "dark" ? "Light" : "Dark";
+    byId("theme").textContent = current() === "dark" ? "◐ Light" : "◐ Dark";
     byId("theme").setAttribute("aria-label", `Switch to ${current() === "dark" ? "light" : "dark"} colours`);
     for (const listener of listeners) listener();
   };

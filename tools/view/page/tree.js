@@ -28,7 +28,7 @@ class SearchTree {
     geometry.setAttribute("color", this.colours);
     geometry.setIndex(new THREE.BufferAttribute(ends, 1));
     const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial(
-      { vertexColors: THREE.VertexColors, transparent: true, opacity: 0.8 }));
+      { vertexColors: THREE.VertexColors, transparent: true, opacity: Math.min(Math.max(1600 / this.count, 0.3), 0.85) }));
     lines.frustumCulled = false;
     lines.renderOrder = 2;
     return lines;

@@ -1,6 +1,6 @@
 // A quadrotor where a motion is; drawn larger than it is where it would be too small to see.
 
-const vehiclePixels = 30;  // at least, from tip to tip
+const vehiclePixels = 36;  // at least, from tip to tip
 
 function merged(parts) {
   const positions = [], normals = [];
@@ -38,7 +38,7 @@ function quadrotor() {
 const vehicleShape = quadrotor();
 
 class Vehicle {
-  constructor(motion, colour) {
+  constructor(motion) {
     this.motion = motion;
     const half = motion.data.vehicle ? motion.data.vehicle.half : [0.25, 0.25, 0.1];
     this.radius = Math.max(half[0], half[1], 0.05);
@@ -46,8 +46,8 @@ class Vehicle {
     this.object = new THREE.Mesh(vehicleShape, this.material);
     this.object.renderOrder = 6;
     theme.follow(() => {
-      this.material.color.copy(theme.colour(colour));
-      this.material.emissive.copy(theme.colour(colour)).multiplyScalar(0.25);
+      this.material.color.copy(theme.colour("vehicle"));
+      this.material.emissive.copy(theme.colour("vehicle")).multiplyScalar(0.3);
     });
   }
 

@@ -30,15 +30,16 @@ bool accepted(const ReportRecord& record);
 // Ends with a newline. `map` gives the source id of the obstacle that was hit.
 std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map);
 
-// A report as it reads without the map.
+// A report of skyway-check or skyway-fly, as it reads without the map.
 struct ReportSummary {
   struct Named {
-    std::string name;  // "clearance", "speed", "acceleration", …
-    Extreme extreme;
+    std::string name;  // as in the record: "clearance", "speed", "acceleration", "rms", …
+    double value = 0;
+    std::optional<double> time;  // seconds
   };
 
   std::string id;
-  std::string checked;  // "trajectory" or "path"; may be empty
+  std::string checked;  // "trajectory", "path" or "flight"; may be empty
   bool ok = false;
   std::string reason;  // empty when ok
   std::optional<double> time;
@@ -52,7 +53,7 @@ struct ReportSummary {
   Limits limits;
 };
 
-// Throws InputError(source, line, …) for anything that is not a report record: malformed JSON, no
+// Throws InputError(source, line, …) for anything that is not such a record: malformed JSON, no
 // "ok", a refusal without a reason, a number that is not finite.
 ReportSummary parse_report_record(std::string_view json, std::string_view source, std::size_t line);
 
