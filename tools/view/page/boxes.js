@@ -1,12 +1,14 @@
-// The city: all boxes in one draw call, coloured by height or label, with hairline edges.
+// The city: all boxes in one draw call, coloured by height or label, with hairline edges. Of each
+// box only the three faces that can be seen are drawn: on every axis the one on the camera's side.
 
 const boxVertex = `
 attribute vec3 low; attribute vec3 high; attribute vec3 tint;
 varying vec3 vLocal; varying vec3 vSize; varying vec3 vNormal; varying vec3 vTint; varying float vTop; varying float vAway;
 void main() {
   vSize = high - low;
-  vLocal = position * vSize;
-  vNormal = normal; vTint = tint; vTop = high.z;
+  vec3 side = step(0.5 * (low + high), cameraPosition);
+  vLocal = mix(1.0 - position, position, side) * vSize;
+  vNormal = normal * (2.0 * side - 1.0); vTint = tint; vTop = high.z;
   vec4 eye = modelViewMatrix * vec4(low + vLocal, 1.0);
   vAway = -eye.z;
   gl_Position = projectionMatrix * eye;
@@ -65,12 +67,12 @@ class Boxes {
   }
 
   geometry() {
-    const cube = new THREE.BoxBufferGeometry(1, 1, 1);
-    cube.translate(0.5, 0.5, 0.5);
     const geometry = new THREE.InstancedBufferGeometry();
-    geometry.index = cube.index;
-    geometry.setAttribute("position", cube.attributes.position);
-    geometry.setAttribute("normal", cube.attributes.normal);
+    geometry.setAttribute("position", new THREE.Float32BufferAttribute(
+      [1, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1], 3));
+    geometry.setAttribute("normal", new THREE.Float32BufferAttribute(
+      [[1, 0, 0], [0, 1, 0], [0, 0, 1]].flatMap(n => [n, n, n, n].flat()), 3));
+    geometry.setIndex([0, 4, 8].flatMap(k => [k, k + 1, k + 2, k, k + 2, k + 3]));
     const corners = new THREE.InstancedInterleavedBuffer(this.corners, 6);
     geometry.setAttribute("low", new THREE.InterleavedBufferAttribute(corners, 3, 0));
     geometry.setAttribute("high", new THREE.InterleavedBufferAttribute(corners, 3, 3));
@@ -83,7 +85,7 @@ class Boxes {
 
   material() {
     const material = new THREE.ShaderMaterial({
-      vertexShader: boxVertex, fragmentShader: boxFragment,
+      vertexShader: boxVertex, fragmentShader: boxFragment, side: THREE.DoubleSide,
       uniforms: { ramp: { value: this.ramp }, lowest: { value: this.lowest },
         span: { value: Math.max(this.highest - this.lowest, 1e-3) }, byLabel: { value: 0 },
         edge: { value: new THREE.Color() }, sky: { value: new THREE.Color() },
