@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 16> kVerbs = {{
+constexpr std::array<std::pair<const char*, const char*>, 17> kVerbs = {{
     {"synth", "make up a city"},
     {"import", "city tables, block texts, voxels and octrees to box maps"},
     {"footprints", "building footprints, city and height models to box maps"},
@@ -29,6 +29,7 @@ constexpr std::array<std::pair<const char*, const char*>, 16> kVerbs = {{
     {"export", "write drone files"},
     {"bench", "compare planners, each path proved"},
     {"plot", "draw a plan view or a motion profile as SVG"},
+    {"view", "show anything in one page for a browser"},
     {"info", "say what is in a file"},
 }};
 

@@ -120,7 +120,8 @@ Json as_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 Extent extent_of(const Contents& contents) {
   const Reach reach = reach_of(contents);
-  if (reach.empty()) throw geom::InputError("skyway-view", "expected anything to draw, found none");
+  if (reach.empty())
+    throw geom::InputError("inputs", "expected something that has a place, found none");
   const geom::Aabb box = reach.box();
   const Vec3 middle = 0.5 * (box.min + box.max);
   return {{Vec3(std::round(middle.x()), std::round(middle.y()), 0)}, box};

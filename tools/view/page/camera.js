@@ -26,7 +26,7 @@ class View {
     this.orbit.elevation = 0.62;
     const box = byId("view").getBoundingClientRect();
     const narrow = box.width > 0 ? Math.max(1, 1.1 * box.height / box.width) : 1;
-    this.orbit.distance = across * 1.02 * narrow;
+    this.orbit.distance = (across * 1.02 + 0.6 * h) * narrow;
   }
 
   set(mode) {

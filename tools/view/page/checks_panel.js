@@ -26,7 +26,7 @@ function checkTable(check) {
     const scale = unit === "°" ? degrees : 1;
     const bound = limit && check.limits[limit] ? withUnit(check.limits[limit] * scale, digits, unit) : "";
     return element("tr", {}, element("td", {}, words), element("td", {}, withUnit(value * scale, digits, unit)),
-      element("td", {}, bound), element("td", {}, time === undefined ? "" : withUnit(time, 2, "s")));
+      element("td", {}, bound), element("td", {}, time === undefined || check.checked === "path" ? "" : withUnit(time, 2, "s")));
   });
   if (!rows.length) return null;
   return element("table", {}, element("thead", {}, element("tr", {}, ["", "extreme", "limit", "at"].map(
@@ -50,8 +50,8 @@ function checkCard(check) {
   const where = !check.ok && check.place ? facts([
     ["Why", reasons[check.reason] || check.reason],
     ["By", worstOf(check)],
-    [check.checked === "path" ? "Leg" : "Time", check.time === undefined ? null
-      : check.checked === "path" ? decimals(check.time, 0) : withUnit(check.time, 3, "s")],
+    [check.checked === "path" ? "Leg, from 0" : "Time", check.time === undefined ? null
+      : check.checked === "path" ? decimals(Math.floor(check.time), 0) : withUnit(check.time, 3, "s")],
     ["Place", place(...check.place.map((x, i) => x + origin[i]))],
     ["Obstacle, id in the source", check.box === undefined ? null : String(check.box)],
   ]) : check.ok ? null : element("p", {}, reasons[check.reason] || check.reason);

@@ -1,5 +1,11 @@
 // A trajectory or a flight as samples over time, and its state in between.
 
+// Limits of the trajectory that a flight is of.
+function plannedLimits(id) {
+  const planned = meta.motions.find(m => m.id === id && m.limits);
+  return planned ? planned.limits : {};
+}
+
 class Motion {
   constructor(data) {
     this.data = data;
@@ -13,7 +19,7 @@ class Motion {
     }
     this.time = arrayOf(data.time) || Float32Array.from(
       { length: this.samples }, (_, i) => this.duration * i / (this.samples - 1));
-    this.limits = data.limits || {};
+    this.limits = data.limits || plannedLimits(data.id);
     this.name = `${data.id} (${this.isFlight ? "flown" : "planned"})`;
     this.cache = new Map();
   }

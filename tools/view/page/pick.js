@@ -1,7 +1,8 @@
-// Which box a ray meets first: slabs of every box, exact enough for a click.
+// Which box a ray meets first within `reach` (of the length of `along`): slabs of every box, exact
+// enough for a click.
 
-function pickBox(corners, from, along) {
-  let best = Infinity, hit = null;
+function pickBox(corners, from, along, reach = Infinity) {
+  let best = reach, hit = null;
   const inverse = [1 / along.x, 1 / along.y, 1 / along.z], start = [from.x, from.y, from.z];
   for (let i = 0; i < corners.length; i += 6) {
     let enter = 0, leave = best;

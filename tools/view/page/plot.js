@@ -58,7 +58,8 @@ class Plot {
     const fromZero = this.quantity.key !== "position" && this.quantity.key !== "height";
     if (fromZero) { low = Math.min(low, 0); high = Math.max(high, 0); }
     if (this.limit !== null) high = Math.max(high, this.limit);
-    const room = Math.max(high - low, fromZero ? 1e-3 : 1) * 0.06;
+    high = Math.max(high, low + 5 / 10 ** this.quantity.digits);  // less than digits show is flat
+    const room = (high - low) * 0.06;
     this.low = low - (fromZero && low === 0 ? 0 : room);
     this.high = high + room;
   }

@@ -194,9 +194,12 @@ class Stage {
   cutAway(width, height) {
     const { camera, orbit, mode } = this.view;
     if (mode !== "follow" && mode !== "ride") return this.boxes.setHole(0, 0, 0, 0);
+    const along = orbit.target.clone().sub(camera.position).normalize();
+    const hidden = pickBox(this.boxes.corners, camera.position, along, orbit.distance * 0.97) !== null;
+    if (!hidden) return this.boxes.setHole(0, 0, 0, 0);
     const at = orbit.target.clone().project(camera);
     const half = (v, size) => (v + 1) / 2 * size * this.ratio;
-    this.boxes.setHole(half(at.x, width), half(at.y, height), orbit.distance * 0.97, 0.17 * height * this.ratio);
+    this.boxes.setHole(half(at.x, width), half(at.y, height), orbit.distance * 0.97, 0.15 * height * this.ratio);
   }
 
   fit(width, height) {
