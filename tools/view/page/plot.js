@@ -173,7 +173,10 @@ class Plot {
   }
 
   listen(on) {
-    const time = e => xToTime(e.clientX - this.surface.getBoundingClientRect().left, this.width);
+    const time = e => {
+      const box = this.surface.getBoundingClientRect();
+      return xToTime(e.clientX - box.left, box.width);
+    };
     this.surface.addEventListener("pointermove", e => {
       if (e.buttons) on.set(time(e)); else on.hover(time(e), this);
     });
