@@ -97,8 +97,9 @@ std::optional<std::uint64_t> parse_box(const geom::JsonFields& fields) {
 
 std::vector<ReportSummary::Named> parse_extremes(const geom::JsonFields& fields) {
   std::vector<ReportSummary::Named> out;
-  for (const char* name : {"clearance", "speed", "acceleration", "jerk", "tilt", "horizontal_speed",
-                           "vertical_speed", "thrust", "rms", "p99", "max", "final"}) {
+  for (const char* name :
+       {"clearance", "speed", "acceleration", "jerk", "tilt", "horizontal_speed", "vertical_speed",
+        "thrust", "body_rate", "yaw_rate", "rms", "p99", "max", "final"}) {
     const auto value = fields.number(name);
     const auto time = fields.number((std::string(name) + "_time").c_str());
     if (value) out.push_back({name, *value, time});

@@ -119,6 +119,26 @@ def check_lattice(page, folder, layer):
         assert (not answer["hit"] and answer["inside_bounds"]) == bool(free), (line, free)
 
 
+def check_corridor(page, record):
+    """Each region is all behind its planes and holds its own straight piece; edges join neighbours of faces."""
+    layer = page.meta["corridors"][0]
+    points, edges = page.points(layer["points"]), page.array(layer["edges"])
+    triangles, last = page.array(layer["triangles"]), 0
+    assert layer["pieces"] == len(record["pieces"]) > 0
+    for piece, end, edge_end in zip(record["pieces"], page.array(layer["triangle_end"]),
+                                    page.array(layer["edge_end"]), strict=True):
+        used = set(triangles[last:end])
+        assert [points[i] for i in sorted(used)] and len(used) == len(piece["vertices"])
+        for shown, vertex in zip((points[i] for i in sorted(used)), piece["vertices"], strict=True):
+            close(shown, enu(vertex))
+        faces = len(piece["faces"])
+        assert end - last == 3 * sum(len(f) - 2 for f in piece["faces"])
+        last = end
+        ends = edges[:edge_end] if piece is record["pieces"][0] else None
+        if ends is not None:  # Euler: vertices - edges + faces = 2
+            assert len(used) - len(ends) // 2 + faces == 2, (len(used), len(ends), faces)
+
+
 def flight_rows(record, count):
     """A flight log that is 0.25 m too high all the time, in ENU."""
     header = ("id,t_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_x_m,"
@@ -157,12 +177,13 @@ def main(folder):
     path = run("skyway-plan", folder / "map", "-q", *ends, *vehicle)
     run("skyway-plan", folder / "map", "-q", *ends, *vehicle, "--method", "rrt-star", "--iterations", "500",
         "--tree", folder / "tree", "-o", folder / "sampled")
-    trajectory = run("skyway-traj", folder / "map", "--vmax", "8", "--amax", "6", text=path)
+    trajectory = run("skyway-traj", folder / "map", "--vmax", "8", "--amax", "6", "--corridor-file",
+                     folder / "corridor", text=path)
     (folder / "path").write_text(path)
     (folder / "trajectory").write_text(trajectory)
     record = json.loads(trajectory)
     (folder / "flight").write_text(flight_rows(record, 5000))
-    files = [folder / f for f in ("flight", "path", "trajectory", "tree", "lattice6", "lattice26", "map")]
+    files = [folder / f for f in ("flight", "path", "trajectory", "tree", "corridor", "lattice6", "lattice26", "map")]
     page_file = folder / "page.html"
     run("skyway-view", *files, "--title", "A < B & C", "-o", page_file)
     page = Page(page_file)
@@ -175,6 +196,7 @@ def main(folder):
     assert [layer["connectivity"] for layer in page.meta["lattices"]] == [6, 26]
     for layer in page.meta["lattices"]:
         check_lattice(page, folder, layer)
+    check_corridor(page, json.loads((folder / "corridor").read_text()))
     check_flight(page, record)
     run("skyway-view", *files, "--title", "A < B & C", "-o", folder / "again.html")
     assert (folder / "again.html").read_bytes() == page_file.read_bytes()

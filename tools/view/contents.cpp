@@ -62,11 +62,13 @@ class Records {
     } else if (type == "trajectory") {
       out_.trajectories.push_back(
           {traj::parse_trajectory_record(text, source_, line), source_, line});
+    } else if (type == "corridor") {
+      out_.corridors.push_back({traj::parse_corridor_record(text, source_, line), source_, line});
     } else if (type == "report" || type == "flight") {
       out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
     } else {
-      fields.refuse(
-          fmt::format("expected a path, a trajectory, a tree or a report, found a {}", type));
+      fields.refuse(fmt::format(
+          "expected a path, a trajectory, a tree, a corridor or a report, found a {}", type));
     }
   }
 
@@ -146,6 +148,7 @@ void require_same_map(const Contents& contents) {
   all(contents.trees);
   all(contents.paths);
   all(contents.trajectories);
+  all(contents.corridors);
   all(contents.reports);
 }
 

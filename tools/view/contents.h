@@ -10,6 +10,7 @@
 #include "geom/io/record.h"
 #include "plan/io/search_tree.h"
 #include "plan/lattice.h"
+#include "traj/io/corridor_record.h"
 #include "traj/io/flight_log.h"
 #include "traj/io/report_record.h"
 #include "traj/io/trajectory_record.h"
@@ -31,6 +32,7 @@ struct Contents {
   std::vector<Read<geom::PathRecord>> paths;
   std::vector<Read<traj::TrajectoryRecord>> trajectories;
   std::vector<Read<traj::FlightLog>> flights;
+  std::vector<Read<traj::CorridorShape>> corridors;
   std::vector<Read<traj::ReportSummary>> reports;
 };
 

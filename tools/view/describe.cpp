@@ -51,6 +51,9 @@ Reach reach_of(const Contents& contents) {
   for (const auto& [record, source, line] : contents.trajectories) {
     for (const auto& segment : record.trajectory.segments) add(record.provenance, segment.point);
   }
+  for (const auto& [corridor, source, line] : contents.corridors) {
+    for (const auto& piece : corridor.pieces) add(corridor.provenance, piece.vertices);
+  }
   for (const auto& [flight, source, line] : contents.flights) {
     for (const auto& s : flight.samples) reach.add(geom::Axes::enu, s.position);
   }
@@ -148,6 +151,9 @@ Json describe(const Contents& contents, const cli::VehicleOptions& vehicle, Bund
   });
   each("paths", contents.paths, [&](const auto& r) {
     return path_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
+  });
+  each("corridors", contents.corridors, [&](const auto& r) {
+    return corridor_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
   });
   out["motions"] = motions(contents, frame, clearance, bundle);
   out["unsolved"] = unsolved(contents);

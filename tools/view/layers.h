@@ -45,6 +45,8 @@ Json tree_layer(const plan::SearchTreeRecord& tree, geom::Axes axes, const Local
                 Bundle& bundle);
 Json path_layer(const geom::PathRecord& path, geom::Axes axes, const LocalFrame& frame,
                 Bundle& bundle);
+Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const LocalFrame& frame,
+                    Bundle& bundle);
 Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame);
 
 // `samples` instants, evenly spaced (>= 2); the trajectory is not empty.

@@ -6,7 +6,7 @@ set(page_styles ${page}/theme.css ${page}/layout.css ${page}/controls.css)
 set(page_scripts
   ${page}/data.js ${page}/format.js ${page}/element.js ${page}/theme.js ${page}/scale.js
   ${page}/motion.js ${page}/quantity.js ${page}/clock.js
-  ${page}/boxes.js ${page}/ground.js ${page}/ribbon.js ${page}/lattice.js ${page}/tree.js
+  ${page}/boxes.js ${page}/ground.js ${page}/ribbon.js ${page}/lattice.js ${page}/tree.js ${page}/corridor.js
   ${page}/marker.js ${page}/vehicle.js ${page}/pick.js
   ${page}/orbit.js ${page}/camera.js ${page}/stage.js
   ${page}/plot.js ${page}/transport.js ${page}/layers.js ${page}/motion_panel.js

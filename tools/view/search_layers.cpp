@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "view/layers.h"
 
 namespace view {
@@ -27,6 +29,37 @@ Json path_layer(const geom::PathRecord& path, geom::Axes axes, const LocalFrame&
   out["length"] = geom::length(path.points);
   out["points"] = bundle.add(std::span<const float>(points));
   return out;
+}
+
+Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const LocalFrame& frame,
+                    Bundle& bundle) {
+  std::vector<float> points;
+  std::vector<std::uint32_t> triangles, edges;
+  std::vector<std::uint32_t> triangle_end, edge_end;  // of each piece
+  for (const auto& piece : corridor.pieces) {
+    const auto first = static_cast<std::uint32_t>(points.size() / 3);
+    for (const geom::Vec3& v : piece.vertices) append(points, frame.at(axes, v));
+    for (const auto& face : piece.faces) {
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const std::uint32_t next = face[(i + 1) % face.size()];
+        if (face[i] < next) edges.insert(edges.end(), {first + face[i], first + next});
+        if (i < 2) continue;
+        triangles.insert(triangles.end(), {first + face[0], first + face[i - 1], first + face[i]});
+      }
+    }
+    triangle_end.push_back(static_cast<std::uint32_t>(triangles.size()));
+    edge_end.push_back(static_cast<std::uint32_t>(edges.size()));
+  }
+  const auto added = [&](const auto& values) {
+    return bundle.add(std::span(std::as_const(values)));
+  };
+  return {{"id", corridor.id},
+          {"pieces", corridor.pieces.size()},
+          {"points", added(points)},
+          {"triangles", added(triangles)},
+          {"triangle_end", added(triangle_end)},
+          {"edges", added(edges)},
+          {"edge_end", added(edge_end)}};
 }
 
 Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame) {

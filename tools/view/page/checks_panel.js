@@ -4,6 +4,7 @@ const extremeRows = {
   clearance: ["Clearance, least", "m", 3, null], speed: ["Speed", "m/s", 2, "vmax"],
   horizontal_speed: ["Speed over ground", "m/s", 2, "vmax_h"], vertical_speed: ["Speed up or down", "m/s", 2, "vmax_v"],
   acceleration: ["Acceleration", "m/s²", 2, "amax"], jerk: ["Jerk", "m/s³", 2, "jmax"],
+  body_rate: ["Body rate", "rad/s", 2, "body_rate"], yaw_rate: ["Yaw rate", "rad/s", 2, "yaw_rate"],
   tilt: ["Tilt", "°", 1, "tilt"], rms: ["Tracking error, RMS", "m", 3, null], p99: ["… 99th percentile", "m", 3, null],
   max: ["… largest", "m", 3, null], final: ["… at the end", "m", 3, null], thrust: ["Thrust over mass", "m/s²", 2, "thrust"],
 };

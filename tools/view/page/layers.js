@@ -3,6 +3,7 @@
 function makeLayers() {
   const card = byId("layers");
   const body = element("div", {}, boxLayer(), pathLayer(), motionLayer(), checkLayer(),
+    stage.parts.corridors.map(corridorLayer),
     stage.parts.trees.map(treeLayer), stage.parts.lattices.map(latticeLayer));
   const fold = element("button", { type: "button", class: "quiet", "aria-expanded": "true",
     onclick: () => setFolded(!body.hidden) });
@@ -134,6 +135,19 @@ function treeLayer(tree) {
     element("div", { class: "row" }, grow, range, words),
     element("ul", { class: "keys" }, keys.map(([colour, name]) => element("li", {}, swatch(`var(${colour})`, "line"),
       element("span", {}, name))))]);
+}
+
+function corridorLayer(corridor) {
+  const words = element("span", { class: "note soft" });
+  const show = piece => {
+    corridor.show(piece);
+    words.textContent = piece ? `${piece} of ${corridor.pieces}` : "all";
+    stage.redraw();
+  };
+  show(0);
+  return layer("Corridor", count(corridor.pieces, "region"), corridor.object,
+    element("div", { class: "row" }, element("span", {}, "Region"),
+      slider(`Region of corridor ${corridor.data.id}; 0 shows all`, 0, corridor.pieces, 1, 0, show), words));
 }
 
 function latticeLayer(lattice) {

@@ -51,7 +51,8 @@ class Stage {
     }
     parts.lattices = meta.lattices.map(data => new LatticeLevel(data));
     parts.trees = meta.trees.map(data => new SearchTree(data));
-    for (const part of [...parts.lattices, ...parts.trees]) this.add(part.object);
+    parts.corridors = meta.corridors.filter(data => data.pieces).map(data => new Corridor(data));
+    for (const part of [...parts.lattices, ...parts.trees, ...parts.corridors]) this.add(part.object);
     this.pathGroup = this.add(new THREE.Group());
     for (const data of meta.paths) this.addPath(data);
     this.motionGroup = this.add(new THREE.Group());
