@@ -25,7 +25,8 @@ class View {
     this.orbit.heading = -0.45;
     this.orbit.elevation = 0.62;
     const box = byId("view").getBoundingClientRect();
-    const narrow = box.width > 0 ? Math.max(1, 1.1 * box.height / box.width) : 1;
+    const free = box.width - this.covered(box.width);
+    const narrow = free > 0 ? Math.max(1, box.height / free) : 1;
     this.orbit.distance = (across * 1.02 + 0.6 * h) * narrow;
   }
 
@@ -60,14 +61,19 @@ class View {
   // How much of the view, one metre away, a pixel is.
   perPixel(height) { return 2 * Math.tan(this.camera.fov * Math.PI / 360) / height; }
 
-  // `covered`: pixels at the left that a card hides; the picture's middle is that of the rest.
-  apply(width, height, covered) {
+  // Pixels at the left that the card of the layers hides, where it leaves enough.
+  covered(width) {
+    const card = byId("layers").offsetWidth;
+    return card < width / 3 ? card : 0;
+  }
+
+  apply(width, height) {
     const { camera, orbit } = this;
     camera.aspect = width / height;
     camera.near = Math.max(orbit.distance * 0.02, 0.02);
     camera.far = orbit.distance + this.extent().across * 6 + 100;
-    if (covered > 0 && covered < width / 3) camera.setViewOffset(width, height, -covered / 2, 0, width, height);
-    else camera.clearViewOffset();
+    // The middle of the picture is that of what the card leaves.
+    camera.setViewOffset(width, height, -this.covered(width) / 2, 0, width, height);
     camera.updateProjectionMatrix();
     orbit.place(camera);
     camera.updateMatrixWorld();

@@ -12,6 +12,7 @@ const tabs = makeTabs([
   ...(meta.reports.length ? [["Checks", makeChecksPanel()]] : []),
   ["Contents", makeContentsPanel()]]);
 if (meta.reports.some(r => !r.ok)) tabs.show("Checks");
+stage.view.home();  // now that it is known what the cards leave of the view
 listenToKeys();
 clock.follow(() => stage.redraw());
 exposeState();

@@ -174,7 +174,7 @@ class Stage {
     if (!width || !height) return;
     this.fit(width, height);
     this.view.track(this.motion(), clock.time);
-    this.view.apply(width, height, byId("layers").offsetWidth);
+    this.view.apply(width, height);
     const perPixel = this.view.perPixel(height);
     for (const marker of this.parts.markers) marker.resize(perPixel);
     for (const vehicle of this.parts.vehicles) vehicle.update(clock.time, this.view.camera.position, perPixel);
