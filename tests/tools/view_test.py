@@ -211,7 +211,12 @@ def shows_demo(browser, folder, page):
     browser.click("#theme")
     assert viewer.get("theme") == "dark"
     viewer.picture("demo-dark")
-    Viewer(browser, page, "dark", (390, 844)).picture("demo-narrow")
+    narrow = Viewer(browser, page, "dark", (390, 844))
+    narrow.picture("demo-narrow")
+    distance = narrow.get("distance")
+    browser.pinch(*browser.centre("#view"), 80, 240)
+    assert narrow.get("distance") < 0.6 * distance, (narrow.get("distance"), distance)
+    narrow.quiet()
 
 
 def shows_failure(browser, folder, page):

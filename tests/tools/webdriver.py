@@ -96,6 +96,14 @@ class Browser:
         self._in_session("POST", "/actions", {"actions": [{
             "type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": steps}]})
 
+    def pinch(self, x, y, before, after):
+        """Two fingers around (x, y), from `before` pixels apart to `after`."""
+        def finger(name, side):
+            at = lambda apart: {"type": "pointerMove", "duration": 60, "x": int(x + side * apart / 2), "y": int(y)}
+            return {"type": "pointer", "id": name, "parameters": {"pointerType": "touch"}, "actions": [
+                at(before), {"type": "pointerDown", "button": 0}, at(after), {"type": "pointerUp", "button": 0}]}
+        self._in_session("POST", "/actions", {"actions": [finger("left", -1), finger("right", 1)]})
+
     def click(self, selector):
         x, y = self.centre(selector)
         self.pointer(("move", x, y), ("down",), ("up",))
