@@ -30,6 +30,7 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"export", "write drone files"},
     {"bench", "compare planners, each path proved"},
     {"plot", "draw a plan view or a motion profile as SVG"},
+    {"view", "show anything in one page for a browser"},
     {"info", "say what is in a file"},
 };
 

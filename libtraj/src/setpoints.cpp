@@ -13,6 +13,7 @@
 
 #include "geom/error.h"
 #include "geom/io/record.h"
+#include "traj/yaw.h"
 
 namespace traj {
 namespace {

@@ -106,6 +106,26 @@ TEST(Yaw, FixedIsFixed) {
   }
 }
 
+TEST(YawAt, IsThePolynomialAndTheLaterSegmentAtAJoint) {
+  Trajectory t = random_trajectory(5, 6);
+  EXPECT_EQ(yaw_at(t, 1), std::nullopt);
+  add_yaw({}, t);
+  double begin = 0;
+  for (const Segment& s : t.segments) {
+    for (const double u : {0.0, 0.25, 0.7}) {
+      double sum = 0;  // from the definition
+      for (int i = 0; i < kPoints; ++i) {
+        sum += std::tgamma(8) / std::tgamma(i + 1) / std::tgamma(8 - i) * std::pow(u, i) *
+               std::pow(1 - u, kDegree - i) * (*s.yaw)[i];
+      }
+      EXPECT_NEAR(*yaw_at(t, begin + u * s.duration), sum, 1e-9);
+    }
+    begin += s.duration;
+  }
+  EXPECT_EQ(yaw_at(t, begin + 1), t.segments.back().yaw->back());
+  EXPECT_EQ(yaw_at(t, -1), t.segments.front().yaw->front());
+}
+
 TEST(Yaw, KeepsTheFirstHeadingBeforeItMoves) {
   Trajectory hover{{hermite({}, {}, 1)}};
   add_yaw({}, hover);

@@ -2,6 +2,8 @@
 
 // Where the vehicle looks: yaw along a trajectory.
 
+#include <optional>
+
 #include "traj/trajectory.h"
 
 namespace traj {
@@ -27,6 +29,10 @@ struct YawOptions {
 // looks along the way to the next joint; where that is straight up, or the target within 0.1 m, it
 // goes on to look where it did, and before the first motion where it will.
 void add_yaw(const YawOptions& options, Trajectory& trajectory);
+
+// The yaw at time t, clamped to [0, duration], in radians in the map's axes; nothing where that
+// segment (at a joint: the later) has none. The trajectory has at least one segment.
+std::optional<double> yaw_at(const Trajectory& trajectory, double t);
 
 // The largest |yaw rate|, rad/s: an upper bound by the control points of 256 parts; 0 without yaw.
 double yaw_rate_bound(const Segment& segment);
