@@ -10,6 +10,7 @@
 #include "geom/io/bytes.h"
 #include "geom/io/glb.h"
 #include "geom/io/record.h"
+#include "geom/label_colour.h"
 
 namespace geom {
 namespace {
@@ -36,17 +37,6 @@ Vec3 corner(const Aabb& box, unsigned i) {
 
 Aabb in_enu(Axes axes, const Aabb& box) { return {to_enu(axes, box.min), to_enu(axes, box.max)}; }
 
-// Distinct enough, the same for the same label number: grey first.
-std::array<std::uint8_t, 3> colour(std::uint32_t label) {
-  constexpr std::array<std::array<std::uint8_t, 3>, 6> kColours = {{{176, 176, 176},
-                                                                    {204, 102, 85},
-                                                                    {86, 140, 196},
-                                                                    {104, 164, 104},
-                                                                    {196, 164, 76},
-                                                                    {150, 110, 180}}};
-  return kColours[label % kColours.size()];
-}
-
 }  // namespace
 
 void write_ply(std::ostream& out, const BoxMap& map) {
@@ -68,7 +58,7 @@ void write_ply(std::ostream& out, const BoxMap& map) {
     for (unsigned k = 0; k < 8; ++k) {
       const Vec3 p = corner(box, k);
       for (int axis = 0; axis < 3; ++axis) append_bytes(bytes, p[axis]);
-      for (const std::uint8_t part : colour(map.label()[i])) append_bytes(bytes, part);
+      for (const std::uint8_t part : label_colour(map.label()[i])) append_bytes(bytes, part);
     }
     out << bytes;
   }
@@ -131,7 +121,7 @@ void write_glb(std::ostream& out, const BoxMap& map) {
         fmt::format(
             R"({{"primitives":[{{"attributes":{{"POSITION":{}}},"indices":{},"material":{}}}]}})",
             2 * made, 2 * made + 1, made);
-    const auto c = colour(label);
+    const auto c = label_colour(label);
     materials +=
         comma +
         fmt::format(
