@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 16> kVerbs = {{
+constexpr std::array<std::pair<const char*, const char*>, 17> kVerbs = {{
     {"synth", "make up a city"},
     {"import", "city tables, block texts, voxels and octrees to box maps"},
     {"footprints", "building footprints, city and height models to box maps"},
@@ -28,6 +28,7 @@ constexpr std::array<std::pair<const char*, const char*>, 16> kVerbs = {{
     {"check", "prove trajectories and paths"},
     {"export", "write drone files"},
     {"bench", "compare planners, each path proved"},
+    {"render", "draw what the vehicle sees, and pictures of maps"},
     {"plot", "draw a plan view or a motion profile as SVG"},
     {"info", "say what is in a file"},
 }};

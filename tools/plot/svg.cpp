@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include "plot/ticks.h"
 
 namespace plot {
 namespace {
@@ -81,18 +81,6 @@ void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_labe
   }
   if (!x_label.empty()) text({f.left + f.width / 2, f.top + f.height + 36}, x_label, 13, "middle");
   text({f.left - 48, f.top + f.height / 2}, y_label, 13, "middle", -90);
-}
-
-std::vector<double> ticks(double low, double high, int count) {
-  const double raw = (high - low) / count;
-  const double power = std::pow(10, std::floor(std::log10(raw)));
-  const double lead = raw / power;
-  const double step = power * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
-  std::vector<double> values;
-  for (double k = std::ceil(low / step); k * step <= high + step * 1e-9; ++k) {
-    values.push_back(k * step + 0.0);
-  }
-  return values;
 }
 
 }  // namespace plot

@@ -40,7 +40,4 @@ class Svg {
   std::string body_;
 };
 
-// Round values (1, 2 or 5 times a power of ten) inside [low, high], about `count` of them.
-std::vector<double> ticks(double low, double high, int count);
-
 }  // namespace plot

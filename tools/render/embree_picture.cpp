@@ -143,21 +143,23 @@ Hit PictureScene::named(const Ray& ray, unsigned geometry, unsigned primitive, f
     hit.kind = Hit::Kind::tube;
     hit.object = geometry - 1;
   }
-  const double ground = (ground_ - ray.origin.z()) / ray.direction.z();
-  if (ground > kNear && ground < first) {
-    first = ground;
+  // Whether the ray is below the ground where the surface is, without a division.
+  const double fall = ground_ - ray.origin.z();
+  if (ray.direction.z() < 0 && fall < kNear * ray.direction.z() &&
+      first * ray.direction.z() < fall) {
+    first = fall / ray.direction.z();
     hit.kind = Hit::Kind::ground;
   }
   hit.depth = hit.kind == Hit::Kind::sky ? 0 : static_cast<float>(first);
   return hit;
 }
 
-Block PictureScene::cast(const View& view, int x, int y) const {
+Block PictureScene::cast(const Rays& view, int x, int y) const {
   alignas(64) RTCRayHit16 packet;
   alignas(64) int valid[16];
   std::array<Ray, 16> rays;
   for (int i = 0; i < 16; ++i) {
-    rays[i] = ray_through(view, x + i % kBlock, y + i / kBlock);
+    rays[i] = view.through(x + i % kBlock, y + i / kBlock);
     const Eigen::Vector3f origin = (rays[i].origin - middle_).cast<float>();
     const Eigen::Vector3f direction = rays[i].direction.cast<float>();
     packet.ray.org_x[i] = origin.x();

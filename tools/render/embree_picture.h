@@ -45,14 +45,15 @@ class PictureScene {
   PictureScene(const PictureScene&) = delete;
   PictureScene& operator=(const PictureScene&) = delete;
 
-  // What the pixels (x, y) to (x + 3, y + 3) show, row by row, inside the picture or not.
-  Block cast(const View& view, int x, int y) const;
+  // What the rays through the pixels (x, y) to (x + 3, y + 3) meet, row by row.
+  Block cast(const Rays& rays, int x, int y) const;
 
   // Which share of 16 directions (each of length 1 or so) sees no surface from `from`.
   float unhidden(const Vec3& from, std::span<const Eigen::Vector3f, 16> directions) const;
 
   std::span<const geom::Aabb> boxes() const { return boxes_; }  // ENU, in the order of the map
   double ground() const { return ground_; }
+  const Vec3& middle() const { return middle_; }  // of the map's bounds
   const std::vector<std::uint32_t>& tube_colours() const { return tube_colours_; }
 
  private:

@@ -17,12 +17,13 @@ struct Tile {
 
 // Calls put(x, y, hit) for the pixels of the tile that are in the picture.
 template <class Put>
-void cast_tile(const PictureScene& scene, const View& view, const Tile& tile, const Put& put) {
+void cast_tile(const PictureScene& scene, const View& view, const Rays& rays, const Tile& tile,
+               const Put& put) {
   const int right = std::min(tile.x + kTile, view.width);
   const int bottom = std::min(tile.y + kTile, view.height);
   for (int y = tile.y; y < bottom; y += kBlock) {
     for (int x = tile.x; x < right; x += kBlock) {
-      const Block block = scene.cast(view, x, y);
+      const Block block = scene.cast(rays, x, y);
       for (int i = 0; i < kBlock * kBlock; ++i) {
         const int px = x + i % kBlock;
         const int py = y + i / kBlock;
@@ -39,9 +40,10 @@ std::size_t index(const Picture& picture, int x, int y) {
 
 void fill_tile(const PictureScene& scene, const Shader& shader, const View& view, const Tile& tile,
                Picture& out) {
-  cast_tile(scene, view, tile, [&](int x, int y, const Hit& hit) {
+  const Rays rays(view);
+  cast_tile(scene, view, rays, tile, [&](int x, int y, const Hit& hit) {
     const std::size_t at = index(out, x, y);
-    if (!out.colour.empty()) out.colour[at] = shader.colour(view, x, y, hit);
+    if (!out.colour.empty()) out.colour[at] = shader.colour(rays, x, y, hit);
     if (!out.depth.empty()) out.depth[at] = hit.depth;
     if (!out.id.empty()) out.id[at] = hit.kind == Hit::Kind::box ? hit.object + 1 : 0;
   });

@@ -1,5 +1,6 @@
 #include "render/view.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -18,15 +19,37 @@ Vec3 corner(const geom::Aabb& box, int i) {
           i & 4 ? box.max.z() : box.min.z()};
 }
 
+// Moves the eye so that the corners of the region fill the picture, all of them inside.
+void fit(const geom::Aabb& region, View& view) {
+  view.eye = 0.5 * (region.min + region.max) - view.axes.col(2) * (region.max - region.min).norm() * 2;
+  for (int round = 0; round < 12; ++round) {
+    Vec3 low = Vec3::Constant(1e300);
+    Vec3 high = -low;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 at = project(view, corner(region, i));
+      low = low.cwiseMin(at);
+      high = high.cwiseMax(at);
+    }
+    // Sideways to the middle, then nearer or further by how much it fills.
+    const double depth = low.z();
+    const Vec3 off = 0.5 * (low + high) - Vec3(view.cx, view.cy, 0);
+    view.eye += depth / view.fx * (off.x() * view.axes.col(0) + off.y() * view.axes.col(1));
+    const double fills = std::max((high.x() - low.x()) / (kFill * view.width),
+                                  (high.y() - low.y()) / (kFill * view.height));
+    view.eye += view.axes.col(2) * depth * std::min(0.5, 1 - fills);
+  }
+}
+
 }  // namespace
 
-Ray ray_through(const View& view, double u, double v) {
-  const double right = (u - view.cx) / view.fx;
-  const double down = (v - view.cy) / view.fy;
-  const Vec3 across = view.axes.col(0) * right + view.axes.col(1) * down;
-  if (view.parallel) return {view.eye + across, view.axes.col(2)};
-  return {view.eye, across + view.axes.col(2)};
-}
+Rays::Rays(const View& view)
+    : parallel_(view.parallel),
+      right_(view.axes.col(0) / view.fx),
+      down_(view.axes.col(1) / view.fy),
+      corner_((view.parallel ? view.eye : Vec3(view.axes.col(2))) - view.cx * right_ -
+              view.cy * down_),
+      shared_(view.parallel ? Vec3(view.axes.col(2)) : view.eye),
+      pixel_(1 / view.fx) {}
 
 View enlarged(const View& view, int n) {
   View out = view;
@@ -72,16 +95,7 @@ View overview(const geom::Aabb& region, int width, int height, const OverviewOpt
   view.axes.col(0) = right;
   view.axes.col(2) = std::cos(options.elevation) * ahead - std::sin(options.elevation) * Vec3::UnitZ();
   view.axes.col(1) = view.axes.col(2).cross(right);
-  const Vec3 middle = 0.5 * (region.min + region.max);
-  // Each corner must be far enough ahead to lie within the frame's half width and half height.
-  double back = 0;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 local = view.axes.transpose() * (corner(region, i) - middle);
-    const double across = std::max(std::abs(local.x()) * view.fx / (0.5 * width),
-                                   std::abs(local.y()) * view.fy / (0.5 * height));
-    back = std::max(back, across / kFill - local.z());
-  }
-  view.eye = middle - view.axes.col(2) * std::max(back, 1.0);
+  fit(region, view);
   return view;
 }
 

@@ -31,7 +31,28 @@ struct Ray {
   Vec3 origin;
   Vec3 direction;
 };
-Ray ray_through(const View& view, double u, double v);
+
+// The rays of a view.
+class Rays {
+ public:
+  explicit Rays(const View& view);
+
+  Ray through(double u, double v) const {
+    const Vec3 across = corner_ + u * right_ + v * down_;
+    if (parallel_) return {across, shared_};
+    return {shared_, across};
+  }
+  bool parallel() const { return parallel_; }
+  double pixel() const { return pixel_; }  // metres across at a depth of one metre, or anywhere
+
+ private:
+  bool parallel_;
+  Vec3 right_;      // from pixel to pixel
+  Vec3 down_;
+  Vec3 corner_;     // what pixel (0, 0) has: the direction, or where a parallel ray starts
+  Vec3 shared_;     // by all rays: the eye, or the direction of parallel ones
+  double pixel_;
+};
 
 // The picture at n times the resolution.
 View enlarged(const View& view, int n);
