@@ -51,9 +51,9 @@ void SearchTreeReader::add(std::string_view node, std::string_view source, std::
 
 SearchTreeRecord SearchTreeReader::finish(std::string_view source, std::size_t line) && {
   if (!complete()) {
-    throw geom::InputError(source, line,
-                           fmt::format("expected a tree of {} nodes, found {}", nodes_,
-                                       record_.tree.points.size()));
+    throw geom::InputError(
+        source, line,
+        fmt::format("expected a tree of {} nodes, found {}", nodes_, record_.tree.points.size()));
   }
   return std::move(record_);
 }

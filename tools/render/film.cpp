@@ -66,7 +66,7 @@ Film::Film(const geom::BoxMap& map, std::vector<Line> lines, const Motion* motio
     map_view_.eye.z() = options_.kind == "overview" ? map_view_.eye.z() : bounds.max.z() + 10;
     Light light = options_.light;
     light.haze = 0;
-    const Shader shader(*scene_, box_colours(map), light, options_.kind != "overview");
+    const Shader shader(*scene_, box_colours(map), light, true);
     Wanted wanted = options_.wanted;
     if (combined) wanted = {true, false, false, 3};
     map_ = std::move(take_pictures(*scene_, shader, std::span(&map_view_, 1), wanted, run)[0]);

@@ -112,7 +112,7 @@ Rgb Shader::ground(const Sight& sight) const {
   const auto x = static_cast<float>(sight.at.x() - grid_x_);
   const auto y = static_cast<float>(sight.at.y() - grid_y_);
   // A grid whose lines nearly touch is only a pattern of the pixels.
-  const float fine_share = 0.24f * std::clamp(2 - 0.5f * wide, 0.0f, 1.0f);
+  const float fine_share = 0.24f * std::clamp(1.5f - wide, 0.0f, 1.0f);
   const float fine = std::max(kStreetGrid(x + 0.1f, wide, per_metre), kStreetGrid(y + 0.1f, wide, per_metre));
   const float coarse = std::max(kBlockGrid(x + 0.4f, wide, per_metre), kBlockGrid(y + 0.4f, wide, per_metre));
   const Rgb soil = (flat_ ? kPaper : kSoil) * (1 - fine_share * fine) * (1 - 0.25f * coarse);

@@ -25,8 +25,9 @@ struct FlatState {
 // `state` and `heading` in ENU axes. The body's z is along a + g, its x has the heading `yaw` seen
 // from above (Faessler, Franchi and Scaramuzza 2018, equations 20 to 22 without drag; rates by
 // differentiating the axes, exact). In free fall (|a + g| < 1e-9 m/s2) z is up and the rates are
-// those of yaw alone. The thrust is not along the heading's left or right (precondition: a tilt of
-// less than a right angle is enough), where x is not defined.
+// those of yaw alone. Tilted by more than a right angle the body looks back over its heading;
+// thrust must not point to the left or right of the heading in the plane of the ground
+// (precondition), where x is not defined.
 FlatState flat_state(const State& state, const Heading& heading);
 
 // Vectors of a map's axes in ENU.
