@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string_view>
-
 #include "cli/drawings.h"
 #include "cli/files.h"
 #include "cli/run.h"
@@ -60,11 +57,7 @@ int main(int argc, char** argv) {
   options.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     options.settle();
-    std::vector<std::string_view> named{options.map};
-    named.insert(named.end(), options.inputs.begin(), options.inputs.end());
-    if (std::count(named.begin(), named.end(), "-") > 1) {
-      throw cli::UsageError("at most one input may be \"-\"");
-    }
+    cli::at_most_one_stdin(options.map, options.inputs);
     const geom::BoxMap map = cli::open_map(options.map);
     cli::Drawings drawings;
     for (const std::string& input : options.inputs) cli::read_drawings(input, &map, drawings);

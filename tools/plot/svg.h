@@ -30,7 +30,10 @@ class Svg {
   void circle(Point center, double radius, std::string_view style);
   // `anchor` is start, middle or end; `turn` in degrees.
   void text(Point at, std::string_view words, double size, std::string_view anchor = "start",
-            double turn = 0);
+            double turn = 0, std::string_view colour = "#222222");
+  void text_on_white(Point at, std::string_view words, double size, std::string_view anchor);
+  // Faint lines at the ticks; drawn before what stands on them.
+  void grid(const Frame& frame);
   // Border, ticks at round values, and the two labels with their units.
   void axes(const Frame& frame, std::string_view x_label, std::string_view y_label);
 
@@ -39,5 +42,8 @@ class Svg {
  private:
   std::string body_;
 };
+
+// About how wide words are, in pixels, in the usual sans-serif fonts.
+double text_width(std::string_view words, double size);
 
 }  // namespace plot
