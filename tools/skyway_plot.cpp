@@ -30,7 +30,9 @@ struct Options {
 cli::Drawings read(const Options& options, const geom::BoxMap* map) {
   cli::Drawings drawings;
   for (const std::string& input : options.inputs) cli::read_drawings(input, map, drawings);
-  const auto other = [&](const auto& record) { return !options.id.empty() && record.id != options.id; };
+  const auto other = [&](const auto& record) {
+    return !options.id.empty() && record.id != options.id;
+  };
   std::erase_if(drawings.paths, other);
   std::erase_if(drawings.trajectories, other);
   std::erase_if(drawings.flights, other);
@@ -99,7 +101,8 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
   const auto add = [&](const char* name, const char* what) {
     return add_verb(app, options, name, what);
   };
-  CLI::App* plan_verb = add("plan", "a map from above, with paths, trajectories, flights and trees");
+  CLI::App* plan_verb =
+      add("plan", "a map from above, with paths, trajectories, flights and trees");
   CLI::App* profile_verb = add("profile", "position, speed, acceleration, jerk, thrust and tilt");
   CLI::App* tracking_verb = add("tracking", "a flight beside its setpoints");
   CLI::App* clearance_verb = add("clearance", "distance to the obstacles along the way");

@@ -102,7 +102,8 @@ void GltfLists::add(const MeshPart& part) {
 }
 
 std::string GltfLists::json() const {
-  constexpr std::string_view kAsset = R"({"asset":{"version":"2.0","generator":"skyway"},"scene":0,)";
+  constexpr std::string_view kAsset =
+      R"({"asset":{"version":"2.0","generator":"skyway"},"scene":0,)";
   if (made == 0) return std::string(kAsset) + R"("scenes":[{}]})";
   std::string scene;
   for (std::size_t i = 0; i < made; ++i) scene += fmt::format("{}{}", i ? "," : "", i);
@@ -145,7 +146,8 @@ void write_ply(std::ostream& out, std::span<const MeshPart> parts) {
     triangles += part.triangles;
   }
   if (vertices > 0x7fffffff) {
-    throw InputError("PLY", fmt::format("expected at most 2147483647 vertices, found {}", vertices));
+    throw InputError("PLY",
+                     fmt::format("expected at most 2147483647 vertices, found {}", vertices));
   }
   out << fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment east north up, metres\n"

@@ -63,8 +63,8 @@ Shape unit_sphere(int rounds) {
       const std::size_t ab = between(a, b);
       const std::size_t bc = between(b, c);
       const std::size_t ca = between(c, a);
-      for (const Triangle& t : {Triangle{a, ab, ca}, Triangle{b, bc, ab}, Triangle{c, ca, bc},
-                                Triangle{ab, bc, ca}}) {
+      for (const Triangle& t :
+           {Triangle{a, ab, ca}, Triangle{b, bc, ab}, Triangle{c, ca, bc}, Triangle{ab, bc, ca}}) {
         finer.push_back(t);
       }
     }
@@ -126,8 +126,12 @@ MeshPart rod_part(Rods given) {
   const std::size_t a = sphere->vertices.size();
   const std::size_t b = sphere->triangles.size();
   const std::size_t points = rods->points.size();
-  MeshPart part{rods->name, rods->colour, points * a + rods->edges.size() * 2 * kSides,
-                points * b + rods->edges.size() * 2 * kSides, {}, {}};
+  MeshPart part{rods->name,
+                rods->colour,
+                points * a + rods->edges.size() * 2 * kSides,
+                points * b + rods->edges.size() * 2 * kSides,
+                {},
+                {}};
   part.vertex = [=](std::size_t i) -> Vec3 {
     if (i < points * a) return rods->points[i / a] + rods->sphere_radius * sphere->vertices[i % a];
     const std::size_t k = i - points * a;

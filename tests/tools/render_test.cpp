@@ -141,8 +141,8 @@ TEST(PictureProperty, IdsNameTheBoxThatIsSeen) {
   std::size_t named = 0;
   for (int round = 0; round < 4; ++round) {
     const View view = random_view(random, scene, map.spec().bounds);
-    const auto picture = render::take_pictures(scene, shader, std::span(&view, 1),
-                                               {false, true, true, 1}, {})[0];
+    const auto picture =
+        render::take_pictures(scene, shader, std::span(&view, 1), {false, true, true, 1}, {})[0];
     for (int n = 0; n < 2000; ++n) {
       const int x = random.below(view.width);
       const int y = random.below(view.height);
@@ -243,8 +243,8 @@ TEST(ViewProperty, AnOverviewHoldsAllOfTheRegionAndFillsThePicture) {
   for (int i = 0; i < 200; ++i) {
     const Aabb region{{0, 0, 0},
                       {random.uniform(1, 900), random.uniform(1, 900), random.uniform(1, 200)}};
-    const View view = render::overview(
-        region, 640, 480, {random.uniform(-3, 3), random.uniform(0.1, 1.5), 0.7});
+    const View view =
+        render::overview(region, 640, 480, {random.uniform(-3, 3), random.uniform(0.1, 1.5), 0.7});
     double least = 1e9;
     for (int k = 0; k < 8; ++k) {
       const Vec3 corner(k & 1 ? region.max.x() : 0, k & 2 ? region.max.y() : 0,

@@ -16,8 +16,9 @@ void require_of(const geom::BoxMap* map, const geom::Provenance& record, const s
                 std::size_t line) {
   if (!map) return;
   if (record.map && *record.map != map->hash()) {
-    throw geom::InputError(source, line, fmt::format("made for another map: expected {}, found {}",
-                                                     map->hash(), *record.map));
+    throw geom::InputError(
+        source, line,
+        fmt::format("made for another map: expected {}, found {}", map->hash(), *record.map));
   }
   const geom::Axes axes = map->spec().frame.axes;
   if (record.frame && *record.frame != axes) {

@@ -15,8 +15,8 @@
 namespace cli {
 
 struct Drawings {
-  std::vector<geom::PathRecord> paths;                // found ones
-  std::vector<traj::TrajectoryRecord> trajectories;   // solved ones
+  std::vector<geom::PathRecord> paths;               // found ones
+  std::vector<traj::TrajectoryRecord> trajectories;  // solved ones
   std::vector<plan::SearchTreeRecord> trees;
   std::vector<traj::FlightLog> flights;
   std::size_t failed = 0;  // records of paths and trajectories that there are not

@@ -1,5 +1,7 @@
 // Maps and what was planned in them as meshes: to-ply, to-gltf.
 
+#include "geom/io/mesh.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,6 @@
 
 #include "cli/drawings.h"
 #include "cli/files.h"
-#include "geom/io/mesh.h"
 #include "map/verbs.h"
 
 namespace verbs {
@@ -28,7 +29,8 @@ using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 geom::MeshPart way(std::string name, Colour colour, std::vector<geom::Vec3> points, double radius) {
   Edges edges;
   for (std::uint32_t i = 1; i < points.size(); ++i) edges.push_back({i - 1, i});
-  return geom::rod_part({std::move(name), colour, std::move(points), std::move(edges), radius, radius});
+  return geom::rod_part(
+      {std::move(name), colour, std::move(points), std::move(edges), radius, radius});
 }
 
 std::vector<geom::Vec3> in_enu(geom::Axes axes, std::vector<geom::Vec3> points) {
@@ -137,8 +139,7 @@ Verb to_ply(CLI::App& app, const cli::Common&) {
 }
 
 Verb to_gltf(CLI::App& app, const cli::Common&) {
-  return mesh_verb(app, "to-gltf",
-                   "write boxes and what was planned as meshes (binary glTF, .glb)",
+  return mesh_verb(app, "to-gltf", "write boxes and what was planned as meshes (binary glTF, .glb)",
                    geom::write_glb);
 }
 

@@ -18,9 +18,8 @@ Panel panel_of(const geom::CollisionScene& scene, const ClearanceTrack& track) {
     const auto nearest = scene.nearest(track.points[i], kFar);
     series.points.push_back({track.x[i], nearest ? nearest->distance : kFar});
   }
-  const Point least =
-      *std::min_element(series.points.begin(), series.points.end(),
-                        [](const Point& a, const Point& b) { return a.y < b.y; });
+  const Point least = *std::min_element(series.points.begin(), series.points.end(),
+                                        [](const Point& a, const Point& b) { return a.y < b.y; });
   Panel panel{"clearance, m", {std::move(series)}};
   panel.marks = {{least, fmt::format("{:.3g} m", least.y)}};
   if (scene.margin() > 0) {

@@ -19,13 +19,16 @@ constexpr double kWidth = 300;  // of each of the two axes
 constexpr double kBetween = 46;
 constexpr double kRow = 26;
 constexpr double kTop = 92;
+constexpr double kMost = 1e12;  // of any figure in a report
 
 double figure_of(const geom::JsonFields& fields, const nlohmann::json& object, const char* key) {
   if (!object.is_object() || !object.contains(key)) {
     fields.refuse(fmt::format("expected the key \"{}\" in {}", key, object.dump()));
   }
   const double value = fields.number(object[key], key);
-  if (value < 0) fields.refuse(fmt::format("{} must be >= 0, found {}", key, value));
+  if (value < 0 || value > kMost) {
+    fields.refuse(fmt::format("{} must be within 0 to {:g}, found {}", key, kMost, value));
+  }
   return value;
 }
 
@@ -106,9 +109,7 @@ Axis length_axis(std::span<const Comparison> reports, Length of) {
 
 // A bar from the median to the 99th percentile, a disc at the median and a stroke at the mean.
 void draw_spread(Svg& svg, const Axis& axis, double y, const Spread& s, std::string_view colour) {
-  const auto x = [&](double v) {
-    return axis.at(axis.logarithmic ? std::max(v, axis.low) : v);
-  };
+  const auto x = [&](double v) { return axis.at(axis.logarithmic ? std::max(v, axis.low) : v); };
   svg.polyline({{x(s.median), y}, {x(s.p99), y}},
                fmt::format("stroke=\"{}\" stroke-width=\"2.5\"", colour));
   svg.polyline({{x(s.p99), y - 5}, {x(s.p99), y + 5}},

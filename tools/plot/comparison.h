@@ -34,7 +34,8 @@ struct Comparison {
 Comparison parse_comparison(const geom::JsonFields& report, std::string_view name);
 
 // An SVG: a row a method and report, with the time on a logarithmic axis, the length ratio (over
-// the best known where every method has that, else over the straight line), and how many were found.
+// the best known where every method has that, else over the straight line), and how many were
+// found.
 std::string comparison(std::span<const Comparison> reports);
 
 }  // namespace plot

@@ -116,8 +116,9 @@ void draw_panel(Svg& svg, const Figure& figure, const Panel& panel, const Frame&
   for (const Series& s : panel.series) {
     std::vector<Point> curve = thinned(s.points, kColumns);
     for (Point& p : curve) p = frame.at(p);
-    svg.polyline(curve, fmt::format("stroke=\"{}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{}",
-                                    s.colour, s.dashed ? " stroke-dasharray=\"5 3\"" : ""));
+    svg.polyline(curve,
+                 fmt::format("stroke=\"{}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{}",
+                             s.colour, s.dashed ? " stroke-dasharray=\"5 3\"" : ""));
   }
   for (const Mark& mark : panel.marks) draw_mark(svg, frame, mark);
   svg.axes(frame, last ? figure.x_label : "", panel.label);

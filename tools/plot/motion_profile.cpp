@@ -17,7 +17,8 @@ constexpr double kDegrees = 57.29577951308232;
 
 using Value = std::function<double(const traj::State&)>;
 
-std::vector<Point> curve(const traj::TrajectoryRecord& record, geom::Axes axes, const Value& value) {
+std::vector<Point> curve(const traj::TrajectoryRecord& record, geom::Axes axes,
+                         const Value& value) {
   const double end = traj::duration(record.trajectory);
   std::vector<Point> points;
   for (int i = 0; i <= kSamples; ++i) {
@@ -69,12 +70,13 @@ std::string motion_profile(const traj::TrajectoryRecord& record) {
       fmt::format("{}: {:.2f} s, {} segments{}", record.id, traj::duration(record.trajectory),
                   record.trajectory.segments.size(), record.rung.empty() ? "" : ", " + record.rung);
   figure.x_label = "time, s";
-  figure.panels = {position, speed,
-                   {"acceleration, m/s\u00b2", {of(acceleration, "", 0)}, level("amax", limits.amax)},
-                   {"jerk, m/s\u00b3", {of(jerk, "", 0)}, level("jmax", limits.jmax)},
-                   {"thrust/mass, m/s\u00b2", {of(thrust, "", 0)}, level("thrust", limits.thrust),
-                    {}, false},
-                   {"tilt, \u00b0", {of(tilt, "", 0)}, level("tilt", limits.tilt, kDegrees)}};
+  figure.panels = {
+      position,
+      speed,
+      {"acceleration, m/s\u00b2", {of(acceleration, "", 0)}, level("amax", limits.amax)},
+      {"jerk, m/s\u00b3", {of(jerk, "", 0)}, level("jmax", limits.jmax)},
+      {"thrust/mass, m/s\u00b2", {of(thrust, "", 0)}, level("thrust", limits.thrust), {}, false},
+      {"tilt, \u00b0", {of(tilt, "", 0)}, level("tilt", limits.tilt, kDegrees)}};
   double t = 0;
   for (const traj::Segment& s : record.trajectory.segments) {
     figure.joints.push_back(std::min(t += s.duration, traj::duration(record.trajectory)));

@@ -13,7 +13,7 @@ namespace plot {
 namespace {
 
 constexpr std::size_t kNamed = 8;  // lines in the legend
-constexpr double kSide = 900;  // pixels of the longer side of the map
+constexpr double kSide = 900;      // pixels of the longer side of the map
 
 // Light sand to dark slate: tops further up are darker, and paths stand out on all of them.
 std::string shade(double t) {

@@ -59,8 +59,8 @@ void Svg::circle(Point center, double radius, std::string_view style) {
                        px(radius), style);
 }
 
-void Svg::text(Point at, std::string_view words, double size, std::string_view anchor,
-               double turn, std::string_view colour) {
+void Svg::text(Point at, std::string_view words, double size, std::string_view anchor, double turn,
+               std::string_view colour) {
   const std::string rotate =
       turn == 0 ? "" : fmt::format(" transform=\"rotate({} {} {})\"", turn, px(at.x), px(at.y));
   body_ += fmt::format(

@@ -32,23 +32,22 @@ double tilt(const FlightSample& s) {
 
 Panel error_panel(const traj::FlightLog& flight) {
   Panel panel{"error, m", {{"", colour(1), curve(flight, error)}}};
-  const Point most =
-      *std::max_element(panel.series[0].points.begin(), panel.series[0].points.end(),
-                        [](const Point& a, const Point& b) { return a.y < b.y; });
+  const Point most = *std::max_element(panel.series[0].points.begin(), panel.series[0].points.end(),
+                                       [](const Point& a, const Point& b) { return a.y < b.y; });
   panel.marks = {{most, fmt::format("largest {:.3g} m", most.y)}};
   return panel;
 }
 
 Panel axis_panel(const traj::FlightLog& flight, int axis, const char* label) {
-  return {label,
-          {{"flown", colour(0),
-            curve(flight, [axis](const FlightSample& s) { return s.position[axis]; })},
-           {"setpoint", colour(1),
-            curve(flight, [axis](const FlightSample& s) { return s.setpoint_position[axis]; }),
-            true}},
-          {},
-          {},
-          false};
+  return {
+      label,
+      {{"flown", colour(0),
+        curve(flight, [axis](const FlightSample& s) { return s.position[axis]; })},
+       {"setpoint", colour(1),
+        curve(flight, [axis](const FlightSample& s) { return s.setpoint_position[axis]; }), true}},
+      {},
+      {},
+      false};
 }
 
 Panel motor_panel(const traj::FlightLog& flight) {
@@ -67,9 +66,9 @@ std::string tracking(const traj::FlightLog& flight) {
   for (const FlightSample& s : flight.samples) squares += error(s) * error(s);
   const double mean = squares / static_cast<double>(flight.samples.size());
   Figure figure;
-  figure.title = fmt::format("{}: {:.2f} s flown, tracking error {:.3g} m root mean square", flight.id,
-                             flight.samples.back().time - flight.samples.front().time,
-                             std::sqrt(mean));
+  figure.title =
+      fmt::format("{}: {:.2f} s flown, tracking error {:.3g} m root mean square", flight.id,
+                  flight.samples.back().time - flight.samples.front().time, std::sqrt(mean));
   figure.x_label = "time, s";
   figure.panels = {
       error_panel(flight),

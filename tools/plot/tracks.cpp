@@ -6,8 +6,8 @@
 namespace plot {
 namespace {
 
-constexpr double kStep = 0.05;       // seconds between the points of a curve
-constexpr double kPathStep = 0.5;    // metres
+constexpr double kStep = 0.05;     // seconds between the points of a curve
+constexpr double kPathStep = 0.5;  // metres
 constexpr double kMostPoints = 20000;
 
 std::vector<double> times(double begin, double end, double step) {
@@ -18,7 +18,8 @@ std::vector<double> times(double begin, double end, double step) {
 }
 
 ClearanceTrack track_of(const traj::TrajectoryRecord& record) {
-  ClearanceTrack track{"trajectory " + record.id, times(0, traj::duration(record.trajectory), kStep), {}};
+  ClearanceTrack track{
+      "trajectory " + record.id, times(0, traj::duration(record.trajectory), kStep), {}};
   for (const double t : track.x) {
     track.points.push_back(traj::evaluate(record.trajectory, t).position);
   }

@@ -124,8 +124,8 @@ void draw_text(Picture& picture, Spot corner, std::string_view words, int scale,
 
 void put(const Picture& part, int x, int y, Picture& whole) {
   for (int row = 0; row < part.height; ++row) {
-    const auto* from =
-        part.colour.data() + static_cast<std::ptrdiff_t>(row) * static_cast<std::ptrdiff_t>(part.width);
+    const auto* from = part.colour.data() +
+                       static_cast<std::ptrdiff_t>(row) * static_cast<std::ptrdiff_t>(part.width);
     std::copy_n(from, part.width, &pixel(whole, x, y + row));
   }
 }

@@ -6,7 +6,8 @@ namespace render {
 namespace {
 
 // Okabe and Ito: vermilion, bluish green, reddish purple, blue, orange.
-constexpr Colour kWays[] = {{213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {0, 114, 178}, {230, 159, 0}};
+constexpr Colour kWays[] = {
+    {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {0, 114, 178}, {230, 159, 0}};
 constexpr Colour kTrees[] = {{86, 140, 196}, {150, 110, 180}};
 constexpr Colour kWhite{255, 255, 255};
 constexpr Colour kVehicle{24, 24, 24};
@@ -34,10 +35,10 @@ std::vector<Line> lines_of(const cli::Drawings& drawings, std::span<const Motion
     const plan::SearchTree& tree = record.tree;
     for (std::size_t i = 0; i < tree.points.size(); ++i) {
       if (tree.parent[i] == i) continue;
-      out.push_back({{geom::to_enu(axes, tree.points[tree.parent[i]]),
-                      geom::to_enu(axes, tree.points[i])},
-                     kTrees[tree.tree[i]],
-                     1.2});
+      out.push_back(
+          {{geom::to_enu(axes, tree.points[tree.parent[i]]), geom::to_enu(axes, tree.points[i])},
+           kTrees[tree.tree[i]],
+           1.2});
     }
   }
   std::size_t next = 0;

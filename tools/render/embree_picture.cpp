@@ -85,8 +85,8 @@ struct PictureScene::Embree {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
     auto* point = buffer<Eigen::Vector4f>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4,
                                           2 * tubes.edges.size());
-    auto* index = buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT,
-                                        tubes.edges.size());
+    auto* index =
+        buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT, tubes.edges.size());
     std::uint32_t next = 0;
     for (const auto& [a, b] : tubes.edges) {
       *index++ = next;
@@ -185,8 +185,8 @@ Block PictureScene::cast(const Rays& view, int x, int y) const {
   for (int i = 0; i < 16; ++i) {
     out[i] = named(rays[i], packet.hit.geomID[i], packet.hit.primID[i], packet.ray.tfar[i]);
     if (out[i].kind == Hit::Kind::tube) {
-      out[i].normal = Eigen::Vector3f(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i])
-                          .normalized();
+      out[i].normal =
+          Eigen::Vector3f(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]).normalized();
     }
   }
   return out;

@@ -17,10 +17,10 @@ namespace render {
 
 // Thick lines of one colour: a cylinder an edge, rounded at its ends.
 struct Tubes {
-  std::vector<Vec3> points;                            // ENU
+  std::vector<Vec3> points;                                    // ENU
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // indices into points
-  double radius = 1;                                   // metres
-  std::uint32_t colour = 0;                            // 0xRRGGBB
+  double radius = 1;                                           // metres
+  std::uint32_t colour = 0;                                    // 0xRRGGBB
 };
 
 struct Hit {

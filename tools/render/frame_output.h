@@ -17,8 +17,8 @@ bool is_numbered(const std::string& pattern);
 // single picture are one file.
 class FrameOutput {
  public:
-  // An empty name: nothing is wanted. Throws UsageError where several frames have neither numbers in
-  // the name nor are a `video`.
+  // An empty name: nothing is wanted. Throws UsageError where several frames have neither numbers
+  // in the name nor are a `video`.
   FrameOutput(std::string name, std::size_t frames, bool video);
 
   bool wanted() const { return !name_.empty(); }

@@ -23,7 +23,7 @@ class Motion {
   const std::string& id() const { return id_; }
   double begin() const { return begin_; }  // seconds
   double end() const { return end_; }
-  Pose pose(double t) const;   // clamped to [begin, end]
+  Pose pose(double t) const;     // clamped to [begin, end]
   double speed(double t) const;  // m/s
   // Metres between a flight and its setpoint; 0 of a trajectory.
   double tracking_error(double t) const;

@@ -27,8 +27,8 @@ void parse_size(const std::string& word, FilmOptions& film) {
   }();
   const auto fits = [](double v) { return v == std::floor(v) && v >= 1 && v <= kMostPixels; };
   if (!numbers || !fits((*numbers)[0]) || !fits((*numbers)[1])) {
-    throw cli::UsageError(fmt::format("--size: expected WIDTHxHEIGHT, each from 1 to {}, found \"{}\"",
-                                      kMostPixels, word));
+    throw cli::UsageError(fmt::format(
+        "--size: expected WIDTHxHEIGHT, each from 1 to {}, found \"{}\"", kMostPixels, word));
   }
   film.width = static_cast<int>((*numbers)[0]);
   film.height = static_cast<int>((*numbers)[1]);
@@ -85,9 +85,7 @@ bool Options::is_video() const {
   return has_eye() && !at;
 }
 
-bool Options::is_moving() const {
-  return !at && (has_eye() || is_video() || is_numbered(colour));
-}
+bool Options::is_moving() const { return !at && (has_eye() || is_video() || is_numbered(colour)); }
 
 void Options::settle() {
   if (!camera_file.empty()) {
@@ -95,7 +93,8 @@ void Options::settle() {
     film.camera = parse_camera(geom::JsonFields(file.read_all(), camera_file, 0));
   }
   if (!size.empty()) {
-    if (has_eye()) throw cli::UsageError("--size is for plans and overviews: the camera has its own");
+    if (has_eye())
+      throw cli::UsageError("--size is for plans and overviews: the camera has its own");
     parse_size(size, film);
   }
   if (!depth.empty() && !depth.ends_with(".png") && !depth.ends_with(".pfm")) {

@@ -20,26 +20,27 @@ const Rgb kHorizon(214, 226, 238);
 const Rgb kZenith(96, 150, 214);
 const Rgb kSoil(196, 194, 186);
 const Rgb kPaper(238, 238, 234);
+const Rgb kClear(250, 250, 250);
 const Rgb kGlass(78, 92, 110);
 
+constexpr int kRays = kBlock * kBlock;
+using Row = Eigen::Array<float, kRays, 1>;  // a value a ray, worked on side by side
+
 // Stripes of `width` at every multiple of `period`, as a pixel of width w sees them at x: the share
-// that they cover of [x - w/2, x + w/2], so that fine lines fade instead of flickering. Positions
-// are within 2^31 periods of 0.
+// that they cover of [x - w/2, x + w/2], so that fine lines fade instead of flickering.
 struct Stripes {
   float period;
   float width;
 
   // How much they cover from 0 to x.
-  float covered(float x) const {
-    const float k = x * (1 / period);
-    auto whole = static_cast<float>(static_cast<std::int32_t>(k));
-    if (whole > k) whole -= 1;
-    return whole * width + std::min(x - whole * period, width);
+  Row covered(const Row& x) const {
+    const Row whole = (x * (1 / period)).floor();
+    return whole * width + (x - whole * period).min(width);
   }
-  // `per_pixel` is 1 / w.
-  float operator()(float x, float w, float per_pixel) const {
-    if (w >= 2 * period) return width / period;
-    return (covered(x + 0.5f * w) - covered(x - 0.5f * w)) * per_pixel;
+  // `w` and `per_metre`, 1 / w.
+  Row operator()(const Row& x, const Row& w, const Row& per_metre) const {
+    const Row half = 0.5f * w.min(1000 * period);
+    return (covered(x + half) - covered(x - half)) * per_metre.max(0.001f / period);
   }
 };
 
@@ -64,15 +65,45 @@ float variation(std::uint32_t i) {
 
 }  // namespace
 
-struct Shader::Sight {
-  Vec3 at;               // ENU
-  Eigen::Vector3f ray;   // of length 1
-  float pixel;           // metres across a pixel at the surface, facing it
+// Of rays that meet a wall or the ground, u and v are coordinates on that surface, from where its
+// pattern starts: u = u0 + depth du.
+struct Shader::Lanes {
+  Row dx, dy, dz;  // direction
+  Row depth = Row::Zero();
+  Row slope = Row::Ones();  // |direction . normal|, of the direction as it stands
+  Row u0 = Row::Zero(), du = Row::Zero();
+  Row v0 = Row::Zero(), dv = Row::Zero();
+  Row light = Row::Ones();
+  Row red = Row::Zero(), green = Row::Zero(), blue = Row::Zero();
+  Row sky = Row::Zero(), ground = Row::Zero(), wall = Row::Zero();  // 1 where it is that
+  Row hazy = Row::Zero();
+  bool any_sky = false, any_ground = false, any_wall = false;
+
+  void paint(int i, const Rgb& c) {
+    red[i] = c[0];
+    green[i] = c[1];
+    blue[i] = c[2];
+  }
+  void mix(const Rgb& with, const Row& share) {
+    red += (with[0] - red) * share;
+    green += (with[1] - green) * share;
+    blue += (with[2] - blue) * share;
+  }
+  void scale(const Row& by) {
+    red *= by;
+    green *= by;
+    blue *= by;
+  }
 };
 
-Shader::Shader(const PictureScene& scene, std::vector<Colour> box_colour, const Light& light,
+Shader::Shader(const PictureScene& scene, const std::vector<Colour>& box_colour, const Light& light,
                bool flat)
-    : scene_(scene), box_colour_(std::move(box_colour)), light_(light), flat_(flat) {
+    : scene_(scene), light_(light), flat_(flat) {
+  box_colour_.reserve(box_colour.size());
+  for (const Colour& c : box_colour) {
+    const auto i = static_cast<std::uint32_t>(box_colour_.size());
+    box_colour_.push_back(rgb_of(c) * (flat ? 1 : variation(i)));
+  }
   grid_x_ = 100 * std::round(scene.middle().x() / 100);
   grid_y_ = 100 * std::round(scene.middle().y() / 100);
   const double level = std::cos(light.elevation);
@@ -93,12 +124,6 @@ Shader::Shader(const PictureScene& scene, std::vector<Colour> box_colour, const 
   }
 }
 
-Rgb Shader::sky(const Eigen::Vector3f& direction) const {
-  if (flat_) return {250, 250, 250};
-  const float up = std::clamp(direction.z(), 0.0f, 1.0f);
-  return mixed(kHorizon, kZenith, 1 - (1 - up) * (1 - up));
-}
-
 float Shader::lit(const Vec3& at, int face) const {
   if (direct_[face] == 0 || !light_.shadows) return ambient_[face] + direct_[face];
   Vec3 off = at;
@@ -106,63 +131,105 @@ float Shader::lit(const Vec3& at, int face) const {
   return ambient_[face] + direct_[face] * scene_.unhidden(off, sun_points_);
 }
 
-Rgb Shader::ground(const Sight& sight) const {
-  const float wide = sight.pixel / std::max(0.02f, std::abs(sight.ray.z()));
-  const float per_metre = 1 / wide;  // pixels
-  const auto x = static_cast<float>(sight.at.x() - grid_x_);
-  const auto y = static_cast<float>(sight.at.y() - grid_y_);
-  // A grid whose lines nearly touch is only a pattern of the pixels.
-  const float fine_share = 0.24f * std::clamp(1.5f - wide, 0.0f, 1.0f);
-  const float fine = std::max(kStreetGrid(x + 0.1f, wide, per_metre), kStreetGrid(y + 0.1f, wide, per_metre));
-  const float coarse = std::max(kBlockGrid(x + 0.4f, wide, per_metre), kBlockGrid(y + 0.4f, wide, per_metre));
-  const Rgb soil = (flat_ ? kPaper : kSoil) * (1 - fine_share * fine) * (1 - 0.25f * coarse);
-  return soil * (0.94f * lit(sight.at, kUp));
+void Shader::gather_ground(const Ray& ray, int i, Lanes& lanes) const {
+  lanes.ground[i] = 1;
+  lanes.hazy[i] = 1;
+  lanes.any_ground = true;
+  lanes.slope[i] = std::abs(lanes.dz[i]);
+  lanes.u0[i] = static_cast<float>(ray.origin.x() - grid_x_);
+  lanes.v0[i] = static_cast<float>(ray.origin.y() - grid_y_);
+  lanes.du[i] = lanes.dx[i];
+  lanes.dv[i] = lanes.dy[i];
+  lanes.light[i] = 0.94f * lit(ray.origin + double{lanes.depth[i]} * ray.direction, kUp);
+  lanes.paint(i, flat_ ? kPaper : kSoil);
 }
 
-Rgb Shader::box(const Sight& sight, const Hit& hit) const {
+void Shader::gather_box(const Ray& ray, const Hit& hit, int i, Lanes& lanes) const {
   const int axis = hit.face % 3;
+  lanes.hazy[i] = 1;
+  lanes.light[i] = lit(ray.origin + double{hit.depth} * ray.direction, hit.face);
+  lanes.paint(i, box_colour_[hit.object]);
+  if (axis == 2 || flat_) return;
   const geom::Aabb& box = scene_.boxes()[hit.object];
-  Rgb base = rgb_of(box_colour_[hit.object]);
-  if (!flat_) base *= variation(hit.object);
-  if (axis < 2 && !flat_) {
-    const float wide = sight.pixel / std::max(0.05f, std::abs(sight.ray[axis]));
-    const float per_metre = 1 / wide;  // pixels
-    const int along = 1 - axis;
-    const auto u = static_cast<float>(sight.at[along] - box.min[along]);
-    const auto v = static_cast<float>(sight.at.z() - box.min.z());
-    const float window = kWindowsAcross(u - 1, wide, per_metre) * kStoreys(v - 1, wide, per_metre);
-    base = mixed(base, kGlass, 0.45f * window);
-  }
-  return base * lit(sight.at, hit.face);
+  const int along = 1 - axis;
+  lanes.wall[i] = 1;
+  lanes.any_wall = true;
+  lanes.slope[i] = std::abs(axis == 0 ? lanes.dx[i] : lanes.dy[i]);
+  lanes.u0[i] = static_cast<float>(ray.origin[along] - box.min[along]);
+  lanes.v0[i] = static_cast<float>(ray.origin.z() - box.min.z());
+  lanes.du[i] = along == 0 ? lanes.dx[i] : lanes.dy[i];
+  lanes.dv[i] = lanes.dz[i];
 }
 
-Rgb Shader::tube(const Hit& hit) const {
+void Shader::gather_tube(const Hit& hit, int i, Lanes& lanes) const {
   const std::uint32_t c = scene_.tube_colours()[hit.object];
-  const Rgb base(static_cast<float>(c >> 16 & 255), static_cast<float>(c >> 8 & 255),
-                 static_cast<float>(c & 255));
-  return base * (0.75f + 0.3f * std::max(0.0f, hit.normal.dot(sun_)));
+  lanes.paint(i, {static_cast<float>(c >> 16 & 255), static_cast<float>(c >> 8 & 255),
+                  static_cast<float>(c & 255)});
+  lanes.light[i] = 0.75f + 0.3f * std::max(0.0f, hit.normal.dot(sun_));
 }
 
-Colour Shader::colour(const Rays& rays, double u, double v, const Hit& hit) const {
-  const Ray ray = rays.through(u, v);
-  const Eigen::Vector3f direction = ray.direction.cast<float>();
-  const float squared = direction.squaredNorm();
-  const float shorten = 1 / std::sqrt(squared);
-  Sight sight;
-  sight.ray = direction * shorten;
-  Rgb out;
-  if (hit.kind == Hit::Kind::sky) {
-    out = sky(sight.ray);
-  } else if (hit.kind == Hit::Kind::tube) {
-    out = tube(hit);
-  } else {
-    const float far = hit.depth * squared * shorten;
-    sight.at = ray.origin + static_cast<double>(hit.depth) * ray.direction;
-    sight.pixel = (rays.parallel() ? 1.0f : far) * static_cast<float>(rays.pixel());
-    out = hit.kind == Hit::Kind::ground ? ground(sight) : box(sight, hit);
-    if (light_.haze > 0) out = mixed(out, kHorizon, far / (far + light_.haze));
+void Shader::gather(const Rays& rays, int x, int y, const Block& block, Lanes& lanes) const {
+  for (int i = 0; i < kRays; ++i) {
+    const Ray ray = rays.through(x + i % kBlock, y + i / kBlock);
+    const Hit& hit = block[static_cast<std::size_t>(i)];
+    lanes.dx[i] = static_cast<float>(ray.direction.x());
+    lanes.dy[i] = static_cast<float>(ray.direction.y());
+    lanes.dz[i] = static_cast<float>(ray.direction.z());
+    lanes.depth[i] = hit.depth;
+    if (hit.kind == Hit::Kind::box) {
+      gather_box(ray, hit, i, lanes);
+    } else if (hit.kind == Hit::Kind::ground) {
+      gather_ground(ray, i, lanes);
+    } else if (hit.kind == Hit::Kind::tube) {
+      gather_tube(hit, i, lanes);
+    } else {
+      lanes.sky[i] = 1;
+      lanes.any_sky = true;
+      lanes.paint(i, flat_ ? kClear : kHorizon);
+    }
   }
-  return {byte(out[0]), byte(out[1]), byte(out[2])};
+}
+
+std::array<Colour, kRays> Shader::colours(const Rays& rays, int x, int y,
+                                          const Block& block) const {
+  Lanes lanes;
+  gather(rays, x, y, block, lanes);
+  const Row squared = lanes.dx.square() + lanes.dy.square() + lanes.dz.square();
+  const Row length = squared.sqrt();
+  const Row far = lanes.depth * length;
+  if (lanes.any_wall || lanes.any_ground) {
+    const auto pixel = static_cast<float>(rays.pixel());
+    const Row slope = (lanes.slope / length).max(0.03f);
+    const Row wide = pixel * (rays.parallel() ? Row(Row::Ones()) : far.max(1e-6f)) / slope;
+    const Row per_metre = 1 / wide;
+    const Row u = lanes.u0 + lanes.depth * lanes.du;
+    const Row v = lanes.v0 + lanes.depth * lanes.dv;
+    if (lanes.any_wall) {
+      const Row window = kWindowsAcross(u - 1, wide, per_metre) * kStoreys(v - 1, wide, per_metre);
+      lanes.mix(kGlass, 0.45f * lanes.wall * window);
+    }
+    if (lanes.any_ground) {
+      // A grid whose lines nearly touch is only a pattern of the pixels.
+      const Row share = 0.24f * lanes.ground * (1.5f - wide).max(0.0f).min(1.0f);
+      lanes.scale(1 - share * kStreetGrid(u + 0.1f, wide, per_metre)
+                                  .max(kStreetGrid(v + 0.1f, wide, per_metre)));
+      lanes.scale(
+          1 - 0.25f * lanes.ground *
+                  kBlockGrid(u + 0.4f, wide, per_metre).max(kBlockGrid(v + 0.4f, wide, per_metre)));
+    }
+  }
+  lanes.scale(lanes.light);
+  if (lanes.any_sky && !flat_) {
+    const Row down = 1 - (lanes.dz / length).max(0.0f);
+    lanes.mix(kZenith, lanes.sky * (1 - down.square()));
+  }
+  if (light_.haze > 0) lanes.mix(kHorizon, lanes.hazy * far / (far + light_.haze));
+  std::array<Colour, kRays> out;
+  for (int i = 0; i < kRays; ++i) {
+    out[static_cast<std::size_t>(i)] = {byte(lanes.red[i]), byte(lanes.green[i]),
+                                        byte(lanes.blue[i])};
+  }
+  return out;
 }
 
 std::vector<Colour> box_colours(const geom::BoxMap& map) {
@@ -179,7 +246,8 @@ std::vector<Colour> box_colours(const geom::BoxMap& map) {
       continue;
     }
     // From warm stone to cool steel with the height of the top.
-    const auto share = static_cast<float>(std::sqrt((map.boxes()[i].max.z() - floor) / (top - floor)));
+    const auto share =
+        static_cast<float>(std::sqrt((map.boxes()[i].max.z() - floor) / (top - floor)));
     const Rgb c = mixed(Rgb(222, 206, 182), Rgb(126, 152, 186), std::clamp(share, 0.0f, 1.0f));
     out.push_back({byte(c[0]), byte(c[1]), byte(c[2])});
   }

@@ -20,23 +20,26 @@ struct Light {
 
 class Shader {
  public:
-  // `box_colour` has one colour a box. `scene` must outlive this. `flat` leaves out haze, storeys
-  // and windows, for maps.
-  Shader(const PictureScene& scene, std::vector<Colour> box_colour, const Light& light, bool flat);
+  // `box_colour` has one colour a box. `scene` must outlive this. `flat` leaves out storeys and
+  // windows, for maps.
+  Shader(const PictureScene& scene, const std::vector<Colour>& box_colour, const Light& light,
+         bool flat);
 
-  // The colour of pixel (u, v). Threads may call at once.
-  Colour colour(const Rays& rays, double u, double v, const Hit& hit) const;
+  // The colours of the pixels (x, y) to (x + 3, y + 3), whose rays met `block`. Threads may call
+  // at once.
+  std::array<Colour, kBlock * kBlock> colours(const Rays& rays, int x, int y,
+                                              const Block& block) const;
 
  private:
-  struct Sight;  // what is known of one ray
-  Eigen::Vector3f sky(const Eigen::Vector3f& direction) const;
-  Eigen::Vector3f ground(const Sight& sight) const;
-  Eigen::Vector3f box(const Sight& sight, const Hit& hit) const;
-  Eigen::Vector3f tube(const Hit& hit) const;
+  struct Lanes;  // what is known of the rays of a block
+  void gather(const Rays& rays, int x, int y, const Block& block, Lanes& lanes) const;
+  void gather_ground(const Ray& ray, int i, Lanes& lanes) const;
+  void gather_box(const Ray& ray, const Hit& hit, int i, Lanes& lanes) const;
+  void gather_tube(const Hit& hit, int i, Lanes& lanes) const;
   float lit(const Vec3& at, int face) const;
 
   const PictureScene& scene_;
-  std::vector<Colour> box_colour_;
+  std::vector<Eigen::Vector3f> box_colour_;
   Light light_;
   bool flat_;
   double grid_x_;  // where the grid on the ground starts: near the middle, for single precision

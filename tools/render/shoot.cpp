@@ -60,13 +60,11 @@ Encoded encoded(const Picture& picture, const Options& options) {
   Encoded out;
   out.colour = options.is_video() ? y4m_frame(picture) : colour_png(picture);
   if (!options.depth.empty()) {
-    out.depth = options.depth.ends_with(".pfm") ? pfm(bare)
-                                                : depth_png(bare, options.depth_unit);
+    out.depth = options.depth.ends_with(".pfm") ? pfm(bare) : depth_png(bare, options.depth_unit);
   }
   if (!options.ids.empty()) out.ids = id_png(bare);
   return out;
 }
-
 
 struct Outputs {
   FrameOutput colour;
@@ -117,14 +115,10 @@ nlohmann::ordered_json shoot(const Film& film, const Times& times, const Options
     if (run.progress) run.progress(first + count, times.size());
   }
   to.commit();
-  return {{"frames", times.size()},
-          {"width", film.width()},
-          {"height", film.height()},
-          {"threads", run.threads},
-          {"casting_s", casting.wall},
-          {"casting_cpu_s", casting.cpu},
-          {"writing_s", writing.wall},
-          {"writing_cpu_s", writing.cpu}};
+  return {{"frames", times.size()},    {"width", film.width()},
+          {"height", film.height()},   {"threads", run.threads},
+          {"casting_s", casting.wall}, {"casting_cpu_s", casting.cpu},
+          {"writing_s", writing.wall}, {"writing_cpu_s", writing.cpu}};
 }
 
 }  // namespace render

@@ -14,8 +14,8 @@ namespace {
 constexpr Colour kPaper{250, 250, 250};
 constexpr Colour kInk{40, 40, 40};
 constexpr Colour kGrid{222, 222, 222};
-constexpr Colour kCurve{0, 114, 178};   // Okabe and Ito's blue
-constexpr Colour kCursor{213, 94, 0};   // and vermilion
+constexpr Colour kCurve{0, 114, 178};  // Okabe and Ito's blue
+constexpr Colour kCursor{213, 94, 0};  // and vermilion
 constexpr int kLetter = 2;
 
 }  // namespace

@@ -15,38 +15,36 @@ struct Tile {
   int y;
 };
 
-// Calls put(x, y, hit) for the pixels of the tile that are in the picture.
-template <class Put>
-void cast_tile(const PictureScene& scene, const View& view, const Rays& rays, const Tile& tile,
-               const Put& put) {
-  const int right = std::min(tile.x + kTile, view.width);
-  const int bottom = std::min(tile.y + kTile, view.height);
-  for (int y = tile.y; y < bottom; y += kBlock) {
-    for (int x = tile.x; x < right; x += kBlock) {
-      const Block block = scene.cast(rays, x, y);
-      for (int i = 0; i < kBlock * kBlock; ++i) {
-        const int px = x + i % kBlock;
-        const int py = y + i / kBlock;
-        if (px < right && py < bottom) put(px, py, block[static_cast<std::size_t>(i)]);
-      }
-    }
-  }
-}
-
 std::size_t index(const Picture& picture, int x, int y) {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
          static_cast<std::size_t>(x);
 }
 
+void fill_block(const PictureScene& scene, const Shader& shader, const Rays& rays, int x, int y,
+                Picture& out) {
+  const Block block = scene.cast(rays, x, y);
+  std::array<Colour, kBlock * kBlock> colours;
+  if (!out.colour.empty()) colours = shader.colours(rays, x, y, block);
+  for (int i = 0; i < kBlock * kBlock; ++i) {
+    const int px = x + i % kBlock;
+    const int py = y + i / kBlock;
+    if (px >= out.width || py >= out.height) continue;
+    const Hit& hit = block[static_cast<std::size_t>(i)];
+    const std::size_t at = index(out, px, py);
+    if (!out.colour.empty()) out.colour[at] = colours[static_cast<std::size_t>(i)];
+    if (!out.depth.empty()) out.depth[at] = hit.depth;
+    if (!out.id.empty()) out.id[at] = hit.kind == Hit::Kind::box ? hit.object + 1 : 0;
+  }
+}
+
 void fill_tile(const PictureScene& scene, const Shader& shader, const View& view, const Tile& tile,
                Picture& out) {
   const Rays rays(view);
-  cast_tile(scene, view, rays, tile, [&](int x, int y, const Hit& hit) {
-    const std::size_t at = index(out, x, y);
-    if (!out.colour.empty()) out.colour[at] = shader.colour(rays, x, y, hit);
-    if (!out.depth.empty()) out.depth[at] = hit.depth;
-    if (!out.id.empty()) out.id[at] = hit.kind == Hit::Kind::box ? hit.object + 1 : 0;
-  });
+  const int right = std::min(tile.x + kTile, view.width);
+  const int bottom = std::min(tile.y + kTile, view.height);
+  for (int y = tile.y; y < bottom; y += kBlock) {
+    for (int x = tile.x; x < right; x += kBlock) fill_block(scene, shader, rays, x, y, out);
+  }
 }
 
 std::vector<Tile> tiles_of(std::span<const View> views) {

@@ -21,7 +21,8 @@ Vec3 corner(const geom::Aabb& box, int i) {
 
 // Moves the eye so that the corners of the region fill the picture, all of them inside.
 void fit(const geom::Aabb& region, View& view) {
-  view.eye = 0.5 * (region.min + region.max) - view.axes.col(2) * (region.max - region.min).norm() * 2;
+  view.eye =
+      0.5 * (region.min + region.max) - view.axes.col(2) * (region.max - region.min).norm() * 2;
   for (int round = 0; round < 12; ++round) {
     Vec3 low = Vec3::Constant(1e300);
     Vec3 high = -low;
@@ -93,7 +94,8 @@ View overview(const geom::Aabb& region, int width, int height, const OverviewOpt
   const Vec3 ahead(std::sin(options.azimuth), std::cos(options.azimuth), 0);
   const Vec3 right(ahead.y(), -ahead.x(), 0);
   view.axes.col(0) = right;
-  view.axes.col(2) = std::cos(options.elevation) * ahead - std::sin(options.elevation) * Vec3::UnitZ();
+  view.axes.col(2) =
+      std::cos(options.elevation) * ahead - std::sin(options.elevation) * Vec3::UnitZ();
   view.axes.col(1) = view.axes.col(2).cross(right);
   fit(region, view);
   return view;

@@ -47,10 +47,10 @@ class Rays {
 
  private:
   bool parallel_;
-  Vec3 right_;      // from pixel to pixel
+  Vec3 right_;  // from pixel to pixel
   Vec3 down_;
-  Vec3 corner_;     // what pixel (0, 0) has: the direction, or where a parallel ray starts
-  Vec3 shared_;     // by all rays: the eye, or the direction of parallel ones
+  Vec3 corner_;  // what pixel (0, 0) has: the direction, or where a parallel ray starts
+  Vec3 shared_;  // by all rays: the eye, or the direction of parallel ones
   double pixel_;
 };
 

@@ -33,9 +33,9 @@ FlatState flat_state(const State& state, const Heading& heading);
 // Vectors of a map's axes in ENU.
 State to_enu(geom::Axes axes, const State& state);
 
-// The heading in ENU t seconds into a trajectory of a map with these axes, clamped to [0, duration];
-// at a joint that of the later segment. Every segment has a yaw (precondition; add_yaw gives one).
-// O(number of segments).
+// The heading in ENU t seconds into a trajectory of a map with these axes, clamped to [0,
+// duration]; at a joint that of the later segment. Every segment has a yaw (precondition; add_yaw
+// gives one). O(number of segments).
 Heading heading_at(const Trajectory& trajectory, geom::Axes axes, double t);
 
 }  // namespace traj

@@ -36,8 +36,8 @@ struct Rods {
   std::array<std::uint8_t, 3> colour{};
   std::vector<Vec3> points;  // ENU
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  double radius = 0.25;         // of the cylinders, metres
-  double sphere_radius = 0.5;   // metres
+  double radius = 0.25;        // of the cylinders, metres
+  double sphere_radius = 0.5;  // metres
 };
 MeshPart rod_part(Rods rods);
 
