@@ -38,9 +38,23 @@ const render::Motion* flown(const std::vector<render::Motion>& motions,
   return best;
 }
 
+constexpr double kMostFrames = 1e7;
+constexpr std::size_t kMostIds = 0xffffff;  // of three bytes; 0 is no box
+
 render::Times times_of(const render::Options& options, const render::Motion* motion) {
-  if (options.at) return {*options.at};
+  if (options.at) {
+    if (*options.at < motion->begin() || *options.at > motion->end()) {
+      throw cli::UsageError(fmt::format("--at: expected a time from {} to {} s, found {}",
+                                        motion->begin(), motion->end(), *options.at));
+    }
+    return {*options.at};
+  }
   if (!options.is_moving()) return {std::nullopt};
+  const double frames = (motion->end() - motion->begin()) * options.rate;
+  if (frames > kMostFrames) {
+    throw cli::UsageError(fmt::format("--rate: expected at most {:g} frames in all, found {:.0f}",
+                                      kMostFrames, frames));
+  }
   render::Times out;
   for (double k = 0; motion->begin() + k / options.rate <= motion->end(); ++k) {
     out.push_back(motion->begin() + k / options.rate);
@@ -59,6 +73,10 @@ int main(int argc, char** argv) {
     options.settle();
     cli::at_most_one_stdin(options.map, options.inputs);
     const geom::BoxMap map = cli::open_map(options.map);
+    if (!options.ids.empty() && map.size() > kMostIds) {
+      throw cli::UsageError(
+          fmt::format("--ids: expected a map of at most {} boxes, found {}", kMostIds, map.size()));
+    }
     cli::Drawings drawings;
     for (const std::string& input : options.inputs) cli::read_drawings(input, &map, drawings);
     if (drawings.failed > 0) {

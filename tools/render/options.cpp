@@ -51,12 +51,13 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--view", film.kind, "first-person, plan, overview or combined")
       ->check(CLI::IsMember({"first-person", "plan", "overview", "combined"}))
       ->capture_default_str();
-  app.add_option("--id", id, "the trajectory or flight to fly (default: the first)");
+  app.add_option("--id", id,
+                 "the trajectory or flight to fly (default: the first flight, else trajectory)");
   app.add_option("--camera", camera_file, "camera model, JSON (default: 640 x 480, 80 degrees)");
   app.add_option("--rate", rate, "frames a second of simulated time")
       ->check(CLI::Range(1e-3, 1e5))
       ->capture_default_str();
-  app.add_option("--at", at, "one picture, at this time (s)");
+  app.add_option("--at", at, "one picture, at this time (s)")->check(CLI::Range(-1e9, 1e9));
   app.add_option("--size", size, "WIDTHxHEIGHT of a plan or an overview (default: 1280x960)");
   add_angle(app, "--azimuth", film.overview.azimuth, -360, 360,
             "overview: look this way, degrees from north clockwise (default: 34)");
