@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include "cli/files.h"
+#include "cli/limit_options.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
+#include "geom/io/csv_field.h"
 #include "traj/check.h"
+#include "traj/clearance.h"
 #include "traj/exact_check.h"
 #include "traj/io/certificate_record.h"
 #include "traj/io/report_record.h"
@@ -13,8 +16,34 @@
 
 namespace {
 
+// --profile: CSV.
+struct ProfileFile {
+  std::string file;
+  double step = 0.1;
+  std::optional<cli::OutputFile> out = std::nullopt;
+
+  void open() {
+    if (file.empty()) return;
+    out.emplace(file, cli::OutputKind::text);
+    out->stream() << "id,begin,end,clearance_m\n";
+  }
+  void add(const std::string& id, const std::vector<traj::ClearanceSpan>& spans) {
+    std::string lines;
+    for (const traj::ClearanceSpan& span : spans) {
+      lines += geom::csv_field(id);
+      for (const double value : {span.begin, span.end, span.clearance}) {
+        lines += ',';
+        geom::append_json(lines, value);
+      }
+      lines += '\n';
+    }
+    out->stream() << lines;
+  }
+};
+
 struct Checker {
   cli::Scenes& scenes;
+  ProfileFile& profile;
   traj::Limits asked;  // by the options
   bool override_record;
   bool exact;
@@ -46,6 +75,9 @@ struct Checker {
     report.provenance = geom::provenance_of(scene);
     report.result = traj::check(scene, record.trajectory, report.limits);
     if (exact) report.exact = traj::check_exactly(task(scene, report.limits), record.trajectory);
+    if (profile.out && report.result.reason != "duration") {
+      profile.add(record.id, traj::clearance_profile(scene, record.trajectory, profile.step));
+    }
     return report;
   }
 
@@ -61,6 +93,8 @@ struct Checker {
     report.provenance = geom::provenance_of(scene);
     report.result = traj::check_path(scene, record.points);
     if (exact) report.exact = traj::check_exactly(task(scene, {}), record.points);
+    if (profile.out)
+      profile.add(record.id, traj::clearance_profile(scene, record.points, profile.step));
     return report;
   }
 
@@ -84,38 +118,44 @@ int main(int argc, char** argv) {
                "skyway-check"};
   cli::Common common(app);
   cli::VehicleOptions vehicle;
-  traj::Limits limits;
+  cli::LimitOptions limits;
   std::string map_file;
   std::string input = "-";
   std::string output = "-";
   std::string certificate;
+  ProfileFile profile;
   bool override_record = false;
   bool exact = false;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "reports (default: stdout)");
   vehicle.add_to(app);
-  app.add_option("--vmax", limits.vmax, "largest speed, m/s")->check(CLI::PositiveNumber);
-  app.add_option("--amax", limits.amax, "largest acceleration, m/s2")->check(CLI::PositiveNumber);
-  app.add_option("--jmax", limits.jmax, "largest jerk, m/s3")->check(CLI::PositiveNumber);
+  limits.add_to(app);
   app.add_flag("--override", override_record,
                "let the options be looser than what the records carry");
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
+  app.add_option("--profile", profile.file,
+                 "write the least clearance of each part of the way, CSV");
+  app.add_option("--profile-step", profile.step,
+                 "length of those parts: seconds, or metres along a path (default 0.1)")
+      ->check(CLI::Range(1e-4, 1e6));
   app.add_option("--certificate", certificate,
                  "write why each accepted record is clear, JSON Lines; implies --exact");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
-    if (certificate == "-" && output == "-") {
-      throw cli::UsageError("reports and certificates cannot both go to stdout");
+    if ((certificate == "-") + (output == "-") + (profile.file == "-") > 1) {
+      throw cli::UsageError("reports, certificates and profiles cannot share stdout");
     }
     using Differences = cli::Scenes::Differences;
     cli::Scenes scenes(cli::open_map(map_file), vehicle,
                        override_record ? Differences::allowed : Differences::stricter_allowed);
-    const Checker checker{scenes, limits, override_record, exact || !certificate.empty()};
+    const Checker checker{scenes, profile, limits.limits(), override_record,
+                          exact || !certificate.empty()};
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
     std::optional<cli::OutputFile> reasons;
     if (!certificate.empty()) reasons.emplace(certificate, cli::OutputKind::text);
+    profile.open();
     std::size_t failed = 0;
     std::size_t count = 0;
     file.for_each_line([&](const std::string& line, std::size_t number) {
@@ -129,6 +169,7 @@ int main(int argc, char** argv) {
     });
     out.commit();
     if (reasons) reasons->commit();
+    if (profile.out) profile.out->commit();
     common.write_stats({{"records", count}, {"failed", failed}});
     return failed ? cli::Exit::no : cli::Exit::yes;
   });

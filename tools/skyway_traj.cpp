@@ -7,16 +7,20 @@
 #include <optional>
 
 #include "cli/files.h"
+#include "cli/limit_options.h"
 #include "cli/numbers_option.h"
 #include "cli/processes.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "traj/continuity.h"
+#include "traj/io/corridor_record.h"
 #include "traj/io/trajectory_record.h"
 #include "traj/solve.h"
 #include "traj/yaw.h"
 
 namespace {
+
+constexpr double kDrawnReach = 10;  // metres: how far a corridor is drawn from its piece
 
 // The options' limits, where given, else the profile's.
 traj::Limits merge(const traj::Limits& asked, const std::optional<cli::VehicleProfile>& profile) {
@@ -25,11 +29,20 @@ traj::Limits merge(const traj::Limits& asked, const std::optional<cli::VehiclePr
   return traj::combined(asked, own, pick);
 }
 
-// --yaw along, DEGREES, or X,Y of a point to look at.
-std::optional<traj::YawOptions> yaw_options(const std::string& text, double rate) {
+void require_enough(const traj::Limits& limits) {
+  if ((!limits.vmax && !(limits.vmax_h && limits.vmax_v)) ||
+      (!limits.amax && !(limits.tilt && limits.thrust))) {
+    throw cli::UsageError(
+        "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust)");
+  }
+}
+
+// --yaw along, DEGREES, or X,Y of a point to look at; up to 90 degrees/s where no limit is given.
+std::optional<traj::YawOptions> yaw_options(const std::string& text, traj::Limits& limits) {
   if (text.empty()) return std::nullopt;
+  if (!limits.yaw_rate) limits.yaw_rate = std::numbers::pi / 2;
   traj::YawOptions yaw;
-  yaw.rate = rate * std::numbers::pi / 180;
+  yaw.rate = *limits.yaw_rate * (1 - 1e-9);  // room for rounding in the proof
   if (text == "along") return yaw;
   if (const auto degrees = cli::parse_numbers(text, 1)) {
     yaw.kind = traj::YawOptions::Kind::fixed;
@@ -70,6 +83,9 @@ const std::map<std::string, traj::Times> kTimes{{"stops", traj::Times::stops},
                                                 {"cautious", traj::Times::cautious},
                                                 {"trapezoid", traj::Times::trapezoid}};
 
+const std::map<std::string, traj::CorridorKind> kCorridors{{"planes", traj::CorridorKind::planes},
+                                                           {"boxes", traj::CorridorKind::boxes}};
+
 traj::Solver solver_from(const std::string& word) {
   if (word == "closed") return traj::Solver::closed;
   if (word == "ipopt") return traj::Solver::ipopt;
@@ -92,9 +108,13 @@ void choose(const std::string& solver, const std::string& times, traj::SolveOpti
   }
 }
 
-traj::TrajectoryRecord solve(const geom::CollisionScene& scene, const geom::PathRecord& path,
-                             const traj::SolveOptions& options,
-                             const std::optional<traj::YawOptions>& yaw) {
+struct Solved {
+  traj::TrajectoryRecord record;
+  traj::Corridor corridor = {};  // of the optimiser
+};
+
+Solved solve(const geom::CollisionScene& scene, const geom::PathRecord& path,
+             const traj::SolveOptions& options, const std::optional<traj::YawOptions>& yaw) {
   traj::TrajectoryRecord record;
   record.id = path.id;
   record.provenance = geom::provenance_of(scene);
@@ -106,18 +126,42 @@ traj::TrajectoryRecord solve(const geom::CollisionScene& scene, const geom::Path
   if (yaw && !record.trajectory.segments.empty()) traj::add_yaw(*yaw, record.trajectory);
   record.rung = result.rung;
   if (result.status == traj::SolveStatus::solved) record.solver = solver_report(result);
-  return record;
+  return {std::move(record), result.corridor};
 }
 
-traj::TrajectoryRecord without_path(const geom::PathRecord& path, const traj::Limits& limits) {
+Solved without_path(const geom::PathRecord& path, const traj::Limits& limits) {
   traj::TrajectoryRecord record;
   record.id = path.id;
   record.status = "no_path";
   record.provenance = path.provenance;
   record.limits = limits;
   record.message = path.message.empty() ? path.status : path.message;
-  return record;
+  return {std::move(record)};
 }
+
+// What a process answers: the rung or status, the trajectory, and its corridor, a line each.
+struct Answer {
+  std::string found;
+  std::string_view trajectory;
+  std::string_view corridor;
+
+  static std::string text(const Solved& solved, bool with_corridor) {
+    const traj::TrajectoryRecord& record = solved.record;
+    std::string out = record.status == "solved" ? record.rung : record.status;
+    out += '\n' + traj::to_json_line(record);
+    if (with_corridor) {
+      out += traj::to_json_line(record.id, record.provenance, solved.corridor, kDrawnReach);
+    }
+    return out;
+  }
+  explicit Answer(std::string_view text) {
+    const std::size_t first = text.find('\n') + 1;
+    const std::size_t second = text.find('\n', first) + 1;
+    found = text.substr(0, first - 1);
+    trajectory = text.substr(first, second - first);
+    corridor = text.substr(second);
+  }
+};
 
 }  // namespace
 
@@ -131,76 +175,67 @@ int main(int argc, char** argv) {
   std::string output = "-";
   std::string solver = "auto";
   std::string times;
-  std::optional<double> tilt;
+  cli::LimitOptions limit_options;
+  std::string corridor_file;
   std::string yaw_text;
-  double yaw_rate = 90;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("paths", input, "paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "trajectories (default: stdout)");
   vehicle.add_to(app);
-  app.add_option("--vmax", options.limits.vmax, "largest speed, m/s")->check(CLI::PositiveNumber);
-  app.add_option("--amax", options.limits.amax, "largest acceleration, m/s2")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--jmax", options.limits.jmax, "largest jerk, m/s3")->check(CLI::PositiveNumber);
-  app.add_option("--vmax-h", options.limits.vmax_h, "largest horizontal speed, m/s")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--vmax-v", options.limits.vmax_v, "largest vertical speed, m/s")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--tilt", tilt, "largest tilt of the thrust from upright, degrees")
-      ->check(CLI::Range(1.0, 80.0));
-  app.add_option("--thrust", options.limits.thrust,
-                 "largest thrust over mass, m/s2 (above 9.80665)")
-      ->check(CLI::Range(9.81, 1e4));
+  limit_options.add_to(app);
   app.add_option("--solver", solver, "auto, closed, ipopt or stop-and-go")
       ->check(CLI::IsMember({"auto", "closed", "ipopt", "stop-and-go"}));
   app.add_option("--times", times, "leg times: stops, distance, cautious, trapezoid or optimised")
       ->check(CLI::IsMember({"stops", "distance", "cautious", "trapezoid", "optimised"}));
+  app.add_option("--corridor", options.corridor,
+                 "of the optimiser: planes (default) between path and obstacles, or empty boxes")
+      ->transform(CLI::CheckedTransformer(kCorridors));
+  app.add_option("--corridor-file", corridor_file,
+                 "write the optimiser's corridors, JSON Lines with vertices and faces to draw");
   app.add_option("--rho", options.rho, "flight seconds a unit of snap is worth, s per m2/s7")
       ->check(CLI::Range(0.0, 1e3));
   app.add_option("--yaw", yaw_text,
                  "along (the velocity), degrees from the map's x axis towards y, or X,Y of a point "
                  "to look at (default: no yaw)");
-  app.add_option("--yaw-rate", yaw_rate, "largest yaw rate, degrees/s (default 90)")
-      ->check(CLI::Range(0.1, 1e4));
   return cli::run_tool(app, argc, argv, [&] {
-    const auto yaw = yaw_options(yaw_text, yaw_rate);
     cli::at_most_one_stdin({map_file, input});
+    if (corridor_file == "-" && output == "-") {
+      throw cli::UsageError("trajectories and corridors cannot both go to stdout");
+    }
     choose(solver, times, options);
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
-    if (tilt) options.limits.tilt = *tilt * std::numbers::pi / 180;
-    options.limits = merge(options.limits, scenes.profile());
-    const traj::Limits& limits = options.limits;
-    if ((!limits.vmax && !(limits.vmax_h && limits.vmax_v)) ||
-        (!limits.amax && !(limits.tilt && limits.thrust))) {
-      throw cli::UsageError(
-          "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust)");
-    }
+    options.limits = merge(limit_options.limits(), scenes.profile());
+    require_enough(options.limits);
+    const auto yaw = yaw_options(yaw_text, options.limits);
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
+    std::optional<cli::OutputFile> corridors;
+    if (!corridor_file.empty()) corridors.emplace(corridor_file, cli::OutputKind::text);
     std::vector<std::pair<std::string, std::size_t>> lines;  // and their numbers
     file.for_each_line(
         [&](const std::string& line, std::size_t number) { lines.emplace_back(line, number); });
-    // A process an optimisation: MUMPS is not thread safe. What was found comes first in a reply.
+    // A process an optimisation: MUMPS is not thread safe.
     const auto work = [&](std::size_t i) {
       const auto& [line, number] = lines[i];
       const geom::PathRecord path = geom::parse_path_record(line, file.name(), number);
-      const auto record =
+      const Solved solved =
           path.status == "found"
               ? solve(scenes.scene_for(path.provenance, file.name(), number), path, options, yaw)
               : without_path(path, options.limits);
-      return (record.status == "solved" ? record.rung : record.status) + '\n' +
-             traj::to_json_line(record);
+      return Answer::text(solved, corridors.has_value());
     };
     std::map<std::string, std::size_t> counts;
     const auto run = common.execution("trajectories");
     cli::in_processes(lines.size(), run.threads, work, [&](std::size_t i, const std::string& text) {
-      const std::size_t end = text.find('\n');
-      ++counts[text.substr(0, end)];
+      const Answer answer(text);
+      ++counts[answer.found];
       if (run.progress) run.progress(i + 1, lines.size());
-      out.stream() << std::string_view(text).substr(end + 1);
+      out.stream() << answer.trajectory;
       out.flush();
+      if (corridors) corridors->stream() << answer.corridor;
     });
     out.commit();
+    if (corridors) corridors->commit();
     common.write_stats({{"records", counts}});
     return counts.count("no_path") || counts.count("infeasible") ? cli::Exit::no : cli::Exit::yes;
   });

@@ -5,6 +5,7 @@
 #include <map>
 #include <ostream>
 
+#include "geom/io/csv_field.h"
 #include "geom/io/record.h"
 #include "geom/io/text_table.h"
 
@@ -13,13 +14,6 @@ namespace {
 
 constexpr std::string_view kHeader = "min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label";
 constexpr const char* kNames[] = {"min x", "min y", "min z", "max x", "max y", "max z"};
-
-std::string quoted(const std::string& label) {
-  if (label.find_first_of(",\"") == std::string::npos) return label;
-  std::string out = "\"";
-  for (const char c : label) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
-}
 
 }  // namespace
 
@@ -68,7 +62,7 @@ void write_box_csv(std::ostream& out, const BoxTable& table) {
         text += ',';
       }
     }
-    text += quoted(table.labels[table.label[i]]) + '\n';
+    text += csv_field(table.labels[table.label[i]]) + '\n';
   }
   out << text;
 }

@@ -34,6 +34,8 @@ void append_segment(std::string& out, const SegmentProof& proof) {
   append_cover(out, "horizontal_speed", proof.horizontal_speed);
   append_cover(out, "vertical_speed", proof.vertical_speed);
   append_cover(out, "thrust", proof.thrust);
+  append_cover(out, "body_rate", proof.body_rate);
+  append_cover(out, "yaw_rate", proof.yaw_rate);
   if (proof.gap) {
     out += "\"gap\":{";
     append_clear(out, *proof.gap);

@@ -3,110 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <queue>
 #include <vector>
 
-#include "traj/bernstein.h"
+#include "check_limits.h"
+#include "curve_piece.h"
+#include "least_clearance.h"
+#include "traj/continuity.h"
 
 namespace traj {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kDeepest = 60;         // halvings; 2^-60 of a segment is below any rounding
 constexpr double kSmallest = 2e-10;  // metres: a piece this small that is not clear collides
-
-template <std::size_t N>
-using Points = std::array<Vec3, N>;
-
-// De Casteljau at one half: each of the N - 1 averagings rounds by at most 2^-53 of its value.
-template <std::size_t N>
-std::pair<Points<N>, Points<N>> halves(Points<N> q) {
-  Points<N> left;
-  Points<N> right;
-  for (std::size_t m = 0; m < N; ++m) {
-    left[m] = q[0];
-    right[N - 1 - m] = q[N - 1 - m];
-    for (std::size_t i = 0; i + 1 + m < N; ++i) q[i] = 0.5 * (q[i] + q[i + 1]);
-  }
-  return {left, right};
-}
-
-template <std::size_t N>
-geom::Aabb hull_box(const Points<N>& q) {
-  geom::Aabb box{q[0], q[0]};
-  for (const Vec3& p : q) box = geom::merged(box, {p, p});
-  return box;
-}
-
-// The middle of the curve and a ball around it that holds the whole curve.
-template <std::size_t N>
-double radius_around(const Points<N>& q, const Vec3& middle) {
-  double r = 0;
-  for (const Vec3& p : q) r = std::max(r, (p - middle).squaredNorm());
-  return std::sqrt(r);
-}
-
-Vec3 middle_of(const Points<kPoints>& q) { return halves(q).second[0]; }
-
-// A degree-7 piece of a segment, with its place in time.
-struct Piece {
-  Points<kPoints> q;
-  double begin;
-  double end;
-
-  double middle() const { return 0.5 * (begin + end); }
-  std::pair<Piece, Piece> halved() const {
-    const auto [l, r] = halves(q);
-    return {{l, begin, middle()}, {r, middle(), end}};
-  }
-};
-
-// The largest of a function that moves by at most 1 per metre (a depth, a negated distance), by
-// branch and bound to `tolerance`. `value(p, needed)` may return anything below `needed` once it
-// knows that it stays below. Only what a report says hangs on this, never a verdict.
-struct Largest {
-  double value = -kInfinity;
-  double time = 0;
-  Vec3 place = Vec3::Zero();
-};
-
-template <class Value>
-void search_largest(const std::vector<Piece>& pieces, double tolerance, const Value& value,
-                    Largest& best) {
-  struct Entry {
-    double bound;
-    Piece piece;
-    bool operator<(const Entry& other) const { return bound < other.bound; }
-  };
-  std::priority_queue<Entry> open;
-  const auto look = [&](const Piece& piece) {
-    const Vec3 p = middle_of(piece.q);
-    const double r = radius_around(piece.q, p);
-    const double v = value(p, best.value - r);
-    if (v > best.value) best = {v, piece.middle(), p};
-    if (v + r > best.value + tolerance) open.push({v + r, piece});
-  };
-  for (const Piece& piece : pieces) look(piece);
-  for (int i = 0; i < 20000 && !open.empty(); ++i) {
-    const Entry top = open.top();
-    open.pop();
-    if (top.bound <= best.value + tolerance) break;
-    const auto [l, r] = top.piece.halved();
-    look(l);
-    look(r);
-  }
-}
-
-std::vector<Piece> pieces_of(const Trajectory& trajectory) {
-  std::vector<Piece> pieces;
-  double t = 0;
-  for (const Segment& s : trajectory.segments) {
-    pieces.push_back({s.point, t, t + s.duration});
-    t += s.duration;
-  }
-  return pieces;
-}
 
 // --- collision ------------------------------------------------------------------------------
 
@@ -217,6 +125,20 @@ double penetration(const geom::CollisionScene& scene, const std::vector<std::siz
   return worst;
 }
 
+// An upper bound of that along a piece: a box is as deep as the nearest of its faces, and along a
+// face's axis the piece reaches no further than its control points.
+double most_penetration(const geom::CollisionScene& scene, const std::vector<std::size_t>& boxes,
+                        const Piece& piece) {
+  const geom::Aabb hull = hull_box(piece.q);
+  double most = -kInfinity;
+  for (const std::size_t i : boxes) {
+    const geom::Aabb box = scene.grown(i);
+    most =
+        std::max(most, std::min((hull.max - box.min).minCoeff(), (box.max - hull.min).minCoeff()));
+  }
+  return most;
+}
+
 double way_out(const geom::CollisionScene& scene, const Vec3& p) {
   if (!scene.free_bounds()) return scene.half().maxCoeff();
   return -depth_in(*scene.free_bounds(), p);
@@ -239,9 +161,10 @@ void report_collision(const geom::CollisionScene& scene, const std::vector<Piece
   std::sort(boxes.begin(), boxes.end());
   boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
   Largest worst;
-  search_largest(
-      bad, 1e-6, [&](const Vec3& p, double) { return penetration(scene, boxes, p, nullptr); },
-      worst);
+  const auto depth = [&](const Piece& piece, const Vec3& p) {
+    return Estimate{penetration(scene, boxes, p, nullptr), most_penetration(scene, boxes, piece)};
+  };
+  search_largest(bad, 1e-6, depth, worst);
   penetration(scene, boxes, worst.place, &result.box);
   note(result, "collision", worst);
 }
@@ -256,130 +179,16 @@ void check_place(const geom::CollisionScene& scene, const std::vector<Piece>& pi
   }
   if (!outside.empty()) {
     Largest worst;
-    search_largest(
-        outside, 1e-6, [&](const Vec3& p, double) { return way_out(scene, p); }, worst);
+    const auto out = [&](const Piece& piece, const Vec3& middle) {
+      Estimate e{way_out(scene, middle), -kInfinity};
+      for (const Vec3& p : piece.q) e.bound = std::max(e.bound, way_out(scene, p));  // convex
+      return e;
+    };
+    search_largest(outside, 1e-6, out, worst);
     note(result, "bounds", worst);
   } else if (!colliding.empty()) {
     report_collision(scene, colliding, result);
   }
-}
-
-void measure_clearance(const geom::CollisionScene& scene, const std::vector<Piece>& pieces,
-                       CheckResult& result) {
-  if (scene.map().size() == 0) return;
-  Largest best;
-  search_largest(
-      pieces, 1e-3,
-      [&](const Vec3& p, double needed) {
-        const auto near = scene.nearest(p, -needed);
-        return near ? -near->distance : needed;
-      },
-      best);
-  result.clearance = Extreme{-best.value, best.time};
-}
-
-// --- limits ---------------------------------------------------------------------------------
-
-// The largest of a function over the curve whose sublevel sets are convex: on the curve it is at
-// most the largest at the control points. Returns false when `limit` cannot be shown to hold.
-template <std::size_t N, class Value>
-bool bounded(const Points<N>& q, double begin, double end, int depth, double slack, double limit,
-             const Value& value, Extreme& best) {
-  const double at_begin = value(q.front());
-  const double at_end = value(q.back());
-  if (at_begin > best.value) best = {at_begin, begin};
-  if (at_end > best.value) best = {at_end, end};
-  double upper = 0;
-  for (const Vec3& p : q) upper = std::max(upper, value(p));
-  upper += slack;
-  const bool decided = upper <= limit || best.value > limit;
-  if (decided && upper <= best.value * (1 + 1e-4) + slack) return upper <= limit;
-  if (depth == 40) return upper <= limit;
-  const auto [l, r] = halves(q);
-  const double middle = 0.5 * (begin + end);
-  const bool left = bounded(l, begin, middle, depth + 1, slack, limit, value, best);
-  return bounded(r, middle, end, depth + 1, slack, limit, value, best) && left;
-}
-
-template <std::size_t N>
-double largest_norm(const Points<N>& q) {
-  double m = 0;
-  for (const Vec3& p : q) m = std::max(m, p.norm());
-  return m;
-}
-
-double tilt_of(const Vec3& a) { return std::atan2(std::hypot(a.x(), a.y()), a.z() + kGravity); }
-
-struct LimitVerdicts {
-  bool speed = true;
-  bool acceleration = true;
-  bool jerk = true;
-  bool tilt = true;
-  bool horizontal = true;
-  bool vertical = true;
-  bool thrust = true;
-};
-
-void check_segment_limits(const Segment& s, double begin, const CheckOptions& options,
-                          CheckResult& result, LimitVerdicts& ok) {
-  const auto with_slack = [&](const std::optional<double>& limit) {
-    return limit ? *limit * (1 + options.limit_slack) : kInfinity;
-  };
-  const auto norm = [](const Vec3& p) { return p.norm(); };
-  const auto v = velocity_points(s);
-  const auto a = acceleration_points(s);
-  const auto j = jerk_points(s);
-  // Errors of the differences (each a subtraction and a product) and of up to 40 halvings.
-  const double eps = 1e-15;
-  const double v_error = 50 * eps * largest_norm(v);
-  const double a_error = 12 / s.duration * 4 * eps * largest_norm(v) + 50 * eps * largest_norm(a);
-  const double j_error = 10 / s.duration * a_error + 50 * eps * largest_norm(j);
-  const double end = begin + s.duration;
-  const Limits& limits = options.limits;
-  ok.speed &= bounded(v, begin, end, 0, v_error, with_slack(limits.vmax), norm, result.speed);
-  if (limits.vmax_h) {
-    const auto across = [](const Vec3& p) { return std::sqrt(p.x() * p.x() + p.y() * p.y()); };
-    ok.horizontal &= bounded(v, begin, end, 0, v_error, with_slack(limits.vmax_h), across,
-                             result.horizontal_speed);
-  }
-  if (limits.vmax_v) {
-    const auto up = [](const Vec3& p) { return std::abs(p.z()); };
-    ok.vertical &=
-        bounded(v, begin, end, 0, v_error, with_slack(limits.vmax_v), up, result.vertical_speed);
-  }
-  if (limits.thrust) {
-    const auto thrust = [](const Vec3& p) { return Vec3(p.x(), p.y(), p.z() + kGravity).norm(); };
-    ok.thrust &= bounded(a, begin, end, 0, a_error + 1e-14, with_slack(limits.thrust), thrust,
-                         result.thrust);
-  }
-  ok.acceleration &=
-      bounded(a, begin, end, 0, a_error, with_slack(limits.amax), norm, result.acceleration);
-  ok.jerk &= bounded(j, begin, end, 0, j_error, with_slack(limits.jmax), norm, result.jerk);
-  if (limits.tilt) {
-    const double t_error = 4 * a_error / kGravity + 1e-15;
-    ok.tilt &= bounded(a, begin, end, 0, t_error, with_slack(limits.tilt), tilt_of, result.tilt);
-  }
-}
-
-void check_limits(const Trajectory& trajectory, const CheckOptions& options, CheckResult& result) {
-  LimitVerdicts ok;
-  double t = 0;
-  for (const Segment& s : trajectory.segments) {
-    check_segment_limits(s, t, options, result, ok);
-    t += s.duration;
-  }
-  if (!result.reason.empty()) return;
-  const auto violated = [&](bool holds, std::string_view reason, const Extreme& at) {
-    if (holds || !result.reason.empty()) return;
-    note(result, reason, {at.value, at.time, evaluate(trajectory, at.time).position});
-  };
-  violated(ok.speed, "speed", result.speed);
-  violated(ok.acceleration, "acceleration", result.acceleration);
-  violated(ok.jerk, "jerk", result.jerk);
-  violated(ok.tilt, "tilt", result.tilt);
-  violated(ok.horizontal, "horizontal_speed", result.horizontal_speed);
-  violated(ok.vertical, "vertical_speed", result.vertical_speed);
-  violated(ok.thrust, "thrust", result.thrust);
 }
 
 // --- joints ---------------------------------------------------------------------------------
@@ -388,6 +197,10 @@ bool durations_are_sound(const Trajectory& trajectory, CheckResult& result) {
   for (const Segment& s : trajectory.segments) {
     bool sound = std::isfinite(s.duration) && s.duration > 0;
     for (const Vec3& p : s.point) sound = sound && p.allFinite();
+    if (s.yaw) {
+      sound = sound &&
+              std::all_of(s.yaw->begin(), s.yaw->end(), [](double y) { return std::isfinite(y); });
+    }
     if (sound) {
       result.duration += s.duration;
       continue;
@@ -397,6 +210,16 @@ bool durations_are_sound(const Trajectory& trajectory, CheckResult& result) {
   }
   if (trajectory.segments.empty()) result.reason = "duration";
   return !trajectory.segments.empty();
+}
+
+// Of the yaw (order 0) or its rate at a joint; one without yaw goes with any.
+double yaw_jump(const Segment& s, const Segment& next, int order) {
+  if (!s.yaw || !next.yaw) return 0;
+  const auto& a = *s.yaw;
+  const auto& b = *next.yaw;
+  if (order == 0) return std::abs(b[0] - a[kDegree]);
+  return kDegree *
+         std::abs((b[1] - b[0]) / next.duration - (a[kDegree] - a[kDegree - 1]) / s.duration);
 }
 
 void check_joints(const geom::CollisionScene& scene, const Trajectory& trajectory,
@@ -416,6 +239,10 @@ void check_joints(const geom::CollisionScene& scene, const Trajectory& trajector
     } else if (const double da = (b.acceleration - a.acceleration).norm();
                da > options.acceleration_gap) {
       note(result, "discontinuous", {da, t, s.point[kDegree]});
+    } else if (const double dy = yaw_jump(s, next, 0); dy > options.yaw_gap) {
+      note(result, "discontinuous", {dy, t, s.point[kDegree]});
+    } else if (const double dr = yaw_jump(s, next, 1); dr > options.yaw_rate_gap) {
+      note(result, "discontinuous", {dr, t, s.point[kDegree]});
     } else if (gap > 0 && scene.hits(s.point[kDegree], next.point[0])) {
       note(result, "collision", {gap, t, s.point[kDegree]});
     } else {
@@ -435,7 +262,8 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
   check_joints(scene, trajectory, options, result);
   if (result.reason.empty()) check_place(scene, pieces, result);
   check_limits(trajectory, options, result);
-  measure_clearance(scene, pieces, result);
+  result.jumps = largest_jumps(trajectory);
+  result.clearance = least_clearance(scene, pieces);
   result.ok = result.reason.empty();
   return result;
 }
@@ -451,7 +279,7 @@ CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> 
   CheckResult result;
   std::vector<Piece> pieces;
   const auto leg = [](const Vec3& a, const Vec3& b, double index) {
-    return Piece{{a, a, a, a, b, b, b, b}, index, index + 1};
+    return Piece{{a, a, a, a, b, b, b, b}, index, index + 1};  // decided exactly
   };
   for (std::size_t i = 1; i < points.size(); ++i) {
     pieces.push_back(leg(points[i - 1], points[i], static_cast<double>(i - 1)));
@@ -462,7 +290,7 @@ CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> 
     return result;
   }
   check_place(scene, pieces, result);
-  measure_clearance(scene, pieces, result);
+  result.clearance = least_clearance(scene, pieces);
   result.ok = result.reason.empty();
   return result;
 }

@@ -8,25 +8,13 @@
 #include <limits>
 #include <optional>
 
+#include "bound_planes.h"
+
 namespace traj {
 namespace {
 
-constexpr double kLongest = 40;        // metres, of a middle piece
-constexpr double kNear = 8;            // metres, of the piece next to a corner
-constexpr double kLargestPull = 1e-3;  // metres
-
-// The six faces of the bounds as planes, pulled in like the others.
-std::vector<Separation> bound_planes(const CorridorPiece& piece, const geom::Aabb& inner) {
-  std::vector<Separation> planes;
-  for (int i = 0; i < 3; ++i) {
-    const double up = inner.max[i] - std::max(piece.from[i], piece.to[i]);
-    const double down = std::min(piece.from[i], piece.to[i]) - inner.min[i];
-    const auto pull = [](double gap) { return std::clamp(gap / 2, 0.0, kLargestPull); };
-    planes.push_back({{Vec3::Unit(i), inner.max[i] - pull(up)}, up});
-    planes.push_back({{-Vec3::Unit(i), -inner.min[i] - pull(down)}, down});
-  }
-  return planes;
-}
+constexpr double kLongest = 40;  // metres, of a middle piece
+constexpr double kNear = 8;      // metres, of the piece next to a corner
 
 geom::Aabb around(const CorridorPiece& piece, double reach) {
   const Vec3 pad = Vec3::Constant(reach);

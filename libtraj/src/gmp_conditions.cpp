@@ -13,23 +13,35 @@ Whole choose(std::size_t n, std::size_t k) {
   return out;
 }
 
-// A positive factor that makes the Bernstein coefficients of a product of two polynomials of degree
-// n whole.
-Whole common_factor(std::size_t n) {
+// A positive factor that makes the Bernstein coefficients of a product of that degree whole.
+Whole common_factor(std::size_t degree) {
   Whole out = 1;
-  for (std::size_t k = 0; k <= 2 * n; ++k) out = lcm(out, choose(2 * n, k));
+  for (std::size_t k = 0; k <= degree; ++k) out = lcm(out, choose(degree, k));
   return out;
 }
 
-// common_factor(n) times the square.
-Polynomial squared(const Polynomial& p) {
-  const std::size_t n = p.size() - 1;
-  const Whole factor = common_factor(n);
-  Polynomial out(2 * n + 1);
+// common_factor(the degree of the product) times the product.
+Polynomial product(const Polynomial& a, const Polynomial& b) {
+  const std::size_t n = a.size() - 1;
+  const std::size_t m = b.size() - 1;
+  const Whole factor = common_factor(n + m);
+  Polynomial out(n + m + 1);
   for (std::size_t i = 0; i <= n; ++i) {
-    for (std::size_t j = 0; j <= n; ++j) {
-      out[i + j] += choose(n, i) * choose(n, j) * p[i] * p[j] * (factor / choose(2 * n, i + j));
+    for (std::size_t j = 0; j <= m; ++j) {
+      out[i + j] += choose(n, i) * choose(m, j) * a[i] * b[j] * (factor / choose(n + m, i + j));
     }
+  }
+  return out;
+}
+
+Polynomial squared(const Polynomial& p) { return product(p, p); }
+
+// The sum of the squares.
+Polynomial squared_norm(std::span<const Polynomial> axes) {
+  Polynomial out = squared(axes[0]);
+  for (const Polynomial& axis : axes.subspan(1)) {
+    const Polynomial square = squared(axis);
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] += square[k];
   }
   return out;
 }
@@ -72,7 +84,7 @@ Polynomial norm_condition_whole(const Segment& s, int order, double limit,
                                 std::span<const int> axes) {
   const std::size_t n = static_cast<std::size_t>(kDegree - order);
   const Whole most = whole(limit) * power(whole(s.duration), order);
-  Polynomial q(2 * n + 1, common_factor(n) * most * most);
+  Polynomial q(2 * n + 1, common_factor(2 * n) * most * most);
   for (const int axis : axes) {
     const Polynomial square = squared(derivative(s, axis, order));
     for (std::size_t k = 0; k < q.size(); ++k) q[k] -= square[k] << (2 * order * kUnit);
@@ -145,6 +157,47 @@ Conditions thrust_condition(const Segment& s, double limit) {
   Polynomial q = norm_condition_whole(s, 2, limit, std::array{0, 1});
   const Polynomial square = squared(thrust_height(s));
   for (std::size_t k = 0; k < q.size(); ++k) q[k] -= square[k];
+  drop_zeros(q);
+  return {{q}};
+}
+
+Conditions body_rate_condition(const Segment& s, double limit) {
+  // In 2^-3222 and 2^-1074: f times duration^2, j times duration^3.
+  std::array<Polynomial, 3> f{derivative(s, 0, 2), derivative(s, 1, 2), thrust_height(s)};
+  for (int axis = 0; axis < 2; ++axis) {
+    for (Whole& c : f[axis]) c <<= 2 * kUnit;
+  }
+  const std::array<Polynomial, 3> j{derivative(s, 0, 3), derivative(s, 1, 3), derivative(s, 2, 3)};
+  std::array<Polynomial, 3> cross;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t k = (i + 1) % 3;
+    const std::size_t l = (i + 2) % 3;
+    cross[i] = product(f[k], j[l]);
+    const Polynomial other = product(f[l], j[k]);
+    for (std::size_t n = 0; n < other.size(); ++n) cross[i][n] -= other[n];
+  }
+  // (limit duration)^2 |f|^4 - |f x j|^2: of degree 20, the latter raised by two degrees.
+  Polynomial q = squared(squared_norm(f));
+  const Polynomial turn = product(squared_norm(cross), Polynomial(3, 1));
+  const Whole most = whole(limit) * whole(s.duration);
+  const Whole of_turn = most * most * common_factor(9) * common_factor(9) * common_factor(18);
+  const Whole of_norm = common_factor(10) * common_factor(10);
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    q[k] = q[k] * of_turn - ((turn[k] * of_norm) << (8 * kUnit));
+  }
+  drop_zeros(q);
+  return {{q}};
+}
+
+Conditions yaw_rate_condition(const Segment& s, double limit) {
+  Polynomial rate;
+  for (std::size_t i = 0; i < kDegree; ++i) {
+    rate.push_back(kDegree * (whole((*s.yaw)[i + 1]) - whole((*s.yaw)[i])));
+  }
+  const Whole most = whole(limit) * whole(s.duration);
+  Polynomial q(2 * kDegree - 1, common_factor(2 * (kDegree - 1)) * most * most);
+  const Polynomial square = squared(rate);
+  for (std::size_t k = 0; k < q.size(); ++k) q[k] -= square[k] << (2 * kUnit);
   drop_zeros(q);
   return {{q}};
 }

@@ -33,4 +33,10 @@ Conditions tilt_condition(const Segment& s, double limit);
 // limit^2 - |a + g|^2, times a positive number.
 Conditions thrust_condition(const Segment& s, double limit);
 
+// (limit |f|^2)^2 - |j x f|^2 with f = a + g and j the jerk, times a positive number.
+Conditions body_rate_condition(const Segment& s, double limit);
+
+// limit^2 - (yaw's derivative)^2, times a positive number. The segment has a yaw.
+Conditions yaw_rate_condition(const Segment& s, double limit);
+
 }  // namespace traj::exact

@@ -116,6 +116,14 @@ class Proof {
         (!limits.thrust || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
           return within(s, exact::thrust_condition(s, *limits.thrust), timing, "thrust",
                         proof.thrust);
+        })) &&
+        (!limits.body_rate || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+          return within(s, exact::body_rate_condition(s, *limits.body_rate), timing, "body_rate",
+                        proof.body_rate);
+        })) &&
+        (!limits.yaw_rate || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+          return !s.yaw || within(s, exact::yaw_rate_condition(s, *limits.yaw_rate), timing,
+                                  "yaw_rate", proof.yaw_rate);
         }));
     return result_;
   }
@@ -180,6 +188,9 @@ class Proof {
     for (const Segment& s : trajectory.segments) {
       bool sound = std::isfinite(s.duration) && s.duration > 0;
       for (const Vec3& p : s.point) sound = sound && p.allFinite();
+      if (s.yaw)
+        sound = sound && std::all_of(s.yaw->begin(), s.yaw->end(),
+                                     [](double y) { return std::isfinite(y); });
       if (!sound) return refuse("duration", t, Vec3::Zero());
       t += s.duration;
     }
@@ -204,7 +215,23 @@ class Proof {
       const mpq_class limit = mpq_class(most[order]) * mpq_class(1001, 1000);
       ok = ok && square <= limit * limit;
     }
+    ok = ok && yaw_joins(before, after);
     return ok || refuse("discontinuous", time, before.point[kDegree]);
+  }
+
+  static bool yaw_joins(const Segment& before, const Segment& after) {
+    if (!before.yaw || !after.yaw) return true;
+    const auto& a = *before.yaw;
+    const auto& b = *after.yaw;
+    const auto exact_step = [](double from, double to) -> mpq_class {
+      return mpq_class(to) - mpq_class(from);
+    };
+    const mpq_class rate_step =
+        kDegree * exact_step(b[0], b[1]) / mpq_class(after.duration) -
+        kDegree * exact_step(a[kDegree - 1], a[kDegree]) / mpq_class(before.duration);
+    const mpq_class more(1001, 1000);
+    return abs(exact_step(a[kDegree], b[0])) <= mpq_class(1e-9) * more &&
+           abs(rate_step) <= mpq_class(1e-6) * more;
   }
 
   // The boxes that may meet the bounding box of the points. In doubles, with room for rounding:

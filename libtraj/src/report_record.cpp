@@ -17,6 +17,15 @@ void append_extreme(std::string& out, std::string_view key, const Extreme& extre
   append_number(out, std::string(key) + "_time", extreme.time);
 }
 
+void append_jumps(std::string& out, const CheckResult& result) {
+  out += ",\"jumps\":[";
+  for (const double jump : result.jumps) {
+    geom::append_json(out, jump);
+    out += ',';
+  }
+  out.back() = ']';
+}
+
 void append_violation(std::string& out, const CheckResult& result, const geom::BoxMap& map) {
   out += ",\"reason\":";
   geom::append_json(out, std::string_view(result.reason));
@@ -32,7 +41,8 @@ std::size_t pieces(const ExactResult& exact) {
   for (const SegmentProof& proof : exact.segments) {
     for (const Cover* cover :
          {&proof.clear.pieces, &proof.bounds, &proof.speed, &proof.acceleration, &proof.jerk,
-          &proof.tilt, &proof.horizontal_speed, &proof.vertical_speed, &proof.thrust}) {
+          &proof.tilt, &proof.horizontal_speed, &proof.vertical_speed, &proof.thrust,
+          &proof.body_rate, &proof.yaw_rate}) {
       count += cover->size();
     }
     if (proof.gap) count += proof.gap->pieces.size();
@@ -93,10 +103,13 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
     append_extreme(line, "speed", result.speed);
     append_extreme(line, "acceleration", result.acceleration);
     append_extreme(line, "jerk", result.jerk);
-    if (record.limits.tilt) append_extreme(line, "tilt", result.tilt);
-    if (record.limits.vmax_h) append_extreme(line, "horizontal_speed", result.horizontal_speed);
-    if (record.limits.vmax_v) append_extreme(line, "vertical_speed", result.vertical_speed);
-    if (record.limits.thrust) append_extreme(line, "thrust", result.thrust);
+    append_extreme(line, "tilt", result.tilt);
+    append_extreme(line, "horizontal_speed", result.horizontal_speed);
+    append_extreme(line, "vertical_speed", result.vertical_speed);
+    append_extreme(line, "thrust", result.thrust);
+    append_extreme(line, "body_rate", result.body_rate);
+    append_extreme(line, "yaw_rate", result.yaw_rate);
+    append_jumps(line, result);
   }
   if (record.exact) append_exact(line, record, map);
   line += ',';

@@ -27,6 +27,7 @@ namespace {
 constexpr double kNearlyAsFast = 1.1;
 constexpr double kReach = 10;  // metres: obstacles further off get a plane only when met
 constexpr int kRounds = 5;
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 constexpr const char* kNotRun = "was not run";
 
 // About the least time along the path, corners left out: a trapezoid of the mean of the speeds
@@ -69,12 +70,13 @@ void accept(const Trajectory& trajectory, const std::string& rung, SolveResult& 
 
 // Optimises until the result is proved, adding planes for what it ran into. The start is the same
 // each round: from the last result it would stay beside the obstacle it had just hit.
-std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
-                                    const SolveOptions& options, SolveResult& result) {
-  Corridor corridor = pieces_between(joints(path));
+std::optional<Trajectory> optimised_in(Corridor corridor, const geom::CollisionScene& scene,
+                                       const SolveOptions& options, SolveResult& result) {
   if (corridor.empty()) return std::nullopt;
-  add_planes(scene, kReach, corridor);
-  for (result.rounds = 1;; ++result.rounds) {
+  const int most = result.rounds + kRounds;
+  while (true) {
+    ++result.rounds;
+    result.corridor = corridor;
     const OptimizeResult round =
         optimize(corridor, {options.limits, options.rho, options.max_iterations});
     result.solver_status = round.status;
@@ -84,10 +86,31 @@ std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geo
     const Trajectory curve =
         slowed(round.trajectory, smallest_factor(round.trajectory, options.limits));
     if (proved(scene, curve, options.limits, result)) return curve;
-    if (result.rounds == kRounds || add_planes_met(scene, curve, corridor) == 0) {
+    if (result.rounds == most || add_planes_met(scene, curve, corridor) == 0) {
       return std::nullopt;
     }
   }
+}
+
+Corridor corridor_of(CorridorKind kind, const geom::CollisionScene& scene,
+                     const geom::Polyline& path) {
+  if (kind == CorridorKind::boxes) return box_corridor(scene, path, kReach);
+  Corridor corridor = pieces_between(joints(path));
+  add_planes(scene, kReach, corridor);
+  return corridor;
+}
+
+// In the corridor asked for, else in one of the other kind, which may leave more room. Cut off by
+// the iterations, a result may be proved and yet take longer than `most` seconds.
+std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
+                                    const SolveOptions& options, double most, SolveResult& result) {
+  const bool boxes = options.corridor == CorridorKind::boxes;
+  const auto other = boxes ? CorridorKind::planes : CorridorKind::boxes;
+  for (const CorridorKind kind : {options.corridor, other}) {
+    auto curve = optimised_in(corridor_of(kind, scene, path), scene, options, result);
+    if (curve && duration(*curve) <= most) return curve;
+  }
+  return std::nullopt;
 }
 
 // The first rung that is proved, from what is left. The waypoints hold nowhere.
@@ -118,11 +141,9 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
     return;
   }
   if (all || options.solver == Solver::ipopt) {
-    const auto curve = optimised(scene, path, options, result);
-    // Cut off by the iterations, it may be proved and yet slower than what is left.
-    const bool quick =
-        !all || !curve || duration(*curve) <= duration(stop_and_go(path, options.limits));
-    if (curve && quick) return accept(*curve, "ipopt", result);
+    const double most = all ? duration(stop_and_go(path, options.limits)) : kNoEnd;
+    const auto curve = optimised(scene, path, options, most, result);
+    if (curve) return accept(*curve, "ipopt", result);
   }
   if (all || options.solver == Solver::stop_and_go) {
     const Trajectory curve = stop_and_go(path, options.limits);
@@ -144,6 +165,7 @@ void append(const SolveResult& part, SolveResult& whole) {
   whole.objective = std::max(whole.objective, part.objective);
   whole.max_violation = std::max(whole.max_violation, part.max_violation);
   if (whole.rung.empty() || rank(part.rung) > rank(whole.rung)) whole.rung = part.rung;
+  whole.corridor.insert(whole.corridor.end(), part.corridor.begin(), part.corridor.end());
   auto& segments = whole.trajectory.segments;
   segments.insert(segments.end(), part.trajectory.segments.begin(), part.trajectory.segments.end());
 }

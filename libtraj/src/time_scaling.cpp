@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "check_limits.h"
 #include "portable_math.h"
 #include "traj/bernstein.h"
 
@@ -46,6 +47,21 @@ double upper_peak(const Trajectory& trajectory, const Points& points, const Valu
   Peak peak;
   for (const Segment& s : trajectory.segments) raise(peak, points(s), value, 0);
   return peak.above;
+}
+
+// A factor of at least `factor` at which the thrust turns no faster. The rate falls with the cube
+// of the factor once gravity outweighs the accelerations, not always before.
+double held_turn_rate(const Trajectory& trajectory, double factor, double most) {
+  for (int i = 0; i < 60; ++i) {
+    CheckOptions options;
+    options.limits.body_rate = most * (1 - kSlack);
+    CheckResult result;
+    check_limits(slowed(trajectory, factor), options, result);
+    if (result.reason.empty()) break;
+    const double over = result.body_rate.value / most;
+    factor *= std::isfinite(over) ? std::clamp(cube_root(over), 1 + 1e-6, 2.0) : 2;
+  }
+  return factor;
 }
 
 double norm(const Vec3& p) { return std::sqrt(p.squaredNorm()); }
@@ -96,7 +112,9 @@ double smallest_factor(const Trajectory& trajectory, const Limits& limits) {
     const double peak = upper_peak(trajectory, acceleration_points, lean);
     factor = std::max(factor, std::sqrt(peak / (tangent * kGravity)));
   }
-  return factor > 0 ? factor * (1 + kSlack) : 1;
+  factor = factor > 0 ? factor * (1 + kSlack) : 1;
+  if (limits.body_rate) factor = held_turn_rate(trajectory, factor, *limits.body_rate);
+  return factor;
 }
 
 }  // namespace traj

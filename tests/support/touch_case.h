@@ -17,11 +17,14 @@ struct TouchCase {
   double margin = 0;
   traj::Trajectory trajectory;
   geom::Aabb box;
+  std::vector<geom::Aabb> others;  // clear of the curve, see add_others
 
   geom::BoxMap map() const {
     geom::BoxMapSpec spec;
     spec.bounds = {geom::Vec3::Constant(-512), geom::Vec3::Constant(512)};
-    return geom::BoxMap(spec, table_of({box}));
+    std::vector<geom::Aabb> boxes = others;
+    boxes.push_back(box);
+    return geom::BoxMap(spec, table_of(boxes));
   }
   geom::Vehicle vehicle() const { return {"box", half}; }
   geom::CollisionScene scene() const { return {map(), vehicle(), margin}; }
@@ -120,6 +123,21 @@ inline TouchCase past_edge(Random& random, double gap) {
   c.box.min = {middle.x() + gap + grown.x(), middle.y() + gap + grown.y(), middle.z() - 20};
   c.box.max = c.box.min + geom::Vec3(30, 30, 40);
   return c;
+}
+
+// Up to 19 more boxes around the curve whose grown forms miss the box of its control points by at
+// least 2^-9 m.
+inline void add_others(Random& random, TouchCase& c) {
+  const geom::Aabb hull = *geom::bounds(c.trajectory.segments[0].point);
+  const geom::Vec3 reach = c.half.array() + (c.margin + 0x1p-9);
+  for (int i = random.below(20); i > 0; --i) {
+    geom::Aabb box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.min[axis] = random.stepped(hull.min[axis] - 20, hull.max[axis] + 10, 0.125);
+      box.max[axis] = box.min[axis] + random.stepped(0, 10, 0.125);
+    }
+    if (!geom::overlap({box.min - reach, box.max + reach}, hull)) c.others.push_back(box);
+  }
 }
 
 }  // namespace support

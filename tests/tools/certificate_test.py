@@ -53,7 +53,7 @@ def tampered(record, certificate, boxes, bounds):
     segments = certificate["segments"]
     for i, proof in enumerate(segments):
         for key in ("clear", "bounds", "speed", "acceleration", "jerk", "tilt", "horizontal_speed", "vertical_speed",
-                    "thrust"):
+                    "thrust", "body_rate", "yaw_rate"):
             if key in proof:
                 yield (f"a piece of {key} missing", record,
                        changed(certificate, lambda c: c["segments"][i][key].pop()), boxes, bounds)
@@ -101,12 +101,14 @@ with tempfile.TemporaryDirectory() as folder:
     paths = tool("skyway-plan", box_map, "--vehicle", "box:1,0.7,0.4", "--margin", "0.1", "--snap-ends", "20",
                  "--queries", "-", text=queries)
     closed = tool("skyway-traj", box_map, "--vmax", "8", "--amax", "6", text=paths)
+    looking = tool("skyway-traj", box_map, "--vmax", "8", "--amax", "6", "--yaw", "along", text=paths)
     straight = tool("skyway-traj", box_map, "--vmax", "8", "--amax", "6", "--solver", "stop-and-go", text=paths)
-    limited = [{**r, "id": "limited " + r["id"], "limits": {**r["limits"], "jmax": 1000, "tilt": 1.2, "vmax_h": 8, "vmax_v": 2, "thrust": 12}}
+    limited = [{**r, "id": "limited " + r["id"], "limits": {**r["limits"], "jmax": 1000, "tilt": 1.2, "vmax_h": 8, "vmax_v": 2, "thrust": 12, "body_rate": 9}}
                for r in objects(closed)]
+    yawing = [{**r, "id": "yaw " + r["id"]} for r in objects(looking)]
     apart = [{**shifted(r), "id": "apart " + r["id"]} for r in objects(straight)]
     batches = {"paths": objects(paths), "closed": objects(closed), "straight": objects(straight),
-               "limited": limited, "apart": apart}
+               "limited": limited, "yawing": yawing, "apart": apart}
 
     def script(records):
         """What the script itself says of these records, by its exit code."""

@@ -71,6 +71,20 @@ def square(p):
     return out
 
 
+def product(p, q):
+    """Bernstein coefficients of the product of two polynomials."""
+    n, m = len(p) - 1, len(q) - 1
+    out = [F(0)] * (n + m + 1)
+    for i in range(n + 1):
+        for j in range(m + 1):
+            out[i + j] += F(math.comb(n, i) * math.comb(m, j), math.comb(n + m, i + j)) * p[i] * q[j]
+    return out
+
+
+def column(points, axis):
+    return [p[axis] for p in points]
+
+
 def require_not_negative(polynomial, cover, what):
     for piece in pieces([[c] for c in polynomial], cover):
         require(all(c >= 0 for (c,) in piece), f"{what} is not shown on a piece")
@@ -160,7 +174,37 @@ class Verifier:
         most = (F(self.limits["thrust"]) * duration**2) ** 2
         require_not_negative([most - c for c in square(thrust)], proof.get("thrust"), "thrust")
 
+    def body_rate(self, points, duration, proof):
+        if "body_rate" not in self.limits:
+            return
+        force = [[x, y, z + F(9.80665) * duration**2] for x, y, z in derivative(points, 2)]
+        jerk = derivative(points, 3)
+        turn = [[a - b for a, b in zip(product(column(force, k), column(jerk, m)),
+                                       product(column(force, m), column(jerk, k)))]
+                for k, m in ((1, 2), (2, 0), (0, 1))]
+        turned = product(square([list(p) for p in zip(*turn)]), [F(1)] * 3)
+        most = (F(self.limits["body_rate"]) * duration) ** 2
+        of_force = square(force)
+        require_not_negative([most * a - b for a, b in zip(product(of_force, of_force), turned)],
+                             proof.get("body_rate"), "body_rate")
+
+    def yaw_rate(self, yaw, duration, proof):
+        if "yaw_rate" not in self.limits or yaw is None:
+            return
+        most = (F(self.limits["yaw_rate"]) * duration) ** 2
+        require_not_negative([most - c for c in square(derivative([[y] for y in yaw], 1))],
+                             proof.get("yaw_rate"), "yaw_rate")
+
+    def yaw_joint(self, before, after):
+        if before[2] is None or after[2] is None:
+            return
+        for order, most in enumerate([1e-9, 1e-6]):
+            end = derivative([[y] for y in before[2]], order)[-1][0] / before[0]**order
+            begin = derivative([[y] for y in after[2]], order)[0][0] / after[0]**order
+            require(abs(begin - end) <= F(most) * F(1001, 1000), "the yaw of two segments does not join")
+
     def joint(self, before, after, proof):
+        self.yaw_joint(before, after)
         for order, most in enumerate([1e-9, 1e-6, 1e-4]):
             end = derivative(before[1], order)[-1]
             begin = derivative(after[1], order)[0]
@@ -171,10 +215,10 @@ class Verifier:
             self.clear([before[1][-1], after[1][0]], proof["gap"])
 
     def trajectory(self, record, proofs):
-        segments = [(F(s["duration"]), [[F(c) for c in p] for p in zip(s["x"], s["y"], s["z"])])
-                    for s in record["segments"]]
+        segments = [(F(s["duration"]), [[F(c) for c in p] for p in zip(s["x"], s["y"], s["z"])],
+                     [F(y) for y in s["yaw"]] if "yaw" in s else None) for s in record["segments"]]
         require(segments and len(proofs) == len(segments), "a segment has no proof")
-        for (duration, points), proof in zip(segments, proofs):
+        for (duration, points, yaw), proof in zip(segments, proofs):
             require(duration > 0 and len(points) == 8, "a segment is not a trajectory's")
             self.clear(points, proof)
             self.inside(points, proof)
@@ -185,6 +229,8 @@ class Verifier:
             self.norm(points, duration, 1, "vmax_h", "horizontal_speed", proof, axes=(0, 1))
             self.norm(points, duration, 1, "vmax_v", "vertical_speed", proof, axes=(2,))
             self.thrust(points, duration, proof)
+            self.body_rate(points, duration, proof)
+            self.yaw_rate(yaw, duration, proof)
         for before, after, proof in zip(segments, segments[1:], proofs):
             self.joint(before, after, proof)
 
@@ -201,7 +247,7 @@ def verify(record, certificate, boxes, bounds):
     """Raises Refused; else says what has been shown. What the record does not say is the certificate's."""
     said = {**certificate, **record}
     limits = {**certificate.get("limits", {}), **record.get("limits", {})}
-    unknown = set(limits) - {"vmax", "vmax_h", "vmax_v", "amax", "jmax", "tilt", "thrust"}
+    unknown = set(limits) - {"vmax", "vmax_h", "vmax_v", "amax", "jmax", "tilt", "thrust", "body_rate", "yaw_rate"}
     require(not unknown, f"unknown limits: {unknown}")
     verifier = Verifier(boxes, bounds, said["vehicle"]["half"], said.get("margin", 0), limits)
     kind = record.get("type", "trajectory")

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "geom/error.h"
+#include "scenes.h"
 #include "support/random_city.h"
+#include "traj/clearance.h"
 #include "traj/io/trajectory_record.h"
 #include "traj/solve.h"
 #include "traj/stop_and_go.h"
@@ -91,6 +95,80 @@ TEST(Check, HoldsEachLimitApart) {
             "vertical_speed");
   EXPECT_EQ(check(scene, climb, {.thrust = up.thrust.value * 0.999}).reason, "thrust");
   EXPECT_EQ(check(scene, climb, {.thrust = up.thrust.value * 1.001}).reason, "");
+  EXPECT_EQ(with({.body_rate = free.body_rate.value * 0.999}), "body_rate");
+  EXPECT_EQ(with({.body_rate = free.body_rate.value * 1.001}), "");
+  Trajectory turning = t;
+  turning.segments[0].yaw = {0, 0, 0, 0, 1, 1, 1, 1};
+  turning.segments[1].yaw = {1, 1, 1, 1, 0, 0, 0, 0};
+  EXPECT_NEAR(check(scene, turning, {.yaw_rate = 0.55}).yaw_rate.value, 35.0 / 16 / 4, 1e-4);
+  EXPECT_EQ(check(scene, turning, {.yaw_rate = 0.55}).reason, "");
+  EXPECT_EQ(check(scene, turning, {.yaw_rate = 0.54}).reason, "yaw_rate");
+  turning.segments[1].yaw->front() = 1.1;
+  EXPECT_EQ(check(scene, turning, Limits{}).reason, "discontinuous");
+}
+
+// Each extreme against the largest of many instants, which it is never below.
+TEST(Check, MeasuresTheLargestThrustTiltAndBodyRate) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    const Trajectory t = testing::random_trajectory(seed);
+    const CheckResult result = check(scene, t, Limits{});
+    double thrust = 0;
+    double tilt = 0;
+    double rate = 0;
+    for (int i = 0; i <= 20000; ++i) {
+      const State s = evaluate(t, duration(t) * i / 20000);
+      const Vec3 f = s.acceleration + kGravity * Vec3::UnitZ();
+      thrust = std::max(thrust, f.norm());
+      tilt = std::max(tilt, std::atan2(f.head<2>().norm(), f.z()));
+      rate = std::max(rate, f.cross(s.jerk).norm() / f.squaredNorm());
+    }
+    EXPECT_LE(thrust, result.thrust.value * (1 + 1e-4) + 1e-9) << seed;
+    EXPECT_NEAR(result.thrust.value, thrust, 2e-3 * thrust) << seed;
+    EXPECT_LE(tilt, result.tilt.value * (1 + 1e-4) + 1e-9) << seed;
+    EXPECT_NEAR(result.tilt.value, tilt, 1e-2) << seed;
+    EXPECT_LE(rate, result.body_rate.value * (1 + 1e-4) + 1e-8) << seed;
+    EXPECT_NEAR(result.body_rate.value, rate, 0.05 * rate) << seed;
+  }
+}
+
+TEST(ClearanceProfile, HasTheLeastOfEachPart) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({0, 4, 0}), 4),
+                            hermite(rest({0, 4, 0}), rest({10, 4, 0}), 4)}};
+  const auto profile = clearance_profile(scene, line, 0.3);
+  ASSERT_EQ(profile.size(), 28u);
+  EXPECT_EQ(profile.front().begin, 0);
+  EXPECT_EQ(profile.back().end, 8);
+  double least = 1e9;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const auto& span = profile[i];
+    if (i) {
+      EXPECT_EQ(span.begin, profile[i - 1].end);
+    }
+    EXPECT_LE(span.end - span.begin, 0.3);
+    double sampled = 1e9;
+    for (int k = 0; k <= 100; ++k) {
+      const double t = span.begin + (span.end - span.begin) * k / 100;
+      sampled = std::min(sampled, scene.nearest(evaluate(line, t).position, 100)->distance);
+    }
+    EXPECT_LE(span.clearance, sampled + 1e-3);
+    EXPECT_NEAR(span.clearance, sampled, 0.02);
+    least = std::min(least, span.clearance);
+  }
+  EXPECT_NEAR(least, 2.5, 1e-3);
+}
+
+TEST(ClearanceProfile, RunsAlongAPath) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const std::vector<Vec3> path = {{-10, 4, 0}, {0, 4, 0}, {0, 4, 0}, {0, 8, 0}};
+  const auto profile = clearance_profile(scene, path, 5);
+  ASSERT_EQ(profile.size(), 4u);
+  EXPECT_NEAR(profile[0].clearance, std::hypot(3.5, 2.5), 1e-3);
+  EXPECT_NEAR(profile[1].clearance, 2.5, 1e-3);
+  EXPECT_EQ(profile[3].begin, 10);
+  EXPECT_EQ(profile[3].end, 14);
+  EXPECT_NEAR(profile[3].clearance, 2.5, 1e-3);
 }
 
 // The known touch: a point of the curve is put on a face of a grown box, or up to 1 cm inside.

@@ -162,5 +162,66 @@ TEST(AddPlanesMet, AddsWhatTheCurveRunsIntoOnce) {
   EXPECT_EQ(add_planes_met(scene, {{wide}}, corridor), 0u);
 }
 
+// The box that six planes say; every obstacle must be off its interior.
+geom::Aabb box_of(const CorridorPiece& piece) {
+  geom::Aabb box;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(piece.planes[2 * i].normal, Vec3::Unit(i));
+    EXPECT_EQ(piece.planes[2 * i + 1].normal, -Vec3::Unit(i));
+    box.max[i] = piece.planes[2 * i].offset;
+    box.min[i] = -piece.planes[2 * i + 1].offset;
+  }
+  return box;
+}
+
+TEST(BoxCorridor, LeadsThroughEmptyBoxesFromStartToGoal) {
+  testing::Random random(4);
+  std::vector<geom::Aabb> boxes;
+  for (int i = 0; i < 150; ++i) {
+    const Vec3 p = random.vector(60) + Vec3(0, 0, 60);
+    boxes.push_back({p, p + Vec3(random.number(0, 8), random.number(0, 8), random.number(0, 30))});
+  }
+  const geom::CollisionScene scene =
+      testing::scene_of(boxes, {Vec3(-90, -90, 0), Vec3(90, 90, 150)});
+  int paths = 0;
+  std::size_t pieces = 0;
+  while (paths < 60) {
+    geom::Polyline path;
+    for (int i = 0; i < 4; ++i) path.push_back(random.vector(50) + Vec3(0, 0, 60));
+    bool free = true;
+    for (int i = 1; i < 4; ++i) free = free && scene.free(path[i - 1], path[i]);
+    if (!free) continue;
+    ++paths;
+    const Corridor corridor = box_corridor(scene, path, 10);
+    ASSERT_FALSE(corridor.empty());
+    EXPECT_EQ(corridor.front().from, path.front());
+    EXPECT_EQ(corridor.back().to, path.back());
+    for (std::size_t i = 0; i < corridor.size(); ++i) {
+      const CorridorPiece& piece = corridor[i];
+      if (i) {
+        EXPECT_EQ(piece.from, corridor[i - 1].to);
+      }
+      ASSERT_EQ(piece.planes.size(), 6u);
+      const geom::Aabb box = box_of(piece);
+      EXPECT_TRUE(geom::contains(box, piece.from)) << paths << ' ' << i;
+      EXPECT_TRUE(geom::contains(box, piece.to)) << paths << ' ' << i;
+      EXPECT_TRUE(scene.inside_bounds(box.min) && scene.inside_bounds(box.max));
+      for (std::size_t b = 0; b < boxes.size(); ++b) {
+        const geom::Aabb grown = scene.grown(b);
+        const Vec3 shared = grown.max.cwiseMin(box.max) - grown.min.cwiseMax(box.min);
+        EXPECT_LE(shared.minCoeff(), 0) << paths << ' ' << i << " box " << b;
+      }
+    }
+    pieces += corridor.size();
+  }
+  EXPECT_LT(pieces, 60u * 40);
+}
+
+TEST(BoxCorridor, IsEmptyForOnePlace) {
+  const geom::CollisionScene scene = testing::scene_of({}, {Vec3::Zero(), Vec3(100, 100, 50)});
+  EXPECT_TRUE(box_corridor(scene, {Vec3(1, 1, 1)}, 10).empty());
+  EXPECT_EQ(box_corridor(scene, {Vec3(1, 1, 1), Vec3(1, 1, 1), Vec3(9, 1, 1)}, 10).size(), 3u);
+}
+
 }  // namespace
 }  // namespace traj

@@ -118,7 +118,8 @@ TEST(ExactCheck, AcceptsWhatTheFastCheckAccepts) {
                         .tilt = 0.3 + random.uniform(0, 1),
                         .vmax_h = near(loose.speed),
                         .vmax_v = 1 + random.uniform(0, 9),
-                        .thrust = 10 + random.uniform(0, 30)};
+                        .thrust = 10 + random.uniform(0, 30),
+                        .body_rate = near(loose.body_rate)};
     const CheckResult fast = check(scene, t, limits);
     const ExactResult result = exactly(scene, t, limits);
     EXPECT_GE(result.ok, fast.ok) << "case " << i << ": " << result.reason;

@@ -38,6 +38,33 @@ TEST(Solve, EveryRungIsProved) {
   }
 }
 
+TEST(Solve, EmptyBoxesLeadAroundTheBlockToo) {
+  SolveOptions options;
+  options.limits = kLimits;
+  options.solver = Solver::ipopt;
+  options.corridor = CorridorKind::boxes;
+  const SolveResult result = solve(block(), kAround, options);
+  ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+  EXPECT_TRUE(check(block(), result.trajectory, kLimits).ok);
+  ASSERT_EQ(result.corridor.size(), result.trajectory.segments.size());
+  for (const CorridorPiece& piece : result.corridor) EXPECT_EQ(piece.planes.size(), 6u);
+  const double planes = duration(solved(block(), kAround, Solver::ipopt).trajectory);
+  EXPECT_LT(duration(result.trajectory), 1.1 * planes);
+}
+
+// One iteration is enough for neither to beat what is left.
+TEST(Solve, TriesBothCorridorsBeforeItGivesUp) {
+  SolveOptions options;
+  options.limits = kLimits;
+  options.max_iterations = 1;
+  const SolveResult result = solve(block(), kAround, options);
+  EXPECT_EQ(result.status, SolveStatus::solved);
+  EXPECT_NE(result.rung, "ipopt");
+  EXPECT_EQ(result.solver_status, "iteration limit");
+  EXPECT_GE(result.rounds, 2);
+  EXPECT_EQ(result.corridor.front().planes.size(), 6u);  // of the last
+}
+
 TEST(Solve, OptimisedIsMuchFasterThanStopAndGo) {
   const geom::CollisionScene scene = block();
   const double optimised = duration(solved(scene, kAround, Solver::ipopt).trajectory);

@@ -42,6 +42,18 @@ TEST(SmallestFactor, MakesEachLimitJustHold) {
   }
 }
 
+TEST(SmallestFactor, HoldsTheRateAtWhichTheThrustTurns) {
+  const geom::CollisionScene empty =
+      testing::scene_of({}, {Vec3::Constant(-1e4), Vec3::Constant(1e4)});
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Trajectory t = random_trajectory(seed);
+    const Limits limits{.vmax = 5, .body_rate = 0.5};
+    const double factor = smallest_factor(t, limits);
+    EXPECT_GE(factor, smallest_factor(t, {.vmax = 5}));
+    EXPECT_TRUE(check(empty, slowed(t, factor), limits).ok) << seed;
+  }
+}
+
 TEST(SmallestFactor, SpeedsUpWhatIsTooSlow) {
   const Trajectory slow = slowed(random_trajectory(3), 100);
   EXPECT_LT(smallest_factor(slow, {5, 3, {}, {}}), 0.5);

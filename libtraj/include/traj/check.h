@@ -2,6 +2,7 @@
 
 // The proof: whether a whole trajectory is free of collision and inside its limits.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,7 +20,9 @@ struct CheckOptions {
   double position_gap = 1e-9;      // metres
   double velocity_gap = 1e-6;      // m/s
   double acceleration_gap = 1e-4;  // m/s2
-  double limit_slack = 0;          // relative, on speed, acceleration, jerk and tilt
+  double yaw_gap = 1e-9;           // radians
+  double yaw_rate_gap = 1e-6;      // rad/s
+  double limit_slack = 0;          // relative, on every limit
 };
 
 struct Extreme {
@@ -31,7 +34,7 @@ struct CheckResult {
   bool ok = false;
   // "" when ok, else the first of these that holds: "duration" (empty, or a duration that is not
   // finite and positive), "discontinuous", "bounds", "collision", "speed", "acceleration",
-  // "jerk", "tilt", "horizontal_speed", "vertical_speed", "thrust".
+  // "jerk", "tilt", "horizontal_speed", "vertical_speed", "thrust", "body_rate", "yaw_rate".
   std::string reason;
   double time = 0;                 // of the worst violation, seconds
   Vec3 place = Vec3::Zero();       // where that is, metres
@@ -45,9 +48,12 @@ struct CheckResult {
   Extreme acceleration;
   Extreme jerk;
   Extreme tilt;
-  Extreme horizontal_speed;  // these three and the tilt only where they are limited
+  Extreme horizontal_speed;
   Extreme vertical_speed;
   Extreme thrust;
+  Extreme body_rate;              // rad/s
+  Extreme yaw_rate;               // rad/s; 0 without yaw
+  std::array<double, 7> jumps{};  // at joints, see continuity.h
 };
 
 // Decides by control points: a piece whose control points' box meets no grown obstacle is clear

@@ -44,4 +44,10 @@ void add_planes(const geom::CollisionScene& scene, double reach, Corridor& corri
 std::size_t add_planes_met(const geom::CollisionScene& scene, const Trajectory& trajectory,
                            Corridor& corridor);
 
+// Overlapping boxes of free space along the path instead, each the largest around a part of the
+// path within `reach` of it (geom::empty_box), and of the chain only those that are needed: pieces
+// between points that neighbouring boxes share (in general off the path), their planes the six
+// faces of the box they are in. Empty for a path of one place, and where rounding leaves no room.
+Corridor box_corridor(const geom::CollisionScene& scene, const geom::Polyline& path, double reach);
+
 }  // namespace traj

@@ -49,8 +49,8 @@ struct ClearCover {
 };
 
 // Covers of one segment or leg. On each piece the Bernstein coefficients of the limit squared less
-// the norm squared are >= 0 (tilt: those of the cone; thrust: of a + g); empty where there is no
-// limit.
+// the norm squared are >= 0 (tilt: those of the cone; thrust: of a + g; body_rate: of
+// docs/certificates.md); empty where there is no limit.
 struct SegmentProof {
   ClearCover clear;
   Cover bounds;  // the control points are inside
@@ -61,6 +61,8 @@ struct SegmentProof {
   Cover horizontal_speed;
   Cover vertical_speed;
   Cover thrust;
+  Cover body_rate;
+  Cover yaw_rate;
   std::optional<ClearCover> gap;  // the straight step to the next segment, where there is one
 };
 

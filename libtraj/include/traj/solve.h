@@ -9,6 +9,7 @@
 #include "geom/collision.h"
 #include "geom/polyline.h"
 #include "traj/closed_form.h"
+#include "traj/corridor.h"
 #include "traj/limits.h"
 #include "traj/min_snap.h"
 #include "traj/trajectory.h"
@@ -17,15 +18,19 @@ namespace traj {
 
 // automatic: the closed form where it is proved and nearly as fast as the limits allow, else the
 // optimiser where that is proved and no slower than stop-and-go, else whichever of closed form and
-// stop-and-go is proved and faster. The others try
-// that one alone.
+// stop-and-go is proved and faster. The others try that one alone.
 enum class Solver { automatic, closed, ipopt, stop_and_go };
+
+// What keeps the optimiser off the obstacles first: a plane for each near a piece, or the faces of
+// empty boxes along the path. Where one ends in no proof, the other is tried.
+enum class CorridorKind { planes, boxes };
 
 struct SolveOptions {
   Limits limits;
   Solver solver = Solver::automatic;
-  double rho = 1e-3;           // seconds of flight a unit of snap (m2/s7) is worth
-  int max_iterations = 200;    // of the optimiser, each round
+  double rho = 1e-3;         // seconds of flight a unit of snap (m2/s7) is worth
+  int max_iterations = 200;  // of the optimiser, each round
+  CorridorKind corridor = CorridorKind::planes;
   std::optional<Times> times;  // of the closed form, which automatic then takes wherever it is
                                // proved; absent: stops
 };
@@ -42,6 +47,7 @@ struct SolveResult {
   int rounds = 0;             // of the optimiser
   double objective = 0;       // of its last round
   double max_violation = 0;   // the largest constraint violation of its last round
+  Corridor corridor;          // of its last round; empty when it was not run
   double snap = 0;            // integral of |fourth derivative|^2 of the result, m2/s7
 };
 
