@@ -29,7 +29,7 @@ constexpr std::array<std::pair<const char*, const char*>, 17> kVerbs = {{
     {"export", "write drone files"},
     {"bench", "compare planners, each path proved"},
     {"render", "draw what the vehicle sees, and pictures of maps"},
-    {"plot", "draw a plan view or a motion profile as SVG"},
+    {"plot", "draw maps, motion and benchmarks as SVG"},
     {"info", "say what is in a file"},
 }};
 

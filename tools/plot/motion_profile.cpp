@@ -77,6 +77,13 @@ std::string motion_profile(const traj::TrajectoryRecord& record) {
       {"jerk, m/s\u00b3", {of(jerk, "", 0)}, level("jmax", limits.jmax)},
       {"thrust/mass, m/s\u00b2", {of(thrust, "", 0)}, level("thrust", limits.thrust), {}, false},
       {"tilt, \u00b0", {of(tilt, "", 0)}, level("tilt", limits.tilt, kDegrees)}};
+  if (limits.body_rate) {
+    const auto rate = [](const traj::State& state) {
+      return traj::flat_state(state, {}).body_rate.head<2>().norm();
+    };
+    figure.panels.push_back(
+        {"body rate, rad/s", {of(rate, "", 0)}, level("body_rate", limits.body_rate)});
+  }
   double t = 0;
   for (const traj::Segment& s : record.trajectory.segments) {
     figure.joints.push_back(std::min(t += s.duration, traj::duration(record.trajectory)));
