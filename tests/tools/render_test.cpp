@@ -108,6 +108,8 @@ Comparison compare(const geom::BoxMap& map, std::uint64_t seed, std::size_t pixe
       out.wrong += !edge;
     }
   }
+  testing::Test::RecordProperty("pixels_on_boxes", static_cast<int>(out.on_boxes));
+  testing::Test::RecordProperty("pixels_at_edges", static_cast<int>(out.at_edges));
   return out;
 }
 
