@@ -9,6 +9,7 @@
 #include <set>
 
 #include "geom/error.h"
+#include "geom/io/csv_field.h"
 #include "geom/io/record.h"
 #include "geom/io/text_table.h"
 
@@ -45,7 +46,7 @@ constexpr std::array<std::string_view, 27> kColumns = {"id",
 
 std::string header() { return fmt::format("{}", fmt::join(kColumns, ",")); }
 
-// An id as a field of CSV (RFC 4180, section 2).
+// An id as a field that comes back.
 std::string field(const std::string& id) {
   const auto at_end = [](char c) { return c == ' ' || c == '\t'; };
   if (id.find_first_of("\r\n") != std::string::npos || id.starts_with("\xef\xbb\xbf") ||
@@ -55,10 +56,7 @@ std::string field(const std::string& id) {
         fmt::format("an id must have no line break and no white space at its ends, found \"{}\"",
                     id));
   }
-  if (id.find_first_of(",\"") == std::string::npos) return id;
-  std::string out = "\"";
-  for (const char c : id) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
+  return geom::csv_field(id);
 }
 
 void append_row(std::string& text, const std::string& id, const FlightSample& s) {

@@ -3,6 +3,7 @@
 set -euo pipefail
 export PATH="$1:$PATH"
 table=$2
+vehicle=$(dirname "$table")/vehicles/quad2kg.json
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -18,8 +19,10 @@ for threads in 1 2 7; do
   skyway-traj map paths.$threads --vmax 8 --amax 6 --solver stop-and-go -o trajectories.$threads || [ $? -eq 1 ]
   skyway-render -q map trajectories.$threads --rate 0.2 --shadows --threads $threads -o video.$threads.y4m
   skyway-check map trajectories.$threads -o reports.$threads || [ $? -eq 1 ]
+  skyway-fly trajectories.$threads --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1 \
+    --runs 9 --log-rate 10 --threads $threads -o log.$threads --report flights.$threads || [ $? -eq 1 ]
 done
-for kind in lattice paths replanned trajectories reports; do
+for kind in lattice paths replanned trajectories reports log flights; do
   cmp $kind.1 $kind.2
   cmp $kind.1 $kind.7
 done

@@ -79,6 +79,22 @@ TEST(Yaw, LooksAtAPointAndStaysWhereItIsOverIt) {
   EXPECT_NEAR(wrapped(yaw_at_end(t.segments[5]) - std::atan2(look.y(), look.x())), 0, 1e-9);
 }
 
+TEST(Yaw, TurnsBetweenLegsThatEndAtRest) {
+  const std::vector<State> rests = {
+      {Vec3(0, 0, 0)}, {Vec3(10, 0, 0)}, {Vec3(10, 10, 0)}, {Vec3(10, 10, 5)}, {Vec3(0, 10, 5)}};
+  Trajectory t;
+  for (std::size_t i = 1; i < rests.size(); ++i) {
+    t.segments.push_back(hermite(rests[i - 1], rests[i], 10));
+  }
+  add_yaw({}, t);
+  const double quarter = 1.5707963267948966;
+  EXPECT_NEAR(t.segments[0].yaw->front(), 0, 1e-12);
+  EXPECT_NEAR(t.segments[1].yaw->front(), quarter, 1e-12);
+  EXPECT_NEAR(t.segments[2].yaw->front(), quarter, 1e-12);  // straight up
+  EXPECT_NEAR(t.segments[3].yaw->front(), 2 * quarter, 1e-12);
+  EXPECT_NEAR(t.segments[3].yaw->back(), 2 * quarter, 1e-12);
+}
+
 TEST(Yaw, FixedIsFixed) {
   Trajectory t = random_trajectory(4, 8);
   YawOptions options;
