@@ -29,7 +29,8 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"fly", "fly trajectories with a simulated quadrotor"},
     {"export", "write drone files"},
     {"bench", "compare planners, each path proved"},
-    {"plot", "draw a plan view or a motion profile as SVG"},
+    {"render", "draw what the vehicle sees, and pictures of maps"},
+    {"plot", "draw maps, motion and benchmarks as SVG"},
     {"view", "show anything in one page for a browser"},
     {"info", "say what is in a file"},
 };
