@@ -17,6 +17,7 @@ for threads in 1 2 7; do
     --threads $threads -o paths.$threads || [ $? -eq 1 ]
   skyway-replan map paths.$threads --margin 1 --threads $threads -o replanned.$threads || [ $? -eq 1 ]
   skyway-traj map paths.$threads --vmax 8 --amax 6 --solver stop-and-go -o trajectories.$threads || [ $? -eq 1 ]
+  skyway-render -q map trajectories.$threads --rate 0.2 --shadows --threads $threads -o video.$threads.y4m
   skyway-check map trajectories.$threads -o reports.$threads || [ $? -eq 1 ]
   skyway-fly trajectories.$threads --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1 \
     --runs 9 --log-rate 10 --threads $threads -o log.$threads --report flights.$threads || [ $? -eq 1 ]
@@ -25,5 +26,7 @@ for kind in lattice paths replanned trajectories reports log flights; do
   cmp $kind.1 $kind.2
   cmp $kind.1 $kind.7
 done
+cmp video.1.y4m video.2.y4m
+cmp video.1.y4m video.7.y4m
 [ "$(grep -c '"ok":true' reports.1)" -ge 5 ]
 echo "same bytes"
