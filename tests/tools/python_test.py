@@ -22,7 +22,7 @@ VEHICLE = "box:0.5,0.5,0.3"
 
 def tool(name, *arguments, code=0, text=None):
     done = subprocess.run([bin_dir / name, *map(str, arguments)], capture_output=True, text=True, input=text)
-    assert done.returncode == code, (name, arguments, done)
+    assert done.returncode in (code if isinstance(code, tuple) else (code,)), (name, arguments, done)
     return done
 
 
@@ -119,6 +119,10 @@ def test_records_are_those_of_the_tools(out, scene):
     assert "".join(t.to_json() for t in solved) == file.read_text()
     for ours, record in zip(skyway.read_trajectories(str(file)), lines(file.read_text())):
         segments = record["segments"]
+        assert ours.status == record["status"]
+        if not segments:
+            assert ours.status == "no_path" and ours.points.shape == (0, 8, 3) and ours.yaw is None
+            continue
         assert ours.points.shape == (len(segments), 8, 3)
         assert ours.points[:, :, 1].tolist() == [s["y"] for s in segments]
         assert ours.yaw.tolist() == [s["yaw"] for s in segments]
@@ -129,17 +133,19 @@ def test_records_are_those_of_the_tools(out, scene):
         position, velocity, _, _ = ours.sample(numpy.array([0.0, ours.duration]))
         assert numpy.array_equal(position[0], ours.points[0, 0]) and abs(velocity).max() < 1e-6
 
-    reports = lines(tool("skyway-check", city, file).stdout)
+    reports = lines(tool("skyway-check", city, file, code=(0, 1)).stdout)
     assert [skyway.check(scene, t) for t in solved] == reports
-    assert skyway.check(scene, solved[0], exact=True)["exact"]["ok"]
-    strict = skyway.check(scene, solved[0], limits={"vmax": 1})
+    one = next(t for t in solved if t.status == "solved")
+    assert skyway.check(scene, one, exact=True)["exact"]["ok"]
+    strict = skyway.check(scene, one, limits={"vmax": 1})
     assert not strict["ok"] and strict["reason"] == "speed" and strict["limits"]["amax"] == 6
     blocked = skyway.check(scene, numpy.array([[-425, -320.5, 7], [357, 204, 5.0]]))
     assert blocked["reason"] == "collision" and blocked["box"] in scene.map.ids
     (pathlib.Path(out) / "reports.jsonl").write_text("".join(json.dumps(r) + "\n" for r in [*reports, blocked]))
     table = skyway.read_reports(f"{out}/reports.jsonl")
     assert table["id"].tolist() == [r["id"] for r in [*reports, blocked]]
-    assert table["clearance"][:-1].tolist() == [r["clearance"] for r in reports]
+    clearances = [r.get("clearance", numpy.nan) for r in reports]
+    assert numpy.array_equal(table["clearance"][:-1], clearances, equal_nan=True)
     assert not table["ok"][-1] and table["reason"][-1] == "collision" and table["box"][-1] == blocked["box"]
     assert numpy.isnan(table["speed"][-1])
 
@@ -250,9 +256,9 @@ def prepare(out):
                for i in range(8)]
     (pathlib.Path(out) / "queries.jsonl").write_text("".join(json.dumps(q) + "\n" for q in queries))
     tool("skyway-plan", "-q", city, "--lattice", f"{out}/city.lattice", "--queries", f"{out}/queries.jsonl",
-         "--vehicle", VEHICLE, "--snap-ends", "30", "-o", f"{out}/paths.jsonl")
+         "--vehicle", VEHICLE, "--snap-ends", "30", "-o", f"{out}/paths.jsonl", code=(0, 1))
     tool("skyway-traj", "-q", city, f"{out}/paths.jsonl", "--vmax", "8", "--amax", "6", "--solver", "stop-and-go",
-         "--yaw", "along", "-o", f"{out}/trajectories.jsonl")
+         "--yaw", "along", "-o", f"{out}/trajectories.jsonl", code=(0, 1))
 
 
 def test_flight_logs(out):

@@ -5,7 +5,7 @@ import skyway
 
 city = skyway.read_box_map(f"{sys.argv[1]}/city.boxmap")
 scene = skyway.CollisionScene(city, "tello", margin=0.2)
-low, high = map(numpy.array, scene.free_bounds)
+low, high = map(numpy.array, city.bounds)
 random = numpy.random.default_rng(1)
 points = random.uniform(low, high, (100_000, 3))
 segments = numpy.hstack([points, points + random.uniform(-20, 20, points.shape)])
