@@ -12,6 +12,7 @@ if [ -z "$root" ]; then
   trap 'rm -rf "$root"' EXIT
 fi
 in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"; }
+deb() { (cd "$root" && printf '/%s' debs/"$1"_*.deb); }
 used() { du -sm --exclude=var/cache --exclude=var/lib/apt "$root" | cut -f 1; }
 
 echo "== lintian"
@@ -34,7 +35,7 @@ install() {
 }
 
 echo "== skyway"
-install /debs/skyway_*.deb
+install "$(deb skyway)"
 in_root bash /usr/share/skyway/tools/demo.sh /usr/bin /root/out
 in_root skyway help > /dev/null
 
@@ -52,22 +53,22 @@ offered=$(in_root bash -c 'source /usr/share/bash-completion/bash_completion; _c
 
 cp "$here"/tests/golden/data/{scan.xyz,blocks.geojson} "$root/root"
 echo "== skyway-cloud"
-install /debs/skyway-cloud_*.deb
+install "$(deb skyway-cloud)"
 in_root skyway-cloud -q /root/scan.xyz -o /root/scan.boxmap
 
 echo "== skyway-footprints"
-install /debs/skyway-footprints_*.deb
+install "$(deb skyway-footprints)"
 in_root skyway-footprints -q /root/blocks.geojson -o /root/blocks.boxmap
 in_root skyway-info /root/blocks.boxmap > /dev/null
 
 echo "== python3-skyway"
-install /debs/python3-skyway_*.deb
+install "$(deb python3-skyway)"
 for example in read query plan solve check; do
   in_root python3 "/usr/share/doc/python3-skyway/examples/$example.py" /root/out
 done
 
 echo "== libskyway-dev"
-install g++ cmake make /debs/libskyway-dev_*.deb
+install g++ cmake make "$(deb libskyway-dev)"
 cp -r "$here/tests/consumer" "$root/root/consumer"
 in_root cmake -S /root/consumer -B /root/consumer/build > /dev/null
 in_root cmake --build /root/consumer/build > /dev/null

@@ -33,11 +33,12 @@ std::span<const double> rows(const py::handle& object, py::ssize_t columns, cons
                   columns ? fmt::format(", {}", columns) : ",", described(object)));
 }
 
-void require_coordinates(std::span<const double> values, std::size_t columns, const char* what) {
+void require_coordinates(std::span<const double> values, std::size_t columns, const char* what,
+                         std::size_t first) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::abs(values[i]) <= geom::kLargestCoordinate) continue;  // false for NaN too
     throw geom::InputError(
-        fmt::format("{}[{}]", what, i / columns),
+        fmt::format("{}[{}]", what, first + i / columns),
         fmt::format("coordinates must be finite and within 1e8, found {}", values[i]));
   }
 }

@@ -61,8 +61,10 @@ py::array owning(std::vector<T> values, Shape shape = {}) {
 // what was expected and what stood there. `columns` 0: of shape (n).
 std::span<const double> rows(const py::handle& object, py::ssize_t columns, const char* what);
 
-// InputError where a coordinate is not finite or beyond geom::kLargestCoordinate. Without the GIL.
-void require_coordinates(std::span<const double> values, std::size_t columns, const char* what);
+// InputError where a coordinate of the rows `first` and on is not finite or beyond
+// geom::kLargestCoordinate. Needs no GIL.
+void require_coordinates(std::span<const double> values, std::size_t columns, const char* what,
+                         std::size_t first = 0);
 
 // Both, and as points.
 std::span<const geom::Vec3> points(const py::handle& object, const char* what);

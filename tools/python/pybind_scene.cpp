@@ -13,12 +13,11 @@ using geom::Vec3;
 
 constexpr std::size_t kBatch = 1024;
 
-// Calls f(i) for each of n, a batch at a time on each thread.
+// Calls f(begin, end) for each batch of n, each on one thread.
 template <class F>
 void in_batches(std::size_t n, unsigned threads, const F& f) {
   geom::parallel_for((n + kBatch - 1) / kBatch, on_threads(threads), [&](std::size_t batch) {
-    const std::size_t end = std::min(n, (batch + 1) * kBatch);
-    for (std::size_t i = batch * kBatch; i < end; ++i) f(i);
+    f(batch * kBatch, std::min(n, (batch + 1) * kBatch));
   });
 }
 
@@ -35,7 +34,11 @@ struct Queries {
     values = rows(object, static_cast<py::ssize_t>(columns), columns == 3 ? "points" : "segments");
   }
   std::size_t size() const { return values.size() / columns; }
-  const char* name() const { return columns == 3 ? "points" : "segments"; }
+  // While they are in the cache, not all of them beforehand.
+  void require_coordinates(std::size_t begin, std::size_t end) const {
+    binding::require_coordinates(values.subspan(begin * columns, (end - begin) * columns), columns,
+                                 columns == 3 ? "points" : "segments", begin);
+  }
   Vec3 from(std::size_t i) const { return Vec3(values.data() + i * columns); }
   Vec3 to(std::size_t i) const { return Vec3(values.data() + i * columns + columns - 3); }
 };
@@ -47,9 +50,10 @@ py::array each(const py::object& object, unsigned threads, const Answer& answer)
   std::vector<std::uint8_t> out(queries.size());
   {
     const py::gil_scoped_release released;
-    require_coordinates(queries.values, queries.columns, queries.name());
-    in_batches(out.size(), threads,
-               [&](std::size_t i) { out[i] = answer(queries.from(i), queries.to(i)); });
+    in_batches(out.size(), threads, [&](std::size_t begin, std::size_t end) {
+      queries.require_coordinates(begin, end);
+      for (std::size_t i = begin; i < end; ++i) out[i] = answer(queries.from(i), queries.to(i));
+    });
   }
   return owning<std::uint8_t, bool>(std::move(out));
 }
@@ -77,11 +81,13 @@ py::tuple nearest(const Scene& self, const py::object& object, double radius, un
   std::vector<std::int64_t> box(at.size(), -1);
   {
     const py::gil_scoped_release released;
-    in_batches(at.size(), threads, [&](std::size_t i) {
-      const auto found = self.scene.nearest(at[i], radius);
-      if (!found) return;
-      distance[i] = found->distance;
-      box[i] = static_cast<std::int64_t>(found->box);
+    in_batches(at.size(), threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto found = self.scene.nearest(at[i], radius);
+        if (!found) continue;
+        distance[i] = found->distance;
+        box[i] = static_cast<std::int64_t>(found->box);
+      }
     });
   }
   return py::make_tuple(owning(std::move(distance)), owning(std::move(box)));
