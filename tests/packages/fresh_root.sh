@@ -23,6 +23,8 @@ mmdebstrap --quiet --variant=apt bookworm "$root"
 echo "$(used) MB"
 mkdir "$root/debs"
 cp "$debs"/*.deb "$root/debs"
+cp /etc/resolv.conf "$root/etc/resolv.conf"
+in_root apt-get -qq update
 
 # install PACKAGE ...: from our files, the rest from Debian, without recommended packages.
 install() {
