@@ -20,14 +20,14 @@ Extent extent_of(const Contents& contents);
 // Everything the page holds: the value of its <script id="skyway-meta">.
 Json describe(const Contents& contents, const cli::VehicleOptions& vehicle, Bundle& bundle);
 
-// How far the vehicle is from the next obstacle, for drawing.
+// The obstacles that the vehicle's distance is taken from.
 class Clearance {
  public:
   Clearance(const Contents& contents, const cli::VehicleOptions& vehicle);
 
-  // Single precision metres at each point (in the map's axes), or nothing without a map or vehicle.
-  std::vector<float> at(const std::vector<geom::Vec3>& points, const geom::Provenance& made_for,
-                        const std::string& source, std::size_t line);
+  // Null without a map or vehicle.
+  const geom::CollisionScene* scene_for(const geom::Provenance& made_for, const std::string& source,
+                                        std::size_t line);
 
   // The vehicle that this record or the options name.
   std::optional<geom::Vehicle> vehicle(const geom::Provenance& made_for) const;
