@@ -6,7 +6,7 @@ out=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 mkdir -p "$out"
 export PATH="$bin:$PATH"
-vehicle=(--vehicle box:0.5,0.5,0.3)
+vehicle=(--vehicle "$here/data/vehicles/quad2kg.json" --margin 0.5)  # the margin: what flight may stray
 map=$out/city.boxmap
 
 # step WORDS COUNT-COMMAND TOOL [ARGUMENT ...]: runs a tool and says what came out, and how fast.
@@ -29,11 +29,11 @@ step "path across the city" 'printf "length: %.1f m" "$(number length "$out/path
   skyway-plan -q "$map" --lattice "$out/city.lattice" "${vehicle[@]}" --from=-425,-320.5,7 --to=357,204,5 \
   --snap-ends 5 -o "$out/path.jsonl"
 step "minimum-snap trajectory" 'printf "duration: %.1f s, by %s" "$(number duration "$out/trajectory.jsonl")" "$(grep -o "\"rung\":\"[a-z_]*" "$out/trajectory.jsonl" | cut -d\" -f4)"' \
-  skyway-traj -q "$map" "$out/path.jsonl" --vmax 8 --amax 6 -o "$out/trajectory.jsonl"
+  skyway-traj -q "$map" "$out/path.jsonl" "${vehicle[@]}" --vmax 8 --amax 6 --yaw along -o "$out/trajectory.jsonl"
 step "proof" 'printf "ok: %s, clearance: %.3f m" "$(grep -o "\"ok\":[a-z]*" "$out/report.jsonl" | cut -d: -f2)" "$(number clearance "$out/report.jsonl")"' \
   skyway-check -q "$map" "$out/trajectory.jsonl" -o "$out/report.jsonl"
-step "simulated flight" 'printf "tracking error: %.3f m in the mean" "$(number mean "$out/flown.jsonl")"' \
-  skyway-fly -q "$out/trajectory.jsonl" --vehicle "$here/data/vehicles/quad2kg.json" -o "$out/flight.csv" \
+step "simulated flight" 'printf "clear: %s, tracking error: %.3f m mean" "$(grep -o "\"clear\":[a-z]*" "$out/flown.jsonl" | cut -d: -f2)" "$(number mean "$out/flown.jsonl")"' \
+  skyway-fly -q "$map" "$out/trajectory.jsonl" --vehicle "$here/data/vehicles/quad2kg.json" -o "$out/flight.csv" \
   --report "$out/flown.jsonl"
 step "Crazyflie polynomials" 'echo "segments: $(($(wc -l < "$out/crazyflie.csv") - 1))"' \
   skyway-export -q "$map" "$out/trajectory.jsonl" --format crazyflie -o "$out/crazyflie.csv"
