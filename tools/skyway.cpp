@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 16> kVerbs = {{
+constexpr std::array<std::pair<const char*, const char*>, 17> kVerbs = {{
     {"synth", "make up a city"},
     {"import", "city tables, block texts, voxels and octrees to box maps"},
     {"footprints", "building footprints, city and height models to box maps"},
@@ -26,6 +26,7 @@ constexpr std::array<std::pair<const char*, const char*>, 16> kVerbs = {{
     {"replan", "paths of an older map, kept or mended on a newer one"},
     {"traj", "minimum-snap trajectories along paths"},
     {"check", "prove trajectories and paths"},
+    {"join", "join the shards of a run"},
     {"export", "write drone files"},
     {"bench", "compare planners, each path proved"},
     {"plot", "draw a plan view or a motion profile as SVG"},

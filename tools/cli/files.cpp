@@ -91,6 +91,10 @@ void InputFile::for_each_line(const std::function<void(const std::string&, std::
   while (std::getline(stream(), line)) {
     ++number;
     if (is_blank(line)) continue;
+    if (!any && line.starts_with("PK\x03\x04")) {
+      throw geom::InputError(name_,
+                             "expected JSON Lines, found an archive (skyway-info says more)");
+    }
     any = true;
     f(line, number);
   }
