@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# cost.sh FOLDER [STEP]: seconds and megabytes to ask for, of each step or of one, a shard each: from what was measured
+# (docs/benchmarks.md, "Cluster") times three, and the size of the map.
+set -euo pipefail
+cd "$1"
+source chain.conf
+tiles=0
+boxes=0
+if [ -e city.boxmap ]; then
+  read -r boxes tiles < <(skyway-info --json city.boxmap | sed -E 's/.*"boxes":([0-9]+).*"tiles":([0-9]+).*/\1 \2/')
+fi
+# option NAME TEXT DEFAULT: the number after --NAME.
+option() {
+  sed -nE "s/.*--$1[ =]([0-9.]+).*/\1/p" <<<"$2 " | grep . || echo "$3"
+}
+awk -v only="${2:-}" -v boxes="$boxes" -v tiles="$tiles" -v queries="$QUERY_COUNT" \
+  -v spacing="$(option spacing "$LATTICE" 25)" -v reach="$(option '(within|reach)' "$ROADMAP" 500)" \
+  -v nl="$LATTICE_SHARDS" -v nr="$ROADMAP_SHARDS" -v np="$PATH_SHARDS" -v nt="$TRAJECTORY_SHARDS" -v nc="$REPORT_SHARDS" '
+  function ask(step, seconds, megabytes) {
+    if (only != "" && only != step) return
+    line = sprintf("%d %d", 3 * seconds + 1, 1.5 * megabytes + 100)
+    print only == "" ? step " " line : line
+  }
+  BEGIN {
+    map = boxes * 62e-6                            # megabytes of a map
+    lattice = tiles * 3e-3 * (5 / spacing) ^ 3     # of a lattice
+    roadmap = boxes * 9 * (46 + 8 * reach / 2) / 1e6
+    ask("map", 0, 4000)
+    ask("lattice", tiles * 4e-4 * (5 / spacing) ^ 3 / nl, map + 2 * lattice / nl)
+    ask("join-lattice", lattice / 200, 3 * lattice)
+    ask("roadmap", boxes * reach * 4e-5 / nr, map + 2 * roadmap / nr)
+    ask("join-roadmap", roadmap / 20, 3 * roadmap)
+    ask("paths", queries * 0.05 / np, map + roadmap + lattice)
+    ask("join-paths", queries / 1e4, 100)
+    ask("trajectories", queries * 1.5 / nt, map)
+    ask("join-trajectories", queries / 1e4, 100)
+    ask("reports", queries * 0.05 / nc, map)
+    ask("join-reports", queries / 1e4, 100)
+    ask("summary", queries / 1e4, 100)
+  }'
