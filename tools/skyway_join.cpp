@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/map_output.h"
+#include "cli/map_shard.h"
 #include "cli/run.h"
 #include "cli/sharding.h"
 #include "geom/error.h"
@@ -140,6 +142,10 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     const std::vector<ShardFile> shards = open_all(files);
     const std::string& kind = shards.front().kind;
+    if (cli::is_map_shard(shards.front())) {
+      cli::write_map(common, output, cli::join_map(shards), shards.front().archive.name(), {});
+      return cli::Exit::yes;
+    }
     const bool text = kind == "records";
     cli::OutputFile out(output, text ? cli::OutputKind::text : cli::OutputKind::artefact);
     if (text) {
