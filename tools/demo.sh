@@ -32,9 +32,18 @@ step "minimum-snap trajectory" 'printf "duration: %.1f s, by %s" "$(number durat
   skyway-traj -q "$map" "$out/path.jsonl" --vmax 8 --amax 6 -o "$out/trajectory.jsonl"
 step "proof" 'printf "ok: %s, clearance: %.3f m" "$(grep -o "\"ok\":[a-z]*" "$out/report.jsonl" | cut -d: -f2)" "$(number clearance "$out/report.jsonl")"' \
   skyway-check -q "$map" "$out/trajectory.jsonl" -o "$out/report.jsonl"
+step "simulated flight" 'printf "tracking error: %.3f m in the mean" "$(number mean "$out/flown.jsonl")"' \
+  skyway-fly -q "$out/trajectory.jsonl" --vehicle "$here/data/vehicles/quad2kg.json" -o "$out/flight.csv" \
+  --report "$out/flown.jsonl"
 step "Crazyflie polynomials" 'echo "segments: $(($(wc -l < "$out/crazyflie.csv") - 1))"' \
   skyway-export -q "$map" "$out/trajectory.jsonl" --format crazyflie -o "$out/crazyflie.csv"
 step "plan view" 'echo "$out/plan.svg"' skyway-plot -q plan "$map" "$out/path.jsonl" -o "$out/plan.svg"
 step "motion profile" 'echo "$out/profile.svg"' \
   skyway-plot -q profile "$out/trajectory.jsonl" -o "$out/profile.svg"
-echo "Open $out/plan.svg and $out/profile.svg."
+step "search tree, for the page" 'echo "nodes: $(head -n 1 "$out/tree.jsonl" | grep -o "\"nodes\":[0-9]*" | cut -d: -f2)"' \
+  skyway-plan -q "$map" "${vehicle[@]}" --from=-425,-320.5,7 --to=357,204,5 --snap-ends 5 --method rrt-star \
+  --iterations 2000 --tree "$out/tree.jsonl" -o "$out/sampled.jsonl"
+step "everything in one page" 'echo "$out/demo.html"' \
+  skyway-view -q "$map" "$out/city.lattice" "$out/path.jsonl" "$out/tree.jsonl" "$out/trajectory.jsonl" \
+  "$out/report.jsonl" "$out/flight.csv" --title "Skyway demo" -o "$out/demo.html"
+echo "Open $(cd "$out" && pwd)/demo.html in a browser."

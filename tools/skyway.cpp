@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -13,9 +12,10 @@
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 17> kVerbs = {{
+constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"synth", "make up a city"},
     {"import", "city tables, block texts, voxels and octrees to box maps"},
+    {"import-trajectory", "drone files and missions to trajectories and paths"},
     {"footprints", "building footprints, city and height models to box maps"},
     {"cloud", "point clouds to box maps"},
     {"map", "look at, join, merge, patch and convert box maps"},
@@ -26,16 +26,19 @@ constexpr std::array<std::pair<const char*, const char*>, 17> kVerbs = {{
     {"replan", "paths of an older map, kept or mended on a newer one"},
     {"traj", "minimum-snap trajectories along paths"},
     {"check", "prove trajectories and paths"},
+    {"fly", "fly trajectories with a simulated quadrotor"},
     {"join", "join the shards of a run"},
     {"export", "write drone files"},
     {"bench", "compare planners, each path proved"},
-    {"plot", "draw a plan view or a motion profile as SVG"},
+    {"render", "draw what the vehicle sees, and pictures of maps"},
+    {"plot", "draw maps, motion and benchmarks as SVG"},
+    {"view", "show anything in one page for a browser"},
     {"info", "say what is in a file"},
-}};
+};
 
 void print_verbs(std::FILE* to) {
   fmt::print(to, "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n");
-  for (const auto& [verb, what] : kVerbs) fmt::print(to, "  {:<10} {}\n", verb, what);
+  for (const auto& [verb, what] : kVerbs) fmt::print(to, "  {:<17} {}\n", verb, what);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/drone_file.h"
 #include "cli/files.h"
 #include "cli/limit_options.h"
 #include "cli/record_output.h"
@@ -11,6 +12,7 @@
 #include "traj/check.h"
 #include "traj/clearance.h"
 #include "traj/exact_check.h"
+#include "traj/flown.h"
 #include "traj/io/certificate_record.h"
 #include "traj/io/report_record.h"
 #include "traj/io/trajectory_record.h"
@@ -102,11 +104,50 @@ struct Checker {
     return report;
   }
 
+  // What a drone makes of a file.
+  traj::ReportRecord flown(const cli::DroneFile& file) const {
+    const auto& scene = scenes.scene();
+    const bool path = !file.flown.path.empty();
+    if (exact && !path) {
+      throw cli::UsageError("--exact takes paths and records, not files of trajectories");
+    }
+    traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}};
+    report.limits = limits_for(scenes.profile()->limits);  // a scene without a record has a profile
+    report.provenance = geom::provenance_of(scene);
+    report.result = traj::check_flown(scene, file.flown, report.limits);
+    const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
+    if (way && exact) report.exact = traj::check_exactly(task(scene, {}), *way);
+    if (!profile.out) return report;
+    if (way) profile.add(file.id, traj::clearance_profile(scene, *way, profile.step));
+    if (!path)
+      profile.add(file.id, traj::clearance_profile(scene, file.flown.trajectory, profile.step));
+    return report;
+  }
+
   traj::ReportRecord check(const std::string& text, const std::string& source,
                            std::size_t line) const {
     const geom::JsonFields fields(text, source, line);
     return fields.text("type") == "path" ? path(text, source, line)
                                          : trajectory(text, source, line);
+  }
+
+  // What the shard takes of the file, in order. Returns how much is in the file.
+  std::size_t each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
+                   const geom::Shard& shard,
+                   const std::function<void(const traj::ReportRecord&)>& answer) const {
+    std::size_t total = 0;
+    if (drone_file.format.empty()) {
+      file.for_each_line([&](const std::string& line, std::size_t number) {
+        if (shard.takes(total++)) answer(check(line, file.name(), number));
+      });
+      return total;
+    }
+    const geom::Frame& frame = scenes.map().spec().frame;
+    const std::string text = file.read_all();
+    for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
+      if (shard.takes(total++)) answer(flown(one));
+    }
+    return total;
   }
 };
 
@@ -130,6 +171,7 @@ int main(int argc, char** argv) {
   ProfileFile profile;
   bool override_record = false;
   bool exact = false;
+  cli::DroneFileOptions drone_file;
   cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
@@ -146,6 +188,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1e-4, 1e6));
   app.add_option("--certificate", certificate,
                  "write why each accepted record is clear, JSON Lines; implies --exact");
+  drone_file.add_to(app);
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
@@ -167,10 +210,7 @@ int main(int argc, char** argv) {
     profile.open(sharding);
     std::size_t failed = 0;
     std::size_t count = 0;
-    std::size_t total = 0;
-    file.for_each_line([&](const std::string& line, std::size_t number) {
-      if (!sharding.shard().takes(total++)) return;
-      const traj::ReportRecord report = checker.check(line, file.name(), number);
+    const auto answer = [&](const traj::ReportRecord& report) {
       const bool ok = traj::accepted(report);
       failed += !ok;
       ++count;
@@ -179,7 +219,8 @@ int main(int argc, char** argv) {
       profile.finish_record();
       out.add(traj::to_json_line(report, scenes.map()));
       out.flush();
-    });
+    };
+    const std::size_t total = checker.each(file, drone_file, sharding.shard(), answer);
     const cli::Exit exit = failed ? cli::Exit::no : cli::Exit::yes;
     out.commit(total, exit);
     if (reasons) reasons->commit(total, exit);

@@ -2,58 +2,26 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
+#include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "cli/files.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
+#include "export/prove.h"
+#include "export/writer.h"
 #include "geom/error.h"
-#include "traj/check.h"
 #include "traj/export/crazyflie.h"
-#include "traj/export/setpoints.h"
+#include "traj/export/in_enu.h"
+#include "traj/export/straight_legs.h"
 #include "traj/io/trajectory_record.h"
 
 namespace {
 
+using exporting::Task;
+using exporting::Written;
 using traj::TrajectoryRecord;
-
-struct Format {
-  std::string name;
-  double rate = 50;
-
-  std::string write(const TrajectoryRecord& record, geom::Axes axes) const {
-    std::ostringstream out;
-    if (name == "crazyflie") {
-      traj::write_crazyflie(out, record.trajectory, axes);
-    } else {
-      traj::write_setpoints(out, record.trajectory, axes, rate);
-    }
-    return out.str();
-  }
-
-  traj::CheckResult prove(const geom::CollisionScene& scene, const std::string& text,
-                          const TrajectoryRecord& record) const {
-    std::istringstream in(text);
-    const geom::Axes axes = scene.map().spec().frame.axes;
-    traj::CheckOptions options;
-    if (name == "setpoints") {  // positions only: the client's own limits hold between them
-      return traj::check(scene, traj::read_setpoints(in, "setpoints", axes), options);
-    }
-    // Single precision, as in the drone: joints meet to a millimetre, limits hold to 0.1%.
-    options.limits = record.limits;
-    options.position_gap = 1e-3;
-    options.velocity_gap = 1e-2;
-    options.acceleration_gap = 1e-1;
-    options.limit_slack = 1e-3;
-    return traj::check(scene, traj::read_crazyflie(in, "crazyflie", axes), options);
-  }
-};
-
-std::string refusal(const TrajectoryRecord& record, const traj::CheckResult& result) {
-  return fmt::format(
-      "{}: refused: as flown, {} at t = {:.3f} s, ({:.3f}, {:.3f}, {:.3f}) m, {:.3g}", record.id,
-      result.reason, result.time, result.place[0], result.place[1], result.place[2], result.worst);
-}
 
 // The one record of the stream. Two flights do not fit one drone file.
 TrajectoryRecord read_one(const std::string& input) {
@@ -82,62 +50,154 @@ TrajectoryRecord read_named(const std::string& input, const std::string& id) {
   return *found;
 }
 
+nlohmann::ordered_json statistics(const Task& task, const Written& written) {
+  nlohmann::ordered_json stats = {{"format", task.format}, {"bytes", written.text.size()}};
+  if (task.format != "crazyflie") return stats;
+  const traj::CrazyflieMemory memory = traj::crazyflie_memory(task.enu);
+  stats["segments"] = task.enu.segments.size();
+  stats["memory"] = memory.bytes;
+  stats["memory_fits"] = memory.fits;
+  stats["compressed_memory"] = memory.compressed_bytes;
+  stats["compressed_fits"] = memory.compressed_fits;
+  return stats;
+}
+
+void warn_of_memory(const cli::Common& common, const Task& task) {
+  const traj::CrazyflieMemory memory = traj::crazyflie_memory(task.enu);
+  if (memory.fits) return;
+  common.warn(fmt::format(
+      "{}: {} segments; a Crazyflie's memory holds {}{}", task.id, task.enu.segments.size(),
+      traj::kCrazyflieSegments,
+      memory.compressed_fits
+          ? fmt::format(" (compressed they take {} of its 4096 bytes)", memory.compressed_bytes)
+          : ", nor do they fit compressed"));
+}
+
+// The text, and beside a Tello's script its program and table.
+void save(const Task& task, const Written& written, const std::string& output) {
+  const auto kind = task.format == "gltf" ? cli::OutputKind::artefact : cli::OutputKind::text;
+  cli::OutputFile out(output, kind);
+  out.stream() << written.text;
+  if (task.format != "tello" || output == "-") return out.commit();
+  cli::OutputFile python(std::filesystem::path(output).replace_extension(".py"), kind);
+  cli::OutputFile csv(std::filesystem::path(output).replace_extension(".csv"), kind);
+  python.stream() << written.python;
+  csv.stream() << written.csv;
+  out.commit();
+  python.commit();
+  csv.commit();
+}
+
+void set_ground(const geom::CollisionScene& scene, const TrajectoryRecord& record, Task& task) {
+  const auto& segments = record.trajectory.segments;
+  task.ground =
+      task.placement.ground.value_or(traj::ground_below(scene, segments.front().point.front()));
+  task.landing = traj::ground_below(scene, segments.back().point.back());
+}
+
+struct Options {
+  std::vector<std::string> files;
+  std::string output = "-";
+  std::string id;
+  std::string axes = "enu";
+  bool unchecked = false;
+  bool hover = false;
+  cli::VehicleOptions vehicle;
+
+  std::string input() const { return files.size() > map_files() ? files.back() : "-"; }
+  std::size_t map_files() const { return unchecked ? 0 : 1; }
+
+  void require_sound(const Task& task) const {
+    if (files.empty() && !unchecked) throw cli::UsageError("map is required (or --unchecked)");
+    if (files.size() > map_files() + 1) throw cli::UsageError("--unchecked takes no map");
+    if (!unchecked) cli::at_most_one_stdin({files[0], input()});
+    if (task.format == "tello" && (output.ends_with(".py") || output.ends_with(".csv"))) {
+      throw cli::UsageError(
+          "a Tello's script needs another name: FILE.py and FILE.csv go beside it");
+    }
+  }
+};
+
+void add_options(CLI::App& app, Options& options, Task& task) {
+  app.add_option("map_and_file", options.files,
+                 "box map, then trajectories (default: stdin); with "
+                 "--unchecked trajectories alone")
+      ->expected(0, 2);
+  app.add_option("--format", task.format, "what to write")
+      ->required()
+      ->check(CLI::IsMember(
+          {"tello", "crazyflie", "qgc-plan", "wpl", "setpoints", "kml", "geojson", "gltf"}));
+  app.add_option("--rate", task.rate, "setpoints a second, Hz (default 50)")
+      ->check(CLI::Range(0.1, 10000.0));
+  app.add_option("--axes", options.axes, "of setpoints: enu or ned (default enu)")
+      ->check(CLI::IsMember({"enu", "ned"}));
+  app.add_option("--tolerance", task.tolerance,
+                 "metres that straight legs may leave the curve (default 0.2); halved, and points "
+                 "moved off obstacles, while they are refused")
+      ->check(CLI::Range(1e-3, 100.0));
+  app.add_option("--speed", task.speed,
+                 "m/s along straight legs (default: the limits', and 1 for a Tello)")
+      ->check(CLI::Range(0.1, 100.0));
+  app.add_flag("--hover", options.hover, "do not land at the end of a mission");
+  task.placement.add_to(app);
+  app.add_option("--id", options.id, "which trajectory of the stream (default: its only one)");
+  app.add_flag("--unchecked", options.unchecked, "write without a map and without a proof");
+  app.add_option("-o,--output", options.output,
+                 "file to write (default: stdout); beside a Tello's script FILE.txt go FILE.py and "
+                 "FILE.csv");
+  options.vehicle.add_to(app);
+}
+
+Written write_unchecked(const TrajectoryRecord& record, Task& task) {
+  task.frame.axes = record.provenance.frame.value_or(geom::Axes::enu);
+  task.ground = task.landing = task.placement.ground.value_or(0);
+  task.enu = traj::in_enu(task.frame.axes, record.trajectory);
+  return exporting::write(task, traj::straight_legs(task.enu, task.tolerance));
+}
+
+// Nothing where it is refused, which it says.
+std::optional<Written> write_checked(const Options& options, const TrajectoryRecord& record,
+                                     Task& task) {
+  cli::Scenes scenes(cli::open_map(options.files[0]), options.vehicle,
+                     cli::Scenes::Differences::refused);
+  const auto& scene = scenes.scene_for(record.provenance, options.input(), 0);
+  task.frame = scene.map().spec().frame;
+  task.enu = traj::in_enu(task.frame.axes, record.trajectory);
+  set_ground(scene, record, task);
+  auto [written, result] = exporting::write_proved(scene, task);
+  if (result.ok) return std::move(written);
+  fmt::print(stderr, "skyway-export: {}\n", refusal(task, result));
+  return std::nullopt;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Write a trajectory as a drone file, proved as it will be flown.", "skyway-export"};
   cli::Common common(app);
-  cli::VehicleOptions vehicle;
-  Format format;
-  std::vector<std::string> files;
-  std::string output = "-";
-  std::string id;
-  bool unchecked = false;
-  app.add_option("map_and_file", files,
-                 "box map, then trajectories (default: stdin); with "
-                 "--unchecked trajectories alone")
-      ->expected(0, 2);
-  app.add_option("--format", format.name, "crazyflie or setpoints")
-      ->required()
-      ->check(CLI::IsMember({"crazyflie", "setpoints"}));
-  app.add_option("--rate", format.rate, "setpoints a second, Hz (default 50)")
-      ->check(CLI::Range(0.1, 10000.0));
-  app.add_option("--id", id, "which trajectory of the stream (default: its only one)");
-  app.add_flag("--unchecked", unchecked, "write without a map and without a proof");
-  app.add_option("-o,--output", output, "file to write (default: stdout)");
-  vehicle.add_to(app);
+  Options options;
+  Task task;
+  add_options(app, options, task);
   return cli::run_tool(app, argc, argv, [&] {
-    if (files.empty() && !unchecked) throw cli::UsageError("map is required (or --unchecked)");
-    const std::size_t input_at = unchecked ? 0 : 1;
-    if (files.size() > input_at + 1) throw cli::UsageError("--unchecked takes no map");
-    const std::string input = files.size() > input_at ? files[input_at] : "-";
-    if (!unchecked) cli::at_most_one_stdin({files[0], input});
-    const TrajectoryRecord record = id.empty() ? read_one(input) : read_named(input, id);
+    options.require_sound(task);
+    const std::string input = options.input();
+    const TrajectoryRecord record =
+        options.id.empty() ? read_one(input) : read_named(input, options.id);
     if (record.status != "solved") {
       fmt::print(stderr, "skyway-export: {}: refused: {}\n", record.id, record.status);
       return cli::Exit::no;
     }
-    std::string text;
-    if (unchecked) {
-      text = format.write(record, record.provenance.frame.value_or(geom::Axes::enu));
-    } else {
-      cli::Scenes scenes(cli::open_map(files[0]), vehicle, cli::Scenes::Differences::refused);
-      const auto& scene = scenes.scene_for(record.provenance, input, 0);
-      text = format.write(record, scene.map().spec().frame.axes);
-      const traj::CheckResult result = format.prove(scene, text, record);
-      if (!result.ok) {
-        fmt::print(stderr, "skyway-export: {}\n", refusal(record, result));
-        return cli::Exit::no;
-      }
-    }
-    if (format.name == "crazyflie" &&
-        record.trajectory.segments.size() > traj::kCrazyflieSegments) {
-      common.warn(fmt::format("{}: {} segments; a Crazyflie's memory holds {}", record.id,
-                              record.trajectory.segments.size(), traj::kCrazyflieSegments));
-    }
-    cli::OutputFile out(output, cli::OutputKind::text);
-    out.stream() << text;
-    out.commit();
+    task.id = record.id;
+    task.limits = record.limits;
+    task.ned = options.axes == "ned";
+    task.lands = !options.hover;
+    task.checked = !options.unchecked;
+    const std::optional<Written> written =
+        options.unchecked ? write_unchecked(record, task) : write_checked(options, record, task);
+    if (!written) return cli::Exit::no;
+    if (task.format == "crazyflie") warn_of_memory(common, task);
+    save(task, *written, options.output);
+    common.write_stats(statistics(task, *written));
     return cli::Exit::yes;
   });
 }

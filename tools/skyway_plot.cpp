@@ -1,61 +1,148 @@
-// skyway-plot: SVG pictures of maps with paths, and of trajectories.
+// skyway-plot: SVG pictures of maps with paths, of motion, and of benchmarks.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/drawings.h"
 #include "cli/files.h"
 #include "cli/run.h"
+#include "cli/vehicle_option.h"
 #include "geom/error.h"
+#include "plot/clearance.h"
+#include "plot/comparison.h"
 #include "plot/motion_profile.h"
 #include "plot/plan_view.h"
+#include "plot/tracking.h"
+#include "plot/tracks.h"
 
 namespace {
 
-std::vector<geom::PathRecord> read_paths(const std::string& input) {
-  std::vector<geom::PathRecord> paths;
-  cli::InputFile file(input);
-  file.for_each_line([&](const std::string& line, std::size_t number) {
-    paths.push_back(geom::parse_path_record(line, file.name(), number));
-  });
-  return paths;
+struct Options {
+  std::string map;
+  std::vector<std::string> inputs;
+  std::string output = "-";
+  std::string id;
+  cli::VehicleOptions vehicle;
+};
+
+cli::Drawings read(const Options& options, const geom::BoxMap* map) {
+  cli::Drawings drawings;
+  for (const std::string& input : options.inputs) cli::read_drawings(input, map, drawings);
+  const auto other = [&](const auto& record) {
+    return !options.id.empty() && record.id != options.id;
+  };
+  std::erase_if(drawings.paths, other);
+  std::erase_if(drawings.trajectories, other);
+  std::erase_if(drawings.flights, other);
+  return drawings;
 }
 
-std::string profile_of_first_solved(const std::string& input) {
-  cli::InputFile file(input);
-  std::string svg;
-  file.for_each_line([&](const std::string& line, std::size_t number) {
-    const auto record = traj::parse_trajectory_record(line, file.name(), number);
-    if (svg.empty() && record.status == "solved") svg = plot::motion_profile(record);
-  });
-  if (svg.empty()) throw geom::InputError(file.name(), "expected a solved trajectory, found none");
-  return svg;
+template <class List>
+const auto& first_of(const List& list, const Options& options, const char* what) {
+  if (list.empty()) {
+    throw geom::InputError(options.inputs[0] == "-" ? "stdin" : options.inputs[0],
+                           fmt::format("expected {}, found none", what));
+  }
+  return list.front();
+}
+
+std::string plan(const Options& options) {
+  const geom::BoxMap map = cli::open_map(options.map);
+  const cli::Drawings drawings = read(options, &map);
+  const geom::Axes axes = map.spec().frame.axes;
+  return plot::plan_view(map, plot::plan_trees(drawings, axes), plot::plan_lines(drawings, axes));
+}
+
+std::string profile(const Options& options) {
+  return plot::motion_profile(
+      first_of(read(options, nullptr).trajectories, options, "a solved trajectory"));
+}
+
+std::string tracking(const Options& options) {
+  return plot::tracking(first_of(read(options, nullptr).flights, options, "a flight log"));
+}
+
+std::string clearance(const Options& options) {
+  cli::Scenes scenes(cli::open_map(options.map), options.vehicle,
+                     cli::Scenes::Differences::allowed);
+  const cli::Drawings drawings = read(options, &scenes.map());
+  const plot::Tracks tracks = plot::tracks_of(drawings, scenes.map().spec().frame.axes);
+  first_of(tracks.list, options, "a path, a trajectory or a flight");
+  const geom::CollisionScene& scene = scenes.scene_for(tracks.provenance, options.inputs[0], 0);
+  return plot::clearance(scene, tracks.list, tracks.x_label);
+}
+
+std::string bench(const Options& options) {
+  std::vector<plot::Comparison> reports;
+  for (const std::string& input : options.inputs) {
+    cli::InputFile file(input);
+    const geom::JsonFields fields(file.read_all(), file.name(), 0);
+    reports.push_back(
+        plot::parse_comparison(fields, std::filesystem::path(file.name()).stem().string()));
+  }
+  return plot::comparison(reports);
+}
+
+struct Verb {
+  CLI::App* app;
+  std::string (*draw)(const Options&);
+};
+
+CLI::App* add_verb(CLI::App& app, Options& options, const char* name, const char* what) {
+  CLI::App* verb = app.add_subcommand(name, what);
+  verb->fallthrough();
+  verb->add_option("-o,--output", options.output, "SVG to write (default: stdout)");
+  return verb;
+}
+
+std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
+  const auto add = [&](const char* name, const char* what) {
+    return add_verb(app, options, name, what);
+  };
+  CLI::App* plan_verb =
+      add("plan", "a map from above, with paths, trajectories, flights and trees");
+  CLI::App* profile_verb = add("profile", "position, speed, acceleration, jerk, thrust and tilt");
+  CLI::App* tracking_verb = add("tracking", "a flight beside its setpoints");
+  CLI::App* clearance_verb = add("clearance", "distance to the obstacles along the way");
+  CLI::App* bench_verb = add("bench", "times and lengths of planners");
+  for (CLI::App* verb : {plan_verb, clearance_verb}) {
+    verb->add_option("map", options.map, "box map; - for stdin")->required();
+  }
+  plan_verb->add_option("files", options.inputs, "what to draw on it; - for stdin");
+  profile_verb->add_option("file", options.inputs, "trajectories; the first solved one is drawn")
+      ->required();
+  tracking_verb->add_option("file", options.inputs, "flight log; the first flight is drawn")
+      ->required();
+  clearance_verb->add_option("files", options.inputs, "paths, or trajectories and flights")
+      ->required();
+  bench_verb->add_option("reports", options.inputs, "reports of skyway-bench")->required();
+  for (CLI::App* verb : {plan_verb, profile_verb, tracking_verb, clearance_verb}) {
+    verb->add_option("--id", options.id, "only this one");
+  }
+  options.vehicle.add_to(*clearance_verb);
+  return {{plan_verb, plan},
+          {profile_verb, profile},
+          {tracking_verb, tracking},
+          {clearance_verb, clearance},
+          {bench_verb, bench}};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Draw a plan view or a motion profile as SVG.", "skyway-plot"};
+  CLI::App app{"Draw maps, motion and benchmarks as SVG.", "skyway-plot"};
   cli::Common common(app);
-  std::string map_file;
-  std::string input;
-  std::string output = "-";
-  CLI::App* plan = app.add_subcommand("plan", "a map from above, with paths");
-  plan->add_option("map", map_file, "box map; - for stdin")->required();
-  plan->add_option("paths", input, "paths to draw on it; - for stdin");
-  CLI::App* profile = app.add_subcommand("profile", "height, speed, acceleration and jerk");
-  profile->add_option("file", input, "trajectories; the first solved one is drawn")->required();
-  for (CLI::App* verb : {plan, profile}) {
-    verb->fallthrough();
-    verb->add_option("-o,--output", output, "SVG to write (default: stdout)");
-  }
+  Options options;
+  const std::vector<Verb> verbs = add_verbs(app, options);
   app.require_subcommand(1);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin({map_file, input});
-    std::string svg;
-    if (plan->parsed()) {
-      const auto paths = input.empty() ? std::vector<geom::PathRecord>{} : read_paths(input);
-      svg = plot::plan_view(cli::open_map(map_file), paths);
-    } else {
-      svg = profile_of_first_solved(input);
-    }
-    cli::OutputFile out(output, cli::OutputKind::text);
+    cli::at_most_one_stdin(options.map, options.inputs);
+    const auto asked =
+        std::find_if(verbs.begin(), verbs.end(), [](const Verb& v) { return v.app->parsed(); });
+    const std::string svg = asked->draw(options);
+    cli::OutputFile out(options.output, cli::OutputKind::text);
     out.stream() << svg;
     out.commit();
     return cli::Exit::yes;

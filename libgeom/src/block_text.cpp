@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "text_table.h"
+#include "geom/io/text_table.h"
 
 namespace geom {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "geom/io/csv_field.h"
 #include "geom/io/record.h"
-#include "text_table.h"
+#include "geom/io/text_table.h"
 
 namespace geom {
 namespace {

@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "geom/io/record.h"
-#include "text_table.h"
+#include "geom/io/text_table.h"
 
 namespace geom {
 namespace {

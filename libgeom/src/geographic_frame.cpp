@@ -1,4 +1,4 @@
-#include "geographic_frame.h"
+#include "geom/geographic_frame.h"
 
 #include <GeographicLib/TransverseMercator.hpp>
 
@@ -24,6 +24,18 @@ void GeographicFrame::from_geodetic(double latitude, double longitude, double& e
                                     double& north) const {
   projection_->mercator.Forward(origin_.longitude, latitude, longitude, east, north);
   north -= north_;
+}
+
+GeodeticPlace GeographicFrame::place(const Vec3& enu) const {
+  GeodeticPlace place{0, 0, origin_.height + enu.z()};
+  to_geodetic(enu.x(), enu.y(), place.latitude, place.longitude);
+  return place;
+}
+
+Vec3 GeographicFrame::enu(const GeodeticPlace& place) const {
+  Vec3 enu(0, 0, place.height - origin_.height);
+  from_geodetic(place.latitude, place.longitude, enu.x(), enu.y());
+  return enu;
 }
 
 bool counts_from_origin(const Frame& frame) {

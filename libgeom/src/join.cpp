@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "geographic_frame.h"
+#include "geom/geographic_frame.h"
 #include "geom/error.h"
 
 namespace geom {

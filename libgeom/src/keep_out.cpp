@@ -7,7 +7,7 @@
 #include <istream>
 #include <nlohmann/json.hpp>
 
-#include "geographic_frame.h"
+#include "geom/geographic_frame.h"
 #include "geom/error.h"
 
 namespace geom {

@@ -7,7 +7,7 @@
 
 #include "geom/error.h"
 #include "geom/io/octomap.h"
-#include "text_table.h"
+#include "geom/io/text_table.h"
 
 namespace geom {
 namespace {

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "geom/io/point_cloud.h"
+#include "geom/io/text_table.h"
 #include "point_chunks.h"
-#include "text_table.h"
 
 // The Point Cloud Library's PCD 0.7.
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "geom/io/json_fields.h"
-#include "text_table.h"
+#include "geom/io/text_table.h"
 
 namespace geom {
 namespace {

@@ -1,4 +1,4 @@
-#include "text_table.h"
+#include "geom/io/text_table.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "text_table.h"
+#include "geom/io/text_table.h"
 
 namespace geom {
 namespace {

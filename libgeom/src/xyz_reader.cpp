@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "geom/io/point_cloud.h"
+#include "geom/io/text_table.h"
 #include "point_chunks.h"
-#include "text_table.h"
 
 namespace geom {
 

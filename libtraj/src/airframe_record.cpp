@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "traj/io/gains_record.h"
 #include "traj/limits.h"
 
 namespace traj {
@@ -9,6 +10,8 @@ namespace {
 
 using geom::JsonFields;
 using geom::Vec3;
+
+constexpr double kRadian = 0.017453292519943295;  // of a degree
 
 std::optional<double> positive(const JsonFields& fields, const char* key) {
   const std::optional<double> value = fields.number(key);
@@ -55,7 +58,67 @@ void parse_thrust(const JsonFields& fields, Airframe& airframe) {
   }
 }
 
+std::optional<Eigen::Vector2d> arm(const JsonFields& fields) {
+  if (!fields.has("motor_arm_m")) return std::nullopt;
+  const auto& value = fields.object()["motor_arm_m"];
+  if (!value.is_array() || value.size() != 2) {
+    fields.refuse(fmt::format("motor_arm_m must be [x,y], found {}", value.dump()));
+  }
+  const Eigen::Vector2d out(fields.number(value[0], "motor_arm_m[0]"),
+                            fields.number(value[1], "motor_arm_m[1]"));
+  if (out.minCoeff() <= 0) {
+    fields.refuse(fmt::format("motor_arm_m must be > 0 on both axes, found {}", value.dump()));
+  }
+  return out;
+}
+
+std::optional<Vec3> drag(const JsonFields& fields) {
+  if (!fields.has("drag_kg_s")) return std::nullopt;
+  const Vec3 value = fields.point("drag_kg_s");
+  if (value.minCoeff() < 0) {
+    fields.refuse(fmt::format("drag_kg_s must be >= 0 on each axis, found {}",
+                              fields.object()["drag_kg_s"].dump()));
+  }
+  return value;
+}
+
+constexpr double kTiltMax = 35;  // degrees, where a profile gives none
+
+std::optional<Gains> gains(const JsonFields& fields, const Airframe& airframe) {
+  const std::optional<Quadrotor> quadrotor = quadrotor_of(airframe);
+  if (quadrotor) {
+    const double tilt = fields.number("tilt_max_deg").value_or(kTiltMax);
+    if (tilt < 0 || tilt > 80) fields.refuse("tilt_max_deg must be within 0 to 80");
+    return parse_gains(fields, nominal_gains(*quadrotor, (tilt > 0 ? tilt : kTiltMax) * kRadian));
+  }
+  if (fields.has("gains")) {
+    fields.refuse(
+        "gains need mass_kg, inertia_kg_m2, motor_time_constant_s, thrust_n, motor_arm_m and "
+        "torque_per_thrust_m beside them");
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::optional<Quadrotor> quadrotor_of(const Airframe& a) {
+  if (!a.mass || !a.inertia || !a.motor_time_constant || !a.thrust_most || !a.arm ||
+      !a.torque_per_thrust) {
+    return std::nullopt;
+  }
+  Quadrotor out;
+  out.mass = *a.mass;
+  out.inertia = *a.inertia;
+  out.arm = *a.arm;
+  out.torque_per_thrust = *a.torque_per_thrust;
+  out.motor_time_constant = *a.motor_time_constant;
+  out.motor_least = *a.thrust_least / 4;
+  out.motor_most = *a.thrust_most / 4;
+  out.drag = a.drag.value_or(Vec3::Zero());
+  // MC_ROLLRATE_MAX, MC_PITCHRATE_MAX 220 deg/s, MC_YAWRATE_MAX 200 deg/s.
+  out.body_rate_max = a.body_rate_max.value_or(Vec3(220, 220, 200) * kRadian);
+  return out;
+}
 
 Airframe parse_airframe(const JsonFields& fields) {
   Airframe airframe;
@@ -67,6 +130,11 @@ Airframe parse_airframe(const JsonFields& fields) {
   airframe.ceiling = positive(fields, "ceiling_m");
   airframe.range = positive(fields, "range_m");
   airframe.endurance = positive(fields, "endurance_s");
+  airframe.arm = arm(fields);
+  airframe.torque_per_thrust = positive(fields, "torque_per_thrust_m");
+  airframe.drag = drag(fields);
+  airframe.battery = positive(fields, "battery_wh");
+  airframe.gains = gains(fields, airframe);
   return airframe;
 }
 

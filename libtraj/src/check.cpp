@@ -125,6 +125,20 @@ double penetration(const geom::CollisionScene& scene, const std::vector<std::siz
   return worst;
 }
 
+// An upper bound of that along a piece: a box is as deep as the nearest of its faces, and along a
+// face's axis the piece reaches no further than its control points.
+double most_penetration(const geom::CollisionScene& scene, const std::vector<std::size_t>& boxes,
+                        const Piece& piece) {
+  const geom::Aabb hull = hull_box(piece.q);
+  double most = -kInfinity;
+  for (const std::size_t i : boxes) {
+    const geom::Aabb box = scene.grown(i);
+    most =
+        std::max(most, std::min((hull.max - box.min).minCoeff(), (box.max - hull.min).minCoeff()));
+  }
+  return most;
+}
+
 double way_out(const geom::CollisionScene& scene, const Vec3& p) {
   if (!scene.free_bounds()) return scene.half().maxCoeff();
   return -depth_in(*scene.free_bounds(), p);
@@ -147,9 +161,10 @@ void report_collision(const geom::CollisionScene& scene, const std::vector<Piece
   std::sort(boxes.begin(), boxes.end());
   boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
   Largest worst;
-  search_largest(
-      bad, 1e-6, [&](const Vec3& p, double) { return penetration(scene, boxes, p, nullptr); },
-      worst);
+  const auto depth = [&](const Piece& piece, const Vec3& p) {
+    return Estimate{penetration(scene, boxes, p, nullptr), most_penetration(scene, boxes, piece)};
+  };
+  search_largest(bad, 1e-6, depth, worst);
   penetration(scene, boxes, worst.place, &result.box);
   note(result, "collision", worst);
 }
@@ -164,8 +179,12 @@ void check_place(const geom::CollisionScene& scene, const std::vector<Piece>& pi
   }
   if (!outside.empty()) {
     Largest worst;
-    search_largest(
-        outside, 1e-6, [&](const Vec3& p, double) { return way_out(scene, p); }, worst);
+    const auto out = [&](const Piece& piece, const Vec3& middle) {
+      Estimate e{way_out(scene, middle), -kInfinity};
+      for (const Vec3& p : piece.q) e.bound = std::max(e.bound, way_out(scene, p));  // convex
+      return e;
+    };
+    search_largest(outside, 1e-6, out, worst);
     note(result, "bounds", worst);
   } else if (!colliding.empty()) {
     report_collision(scene, colliding, result);

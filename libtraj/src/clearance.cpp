@@ -40,13 +40,14 @@ std::optional<Extreme> least_clearance(const geom::CollisionScene& scene,
                                        const std::vector<Piece>& pieces) {
   if (scene.map().size() == 0) return std::nullopt;
   Largest best;
-  search_largest(
-      pieces, 1e-3,
-      [&](const Vec3& p, double needed) {
-        const auto near = scene.nearest(p, -needed);
-        return near ? -near->distance : needed;
-      },
-      best);
+  // The distance moves by at most 1 per metre; what is too far to matter is not looked up.
+  const auto nearness = [&](const Piece& piece, const Vec3& middle) {
+    const double r = radius_around(piece.q, middle);
+    const auto near = scene.nearest(middle, r - best.value);
+    const double value = near ? -near->distance : best.value - r;
+    return Estimate{value, value + r};
+  };
+  search_largest(pieces, 1e-3, nearness, best);
   return Extreme{-best.value, best.time};
 }
 

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <istream>
+#include <numbers>
 #include <ostream>
 #include <string>
 
@@ -56,14 +57,10 @@ std::array<double, kPoints> to_bernstein(const std::array<double, kPoints>& powe
   return b;
 }
 
-std::array<double, kPoints> axis_of(const Segment& s, geom::Axes axes, int axis) {
+std::array<double, kPoints> axis_of(const Segment& s, int axis) {
   std::array<double, kPoints> values{};
-  if (axis == 3) {
-    if (!s.yaw) return values;
-    for (int i = 0; i < kPoints; ++i) values[i] = geom::yaw_to_enu(axes, (*s.yaw)[i]);
-    return values;
-  }
-  for (int i = 0; i < kPoints; ++i) values[i] = geom::to_enu(axes, s.point[i])[axis];
+  if (axis == 3) return s.yaw.value_or(values);
+  for (int i = 0; i < kPoints; ++i) values[i] = s.point[i][axis];
   return values;
 }
 
@@ -73,13 +70,14 @@ std::array<double, kColumns> parse_row(const std::string& text, std::string_view
   const char* at = text.data();
   const char* end = at + text.size();
   if (end != at && end[-1] == '\r') --end;
+  if (end != at && end[-1] == ',') --end;
   int count = 0;
   while (true) {
     const char* stop = std::find(at, end, ',');
     while (at < stop && *at == ' ') ++at;
     double value = 0;
     const auto [rest, error] = std::from_chars(at, stop, value);
-    if (error != std::errc() || rest != stop || !std::isfinite(value)) {
+    if (error != std::errc() || rest != stop || !std::isfinite(static_cast<float>(value))) {
       throw geom::InputError(source, line,
                              fmt::format("column {} must be a number, found \"{}\"", count + 1,
                                          std::string_view(at, stop)));
@@ -90,23 +88,60 @@ std::array<double, kColumns> parse_row(const std::string& text, std::string_view
     at = stop + 1;
   }
   if (count != kColumns) {
-    throw geom::InputError(source, line, fmt::format("expected 33 columns, found {}", count));
+    throw geom::InputError(
+        source, line,
+        fmt::format("expected 33 columns (separated by commas, decimals by a point), "
+                    "found {}",
+                    count));
   }
   return row;
 }
 
+// Whether an axis stays in the same millimetre (tenth of a degree for yaw) of the compressed form.
+bool is_constant(const Segment& s, int axis) {
+  const auto values = axis_of(s, axis);
+  const double scale = axis == 3 ? 1800 / std::numbers::pi : 1000;
+  return std::all_of(values.begin(), values.end(), [&](double v) {
+    return std::trunc(v * scale) == std::trunc(values[0] * scale);
+  });
+}
+
+bool is_compressible(const Segment& s) {
+  bool fits = s.duration <= 65.535;
+  for (const Vec3& p : s.point) fits = fits && p.cwiseAbs().maxCoeff() <= 32.767;
+  if (!s.yaw) return fits;
+  for (const double yaw : *s.yaw) fits = fits && std::abs(yaw) * 1800 / std::numbers::pi <= 32767;
+  return fits;
+}
+
 }  // namespace
 
-void write_crazyflie(std::ostream& out, const Trajectory& trajectory, geom::Axes axes) {
+CrazyflieMemory crazyflie_memory(const Trajectory& enu) {
+  constexpr std::size_t kMemory = 4096;
+  CrazyflieMemory memory{0, 8, false, true};
+  for (const Segment& s : enu.segments) {
+    memory.bytes += 132;
+    memory.compressed_bytes += 3;
+    for (int axis = 0; axis < kAxes; ++axis) {
+      if (!is_constant(s, axis)) memory.compressed_bytes += 14;
+    }
+    memory.compressed_fits = memory.compressed_fits && is_compressible(s);
+  }
+  memory.fits = memory.bytes <= kMemory;
+  memory.compressed_fits = memory.compressed_fits && memory.compressed_bytes <= kMemory;
+  return memory;
+}
+
+void write_crazyflie(std::ostream& out, const Trajectory& enu) {
   std::string text = "duration";
   for (const char* axis : {"x", "y", "z", "yaw"}) {
     for (int k = 0; k < kPoints; ++k) text += fmt::format(",{}^{}", axis, k);
   }
   text += '\n';
-  for (const Segment& s : trajectory.segments) {
+  for (const Segment& s : enu.segments) {
     geom::append_json(text, s.duration);
     for (int axis = 0; axis < kAxes; ++axis) {
-      for (const double c : to_powers(axis_of(s, axes, axis), s.duration)) {
+      for (const double c : to_powers(axis_of(s, axis), s.duration)) {
         text += ',';
         geom::append_json(text, c);
       }
@@ -116,7 +151,7 @@ void write_crazyflie(std::ostream& out, const Trajectory& trajectory, geom::Axes
   out << text;
 }
 
-Trajectory read_crazyflie(std::istream& in, std::string_view source, geom::Axes axes) {
+Trajectory read_crazyflie(std::istream& in, std::string_view source) {
   Trajectory trajectory;
   std::string text;
   for (std::size_t line = 1; std::getline(in, text); ++line) {
@@ -135,9 +170,11 @@ Trajectory read_crazyflie(std::istream& in, std::string_view source, geom::Axes 
       values[axis] = to_bernstein(powers, s.duration);
     }
     for (int i = 0; i < kPoints; ++i) {
-      s.point[i] = geom::to_enu(axes, {values[0][i], values[1][i], values[2][i]});
+      s.point[i] = {values[0][i], values[1][i], values[2][i]};
+      if (!(s.point[i].cwiseAbs().maxCoeff() <= geom::kLargestCoordinate)) {
+        throw geom::InputError(source, line, "the curve must stay within 1e8 m, found it beyond");
+      }
     }
-    for (double& yaw : values[3]) yaw = geom::yaw_to_enu(axes, yaw);
     s.yaw = values[3];
     trajectory.segments.push_back(s);
   }

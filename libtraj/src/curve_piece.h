@@ -72,17 +72,22 @@ inline Piece straight_piece(const Vec3& from, const Vec3& to, double begin, doub
   return piece;
 }
 
-// The largest of a function that moves by at most 1 per metre (a depth, a negated distance), by
-// branch and bound to `tolerance`. `value(p, needed)` may return anything below `needed` once it
-// knows that it stays below. Only what a report says hangs on this, never a verdict.
+// Only what a report says hangs on these, never a verdict.
 struct Largest {
   double value = -kInfinity;
   double time = 0;
   Vec3 place = Vec3::Zero();
 };
 
-template <class Value>
-void search_largest(const std::vector<Piece>& pieces, double tolerance, const Value& value,
+struct Estimate {
+  double value;  // at the middle of a piece
+  double bound;  // no less than anywhere on it
+};
+
+// The largest of a function over a curve, by branch and bound to `tolerance`. `estimate(piece,
+// middle)` may return anything no larger than `best` once it knows that the piece stays below.
+template <class F>
+void search_largest(const std::vector<Piece>& pieces, double tolerance, const F& estimate,
                     Largest& best) {
   struct Entry {
     double bound;
@@ -92,10 +97,9 @@ void search_largest(const std::vector<Piece>& pieces, double tolerance, const Va
   std::priority_queue<Entry> open;
   const auto look = [&](const Piece& piece) {
     const Vec3 p = middle_of(piece.q);
-    const double r = radius_around(piece.q, p);
-    const double v = value(p, best.value - r);
-    if (v > best.value) best = {v, piece.middle(), p};
-    if (v + r > best.value + tolerance) open.push({v + r, piece});
+    const Estimate e = estimate(piece, p);
+    if (e.value > best.value) best = {e.value, piece.middle(), p};
+    if (e.bound > best.value + tolerance) open.push({e.bound, piece});
   };
   for (const Piece& piece : pieces) look(piece);
   for (int i = 0; i < 20000 && !open.empty(); ++i) {

@@ -1,5 +1,7 @@
 #include "traj/io/report_record.h"
 
+#include <fmt/format.h>
+
 #include "traj/io/trajectory_record.h"
 
 namespace traj {
@@ -76,6 +78,35 @@ void append_exact(std::string& out, const ReportRecord& record, const geom::BoxM
   out += '}';
 }
 
+bool flag(const geom::JsonFields& fields, const nlohmann::json& object, const std::string& what) {
+  if (!object.contains("ok") || !object["ok"].is_boolean()) {
+    fields.refuse(fmt::format("{} must be true or false, found {}", what,
+                              object.contains("ok") ? object["ok"].dump() : "none"));
+  }
+  return object["ok"].get<bool>();
+}
+
+std::optional<std::uint64_t> parse_box(const geom::JsonFields& fields) {
+  if (!fields.has("box")) return std::nullopt;
+  const nlohmann::json& box = fields.object()["box"];
+  if (!box.is_number_unsigned()) {
+    fields.refuse("box must be a whole number >= 0, found " + box.dump());
+  }
+  return box.get<std::uint64_t>();
+}
+
+std::vector<ReportSummary::Named> parse_extremes(const geom::JsonFields& fields) {
+  std::vector<ReportSummary::Named> out;
+  for (const char* name :
+       {"clearance", "speed", "acceleration", "jerk", "tilt", "horizontal_speed", "vertical_speed",
+        "thrust", "body_rate", "yaw_rate", "rms", "p99", "max", "final"}) {
+    const auto value = fields.number(name);
+    const auto time = fields.number((std::string(name) + "_time").c_str());
+    if (value) out.push_back({name, *value, time});
+  }
+  return out;
+}
+
 }  // namespace
 
 bool accepted(const ReportRecord& record) {
@@ -118,6 +149,32 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   line.back() = '}';  // the comma that each part leaves behind it
   line += '\n';
   return line;
+}
+
+ReportSummary parse_report_record(std::string_view json, std::string_view source,
+                                  std::size_t line) {
+  const geom::JsonFields fields(json, source, line);
+  const bool flown = fields.text("type", "") == "flight";
+  if (!flown) fields.require_type("report");
+  ReportSummary report;
+  report.id = fields.text("id");
+  report.checked = flown ? "flight" : fields.text("checked", "");
+  report.ok = flag(fields, fields.object(), "ok");
+  if (!report.ok) report.reason = fields.text("reason");
+  report.time = fields.number("time");
+  if (fields.has("place")) report.place = fields.point("place");
+  report.worst = fields.number("worst");
+  report.box = parse_box(fields);
+  report.duration = fields.number("duration");
+  report.extremes = parse_extremes(fields);
+  if (fields.has("exact")) {
+    const nlohmann::json& exact = fields.object()["exact"];
+    if (!exact.is_object()) fields.refuse("exact must be an object, found " + exact.dump());
+    report.exact_ok = flag(fields, exact, "exact.ok");
+  }
+  report.provenance = fields.provenance();
+  report.limits = parse_limits(fields);
+  return report;
 }
 
 }  // namespace traj

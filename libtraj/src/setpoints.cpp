@@ -3,117 +3,160 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <istream>
-#include <optional>
+#include <numbers>
 #include <ostream>
 #include <string>
-#include <vector>
 
 #include "geom/error.h"
 #include "geom/io/record.h"
+#include "traj/yaw.h"
 
 namespace traj {
 namespace {
 
-constexpr std::string_view kHeader =
-    "t_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,ax_m_s2,ay_m_s2,az_m_s2,yaw_rad";
-constexpr std::size_t kColumns = 11;
+constexpr std::string_view kEnuHeader =
+    "t_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,ax_m_s2,ay_m_s2,az_m_s2,yaw_rad,yaw_rate_rad_s";
+constexpr std::string_view kNedHeader =
+    "t_s,n_m,e_m,d_m,vn_m_s,ve_m_s,vd_m_s,an_m_s2,ae_m_s2,ad_m_s2,yaw_rad,yaw_rate_rad_s";
+constexpr std::size_t kColumns = 12;
+using Row = std::array<double, kColumns>;
 
-double yaw_at(const Trajectory& trajectory, geom::Axes axes, double t) {
-  double begin = 0;
-  for (const Segment& s : trajectory.segments) {
-    const double u = std::min((t - begin) / s.duration, 1.0);
-    begin += s.duration;
-    if (t >= begin && &s != &trajectory.segments.back()) continue;
-    if (!s.yaw) return 0;
-    auto b = *s.yaw;
-    for (int m = 1; m < kPoints; ++m) {
-      for (int i = 0; i + m < kPoints; ++i) b[i] += u * (b[i + 1] - b[i]);
-    }
-    return geom::yaw_to_enu(axes, b[0]);
+// Yaw and its rate at u of the segment, 0 to 1, by de Casteljau.
+void set_yaw(const Segment& s, double u, Setpoint& setpoint) {
+  if (!s.yaw) return;
+  auto b = *s.yaw;
+  for (int m = kDegree; m > 1; --m) {
+    for (int i = 0; i < m; ++i) b[i] += u * (b[i + 1] - b[i]);
   }
-  return 0;
+  setpoint.yaw = b[0] + u * (b[1] - b[0]);
+  setpoint.yaw_rate = kDegree * (b[1] - b[0]) / s.duration;
 }
 
-void append_row(std::string& text, const Trajectory& trajectory, geom::Axes axes, double t) {
-  const State s = evaluate(trajectory, t);
-  geom::append_json(text, t);
-  for (const Vec3& v : {s.position, s.velocity, s.acceleration}) {
-    const Vec3 enu = geom::to_enu(axes, v);
-    for (int i = 0; i < 3; ++i) {
-      text += ',';
-      geom::append_json(text, enu[i]);
-    }
-  }
-  text += ',';
-  geom::append_json(text, yaw_at(trajectory, axes, t));
-  text += '\n';
+// East, north, up as north, east, down; its own inverse. A yaw likewise.
+Vec3 swapped(const Vec3& v) { return {v.y(), v.x(), -v.z()}; }
+
+Setpoint swapped(Setpoint s) {
+  for (Vec3* v : {&s.state.position, &s.state.velocity, &s.state.acceleration}) *v = swapped(*v);
+  s.yaw = std::numbers::pi / 2 - s.yaw;
+  s.yaw_rate = -s.yaw_rate;
+  return s;
 }
 
-std::vector<double> parse_row(std::string_view text, std::string_view source, std::size_t line) {
-  std::vector<double> row;
-  if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-  for (std::size_t at = 0; at <= text.size();) {
+Row row_of(const Setpoint& s) {
+  const Vec3& p = s.state.position;
+  const Vec3& v = s.state.velocity;
+  const Vec3& a = s.state.acceleration;
+  return {s.time, p[0], p[1], p[2], v[0], v[1], v[2], a[0], a[1], a[2], s.yaw, s.yaw_rate};
+}
+
+Setpoint setpoint_of(const Row& row) {
+  Setpoint s;
+  s.time = row[0];
+  s.state.position = {row[1], row[2], row[3]};
+  s.state.velocity = {row[4], row[5], row[6]};
+  s.state.acceleration = {row[7], row[8], row[9]};
+  s.yaw = row[10];
+  s.yaw_rate = row[11];
+  return s;
+}
+
+Row parse_row(std::string_view text, std::string_view source, std::size_t line) {
+  Row row;
+  std::size_t count = 0;
+  for (std::size_t at = 0; at <= text.size(); ++count) {
     const std::size_t stop = std::min(text.find(',', at), text.size());
     double value = 0;
     const auto [rest, error] = std::from_chars(text.data() + at, text.data() + stop, value);
-    if (error != std::errc() || rest != text.data() + stop || !std::isfinite(value)) {
+    if (error != std::errc() || rest != text.data() + stop ||
+        !(std::abs(value) <= geom::kLargestCoordinate)) {
       throw geom::InputError(source, line,
-                             fmt::format("column {} must be a number, found \"{}\"", row.size() + 1,
-                                         text.substr(at, stop - at)));
+                             fmt::format("column {} must be a number within 1e8, found \"{}\"",
+                                         count + 1, text.substr(at, stop - at)));
     }
-    row.push_back(value);
+    if (count < kColumns) row[count] = value;
     at = stop + 1;
   }
-  if (row.size() != kColumns) {
+  if (count != kColumns) {
     throw geom::InputError(source, line,
-                           fmt::format("expected {} columns, found {}", kColumns, row.size()));
+                           fmt::format("expected {} columns, found {}", kColumns, count));
   }
   return row;
 }
 
-}  // namespace
-
-void write_setpoints(std::ostream& out, const Trajectory& trajectory, geom::Axes axes,
-                     double rate) {
-  const double end = duration(trajectory);
-  std::string text(kHeader);
-  text += '\n';
-  for (double k = 0; k / rate < end; ++k) append_row(text, trajectory, axes, k / rate);
-  append_row(text, trajectory, axes, end);
-  out << text;
+SetpointAxes axes_of_header(std::string_view text, std::string_view source) {
+  if (text == kEnuHeader) return SetpointAxes::enu;
+  if (text == kNedHeader) return SetpointAxes::ned;
+  throw geom::InputError(
+      source, 1,
+      fmt::format("expected the header {} or {}, found \"{}\"", kEnuHeader, kNedHeader, text));
 }
 
-Trajectory read_setpoints(std::istream& in, std::string_view source, geom::Axes axes) {
-  Trajectory trajectory;
-  std::optional<std::vector<double>> last;
+}  // namespace
+
+std::vector<Setpoint> setpoints(const Trajectory& enu, double rate) {
+  std::vector<Setpoint> made;
+  const double end = duration(enu);
+  std::size_t segment = 0;
+  double begin = 0;
+  const auto add = [&](double t) {
+    while (segment + 1 < enu.segments.size() && t >= begin + enu.segments[segment].duration) {
+      begin += enu.segments[segment++].duration;
+    }
+    const Segment& s = enu.segments[segment];
+    const double in = std::min(t - begin, s.duration);
+    made.push_back({t, evaluate(s, in), 0, 0});
+    set_yaw(s, in / s.duration, made.back());
+  };
+  for (double k = 0; k / rate < end; ++k) add(k / rate);
+  add(end);
+  return made;
+}
+
+void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, SetpointAxes axes) {
+  std::string text(axes == SetpointAxes::enu ? kEnuHeader : kNedHeader);
+  for (const Setpoint& s : setpoints) {
+    const char* separator = "\n";
+    for (const double value : row_of(axes == SetpointAxes::enu ? s : swapped(s))) {
+      text += separator;
+      geom::append_json(text, value == 0 ? 0.0 : value);  // no "-0"
+      separator = ",";
+    }
+  }
+  out << text << '\n';
+}
+
+std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source) {
+  std::vector<Setpoint> read;
+  SetpointAxes axes = SetpointAxes::enu;
   std::string text;
   for (std::size_t line = 1; std::getline(in, text); ++line) {
+    if (text.ends_with('\r')) text.pop_back();
     if (line == 1) {
-      if (text != kHeader) {
-        throw geom::InputError(source, line,
-                               fmt::format("expected the header {}, found \"{}\"", kHeader, text));
-      }
+      axes = axes_of_header(text, source);
       continue;
     }
-    const auto row = parse_row(text, source, line);
-    if (last) {
-      Segment s;
-      s.duration = row[0] - (*last)[0];
-      if (!(s.duration > 0)) {
-        throw geom::InputError(source, line, fmt::format("t_s must grow, found {}", row[0]));
-      }
-      const Vec3 a = geom::to_enu(axes, {(*last)[1], (*last)[2], (*last)[3]});
-      const Vec3 b = geom::to_enu(axes, {row[1], row[2], row[3]});
-      s.point = {a, a, a, a, b, b, b, b};
-      trajectory.segments.push_back(s);
+    Setpoint s = setpoint_of(parse_row(text, source, line));
+    if (axes == SetpointAxes::ned) s = swapped(s);
+    if (!read.empty() && !(s.time > read.back().time)) {
+      throw geom::InputError(source, line, fmt::format("t_s must grow, found {}", s.time));
     }
-    last = row;
+    read.push_back(s);
   }
-  if (trajectory.segments.empty()) {
-    throw geom::InputError(source, "expected a header and at least two rows");
+  if (read.size() < 2) throw geom::InputError(source, "expected a header and at least two rows");
+  return read;
+}
+
+Trajectory straight_between(const std::vector<Setpoint>& setpoints) {
+  Trajectory trajectory;
+  for (std::size_t i = 1; i < setpoints.size(); ++i) {
+    const Vec3& a = setpoints[i - 1].state.position;
+    const Vec3& b = setpoints[i].state.position;
+    trajectory.segments.push_back(
+        {setpoints[i].time - setpoints[i - 1].time, {a, a, a, a, b, b, b, b}, {}});
   }
   return trajectory;
 }

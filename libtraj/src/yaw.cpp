@@ -14,14 +14,23 @@ constexpr double kClose = 0.1;           // metres
 constexpr double kSteepest = 35.0 / 16;  // of a smoothstep of degree 7, over its mean
 constexpr double kSlack = 0.999;         // for what the bound of a smoothstep is above its peak
 
-std::optional<double> wanted(const YawOptions& options, const State& state) {
-  if (options.kind == YawOptions::Kind::fixed) return options.angle;
-  const bool along = options.kind == YawOptions::Kind::along;
-  const Vec3 look = along ? state.velocity : Vec3(options.target - state.position);
-  if (look.x() * look.x() + look.y() * look.y() < (along ? kSlow * kSlow : kClose * kClose)) {
-    return std::nullopt;
+// The direction across the ground, unless it is shorter than that.
+std::optional<double> direction(const Vec3& v, double shortest) {
+  if (v.x() * v.x() + v.y() * v.y() < shortest * shortest) return std::nullopt;
+  return angle_of(v.x(), v.y());
+}
+
+// `ahead` is the way to the next joint.
+std::optional<double> wanted(const YawOptions& options, const State& state, const Vec3& ahead) {
+  switch (options.kind) {
+    case YawOptions::Kind::fixed:
+      return options.angle;
+    case YawOptions::Kind::towards:
+      return direction(options.target - state.position, kClose);
+    default:
+      const auto moving = direction(state.velocity, kSlow);
+      return moving ? moving : direction(ahead, kClose);
   }
-  return angle_of(look.x(), look.y());
 }
 
 std::vector<State> joint_states(const Trajectory& trajectory) {
@@ -40,7 +49,11 @@ double turn(double a, double b) {
 // Yaw at the joints: what is wanted, each as near as the rate allows after the one before.
 std::vector<double> at_joints(const YawOptions& options, const Trajectory& trajectory) {
   std::vector<std::optional<double>> look;
-  for (const State& s : joint_states(trajectory)) look.push_back(wanted(options, s));
+  const std::vector<State> joints = joint_states(trajectory);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const State& next = joints[std::min(i + 1, joints.size() - 1)];
+    look.push_back(wanted(options, joints[i], next.position - joints[i].position));
+  }
   const auto first =
       std::find_if(look.begin(), look.end(), [](const auto& l) { return l.has_value(); });
   std::vector<double> yaw = {first == look.end() ? 0 : **first};
@@ -112,6 +125,24 @@ void add_yaw(const YawOptions& options, Trajectory& trajectory) {
     for (std::size_t k = i > 0 ? i - 1 : 0; k < std::min(i + 2, segments.size()); ++k) set(k);
     i = i > 0 ? i - 1 : 0;
   }
+}
+
+std::optional<double> yaw_at(const Trajectory& trajectory, double t) {
+  double begin = 0;
+  for (const Segment& s : trajectory.segments) {
+    const bool last = &s == &trajectory.segments.back();
+    if (t < begin + s.duration || last) {
+      if (!s.yaw) return std::nullopt;
+      const double u = std::clamp((t - begin) / s.duration, 0.0, 1.0);
+      auto b = *s.yaw;
+      for (int m = 1; m < kPoints; ++m) {
+        for (int i = 0; i + m < kPoints; ++i) b[i] += u * (b[i + 1] - b[i]);
+      }
+      return b[0];
+    }
+    begin += s.duration;
+  }
+  return std::nullopt;
 }
 
 }  // namespace traj

@@ -3,6 +3,7 @@
 set -euo pipefail
 export PATH="$1:$PATH"
 table=$2
+vehicle=$(dirname "$table")/vehicles/quad2kg.json
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -16,12 +17,17 @@ for threads in 1 2 7; do
     --threads $threads -o paths.$threads || [ $? -eq 1 ]
   skyway-replan map paths.$threads --margin 1 --threads $threads -o replanned.$threads || [ $? -eq 1 ]
   skyway-traj map paths.$threads --vmax 8 --amax 6 --solver stop-and-go -o trajectories.$threads || [ $? -eq 1 ]
+  skyway-render -q map trajectories.$threads --rate 0.2 --shadows --threads $threads -o video.$threads.y4m
   skyway-check map trajectories.$threads -o reports.$threads || [ $? -eq 1 ]
+  skyway-fly trajectories.$threads --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1 \
+    --runs 9 --log-rate 10 --threads $threads -o log.$threads --report flights.$threads || [ $? -eq 1 ]
 done
-for kind in lattice paths replanned trajectories reports; do
+for kind in lattice paths replanned trajectories reports log flights; do
   cmp $kind.1 $kind.2
   cmp $kind.1 $kind.7
 done
+cmp video.1.y4m video.2.y4m
+cmp video.1.y4m video.7.y4m
 # Shards, joined in another order than theirs, are what one run gives; and once done, they are left alone.
 sharded() {
   local kind=$1 k
@@ -38,6 +44,8 @@ sharded lattice skyway-lattice map --spacing 10 --connect 26 --vehicle box:0.5,0
 sharded roadmap skyway-roadmap map --within 50 --vehicle box:0.5,0.5,0.3
 sharded paths skyway-plan map --lattice lattice.1 --queries queries --vehicle box:0.5,0.5,0.3 --snap-ends 30
 sharded trajectories skyway-traj map paths.1 --vmax 8 --amax 6 --solver stop-and-go
+sharded log skyway-fly trajectories.1 --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 \
+  --mass-error 0.1 --runs 9 --log-rate 10
 sharded reports skyway-check map trajectories.1
 [ "$(grep -c '"ok":true' reports.1)" -ge 5 ]
 echo "same bytes"

@@ -2,6 +2,5 @@
 #include "traj/export/crazyflie.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return refuses_or_reads(
-      data, size, [](std::istream& in) { traj::read_crazyflie(in, "fuzz", geom::Axes::enu); });
+  return refuses_or_reads(data, size, [](std::istream& in) { traj::read_crazyflie(in, "fuzz"); });
 }

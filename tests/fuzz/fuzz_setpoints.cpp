@@ -2,6 +2,7 @@
 #include "traj/export/setpoints.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return refuses_or_reads(
-      data, size, [](std::istream& in) { traj::read_setpoints(in, "fuzz", geom::Axes::neu); });
+  return refuses_or_reads(data, size, [](std::istream& in) {
+    traj::straight_between(traj::read_setpoints(in, "fuzz"));
+  });
 }

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "geographic_frame.h"
+#include "geom/geographic_frame.h"
 #include "geom/error.h"
 #include "geom/io/keep_out.h"
 #include "support/random_city.h"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "geom/error.h"
 #include "plan/rrt.h"
 #include "plan/scenes.h"
 
@@ -104,6 +105,60 @@ TEST(SearchTreeJsonl, ComesBackBitForBit) {
     back.tree.push_back(node.at("tree"));
   }
   EXPECT_EQ(back, tree);
+}
+
+// The tree in these lines; a line after the last node is not asked for.
+SearchTreeRecord read(const std::string& text) {
+  std::istringstream in(text);
+  std::string line;
+  std::getline(in, line);
+  SearchTreeReader reader(line, "t.jsonl", 1);
+  std::size_t number = 1;
+  while (std::getline(in, line)) reader.add(line, "t.jsonl", ++number);
+  return std::move(reader).finish("t.jsonl", number);
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const geom::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SearchTreeReader, ReadsWhatWasWritten) {
+  for (const SearchTree& tree : {SearchTree{}, small_tree(), grown_tree()}) {
+    const SearchTreeRecord record = read(jsonl(tree));
+    EXPECT_EQ(record.tree, tree);
+    EXPECT_EQ(record.id, "q1");
+    EXPECT_EQ(record.provenance.frame, geom::Axes::neu);
+    EXPECT_EQ(record.provenance.margin, 0.5);
+  }
+}
+
+TEST(SearchTreeReader, RefusesWhatIsNoTree) {
+  const std::string head = "{\"type\":\"tree\",\"id\":\"a\",\"nodes\":2}\n";
+  const auto node = [](const char* index, const char* parent, const char* first,
+                       const char* which) {
+    return std::string("{\"index\":") + index + ",\"parent\":" + parent +
+           ",\"first_parent\":" + first + ",\"tree\":" + which + ",\"cost\":0,\"point\":[0,0,0]}\n";
+  };
+  const std::string good = node("0", "0", "0", "0");
+  EXPECT_EQ(refusal(head + good + node("1", "0", "0", "1")), "");
+  EXPECT_EQ(refusal(head + good), "t.jsonl:2: expected a tree of 2 nodes, found 1");
+  EXPECT_EQ(refusal(head + good + good), "t.jsonl:3: expected index 1, found 0");
+  EXPECT_EQ(refusal(head + node("0", "2", "0", "0")),
+            "t.jsonl:2: parent must be a whole number from 0 to below 2, found 2");
+  EXPECT_EQ(refusal(head + node("0", "0", "1", "0")),
+            "t.jsonl:2: first_parent must be a whole number from 0 to below 1, found 1");
+  EXPECT_EQ(refusal(head + node("0", "0", "0", "2")),
+            "t.jsonl:2: tree must be a whole number from 0 to below 2, found 2");
+  EXPECT_EQ(refusal(head + node("0", "-1", "0", "0")),
+            "t.jsonl:2: parent must be a whole number from 0 to below 2, found -1");
+  EXPECT_EQ(refusal(head + good + node("1", "0", "0", "0") + good),
+            "t.jsonl:4: expected 2 nodes, found one more");
+  EXPECT_NE(refusal("{\"type\":\"tree\",\"id\":\"a\",\"nodes\":1e300}\n"), "");
 }
 
 TEST(SearchTreePly, HasAVertexANodeAndAnEdgeAParent) {

@@ -44,6 +44,24 @@ skyway-import -q "$SKYWAY_REALDATA/clouds/octomap/geb079.bt" -o tree
 [ "$(count tree)" -eq 143729 ]  # what octomap-tools' bt2vrml counts
 skyway-import -q "$SKYWAY_REALDATA/voxels/Complex.3dmap" -o voxels
 [ "$(count voxels)" -eq "$(grep -c '^[0-9]' "$SKYWAY_REALDATA/voxels/Complex.3dmap")" ]
+traj=$SKYWAY_REALDATA/traj
+records() { skyway-import-trajectory -q "$@" | grep -o "\"type\":\"$kind\"" | wc -l; }
+kind=trajectory
+[ "$(records "$traj/crazyswarm2/data_figure8.csv")" -eq 1 ]  # a comma ends its lines
+[ "$(records "$traj/crazyswarm2/multi_trajectory_traj1.csv")" -eq 1 ]
+if skyway-import-trajectory --gap 1e-6 "$traj/crazyswarm2/multi_trajectory_traj1.csv" 2> why; then exit 1; fi
+grep -q 'position steps by 5.*e-05 m where segment 1 begins, at t = 1.58689 s' why
+skyway-import-trajectory -q "$traj/crazyswarm2/data_figure8.csv" -o figure8
+printf 'min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n2,2,0,3,3,1,\n' > box.csv
+skyway-import box.csv -q --bounds=-3,-3,-1,3,3,2 -o room
+skyway-check room figure8 --vehicle crazyflie | grep -q '"ok":true'
+skyway-check room "$traj/crazyswarm2/data_figure8.csv" --file-format auto --vehicle crazyflie | grep -q '"ok":true'
+kind=path
+[ "$(records "$traj/uav_trajectories/waypoints1.csv")" -eq 1 ]
+[ "$(records "$traj/dronekit_mpmission.txt" --origin -35.363262,149.165237,584)" -eq 1 ]
+for mission in "$traj"/mavsdk_plans/*; do
+  [ "$(records "$mission" --origin 47.3977507,8.5456075,488.93)" -eq 1 ]
+done
 if command -v skyway-footprints > /dev/null; then
   city=$SKYWAY_REALDATA/city
   skyway-footprints -q "$city/osm/Helsinki.osm.pbf" --stats stats -o helsinki

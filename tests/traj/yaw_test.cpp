@@ -79,6 +79,22 @@ TEST(Yaw, LooksAtAPointAndStaysWhereItIsOverIt) {
   EXPECT_NEAR(wrapped(yaw_at_end(t.segments[5]) - std::atan2(look.y(), look.x())), 0, 1e-9);
 }
 
+TEST(Yaw, TurnsBetweenLegsThatEndAtRest) {
+  const std::vector<State> rests = {
+      {Vec3(0, 0, 0)}, {Vec3(10, 0, 0)}, {Vec3(10, 10, 0)}, {Vec3(10, 10, 5)}, {Vec3(0, 10, 5)}};
+  Trajectory t;
+  for (std::size_t i = 1; i < rests.size(); ++i) {
+    t.segments.push_back(hermite(rests[i - 1], rests[i], 10));
+  }
+  add_yaw({}, t);
+  const double quarter = 1.5707963267948966;
+  EXPECT_NEAR(t.segments[0].yaw->front(), 0, 1e-12);
+  EXPECT_NEAR(t.segments[1].yaw->front(), quarter, 1e-12);
+  EXPECT_NEAR(t.segments[2].yaw->front(), quarter, 1e-12);  // straight up
+  EXPECT_NEAR(t.segments[3].yaw->front(), 2 * quarter, 1e-12);
+  EXPECT_NEAR(t.segments[3].yaw->back(), 2 * quarter, 1e-12);
+}
+
 TEST(Yaw, FixedIsFixed) {
   Trajectory t = random_trajectory(4, 8);
   YawOptions options;
@@ -88,6 +104,26 @@ TEST(Yaw, FixedIsFixed) {
   for (const Segment& s : t.segments) {
     for (const double b : *s.yaw) EXPECT_EQ(b, 2);
   }
+}
+
+TEST(YawAt, IsThePolynomialAndTheLaterSegmentAtAJoint) {
+  Trajectory t = random_trajectory(5, 6);
+  EXPECT_EQ(yaw_at(t, 1), std::nullopt);
+  add_yaw({}, t);
+  double begin = 0;
+  for (const Segment& s : t.segments) {
+    for (const double u : {0.0, 0.25, 0.7}) {
+      double sum = 0;  // from the definition
+      for (int i = 0; i < kPoints; ++i) {
+        sum += std::tgamma(8) / std::tgamma(i + 1) / std::tgamma(8 - i) * std::pow(u, i) *
+               std::pow(1 - u, kDegree - i) * (*s.yaw)[i];
+      }
+      EXPECT_NEAR(*yaw_at(t, begin + u * s.duration), sum, 1e-9);
+    }
+    begin += s.duration;
+  }
+  EXPECT_EQ(yaw_at(t, begin + 1), t.segments.back().yaw->back());
+  EXPECT_EQ(yaw_at(t, -1), t.segments.front().yaw->front());
 }
 
 TEST(Yaw, KeepsTheFirstHeadingBeforeItMoves) {

@@ -195,10 +195,20 @@ void OutputFile::commit() {
   temporary_.clear();
 }
 
+namespace {
+
+void at_most_one(std::ptrdiff_t count) {
+  if (count > 1) throw UsageError("at most one input may be \"-\"");
+}
+
+}  // namespace
+
 void at_most_one_stdin(std::initializer_list<std::string_view> inputs) {
-  if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
-    throw UsageError("at most one input may be \"-\"");
-  }
+  at_most_one(std::count(inputs.begin(), inputs.end(), "-"));
+}
+
+void at_most_one_stdin(std::string_view first, std::span<const std::string> others) {
+  at_most_one((first == "-") + std::count(others.begin(), others.end(), "-"));
 }
 
 }  // namespace cli

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -64,5 +65,6 @@ class OutputFile {
 
 // Refuses (UsageError) more than one input named "-".
 void at_most_one_stdin(std::initializer_list<std::string_view> inputs);
+void at_most_one_stdin(std::string_view first, std::span<const std::string> others);
 
 }  // namespace cli

@@ -128,16 +128,20 @@ void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outp
   for (const auto& [name, file] : outputs) {
     if (!file.empty() && name != "output") work_.options[name] = true;  // that, not where
   }
+  const auto is_input = [&](const std::string& value) {
+    return std::any_of(inputs.begin(), inputs.end(),
+                       [&](const auto& input) { return input.second == value; });
+  };
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_single_name();
+    const auto values = option->results();
     const bool idle = std::find(kIdle.begin(), kIdle.end(), name) != kIdle.end();
-    const bool noted = work_.inputs.contains(name) || work_.options.contains(name);
-    if (option->count() == 0 || idle || noted) continue;
-    work_.options[name] = option->results();
-    // A vehicle's file, say.
-    if (option->results().size() == 1 && std::filesystem::is_regular_file(option->results()[0])) {
-      work_.inputs[name] = hash_of(option->results()[0]);
-      work_.options.erase(name);
+    if (values.empty() || idle || work_.options.contains(name)) continue;
+    if (std::all_of(values.begin(), values.end(), is_input)) continue;
+    if (values.size() == 1 && std::filesystem::is_regular_file(values[0])) {  // of a vehicle, say
+      work_.inputs[name] = hash_of(values[0]);
+    } else {
+      work_.options[name] = values;
     }
   }
 }

@@ -29,7 +29,7 @@ struct NamedBody {
 VehicleProfile from_body(std::string name, const Vec3& body, double tilt_deg, traj::Limits limits) {
   const double tilt = tilt_deg * std::numbers::pi / 180;
   limits.tilt = tilt;
-  return {{std::move(name), geom::attitude_half_sizes(body, tilt)}, limits, {}};
+  return {{std::move(name), geom::attitude_half_sizes(body, tilt)}, limits, {}, body};
 }
 
 std::optional<VehicleProfile> built_in(const std::string& word) {
@@ -79,8 +79,8 @@ std::string shown(const geom::Vehicle& v) {
 }  // namespace
 
 VehicleProfile parse_vehicle(const std::string& word) {
-  if (word.starts_with("box:")) return {{word, half_sizes(word.substr(4), 3, word)}, {}, {}};
-  if (word.starts_with("sphere:")) return {{word, half_sizes(word.substr(7), 1, word)}, {}, {}};
+  if (word.starts_with("box:")) return {{word, half_sizes(word.substr(4), 3, word)}, {}, {}, {}};
+  if (word.starts_with("sphere:")) return {{word, half_sizes(word.substr(7), 1, word)}, {}, {}, {}};
   if (const auto named = built_in(word)) return *named;
   if (word.ends_with(".json")) return from_file(word);
   throw UsageError(

@@ -16,8 +16,9 @@ namespace cli {
 
 struct VehicleProfile {
   geom::Vehicle vehicle;
-  traj::Limits limits;      // what the vehicle can do; options are stricter or looser
-  traj::Airframe airframe;  // of a file only
+  traj::Limits limits;             // what the vehicle can do; options are stricter or looser
+  traj::Airframe airframe;         // of a file only
+  std::optional<geom::Vec3> body;  // half sizes, m, that `vehicle` holds up to limits.tilt
 };
 
 // "box:HX,HY,HZ", "sphere:R", a built-in name, or a JSON file

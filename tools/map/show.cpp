@@ -1,9 +1,8 @@
-// Looking at maps: info, to-csv, to-ply, to-gltf.
+// Looking at maps: info, to-csv.
 
 #include "cli/describe.h"
 #include "cli/files.h"
 #include "geom/io/box_csv.h"
-#include "geom/io/mesh.h"
 #include "geom/join.h"
 #include "geom/map_statistics.h"
 #include "map/verbs.h"
@@ -52,19 +51,6 @@ Json description(const BoxMap& map, bool all) {
   return out;
 }
 
-template <class Write>
-Verb writer(CLI::App& app, const char* name, const char* what, cli::OutputKind kind, Write write) {
-  auto files = std::make_shared<Files>();
-  CLI::App* verb = files->add(app, name, what);
-  return {verb, [=] {
-            const BoxMap map = cli::open_map(files->map);
-            cli::OutputFile out(files->output, kind);
-            write(out.stream(), map);
-            out.commit();
-            return cli::Exit::yes;
-          }};
-}
-
 }  // namespace
 
 Verb info(CLI::App& app, const cli::Common&) {
@@ -88,19 +74,15 @@ Verb info(CLI::App& app, const cli::Common&) {
 }
 
 Verb to_csv(CLI::App& app, const cli::Common&) {
-  return writer(
-      app, "to-csv", "write the boxes as box CSV", cli::OutputKind::text,
-      [](std::ostream& out, const BoxMap& map) { geom::write_box_csv(out, geom::table_of(map)); });
-}
-
-Verb to_ply(CLI::App& app, const cli::Common&) {
-  return writer(app, "to-ply", "write the boxes as triangles (binary PLY, east north up)",
-                cli::OutputKind::artefact, geom::write_ply);
-}
-
-Verb to_gltf(CLI::App& app, const cli::Common&) {
-  return writer(app, "to-gltf", "write the boxes as a mesh a label (binary glTF, .glb)",
-                cli::OutputKind::artefact, geom::write_glb);
+  auto files = std::make_shared<Files>();
+  CLI::App* verb = files->add(app, "to-csv", "write the boxes as box CSV");
+  return {verb, [=] {
+            const BoxMap map = cli::open_map(files->map);
+            cli::OutputFile out(files->output, cli::OutputKind::text);
+            geom::write_box_csv(out.stream(), geom::table_of(map));
+            out.commit();
+            return cli::Exit::yes;
+          }};
 }
 
 }  // namespace verbs

@@ -1,75 +1,94 @@
-#include "motion_profile.h"
+#include "plot/motion_profile.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <functional>
 
-#include "svg.h"
+#include "plot/figure.h"
+#include "plot/palette.h"
+#include "traj/flatness.h"
 
 namespace plot {
 namespace {
 
-constexpr int kSamples = 1200;  // of a picture 800 pixels wide
-constexpr double kPanel = 150;
+constexpr int kSamples = 1500;
+constexpr double kDegrees = 57.29577951308232;
 
-struct Panel {
-  const char* label;
-  std::function<double(const traj::State&)> value;
-  std::optional<double> limit;
-  const char* colour;
-};
+using Value = std::function<double(const traj::State&)>;
 
-void draw(Svg& svg, const traj::Trajectory& trajectory, const Panel& panel, double top, bool last) {
-  const double end = traj::duration(trajectory);
-  std::vector<Point> curve;
-  double high = panel.limit.value_or(0);
+std::vector<Point> curve(const traj::TrajectoryRecord& record, geom::Axes axes,
+                         const Value& value) {
+  const double end = traj::duration(record.trajectory);
+  std::vector<Point> points;
   for (int i = 0; i <= kSamples; ++i) {
     const double t = end * i / kSamples;
-    curve.push_back({t, panel.value(traj::evaluate(trajectory, t))});
-    high = std::max(high, curve.back().y);
+    points.push_back({t, value(traj::to_enu(axes, traj::evaluate(record.trajectory, t)))});
   }
-  const Frame frame{80, top, 800, kPanel, {0, 0}, {end, high > 0 ? high * 1.08 : 1}};
-  for (Point& p : curve) p = frame.at(p);
-  double t = 0;
-  for (const traj::Segment& s : trajectory.segments) {
-    t += s.duration;
-    const double x = frame.at({std::min(t, end), 0}).x;
-    svg.polyline({{x, top}, {x, top + kPanel}}, "stroke=\"#00000018\" stroke-width=\"1\"");
-  }
-  if (panel.limit) {
-    svg.polyline({frame.at({0, *panel.limit}), frame.at({end, *panel.limit})},
-                 "stroke=\"#555\" stroke-width=\"1\" stroke-dasharray=\"6 4\"");
-  }
-  svg.polyline(curve, fmt::format("stroke=\"{}\" stroke-width=\"2\"", panel.colour));
-  svg.axes(frame, last ? "time, s" : "", panel.label);
+  return points;
+}
+
+std::vector<Level> level(const char* name, const std::optional<double>& limit, double scale = 1) {
+  if (!limit) return {};
+  return {{fmt::format("{} {:.4g}", name, *limit * scale), *limit * scale}};
+}
+
+double tilt(const traj::State& s) {
+  const traj::FlatState flat = traj::flat_state(s, {});
+  return std::acos(std::min(1.0, flat.attitude(2, 2))) * kDegrees;
 }
 
 }  // namespace
 
 std::string motion_profile(const traj::TrajectoryRecord& record) {
+  const geom::Axes axes = record.provenance.frame.value_or(geom::Axes::enu);
   const traj::Limits& limits = record.limits;
-  const Panel panels[] = {
-      {"z, m", [](const traj::State& s) { return s.position.z(); }, {}, "#0072b2"},
-      {"speed, m/s", [](const traj::State& s) { return s.velocity.norm(); }, limits.vmax,
-       "#009e73"},
-      {"accel., m/s\u00b2", [](const traj::State& s) { return s.acceleration.norm(); }, limits.amax,
-       "#d55e00"},
-      {"jerk, m/s\u00b3", [](const traj::State& s) { return s.jerk.norm(); }, limits.jmax,
-       "#cc79a7"},
+  const auto of = [&](const Value& value, const char* label, std::size_t i) {
+    return Series{label, colour(i), curve(record, axes, value)};
   };
-  Svg svg(910, 50 + 4 * (kPanel + 30) + 30);
-  svg.text(
-      {80, 32},
-      fmt::format("{}: {:.2f} s, {} segments{}", record.id, traj::duration(record.trajectory),
-                  record.trajectory.segments.size(), record.rung.empty() ? "" : ", " + record.rung),
-      18);
-  double top = 50;
-  for (const Panel& panel : panels) {
-    draw(svg, record.trajectory, panel, top, &panel == std::end(panels) - 1);
-    top += kPanel + 30;
+  Panel position{"position, m", {}, {}, {}, false};
+  constexpr const char* kNames[] = {"east", "north", "up"};
+  for (int i = 0; i < 3; ++i) {
+    const auto part = [i](const traj::State& s) { return s.position[i]; };
+    position.series.push_back(of(part, kNames[i], static_cast<std::size_t>(i)));
   }
-  return svg.str();
+  Panel speed{"speed, m/s", {}, level("vmax", limits.vmax)};
+  speed.series.push_back(of([](const traj::State& s) { return s.velocity.norm(); }, "speed", 0));
+  const auto sideways = [](const traj::State& s) { return s.velocity.head<2>().norm(); };
+  const auto upward = [](const traj::State& s) { return std::abs(s.velocity.z()); };
+  if (limits.vmax_h || limits.vmax_v) {
+    speed.series.push_back(of(sideways, "horizontal", 1));
+    speed.series.push_back(of(upward, "vertical", 2));
+    for (const Level& l : level("vmax_h", limits.vmax_h)) speed.levels.push_back(l);
+    for (const Level& l : level("vmax_v", limits.vmax_v)) speed.levels.push_back(l);
+  }
+  const auto acceleration = [](const traj::State& s) { return s.acceleration.norm(); };
+  const auto jerk = [](const traj::State& s) { return s.jerk.norm(); };
+  const auto thrust = [](const traj::State& s) { return traj::flat_state(s, {}).thrust; };
+  Figure figure;
+  figure.title =
+      fmt::format("{}: {:.2f} s, {} segments{}", record.id, traj::duration(record.trajectory),
+                  record.trajectory.segments.size(), record.rung.empty() ? "" : ", " + record.rung);
+  figure.x_label = "time, s";
+  figure.panels = {
+      position,
+      speed,
+      {"acceleration, m/s\u00b2", {of(acceleration, "", 0)}, level("amax", limits.amax)},
+      {"jerk, m/s\u00b3", {of(jerk, "", 0)}, level("jmax", limits.jmax)},
+      {"thrust/mass, m/s\u00b2", {of(thrust, "", 0)}, level("thrust", limits.thrust), {}, false},
+      {"tilt, \u00b0", {of(tilt, "", 0)}, level("tilt", limits.tilt, kDegrees)}};
+  if (limits.body_rate) {
+    const auto rate = [](const traj::State& state) {
+      return traj::flat_state(state, {}).body_rate.head<2>().norm();
+    };
+    figure.panels.push_back(
+        {"body rate, rad/s", {of(rate, "", 0)}, level("body_rate", limits.body_rate)});
+  }
+  double t = 0;
+  for (const traj::Segment& s : record.trajectory.segments) {
+    figure.joints.push_back(std::min(t += s.duration, traj::duration(record.trajectory)));
+  }
+  return drawn(figure);
 }
 
 }  // namespace plot

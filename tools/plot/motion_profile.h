@@ -1,6 +1,6 @@
 #pragma once
 
-// Height, speed, acceleration and jerk over time.
+// What a trajectory asks of a vehicle over time.
 
 #include <string>
 
@@ -8,7 +8,8 @@
 
 namespace plot {
 
-// An SVG of four panels, with the record's limits as dashed lines. The trajectory is not empty.
+// An SVG of position in east, north, up, speed, acceleration, jerk, thrust over mass and tilt (by
+// differential flatness), the limits of the record beside them. The record is solved.
 std::string motion_profile(const traj::TrajectoryRecord& record);
 
 }  // namespace plot

@@ -6,12 +6,14 @@
 #include <array>
 #include <numeric>
 
-#include "svg.h"
+#include "plot/palette.h"
+#include "plot/svg.h"
 
 namespace plot {
 namespace {
 
-constexpr double kSide = 900;  // pixels of the longer side of the map
+constexpr std::size_t kNamed = 8;  // lines in the legend
+constexpr double kSide = 900;      // pixels of the longer side of the map
 
 // Light sand to dark slate: tops further up are darker, and paths stand out on all of them.
 std::string shade(double t) {
@@ -56,57 +58,88 @@ void draw_boxes(Svg& svg, const Frame& frame, const geom::BoxMap& map) {
   }
 }
 
-void draw_path(Svg& svg, const Frame& frame, geom::Axes axes, const geom::Polyline& path) {
+std::vector<Point> on_page(const Frame& frame, const geom::Polyline& line) {
   std::vector<Point> points;
-  for (const geom::Vec3& p : path) {
-    const geom::Vec3 enu = geom::to_enu(axes, p);
-    points.push_back(frame.at({enu.x(), enu.y()}));
-  }
-  svg.polyline(points, "stroke=\"#ffffff\" stroke-width=\"6\" stroke-linejoin=\"round\"");
-  svg.polyline(points, "stroke=\"#d55e00\" stroke-width=\"3\" stroke-linejoin=\"round\"");
-  for (const Point& p : points) svg.circle(p, 3, "fill=\"#d55e00\"");
-  svg.circle(points.front(), 7, "fill=\"#009e73\" stroke=\"#ffffff\" stroke-width=\"2\"");
-  svg.circle(points.back(), 7, "fill=\"#0072b2\" stroke=\"#ffffff\" stroke-width=\"2\"");
+  for (const geom::Vec3& p : line) points.push_back(frame.at({p.x(), p.y()}));
+  return points;
 }
 
-void draw_key(Svg& svg, const Frame& frame, const geom::BoxMap& map) {
-  const double x = frame.left + frame.width + 20;
+void draw_tree(Svg& svg, const Frame& frame, const PlanTree& tree) {
+  for (const auto& [a, b] : tree.edges) {
+    svg.polyline(on_page(frame, {a, b}), "stroke=\"#5b7fa6\" stroke-width=\"0.8\"");
+  }
+}
+
+// Later lines are narrower, so that lines on top of each other are all seen.
+double width_of(std::size_t i) { return std::max(1.6, 4.2 - 1.1 * static_cast<double>(i)); }
+
+void draw_line(Svg& svg, const Frame& frame, const PlanLine& line, std::size_t i) {
+  const std::vector<Point> points = on_page(frame, line.points);
+  const std::string_view colour = plot::colour(i);
+  if (i == 0) {
+    svg.polyline(points, "stroke=\"#ffffff\" stroke-width=\"7\" stroke-linejoin=\"round\"");
+  }
+  svg.polyline(points, fmt::format("stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
+                                   colour, width_of(i)));
+  if (line.corners) {
+    for (const Point& p : points) svg.circle(p, 2.6, fmt::format("fill=\"{}\"", colour));
+  }
+  svg.circle(points.front(), 6, "fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"2\"");
+  svg.circle(points.back(), 6, "fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"2\"");
+}
+
+void draw_heights(Svg& svg, double x, double y, const geom::BoxMap& map) {
   constexpr int kSteps = 24;
   for (int i = 0; i < kSteps; ++i) {
-    svg.rectangle({x, frame.top + 30 + (kSteps - 1 - i) * 8.0}, 18, 8,
+    svg.rectangle({x, y + 10 + (kSteps - 1 - i) * 6.0}, 18, 6,
                   fmt::format("fill=\"{}\"", shade(i / (kSteps - 1.0))));
   }
-  svg.text({x, frame.top + 20}, "top, m", 12);
-  svg.text({x + 24, frame.top + 40}, fmt::format("{:.0f}", map.spec().bounds.max.z()), 12);
-  svg.text({x + 24, frame.top + 30 + kSteps * 8.0},
-           fmt::format("{:.0f}", map.spec().bounds.min.z()), 12);
-  svg.circle({x + 9, frame.top + 260}, 7, "fill=\"#009e73\"");
-  svg.text({x + 24, frame.top + 264}, "start", 12);
-  svg.circle({x + 9, frame.top + 284}, 7, "fill=\"#0072b2\"");
-  svg.text({x + 24, frame.top + 288}, "goal", 12);
+  svg.text({x, y}, "top of obstacle, m", 12);
+  svg.text({x + 24, y + 20}, fmt::format("{:.0f}", map.spec().bounds.max.z()), 12);
+  svg.text({x + 24, y + 10 + kSteps * 6.0}, fmt::format("{:.0f}", map.spec().bounds.min.z()), 12);
+}
+
+void draw_key(Svg& svg, const Frame& frame, const geom::BoxMap& map,
+              std::span<const PlanLine> lines) {
+  const double x = frame.left + frame.width + 20;
+  draw_heights(svg, x, frame.top + 14, map);
+  if (lines.empty()) return;
+  double y = frame.top + 204;
+  svg.circle({x + 9, y}, 6, "fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"2\"");
+  svg.text({x + 28, y + 4}, "start", 12);
+  svg.circle({x + 9, y + 22}, 6, "fill=\"#222222\"");
+  svg.text({x + 28, y + 26}, "end", 12);
+  y += 50;
+  for (std::size_t i = 0; i < std::min(lines.size(), kNamed); ++i, y += 20) {
+    svg.polyline({{x, y}, {x + 22, y}},
+                 fmt::format("stroke=\"{}\" stroke-width=\"{}\"", colour(i), width_of(i)));
+    svg.text({x + 28, y + 4}, lines[i].label, 12);
+  }
+  if (lines.size() > kNamed) {
+    svg.text({x + 28, y + 4}, fmt::format("and {} more", lines.size() - kNamed), 12);
+  }
 }
 
 }  // namespace
 
-std::string plan_view(const geom::BoxMap& map, std::span<const geom::PathRecord> paths) {
+std::string plan_view(const geom::BoxMap& map, std::span<const PlanTree> trees,
+                      std::span<const PlanLine> lines) {
   const geom::Axes axes = map.spec().frame.axes;
   const Frame frame = frame_for(in_enu(axes, map.spec().bounds));
-  Svg svg(frame.left + frame.width + 90, frame.top + frame.height + 60);
+  Svg svg(frame.left + frame.width + 200, frame.top + std::max(frame.height + 60, 470.0));
   draw_boxes(svg, frame, map);
-  std::size_t drawn = 0;
+  for (const PlanTree& tree : trees) draw_tree(svg, frame, tree);
   double length = 0;
-  for (const geom::PathRecord& path : paths) {
-    if (path.points.empty()) continue;
-    draw_path(svg, frame, axes, path.points);
-    length += geom::length(path.points);
-    ++drawn;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    draw_line(svg, frame, lines[i], i);
+    length += geom::length(lines[i].points);
   }
   svg.axes(frame, "east, m", "north, m");
-  draw_key(svg, frame, map);
+  draw_key(svg, frame, map, lines);
   std::string title = fmt::format("{} boxes", map.size());
-  if (drawn == 1) title += fmt::format(", path of {:.1f} m", length);
-  if (drawn > 1) title += fmt::format(", {} paths, {:.1f} m in all", drawn, length);
-  svg.text({frame.left, 32}, title, 18);
+  if (lines.size() == 1) title += fmt::format(", path of {:.1f} m", length);
+  if (lines.size() > 1) title += fmt::format(", {} paths, {:.1f} m in all", lines.size(), length);
+  svg.text({frame.left, 32}, title, 16);
   return svg.str();
 }
 

@@ -4,13 +4,26 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geom/box_map.h"
-#include "geom/io/record.h"
+#include "geom/polyline.h"
 
 namespace plot {
 
-// An SVG of the map in east-north axes: obstacles shaded by the height of their top, paths on it.
-std::string plan_view(const geom::BoxMap& map, std::span<const geom::PathRecord> paths);
+struct PlanLine {
+  std::string label;      // for the legend
+  geom::Polyline points;  // ENU
+  bool corners = false;   // its points are marked
+};
+
+struct PlanTree {
+  std::vector<std::pair<geom::Vec3, geom::Vec3>> edges;  // ENU
+};
+
+// An SVG of the map in east-north axes: obstacles shaded by the height of their top, trees, and
+// lines with their legend (of the first eight).
+std::string plan_view(const geom::BoxMap& map, std::span<const PlanTree> trees,
+                      std::span<const PlanLine> lines);
 
 }  // namespace plot

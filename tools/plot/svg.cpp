@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include "plot/ticks.h"
 
 namespace plot {
 namespace {
@@ -25,6 +25,8 @@ std::string escaped(std::string_view words) {
   }
   return out;
 }
+
+int y_ticks(const Frame& frame) { return frame.height > 300 ? 8 : 4; }
 
 }  // namespace
 
@@ -57,13 +59,33 @@ void Svg::circle(Point center, double radius, std::string_view style) {
                        px(radius), style);
 }
 
-void Svg::text(Point at, std::string_view words, double size, std::string_view anchor,
-               double turn) {
+void Svg::text(Point at, std::string_view words, double size, std::string_view anchor, double turn,
+               std::string_view colour) {
   const std::string rotate =
       turn == 0 ? "" : fmt::format(" transform=\"rotate({} {} {})\"", turn, px(at.x), px(at.y));
   body_ += fmt::format(
-      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"#222\"{}>{}</text>\n",
-      px(at.x), px(at.y), size, anchor, rotate, escaped(words));
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n",
+      px(at.x), px(at.y), size, anchor, colour, rotate, escaped(words));
+}
+
+void Svg::text_on_white(Point at, std::string_view words, double size, std::string_view anchor) {
+  body_ += fmt::format(
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"#ffffff\" "
+      "stroke=\"#ffffff\" stroke-width=\"4\" stroke-linejoin=\"round\">{}</text>\n",
+      px(at.x), px(at.y), size, anchor, escaped(words));
+  text(at, words, size, anchor);
+}
+
+void Svg::grid(const Frame& f) {
+  const std::string_view line = "stroke=\"#e6e6e6\" stroke-width=\"1\"";
+  for (const double x : ticks(f.low.x, f.high.x, 8)) {
+    const Point p = f.at({x, f.low.y});
+    polyline({p, {p.x, f.top}}, line);
+  }
+  for (const double y : ticks(f.low.y, f.high.y, y_ticks(f))) {
+    const Point p = f.at({f.low.x, y});
+    polyline({p, {f.left + f.width, p.y}}, line);
+  }
 }
 
 void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_label) {
@@ -74,25 +96,19 @@ void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_labe
     polyline({p, {p.x, p.y + 5}}, line);
     text({p.x, p.y + 18}, fmt::format("{:g}", x), 12, "middle");
   }
-  for (const double y : ticks(f.low.y, f.high.y, f.height > 300 ? 8 : 4)) {
+  for (const double y : ticks(f.low.y, f.high.y, y_ticks(f))) {
     const Point p = f.at({f.low.x, y});
     polyline({p, {p.x - 5, p.y}}, line);
     text({p.x - 8, p.y + 4}, fmt::format("{:g}", y), 12, "end");
   }
   if (!x_label.empty()) text({f.left + f.width / 2, f.top + f.height + 36}, x_label, 13, "middle");
-  text({f.left - 48, f.top + f.height / 2}, y_label, 13, "middle", -90);
+  text({f.left - 54, f.top + f.height / 2}, y_label, 13, "middle", -90);
 }
 
-std::vector<double> ticks(double low, double high, int count) {
-  const double raw = (high - low) / count;
-  const double power = std::pow(10, std::floor(std::log10(raw)));
-  const double lead = raw / power;
-  const double step = power * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
-  std::vector<double> values;
-  for (double k = std::ceil(low / step); k * step <= high + step * 1e-9; ++k) {
-    values.push_back(k * step + 0.0);
-  }
-  return values;
+double text_width(std::string_view words, double size) {
+  double letters = 0;  // of UTF-8: bytes that begin one
+  for (const char c : words) letters += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  return 0.55 * size * letters;
 }
 
 }  // namespace plot

@@ -30,7 +30,10 @@ class Svg {
   void circle(Point center, double radius, std::string_view style);
   // `anchor` is start, middle or end; `turn` in degrees.
   void text(Point at, std::string_view words, double size, std::string_view anchor = "start",
-            double turn = 0);
+            double turn = 0, std::string_view colour = "#222222");
+  void text_on_white(Point at, std::string_view words, double size, std::string_view anchor);
+  // Faint lines at the ticks; drawn before what stands on them.
+  void grid(const Frame& frame);
   // Border, ticks at round values, and the two labels with their units.
   void axes(const Frame& frame, std::string_view x_label, std::string_view y_label);
 
@@ -40,7 +43,7 @@ class Svg {
   std::string body_;
 };
 
-// Round values (1, 2 or 5 times a power of ten) inside [low, high], about `count` of them.
-std::vector<double> ticks(double low, double high, int count);
+// About how wide words are, in pixels, in the usual sans-serif fonts.
+double text_width(std::string_view words, double size);
 
 }  // namespace plot

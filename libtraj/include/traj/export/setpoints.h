@@ -4,19 +4,34 @@
 
 #include <iosfwd>
 #include <string_view>
+#include <vector>
 
-#include "geom/frame.h"
 #include "traj/trajectory.h"
 
 namespace traj {
 
-// Header `t_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,ax_m_s2,ay_m_s2,az_m_s2,yaw_rad`, in ENU axes. Rows
-// at k / rate seconds (rate in Hz, > 0) and one at the very end. Yaw is 0 where none is given.
-void write_setpoints(std::ostream& out, const Trajectory& trajectory, geom::Axes axes, double rate);
+struct Setpoint {
+  double time = 0;  // s
+  State state;      // without jerk
+  double yaw = 0;   // rad
+  double yaw_rate = 0;
+};
 
-// The trajectory as a client flies it that holds straight lines between the written positions:
-// parsed from the text, in the map's axes; degree-7 segments with their control points on the
-// line. Throws geom::InputError where the text is not such a table.
-Trajectory read_setpoints(std::istream& in, std::string_view source, geom::Axes axes);
+enum class SetpointAxes { enu, ned };
+
+// What a trajectory in ENU wants at k / rate seconds (rate in Hz, > 0) and at its very end, in ENU.
+// Yaw is 0 where none is given.
+std::vector<Setpoint> setpoints(const Trajectory& enu, double rate);
+
+// `t_s`, then position, velocity, acceleration, yaw and yaw rate. ENU: x_m,y_m,z_m,vx_m_s,… with
+// yaw counterclockwise from east; NED: n_m,e_m,d_m,vn_m_s,… with yaw clockwise from north.
+void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, SetpointAxes axes);
+
+// The rows of either table, in ENU. Throws geom::InputError(source, line, …) for another header, a
+// row that is not 12 finite numbers, times that do not grow, fewer than two rows.
+std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source);
+
+// The way of a client that goes straight from position to position, at these times.
+Trajectory straight_between(const std::vector<Setpoint>& setpoints);
 
 }  // namespace traj

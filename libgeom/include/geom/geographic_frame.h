@@ -8,6 +8,8 @@
 
 namespace geom {
 
+using GeodeticPlace = GeodeticOrigin;  // any place on Earth, in the same three numbers
+
 // By a transverse Mercator projection of scale 1 about the origin, on WGS 84: what the coordinates
 // of a map whose frame counts from its origin mean. Good to nanometres within 1000 km of it.
 class GeographicFrame {
@@ -17,6 +19,10 @@ class GeographicFrame {
 
   void to_geodetic(double east, double north, double& latitude, double& longitude) const;
   void from_geodetic(double latitude, double longitude, double& east, double& north) const;
+
+  // A point in east-north-up axes, and back; heights add up.
+  GeodeticPlace place(const Vec3& enu) const;
+  Vec3 enu(const GeodeticPlace& place) const;
 
  private:
   struct Projection;

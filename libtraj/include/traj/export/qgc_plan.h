@@ -1,0 +1,22 @@
+#pragma once
+
+// Missions as QGroundControl's `.plan`: JSON, file version 1, mission version 2.
+
+#include <iosfwd>
+#include <string_view>
+
+#include "traj/export/mission.h"
+
+namespace traj {
+
+// `station` goes into groundStation: who made it. The firmware is named as generic (PX4 and
+// ArduPilot take it), the vehicle as a multirotor. The cruise and hover speeds, which only estimate
+// times, are the mission's.
+void write_qgc_plan(std::ostream& out, const Mission& mission, std::string_view station);
+
+// Throws geom::InputError(source, …) for malformed JSON, another file type or version, a missing
+// key, items that are not simple ones (surveys and the like, which only QGroundControl can
+// expand) and heights above terrain.
+Mission read_qgc_plan(std::istream& in, std::string_view source);
+
+}  // namespace traj

@@ -1,0 +1,42 @@
+#pragma once
+
+// Whether a flown path is clear of a map.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "geom/collision.h"
+#include "traj/flight/simulate.h"
+
+namespace traj {
+
+struct FlownCheck {
+  bool clear = false;
+  // "" when clear, else the first of these along the way: "bounds", "collision", or "undecided":
+  // the polyline is clear, the path around it perhaps not.
+  std::string reason;
+  double time = 0;                 // s
+  Vec3 place = Vec3::Zero();       // m, in the map's axes
+  std::optional<std::size_t> box;  // the obstacle
+  double between = 0;              // m: how far the path may be off the polyline
+};
+
+// Exact on the polyline of the integrator's steps; between them the path strays by at most
+// A h^2 / 8, where A bounds the acceleration. "Clear" holds with that added to the vehicle.
+// `half_at` gives the half sizes that hold the vehicle at a tilt beyond `tilt_max` (radians): where
+// it flew so, they count. `quadrotor` is the true one. `flight` has its path.
+struct TiltedVehicle {
+  double tilt_max = 1.5707963267948966;
+  std::function<Vec3(double)> half_at;  // may be empty: the scene's half sizes hold at every tilt
+};
+FlownCheck check_flown(const geom::CollisionScene& scene, const Quadrotor& quadrotor,
+                       const TiltedVehicle& vehicle, const Flight& flight);
+
+// Whether the trajectory (in the map's axes) is clear while the vehicle strays from it by up to
+// radius[k] metres during [k, k + 1] * period: the moving box of vehicle, margin, radius and the
+// curve's sagitta, swept along chords of 10 ms.
+FlownCheck check_tube(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                      std::span<const double> radius, double period);
+
+}  // namespace traj

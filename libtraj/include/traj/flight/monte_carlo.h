@@ -1,0 +1,34 @@
+#pragma once
+
+// Many flights with wind and mass drawn by chance, and how far they stray: statistics, not proof.
+
+#include "geom/execution.h"
+#include "traj/flight/tracking.h"
+
+namespace traj {
+
+struct MonteCarloOptions {
+  int runs = 100;         // >= 1
+  double mass_error = 0;  // the mass is off by up to this share, either way
+};
+
+// Options of run `i`: the wind's heading anywhere, its speed evenly from none to that of `base`,
+// the mass error evenly within the options'; noise and gusts seeded for the run.
+FlightOptions drawn(const FlightOptions& base, const MonteCarloOptions& options, std::size_t i);
+
+inline constexpr double kTubePeriod = 0.1;  // s
+inline constexpr double kTubeShare = 0.999;
+
+struct TrackingTube {
+  std::size_t lost = 0;            // flights; with any, the rest is empty
+  std::vector<double> radius;      // m: the 99.9th percentile of the flights' largest errors in
+                                   // each kTubePeriod, up to the trajectory's end
+  std::vector<Tracking> tracking;  // of each run
+  double saturated = 0;            // mean share
+};
+
+// The same for any number of threads. With fewer than 1,000 runs the percentile is the largest.
+TrackingTube fly_often(const SetpointTrack& track, const FlightOptions& base,
+                       const MonteCarloOptions& options, const geom::Execution& run);
+
+}  // namespace traj

@@ -1,0 +1,51 @@
+#pragma once
+
+// Where a trajectory wants the vehicle to be at each instant, in ENU axes.
+
+#include <vector>
+
+#include "geom/frame.h"
+#include "traj/trajectory.h"
+
+namespace traj {
+
+// The trajectory in ENU axes, yaw included. The one place where flight looks at a map's axes.
+Trajectory to_enu(geom::Axes axes, const Trajectory& trajectory);
+
+struct Setpoint {
+  Vec3 position = Vec3::Zero();      // m
+  Vec3 velocity = Vec3::Zero();      // m/s
+  Vec3 acceleration = Vec3::Zero();  // m/s2
+  Vec3 jerk = Vec3::Zero();          // m/s3
+  double yaw = 0;                    // rad from east
+  double yaw_rate = 0;               // rad/s
+};
+
+// A trajectory made ready to be asked often. Immutable: threads may share it.
+class SetpointTrack {
+ public:
+  // Of a trajectory in ENU axes with at least one segment. Yaw is 0 where it has none.
+  explicit SetpointTrack(const Trajectory& trajectory);
+
+  double duration() const { return duration_; }
+
+  // At `t` seconds: before the start it hovers there, after the end likewise. `cursor` is where the
+  // time before was found (start with 0); times that grow cost O(1).
+  Setpoint at(double t, std::size_t& cursor) const;
+
+ private:
+  struct Piece {
+    double begin;
+    double duration;
+    std::array<Vec3, 8> position;
+    std::array<Vec3, 7> velocity;
+    std::array<Vec3, 6> acceleration;
+    std::array<Vec3, 5> jerk;
+    std::array<double, 8> yaw;
+    std::array<double, 7> yaw_rate;
+  };
+  std::vector<Piece> pieces_;
+  double duration_ = 0;
+};
+
+}  // namespace traj

@@ -1,0 +1,32 @@
+#pragma once
+
+// How well a flight followed its trajectory.
+
+#include <optional>
+#include <span>
+
+#include "traj/flight/simulate.h"
+
+namespace traj {
+
+inline constexpr double kSettled = 0.05;  // m
+
+// Of the distances to the setpoint at the same instant, every 10 ms.
+struct Tracking {
+  double mean = 0;  // m, these four up to the trajectory's end
+  double rms = 0;
+  double p99 = 0;  // by nearest rank
+  double largest = 0;
+  double largest_time = 0;         // s
+  double arrival = 0;              // m, at the trajectory's end
+  double final_distance = 0;       // m, once it has hovered there
+  std::optional<double> settling;  // s after the trajectory's end until it stays within kSettled
+};
+
+// Of a flight that was not lost, along a trajectory of this duration.
+Tracking tracking(const Flight& flight, double duration);
+
+// By nearest rank, `share` in (0, 1]; `values` are put in order. At least one value.
+double percentile(std::span<double> values, double share);
+
+}  // namespace traj

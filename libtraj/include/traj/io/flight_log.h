@@ -1,0 +1,49 @@
+#pragma once
+
+// Flight logs as CSV: what a vehicle did, beside what was asked of it. Always in ENU axes, whatever
+// the map's; body axes are x forward, y left, z up.
+
+#include <Eigen/Geometry>
+#include <array>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/vec3.h"
+
+namespace traj {
+
+struct FlightSample {
+  double time = 0;                                               // s from the flight's start
+  geom::Vec3 position = geom::Vec3::Zero();                      // m
+  geom::Vec3 velocity = geom::Vec3::Zero();                      // m/s
+  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  // turns body axes into ENU
+  geom::Vec3 body_rates = geom::Vec3::Zero();                    // rad/s about the body's axes
+  geom::Vec3 setpoint_position = geom::Vec3::Zero();             // m
+  geom::Vec3 setpoint_velocity = geom::Vec3::Zero();             // m/s
+  double setpoint_yaw = 0;                                       // rad from east
+  std::array<double, 4> motors{};  // shares of the largest thrust, 0 to 1
+  bool saturated = false;          // whether a command was clipped since the row before
+};
+
+struct FlightLog {
+  std::string id;
+  std::vector<FlightSample> samples;  // times grow
+};
+
+// The header, then the flights one after the other: parts of one file.
+void write_flight_log_header(std::ostream& out);
+void write_flight(std::ostream& out, const FlightLog& log);
+
+// A whole file. Comes back bit for bit. Throws InputError where an id has a line break in it, or
+// white space or a byte order mark at an end.
+void write_flight_log(std::ostream& out, std::span<const FlightLog> logs);
+
+// Throws geom::InputError(name, line, …) where the text is not such a table: another header, a
+// number that is missing, not finite or out of its range, a quaternion whose length is not 1 to
+// 1e-6, times that do not grow, rows of a flight that do not stand together, or no row at all.
+std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name);
+
+}  // namespace traj

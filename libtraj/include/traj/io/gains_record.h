@@ -1,0 +1,20 @@
+#pragma once
+
+// Gains as JSON: in a vehicle's profile, or a file of their own.
+
+#include <string>
+
+#include "geom/io/json_fields.h"
+#include "traj/flight/gains.h"
+
+namespace traj {
+
+// The key "gains" of these fields over `base`, which stands where a key is absent. Throws
+// InputError where a gain is not a finite number >= 0, a clip or the tilt is not > 0, or a key is
+// unknown.
+Gains parse_gains(const geom::JsonFields& fields, const Gains& base);
+
+// {"gains":{…}}, indented, with a final newline.
+std::string to_json(const Gains& gains);
+
+}  // namespace traj

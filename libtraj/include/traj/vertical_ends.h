@@ -1,0 +1,28 @@
+#pragma once
+
+// How a flight begins and ends on the ground, and how far from there it may go.
+
+#include <optional>
+
+#include "geom/collision.h"
+
+namespace traj {
+
+// A vehicle that takes off rises straight to the first point of its path; one that lands sinks
+// straight from the last.
+struct VerticalEnds {
+  std::optional<double> takeoff_from;  // z of the ground, metres
+  std::optional<double> landing_on;
+};
+
+struct FlightEnvelope {
+  double ceiling = 0;    // m above the place of take-off
+  double range = 0;      // m from the place of take-off
+  double endurance = 0;  // s
+};
+
+// The top of the highest obstacle that a vehicle sinking straight from `p` would meet, or the floor
+// of the bounds: where it can stand. `p` is free.
+double ground_below(const geom::CollisionScene& scene, const geom::Vec3& p);
+
+}  // namespace traj

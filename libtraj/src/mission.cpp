@@ -1,0 +1,197 @@
+#include "traj/export/mission.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geom/error.h"
+
+namespace traj {
+namespace {
+
+double to_1e7(double degrees) { return std::round(degrees * 1e7) / 1e7; }
+double to_millimetres(double metres) { return std::round(metres * 1e3) / 1e3; }
+
+MissionItem item_at(const geom::GeographicFrame& earth, int command, const Vec3& p, double home) {
+  const geom::GeodeticPlace place = earth.place(p);
+  MissionItem item;
+  item.command = command;
+  item.latitude = to_1e7(place.latitude);
+  item.longitude = to_1e7(place.longitude);
+  item.altitude = to_millimetres(p.z() - home);
+  return item;
+}
+
+class Flight {
+ public:
+  Flight(const Mission& mission, const MissionFrame& frame, std::optional<double> home,
+         std::string_view source)
+      : mission_(mission), frame_(frame), earth_(frame.origin), home_(home), source_(source) {
+    if (!home_ && mission.home) home_ = above_sea(mission.home->height);
+  }
+
+  FlownMission fly() {
+    for (index_ = 0; index_ < mission_.items.size(); ++index_) {
+      if (landed_ || flown_.returns) break;
+      take(mission_.items[index_]);
+    }
+    if (flown_.path.empty()) {
+      throw geom::InputError(source_, "expected at least one waypoint, found none");
+    }
+    return std::move(flown_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& message) const {
+    const std::size_t line = mission_.items[index_].line;
+    throw geom::InputError(source_, line,
+                           line ? message : fmt::format("item {}: {}", index_, message));
+  }
+
+  double above_sea(double height) const { return height + frame_.geoid - frame_.origin.height; }
+
+  double height(const MissionItem& item) const {
+    if (!(std::abs(item.altitude) <= 1e5)) {
+      refuse(fmt::format("altitude must be a number within 1e5 m, found {}", item.altitude));
+    }
+    if (item.frame == kGlobal || item.frame == kGlobalInt) return above_sea(item.altitude);
+    if (item.frame != kGlobalRelative && item.frame != kGlobalRelativeInt) {
+      refuse(fmt::format("frame must be 0, 3, 5 or 6 (above sea level or home), found {}",
+                         item.frame));
+    }
+    if (!home_) refuse("heights above home, and no home: give the height of the ground there");
+    return *home_ + item.altitude;
+  }
+
+  // Where an item is; a take-off or landing at 0, 0 or null is where the vehicle is.
+  Vec3 place(const MissionItem& item) const {
+    const bool here = item.command == kTakeoff || item.command == kLand;
+    const bool unsaid = std::isnan(item.latitude) || std::isnan(item.longitude) ||
+                        (item.latitude == 0 && item.longitude == 0);
+    if (here && unsaid) return above_here(height(item));
+    if (!(std::abs(item.latitude) <= 90) || !(std::abs(item.longitude) <= 180)) {
+      refuse(fmt::format("latitude and longitude must be within 90 and 180 degrees, found {} {}",
+                         item.latitude, item.longitude));
+    }
+    return on_map({item.latitude, item.longitude, 0}, height(item));
+  }
+
+  Vec3 on_map(const geom::GeodeticPlace& at, double z) const {
+    if (std::abs(at.latitude - frame_.origin.latitude) > 10 ||
+        std::abs(std::remainder(at.longitude - frame_.origin.longitude, 360)) > 20) {
+      refuse(fmt::format("expected a place near the origin {} {}, found {} {}",
+                         frame_.origin.latitude, frame_.origin.longitude, at.latitude,
+                         at.longitude));
+    }
+    Vec3 p = earth_.enu(at);
+    p.z() = z;
+    return p;
+  }
+
+  Vec3 above_here(double z) const {
+    if (!flown_.path.empty()) return {flown_.path.back().x(), flown_.path.back().y(), z};
+    if (!mission_.home) refuse("a take-off without a place, and no home");
+    return on_map(*mission_.home, z);
+  }
+
+  void go(const Vec3& p, double hold) {
+    flown_.path.push_back(p);
+    flown_.hold.push_back(hold);
+  }
+
+  double hold_of(const MissionItem& item) const {
+    const double hold = std::isnan(item.param[0]) ? 0 : item.param[0];
+    if (!(hold >= 0) || !std::isfinite(hold)) {
+      refuse(fmt::format("a hold must be >= 0 s, found {}", hold));
+    }
+    return hold;
+  }
+
+  void take(const MissionItem& item) {
+    if (item.command == kTakeoff) {
+      const Vec3 p = place(item);
+      if (flown_.path.empty()) flown_.ends.takeoff_from = home_;
+      go(p, 0);
+    } else if (item.command == kWaypoint || item.command == kLoiterTime) {
+      go(place(item), hold_of(item));
+    } else if (item.command == kLoiterForever) {
+      go(place(item), 0);
+      landed_ = true;
+    } else if (item.command == kLand) {
+      land(item);
+    } else {
+      take_other(item);
+    }
+  }
+
+  // On the ground at the height it says, from the height it comes with.
+  void land(const MissionItem& item) {
+    const Vec3 ground = place(item);
+    if (flown_.path.empty()) refuse("expected a waypoint or a take-off before the landing");
+    const Vec3 above(ground.x(), ground.y(), flown_.path.back().z());
+    if (above != flown_.path.back()) go(above, 0);
+    flown_.ends.landing_on = ground.z();
+    landed_ = true;
+  }
+
+  void take_other(const MissionItem& item) {
+    if (item.command == kReturn) {
+      flown_.returns = true;
+    } else if (item.command == kSpeed) {
+      if (item.param[1] > 0) flown_.speed = std::max(flown_.speed.value_or(0), item.param[1]);
+    } else if (item.command == kDelay) {
+      if (!flown_.hold.empty()) flown_.hold.back() += hold_of(item);
+    } else if (item.command <= kLastNavigation || item.command == kJump) {
+      refuse(
+          fmt::format("expected waypoints (16), take-offs (22), landings (21), loitering (17, 19), "
+                      "a return (20) "
+                      "or what does not move, found command {}",
+                      item.command));
+    }
+  }
+
+  const Mission& mission_;
+  const MissionFrame& frame_;
+  geom::GeographicFrame earth_;
+  std::optional<double> home_;
+  std::string source_;
+  std::size_t index_ = 0;
+  bool landed_ = false;
+  FlownMission flown_;
+};
+
+}  // namespace
+
+Mission make_mission(std::span<const Vec3> points, const MissionFrame& frame,
+                     const MissionOptions& options) {
+  const geom::GeographicFrame earth(frame.origin);
+  Mission mission;
+  const MissionItem takeoff = item_at(earth, kTakeoff, points.front(), options.home);
+  const double sea_level = frame.origin.height - frame.geoid;
+  mission.home = {takeoff.latitude, takeoff.longitude, to_millimetres(sea_level + options.home)};
+  mission.items.push_back(takeoff);
+  if (options.speed) {
+    MissionItem speed;
+    speed.frame = kMissionFrame;
+    speed.command = kSpeed;
+    speed.param = {1, *options.speed, -1, 0};  // over ground; throttle as it is
+    mission.items.push_back(speed);
+  }
+  for (const Vec3& p : points.subspan(1)) {
+    mission.items.push_back(item_at(earth, kWaypoint, p, options.home));
+    mission.items.back().param = {options.hold, options.acceptance, 0, 0};
+  }
+  if (options.landing_on) {
+    Vec3 ground = points.back();
+    ground.z() = *options.landing_on;
+    mission.items.push_back(item_at(earth, kLand, ground, options.home));
+  }
+  return mission;
+}
+
+FlownMission flown_mission(const Mission& mission, const MissionFrame& frame,
+                           std::optional<double> home, std::string_view source) {
+  return Flight(mission, frame, home, source).fly();
+}
+
+}  // namespace traj

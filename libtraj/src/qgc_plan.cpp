@@ -1,0 +1,190 @@
+#include "traj/export/qgc_plan.h"
+
+#include <fmt/format.h>
+
+#include <istream>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "geom/error.h"
+
+namespace traj {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kGenericFirmware = 0;  // MAV_AUTOPILOT_GENERIC
+constexpr int kQuadrotor = 2;        // MAV_TYPE_QUADROTOR
+constexpr int kAboveTerrain = 3;     // AltitudeMode: from here on, heights follow the terrain
+constexpr double kUnsaidSpeed = 5;   // m/s
+
+Json item_json(const MissionItem& item, std::size_t number) {
+  Json json;
+  const bool placed = item.frame != kMissionFrame;
+  if (placed) {
+    json["AMSLAltAboveTerrain"] = nullptr;
+    json["Altitude"] = item.altitude;
+    json["AltitudeMode"] = 1;
+  }
+  json["autoContinue"] = true;
+  json["command"] = item.command;
+  json["doJumpId"] = number;
+  json["frame"] = item.frame;
+  Json params = Json::array();
+  for (const double p : item.param) params.push_back(p);
+  if (placed) params[3] = nullptr;  // the yaw is the vehicle's affair
+  for (const double p : {item.latitude, item.longitude, item.altitude}) params.push_back(p);
+  json["params"] = params;
+  json["type"] = "SimpleItem";
+  return json;
+}
+
+struct PlanReader {
+  std::string_view source;
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw geom::InputError(source, message);
+  }
+
+  static std::string shown(const Json& value) {
+    if (value.is_structured()) return fmt::format("an {} of {}", value.type_name(), value.size());
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+  }
+
+  const Json& member(const Json& object, const char* key, const std::string& where) const {
+    const auto it = object.find(key);
+    if (it == object.end()) refuse(fmt::format("expected the key {}.{}, found none", where, key));
+    return *it;
+  }
+
+  const Json& object(const Json& parent, const char* key, const std::string& where) const {
+    const Json& value = member(parent, key, where);
+    if (!value.is_object()) {
+      refuse(fmt::format("{}.{} must be an object, found {}", where, key, shown(value)));
+    }
+    return value;
+  }
+
+  void require(const Json& parent, const char* key, const Json& wanted,
+               const std::string& where) const {
+    const Json& value = member(parent, key, where);
+    if (value != wanted) {
+      refuse(fmt::format("{}.{} must be {}, found {}", where, key, wanted.dump(), shown(value)));
+    }
+  }
+
+  double number(const Json& value, const std::string& what) const {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) {
+      refuse(fmt::format("{} must be a finite number, found {}", what, shown(value)));
+    }
+    return value.get<double>();
+  }
+
+  int whole(const Json& parent, const char* key, const std::string& where) const {
+    const double value = number(member(parent, key, where), where + '.' + key);
+    if (value != std::floor(value) || value < 0 || value > 65535) {
+      refuse(
+          fmt::format("{}.{} must be a whole number from 0 to 65535, found {}", where, key, value));
+    }
+    return static_cast<int>(value);
+  }
+
+  MissionItem item(const Json& json, std::size_t index) const {
+    const std::string where = fmt::format("mission.items[{}]", index);
+    if (!json.is_object())
+      refuse(fmt::format("{} must be an object, found {}", where, shown(json)));
+    require(json, "type", "SimpleItem", where);
+    MissionItem item;
+    item.frame = whole(json, "frame", where);
+    item.command = whole(json, "command", where);
+    if (json.contains("AltitudeMode") && whole(json, "AltitudeMode", where) >= kAboveTerrain) {
+      refuse(fmt::format("{}.AltitudeMode must be 1 or 2 (above home or sea level), found {}",
+                         where, shown(json["AltitudeMode"])));
+    }
+    const Json& params = member(json, "params", where);
+    if (!params.is_array() || params.size() != 7) {
+      refuse(fmt::format("{}.params must be a list of 7, found {}", where, shown(params)));
+    }
+    const auto param = [&](std::size_t i) {
+      if (params[i].is_null()) return std::numeric_limits<double>::quiet_NaN();
+      return number(params[i], fmt::format("{}.params[{}]", where, i));
+    };
+    for (std::size_t i = 0; i < 4; ++i) item.param[i] = param(i);
+    item.latitude = param(4);
+    item.longitude = param(5);
+    item.altitude = param(6);
+    return item;
+  }
+
+  geom::GeodeticPlace home(const Json& value) const {
+    if (!value.is_array() || value.size() != 3) {
+      refuse(fmt::format("mission.plannedHomePosition must be a list of 3 numbers, found {}",
+                         shown(value)));
+    }
+    const auto part = [&](std::size_t i) {
+      return number(value[i], fmt::format("mission.plannedHomePosition[{}]", i));
+    };
+    return {part(0), part(1), part(2)};
+  }
+
+  Mission mission(const Json& plan) const {
+    require(plan, "fileType", "Plan", "plan");
+    require(plan, "version", 1, "plan");
+    const Json& json = object(plan, "mission", "plan");
+    require(json, "version", 2, "mission");
+    Mission mission;
+    mission.home = home(member(json, "plannedHomePosition", "mission"));
+    const Json& items = member(json, "items", "mission");
+    if (!items.is_array() || items.empty()) {
+      refuse(fmt::format("mission.items must be a list of at least one, found {}", shown(items)));
+    }
+    for (std::size_t i = 0; i < items.size(); ++i) mission.items.push_back(item(items[i], i));
+    return mission;
+  }
+};
+
+}  // namespace
+
+void write_qgc_plan(std::ostream& out, const Mission& mission, std::string_view station) {
+  double speed = kUnsaidSpeed;
+  Json items = Json::array();
+  for (const MissionItem& item : mission.items) {
+    if (item.command == kSpeed) speed = item.param[1];
+    items.push_back(item_json(item, items.size() + 1));
+  }
+  const geom::GeodeticPlace home = mission.home.value_or(geom::GeodeticPlace{});
+  const Json plan = {
+      {"fileType", "Plan"},
+      {"geoFence", {{"circles", Json::array()}, {"polygons", Json::array()}, {"version", 2}}},
+      {"groundStation", std::string(station)},
+      {"mission",
+       {{"cruiseSpeed", speed},
+        {"firmwareType", kGenericFirmware},
+        {"globalPlanAltitudeMode", 1},
+        {"hoverSpeed", speed},
+        {"items", items},
+        {"plannedHomePosition", {home.latitude, home.longitude, home.height}},
+        {"vehicleType", kQuadrotor},
+        {"version", 2}}},
+      {"rallyPoints", {{"points", Json::array()}, {"version", 2}}},
+      {"version", 1}};
+  out << plan.dump(1) << '\n';
+}
+
+Mission read_qgc_plan(std::istream& in, std::string_view source) {
+  const PlanReader reader{source};
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  Json plan;
+  try {
+    plan = Json::parse(text);
+  } catch (const Json::exception& error) {
+    reader.refuse(fmt::format("expected a JSON object: {}", error.what()));
+  }
+  if (!plan.is_object()) reader.refuse("expected a JSON object, found " + reader.shown(plan));
+  return reader.mission(plan);
+}
+
+}  // namespace traj

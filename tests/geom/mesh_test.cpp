@@ -1,0 +1,82 @@
+#include "geom/io/mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+#include "geom/error.h"
+#include "support/random_city.h"
+
+namespace geom {
+namespace {
+
+// Six times the volume that the triangles from `first` on enclose, seen from `middle`.
+double enclosed(const MeshPart& part, std::size_t first, std::size_t end, const Vec3& middle) {
+  double sum = 0;
+  for (std::size_t i = first; i < end; ++i) {
+    const auto [a, b, c] = part.triangle(i);
+    sum += (part.vertex(a) - middle).dot((part.vertex(b) - middle).cross(part.vertex(c) - middle));
+  }
+  return sum / 6;
+}
+
+TEST(RodPart, SpheresAreClosedAndFaceOutward) {
+  const MeshPart part = rod_part({"s", {}, {{5, 6, 7}}, {}, 0.25, 2});
+  EXPECT_EQ(part.vertices, 66u);
+  EXPECT_EQ(part.triangles, 128u);
+  const double ball = 4.0 / 3 * 3.141592653589793 * 8;
+  EXPECT_NEAR(enclosed(part, 0, part.triangles, {0, 0, 0}), ball, 0.1 * ball);
+  for (std::size_t i = 0; i < part.vertices; ++i) {
+    EXPECT_NEAR((part.vertex(i) - Vec3(5, 6, 7)).norm(), 2, 1e-12);
+  }
+}
+
+TEST(RodPart, CylindersFaceOutwardInEveryDirection) {
+  support::Random random(41);
+  for (int round = 0; round < 50; ++round) {
+    const auto any = [&] {
+      return Vec3(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9));
+    };
+    const Vec3 a = any();
+    const Vec3 b = round == 0 ? Vec3(a + Vec3(0, 0, 3)) : any();
+    const MeshPart part = rod_part({"r", {}, {a, b}, {{0, 1}}, 0.5, 0.1});
+    const std::size_t first = 2 * 128;
+    ASSERT_EQ(part.triangles, first + 16);
+    // Open at its ends, which a point on the axis sees edge on from the middle of neither.
+    const double prism = 0.5 * 8 * 0.25 * std::sin(3.141592653589793 / 4) * (b - a).norm();
+    EXPECT_NEAR(enclosed(part, first, part.triangles, 0.5 * (a + b)), prism * 2 / 3, 1e-9)
+        << "seed 41, round " << round;
+  }
+}
+
+TEST(RodPart, ARodOfNoLengthIsFinite) {
+  const MeshPart part = rod_part({"r", {}, {{1, 1, 1}, {1, 1, 1}}, {{0, 1}}, 0.5, 0.5});
+  for (std::size_t i = 0; i < part.vertices; ++i) EXPECT_TRUE(part.vertex(i).allFinite());
+}
+
+TEST(WriteGlb, OfNothingIsAnEmptyScene) {
+  std::ostringstream out;
+  write_glb(out, {});
+  EXPECT_NE(out.str().find(R"("scenes":[{}])"), std::string::npos);
+  EXPECT_EQ(out.str().find("nan"), std::string::npos);
+}
+
+TEST(WritePly, IndicesOfLaterPartsCountOn) {
+  const BoxMap map = support::random_city(3, 2, 40);
+  std::vector<MeshPart> parts = box_parts(map);
+  parts.push_back(rod_part({"s", {}, {{0, 0, 0}}, {}, 1, 1}));
+  std::ostringstream out;
+  write_ply(out, parts);
+  const std::string text = out.str();
+  EXPECT_NE(text.find("element vertex 90\n"), std::string::npos);
+  std::int32_t last = 0;
+  std::memcpy(&last, text.data() + text.size() - 4, 4);
+  EXPECT_GE(last, 24);
+  EXPECT_LT(last, 90);
+}
+
+}  // namespace
+}  // namespace geom

@@ -1,0 +1,54 @@
+#include "geom/io/path_csv.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "geom/error.h"
+
+namespace geom {
+namespace {
+
+std::vector<PathRecord> read(const std::string& text) {
+  std::istringstream in(text);
+  return read_path_csv(in, "p.csv");
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(PathCsv, ReadsPathsByTheirIds) {
+  const auto paths = read("id,x_m,y_m,z_m\r\na,1,2,3\r\na,4,5,6\r\nb;7;8;9\r\n");
+  ASSERT_EQ(paths.size(), 2u);
+  EXPECT_EQ(paths[0].id, "a");
+  EXPECT_EQ(paths[0].status, "found");
+  EXPECT_EQ(paths[0].points, (Polyline{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(paths[1].points, (Polyline{{7, 8, 9}}));
+}
+
+TEST(PathCsv, ReadsOnePathWithoutIdOrHeader) {
+  const auto paths = read("0.0,0.25,1e1\n\n0,1,2\n");
+  ASSERT_EQ(paths.size(), 1u);
+  EXPECT_EQ(paths[0].id, "path");
+  EXPECT_EQ(paths[0].points, (Polyline{{0, 0.25, 10}, {0, 1, 2}}));
+}
+
+TEST(PathCsv, RefusesBadTables) {
+  EXPECT_EQ(refusal(""), "p.csv: expected points id,x,y,z, found none");
+  EXPECT_EQ(refusal("id,x,y,z\n"), "p.csv: expected points id,x,y,z, found none");
+  EXPECT_EQ(refusal("1,2\n"), "p.csv:1: expected id,x,y,z or x,y,z, found 2 columns");
+  EXPECT_EQ(refusal("a,1,2,3\n1,2,3\n"), "p.csv:2: expected id,x,y,z, found 3 columns");
+  EXPECT_EQ(refusal("a,1,2,nan\n"),
+            "p.csv:1: z must be a finite number within 1e8 m, found \"nan\"");
+  EXPECT_EQ(refusal("a,1,2,3\nb,1,2,3\na,1,2,3\n"),
+            "p.csv:3: expected the points of a path together, found \"a\" again");
+}
+
+}  // namespace
+}  // namespace geom

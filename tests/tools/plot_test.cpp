@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/error.h"
+#include "plot/clearance.h"
+#include "plot/comparison.h"
+#include "plot/figure.h"
+#include "plot/motion_profile.h"
+#include "plot/ticks.h"
+#include "plot/tracking.h"
+#include "support/random_city.h"
+
+namespace {
+
+using plot::Point;
+using support::Random;
+
+TEST(TicksProperty, AreRoundWithinTheRangeAndNeitherFewNorMany) {
+  Random random(31);
+  for (int i = 0; i < 2000; ++i) {
+    const double low = random.uniform(-1, 1) * std::pow(10, random.uniform(-3, 4));
+    const double high = low + std::pow(10, random.uniform(-2, 6));
+    const auto ticks = plot::ticks(low, high, 4);
+    SCOPED_TRACE(testing::Message() << "seed 31, case " << i << ": " << low << " to " << high);
+    ASSERT_GE(ticks.size(), 2u);
+    ASSERT_LE(ticks.size(), 7u);
+    const double step = ticks[1] - ticks[0];
+    EXPECT_GE(ticks.front(), low - 1e-6 * step);
+    EXPECT_LE(ticks.back(), high + 1e-6 * step);
+    const double lead = step / std::pow(10, std::floor(std::log10(step) + 1e-9));
+    EXPECT_LT(std::min({std::abs(lead - 1), std::abs(lead - 2), std::abs(lead - 5)}), 1e-6);
+  }
+}
+
+TEST(Thinned, KeepsEndsAndExtremes) {
+  std::vector<Point> points;
+  for (int i = 0; i < 100000; ++i) points.push_back({i * 1e-3, std::sin(i * 1e-3)});
+  points[34567].y = 9;
+  points[76543].y = -9;
+  const auto few = plot::thinned(points, 500);
+  EXPECT_LE(few.size(), 2000u);
+  EXPECT_EQ(few.front().x, points.front().x);
+  EXPECT_EQ(few.back().x, points.back().x);
+  EXPECT_TRUE(std::is_sorted(few.begin(), few.end(),
+                             [](const Point& a, const Point& b) { return a.x < b.x; }));
+  const auto has = [&](double y) {
+    return std::any_of(few.begin(), few.end(), [&](const Point& p) { return p.y == y; });
+  };
+  EXPECT_TRUE(has(9));
+  EXPECT_TRUE(has(-9));
+  EXPECT_EQ(plot::thinned({{0, 1}, {1, 2}}, 500).size(), 2u);
+}
+
+bool holds(const std::string& svg, const std::string& words) {
+  return svg.find(words) != std::string::npos;
+}
+
+TEST(MotionProfile, ShowsUnitsAndLimitsOnce) {
+  traj::TrajectoryRecord record;
+  record.id = "a<b";
+  record.status = "solved";
+  traj::State end;
+  end.position = {10, 0, 3};
+  record.trajectory.segments = {traj::hermite({}, end, 5)};
+  record.limits.vmax = 8;
+  record.limits.tilt = 0.5;
+  const std::string svg = plot::motion_profile(record);
+  for (const char* words :
+       {"position, m", "speed, m/s", "acceleration, m/s\u00b2", "jerk, m/s\u00b3", "thrust/mass",
+        "tilt, \u00b0", "time, s", "vmax 8", "tilt 28.65", "a&lt;b: 5.00 s", "east", "north"}) {
+    EXPECT_TRUE(holds(svg, words)) << words;
+  }
+  EXPECT_FALSE(holds(svg, "amax"));
+  EXPECT_FALSE(holds(svg, "nan"));
+}
+
+TEST(Tracking, StatesTheErrors) {
+  traj::FlightLog log{"f", {}};
+  for (int i = 0; i < 4; ++i) {
+    traj::FlightSample s;
+    s.time = i;
+    s.setpoint_position = {i == 2 ? 4.0 : 0.0, 0, 0};
+    log.samples.push_back(s);
+  }
+  const std::string svg = plot::tracking(log);
+  EXPECT_TRUE(holds(svg, "f: 3.00 s flown, tracking error 2 m root mean square"));
+  EXPECT_TRUE(holds(svg, "largest 4 m"));
+  log.samples.resize(1);  // one row has no time to show
+  EXPECT_FALSE(holds(plot::tracking(log), "nan"));
+}
+
+TEST(Clearance, IsThatOfTheScene) {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{0, 0, 0}, {100, 100, 50}};
+  const geom::BoxMap map(spec, support::table_of({{{40, 0, 0}, {50, 10, 20}}}));
+  const geom::CollisionScene scene(map, {"box", {1, 1, 1}}, 0.5);
+  const plot::ClearanceTrack track{"path q", {0, 10}, {{20, 5, 5}, {30, 5, 5}}};
+  const std::string svg = plot::clearance(scene, std::span(&track, 1), "length, m");
+  EXPECT_TRUE(holds(svg, ">9 m<"));  // 10 m less the vehicle, the margin not counted
+  EXPECT_TRUE(holds(svg, "margin 0.5"));
+}
+
+plot::Comparison parsed(const char* json) {
+  return plot::parse_comparison(geom::JsonFields(json, "report.json", 0), "set");
+}
+
+TEST(Comparison, ShowsLengthOverTheBestOnlyWhereAllHaveIt) {
+  const char* best = R"({"type":"benchmark","methods":[{"method":"a","trials":4,"found":3,)"
+                     R"("time_ms":{"mean":0.2,"p50":0.1,"p99":1},)"
+                     R"("length_over_reference":{"mean":1.01,"p50":1,"p99":1.1},)"
+                     R"("length_over_straight":{"mean":1.3,"p50":1.2,"p99":2}}]})";
+  const char* straight =
+      R"({"type":"benchmark","methods":[{"method":"b","trials":4,"found":4,)"
+      R"("time_ms":{"mean":0.2},"length_over_straight":{"mean":1.3,"p50":1.2,"p99":2}}]})";
+  const plot::Comparison both[] = {parsed(best), parsed(straight)};
+  EXPECT_TRUE(holds(plot::comparison(std::span(both, 1)), "over the best known"));
+  EXPECT_TRUE(holds(plot::comparison(both), "over the straight line"));
+  EXPECT_TRUE(holds(plot::comparison(both), "3 of 4"));
+}
+
+TEST(Comparison, RefusesOtherRecords) {
+  for (const char* json :
+       {R"({"type":"path"})", R"({"type":"benchmark"})", R"({"type":"benchmark","methods":[]})",
+        R"({"type":"benchmark","methods":[{"method":"a"}]})",
+        R"({"type":"benchmark","methods":[{"method":"a","trials":-1,"found":0}]})"}) {
+    EXPECT_THROW(parsed(json), geom::InputError) << json;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,318 @@
+"""view_test.py BIN_DIR SOURCE_DIR [PICTURES]: skyway-view's page in headless Chromium, driven as a user would.
+
+Pictures of what was seen are left in the folder PICTURES. Any message of the browser's console fails.
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from webdriver import Browser
+
+bin_dir, source = (pathlib.Path(a).resolve() for a in sys.argv[1:3])
+pictures = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
+
+
+def run(*args, text=None, yes=True):
+    done = subprocess.run([str(bin_dir / args[0]), *map(str, args[1:])], text=True, input=text,
+                          capture_output=True)
+    assert done.returncode in ((0,) if yes else (0, 1)), (args, done.stderr)
+    return done.stdout
+
+
+def flight_of(setpoints):
+    """A flight log from setpoints: as asked, but 0.2 m to the east."""
+    rows = ["id,t_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_x_m,"
+            "setpoint_y_m,setpoint_z_m,setpoint_vx_mps,setpoint_vy_mps,setpoint_vz_mps,setpoint_yaw_rad,"
+            "motor1,motor2,motor3,motor4,saturated"]
+    for line in setpoints.splitlines()[1:]:
+        t, x, y, z, vx, vy, vz, *_ = line.split(",")
+        rows.append(f"q1,{t},{float(x) + 0.2},{y},{z},{vx},{vy},{vz},1,0,0,0,0,0,0,{x},{y},{z},{vx},{vy},{vz},0,"
+                    "0.5,0.5,0.5,0.5,0")
+    return "\n".join(rows) + "\n"
+
+
+def make_chain(table, folder, ends, traj=("--vmax", "8", "--amax", "6")):
+    """Map, lattice, path, tree, trajectory, report and a flight log in the folder."""
+    vehicle = ["--vehicle", "box:0.5,0.5,0.3"]
+    run("skyway-import", "-q", table, "-o", folder / "map")
+    run("skyway-lattice", "-q", folder / "map", "--spacing", "10", "--connect", "26", *vehicle, "-o", folder / "lattice")
+    run("skyway-plan", "-q", folder / "map", *vehicle, *ends, "--snap-ends", "5", "-o", folder / "path")
+    run("skyway-plan", "-q", folder / "map", *vehicle, *ends, "--snap-ends", "5", "--method", "rrt-star",
+        "--iterations", "2000", "--tree", folder / "tree", "-o", folder / "sampled", yes=False)
+    run("skyway-traj", "-q", folder / "map", folder / "path", *traj, "-o", folder / "trajectory")
+    run("skyway-check", "-q", folder / "map", folder / "trajectory", "-o", folder / "report")
+    run("skyway-export", "-q", folder / "map", folder / "trajectory", "--format", "setpoints", "-o", folder / "setpoints")
+    (folder / "flight.csv").write_text(flight_of((folder / "setpoints").read_text()))
+
+
+class Viewer:
+    """A page in the browser, and what its window.skyway says."""
+
+    def __init__(self, browser, page, scheme="light", size=(1440, 900)):
+        self.browser = browser
+        browser.prefer(scheme)
+        browser.resize(*size)
+        browser.open(page)
+        browser.until("window.skyway && skyway.frames > 0")
+        assert self.get("theme") == scheme
+
+    def get(self, name):
+        return self.browser.run(f"return skyway.{name}")
+
+    def until(self, condition):
+        self.browser.until(condition)
+
+    def picture(self, name):
+        if pictures:
+            pictures.mkdir(parents=True, exist_ok=True)
+            frames = self.get("frames")
+            self.browser.run("dispatchEvent(new Event('resize'))")
+            self.browser.screenshot(pictures / f"{name}.png")
+            assert self.get("frames") >= frames
+        self.quiet()
+
+    def quiet(self):
+        assert self.get("problems") == [], self.get("problems")
+        said = self.browser.console()
+        assert not said, said
+
+    def frame_time(self):
+        """Milliseconds a frame takes while the view turns, the pixels read back."""
+        return self.browser.run("""
+          return (async () => {
+            const view = document.getElementById("view"), gl = view.querySelector("canvas").getContext("webgl");
+            const frame = () => new Promise(requestAnimationFrame), pixel = new Uint8Array(4);
+            await frame();
+            const begin = performance.now();
+            let turns = 0;
+            for (; turns < 3 || (turns < 30 && performance.now() < begin + 4000); ++turns) {
+              view.dispatchEvent(new KeyboardEvent("keydown", {key: "ArrowLeft", bubbles: true}));
+              await frame();
+              gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+            }
+            return (performance.now() - begin) / turns;
+          })()""")
+
+    def figures(self, name):
+        print(f"{name}: {self.get('boxes')} boxes, {self.get('drawCalls')} draw calls, "
+              f"{self.get('triangles')} triangles, {self.frame_time():.1f} ms a frame in software")
+
+
+def setpoints(folder):
+    rows = [list(map(float, line.split(",")[:7]))
+            for line in (folder / "setpoints").read_text().splitlines()[1:]]
+    return lambda t: min(rows, key=lambda row: abs(row[0] - t))
+
+
+def plays_and_scrubs(viewer, folder):
+    browser, at = viewer.browser, setpoints(folder)
+    duration = json.loads((folder / "trajectory").read_text())["duration"]
+    assert abs(viewer.get("duration") - duration) < 0.11
+    assert viewer.get("time") == 0 and not viewer.get("playing")
+    browser.click("#play")
+    viewer.until("skyway.playing && skyway.time > 0.3")
+    browser.click("#play")
+    assert not viewer.get("playing")
+    paused, frames = viewer.get("time"), viewer.get("frames")
+    assert viewer.get("time") == paused and viewer.get("frames") <= frames + 2  # nothing moves: nothing is drawn
+    browser.run("document.activeElement.blur()")
+    browser.key(" ")
+    viewer.until(f"skyway.playing && skyway.time > {paused}")
+    browser.key(" ")
+    assert not viewer.get("playing")
+    x, y = browser.centre("#scrub", 0.5)
+    browser.pointer(("move", x, y), ("down",), ("up",))
+    time = viewer.get("time")
+    assert abs(time - duration / 2) < duration * 0.03, time
+    row = at(time)
+    assert all(abs(a - b) < 0.6 for a, b in zip(viewer.get("position"), row[1:4])), (viewer.get("position"), row)
+    speed = sum(v * v for v in row[4:7]) ** 0.5
+    assert abs(viewer.get("values")["velocity"]["norm"] - speed) < 0.1
+
+
+def reads_plots(viewer, folder):
+    browser, at = viewer.browser, setpoints(folder)
+    before, duration = viewer.get("time"), viewer.get("duration")
+    browser.pointer(("move", *browser.centre("[data-plot=velocity] canvas", 0.8)))
+    hover = viewer.get("hover")
+    assert hover["plot"] == "velocity" and abs(hover["time"] - 0.8 * duration) < 0.06 * duration, hover
+    assert viewer.get("time") == before
+    row = at(hover["time"])
+    values = viewer.get("values")["velocity"]
+    for name, asked in zip(("east", "north", "up"), row[4:7]):
+        assert abs(values[name] - asked) < 0.1, (values, row)
+    shown = browser.run("return document.querySelector('[data-plot=velocity] .values').textContent")
+    assert f"{values['norm']:.2f}" in shown, (shown, values)
+    browser.pointer(("move", *browser.centre("#title")))
+    assert viewer.get("hover") is None
+    browser.click("[data-plot=clearance] canvas")
+    clicked = viewer.get("time")
+    assert abs(clicked - duration / 2) < 0.07 * duration
+    browser.key("\ue014")  # right arrow, on the plot that was clicked
+    assert clicked < viewer.get("time") < clicked + 0.01 * duration
+    assert viewer.get("values")["velocity"]["norm"] <= 8.001
+
+
+def looks_around(viewer):
+    browser = viewer.browser
+    heading, distance = viewer.get("heading"), viewer.get("distance")
+    x, y = browser.centre("#view", 0.6)
+    browser.pointer(("move", x, y), ("down",), ("move", x + 80, y), ("up",))
+    assert viewer.get("heading") != heading
+    browser.run("document.getElementById('view').focus()")
+    browser.key("+")
+    assert viewer.get("distance") < distance
+    browser.click("#view")
+    assert viewer.get("picked") is not None
+    browser.key("\ue00c")  # escape
+    assert viewer.get("picked") is None
+    for key, mode in (("2", "top"), ("3", "follow"), ("4", "ride")):
+        browser.key(key)
+        assert viewer.get("camera") == mode
+    viewer.until("Math.hypot(...skyway.target.map((x, i) => x - skyway.position[i])) < 1e-3")
+    viewer.picture("demo-ride")
+    browser.key("h")
+    assert viewer.get("camera") == "free"
+    viewer.until(f"Math.abs(skyway.distance - {distance}) < 1e-6")
+
+
+def grows_tree(viewer):
+    nodes = viewer.get("trees")[0]["nodes"]
+    assert viewer.get("trees")[0]["shown"] == nodes > 10
+    viewer.browser.click(".grow")
+    viewer.until(f"skyway.trees[0].shown < {nodes}")
+    shown = viewer.get("trees")[0]["shown"]
+    viewer.until(f"skyway.trees[0].shown > {shown}")
+    viewer.until(f"skyway.trees[0].shown === {nodes}")
+
+
+def shows_demo(browser, folder, page):
+    files = [folder / f for f in ("map", "lattice", "path", "tree", "trajectory", "report", "flight.csv")]
+    run("skyway-view", *files, "--title", "Downtown", "-o", page)
+    assert page.stat().st_size <= 3e6, page.stat().st_size
+    print(f"demo page: {page.stat().st_size} bytes")
+    viewer = Viewer(browser, page)
+    assert viewer.get("boxes") == 4894 and viewer.get("checks") == [{"id": "q1", "ok": True, "reason": None}]
+    viewer.picture("demo-light")
+    plays_and_scrubs(viewer, folder)
+    reads_plots(viewer, folder)
+    looks_around(viewer)
+    grows_tree(viewer)
+    calls = viewer.get("drawCalls")
+    browser.run("[...document.querySelectorAll('#layers .head')].find(l => l.textContent.startsWith('Lattice')).click()")
+    viewer.until(f"skyway.drawCalls > {calls}")
+    browser.run("const s = document.querySelector('#side select'); s.value = '1'; s.dispatchEvent(new Event('change'))")
+    assert viewer.get("motion") == "q1 (flown)"
+    assert abs(viewer.get("values")["error"]["from the setpoint"] - 0.2) < 1e-3
+    browser.click("#theme")
+    assert viewer.get("theme") == "dark"
+    viewer.picture("demo-dark")
+    narrow = Viewer(browser, page, "dark", (390, 844))
+    narrow.picture("demo-narrow")
+    distance = narrow.get("distance")
+    browser.pinch(*browser.centre("#view"), 80, 240)
+    assert narrow.get("distance") < 0.6 * distance, (narrow.get("distance"), distance)
+    narrow.quiet()
+
+
+def shows_failure(browser, folder, page):
+    run("skyway-check", "-q", folder / "map", folder / "trajectory", "--vehicle", "box:2,2,2", "-o",
+        folder / "failed", yes=False)
+    report = json.loads((folder / "failed").read_text())
+    assert not report["ok"] and report["frame"] == "neu"
+    run("skyway-view", *[folder / f for f in ("map", "path", "trajectory", "failed")], "--title", "Failed", "-o", page)
+    viewer = Viewer(browser, page)
+    assert viewer.get("checks") == [{"id": "q1", "ok": False, "reason": report["reason"]}]
+    browser.click(".check.failed button")
+    place = [report["place"][k] for k in (1, 0, 2)]
+    assert all(abs(a - b) < 1e-3 for a, b in zip(viewer.get("target"), place)), viewer.get("target")
+    assert abs(viewer.get("time") - report["time"]) < 1e-6
+    assert viewer.get("picked") is not None
+    words = browser.run("return document.querySelector('.check.failed').textContent")
+    assert "collides with an obstacle" in words and str(report["box"]) in words, words
+    viewer.picture("failed")
+
+
+def shows_large_city(browser, folder, page):
+    table = run("skyway-synth", "--size", "4200", "--seed", "3")
+    run("skyway-import", "-q", "-", "-o", folder / "large", text=table)
+    run("skyway-view", folder / "large", "--title", "A large city", "-o", page)
+    viewer = Viewer(browser, page, "dark")
+    assert viewer.get("boxes") >= 100000 and viewer.get("triangles") <= 6 * viewer.get("boxes") + 100
+    assert viewer.get("drawCalls") <= 4
+    viewer.figures("large city")
+    viewer.picture("large-dark")
+
+
+def shows_labels(browser, folder, page):
+    """Labels, ids and titles that would break a page if they were pasted into it."""
+    (folder / "labels.csv").write_text("min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n"
+                                       "0,0,0,5,5,9,</script><b>house\n10,0,0,15,5,4,shed\n")
+    run("skyway-import", "-q", folder / "labels.csv", "-o", folder / "labels")
+    run("skyway-view", folder / "labels", "--title", "<i>T & {{script}}", "-o", page)
+    viewer = Viewer(browser, page)
+    assert browser.run("return document.title") == "<i>T & {{script}}"
+    browser.run("const s = document.querySelector('#layers select'); s.value = 'label'; s.dispatchEvent(new Event('change'))")
+    keys = browser.run("return [...document.querySelectorAll('#layers .keys li')].map(l => l.children[1].textContent)")
+    assert keys == ["</script><b>house", "shed"], keys
+    assert browser.run("return document.querySelectorAll('b').length") == 0
+    viewer.picture("labels")
+
+
+def shows_real_city(browser, folder, page):
+    table = pathlib.Path(os.environ["SKYWAY_REALDATA"]) / "colliders" / "udacity_colliders.csv"
+    ends = ["--from=528.78399,288.798721,28.985081", "--to=-26.24902,14.253218,24.835826"]
+    make_chain(table, folder, ends)
+    run("skyway-view", folder / "map", "-o", page)
+    Viewer(browser, page).figures("San Francisco, map alone")
+    files = [folder / f for f in ("map", "path", "tree", "trajectory", "report", "flight.csv")]
+    run("skyway-view", *files, "--title", "San Francisco", "-o", page)
+    viewer = Viewer(browser, page, "dark")
+    assert viewer.get("boxes") == 3845
+    viewer.figures("San Francisco")
+    plays_and_scrubs(viewer, folder)
+    viewer.picture("san-francisco")
+
+
+def works_without_webgl(folder, page):
+    run("skyway-view", *[folder / f for f in ("map", "trajectory")], "-o", page)
+    with Browser(extra=["--disable-3d-apis"]) as browser:
+        browser.open(page)
+        browser.until("window.skyway && skyway.ready")
+        problems = browser.run("return skyway.problems")
+        assert len(problems) == 1 and "WebGL" in problems[0], problems
+        browser.click("[data-plot=velocity] canvas")
+        assert browser.run("return skyway.time") > 0
+
+
+def main(folder):
+    page = folder / "page.html"
+    demo = folder / "demo"
+    demo.mkdir()
+    make_chain(source / "data" / "downtown.csv", demo, ["--from=-425,-320.5,7", "--to", "357,204,5"])
+    with Browser() as browser:
+        shows_demo(browser, demo, page)
+        shows_failure(browser, demo, page)
+        shows_large_city(browser, folder, page)
+        shows_labels(browser, folder, page)
+        if os.environ.get("SKYWAY_REALDATA"):
+            real = folder / "real"
+            real.mkdir()
+            shows_real_city(browser, real, page)
+        else:
+            print("the San Francisco page was left out: SKYWAY_REALDATA is not set")
+    works_without_webgl(demo, page)
+
+
+with tempfile.TemporaryDirectory() as name:
+    try:
+        main(pathlib.Path(name))
+    except FileNotFoundError as missing:
+        if "chromium" not in str(missing):
+            raise
+        print(f"skipped: needs {missing}")
+        sys.exit(77)

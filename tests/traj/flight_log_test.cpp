@@ -1,0 +1,128 @@
+#include "traj/io/flight_log.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "geom/error.h"
+#include "geom/random.h"
+
+namespace traj {
+namespace {
+
+std::string text_of(const std::vector<FlightLog>& logs) {
+  std::ostringstream out;
+  write_flight_log(out, logs);
+  return out.str();
+}
+
+std::vector<FlightLog> read(const std::string& text) {
+  std::istringstream in(text);
+  return read_flight_log(in, "log.csv");
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const geom::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::vector<FlightLog> random_flights(std::uint64_t seed) {
+  geom::SplitMix64 random(seed);
+  const auto vector = [&] {
+    const double x = random.uniform(-1e3, 1e3);
+    const double y = random.uniform(-1e-3, 1e-3);
+    return geom::Vec3(x, y, random.uniform(0, 1));
+  };
+  std::vector<FlightLog> logs;
+  for (const char* id : {"q1", "a,\"b\"", "", "ü"}) {
+    logs.push_back({id, {}});
+    for (int i = 0; i < 5; ++i) {
+      FlightSample s;
+      s.time = i * 0.01 + random.uniform(0, 0.009);
+      s.position = vector();
+      s.velocity = vector();
+      s.attitude.coeffs() << vector(), random.uniform(-1, 1);
+      s.attitude.normalize();
+      s.body_rates = vector();
+      s.setpoint_position = vector();
+      s.setpoint_velocity = vector();
+      s.setpoint_yaw = random.uniform(-10, 10);
+      for (double& motor : s.motors) motor = random.uniform(0, 1);
+      s.saturated = random.chance(0.5);
+      logs.back().samples.push_back(s);
+    }
+  }
+  return logs;
+}
+
+const std::string kHeader =
+    "id,t_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_x_m,"
+    "setpoint_y_m,setpoint_z_m,setpoint_vx_mps,setpoint_vy_mps,setpoint_vz_mps,setpoint_yaw_rad,"
+    "motor1,motor2,motor3,motor4,saturated\n";
+
+TEST(FlightLog, HasOneRowASample) {
+  FlightLog log{"q1", {FlightSample{}}};
+  log.samples[0].motors = {0.25, 0.5, 0.75, 1};
+  log.samples[0].saturated = true;
+  EXPECT_EQ(text_of({log}),
+            kHeader + "q1,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0.25,0.5,0.75,1,1\n");
+}
+
+TEST(FlightLog, ComesBackBitForBit) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto logs = random_flights(seed);
+    const auto back = read(text_of(logs));
+    ASSERT_EQ(back.size(), logs.size()) << "seed " << seed;
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      EXPECT_EQ(back[i].id, logs[i].id);
+      ASSERT_EQ(back[i].samples.size(), logs[i].samples.size());
+    }
+    EXPECT_EQ(back[1].samples[3].attitude.coeffs(), logs[1].samples[3].attitude.coeffs());
+    EXPECT_EQ(back[1].samples[3].setpoint_velocity, logs[1].samples[3].setpoint_velocity);
+    EXPECT_EQ(text_of(back), text_of(logs)) << "seed " << seed;
+  }
+}
+
+TEST(FlightLog, IsReadWithCarriageReturnsAndBlankLines) {
+  EXPECT_EQ(
+      read(kHeader + "\r\nq,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\r\n\n").size(), 1);
+}
+
+TEST(FlightLog, RefusesWhatIsNotOne) {
+  const std::string row =
+      "q,0,0,0,0,0,0,0,1,0,0,0" + std::string(",0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n");
+  EXPECT_NE(refusal("").find("expected the header id,t_s"), std::string::npos);
+  EXPECT_NE(refusal(kHeader).find("at least one row"), std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,1\n").find("log.csv:2: expected 27 columns, found 3"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + row + row).find("log.csv:3: t_s must grow, found 0 after 0"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + row + "p" + row.substr(1) + row).find("must stand together; \"q\""),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,nan" + row.substr(5)).find("x_m must be a number from"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,1e9" + row.substr(5)).find("x_m must be a number from"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,-1,0" + row.substr(5)).find("t_s must be"), std::string::npos);
+  EXPECT_NE(
+      refusal(kHeader + "q,0,0,0,0,0,0,0,1,1" + row.substr(19)).find("a quaternion of length 1"),
+      std::string::npos);
+  std::string saturated = row;
+  saturated[saturated.size() - 2] = '2';
+  EXPECT_NE(refusal(kHeader + saturated).find("saturated must be a number from 0 to 1"),
+            std::string::npos);
+}
+
+TEST(FlightLog, RefusesIdsThatWouldNotComeBack) {
+  for (const char* id : {"a\nb", " a", "a\t"}) {
+    std::ostringstream out;
+    EXPECT_THROW(write_flight(out, {id, {FlightSample{}}}), geom::InputError) << id;
+  }
+}
+
+}  // namespace
+}  // namespace traj

@@ -1,0 +1,165 @@
+#include "traj/flown.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/error.h"
+#include "traj/close_joints.h"
+#include "traj/export/tello.h"
+#include "traj/scenes.h"
+
+namespace traj {
+namespace {
+
+using testing::Random;
+using testing::scene_of;
+
+// A block with a roof at 10 m, and another that hangs from 20 m up.
+geom::CollisionScene yard() {
+  return scene_of({{{0, 0, 0}, {10, 10, 10}}, {{20, 0, 20}, {30, 10, 30}}});
+}
+
+Flown path(geom::Polyline points) {
+  Flown flown;
+  flown.path = std::move(points);
+  return flown;
+}
+
+TEST(GroundBelow, IsTheRoofOrTheFloor) {
+  EXPECT_EQ(ground_below(yard(), {5, 5, 15}), 10);
+  EXPECT_EQ(ground_below(yard(), {15, 5, 15}), 0);
+  EXPECT_EQ(ground_below(yard(), {25, 5, 15}), 0) << "what hangs above does not carry";
+  EXPECT_EQ(ground_below(yard(), {25, 5, 35}), 30);
+}
+
+TEST(CheckFlown, LooksAtTheAscentAndTheDescent) {
+  Flown flown = path({{25, 5, 35}, {40, 5, 35}});
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok);
+  flown.ends.takeoff_from = 0;
+  const CheckResult result = check_flown(yard(), flown, {});
+  EXPECT_EQ(result.reason, "collision");
+  EXPECT_NEAR(result.place.x(), 25, 1e-6);
+  EXPECT_LT(result.time, 1) << "leg 0";
+  flown.ends.takeoff_from = 30;
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok) << "what stands on a roof touches it";
+  std::swap(flown.path[0], flown.path[1]);
+  flown.ends = {{}, 0};
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "collision");
+  flown.ends = {36, {}};
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "takeoff") << "below the ground";
+}
+
+TEST(CheckFlown, KnowsTheSpeedsOfLegs) {
+  Flown flown = path({{40, 0, 5}, {40, 30, 45}});
+  flown.speed = 5;
+  Limits limits;
+  limits.vmax = 5;
+  EXPECT_TRUE(check_flown(yard(), flown, limits).ok);
+  limits.vmax = 4.9;
+  EXPECT_EQ(check_flown(yard(), flown, limits).reason, "speed");
+  limits.vmax.reset();
+  limits.vmax_v = 3.9;
+  EXPECT_EQ(check_flown(yard(), flown, limits).reason, "vertical_speed");
+  limits.vmax_v = 4;
+  limits.vmax_h = 2.9;
+  EXPECT_EQ(check_flown(yard(), flown, limits).reason, "horizontal_speed");
+}
+
+TEST(CheckFlown, KnowsHowFarATelloMayGo) {
+  const auto reason = [](const Vec3& to, double airborne) {
+    Flown flown = path({{40, 0, 1}, to});
+    flown.ends.takeoff_from = 0;
+    flown.envelope = kTelloEnvelope;
+    flown.airborne = airborne;
+    return check_flown(yard(), flown, {}).reason;
+  };
+  EXPECT_EQ(reason({40, 95, 30}, 780), "");
+  EXPECT_EQ(reason({40, 20, 30.01}, 780), "ceiling");
+  EXPECT_EQ(reason({40, 100, 2}, 780), "range");
+  EXPECT_EQ(reason({40, 20, 2}, 780.1), "endurance");
+}
+
+TEST(CheckFlown, HoldsSetpointsToTheLimits) {
+  const State a{{40, 0, 5}, {3, 0, 0}, {0, 0, 1}};
+  const State b{{43, 0, 5}, {3, 0, 4}, {2, 0, 0}};
+  Flown flown;
+  flown.setpoints = {{0, a, 0, 0}, {1, b, 0, 0}};
+  flown.trajectory = straight_between(flown.setpoints);
+  Limits limits;
+  limits.vmax = 5;
+  EXPECT_TRUE(check_flown(yard(), flown, limits).ok);
+  EXPECT_EQ(check_flown(yard(), flown, limits).speed.value, 5);
+  limits.vmax = 4.9;
+  const CheckResult result = check_flown(yard(), flown, limits);
+  EXPECT_EQ(result.reason, "speed");
+  EXPECT_EQ(result.time, 1);
+  limits = {};
+  limits.tilt = 0.2;
+  EXPECT_EQ(check_flown(yard(), flown, limits).reason, "tilt");
+  flown.setpoints[1].state.position = {5, 5, 5};
+  flown.trajectory = straight_between(flown.setpoints);
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "collision");
+}
+
+Trajectory with_gap(Random& random, const State& gap) {
+  const State middle = random.state(5);
+  State other = middle;
+  other.position += gap.position;
+  other.velocity += gap.velocity;
+  other.acceleration += gap.acceleration;
+  other.jerk += gap.jerk;
+  return {{hermite(random.state(5), middle, 2.5), hermite(other, random.state(5), 1.5)}};
+}
+
+TEST(CloseJoints, MakesSegmentsMeetAndMovesThemNoFurtherThanTheGap) {
+  Random random(8);
+  for (int i = 0; i < 100; ++i) {
+    const Trajectory t = with_gap(
+        random, {random.vector(4e-4), random.vector(4e-3), random.vector(4e-2), random.vector(1)});
+    const ClosedJoints closed = close_joints(t, 1e-3, "c.csv");
+    const Trajectory& c = closed.trajectory;
+    const State end = evaluate(c.segments[0], 2.5);
+    const State begin = evaluate(c.segments[1], 0);
+    EXPECT_LT((end.position - begin.position).norm(), 1e-12);
+    EXPECT_LT((end.velocity - begin.velocity).norm(), 1e-11);
+    EXPECT_LT((end.acceleration - begin.acceleration).norm(), 1e-10);
+    EXPECT_GT(closed.largest_gap, 0);
+    for (double s = 0; s < 4; s += 0.05) {
+      EXPECT_LT((evaluate(c, s).position - evaluate(t, s).position).norm(), 0.02) << "case " << i;
+    }
+    EXPECT_LT((evaluate(c, 0).position - evaluate(t, 0).position).norm(), 1e-12);
+  }
+}
+
+TEST(CloseJoints, MakesYawAndItsRateMeetAcrossWholeTurns) {
+  Random random(10);
+  Trajectory t = with_gap(random, {});
+  t.segments[0].yaw = {0, 0, 0, 0, 1, 2, 3.0, 3.1};
+  t.segments[1].yaw = {-3.18, -3.12, -3, -2, -1, 0, 0, 0};  // a turn back, and 3.2 mrad
+  EXPECT_THROW(close_joints(t, 1e-3, "c.csv"), geom::InputError);
+  const ClosedJoints closed = close_joints(t, 5e-3, "c.csv");
+  const auto& a = *closed.trajectory.segments[0].yaw;
+  const auto& b = *closed.trajectory.segments[1].yaw;
+  EXPECT_DOUBLE_EQ(a[7], b[0]);
+  EXPECT_NEAR(b[0], 3.1016, 1e-4);
+  EXPECT_NEAR((a[7] - a[6]) / 2.5, (b[1] - b[0]) / 1.5, 1e-12);
+}
+
+TEST(CloseJoints, RefusesAJumpWithSegmentTimeAndGap) {
+  Random random(9);
+  try {
+    close_joints(with_gap(random, {{0.2, 0, 0}}), 1e-3, "c.csv");
+    FAIL();
+  } catch (const geom::InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "c.csv: a jump: position steps by 0.2 m where segment 1 begins, at t = 2.5 s; "
+                 "expected at most 0.001");
+  }
+  EXPECT_THROW(close_joints(with_gap(random, {Vec3::Zero(), {0.02, 0, 0}}), 1e-3, "c.csv"),
+               geom::InputError);
+  EXPECT_THROW(
+      close_joints(with_gap(random, {Vec3::Zero(), Vec3::Zero(), {0.2, 0, 0}}), 1e-3, "c.csv"),
+      geom::InputError);
+}
+
+}  // namespace
+}  // namespace traj

@@ -1,0 +1,74 @@
+#include "traj/io/report_record.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/error.h"
+#include "traj/scenes.h"
+
+namespace traj {
+namespace {
+
+std::string refusal(const std::string& line) {
+  try {
+    parse_report_record(line, "r.jsonl", 3);
+  } catch (const geom::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ReportSummary, ReadsWhatTheCheckWrote) {
+  const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}},
+                         {{{{1, 1, 1}, {2, 2, 2}}}, {41}, {0}, {""}});
+  ReportRecord record{"q1", "trajectory", {}, {.margin = 0.25}, {.vmax = 8}};
+  record.result.reason = "collision";
+  record.result.time = 1.5;
+  record.result.place = {1, 2, 3};
+  record.result.worst = 0.125;
+  record.result.box = 0;
+  record.result.duration = 4;
+  record.result.clearance = Extreme{0, 1.25};
+  record.result.speed = {7.5, 2};
+  const ReportSummary back = parse_report_record(to_json_line(record, map), "r.jsonl", 1);
+  EXPECT_EQ(back.id, "q1");
+  EXPECT_EQ(back.checked, "trajectory");
+  EXPECT_FALSE(back.ok);
+  EXPECT_EQ(back.reason, "collision");
+  EXPECT_EQ(back.time, 1.5);
+  EXPECT_EQ(back.place, Vec3(1, 2, 3));
+  EXPECT_EQ(back.worst, 0.125);
+  EXPECT_EQ(back.box, 41u);
+  EXPECT_EQ(back.duration, 4);
+  ASSERT_EQ(back.extremes.size(), 10u);  // clearance and all that a trajectory has
+  EXPECT_EQ(back.extremes[0].name, "clearance");
+  EXPECT_EQ(back.extremes[0].time, 1.25);
+  EXPECT_EQ(back.extremes[1].value, 7.5);
+  EXPECT_EQ(back.provenance.margin, 0.25);
+  EXPECT_EQ(back.limits.vmax, 8);
+}
+
+TEST(ReportSummary, ReadsWhatAFlightWas) {
+  const auto report = parse_report_record(
+      R"({"type":"flight","id":"q","ok":true,"rms":0.25,"max":1,"max_time":3})", "f.jsonl", 1);
+  EXPECT_EQ(report.checked, "flight");
+  ASSERT_EQ(report.extremes.size(), 2u);
+  EXPECT_EQ(report.extremes[0].time, std::nullopt);
+  EXPECT_EQ(report.extremes[1].time, 3);
+}
+
+TEST(ReportSummary, RefusesWhatIsNoReport) {
+  EXPECT_EQ(refusal(R"({"type":"path","id":"a"})"),
+            "r.jsonl:3: expected a record of type \"report\", found type \"path\"");
+  EXPECT_EQ(refusal(R"({"type":"report","id":"a"})"),
+            "r.jsonl:3: ok must be true or false, found none");
+  EXPECT_EQ(refusal(R"({"type":"report","id":"a","ok":false})"),
+            "r.jsonl:3: expected the key \"reason\", found none");
+  EXPECT_EQ(refusal(R"({"type":"report","id":"a","ok":true,"box":-1})"),
+            "r.jsonl:3: box must be a whole number >= 0, found -1");
+  EXPECT_EQ(refusal(R"({"type":"report","id":"a","ok":true,"exact":1})"),
+            "r.jsonl:3: exact must be an object, found 1");
+  EXPECT_NE(refusal(R"({"type":"report","id":"a","ok":true,"speed":"fast"})"), "");
+}
+
+}  // namespace
+}  // namespace traj

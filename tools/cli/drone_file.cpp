@@ -1,0 +1,194 @@
+#include "drone_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <numbers>
+#include <sstream>
+
+#include "geom/io/path_csv.h"
+#include "numbers_option.h"
+#include "run.h"
+#include "traj/export/crazyflie.h"
+#include "traj/export/geo_line.h"
+#include "traj/export/gltf_line.h"
+#include "traj/export/in_enu.h"
+#include "traj/export/qgc_plan.h"
+#include "traj/export/wpl.h"
+
+namespace cli {
+namespace {
+
+// What a text is, by how it begins.
+std::string detected(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with("QGC WPL")) return "wpl";
+  if (text.starts_with("{")) {
+    return text.find("\"FeatureCollection\"") == text.npos ? "qgc-plan" : "geojson";
+  }
+  if (text.starts_with("glTF")) return "gltf";
+  if (text.starts_with("<")) return "kml";
+  if (text.starts_with("command") || text.starts_with("takeoff")) return "tello";
+  if (text.starts_with("duration") || text.starts_with("Duration")) return "crazyflie";
+  if (text.starts_with("t_s,")) return "setpoints";
+  return "paths-csv";
+}
+
+traj::Flown flown_tello(std::istream& in, const std::string& source,
+                        const DroneFileOptions& options, geom::Axes axes) {
+  if (!options.start) {
+    throw UsageError("a Tello script says no place: give --start x,y,z, where it stands");
+  }
+  const traj::TelloFlight flight = traj::read_tello(in, source);
+  const auto start = options.placement.tello_start(geom::to_enu(axes, *options.start));
+  traj::Flown flown;
+  flown.path = traj::tello_path(flight, start);
+  flown.ends.takeoff_from = start.ground.z();
+  flown.envelope = traj::kTelloEnvelope;
+  flown.airborne = traj::tello_times(flight, start).back();
+  for (const traj::TelloLeg& leg : flight.legs) {
+    flown.speed = std::max(flown.speed.value_or(0), 0.01 * leg.speed);
+  }
+  return flown;
+}
+
+traj::Flown flown_mission(const traj::Mission& mission, const std::string& source,
+                          const DroneFileOptions& options, const geom::Frame& frame,
+                          bool& returns) {
+  traj::FlownMission read = traj::flown_mission(mission, options.placement.mission_frame(frame),
+                                                options.placement.ground, source);
+  returns = read.returns;
+  traj::Flown flown;
+  flown.path = std::move(read.path);
+  flown.hold = std::move(read.hold);
+  flown.ends = read.ends;
+  flown.speed = read.speed;
+  return flown;
+}
+
+geom::Polyline on_map(const std::vector<geom::GeodeticPlace>& places,
+                      const traj::MissionFrame& frame, double geoid) {
+  const geom::GeographicFrame earth(frame.origin);
+  geom::Polyline path;
+  for (geom::GeodeticPlace place : places) {
+    place.height += geoid;
+    path.push_back(earth.enu(place));
+  }
+  return path;
+}
+
+// In ENU.
+traj::Flown read_flown(std::istream& in, const std::string& source, DroneFile& file,
+                       const DroneFileOptions& options, const geom::Frame& frame) {
+  traj::Flown flown;
+  if (file.format == "crazyflie") {
+    flown.trajectory = traj::read_crazyflie(in, source);
+  } else if (file.format == "setpoints") {
+    flown.setpoints = traj::read_setpoints(in, source);
+    flown.trajectory = traj::straight_between(flown.setpoints);
+  } else if (file.format == "tello") {
+    flown = flown_tello(in, source, options, frame.axes);
+  } else if (file.format == "wpl") {
+    flown = flown_mission(traj::read_wpl(in, source), source, options, frame, file.returns);
+  } else if (file.format == "qgc-plan") {
+    flown = flown_mission(traj::read_qgc_plan(in, source), source, options, frame, file.returns);
+  } else if (file.format == "kml") {
+    const traj::MissionFrame over = options.placement.mission_frame(frame);
+    flown.path = on_map(traj::read_kml(in, source), over, over.geoid);
+  } else if (file.format == "geojson") {
+    flown.path = on_map(traj::read_geojson(in, source), options.placement.mission_frame(frame), 0);
+  } else {
+    flown.path = traj::read_gltf_line(in, source);
+  }
+  return flown;
+}
+
+traj::Flown in_map_axes(traj::Flown flown, geom::Axes axes) {
+  flown.trajectory = traj::in_enu(axes, std::move(flown.trajectory));
+  flown.path = traj::in_enu(axes, std::move(flown.path));
+  for (traj::Setpoint& s : flown.setpoints) {
+    s.yaw = geom::yaw_to_enu(axes, s.yaw);
+    if (axes != geom::Axes::enu) s.yaw_rate = -s.yaw_rate;
+    for (geom::Vec3* v : {&s.state.position, &s.state.velocity, &s.state.acceleration}) {
+      *v = geom::to_enu(axes, *v);
+    }
+  }
+  return flown;
+}
+
+std::vector<DroneFile> read_paths(std::istream& in, const std::string& source) {
+  std::vector<DroneFile> files;
+  for (geom::PathRecord& record : geom::read_path_csv(in, source)) {
+    files.push_back({std::move(record.id), "paths-csv", {}, false});
+    files.back().flown.path = std::move(record.points);
+  }
+  return files;
+}
+
+}  // namespace
+
+void Placement::add_to(CLI::App& app) {
+  app.add_option_function<std::string>(
+         "--origin",
+         [this](const std::string& text) {
+           const auto v = parse_numbers(text, 3);
+           if (!v || std::abs((*v)[0]) > 90 || std::abs((*v)[1]) > 180) {
+             throw CLI::ValidationError(
+                 "--origin", "expected latitude,longitude,height, found \"" + text + '"');
+           }
+           origin = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
+         },
+         "of the map's coordinates: degrees and metres above the ellipsoid (default: the map's)")
+      ->type_name("LAT,LON,HEIGHT");
+  app.add_option("--geoid", geoid,
+                 "metres from the ellipsoid up to the sea level there, for heights above the sea "
+                 "(default 0)")
+      ->check(CLI::Range(-200.0, 200.0));
+  app.add_option("--ground", ground, "height of the ground at the take-off, in the map's z")
+      ->check(CLI::Range(-1e6, 1e6));
+  app.add_option("--takeoff-height", takeoff_height,
+                 "metres above the ground to which a Tello rises on take-off (default 1)")
+      ->check(CLI::Range(0.2, 10.0));
+  app.add_option("--heading", heading,
+                 "of a Tello's nose on the ground, degrees clockwise from north")
+      ->check(CLI::Range(-360.0, 360.0));
+}
+
+traj::MissionFrame Placement::mission_frame(const geom::Frame& frame) const {
+  if (origin) return {*origin, geoid};
+  if (!geom::counts_from_origin(frame)) {
+    throw UsageError("the map knows no origin on Earth: give --origin latitude,longitude,height");
+  }
+  return {*frame.origin, geoid};
+}
+
+traj::TelloStart Placement::tello_start(const geom::Vec3& enu_ground) const {
+  return {enu_ground, heading.value_or(0) * std::numbers::pi / 180, takeoff_height};
+}
+
+void DroneFileOptions::add_to(CLI::App& app) {
+  app.add_option("--file-format", format,
+                 "FILE is a drone file, to be checked as it is flown; auto: as it begins")
+      ->check(CLI::IsMember({"auto", "crazyflie", "setpoints", "tello", "wpl", "qgc-plan", "kml",
+                             "geojson", "gltf", "paths-csv"}));
+  app.add_flag_callback(
+      "--paths-csv", [this] { format = "paths-csv"; },
+      "FILE is a table of paths with columns id,x,y,z");
+  add_point(app, "--start", start, "where a Tello stands before it takes off");
+  placement.add_to(app);
+}
+
+std::vector<DroneFile> read_drone_file(const std::string& text, const std::string& source,
+                                       const DroneFileOptions& options, const geom::Frame& frame) {
+  std::istringstream in(text);
+  const std::string format = options.format == "auto" ? detected(text) : options.format;
+  if (format == "paths-csv") return read_paths(in, source);
+  DroneFile file{std::filesystem::path(source).stem().string(), format, {}, false};
+  file.flown = in_map_axes(read_flown(in, source, file, options, frame), frame.axes);
+  std::vector<DroneFile> files;
+  files.push_back(std::move(file));
+  return files;
+}
+
+}  // namespace cli

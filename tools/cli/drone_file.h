@@ -1,0 +1,54 @@
+#pragma once
+
+// Files that drones and ground stations read, as what they make a vehicle fly over a map.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geom/frame.h"
+#include "traj/export/mission.h"
+#include "traj/export/tello.h"
+#include "traj/flown.h"
+
+namespace cli {
+
+// Where a file's coordinates count from, where the file does not say.
+struct Placement {
+  std::optional<geom::GeodeticOrigin> origin;  // --origin; default: the map's
+  double geoid = 0;                            // --geoid, m
+  std::optional<double> ground;                // --ground, m in the map's z
+  double takeoff_height = 1;                   // --takeoff-height, m
+  std::optional<double> heading;               // --heading, degrees clockwise from north
+
+  void add_to(CLI::App& app);
+
+  // Throws UsageError where neither the options nor the frame know the origin.
+  traj::MissionFrame mission_frame(const geom::Frame& frame) const;
+  traj::TelloStart tello_start(const geom::Vec3& enu_ground) const;
+};
+
+struct DroneFile {
+  std::string id;
+  std::string format;
+  traj::Flown flown;     // in the map's axes
+  bool returns = false;  // it ends with a return to home by a way that the file does not say
+};
+
+struct DroneFileOptions {
+  std::string format;  // empty: not asked for
+  Placement placement;
+  std::optional<geom::Vec3> start;  // where a Tello stands, in the map's axes
+
+  // --file-format, --paths-csv, --start and those of the placement.
+  void add_to(CLI::App& app);
+};
+
+// What is in a file of this text: one flight, or for a table of paths ("paths-csv") several. The id
+// is the file's name without folder and extension, or the table's. Throws geom::InputError for bad
+// text, UsageError where an option is missing.
+std::vector<DroneFile> read_drone_file(const std::string& text, const std::string& source,
+                                       const DroneFileOptions& options, const geom::Frame& frame);
+
+}  // namespace cli

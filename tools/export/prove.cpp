@@ -1,0 +1,76 @@
+#include "prove.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "traj/export/in_enu.h"
+#include "traj/export/straight_legs.h"
+#include "traj/flown.h"
+
+namespace exporting {
+namespace {
+
+constexpr int kAttempts = 10;        // of tolerances, halved each time
+constexpr double kRounding = 0.012;  // m: more than centimetres and 1e-7 degrees round by
+constexpr double kEndGap = 0.02;     // m: how well straight legs must meet the ends
+
+// What the bytes make the drone fly, judged.
+traj::CheckResult judge(const geom::CollisionScene& scene, const Task& task,
+                        const Written& written) {
+  const geom::Frame& frame = scene.map().spec().frame;
+  const traj::Flown flown =
+      cli::read_drone_file(written.text, "what was written", written.reading, frame)[0].flown;
+  traj::CheckResult result = traj::check_flown(scene, flown, task.limits);
+  if (!result.ok || flown.path.empty()) return result;
+  const geom::Vec3 end = geom::to_enu(frame.axes, task.enu.segments.back().point[traj::kDegree]);
+  const double missed = (flown.path.back() - end).norm();
+  if (missed <= kEndGap) return result;
+  result.ok = false;
+  result.reason = "end";
+  result.time = static_cast<double>(flown.path.size() - 1);
+  result.place = flown.path.back();
+  result.worst = missed;
+  return result;
+}
+
+geom::Polyline pushed_legs(const geom::CollisionScene& scene, const Task& task,
+                           const geom::Polyline& legs, double distance) {
+  return traj::in_enu(task.frame.axes,
+                      traj::pushed_off(scene, traj::in_enu(task.frame.axes, legs), distance));
+}
+
+}  // namespace
+
+std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& scene,
+                                                   const Task& task) {
+  std::pair<Written, traj::CheckResult> made;
+  const auto attempt = [&](const geom::Polyline& legs) {
+    made.first = exporting::write(task, legs);
+    made.second = judge(scene, task, made.first);
+    const std::string& reason = made.second.reason;
+    return reason != "collision" && reason != "bounds" && reason != "end";
+  };
+  if (!exporting::has_legs(task.format)) {
+    attempt({});
+    return made;
+  }
+  double tolerance = task.tolerance;
+  for (int i = 0; i < kAttempts; ++i, tolerance /= 2) {
+    const geom::Polyline legs = traj::straight_legs(task.enu, tolerance);
+    if (attempt(legs)) break;
+    if (attempt(pushed_legs(scene, task, legs, tolerance + kRounding))) break;
+  }
+  return made;
+}
+
+std::string refusal(const Task& task, const traj::CheckResult& result) {
+  const std::string when = exporting::has_legs(task.format)
+                               ? fmt::format("leg {:.0f}", std::floor(result.time))
+                               : fmt::format("t = {:.3f} s", result.time);
+  return fmt::format("{}: refused: as flown, {} at {}, ({:.3f}, {:.3f}, {:.3f}) m, {:.3g}", task.id,
+                     result.reason, when, result.place[0], result.place[1], result.place[2],
+                     result.worst);
+}
+
+}  // namespace exporting

@@ -1,0 +1,23 @@
+#pragma once
+
+// Whether the bytes of a drone file are flown clear of the map.
+
+#include <string>
+#include <utility>
+
+#include "export/writer.h"
+#include "geom/collision.h"
+#include "traj/check.h"
+
+namespace exporting {
+
+// The file and the verdict on what its bytes, read again, make the drone fly ("end": straight legs
+// that end over 2 cm from the goal). Straight legs are tried with the tolerance asked for or, where
+// that fails, with points moved off what the legs would cut, and with ever finer legs.
+std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& scene,
+                                                   const Task& task);
+
+// The place and the reason in words. Times of straight legs are their numbers.
+std::string refusal(const Task& task, const traj::CheckResult& result);
+
+}  // namespace exporting

@@ -1,0 +1,130 @@
+#include "writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "cli/run.h"
+#include "traj/export/crazyflie.h"
+#include "traj/export/geo_line.h"
+#include "traj/export/gltf_line.h"
+#include "traj/export/qgc_plan.h"
+#include "traj/export/setpoints.h"
+#include "traj/export/tello.h"
+#include "traj/export/wpl.h"
+
+namespace exporting {
+namespace {
+
+using geom::Vec3;
+
+std::string note_of(const Task& task) {
+  return task.checked ? "" : "UNCHECKED: not compared with any map";
+}
+
+// The slowest of what the options and the limits say.
+std::optional<double> speed_of(const Task& task) {
+  std::optional<double> speed = task.speed;
+  if (speed) return speed;
+  for (const auto& limit : {task.limits.vmax, task.limits.vmax_h, task.limits.vmax_v}) {
+    if (limit) speed = std::min(speed.value_or(*limit), *limit);
+  }
+  return speed;
+}
+
+// Where the nose points: as asked, as the trajectory's yaw begins, or north.
+double heading_deg(const Task& task) {
+  if (task.placement.heading) return *task.placement.heading;
+  const auto& yaw = task.enu.segments.front().yaw;
+  if (!yaw) return 0;
+  const double degrees = std::remainder(90 - (*yaw)[0] * 180 / std::numbers::pi, 360);
+  return std::round(degrees * 10) / 10;
+}
+
+Written write_tello(const Task& task, const geom::Polyline& legs) {
+  const double speed = speed_of(task).value_or(1);
+  if (speed < 0.1) {
+    throw cli::UsageError(
+        fmt::format("a Tello's legs are flown at 0.1 to 1 m/s, found {} m/s", speed));
+  }
+  cli::Placement placement = task.placement;
+  placement.heading = heading_deg(task);
+  const Vec3 ground(legs.front().x(), legs.front().y(), task.ground);
+  const traj::TelloStart start = placement.tello_start(ground);
+  const int centimetres = static_cast<int>(std::floor(100 * std::min(speed, 1.0) + 1e-9));
+  const auto flight = traj::tello_flight(legs, start, centimetres, task.lands);
+  std::ostringstream text;
+  std::ostringstream python;
+  std::ostringstream csv;
+  traj::write_tello(text, flight);
+  std::string note =
+      fmt::format("Flight \"{}\".{}{}", task.id, task.checked ? "" : " ", note_of(task));
+  std::replace_if(
+      note.begin(), note.end(),
+      [](char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < ' '; }, '\'');
+  traj::write_tello_python(python, flight, start, note);
+  traj::write_tello_csv(csv, flight, start);
+  return {text.str(),
+          python.str(),
+          csv.str(),
+          {"tello", placement, geom::to_enu(task.frame.axes, ground)}};
+}
+
+Written write_mission(const Task& task, const geom::Polyline& legs) {
+  traj::MissionOptions options;
+  options.home = task.ground;
+  if (task.lands) options.landing_on = task.landing;
+  options.speed = speed_of(task);
+  const auto mission = traj::make_mission(legs, task.placement.mission_frame(task.frame), options);
+  std::ostringstream text;
+  if (task.format == "wpl") {
+    traj::write_wpl(text, mission);
+  } else {
+    traj::write_qgc_plan(text, mission, task.checked ? "skyway" : "skyway (UNCHECKED)");
+  }
+  cli::Placement placement = task.placement;
+  placement.ground.reset();  // the file says where home is
+  return {text.str(), {}, {}, {task.format, placement, {}}};
+}
+
+Written write_line(const Task& task, const geom::Polyline& legs) {
+  std::ostringstream text;
+  if (task.format == "gltf") {
+    traj::write_gltf_line(text, legs, task.id, note_of(task));
+    return {text.str(), {}, {}, {task.format, task.placement, {}}};
+  }
+  const traj::MissionFrame over = task.placement.mission_frame(task.frame);
+  const geom::GeographicFrame earth(over.origin);
+  traj::GeoLine line{task.id, note_of(task), {}};
+  for (const Vec3& p : legs) {
+    line.points.push_back(earth.place(p));
+    if (task.format == "kml") line.points.back().height -= over.geoid;
+  }
+  task.format == "kml" ? traj::write_kml(text, line) : traj::write_geojson(text, line);
+  return {text.str(), {}, {}, {task.format, task.placement, {}}};
+}
+
+}  // namespace
+
+bool has_legs(const std::string& format) { return format != "crazyflie" && format != "setpoints"; }
+
+Written write(const Task& task, const geom::Polyline& legs) {
+  std::ostringstream text;
+  if (task.format == "crazyflie") {
+    traj::write_crazyflie(text, task.enu);
+    return {text.str(), {}, {}, {task.format, task.placement, {}}};
+  }
+  if (task.format == "setpoints") {
+    traj::write_setpoints(text, traj::setpoints(task.enu, task.rate),
+                          task.ned ? traj::SetpointAxes::ned : traj::SetpointAxes::enu);
+    return {text.str(), {}, {}, {task.format, task.placement, {}}};
+  }
+  if (task.format == "tello") return write_tello(task, legs);
+  if (task.format == "wpl" || task.format == "qgc-plan") return write_mission(task, legs);
+  return write_line(task, legs);
+}
+
+}  // namespace exporting

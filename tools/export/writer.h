@@ -1,0 +1,46 @@
+#pragma once
+
+// From a trajectory to the bytes of a drone file.
+
+#include <string>
+#include <vector>
+
+#include "cli/drone_file.h"
+#include "traj/limits.h"
+#include "traj/trajectory.h"
+
+namespace exporting {
+
+struct Task {
+  std::string format;
+  std::string id;
+  traj::Trajectory enu;
+  traj::Limits limits;
+  cli::Placement placement;
+  geom::Frame frame;       // of the map, or what the record says of it
+  double rate = 50;        // setpoints a second, Hz
+  bool ned = false;        // setpoints
+  double tolerance = 0.2;  // m that straight legs may leave the curve, to begin with
+  double ground = 0;       // z under the first point
+  double landing = 0;      // and under the last
+  bool lands = true;
+  std::optional<double> speed;  // m/s
+  bool checked = true;
+};
+
+struct Written {
+  std::string text;
+  // Of a Tello: a program and a table that go beside it.
+  std::string python;
+  std::string csv;
+  cli::DroneFileOptions reading;  // what it takes to read the text again
+};
+
+// Whether the format is straight legs, rather than the curve itself.
+bool has_legs(const std::string& format);
+
+// `legs` in ENU, for formats that have them. Throws cli::UsageError where the task lacks what the
+// format needs.
+Written write(const Task& task, const geom::Polyline& legs);
+
+}  // namespace exporting

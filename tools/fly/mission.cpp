@@ -1,0 +1,173 @@
+#include "fly/mission.h"
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <sstream>
+
+#include "cli/run.h"
+#include "geom/error.h"
+#include "geom/parallel.h"
+
+namespace fly {
+namespace {
+
+constexpr double kLongest = 36000;  // s: what is kept of a flight grows with it
+
+// Flights that are held at once before their rows are written.
+constexpr std::size_t kBlock = 32;
+
+double thread_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Flown {
+  std::optional<traj::SetpointTrack> track;
+  traj::Flight flight;
+  double cpu = 0;
+};
+
+}  // namespace
+
+Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle, const std::string& map)
+    : options_(options), profile_(*vehicle.profile()), flight_(options.flight(profile_)) {
+  if (map.empty()) return;
+  // A record's margin was kept for what happens here, so it is not asked for again.
+  cli::VehicleOptions flown = vehicle;
+  flown.margin = vehicle.margin.value_or(0);
+  scenes_.emplace(cli::open_map(map), flown, cli::Scenes::Differences::allowed);
+}
+
+const geom::CollisionScene& Mission::scene_for(const Entry& entry) {
+  const auto& made_for = entry.record.provenance.vehicle;
+  if (made_for && made_for->half != profile_.vehicle.half) {
+    const auto shown = [](const geom::Vehicle& v) {
+      return fmt::format("{} [{}, {}, {}]", v.name, v.half[0], v.half[1], v.half[2]);
+    };
+    throw geom::InputError(
+        source_, entry.line,
+        fmt::format("expected a trajectory for the vehicle {}, as asked, found one for {}",
+                    shown(profile_.vehicle), shown(*made_for)));
+  }
+  return scenes_->scene_for(entry.record.provenance, source_, entry.line);
+}
+
+geom::Axes Mission::axes(const Entry& entry) const {
+  if (entry.record.provenance.frame) return *entry.record.provenance.frame;
+  return scenes_ ? scenes_->map().spec().frame.axes : geom::Axes::enu;
+}
+
+std::size_t Mission::read(cli::InputFile& file, const geom::Shard& shard) {
+  source_ = file.name();
+  std::size_t total = 0;
+  file.for_each_line([&](const std::string& line, std::size_t number) {
+    if (!shard.takes(total++)) return;
+    Entry entry{traj::parse_trajectory_record(line, source_, number), number};
+    if (entry.record.status == "solved" && entry.record.trajectory.segments.empty()) {
+      throw geom::InputError(source_, number, "expected at least one segment, found none");
+    }
+    const double length = traj::duration(entry.record.trajectory);
+    if (length > kLongest) {
+      throw geom::InputError(
+          source_, number,
+          fmt::format("duration must be at most {} s to be flown, found {}", kLongest, length));
+    }
+    if (scenes_) scene_for(entry);
+    entries_.push_back(std::move(entry));
+  });
+  return total;
+}
+
+void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::FlightReport& report) {
+  report.lost = flight.lost;
+  report.saturated = flight.saturated;
+  report.hover_seconds = flight.hover_seconds;
+  for (const double tilt : flight.tilt) report.tilt = std::max(report.tilt, tilt);
+  if (!flight.lost) report.tracking = traj::tracking(flight, report.duration);
+  if (!scenes_) return;
+  const geom::CollisionScene& scene = scene_for(entry);
+  report.provenance = geom::provenance_of(scene);
+  if (flight.path.empty()) return;  // lost at once
+  traj::TiltedVehicle tilted;
+  if (profile_.body) {
+    tilted.tilt_max = profile_.limits.tilt.value_or(0);
+    tilted.half_at = [body = *profile_.body](double tilt) {
+      return geom::attitude_half_sizes(body, std::min(tilt, 1.5707963267948966));
+    };
+  }
+  report.check = traj::check_flown(scene, traj::true_vehicle(flight_), tilted, flight);
+}
+
+traj::FlightReport Mission::report_of(const Entry& entry, const traj::SetpointTrack* track,
+                                      const traj::Flight& flight, unsigned threads) {
+  traj::FlightReport report;
+  report.id = entry.record.id;
+  report.status = entry.record.status;
+  report.options = flight_;
+  report.provenance = entry.record.provenance;
+  if (!track) return report;
+  report.duration = track->duration();
+  judge(entry, flight, report);
+  if (options_.runs > 0) {
+    report.spread = traj::MonteCarloOptions{options_.runs, std::abs(options_.mass_error)};
+    report.tube = traj::fly_often(*track, flight_, *report.spread, {threads, {}});
+  }
+  if (options_.tube && report.tube.lost == 0) {
+    report.tube_check = traj::check_tube(scene_for(entry), entry.record.trajectory,
+                                         report.tube.radius, traj::kTubePeriod);
+  }
+  return report;
+}
+
+Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::RecordOutput* report) {
+  Tally tally;
+  std::ostringstream head;
+  traj::write_flight_log_header(head);
+  log.head(head.str());
+  for (std::size_t first = 0; first < entries_.size(); first += kBlock) {
+    std::vector<Flown> flown(std::min(kBlock, entries_.size() - first));
+    geom::parallel_for(flown.size(), {run.threads, {}}, [&](std::size_t i) {
+      const Entry& entry = entries_[first + i];
+      if (entry.record.status != "solved") return;
+      flown[i].track.emplace(traj::to_enu(axes(entry), entry.record.trajectory));
+      const double begin = thread_seconds();
+      const traj::FlightKeep keep{options_.log_period(), scenes_.has_value()};
+      flown[i].flight = traj::simulate(*flown[i].track, flight_, keep);
+      flown[i].cpu = thread_seconds() - begin;
+    });
+    for (std::size_t i = 0; i < flown.size(); ++i) {
+      const Entry& entry = entries_[first + i];
+      const traj::SetpointTrack* track = flown[i].track ? &*flown[i].track : nullptr;
+      const auto told = report_of(entry, track, flown[i].flight, run.threads);
+      std::ostringstream rows;
+      traj::write_flight(rows, {entry.record.id, std::move(flown[i].flight.samples)});
+      log.add(rows.str());
+      if (track) {
+        tally.flown += options_.hover + told.lost.value_or(told.duration + options_.settle);
+        tally.cpu += flown[i].cpu;
+      }
+      ++tally.records;
+      tally.failed += !traj::accepted(told);
+      const geom::BoxMap* map = scenes_ ? &scenes_->map() : nullptr;
+      if (report) report->add(traj::to_json_line(told, profile_.airframe, map));
+      if (run.progress) run.progress(first + i + 1, entries_.size());
+    }
+  }
+  return tally;
+}
+
+traj::TuneResult Mission::tune(const geom::Execution& run) const {
+  std::vector<traj::SetpointTrack> tracks;
+  for (const Entry& entry : entries_) {
+    if (entry.record.status != "solved") continue;
+    tracks.emplace_back(traj::to_enu(axes(entry), entry.record.trajectory));
+  }
+  if (tracks.empty()) {
+    throw geom::InputError(source_, "expected at least one solved trajectory, found none");
+  }
+  return traj::tune(tracks, flight_, options_.flight_cost(), {run.threads, {}});
+}
+
+}  // namespace fly

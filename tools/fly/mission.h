@@ -1,0 +1,57 @@
+#pragma once
+
+// All trajectories of a stream, flown.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/files.h"
+#include "cli/record_output.h"
+#include "fly/options.h"
+#include "traj/io/flight_report.h"
+#include "traj/io/trajectory_record.h"
+
+namespace fly {
+
+struct Tally {
+  std::size_t records = 0;
+  std::size_t failed = 0;
+  double flown = 0;  // s of simulated flight, hovering included
+  double cpu = 0;    // s that simulating it took, of all threads
+};
+
+class Mission {
+ public:
+  // `map` may be empty.
+  Mission(const Options& options, const cli::VehicleOptions& vehicle, const std::string& map);
+
+  // Those trajectories that the shard takes. Returns how many there are.
+  std::size_t read(cli::InputFile& file, const geom::Shard& shard);
+
+  // The log's rows of each flight and a line of the report each, in order.
+  Tally fly(const geom::Execution& run, cli::RecordOutput& log, cli::RecordOutput* report);
+
+  traj::TuneResult tune(const geom::Execution& run) const;
+
+ private:
+  struct Entry {
+    traj::TrajectoryRecord record;
+    std::size_t line;
+  };
+
+  geom::Axes axes(const Entry& entry) const;
+  const geom::CollisionScene& scene_for(const Entry& entry);
+  traj::FlightReport report_of(const Entry& entry, const traj::SetpointTrack* track,
+                               const traj::Flight& flight, unsigned threads);
+  void judge(const Entry& entry, const traj::Flight& flight, traj::FlightReport& report);
+
+  Options options_;
+  cli::VehicleProfile profile_;
+  traj::FlightOptions flight_;
+  std::optional<cli::Scenes> scenes_;
+  std::string source_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace fly

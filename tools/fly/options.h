@@ -1,0 +1,41 @@
+#pragma once
+
+// The options of skyway-fly that say how to fly.
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "cli/vehicle_option.h"
+#include "traj/flight/monte_carlo.h"
+#include "traj/flight/tune.h"
+
+namespace fly {
+
+struct Options {
+  std::string gains;         // "", a preset or a file
+  std::string feed_forward;  // "", none, velocity or full
+  std::string controller = "cascade";
+  std::string wind;
+  std::string noise;
+  std::string cost = "rms";
+  double step = 0;  // s, 0: the loops' own periods
+  double gusts = 0;
+  double mass_error = 0;
+  double delay = 0;
+  double hover = 3;
+  double settle = 3;
+  double log_rate = 100;
+  std::uint64_t seed = 0;
+  int runs = 0;
+  bool tube = false;
+  bool tune = false;
+
+  void add_to(CLI::App& app);
+
+  // Throws cli::UsageError for what cannot be flown.
+  traj::FlightOptions flight(const cli::VehicleProfile& profile) const;
+  traj::FlightCost flight_cost() const;
+  int log_period() const;  // ms
+};
+
+}  // namespace fly

@@ -1,0 +1,163 @@
+#include "plot/figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "plot/palette.h"
+
+namespace plot {
+namespace {
+
+constexpr double kLeft = 84;
+constexpr double kWidth = 760;
+constexpr double kRight = 26;
+constexpr double kTop = 56;
+constexpr double kHeight = 128;  // of a panel
+constexpr double kGap = 40;      // with the legend of the panel below
+constexpr double kBottom = 56;
+constexpr std::size_t kColumns = 1500;
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+
+  void hold(double v) {
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+};
+
+// A little room around; never empty, also for constant curves.
+Range with_room(Range r, bool from_zero) {
+  if (from_zero) r.hold(0);
+  const double room = r.high > r.low ? 0.07 * (r.high - r.low) : std::max(1e-3, std::abs(r.low));
+  return {from_zero && r.low == 0 ? 0 : r.low - room, r.high + room};
+}
+
+Range x_range(const Figure& figure) {
+  Range x;
+  for (const Panel& panel : figure.panels) {
+    for (const Series& s : panel.series) {
+      if (s.points.empty()) continue;
+      x.hold(s.points.front().x);
+      x.hold(s.points.back().x);
+    }
+  }
+  if (!(x.high > x.low)) x.high = x.low + 1;
+  return x;
+}
+
+Range y_range(const Panel& panel) {
+  Range y;
+  for (const Series& s : panel.series) {
+    for (const Point& p : s.points) y.hold(p.y);
+  }
+  for (const Level& level : panel.levels) y.hold(level.value);
+  return with_room(y, panel.from_zero);
+}
+
+struct Swatch {
+  std::string_view label;
+  std::string style;
+};
+
+std::vector<Swatch> legend_of(const Panel& panel) {
+  std::vector<Swatch> out;
+  for (const Series& s : panel.series) {
+    if (s.label.empty()) continue;
+    out.push_back({s.label, fmt::format("stroke=\"{}\" stroke-width=\"2.5\"{}", s.colour,
+                                        s.dashed ? " stroke-dasharray=\"5 3\"" : "")});
+  }
+  for (const Level& level : panel.levels) {
+    out.push_back({level.label, fmt::format("stroke=\"{}\" stroke-width=\"1.4\" "
+                                            "stroke-dasharray=\"7 4\"",
+                                            kLimit)});
+  }
+  return out;
+}
+
+// Swatches and words, ending at the right border above the panel.
+void draw_legend(Svg& svg, const Frame& frame, const Panel& panel) {
+  const std::vector<Swatch> legend = legend_of(panel);
+  double x = frame.left + frame.width;
+  const double y = frame.top - 8;
+  for (auto s = legend.rbegin(); s != legend.rend(); ++s) {
+    svg.text({x, y + 4}, s->label, 12, "end");
+    x -= text_width(s->label, 12) + 8;
+    svg.polyline({{x - 24, y}, {x, y}}, s->style);
+    x -= 40;
+  }
+}
+
+void draw_level(Svg& svg, const Frame& frame, const Level& level) {
+  const Point a = frame.at({frame.low.x, level.value});
+  svg.polyline({a, {a.x + frame.width, a.y}},
+               fmt::format("stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"7 4\"", kLimit));
+}
+
+void draw_mark(Svg& svg, const Frame& frame, const Mark& mark) {
+  const Point at = frame.at(mark.at);
+  svg.circle(at, 4, fmt::format("fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"1.5\"", kInk));
+  const bool right = at.x < frame.left + 0.6 * frame.width;
+  const double y = std::max(at.y - 8, frame.top + 14);
+  svg.text_on_white({at.x + (right ? 9 : -9), y}, mark.label, 12, right ? "start" : "end");
+}
+
+void draw_panel(Svg& svg, const Figure& figure, const Panel& panel, const Frame& frame, bool last) {
+  svg.grid(frame);
+  for (const double x : figure.joints) {
+    const double at = frame.at({x, 0}).x;
+    svg.polyline({{at, frame.top + frame.height - 6}, {at, frame.top + frame.height}},
+                 "stroke=\"#999\" stroke-width=\"1\"");
+  }
+  for (const Level& level : panel.levels) draw_level(svg, frame, level);
+  for (const Series& s : panel.series) {
+    std::vector<Point> curve = thinned(s.points, kColumns);
+    for (Point& p : curve) p = frame.at(p);
+    svg.polyline(curve,
+                 fmt::format("stroke=\"{}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{}",
+                             s.colour, s.dashed ? " stroke-dasharray=\"5 3\"" : ""));
+  }
+  for (const Mark& mark : panel.marks) draw_mark(svg, frame, mark);
+  svg.axes(frame, last ? figure.x_label : "", panel.label);
+  draw_legend(svg, frame, panel);
+}
+
+}  // namespace
+
+std::vector<Point> thinned(const std::vector<Point>& points, std::size_t columns) {
+  if (points.size() <= 4 * columns) return points;
+  std::vector<Point> out;
+  const auto by_height = [](const Point& a, const Point& b) { return a.y < b.y; };
+  for (std::size_t c = 0; c < columns; ++c) {
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(c * points.size() / columns);
+    const auto end =
+        points.begin() + static_cast<std::ptrdiff_t>((c + 1) * points.size() / columns);
+    auto [low, high] = std::minmax_element(first, end, by_height);
+    if (high < low) std::swap(low, high);
+    out.push_back(*first);
+    if (low != first) out.push_back(*low);
+    if (high != low && high != first) out.push_back(*high);
+    if (end - 1 > high) out.push_back(*(end - 1));
+  }
+  return out;
+}
+
+std::string drawn(const Figure& figure) {
+  const double count = static_cast<double>(figure.panels.size());
+  Svg svg(kLeft + kWidth + kRight, kTop + count * kHeight + (count - 1) * kGap + kBottom);
+  svg.text({kLeft, 26}, figure.title, 16);
+  const Range x = x_range(figure);
+  double top = kTop;
+  for (const Panel& panel : figure.panels) {
+    const Range y = y_range(panel);
+    const Frame frame{kLeft, top, kWidth, kHeight, {x.low, y.low}, {x.high, y.high}};
+    draw_panel(svg, figure, panel, frame, &panel == &figure.panels.back());
+    top += kHeight + kGap;
+  }
+  return svg.str();
+}
+
+}  // namespace plot

@@ -1,0 +1,15 @@
+#pragma once
+
+// How well a flight followed what was asked of it.
+
+#include <string>
+
+#include "traj/io/flight_log.h"
+
+namespace plot {
+
+// An SVG of the distance between vehicle and setpoint over time with its root mean square and
+// largest value, of position beside setpoint on each axis, of speed, of tilt, and of the motors.
+std::string tracking(const traj::FlightLog& flight);
+
+}  // namespace plot

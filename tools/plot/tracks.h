@@ -1,0 +1,26 @@
+#pragma once
+
+// What was read, as the plots want it.
+
+#include <string>
+#include <vector>
+
+#include "cli/drawings.h"
+#include "plot/clearance.h"
+#include "plot/plan_view.h"
+
+namespace plot {
+
+std::vector<PlanTree> plan_trees(const cli::Drawings& drawings, geom::Axes axes);
+std::vector<PlanLine> plan_lines(const cli::Drawings& drawings, geom::Axes axes);
+
+struct Tracks {
+  std::vector<ClearanceTrack> list;
+  std::string x_label;
+  geom::Provenance provenance;  // of the first record
+};
+
+// Trajectories and flights over time; paths over their length, where there are only those.
+Tracks tracks_of(const cli::Drawings& drawings, geom::Axes axes);
+
+}  // namespace plot

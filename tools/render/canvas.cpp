@@ -1,0 +1,133 @@
+#include "render/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/font.h"
+
+namespace render {
+namespace {
+
+std::size_t index(const Picture& picture, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+         static_cast<std::size_t>(x);
+}
+
+Colour& pixel(Picture& picture, int x, int y) { return picture.colour[index(picture, x, y)]; }
+
+void blend(Colour& under, Colour over, double share) {
+  const auto part = [&](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(a + (b - a) * share + 0.5);
+  };
+  under = {part(under.r, over.r), part(under.g, over.g), part(under.b, over.b)};
+}
+
+double distance(const Spot& p, const Spot& a, const Spot& b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double squared = dx * dx + dy * dy;
+  const double t =
+      squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
+  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+// How much of a pixel a line covers, 0 to 1.
+float line_cover(int x, int y, const Spot& a, const Spot& b, double width) {
+  const Spot p{static_cast<double>(x), static_cast<double>(y)};
+  return static_cast<float>(std::clamp(0.5 * width + 0.5 - distance(p, a, b), 0.0, 1.0));
+}
+
+std::pair<Spot, Spot> around(const Spot& a, const Spot& b, double width) {
+  const double reach = 0.5 * width + 0.5;
+  return {{std::min(a.x, b.x) - reach, std::min(a.y, b.y) - reach},
+          {std::max(a.x, b.x) + reach, std::max(a.y, b.y) + reach}};
+}
+
+// Clamped to the picture first, so that far-off drawings cost nothing and never overflow an int.
+int clamped(double value, int most) {
+  return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
+}
+
+// Blends with what cover(x, y) says, 0 to 1, over the pixels of a rectangle.
+template <class Cover>
+void paint(Picture& picture, Spot low, Spot high, Colour colour, const Cover& cover) {
+  if (!(high.x >= 0 && high.y >= 0 && low.x < picture.width && low.y < picture.height)) return;
+  const int right = clamped(std::ceil(high.x), picture.width - 1);
+  const int bottom = clamped(std::ceil(high.y), picture.height - 1);
+  for (int y = clamped(std::floor(low.y), bottom); y <= bottom; ++y) {
+    for (int x = clamped(std::floor(low.x), right); x <= right; ++x) {
+      const double share = std::clamp<double>(cover(x, y), 0, 1);
+      if (share > 0) blend(pixel(picture, x, y), colour, share);
+    }
+  }
+}
+
+}  // namespace
+
+void fill(Picture& picture, Colour colour) { picture.colour.assign(picture.pixels(), colour); }
+
+void draw_rectangle(Picture& picture, Spot corner, double width, double height, Colour colour) {
+  const Spot high{corner.x + width - 1, corner.y + height - 1};
+  paint(picture, corner, high, colour, [&](int x, int y) {
+    return x >= corner.x && x <= high.x && y >= corner.y && y <= high.y ? 1 : 0;
+  });
+}
+
+void draw_line(Picture& picture, std::span<const Spot> points, double width, Colour colour) {
+  if (points.size() == 2) {
+    const auto [low, high] = around(points[0], points[1], width);
+    paint(picture, low, high, colour,
+          [&](int x, int y) { return line_cover(x, y, points[0], points[1], width); });
+    return;
+  }
+  // The nearest of all pieces counts once, so that joints are not drawn twice.
+  std::vector<float> mask(picture.pixels());
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto [low, high] = around(points[i], points[i + 1], width);
+    paint(picture, low, high, colour, [&](int x, int y) {
+      float& covered = mask[index(picture, x, y)];
+      covered = std::max(covered, line_cover(x, y, points[i], points[i + 1], width));
+      return 0;
+    });
+  }
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i] > 0) blend(picture.colour[i], colour, mask[i]);
+  }
+}
+
+void draw_disc(Picture& picture, Spot centre, double radius, Colour colour) {
+  const double reach = radius + 0.5;
+  paint(picture, {centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}, colour,
+        [&](int x, int y) { return reach - std::hypot(x - centre.x, y - centre.y); });
+}
+
+double text_width(std::string_view words, int scale) {
+  return words.empty() ? 0 : static_cast<double>(6 * words.size() - 1) * scale;
+}
+
+void draw_text(Picture& picture, Spot corner, std::string_view words, int scale, Colour colour) {
+  const double left = std::round(corner.x);
+  const double top = std::round(corner.y);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    for (int y = 0; y < 7; ++y) {
+      for (int x = 0; x < 5; ++x) {
+        if (!dot(words[i], x, y)) continue;
+        draw_rectangle(picture,
+                       {left + static_cast<double>(6 * i + static_cast<std::size_t>(x)) * scale,
+                        top + y * scale},
+                       scale, scale, colour);
+      }
+    }
+  }
+}
+
+void put(const Picture& part, int x, int y, Picture& whole) {
+  for (int row = 0; row < part.height; ++row) {
+    const auto* from = part.colour.data() +
+                       static_cast<std::ptrdiff_t>(row) * static_cast<std::ptrdiff_t>(part.width);
+    std::copy_n(from, part.width, &pixel(whole, x, y + row));
+  }
+}
+
+}  // namespace render

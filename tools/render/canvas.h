@@ -1,0 +1,31 @@
+#pragma once
+
+// Drawing over a picture: smooth lines and discs, and small letters.
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "render/picture.h"
+
+namespace render {
+
+struct Spot {  // pixels; the centre of pixel (i, j) is at (i, j)
+  double x = 0;
+  double y = 0;
+};
+
+void fill(Picture& picture, Colour colour);
+void draw_rectangle(Picture& picture, Spot corner, double width, double height, Colour colour);
+void draw_line(Picture& picture, std::span<const Spot> points, double width, Colour colour);
+void draw_disc(Picture& picture, Spot centre, double radius, Colour colour);
+
+// Letters of 5 x 7 dots, each `scale` pixels wide, from their upper left corner. Small letters,
+// digits and . , - / : ( ) = %; capitals become small, anything else a blank.
+void draw_text(Picture& picture, Spot corner, std::string_view words, int scale, Colour colour);
+double text_width(std::string_view words, int scale);
+
+// Puts `part` into `whole` with its upper left corner at (x, y), where it must fit.
+void put(const Picture& part, int x, int y, Picture& whole);
+
+}  // namespace render

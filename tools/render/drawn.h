@@ -1,0 +1,31 @@
+#pragma once
+
+// Paths, trees and ways of vehicles as they are drawn on maps and in overviews.
+
+#include <span>
+#include <vector>
+
+#include "cli/drawings.h"
+#include "render/canvas.h"
+#include "render/embree_picture.h"
+#include "render/motion.h"
+
+namespace render {
+
+struct Line {
+  std::vector<Vec3> points;  // ENU
+  Colour colour;
+  double width = 3;  // pixels
+};
+
+// Of everything that is there: trees first, then paths, then ways.
+std::vector<Line> lines_of(const cli::Drawings& drawings, std::span<const Motion> motions,
+                           geom::Axes axes);
+// The same in space; a pixel is `metres` there.
+std::vector<Tubes> tubes_of(std::span<const Line> lines, double metres);
+
+void draw_lines(Picture& picture, const View& view, std::span<const Line> lines);
+// A disc that points to where the vehicle looks.
+void draw_vehicle(Picture& picture, const View& view, const Pose& pose);
+
+}  // namespace render

@@ -1,0 +1,123 @@
+#include "render/film.h"
+
+#include <algorithm>
+
+namespace render {
+namespace {
+
+constexpr int kSide = 480;    // width of the map in a combined frame
+constexpr int kCharts = 200;  // height of the charts below
+
+geom::Aabb enu_bounds(const geom::BoxMap& map) {
+  const geom::Axes axes = map.spec().frame.axes;
+  return {geom::to_enu(axes, map.spec().bounds.min), geom::to_enu(axes, map.spec().bounds.max)};
+}
+
+// What the lines take up, with room around, no less than a street; the whole map without lines.
+geom::Aabb around_lines(const std::vector<Line>& lines, const geom::Aabb& bounds) {
+  std::vector<Vec3> all;
+  for (const Line& line : lines) all.insert(all.end(), line.points.begin(), line.points.end());
+  const auto box = geom::bounds(all);
+  if (!box) return bounds;
+  const double room = std::max(20.0, 0.08 * (box->max - box->min).maxCoeff());
+  geom::Aabb out{box->min.array() - room, box->max.array() + room};
+  out.min.z() = bounds.min.z();
+  out.max.z() = std::max(bounds.max.z(), box->max.z());
+  return out;
+}
+
+std::vector<StripChart> charts_of(const Motion& motion, int width) {
+  const int half = width / 2;
+  const double begin = motion.begin();
+  const double end = motion.end();
+  Chart speed{"speed, m/s", begin, end, [&motion](double t) { return motion.speed(t); }};
+  Chart other{"height, m", begin, end, [&motion](double t) { return motion.pose(t).position.z(); }};
+  if (motion.is_flight()) {
+    other = {"tracking error, m", begin, end,
+             [&motion](double t) { return motion.tracking_error(t); }};
+  }
+  return {StripChart(other, half, kCharts), StripChart(speed, width - half, kCharts)};
+}
+
+}  // namespace
+
+Film::Film(const geom::BoxMap& map, std::vector<Line> lines, const Motion* motion,
+           const FilmOptions& options, const geom::Execution& run)
+    : options_(options), motion_(motion), lines_(std::move(lines)) {
+  const geom::Aabb bounds = enu_bounds(map);
+  const bool combined = options_.kind == "combined";
+  const bool eye = options_.kind == "first-person" || combined;
+  width_ = eye ? options_.camera.width + (combined ? kSide : 0) : options_.width;
+  height_ = eye ? options_.camera.height + (combined ? kCharts : 0) : options_.height;
+  std::vector<Tubes> tubes;
+  if (options_.kind == "overview") {
+    map_view_ = overview(bounds, width_, height_, options_.overview);
+    const double away = (0.5 * (bounds.min + bounds.max) - map_view_.eye).norm();
+    tubes = tubes_of(lines_, away / map_view_.fx);
+  } else if (combined) {
+    map_view_ = plan_view(around_lines(lines_, bounds), kSide, options_.camera.height);
+    charts_ = charts_of(*motion_, width_);
+  } else {
+    map_view_ = plan_view(bounds, width_, height_);
+  }
+  scene_ = std::make_unique<PictureScene>(map, tubes);
+  if (options_.kind != "first-person") {
+    map_view_.eye.z() = options_.kind == "overview" ? map_view_.eye.z() : bounds.max.z() + 10;
+    Light light = options_.light;
+    light.haze = 0;
+    const Shader shader(*scene_, box_colours(map), light, true);
+    Wanted wanted = options_.wanted;
+    if (combined) wanted = {true, false, false, 3};
+    map_ = std::move(take_pictures(*scene_, shader, std::span(&map_view_, 1), wanted, run)[0]);
+    if (tubes.empty()) draw_lines(map_, map_view_, lines_);
+  }
+  shader_ = std::make_unique<Shader>(*scene_, box_colours(map), options_.light, false);
+}
+
+View Film::view(double time) const {
+  const bool eye = options_.kind == "first-person" || options_.kind == "combined";
+  return eye ? view_from(options_.camera, motion_->pose(time)) : map_view_;
+}
+
+Picture Film::on_map(const std::optional<double>& time) const {
+  Picture out = map_;
+  if (motion_ && time) draw_vehicle(out, map_view_, motion_->pose(*time));
+  return out;
+}
+
+void Film::put_beside(const Picture& eye, double time, Picture& whole) const {
+  whole.width = width_;
+  whole.height = height_;
+  fill(whole, {255, 255, 255});
+  put(eye, 0, 0, whole);
+  put(on_map(time), eye.width, 0, whole);
+  int x = 0;
+  for (const StripChart& chart : charts_) {
+    const Picture part = chart.at(time);
+    put(part, x, eye.height, whole);
+    x += part.width;
+  }
+}
+
+std::vector<Picture> Film::frames(const std::vector<std::optional<double>>& times,
+                                  const geom::Execution& run) const {
+  std::vector<Picture> out;
+  if (options_.kind == "plan" || options_.kind == "overview") {
+    for (const auto& time : times) out.push_back(on_map(time));
+    return out;
+  }
+  std::vector<View> views;
+  for (const auto& time : times) views.push_back(view(time.value_or(motion_->begin())));
+  out = take_pictures(*scene_, *shader_, views, options_.wanted, run);
+  if (options_.kind != "combined") return out;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    Picture whole;
+    put_beside(out[i], times[i].value_or(motion_->begin()), whole);
+    whole.depth = std::move(out[i].depth);
+    whole.id = std::move(out[i].id);
+    out[i] = std::move(whole);
+  }
+  return out;
+}
+
+}  // namespace render

@@ -1,0 +1,84 @@
+#include "render/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "traj/flatness.h"
+#include "traj/yaw.h"
+
+namespace render {
+namespace {
+
+Vec3 mixed(const Vec3& a, const Vec3& b, double share) { return a + share * (b - a); }
+
+}  // namespace
+
+Motion::Motion(std::string id, traj::Trajectory trajectory, geom::Axes axes)
+    : id_(std::move(id)), trajectory_(std::move(trajectory)), axes_(axes) {
+  const bool looks = std::all_of(trajectory_.segments.begin(), trajectory_.segments.end(),
+                                 [](const traj::Segment& s) { return s.yaw.has_value(); });
+  if (!looks) traj::add_yaw({}, trajectory_);
+  end_ = traj::duration(trajectory_);
+}
+
+Motion::Motion(traj::FlightLog flight) : id_(flight.id), flight_(std::move(flight)) {
+  begin_ = flight_.samples.front().time;
+  end_ = flight_.samples.back().time;
+}
+
+Motion::Between Motion::between(double t) const {
+  const auto& samples = flight_.samples;
+  const auto after =
+      std::upper_bound(samples.begin(), samples.end(), t,
+                       [](double time, const traj::FlightSample& s) { return time < s.time; });
+  if (after == samples.begin()) return {0, 0};
+  const auto first = static_cast<std::size_t>(after - samples.begin()) - 1;
+  if (after == samples.end()) return {first, 0};
+  return {first, (t - samples[first].time) / (after->time - samples[first].time)};
+}
+
+traj::State Motion::state(double t) const {
+  return traj::to_enu(axes_, traj::evaluate(trajectory_, t));
+}
+
+Pose Motion::pose(double t) const {
+  if (!is_flight()) {
+    const traj::State at = state(t);
+    return {at.position, traj::flat_state(at, traj::heading_at(trajectory_, axes_, t)).attitude};
+  }
+  const auto [i, share] = between(t);
+  const traj::FlightSample& a = flight_.samples[i];
+  if (share == 0) return {a.position, a.attitude.toRotationMatrix()};
+  const traj::FlightSample& b = flight_.samples[i + 1];
+  return {mixed(a.position, b.position, share),
+          a.attitude.slerp(share, b.attitude).normalized().toRotationMatrix()};
+}
+
+double Motion::speed(double t) const {
+  if (!is_flight()) return state(t).velocity.norm();
+  const auto [i, share] = between(t);
+  const traj::FlightSample& a = flight_.samples[i];
+  if (share == 0) return a.velocity.norm();
+  return mixed(a.velocity, flight_.samples[i + 1].velocity, share).norm();
+}
+
+double Motion::tracking_error(double t) const {
+  if (!is_flight()) return 0;
+  const auto [i, share] = between(t);
+  const auto error = [&](std::size_t k) {
+    return Vec3(flight_.samples[k].position - flight_.samples[k].setpoint_position);
+  };
+  return (share == 0 ? error(i) : mixed(error(i), error(i + 1), share)).norm();
+}
+
+std::vector<Vec3> Motion::way(double step) const {
+  const double count = std::max(1.0, std::ceil((end_ - begin_) / step));
+  std::vector<Vec3> out;
+  for (double k = 0; k <= count; ++k) {
+    const double t = begin_ + (end_ - begin_) * (k / count);
+    out.push_back(is_flight() ? pose(t).position : state(t).position);
+  }
+  return out;
+}
+
+}  // namespace render

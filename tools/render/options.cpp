@@ -1,0 +1,112 @@
+#include "render/options.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "cli/files.h"
+#include "cli/numbers_option.h"
+#include "cli/run.h"
+#include "render/frame_output.h"
+
+namespace render {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr int kMostPixels = 16384;
+
+// "1280x960".
+void parse_size(const std::string& word, FilmOptions& film) {
+  const auto numbers = [&]() -> std::optional<std::vector<double>> {
+    std::string text = word;
+    const std::size_t cross = text.find('x');
+    if (cross == std::string::npos) return std::nullopt;
+    text[cross] = ',';
+    return cli::parse_numbers(text, 2);
+  }();
+  const auto fits = [](double v) { return v == std::floor(v) && v >= 1 && v <= kMostPixels; };
+  if (!numbers || !fits((*numbers)[0]) || !fits((*numbers)[1])) {
+    throw cli::UsageError(fmt::format(
+        "--size: expected WIDTHxHEIGHT, each from 1 to {}, found \"{}\"", kMostPixels, word));
+  }
+  film.width = static_cast<int>((*numbers)[0]);
+  film.height = static_cast<int>((*numbers)[1]);
+}
+
+// An angle that options say in degrees.
+void add_angle(CLI::App& app, const char* flag, double& radians, double low, double high,
+               const char* words) {
+  app.add_option_function<double>(
+         flag, [&radians](double degrees) { radians = degrees * kDegree; }, words)
+      ->check(CLI::Range(low, high));
+}
+
+}  // namespace
+
+void Options::add_to(CLI::App& app) {
+  app.add_option("map", map, "box map; - for stdin")->required();
+  app.add_option("files", inputs,
+                 "trajectories, flight logs, paths and search trees; the first motion is flown");
+  app.add_option("--view", film.kind, "first-person, plan, overview or combined")
+      ->check(CLI::IsMember({"first-person", "plan", "overview", "combined"}))
+      ->capture_default_str();
+  app.add_option("--id", id,
+                 "the trajectory or flight to fly (default: the first flight, else trajectory)");
+  app.add_option("--camera", camera_file, "camera model, JSON (default: 640 x 480, 80 degrees)");
+  app.add_option("--rate", rate, "frames a second of simulated time")
+      ->check(CLI::Range(1e-3, 1e5))
+      ->capture_default_str();
+  app.add_option("--at", at, "one picture, at this time (s)")->check(CLI::Range(-1e9, 1e9));
+  app.add_option("--size", size, "WIDTHxHEIGHT of a plan or an overview (default: 1280x960)");
+  add_angle(app, "--azimuth", film.overview.azimuth, -360, 360,
+            "overview: look this way, degrees from north clockwise (default: 34)");
+  add_angle(app, "--elevation", film.overview.elevation, 1, 89,
+            "overview: look down by so many degrees (default: 34)");
+  app.add_flag("--shadows", film.light.shadows, "the sun casts soft shadows");
+  app.add_option("--samples", samples,
+                 "rays a side of each pixel (default: 1 through the camera, else 3)")
+      ->check(CLI::Range(1, 8));
+  app.add_option("--format", format, "of the colour: png, y4m, or auto, by the name")
+      ->check(CLI::IsMember({"auto", "png", "y4m"}))
+      ->capture_default_str();
+  app.add_option("-o,--output", colour,
+                 "colour: .y4m for a video, or .png, numbered as in f-%05d.png (default: stdout)");
+  app.add_option("--depth", depth, "depth along the optical axis: .png (16 bit) or .pfm (m)");
+  app.add_option("--depth-unit", depth_unit, "metres a step of a depth .png")
+      ->check(CLI::Range(1e-6, 1e3))
+      ->capture_default_str();
+  app.add_option("--ids", ids, "which box each pixel shows: .png, red + 256 green + 65536 blue");
+  app.add_option("--poses", poses, "where the camera was at each frame: CSV");
+}
+
+bool Options::is_video() const {
+  if (format != "auto") return format == "y4m";
+  if (colour != "-") return colour.ends_with(".y4m");
+  return has_eye() && !at;
+}
+
+bool Options::is_moving() const { return !at && (has_eye() || is_video() || is_numbered(colour)); }
+
+void Options::settle() {
+  if (!camera_file.empty()) {
+    cli::InputFile file(camera_file);
+    film.camera = parse_camera(geom::JsonFields(file.read_all(), camera_file, 0));
+  }
+  if (!size.empty()) {
+    if (has_eye())
+      throw cli::UsageError("--size is for plans and overviews: the camera has its own");
+    parse_size(size, film);
+  }
+  if (!depth.empty() && !depth.ends_with(".png") && !depth.ends_with(".pfm")) {
+    throw cli::UsageError(fmt::format("--depth: expected .png or .pfm, found \"{}\"", depth));
+  }
+  if (!poses.empty() && !has_eye()) {
+    throw cli::UsageError("--poses is for views through the camera");
+  }
+  film.wanted.samples = samples.value_or(has_eye() ? 1 : 3);
+  film.wanted.depth = !depth.empty();
+  film.wanted.id = !ids.empty();
+}
+
+}  // namespace render

@@ -1,0 +1,41 @@
+#pragma once
+
+// What skyway-render is asked for.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/film.h"
+
+namespace render {
+
+struct Options {
+  std::string map;
+  std::vector<std::string> inputs;
+  std::string camera_file;
+  std::string id;
+  std::string colour = "-";
+  std::string depth;
+  std::string ids;
+  std::string poses;
+  std::string format = "auto";
+  double depth_unit = 0.01;
+  double rate = 30;
+  std::optional<double> at;
+  std::optional<int> samples;
+  std::string size;
+  FilmOptions film;
+
+  void add_to(CLI::App& app);
+  // After parsing: fills in what depends on other options. Throws UsageError, or InputError for a
+  // bad camera.
+  void settle();
+
+  bool has_eye() const { return film.kind == "first-person" || film.kind == "combined"; }
+  bool is_video() const;   // colour goes into one stream
+  bool is_moving() const;  // there is more than one picture
+};
+
+}  // namespace render

@@ -1,0 +1,91 @@
+#include "render/png_image.h"
+
+#include <png.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+
+namespace render {
+namespace {
+
+struct Layout {
+  int bits;
+  int kind;  // PNG_COLOR_TYPE_…
+  int bytes_a_pixel;
+};
+
+void append(png_structp png, png_bytep bytes, std::size_t count) {
+  static_cast<std::string*>(png_get_io_ptr(png))
+      ->append(reinterpret_cast<const char*>(bytes), count);
+}
+
+[[noreturn]] void refuse(png_structp, png_const_charp message) {
+  throw std::runtime_error(std::string("cannot write PNG: ") + message);
+}
+
+struct Destroy {
+  png_infop info = nullptr;
+  void operator()(png_structp png) { png_destroy_write_struct(&png, &info); }
+};
+
+// `row(y)` gives the bytes of a row.
+std::string encoded(const Picture& picture, const Layout& layout,
+                    const std::function<png_const_bytep(int)>& row) {
+  std::string out;
+  std::unique_ptr<png_struct, Destroy> png(
+      png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, refuse, nullptr));
+  if (!png) throw std::bad_alloc();
+  png_infop info = png_create_info_struct(png.get());
+  if (!info) throw std::bad_alloc();
+  png.get_deleter().info = info;
+  png_set_write_fn(png.get(), &out, append, nullptr);
+  png_set_compression_level(png.get(), 3);  // flat colours: more is slow and little smaller
+  png_set_IHDR(png.get(), info, static_cast<png_uint_32>(picture.width),
+               static_cast<png_uint_32>(picture.height), layout.bits, layout.kind,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png.get(), info);
+  for (int y = 0; y < picture.height; ++y) png_write_row(png.get(), row(y));
+  png_write_end(png.get(), info);
+  return out;
+}
+
+// Rows of what `put(pixel, bytes)` makes of each pixel.
+template <class Put>
+std::string encoded_pixels(const Picture& picture, const Layout& layout, const Put& put) {
+  const auto width = static_cast<std::size_t>(picture.width);
+  const auto step = static_cast<std::size_t>(layout.bytes_a_pixel);
+  std::vector<png_byte> bytes(width * step);
+  return encoded(picture, layout, [&](int y) {
+    const std::size_t first = static_cast<std::size_t>(y) * width;
+    for (std::size_t x = 0; x < width; ++x) put(first + x, bytes.data() + x * step);
+    return bytes.data();
+  });
+}
+
+}  // namespace
+
+std::string colour_png(const Picture& picture) {
+  return encoded(picture, {8, PNG_COLOR_TYPE_RGB, 3}, [&](int y) {
+    const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width);
+    return reinterpret_cast<png_const_bytep>(picture.colour.data() + at);
+  });
+}
+
+std::string depth_png(const Picture& picture, double unit) {
+  return encoded_pixels(picture, {16, PNG_COLOR_TYPE_GRAY, 2}, [&](std::size_t i, png_byte* to) {
+    const double units = static_cast<double>(picture.depth[i]) / unit;
+    const unsigned value = units < 65535.5 ? static_cast<unsigned>(units + 0.5) : 0;
+    to[0] = static_cast<png_byte>(value >> 8);
+    to[1] = static_cast<png_byte>(value);
+  });
+}
+
+std::string id_png(const Picture& picture) {
+  return encoded_pixels(picture, {8, PNG_COLOR_TYPE_RGB, 3}, [&](std::size_t i, png_byte* to) {
+    for (int k = 0; k < 3; ++k) to[k] = static_cast<png_byte>(picture.id[i] >> (8 * k));
+  });
+}
+
+}  // namespace render

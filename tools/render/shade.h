@@ -1,0 +1,56 @@
+#pragma once
+
+// The colour of what a ray met: sun and sky light, storeys and windows that show motion, a grid on
+// the ground, and haze.
+
+#include <array>
+#include <vector>
+
+#include "render/embree_picture.h"
+#include "render/picture.h"
+
+namespace render {
+
+struct Light {
+  double azimuth = 3.9;    // radians from north clockwise: where the sun stands
+  double elevation = 0.8;  // radians above the horizon
+  float haze = 2500;       // metres at which half of a colour is the horizon's; 0: clear air
+  bool shadows = false;    // of a sun of 16 points, 1.5 degrees across, so that edges are soft
+};
+
+class Shader {
+ public:
+  // `box_colour` has one colour a box. `scene` must outlive this. `flat` leaves out storeys and
+  // windows, for maps.
+  Shader(const PictureScene& scene, const std::vector<Colour>& box_colour, const Light& light,
+         bool flat);
+
+  // The colours of the pixels (x, y) to (x + 3, y + 3), whose rays met `block`. Threads may call
+  // at once.
+  std::array<Colour, kBlock * kBlock> colours(const Rays& rays, int x, int y,
+                                              const Block& block) const;
+
+ private:
+  struct Lanes;  // what is known of the rays of a block
+  void gather(const Rays& rays, int x, int y, const Block& block, Lanes& lanes) const;
+  void gather_ground(const Ray& ray, int i, Lanes& lanes) const;
+  void gather_box(const Ray& ray, const Hit& hit, int i, Lanes& lanes) const;
+  void gather_tube(const Hit& hit, int i, Lanes& lanes) const;
+  float lit(const Vec3& at, int face) const;
+
+  const PictureScene& scene_;
+  std::vector<Eigen::Vector3f> box_colour_;
+  Light light_;
+  bool flat_;
+  double grid_x_;  // where the grid on the ground starts: near the middle, for single precision
+  double grid_y_;
+  Eigen::Vector3f sun_;
+  std::array<Eigen::Vector3f, 16> sun_points_;
+  std::array<float, 6> ambient_;  // light of the sky on each face of a box, and of the sun
+  std::array<float, 6> direct_;
+};
+
+// A colour a box: by label where the map has labels, else by the height of its top.
+std::vector<Colour> box_colours(const geom::BoxMap& map);
+
+}  // namespace render

@@ -1,0 +1,101 @@
+// skyway-fly: how a quadrotor follows trajectories, in wind and with which gains.
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "cli/files.h"
+#include "cli/run.h"
+#include "fly/mission.h"
+#include "fly/options.h"
+#include "traj/io/gains_record.h"
+
+namespace {
+
+// One file alone is the map where it is a box map (a ZIP), else the trajectories.
+struct Inputs {
+  std::string map;  // may be empty
+  std::string trajectories = "-";
+};
+
+Inputs inputs_of(const std::vector<std::string>& files) {
+  if (files.empty()) return {};
+  if (files.size() == 2) return {files[0], files[1]};
+  if (files[0] == "-") return {};
+  cli::InputFile file(files[0]);
+  const bool zip = file.stream().get() == 'P' && file.stream().get() == 'K';
+  return zip ? Inputs{files[0], "-"} : Inputs{"", files[0]};
+}
+
+// What must not be asked together.
+void check_usage(const fly::Options& options, const Inputs& inputs, const std::string& output,
+                 const std::string& report) {
+  cli::at_most_one_stdin({inputs.map, inputs.trajectories});
+  if (output == "-" && report == "-") {
+    throw cli::UsageError("the log and the report cannot both go to stdout");
+  }
+  if (options.tube && (options.runs == 0 || inputs.map.empty())) {
+    throw cli::UsageError("--tube needs a map and --runs");
+  }
+  if (options.tune && (options.runs > 0 || !report.empty())) {
+    throw cli::UsageError("--tune writes gains: it takes neither --runs nor --report");
+  }
+  if (options.runs > 0 && std::abs(options.mass_error) >= 1) {
+    throw cli::UsageError("--mass-error must be below 1 with --runs");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Fly trajectories with a simulated quadrotor.", "skyway-fly"};
+  cli::Common common(app, true);
+  cli::VehicleOptions vehicle;
+  fly::Options options;
+  std::vector<std::string> files;
+  std::string output = "-";
+  std::string report;
+  app.add_option("map_and_file", files,
+                 "box map, then trajectories (default: stdin); without a map, trajectories alone")
+      ->expected(0, 2);
+  app.add_option("-o,--output", output, "flight log, CSV; with --tune gains (default: stdout)");
+  app.add_option("--report", report, "how it went, JSON Lines");
+  vehicle.add_to(app);
+  options.add_to(app);
+  cli::Sharding sharding;
+  sharding.add_to(app)->excludes("--tune");
+  return cli::run_tool(app, argc, argv, [&] {
+    const Inputs inputs = inputs_of(files);
+    check_usage(options, inputs, output, report);
+    if (vehicle.word.empty()) throw cli::UsageError("no vehicle: give --vehicle FILE.json");
+    sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
+                   {{"output", output}, {"report", report}});
+    if (const auto done = sharding.finished(common)) return *done;
+    fly::Mission mission(options, vehicle, inputs.map);
+    cli::InputFile file(inputs.trajectories);
+    const std::size_t total = mission.read(file, sharding.shard());
+    if (options.tune) {
+      cli::OutputFile out(output, cli::OutputKind::text);
+      const traj::TuneResult tuned = mission.tune(common.execution("flights"));
+      out.stream() << traj::to_json(tuned.gains);
+      out.commit();
+      common.write_stats({{"flights", tuned.flights},
+                          {"velocity_cost", tuned.velocity_cost},
+                          {"cost", tuned.cost}});
+      return cli::Exit::yes;
+    }
+    cli::RecordOutput out(output, "output", sharding);
+    std::optional<cli::RecordOutput> told;
+    if (!report.empty()) told.emplace(report, "report", sharding);
+    const fly::Tally tally = mission.fly(common.execution("flights"), out, told ? &*told : nullptr);
+    const cli::Exit exit = tally.failed ? cli::Exit::no : cli::Exit::yes;
+    out.commit(total, exit);
+    if (told) told->commit(total, exit);
+    common.write_stats({{"records", tally.records},
+                        {"failed", tally.failed},
+                        {"flown_s", tally.flown},
+                        {"cpu_s", tally.cpu},
+                        {"times_real_time", tally.cpu > 0 ? tally.flown / tally.cpu : 0}});
+    return exit;
+  });
+}

@@ -1,0 +1,65 @@
+#pragma once
+
+// What the page shows of each kind of artefact: its numbers in JSON, its arrays in a bundle.
+
+#include "cli/vehicle_option.h"
+#include "view/bundle.h"
+#include "view/contents.h"
+#include "view/local_frame.h"
+
+namespace view {
+
+// The middle of everything there is, and how far it reaches.
+struct Extent {
+  LocalFrame frame;
+  geom::Aabb bounds;  // ENU, metres; of the map where there is one, else of all points
+};
+// Throws geom::InputError where there is nothing that has a place.
+Extent extent_of(const Contents& contents);
+
+// Everything the page holds: the value of its <script id="skyway-meta">.
+Json describe(const Contents& contents, const cli::VehicleOptions& vehicle, Bundle& bundle);
+
+// How far the vehicle is from the next obstacle, for drawing.
+class Clearance {
+ public:
+  Clearance(const Contents& contents, const cli::VehicleOptions& vehicle);
+
+  // Single precision metres at each point (in the map's axes), or nothing without a map or vehicle.
+  std::vector<float> at(const std::vector<geom::Vec3>& points, const geom::Provenance& made_for,
+                        const std::string& source, std::size_t line);
+
+  // The vehicle that this record or the options name.
+  std::optional<geom::Vehicle> vehicle(const geom::Provenance& made_for) const;
+
+ private:
+  std::optional<geom::Vehicle> asked_;
+  std::optional<cli::Scenes> scenes_;
+};
+
+Json map_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle);
+// Throws geom::InputError for more nodes than a browser can show.
+Json lattice_layer(const Read<plan::Lattice>& lattice, geom::Axes axes, const LocalFrame& frame,
+                   Bundle& bundle);
+Json tree_layer(const plan::SearchTreeRecord& tree, geom::Axes axes, const LocalFrame& frame,
+                Bundle& bundle);
+Json path_layer(const geom::PathRecord& path, geom::Axes axes, const LocalFrame& frame,
+                Bundle& bundle);
+Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const LocalFrame& frame,
+                    Bundle& bundle);
+Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame);
+
+// `samples` instants, evenly spaced (>= 2); the trajectory is not empty.
+Json trajectory_layer(const Read<traj::TrajectoryRecord>& trajectory, std::size_t samples,
+                      geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
+                      Bundle& bundle);
+// At most `samples` rows of the log, the first and the last among them. `made_for` says for which
+// vehicle and in which axes the obstacles are.
+Json flight_layer(const Read<traj::FlightLog>& flight, std::size_t samples,
+                  const geom::Provenance& made_for, geom::Axes axes, const LocalFrame& frame,
+                  Clearance& clearance, Bundle& bundle);
+
+Json as_json(const traj::Limits& limits);
+Json as_json(const geom::Vec3& v);  // [x,y,z]
+
+}  // namespace view

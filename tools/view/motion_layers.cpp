@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+
+#include "traj/yaw.h"
+#include "view/layers.h"
+
+namespace view {
+namespace {
+
+using geom::Vec3;
+
+Json added(const std::vector<float>& values, Bundle& bundle) {
+  return bundle.add(std::span<const float>(values));
+}
+
+void add_vehicle(Json& out, const std::optional<geom::Vehicle>& vehicle, geom::Axes axes) {
+  if (!vehicle) return;
+  out["vehicle"] = {{"name", vehicle->name}, {"half", as_json(geom::to_enu(axes, vehicle->half))}};
+}
+
+void add_clearance(Json& out, const std::vector<float>& clearance, Bundle& bundle) {
+  if (!clearance.empty()) out["clearance"] = added(clearance, bundle);
+}
+
+std::vector<float> joints(const traj::Trajectory& trajectory) {
+  std::vector<float> times;
+  double t = 0;
+  for (const traj::Segment& s : trajectory.segments) {
+    times.push_back(static_cast<float>(t += s.duration));
+  }
+  times.pop_back();
+  return times;
+}
+
+// Indices of `count` rows or fewer, evenly spread, the first and the last among them.
+std::vector<std::size_t> spread(std::size_t rows, std::size_t count) {
+  const std::size_t kept = std::min(rows, std::max<std::size_t>(count, 2));
+  std::vector<std::size_t> out(kept);
+  for (std::size_t i = 0; i < kept; ++i) out[i] = kept < 2 ? 0 : i * (rows - 1) / (kept - 1);
+  return out;
+}
+
+double tracking_error(const traj::FlightSample& s) {
+  return (s.position - s.setpoint_position).norm();
+}
+
+// Of all rows, not of those that are shown.
+Json flight_summary(const traj::FlightLog& log) {
+  double worst = 0;
+  double squares = 0;
+  std::size_t saturated = 0;
+  for (const traj::FlightSample& s : log.samples) {
+    const double error = tracking_error(s);
+    worst = std::max(worst, error);
+    squares += error * error;
+    saturated += s.saturated;
+  }
+  const auto rows = static_cast<double>(log.samples.size());
+  return {{"rows", log.samples.size()},
+          {"error_max", worst},
+          {"error_rms", std::sqrt(squares / rows)},
+          {"saturated", static_cast<double>(saturated) / rows}};
+}
+
+// The arrays of a flight, by name.
+struct Columns {
+  std::vector<float> time, position, velocity, attitude, rates, setpoint, setpoint_velocity, error,
+      motors;
+  std::vector<std::uint8_t> saturated;
+
+  void add(const traj::FlightSample& s, double start, const LocalFrame& frame) {
+    time.push_back(static_cast<float>(s.time - start));
+    append(position, frame.at(geom::Axes::enu, s.position));
+    append(velocity, s.velocity);
+    append(attitude, s.attitude.vec());
+    attitude.push_back(static_cast<float>(s.attitude.w()));
+    append(rates, s.body_rates);
+    append(setpoint, frame.at(geom::Axes::enu, s.setpoint_position));
+    append(setpoint_velocity, s.setpoint_velocity);
+    error.push_back(static_cast<float>(tracking_error(s)));
+    for (const double m : s.motors) motors.push_back(static_cast<float>(m));
+    saturated.push_back(s.saturated);
+  }
+
+  void write(Json& out, Bundle& bundle) const {
+    out["time"] = added(time, bundle);
+    out["position"] = added(position, bundle);
+    out["velocity"] = added(velocity, bundle);
+    out["attitude"] = added(attitude, bundle);
+    out["rates"] = added(rates, bundle);
+    out["setpoint"] = added(setpoint, bundle);
+    out["setpoint_velocity"] = added(setpoint_velocity, bundle);
+    out["error"] = added(error, bundle);
+    out["motors"] = added(motors, bundle);
+    out["saturated"] = bundle.add(std::span<const std::uint8_t>(saturated));
+  }
+};
+
+}  // namespace
+
+Json trajectory_layer(const Read<traj::TrajectoryRecord>& read, std::size_t samples,
+                      geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
+                      Bundle& bundle) {
+  const traj::TrajectoryRecord& record = read.record;
+  const double end = traj::duration(record.trajectory);
+  std::vector<float> position, velocity, acceleration, jerk, yaw;
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = end * static_cast<double>(i) / static_cast<double>(samples - 1);
+    const traj::State s = traj::evaluate(record.trajectory, t);
+    points.push_back(s.position);
+    append(position, frame.at(axes, s.position));
+    append(velocity, geom::to_enu(axes, s.velocity));
+    append(acceleration, geom::to_enu(axes, s.acceleration));
+    append(jerk, geom::to_enu(axes, s.jerk));
+    const auto angle = traj::yaw_at(record.trajectory, t);
+    if (angle) yaw.push_back(static_cast<float>(geom::yaw_to_enu(axes, *angle)));
+  }
+  Json out = {{"kind", "trajectory"}, {"id", record.id}, {"duration", end}, {"samples", samples}};
+  if (!record.rung.empty()) out["rung"] = record.rung;
+  out["segments"] = record.trajectory.segments.size();
+  out["limits"] = as_json(record.limits);
+  out["position"] = added(position, bundle);
+  out["velocity"] = added(velocity, bundle);
+  out["acceleration"] = added(acceleration, bundle);
+  out["jerk"] = added(jerk, bundle);
+  if (yaw.size() == samples) out["yaw"] = added(yaw, bundle);
+  out["joints"] = added(joints(record.trajectory), bundle);
+  add_clearance(out, clearance.at(points, record.provenance, read.source, read.line), bundle);
+  add_vehicle(out, clearance.vehicle(record.provenance), axes);
+  return out;
+}
+
+Json flight_layer(const Read<traj::FlightLog>& read, std::size_t samples,
+                  const geom::Provenance& made_for, geom::Axes axes, const LocalFrame& frame,
+                  Clearance& clearance, Bundle& bundle) {
+  const traj::FlightLog& log = read.record;
+  Columns columns;
+  std::vector<Vec3> points;
+  const double start = log.samples.front().time;
+  for (const std::size_t i : spread(log.samples.size(), samples)) {
+    columns.add(log.samples[i], start, frame);
+    points.push_back(geom::to_enu(axes, log.samples[i].position));
+  }
+  Json out = {{"kind", "flight"},
+              {"id", log.id},
+              {"duration", log.samples.back().time - start},
+              {"samples", points.size()},
+              {"summary", flight_summary(log)}};
+  columns.write(out, bundle);
+  add_clearance(out, clearance.at(points, made_for, read.source, read.line), bundle);
+  add_vehicle(out, clearance.vehicle(made_for), axes);
+  return out;
+}
+
+}  // namespace view

@@ -1,0 +1,81 @@
+// Four ways to look: free, from above, beside the vehicle, and along with it.
+
+const cameraModes = [["free", "Free", "turn, move and zoom freely (1)"], ["top", "Top", "from above, north up (2)"],
+  ["follow", "Follow", "keeps the vehicle in the middle (3)"], ["ride", "Ride", "flies along behind it (4)"]];
+
+class View {
+  constructor() {
+    this.camera = new THREE.PerspectiveCamera(45, 1, 0.1, 1e5);
+    this.orbit = new Orbit();
+    this.mode = "free";
+    this.rideHeading = null;
+    this.followDistance = null;
+    this.home();
+  }
+
+  extent() {
+    const [w, d, h] = [0, 1, 2].map(k => meta.max[k] - meta.min[k]);
+    return { w, d, h, across: Math.max(Math.hypot(w, d), h, 5) };
+  }
+
+  home() {
+    const { h, across } = this.extent();
+    this.orbit.target.set((meta.min[0] + meta.max[0]) / 2 - origin[0], (meta.min[1] + meta.max[1]) / 2 - origin[1],
+      meta.min[2] - origin[2] + Math.min(h / 4, across / 10));
+    this.orbit.heading = -0.45;
+    this.orbit.elevation = 0.62;
+    const box = byId("view").getBoundingClientRect();
+    const free = box.width - this.covered(box.width);
+    const narrow = free > 0 ? Math.max(1, box.height / free) : 1;
+    this.orbit.distance = (across * 1.02 + 0.6 * h) * narrow;
+  }
+
+  set(mode) {
+    const followed = this.mode === "follow" || this.mode === "ride";
+    if ((mode === "free" || mode === "top") && followed) this.home();
+    if (mode === "top") {
+      this.orbit.heading = 0;
+      this.orbit.elevation = tallest;
+    } else if (this.mode === "top") this.orbit.elevation = 0.62;
+    if ((mode === "follow" || mode === "ride") && !followed) {
+      this.orbit.distance = mode === "follow" ? Math.min(this.extent().across / 6, 90) : 30;
+      this.orbit.elevation = 0.6;
+    }
+    if (mode === "ride") {
+      this.orbit.distance = Math.min(this.orbit.distance, 16);
+      this.orbit.elevation = 0.28;
+    }
+    this.mode = mode;
+  }
+
+  // Where the motion is at the time, for the modes that go with it.
+  track(motion, time) {
+    if (!motion || (this.mode !== "follow" && this.mode !== "ride")) return;
+    const t = Math.min(time, motion.duration);
+    motion.vector(motion.position, t, this.orbit.target);
+    if (this.mode !== "ride") return;
+    const east = motion.heading(t, 1.2);
+    if (east !== null) this.orbit.heading = Math.PI / 2 - east;
+  }
+
+  // How much of the view, one metre away, a pixel is.
+  perPixel(height) { return 2 * Math.tan(this.camera.fov * Math.PI / 360) / height; }
+
+  // Pixels at the left that the card of the layers hides, where it leaves enough.
+  covered(width) {
+    const card = byId("layers").offsetWidth;
+    return card < width / 3 ? card : 0;
+  }
+
+  apply(width, height) {
+    const { camera, orbit } = this;
+    camera.aspect = width / height;
+    camera.near = Math.max(orbit.distance * 0.02, 0.02);
+    camera.far = orbit.distance + this.extent().across * 6 + 100;
+    // The middle of the picture is that of what the card leaves.
+    camera.setViewOffset(width, height, -this.covered(width) / 2, 0, width, height);
+    camera.updateProjectionMatrix();
+    orbit.place(camera);
+    camera.updateMatrixWorld();
+  }
+}

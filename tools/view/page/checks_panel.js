@@ -1,0 +1,75 @@
+// What the reports say: verdict, place and time of a failure, extremes beside their limits.
+
+const extremeRows = {
+  clearance: ["Clearance, least", "m", 3, null], speed: ["Speed", "m/s", 2, "vmax"],
+  horizontal_speed: ["Speed over ground", "m/s", 2, "vmax_h"], vertical_speed: ["Speed up or down", "m/s", 2, "vmax_v"],
+  acceleration: ["Acceleration", "m/s²", 2, "amax"], jerk: ["Jerk", "m/s³", 2, "jmax"],
+  body_rate: ["Body rate", "rad/s", 2, "body_rate"], yaw_rate: ["Yaw rate", "rad/s", 2, "yaw_rate"],
+  tilt: ["Tilt", "°", 1, "tilt"], rms: ["Tracking error, RMS", "m", 3, null], p99: ["… 99th percentile", "m", 3, null],
+  max: ["… largest", "m", 3, null], final: ["… at the end", "m", 3, null], thrust: ["Thrust over mass", "m/s²", 2, "thrust"],
+};
+
+const reasons = { collision: "collides with an obstacle", bounds: "leaves the bounds", no_path: "there is no path",
+  speed: "too fast", acceleration: "accelerates too much", jerk: "jerks too much", tilt: "tilts too far",
+  discontinuous: "segments do not meet", duration: "has no valid duration", exact: "refused by the exact check" };
+
+function worstOf(check) {
+  const lengths = ["collision", "bounds", "discontinuous"];
+  if (check.worst === undefined) return null;
+  if (lengths.includes(check.reason)) return metres(check.worst);
+  const row = extremeRows[check.reason];
+  return row ? withUnit(row[1] === "°" ? check.worst * degrees : check.worst, row[2], row[1]) : decimals(check.worst, 3);
+}
+
+function checkTable(check) {
+  const rows = check.extremes.filter(e => extremeRows[e.name]).map(({ name, value, time }) => {
+    const [words, unit, digits, limit] = extremeRows[name];
+    const scale = unit === "°" ? degrees : 1;
+    const bound = limit && check.limits[limit] ? withUnit(check.limits[limit] * scale, digits, unit) : "";
+    return element("tr", {}, element("td", {}, words), element("td", {}, withUnit(value * scale, digits, unit)),
+      element("td", {}, bound), element("td", {}, time === undefined || check.checked === "path" ? "" : withUnit(time, 2, "s")));
+  });
+  if (!rows.length) return null;
+  return element("table", {}, element("thead", {}, element("tr", {}, ["", "extreme", "limit", "at"].map(
+    words => element("th", { scope: "col" }, words)))), element("tbody", {}, rows));
+}
+
+function goToFailure(check) {
+  stage.goTo(check.place, 60);
+  if (stage.picked) stage.picked.choose(stage.boxes.withId(check.box));
+  transport.cameras.choose("free");
+  const index = motions.findIndex(m => m.id === check.id);
+  if (check.checked !== "path" && check.time !== undefined && clock.duration > 0) {
+    if (index >= 0 && motionPanel) motionPanel.choose(index);
+    clock.play(false);
+    clock.set(check.time);
+  }
+}
+
+function checkCard(check) {
+  const words = check.ok ? "Passed" : "Failed";
+  const where = !check.ok && check.place ? facts([
+    ["Why", reasons[check.reason] || check.reason],
+    ["By", worstOf(check)],
+    [check.checked === "path" ? "Leg, from 0" : "Time", check.time === undefined ? null
+      : check.checked === "path" ? decimals(Math.floor(check.time), 0) : withUnit(check.time, 3, "s")],
+    ["Place", place(...check.place.map((x, i) => x + origin[i]))],
+    ["Obstacle, id in the source", check.box === undefined ? null : String(check.box)],
+  ]) : check.ok ? null : element("p", {}, reasons[check.reason] || check.reason);
+  return element("article", { class: `check ${check.ok ? "ok" : "failed"}` },
+    element("h3", {}, check.id, element("span", { class: `verdict ${check.ok ? "good" : "bad"}` },
+      `${check.ok ? "✓" : "✕"} ${words}`)),
+    element("p", { class: "soft" }, [check.checked || "record", check.duration ? `, ${withUnit(check.duration, 2, "s")}` : "",
+      check.exact === undefined ? "" : `; exact check ${check.exact ? "passed" : "failed"}`].join("")),
+    where, checkTable(check),
+    !check.ok && check.place ? element("button", { type: "button", onclick: () => goToFailure(check) }, "Show the place") : null);
+}
+
+function makeChecksPanel() {
+  const order = [...meta.reports].sort((a, b) => a.ok - b.ok);
+  const failed = meta.reports.filter(r => !r.ok).length;
+  return element("div", {}, element("p", { class: failed ? "bad" : "good" }, failed
+    ? `${decimals(failed, 0)} of ${count(meta.reports.length, "check")} failed`
+    : `All ${count(meta.reports.length, "check")} passed`), order.slice(0, 200).map(checkCard),
+  order.length > 200 ? element("p", { class: "soft" }, `and ${decimals(order.length - 200, 0)} more that passed`) : null);
+}

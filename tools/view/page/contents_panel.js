@@ -1,0 +1,67 @@
+// What the page holds, in numbers.
+
+function section(title, ...children) {
+  return element("section", {}, element("h2", {}, title), ...children);
+}
+
+function mapFacts() {
+  const { map } = meta;
+  const size = [0, 1, 2].map(k => decimals(map.max[k] - map.min[k], 0)).join(" × ");
+  return facts([
+    ["Boxes", decimals(map.boxes, 0)],
+    ["Bounds", `${size}${thinSpace}m`],
+    ["Lower corner", place(...map.min)],
+    ["Upper corner", place(...map.max)],
+    ["Labels", map.labels.length > 1 ? decimals(map.labels.length - 1, 0) : null],
+    ["Axes in the file", map.frame === "enu" ? "east, north, up" : "north, east, up; shown east, north, up"],
+    ["Origin", map.latitude === undefined ? null : `${decimals(map.latitude, 5)}° N, ${decimals(map.longitude, 5)}° E`],
+    ["CRS", map.crs || null],
+    ["Hash", map.hash.replace("sha256:", "").slice(0, 16) + "…"],
+  ]);
+}
+
+function listTable(columns, rows) {
+  const shown = rows.slice(0, 100);
+  return [element("table", {}, element("thead", {}, element("tr", {}, columns.map(c => element("th", { scope: "col" }, c)))),
+    element("tbody", {}, shown.map(cells => element("tr", {}, cells.map(c => element("td", {}, c)))))),
+  rows.length > shown.length ? element("p", { class: "soft" }, `and ${decimals(rows.length - shown.length, 0)} more`) : null];
+}
+
+function makeContentsPanel() {
+  const parts = [];
+  if (meta.map) parts.push(section("Map", mapFacts()));
+  for (const data of meta.lattices) {
+    parts.push(section("Lattice", facts([["Spacing", metres(data.spacing)], ["Neighbours", String(data.connectivity)],
+      ["Free nodes", decimals(data.nodes, 0)], ["Free edges", decimals(data.edges, 0)]])));
+  }
+  for (const data of meta.trees) {
+    parts.push(section("Search tree", facts([["Query", data.id], ["Nodes", decimals(data.nodes, 0)]])));
+  }
+  if (meta.paths.length) {
+    parts.push(section("Paths", listTable(["id", "status", "length", "points"], meta.paths.map(p => [p.id,
+      p.message ? element("span", { title: p.message }, p.status.replaceAll("_", " ")) : p.status,
+      p.points ? metres(p.length) : "–", p.points ? decimals(p.points.count / 3, 0) : "–"]))));
+  }
+  if (motions.length || meta.unsolved.length) {
+    parts.push(section("Motion", listTable(["id", "", "duration"], [
+      ...motions.map(m => [m.id, m.isFlight ? "flown" : "planned", withUnit(m.duration, 2, "s")]),
+      ...meta.unsolved.map(m => [m.id, m.status.replaceAll("_", " "), "–"])])));
+  }
+  parts.push(element("p", { class: "soft" },
+    "Metres, east–north–up. Positions and clearances between samples are drawn, not proved: skyway-check proves."));
+  return element("div", {}, parts);
+}
+
+function summaryWords() {
+  const words = [];
+  if (meta.map) words.push(count(meta.map.boxes, "box", "boxes"));
+  if (meta.trees.length) words.push(count(meta.trees.length, "search tree"));
+  if (meta.paths.length) words.push(count(meta.paths.length, "path"));
+  const flights = motions.filter(m => m.isFlight).length;
+  if (motions.length > flights) words.push(count(motions.length - flights, "trajectory", "trajectories"));
+  if (flights) words.push(count(flights, "flight"));
+  const failed = meta.reports.filter(r => !r.ok).length;
+  if (meta.reports.length) words.push(failed ? `${decimals(failed, 0)} of ${count(meta.reports.length, "check")} failed`
+    : `${count(meta.reports.length, "check")} passed`);
+  return words.join(" · ");
+}

@@ -1,0 +1,165 @@
+// What is drawn, and what its colours mean.
+
+function makeLayers() {
+  const card = byId("layers");
+  const body = element("div", {}, boxLayer(), pathLayer(), motionLayer(), checkLayer(),
+    stage.parts.corridors.map(corridorLayer),
+    stage.parts.trees.map(treeLayer), stage.parts.lattices.map(latticeLayer));
+  const fold = element("button", { type: "button", class: "quiet", "aria-expanded": "true",
+    onclick: () => setFolded(!body.hidden) });
+  const setFolded = folded => {
+    body.hidden = folded;
+    card.classList.toggle("folded", folded);
+    fold.textContent = folded ? "Layers" : "Hide";
+    fold.setAttribute("aria-expanded", String(!folded));
+    title.hidden = folded;
+  };
+  const title = element("h2", {}, "Layers");
+  card.append(element("div", { class: "card-head" }, title, fold), body);
+  setFolded(matchMedia("(max-width: 860px)").matches);
+}
+
+// A layer with a switch; `rest` stays where the switch is on.
+function layer(name, note, object, rest, shown = true) {
+  const inner = element("div", {}, rest);
+  const set = on => {
+    object.visible = on;
+    inner.hidden = !on;
+    stage.redraw();
+  };
+  const box = element("input", { type: "checkbox", checked: shown, onchange: () => set(box.checked) });
+  set(shown);
+  return element("section", { class: "layer" },
+    element("label", { class: "head" }, box, name, element("span", { class: "note" }, note)), inner);
+}
+
+function boxLayer() {
+  if (!stage.boxes) return null;
+  const { boxes } = stage;
+  const legend = element("div");
+  const show = what => {
+    boxes.colourBy(what);
+    legend.replaceChildren(...(what === "label" ? [labelKeys(boxes)] : rampLegend(
+      ["var(--low)", "var(--middle)", "var(--high)"], `top ${metres(boxes.lowest + origin[2])}`,
+      metres(boxes.highest + origin[2]))));
+    stage.redraw();
+  };
+  const by = element("div", { class: "row" }, element("span", {}, "Colour"), choice("Colour boxes by",
+    [["height", "height of the top"], ...(boxes.label ? [["label", "label"]] : [])], "height", show));
+  show("height");
+  return layer("Obstacles", count(boxes.count, "box", "boxes"), boxes.mesh, [boxes.label ? by : null, legend]);
+}
+
+function labelKeys(boxes) {
+  return element("ul", { class: "keys" }, boxes.labelLegend().map(key => element("li", {}, swatch(key.colour),
+    element("span", {}, key.name), element("span", { class: "note soft" }, decimals(key.boxes, 0)))));
+}
+
+function pathLayer() {
+  const found = meta.paths.filter(p => p.points);
+  if (!found.length) return null;
+  const key = element("ul", { class: "keys" }, element("li", {}, swatch("var(--path)", "line"),
+    element("span", {}, "ring: start; disc: goal")));
+  return layer(found.length === 1 ? "Path" : "Paths", found.length === 1 ? metres(found[0].length)
+    : count(found.length, "path"), stage.pathGroup, key);
+}
+
+function motionLayer() {
+  if (!motions.length) return null;
+  const legend = element("div");
+  const offered = quantities.filter(q => q.key !== "position" && q.key !== "motors" &&
+    motions.some(m => available(q, m)));
+  const row = element("div", { class: "row" }, element("span", {}, "Colour"), choice("Colour motion by",
+    [["", "plain"], ...offered.map(q => [q.key, q.name.split(",")[0].toLowerCase()])], "",
+    key => colourMotions(quantities.find(q => q.key === key), legend)));
+  colourMotions(null, legend);
+  const flights = motions.filter(m => m.isFlight).length;
+  const words = flights === motions.length ? count(flights, "flight")
+    : flights ? `${motions.length - flights} planned, ${flights} flown` : count(motions.length, "trajectory", "trajectories");
+  return layer("Motion", words, stage.motionGroup, [row, legend]);
+}
+
+function colourMotions(quantity, legend) {
+  const able = motions.filter(m => quantity && available(quantity, m));
+  let low = Infinity, high = -Infinity;
+  for (const m of able) {
+    const [a, b] = extremesOf(mainCurve(quantity, m));
+    low = Math.min(low, a);
+    high = Math.max(high, b);
+  }
+  for (const ribbon of stage.parts.ribbons) {
+    const on = able.includes(ribbon.motion);
+    ribbon.colourBy(on ? mainCurve(quantity, ribbon.motion) : null, low, high);
+  }
+  const keys = [];
+  if (motions.some(m => !m.isFlight)) keys.push(["--motion", "planned"]);
+  if (motions.some(m => m.isFlight)) keys.push(["--flown", "flown"]);
+  const plain = element("ul", { class: "keys" }, keys.map(([colour, words]) =>
+    element("li", {}, swatch(`var(${colour})`, "line"), element("span", {}, words))));
+  legend.replaceChildren(...(able.length ? rampLegend(valueStops, withUnit(low, quantity.digits, quantity.unit),
+    withUnit(high, quantity.digits, quantity.unit)) : [plain]));
+  legend.append(element("p", { class: "soft" }, "The vehicle is enlarged from afar."));
+  stage.redraw();
+}
+
+function checkLayer() {
+  const placed = meta.reports.filter(r => !r.ok && r.place);
+  if (!placed.length) return null;
+  return layer("Failed checks", count(placed.length, "place"), stage.checkGroup,
+    element("ul", { class: "keys" }, element("li", {}, swatch("var(--bad)"), element("span", {}, "worst violation"))));
+}
+
+function treeLayer(tree) {
+  const words = element("span", { class: "note soft" });
+  const show = nodes => {
+    tree.show(nodes);
+    words.textContent = decimals(tree.shown, 0);
+    range.value = tree.shown;
+    stage.redraw();
+  };
+  const range = slider(`Nodes of search tree ${tree.data.id}, in order of insertion`, 1, tree.count, 1, tree.count, show);
+  const grow = element("button", { type: "button", class: "grow", onclick: () => {
+    tree.growing = !tree.growing;
+    if (tree.growing && tree.shown >= tree.count) show(1);
+  } }, "Grow");
+  tree.advance = seconds => {  // the whole tree in about eight seconds
+    if (!tree.growing) return;
+    tree.exact = (tree.shown <= 1 ? 1 : tree.exact ?? tree.shown) + Math.max(tree.count * seconds / 8, 0.2);
+    show(Math.floor(tree.exact));
+    if (tree.shown >= tree.count) { tree.growing = false; tree.exact = null; }
+    grow.textContent = tree.growing ? "Stop" : "Grow";
+  };
+  show(tree.count);
+  const keys = [["--tree-0", "from the start"], ...(tree.goalTree() ? [["--tree-1", "from the goal"]] : [])];
+  return layer("Search tree", count(tree.count, "node"), tree.object, [
+    element("div", { class: "row" }, grow, range, words),
+    element("ul", { class: "keys" }, keys.map(([colour, name]) => element("li", {}, swatch(`var(${colour})`, "line"),
+      element("span", {}, name))))]);
+}
+
+function corridorLayer(corridor) {
+  const words = element("span", { class: "note soft" });
+  const show = piece => {
+    corridor.show(piece);
+    words.textContent = piece ? `${piece} of ${corridor.pieces}` : "all";
+    stage.redraw();
+  };
+  show(0);
+  return layer("Corridor", count(corridor.pieces, "region"), corridor.object,
+    element("div", { class: "row" }, element("span", {}, "Region"),
+      slider(`Region of corridor ${corridor.data.id}; 0 shows all`, 0, corridor.pieces, 1, 0, show), words));
+}
+
+function latticeLayer(lattice) {
+  const words = element("span", { class: "note soft" });
+  const show = level => {
+    lattice.show(level);
+    words.textContent = metres(lattice.heightOf(level));
+    stage.redraw();
+  };
+  const first = Math.min(1, lattice.levels - 1);
+  show(first);
+  return layer("Lattice", `${metres(lattice.data.spacing)}, ${lattice.data.connectivity} ways`, lattice.object,
+    element("div", { class: "row" }, element("span", {}, "Level"),
+      slider("Level of the lattice that is shown", 0, lattice.levels - 1, 1, first, show), words), false);
+}

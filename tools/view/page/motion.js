@@ -1,0 +1,84 @@
+// A trajectory or a flight as samples over time, and its state in between.
+
+// Limits of the trajectory that a flight is of.
+function plannedLimits(id) {
+  const planned = meta.motions.find(m => m.id === id && m.limits);
+  return planned ? planned.limits : {};
+}
+
+class Motion {
+  constructor(data) {
+    this.data = data;
+    this.id = data.id;
+    this.isFlight = data.kind === "flight";
+    this.duration = data.duration;
+    this.samples = data.samples;
+    for (const key of ["position", "velocity", "acceleration", "jerk", "yaw", "clearance", "attitude",
+      "setpoint", "setpoint_velocity", "error", "motors", "joints"]) {
+      this[key] = arrayOf(data[key]);
+    }
+    this.time = arrayOf(data.time) || Float32Array.from(
+      { length: this.samples }, (_, i) => this.duration * i / (this.samples - 1));
+    this.limits = data.limits || plannedLimits(data.id);
+    this.name = `${data.id} (${this.isFlight ? "flown" : "planned"})`;
+    this.cache = new Map();
+  }
+
+  // The sample before t, and the share of the way to the next.
+  find(t) {
+    let low = 0, high = this.samples - 1;
+    if (!(t > this.time[0])) return { i: 0, share: 0 };
+    if (t >= this.time[high]) return { i: Math.max(high - 1, 0), share: high > 0 ? 1 : 0 };
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.time[middle] <= t) low = middle; else high = middle;
+    }
+    return { i: low, share: (t - this.time[low]) / (this.time[high] - this.time[low]) };
+  }
+
+  // Linear between samples.
+  scalar(values, t) {
+    const { i, share } = this.find(t);
+    return share === 0 ? values[i] : values[i] + (values[i + 1] - values[i]) * share;
+  }
+
+  vector(values, t, out = new THREE.Vector3()) {
+    const { i, share } = this.find(t);
+    const at = k => values[3 * i + k] + (share ? (values[3 * i + 3 + k] - values[3 * i + k]) * share : 0);
+    return out.set(at(0), at(1), at(2));
+  }
+
+  // The direction of travel over the ground around t, as an angle from east; null at rest.
+  heading(t, reach = 1) {
+    const a = this.vector(this.position, t - reach), b = this.vector(this.position, t + reach);
+    return Math.hypot(b.x - a.x, b.y - a.y) < 0.05 ? null : Math.atan2(b.y - a.y, b.x - a.x);
+  }
+
+  // Of a flight as logged; of a trajectory by flatness: thrust along a + g, nose by the yaw.
+  orientation(t, out = new THREE.Quaternion()) {
+    if (this.attitude) {
+      const { i, share } = this.find(t);
+      const at = k => new THREE.Quaternion().fromArray(this.attitude, 4 * k);
+      return share ? out.copy(at(i)).slerp(at(i + 1), share) : out.copy(at(i));
+    }
+    const up = this.vector(this.acceleration, t);
+    up.z += gravity;
+    up.normalize();
+    const yaw = this.yaw ? this.scalar(this.yaw, t) : this.heading(t) ?? 0;
+    const left = new THREE.Vector3().crossVectors(up, new THREE.Vector3(Math.cos(yaw), Math.sin(yaw), 0)).normalize();
+    const ahead = new THREE.Vector3().crossVectors(left, up);
+    return out.setFromRotationMatrix(new THREE.Matrix4().makeBasis(ahead, left, up));
+  }
+
+  // A value a sample, worked out once.
+  column(name, value) {
+    if (!this.cache.has(name)) {
+      this.cache.set(name, Float32Array.from({ length: this.samples }, (_, i) => value(i)));
+    }
+    return this.cache.get(name);
+  }
+}
+
+const gravity = 9.80665;  // m/s2
+
+const motions = meta.motions.map(data => new Motion(data));

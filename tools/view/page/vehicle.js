@@ -1,0 +1,62 @@
+// A quadrotor where a motion is; drawn larger than it is where it would be too small to see.
+
+const vehiclePixels = 36;  // at least, from tip to tip
+
+function merged(parts) {
+  const positions = [], normals = [];
+  for (const part of parts) {
+    const flat = part.toNonIndexed();
+    positions.push(...flat.attributes.position.array);
+    normals.push(...flat.attributes.normal.array);
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(positions, 3));
+  geometry.setAttribute("normal", new THREE.Float32BufferAttribute(normals, 3));
+  return geometry;
+}
+
+// About 1 from the middle to a rotor's outer edge: x ahead, z up.
+function quadrotor() {
+  const parts = [new THREE.BoxBufferGeometry(0.62, 0.3, 0.18)];
+  const nose = new THREE.ConeBufferGeometry(0.12, 0.3, 12);
+  nose.rotateZ(-Math.PI / 2);
+  nose.translate(0.45, 0, 0);
+  parts.push(nose);
+  for (const turn of [1, 3, 5, 7]) {
+    const angle = turn * Math.PI / 4;
+    const arm = new THREE.BoxBufferGeometry(0.7, 0.07, 0.06);
+    arm.translate(0.35, 0, 0);
+    arm.rotateZ(angle);
+    const rotor = new THREE.CylinderBufferGeometry(0.33, 0.33, 0.03, 28);
+    rotor.rotateX(Math.PI / 2);
+    rotor.translate(0.68 * Math.cos(angle), 0.68 * Math.sin(angle), 0.1);
+    parts.push(arm, rotor);
+  }
+  return merged(parts);
+}
+
+const vehicleShape = quadrotor();
+
+class Vehicle {
+  constructor(motion) {
+    this.motion = motion;
+    const half = motion.data.vehicle ? motion.data.vehicle.half : [0.25, 0.25, 0.1];
+    this.radius = Math.max(half[0], half[1], 0.05);
+    this.material = new THREE.MeshLambertMaterial();
+    this.object = new THREE.Mesh(vehicleShape, this.material);
+    this.object.renderOrder = 6;
+    theme.follow(() => {
+      this.material.color.copy(theme.colour("vehicle"));
+      this.material.emissive.copy(theme.colour("vehicle")).multiplyScalar(0.3);
+    });
+  }
+
+  update(time, eye, perPixel) {
+    const t = Math.min(time, this.motion.duration);
+    this.motion.vector(this.motion.position, t, this.object.position);
+    this.motion.orientation(t, this.object.quaternion);
+    const seen = this.object.position.distanceTo(eye) * perPixel * vehiclePixels / 2;
+    this.enlarged = seen > this.radius;
+    this.object.scale.setScalar(Math.max(this.radius, seen));
+  }
+}
