@@ -314,6 +314,12 @@ std::shared_ptr<const BlockStore> join_tiles(const LatticeGrid& grid,
   const auto joined = std::make_shared<Joined>();
   const TileOrder order(grid);
   const std::size_t bytes = BlockStore::record_bytes(grid.spec.connectivity);
+  std::size_t blocks = 0;
+  for (const StoredTiles& tiles : shards) blocks += tiles.record.size();
+  if (blocks != grid.block_count()) {  // before room is made for what is not there
+    throw geom::InputError(
+        "lattice", fmt::format("its shards have {} blocks of {}", blocks, grid.block_count()));
+  }
   joined->all.record.resize(grid.block_count());
   LatticeCounts counts;
   std::size_t stored = 0;

@@ -163,7 +163,6 @@ std::vector<std::uint32_t> sizes(const std::vector<std::vector<Bend>>& lists) {
 class Numbering {
  public:
   explicit Numbering(const std::vector<RoadmapPart>& parts) : first_of_box_{0} {
-    first_of_box_.reserve(parts.front().boxes + 1);
     for (std::size_t s = 0; s < parts.size(); ++s) {
       const RoadmapPart& part = parts[s];
       const geom::Shard shard{s, parts.size()};

@@ -22,19 +22,19 @@ awk -v only="${2:-}" -v boxes="$boxes" -v tiles="$tiles" -v queries="$QUERY_COUN
     print only == "" ? step " " line : line
   }
   BEGIN {
-    map = boxes * 62e-6                            # megabytes of a map
-    lattice = tiles * 3e-3 * (5 / spacing) ^ 3     # of a lattice
+    map = boxes * 62e-6                                    # megabytes of a map
+    lattice = tiles * 3e-3 * (5 / spacing) ^ 3             # of a lattice
     roadmap = boxes * 9 * (46 + 8 * reach / 2) / 1e6
-    ask("map", 0, 4000)
-    ask("lattice", tiles * 4e-4 * (5 / spacing) ^ 3 / nl, map + 2 * lattice / nl)
-    ask("join-lattice", lattice / 200, 3 * lattice)
-    ask("roadmap", boxes * reach * 4e-5 / nr, map + 2 * roadmap / nr)
-    ask("join-roadmap", roadmap / 20, 3 * roadmap)
-    ask("paths", queries * 0.05 / np, map + roadmap + lattice)
+    ask("map", boxes * 2e-6, boxes * 4e-4 + 500)
+    ask("lattice", tiles * 3.1e-4 * (5 / spacing) ^ 3 / nl, 40 + 0.17 * map + 2 * lattice / nl)
+    ask("join-lattice", lattice / 200, 2 * lattice)
+    ask("roadmap", boxes * reach * 2.7e-6 / nr, 40 + 0.17 * map + 2 * roadmap / nr)
+    ask("join-roadmap", roadmap / 90, 2.5 * roadmap)
+    ask("paths", queries * 0.02 / np, 60 + 0.6 * (map + lattice) + roadmap)
     ask("join-paths", queries / 1e4, 100)
-    ask("trajectories", queries * 1.5 / nt, map)
+    ask("trajectories", queries * 1.2 / nt + 100, 60 + 0.2 * map)  # one alone may take 100 s
     ask("join-trajectories", queries / 1e4, 100)
-    ask("reports", queries * 0.05 / nc, map)
+    ask("reports", queries * 0.01 / nc, 60 + 0.4 * map)
     ask("join-reports", queries / 1e4, 100)
     ask("summary", queries / 1e4, 100)
   }'
