@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/completion.h"
+
 namespace {
 
 constexpr std::pair<const char*, const char*> kVerbs[] = {
@@ -51,6 +53,11 @@ int main(int argc, char** argv) {
   }
   if (verb == "--version") {
     fmt::print("skyway " SKYWAY_VERSION "\n");
+    return 0;
+  }
+  if (const auto shell =
+          verb == "--completion" && argc == 3 ? cli::shell_from(argv[2]) : std::nullopt) {
+    fmt::print("{}", cli::completion("skyway", kVerbs, *shell));
     return 0;
   }
   for (const auto& [known, what] : kVerbs) {

@@ -12,31 +12,16 @@
 #include "cli/processes.h"
 #include "cli/record_output.h"
 #include "cli/run.h"
+#include "cli/solver_words.h"
 #include "cli/vehicle_option.h"
-#include "traj/continuity.h"
 #include "traj/io/corridor_record.h"
-#include "traj/io/trajectory_record.h"
+#include "traj/io/solved_record.h"
 #include "traj/solve.h"
 #include "traj/yaw.h"
 
 namespace {
 
 constexpr double kDrawnReach = 10;  // metres: how far a corridor is drawn from its piece
-
-// The options' limits, where given, else the profile's.
-traj::Limits merge(const traj::Limits& asked, const std::optional<cli::VehicleProfile>& profile) {
-  const traj::Limits own = profile ? profile->limits : traj::Limits{};
-  const auto pick = [](std::optional<double> a, std::optional<double> b) { return a ? a : b; };
-  return traj::combined(asked, own, pick);
-}
-
-void require_enough(const traj::Limits& limits) {
-  if ((!limits.vmax && !(limits.vmax_h && limits.vmax_v)) ||
-      (!limits.amax && !(limits.tilt && limits.thrust))) {
-    throw cli::UsageError(
-        "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust)");
-  }
-}
 
 // --yaw along, DEGREES, or X,Y of a point to look at; up to 90 degrees/s where no limit is given.
 std::optional<traj::YawOptions> yaw_options(const std::string& text, traj::Limits& limits) {
@@ -58,57 +43,6 @@ std::optional<traj::YawOptions> yaw_options(const std::string& text, traj::Limit
   return yaw;
 }
 
-std::string solver_report(const traj::SolveResult& result) {
-  std::string out = R"({"status":)";
-  geom::append_json(out, std::string_view(result.solver_status));
-  out += fmt::format(R"(,"rounds":{},"iterations":{},"snap":)", result.rounds, result.iterations);
-  geom::append_json(out, result.snap);
-  const auto jumps = traj::largest_jumps(result.trajectory);
-  for (std::size_t d = 0; d <= 3; ++d) {
-    out += d ? "," : R"(,"jumps":[)";
-    geom::append_json(out, jumps[d]);
-  }
-  return out + "]}";
-}
-
-std::vector<traj::Waypoint> waypoints_of(const geom::PathRecord& path) {
-  std::vector<traj::Waypoint> waypoints = traj::waypoints_at(path.points);
-  for (std::size_t i = 0; i < path.hold.size(); ++i) waypoints[i].hold = path.hold[i];
-  for (std::size_t i = 0; i < path.velocity.size(); ++i) waypoints[i].velocity = path.velocity[i];
-  return waypoints;
-}
-
-// The words of --times; optimised is the solver's own.
-const std::map<std::string, traj::Times> kTimes{{"stops", traj::Times::stops},
-                                                {"distance", traj::Times::distance},
-                                                {"cautious", traj::Times::cautious},
-                                                {"trapezoid", traj::Times::trapezoid}};
-
-const std::map<std::string, traj::CorridorKind> kCorridors{{"planes", traj::CorridorKind::planes},
-                                                           {"boxes", traj::CorridorKind::boxes}};
-
-traj::Solver solver_from(const std::string& word) {
-  if (word == "closed") return traj::Solver::closed;
-  if (word == "ipopt") return traj::Solver::ipopt;
-  return word == "auto" ? traj::Solver::automatic : traj::Solver::stop_and_go;
-}
-
-// Sets what --solver and --times say together.
-void choose(const std::string& solver, const std::string& times, traj::SolveOptions& options) {
-  options.solver = solver_from(solver);
-  if (times.empty()) return;
-  const auto allocation = kTimes.find(times);
-  const bool optimised = allocation == kTimes.end();
-  if (solver != "auto" && solver != (optimised ? "ipopt" : "closed")) {
-    throw cli::UsageError(fmt::format("--times {} has no meaning with --solver {}", times, solver));
-  }
-  if (optimised) {
-    options.solver = traj::Solver::ipopt;
-  } else {
-    options.times = allocation->second;
-  }
-}
-
 struct Solved {
   traj::TrajectoryRecord record;
   traj::Corridor corridor = {};  // of the optimiser
@@ -116,17 +50,9 @@ struct Solved {
 
 Solved solve(const geom::CollisionScene& scene, const geom::PathRecord& path,
              const traj::SolveOptions& options, const std::optional<traj::YawOptions>& yaw) {
-  traj::TrajectoryRecord record;
-  record.id = path.id;
-  record.provenance = geom::provenance_of(scene);
-  record.limits = options.limits;
-  const traj::SolveResult result = traj::solve(scene, waypoints_of(path), options);
-  record.status = result.status == traj::SolveStatus::solved ? "solved" : "infeasible";
-  record.message = result.reason;
-  record.trajectory = result.trajectory;
+  const traj::SolveResult result = traj::solve(scene, traj::waypoints_of(path), options);
+  traj::TrajectoryRecord record = traj::trajectory_record(scene, path.id, result, options.limits);
   if (yaw && !record.trajectory.segments.empty()) traj::add_yaw(*yaw, record.trajectory);
-  record.rung = result.rung;
-  if (result.status == traj::SolveStatus::solved) record.solver = solver_report(result);
   return {std::move(record), result.corridor};
 }
 
@@ -191,7 +117,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"stops", "distance", "cautious", "trapezoid", "optimised"}));
   app.add_option("--corridor", options.corridor,
                  "of the optimiser: planes (default) between path and obstacles, or empty boxes")
-      ->transform(CLI::CheckedTransformer(kCorridors));
+      ->transform(CLI::CheckedTransformer(cli::kCorridors));
   app.add_option("--corridor-file", corridor_file,
                  "write the optimiser's corridors, JSON Lines with vertices and faces to draw");
   app.add_option("--rho", options.rho, "flight seconds a unit of snap is worth, s per m2/s7")
@@ -205,13 +131,12 @@ int main(int argc, char** argv) {
     if (corridor_file == "-" && output == "-") {
       throw cli::UsageError("trajectories and corridors cannot both go to stdout");
     }
-    choose(solver, times, options);
+    cli::choose_solver(solver, times, options);
     sharding.begin(app, {{"map", map_file}, {"paths", input}},
                    {{"output", output}, {"corridor-file", corridor_file}});
     if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
-    options.limits = merge(limit_options.limits(), scenes.profile());
-    require_enough(options.limits);
+    options.limits = cli::limits_to_solve(limit_options.limits(), scenes.profile());
     const auto yaw = yaw_options(yaw_text, options.limits);
     cli::InputFile file(input);
     cli::RecordOutput out(output, "output", sharding);

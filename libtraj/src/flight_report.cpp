@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "json_number.h"
+
 namespace traj {
 namespace {
-
-void append_number(std::string& out, std::string_view key, double value) {
-  out += ",\"";
-  out += key;
-  out += "\":";
-  geom::append_json(out, value);
-}
 
 void append_text(std::string& out, std::string_view key, std::string_view value) {
   out += ",\"";

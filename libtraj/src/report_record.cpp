@@ -2,17 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "json_number.h"
 #include "traj/io/trajectory_record.h"
 
 namespace traj {
 namespace {
-
-void append_number(std::string& out, std::string_view key, double value) {
-  out += ",\"";
-  out += key;
-  out += "\":";
-  geom::append_json(out, value);
-}
 
 void append_extreme(std::string& out, std::string_view key, const Extreme& extreme) {
   append_number(out, key, extreme.value);

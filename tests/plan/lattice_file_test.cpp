@@ -8,6 +8,7 @@
 #include "geom/error.h"
 #include "plan/build_lattice.h"
 #include "plan/scenes.h"
+#include "support/refusal.h"
 
 namespace plan {
 namespace {
@@ -80,12 +81,7 @@ struct Parts {
 };
 
 std::string refusal(const Parts& parts) {
-  try {
-    read(parts.bytes());
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { read(parts.bytes()); });
 }
 
 TEST(LatticeFileContent, ReadsBackBitForBit) {

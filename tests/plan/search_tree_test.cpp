@@ -9,6 +9,7 @@
 #include "geom/error.h"
 #include "plan/rrt.h"
 #include "plan/scenes.h"
+#include "support/refusal.h"
 
 namespace plan {
 namespace {
@@ -119,12 +120,7 @@ SearchTreeRecord read(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    read(text);
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { read(text); });
 }
 
 TEST(SearchTreeReader, ReadsWhatWasWritten) {

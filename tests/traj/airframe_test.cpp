@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "geom/error.h"
+#include "support/refusal.h"
 #include "traj/io/airframe_record.h"
 #include "traj/io/gains_record.h"
 
@@ -17,12 +18,7 @@ Airframe parse(const std::string& json) {
 }
 
 std::string refusal(const std::string& json) {
-  try {
-    parse(json);
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { parse(json); });
 }
 
 TEST(Airframe, IsWhatTheProfileSays) {

@@ -3,17 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "geom/error.h"
+#include "support/refusal.h"
 
 namespace traj {
 namespace {
 
 std::string refusal(const std::string& pieces) {
-  try {
+  return support::refusal_of([&] {
     parse_corridor_record(R"({"type":"corridor","id":"a","pieces":)" + pieces + "}", "c.jsonl", 2);
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(CorridorShape, ReadsWhatWasWritten) {

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "geom/error.h"
+#include "support/refusal.h"
 #include "traj/export/crazyflie.h"
 #include "traj/export/in_enu.h"
 #include "traj/export/setpoints.h"
@@ -25,12 +26,7 @@ Trajectory example() {
 
 std::string refusal(const std::string& text, void (*read)(std::istream&)) {
   std::istringstream in(text);
-  try {
-    read(in);
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "read";
+  return support::refusal_of([&] { read(in); });
 }
 
 TEST(InEnu, SwapsXAndYAndTurnsYawAndIsItsOwnInverse) {

@@ -6,6 +6,7 @@
 
 #include "geom/error.h"
 #include "geom/random.h"
+#include "support/refusal.h"
 
 namespace traj {
 namespace {
@@ -22,12 +23,7 @@ std::vector<FlightLog> read(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    read(text);
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { read(text); });
 }
 
 std::vector<FlightLog> random_flights(std::uint64_t seed) {

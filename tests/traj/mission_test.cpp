@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "geom/error.h"
+#include "support/refusal.h"
 #include "traj/export/geo_line.h"
 #include "traj/export/gltf_line.h"
 #include "traj/export/qgc_plan.h"
@@ -60,12 +61,7 @@ FlownMission fly(const std::string& items) {
 }
 
 std::string refusal(const std::string& items) {
-  try {
-    fly(items);
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "read";
+  return support::refusal_of([&] { fly(items); });
 }
 
 constexpr const char* kHome = "0\t1\t0\t16\t0\t0\t0\t0\t47\t8\t410\t1\n";

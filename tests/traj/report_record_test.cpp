@@ -3,18 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "geom/error.h"
+#include "support/refusal.h"
 #include "traj/scenes.h"
 
 namespace traj {
 namespace {
 
 std::string refusal(const std::string& line) {
-  try {
-    parse_report_record(line, "r.jsonl", 3);
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { parse_report_record(line, "r.jsonl", 3); });
 }
 
 TEST(ReportSummary, ReadsWhatTheCheckWrote) {

@@ -9,6 +9,7 @@
 #include <new>
 #include <thread>
 
+#include "completion.h"
 #include "files.h"
 #include "geom/error.h"
 
@@ -92,6 +93,7 @@ void Common::write_stats(nlohmann::ordered_json stats) const {
 int run_tool(CLI::App& app, int argc, char** argv, const std::function<Exit()>& body) {
   std::signal(SIGPIPE, SIG_DFL);
   app.set_version_flag("--version", app.get_name() + " " SKYWAY_VERSION);
+  add_completion(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

@@ -1,0 +1,19 @@
+#pragma once
+
+// A number of a JSON record, by its key.
+
+#include <string>
+#include <string_view>
+
+#include "geom/io/record.h"
+
+namespace traj {
+
+inline void append_number(std::string& out, std::string_view key, double value) {
+  out += ",\"";
+  out += key;
+  out += "\":";
+  geom::append_json(out, value);
+}
+
+}  // namespace traj

@@ -1,0 +1,82 @@
+# Debian packages by CPack, one a component: `cpack -G DEB` in a build made with the prefix /usr.
+
+# component, package, section, description: a summary, then the text.
+function(skyway_package component package section description)
+  string(TOUPPER ${component} key)
+  set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${package} PARENT_SCOPE)
+  set(CPACK_DEBIAN_${key}_PACKAGE_SECTION ${section} PARENT_SCOPE)
+  set(CPACK_DEBIAN_${key}_DESCRIPTION "${description}" PARENT_SCOPE)
+  # What Debian's policy wants of every package.
+  set(folder ${CMAKE_INSTALL_DATADIR}/doc/${package})
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/copyright DESTINATION ${folder}
+          COMPONENT ${component})
+  install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${folder} COMPONENT ${component})
+endfunction()
+
+file(STRINGS packaging/changelog newest LIMIT_COUNT 1)
+if(NOT newest MATCHES "^skyway \\(${PROJECT_VERSION}\\) ")
+  message(FATAL_ERROR "packaging/changelog begins with \"${newest}\", expected ${PROJECT_VERSION}")
+endif()
+file(STRINGS packaging/changelog signature REGEX "^ -- .*>" LIMIT_COUNT 1)
+string(REGEX REPLACE "^ -- (.*>)  .*" "\\1" CPACK_PACKAGE_CONTACT "${signature}")
+execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/packaging/changelog
+                OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
+
+set(CPACK_PACKAGE_NAME skyway)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ
+    GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_COMPONENTS_ALL tools development)
+
+skyway_package(tools skyway science "offline map and path toolkit for drones in cities
+City tables and text maps become box maps, box maps become lattices and
+roadmaps, those give paths, and paths become minimum-snap trajectories that
+are proved free of collision and inside the vehicle's limits, and are written
+in the form that the drone reads. Every step is a command-line tool.")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, python3-skyway")
+
+skyway_package(development libskyway-dev libdevel "libraries of the Skyway toolkit
+Headers and static libraries of what the tools are made of: box maps and exact
+collision queries, path planning, trajectories and their proof. A CMake package
+is included: find_package(skyway), then link skyway::plan or skyway::traj.")
+string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  libeigen3-dev libfmt-dev nlohmann-json3-dev libembree-dev liboctomap-dev liblzf-dev
+  libgeographiclib-dev libgmp-dev libmpfr-dev libssl-dev zlib1g-dev coinor-libipopt-dev libblas-dev
+  liblapack-dev pkg-config)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+
+if(SKYWAY_FOOTPRINTS)
+  list(APPEND CPACK_COMPONENTS_ALL footprints)
+  skyway_package(footprints skyway-footprints science "building footprints to Skyway box maps
+Reads GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OpenStreetMap, CityJSON and
+height models, and makes box maps of them for the tools of the package skyway.")
+  set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_RECOMMENDS skyway)
+endif()
+
+if(SKYWAY_CLOUD)
+  list(APPEND CPACK_COMPONENTS_ALL cloud)
+  skyway_package(cloud skyway-cloud science "point clouds to Skyway box maps
+Reads PCD, PLY, LAS and XYZ point clouds, and makes box maps of them for the
+tools of the package skyway.")
+  set(CPACK_DEBIAN_CLOUD_PACKAGE_RECOMMENDS skyway)
+endif()
+
+if(SKYWAY_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  skyway_package(python python3-skyway python "Python module of the Skyway toolkit
+Reads box maps, lattices, roadmaps, paths, trajectories and reports into NumPy
+arrays, answers collision queries in batches without copying, plans, solves
+and checks.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${SKYWAY_PYTHON_DEPENDS}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS skyway)
+endif()
+
+include(CPack)

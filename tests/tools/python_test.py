@@ -1,0 +1,287 @@
+"""python_test.py PYTHON_DIR BIN_DIR SOURCE_DIR: the module against the tools, its stubs, its examples and its pages."""
+
+import ast
+import inspect
+import json
+import os
+import pathlib
+import pickle
+import re
+import subprocess
+import sys
+import tempfile
+
+import numpy
+
+python_dir, bin_dir, source_dir = map(pathlib.Path, sys.argv[1:4])
+sys.path.insert(0, str(python_dir))
+import skyway  # noqa: E402
+
+VEHICLE = "box:0.5,0.5,0.3"
+
+
+def tool(name, *arguments, code=0, text=None):
+    done = subprocess.run([bin_dir / name, *map(str, arguments)], capture_output=True, text=True, input=text)
+    assert done.returncode in (code if isinstance(code, tuple) else (code,)), (name, arguments, done)
+    return done
+
+
+def lines(text):
+    return [json.loads(line) for line in text.splitlines()]
+
+
+def raises(kind, function, *arguments, **named):
+    try:
+        function(*arguments, **named)
+    except kind as error:
+        return str(error)
+    raise AssertionError(f"{function} raised nothing")
+
+
+def test_arrays_are_those_of_the_files(out):
+    city, raw = skyway.read_box_map(f"{out}/city.boxmap"), numpy.load(f"{out}/city.boxmap")
+    for name in ("boxes", "ids", "label"):
+        ours = getattr(city, name)
+        assert ours.dtype == raw[name].dtype and numpy.array_equal(ours, raw[name]), name
+        assert not ours.flags.writeable
+    assert city.boxes.ctypes.data == city.boxes.ctypes.data  # a view, not a copy
+    boxes = city.boxes
+    del city
+    assert boxes.sum() == raw["boxes"].sum()  # the array keeps the file mapped
+    lattice, raw = skyway.read_lattice(f"{out}/city.lattice"), numpy.load(f"{out}/city.lattice")
+    assert numpy.array_equal(lattice.block_record, raw["block_record"])
+    assert numpy.array_equal(lattice.records, raw["records"])
+    masks = lattice.masks()
+    assert (masks >> 31).sum() == lattice.nodes
+    assert sum(int((masks >> d & 1).sum()) for d in range(13)) == lattice.edges
+    roadmap, raw = skyway.read_roadmap(f"{out}/city.roadmap"), numpy.load(f"{out}/city.roadmap")
+    for name in ("bend_position", "bend_axis", "bend_outward", "edge_first", "edge_split", "edge_to"):
+        ours = getattr(roadmap, name)
+        assert ours.dtype == raw[name].dtype and numpy.array_equal(ours, raw[name]), name
+
+
+def segments_in(scene, count):
+    low, high = map(numpy.array, scene.free_bounds)
+    random = numpy.random.default_rng(5)
+    points = random.uniform(low, high, (count, 3))
+    return numpy.hstack([points, numpy.clip(points + random.normal(0, 20, points.shape), low, high)])
+
+
+def test_answers_are_those_of_the_query_tool(out, scene):
+    segments = segments_in(scene, 3000)
+    asked = "".join(json.dumps({"segment": [s[:3].tolist(), s[3:].tolist()]}) + "\n" for s in segments)
+    asked += "".join(json.dumps({"point": s[:3].tolist()}) + "\n" for s in segments)
+    answers = lines(tool("skyway-query", f"{out}/city.boxmap", "--vehicle", VEHICLE, text=asked).stdout)
+    hits = scene.hits(segments)
+    assert 0.05 < hits.mean() < 0.95  # both answers come
+    assert hits.tolist() == [a["hit"] for a in answers[:3000]]
+    points = numpy.ascontiguousarray(segments[:, :3])
+    assert scene.hits(points).tolist() == [a["hit"] for a in answers[3000:]]
+    distance, box = scene.nearest(points)
+    assert distance.tolist() == [a["clearance"] for a in answers[3000:]]
+    assert scene.map.ids[box].tolist() == [a["nearest"] for a in answers[3000:]]
+    assert numpy.array_equal(scene.free(segments), ~hits)  # they all are inside the bounds
+    for threads in (1, 2, 7):
+        assert numpy.array_equal(scene.hits(segments, threads=threads), hits)
+    assert scene.sweep_hits(segments[:100], (0, 0, 0)).sum() <= hits[:100].sum()
+    assert scene.nearest(points[:1], radius=0)[1][0] == (-1 if distance[0] > 0 else box[0])
+    assert scene.hits(numpy.zeros((0, 6))).shape == (0,)
+
+
+def test_batches_are_never_converted(scene):
+    segments = segments_in(scene, 4)
+    for wrong, found in ((segments.astype("f4"), "float32 (4, 6)"), (segments[::2], "non-contiguous float64 (2, 6)"),
+                         (segments.tolist(), "list"), (numpy.zeros((2, 5)), "float64 (2, 5)")):
+        message = raises(TypeError, scene.hits, wrong)
+        assert message.endswith("found " + found), message
+    segments[2, 3] = numpy.nan
+    assert "segments[2]: coordinates must be finite" in raises(skyway.InputError, scene.hits, segments)
+    raises(TypeError, scene.nearest, segments)
+
+
+def test_records_are_those_of_the_tools(out, scene):
+    city, paths = f"{out}/city.boxmap", skyway.read_paths(f"{out}/paths.jsonl")
+    ids, ends = skyway.read_queries(f"{out}/queries.jsonl")
+    planner = skyway.Planner(scene, lattice=skyway.read_lattice(f"{out}/city.lattice"))
+    planned = planner.plan_batch(ends, ids=ids, snap_ends=30)
+    text = pathlib.Path(f"{out}/paths.jsonl").read_text()
+    assert "".join(p.to_json() for p in planned) == text
+    assert planner.plan(ends[0, :3], ends[0, 3:], id=ids[0], snap_ends=30).to_json() == text.splitlines(True)[0]
+    written = lines(text)
+    assert [p.points.tolist() for p in paths] == [r.get("points", []) for r in written]
+    assert [p.length for p in paths if p.points.size] == [r["length"] for r in written if "length" in r]
+    skyway.write_paths(f"{out}/again.jsonl", paths)
+    assert [p.points.tolist() for p in skyway.read_paths(f"{out}/again.jsonl")] == [p.points.tolist() for p in paths]
+
+    limits = {"vmax": 8, "amax": 6}
+    solved = [skyway.solve(scene, p, limits=limits, solver="stop-and-go", yaw="along") for p in paths]
+    file = pathlib.Path(f"{out}/trajectories.jsonl")
+    assert "".join(t.to_json() for t in solved) == file.read_text()
+    for ours, record in zip(skyway.read_trajectories(str(file)), lines(file.read_text())):
+        segments = record["segments"]
+        assert ours.status == record["status"]
+        if not segments:
+            assert ours.status == "no_path" and ours.points.shape == (0, 8, 3) and ours.yaw is None
+            continue
+        assert ours.points.shape == (len(segments), 8, 3)
+        assert ours.points[:, :, 1].tolist() == [s["y"] for s in segments]
+        assert ours.yaw.tolist() == [s["yaw"] for s in segments]
+        assert ours.durations.tolist() == [s["duration"] for s in segments]
+        assert ours.limits == record["limits"]
+        copy = pickle.loads(pickle.dumps(ours))
+        assert copy.id == ours.id and numpy.array_equal(copy.points, ours.points)
+        position, velocity, _, _ = ours.sample(numpy.array([0.0, ours.duration]))
+        assert numpy.array_equal(position[0], ours.points[0, 0]) and abs(velocity).max() < 1e-6
+
+    reports = lines(tool("skyway-check", city, file, code=(0, 1)).stdout)
+    assert [skyway.check(scene, t) for t in solved] == reports
+    one = next(t for t in solved if t.status == "solved")
+    assert skyway.check(scene, one, exact=True)["exact"]["ok"]
+    strict = skyway.check(scene, one, limits={"vmax": 1})
+    assert not strict["ok"] and strict["reason"] == "speed" and strict["limits"]["amax"] == 6
+    blocked = skyway.check(scene, numpy.array([[-425, -320.5, 7], [357, 204, 5.0]]))
+    assert blocked["reason"] == "collision" and blocked["box"] in scene.map.ids
+    (pathlib.Path(out) / "reports.jsonl").write_text("".join(json.dumps(r) + "\n" for r in [*reports, blocked]))
+    table = skyway.read_reports(f"{out}/reports.jsonl")
+    assert table["id"].tolist() == [r["id"] for r in [*reports, blocked]]
+    clearances = [r.get("clearance", numpy.nan) for r in reports]
+    assert numpy.array_equal(table["clearance"][:-1], clearances, equal_nan=True)
+    assert not table["ok"][-1] and table["reason"][-1] == "collision" and table["box"][-1] == blocked["box"]
+    assert numpy.isnan(table["speed"][-1])
+
+
+def test_errors_carry_the_tools_messages(out, scene):
+    torn = pathlib.Path(out) / "torn.boxmap"
+    torn.write_bytes(pathlib.Path(f"{out}/city.boxmap").read_bytes()[:-100])
+    said = tool("skyway-map", "info", torn, code=3).stderr
+    assert said.removeprefix("skyway-map: ").strip() == raises(skyway.InputError, skyway.read_box_map, str(torn))
+    bad = pathlib.Path(out) / "bad.jsonl"
+    bad.write_text('{"type":"path","id":"a","status":"found","points":[[0,0,"x"]]}\n')
+    said = tool("skyway-check", f"{out}/city.boxmap", bad, "--vehicle", VEHICLE, code=3).stderr
+    assert said.removeprefix("skyway-check: ").strip() == raises(skyway.InputError, skyway.read_paths, str(bad))
+    assert raises(skyway.InputError, skyway.read_reports, bad).startswith(f"{bad}:1: expected a record of type")
+    bad.write_text('{"type":"report","id":"a","ok":1}\n')
+    assert raises(skyway.InputError, skyway.read_reports, bad) == f"{bad}:1: ok must be true or false, found 1"
+    said = tool("skyway-query", f"{out}/city.boxmap", "--vehicle", "bird", code=2, text="{}").stderr
+    message = raises(skyway.UsageError, skyway.CollisionScene, scene.map, "bird")
+    assert said.startswith(f"skyway-query: {message}\n")
+    assert issubclass(skyway.InputError, ValueError) and issubclass(skyway.UsageError, ValueError)
+    raises(FileNotFoundError, skyway.read_lattice, f"{out}/none.lattice")
+    other = skyway.CollisionScene(scene.map, "box:1,1,1")
+    assert "made for another vehicle" in raises(skyway.InputError, skyway.Planner, other,
+                                                skyway.read_lattice(f"{out}/city.lattice"))
+    assert "no limits" in raises(skyway.UsageError, skyway.solve, scene, numpy.zeros((2, 3)))
+    assert "there is no limit" in raises(skyway.InputError, skyway.solve, scene, numpy.zeros((2, 3)),
+                                         limits={"speed": 1})
+
+
+def parameters(function):
+    """Names as the first line of a bound function's text has them, or its signature."""
+    text = re.match(r"\w+\((.*)\) -> ", function.__doc__ or "")
+    if not text:
+        return list(inspect.signature(function).parameters)
+    return [n for n in re.findall(r"(?:^|, )(\w+)(?=:)", text[1]) if n != "self"]
+
+
+def test_stubs_name_what_is_there():
+    tree = ast.parse((python_dir / "skyway/__init__.pyi").read_text())
+    classes = {n.name: n for n in tree.body if isinstance(n, ast.ClassDef)}
+    functions = {n.name: n for n in tree.body if isinstance(n, ast.FunctionDef)}
+    public = {n for n in (*classes, *functions) if not n.startswith("_")} | {"__version__"}
+    assert public == set(skyway.__all__), public ^ set(skyway.__all__)
+    for name, node in functions.items():
+        stub = [a.arg for a in (*node.args.args, *node.args.kwonlyargs)]
+        assert stub == parameters(getattr(skyway, name)), (name, stub, parameters(getattr(skyway, name)))
+
+    def members(node):
+        for base in node.bases:
+            if base.id in classes:
+                yield from members(classes[base.id])
+        for n in node.body:
+            if isinstance(n, (ast.FunctionDef, ast.AnnAssign)):
+                yield (n.name if isinstance(n, ast.FunctionDef) else n.target.id), n
+
+    for name, node in classes.items():
+        if name.startswith("_") or name.endswith("Error"):
+            continue
+        real = {m for m in vars(getattr(skyway, name)) if not m.startswith("_") and m != "_pybind11_conduit_v1_"}
+        stub = dict(members(node))
+        assert {m for m in stub if not m.startswith("_")} == real, (name, real ^ set(stub))
+        for member, n in stub.items():
+            if isinstance(n, ast.FunctionDef) and not n.decorator_list and member != "__len__":
+                named = [a.arg for a in (*n.args.args[1:], *n.args.kwonlyargs)]
+                there = parameters(getattr(getattr(skyway, name), member))
+                assert named == there, (name, member, named, there)
+
+
+def run_python(text, folder, *arguments):
+    done = subprocess.run([sys.executable, "-c", text, *arguments], capture_output=True, text=True, cwd=folder,
+                          env={**os.environ, "PYTHONPATH": str(python_dir.resolve())})
+    assert done.returncode == 0, (text, done.stdout, done.stderr)
+    return done.stdout
+
+
+def test_examples_and_pages(out):
+    examples = sorted((source_dir / "tools/python/examples").glob("*.py"))
+    assert len(examples) == 5
+    for example in examples:
+        code = [line for line in example.read_text().splitlines() if line and not line.startswith('"""')]
+        assert len(code) <= 18, (example, len(code))
+        assert run_python(example.read_text(), out, out)
+    blocks = re.findall(r"```python\n(.*?)```", (source_dir / "docs/numpy.md").read_text(), re.S)
+    assert len(blocks) >= 5
+    printed = run_python("import sys; sys.modules['skyway'] = None\n" + "\n".join(blocks), out)
+    assert "fastest" in printed and "tracking error" in printed
+    blocks = re.findall(r"```python\n(.*?)```", (source_dir / "README.md").read_text(), re.S)
+    assert len(blocks) == 1
+    assert "ok: True" in run_python(blocks[0], out)
+
+
+def prepare(out):
+    """What the demo makes, as far as the examples read it."""
+    city = f"{out}/city.boxmap"
+    tool("skyway-import", "-q", source_dir / "data/downtown.csv", "-o", city)
+    tool("skyway-lattice", "-q", city, "--spacing", "10", "--connect", "26", "--vehicle", VEHICLE, "-o",
+         f"{out}/city.lattice")
+    tool("skyway-roadmap", "-q", city, "--vehicle", VEHICLE, "--region=-150,-150,0,150,150,60", "-o",
+         f"{out}/city.roadmap")
+    tool("skyway-plan", "-q", city, "--lattice", f"{out}/city.lattice", "--vehicle", VEHICLE, "--from=-425,-320.5,7",
+         "--to=357,204,5", "--snap-ends", "5", "-o", f"{out}/path.jsonl")
+    tool("skyway-traj", "-q", city, f"{out}/path.jsonl", "--vmax", "8", "--amax", "6", "-o", f"{out}/trajectory.jsonl")
+    tool("skyway-check", "-q", city, f"{out}/trajectory.jsonl", "-o", f"{out}/report.jsonl")
+    tool("skyway-fly", "-q", f"{out}/trajectory.jsonl", "--vehicle", source_dir / "data/vehicles/quad2kg.json", "-o",
+         f"{out}/flight.csv", "--report", f"{out}/flown.jsonl")
+    random = numpy.random.default_rng(3)
+    queries = [{"id": f"q{i}", "from": [*random.uniform(-400, 400, 2), 12], "to": [*random.uniform(-400, 400, 2), 9]}
+               for i in range(8)]
+    (pathlib.Path(out) / "queries.jsonl").write_text("".join(json.dumps(q) + "\n" for q in queries))
+    tool("skyway-plan", "-q", city, "--lattice", f"{out}/city.lattice", "--queries", f"{out}/queries.jsonl",
+         "--vehicle", VEHICLE, "--snap-ends", "30", "-o", f"{out}/paths.jsonl", code=(0, 1))
+    tool("skyway-traj", "-q", city, f"{out}/paths.jsonl", "--vmax", "8", "--amax", "6", "--solver", "stop-and-go",
+         "--yaw", "along", "-o", f"{out}/trajectories.jsonl", code=(0, 1))
+
+
+def test_flight_logs(out):
+    log = skyway.read_flight_logs(f"{out}/flight.csv")[0]
+    table = numpy.genfromtxt(f"{out}/flight.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
+    assert len(log) == len(table) and numpy.array_equal(log.time, table["t_s"])
+    for axis, name in enumerate("xyz"):
+        assert numpy.array_equal(log.position[:, axis], table[name + "_m"])
+        assert numpy.array_equal(log.setpoint_velocity[:, axis], table[f"setpoint_v{name}_mps"])
+    assert numpy.array_equal(log.attitude[:, 0], table["qw"]) and numpy.array_equal(log.attitude[:, 3], table["qz"])
+    assert numpy.array_equal(log.motors[:, 3], table["motor4"])
+    assert numpy.array_equal(log.saturated, table["saturated"] != 0)
+
+
+with tempfile.TemporaryDirectory() as folder:
+    prepare(folder)
+    here = skyway.CollisionScene(skyway.read_box_map(f"{folder}/city.boxmap"), VEHICLE)
+    test_arrays_are_those_of_the_files(folder)
+    test_answers_are_those_of_the_query_tool(folder, here)
+    test_batches_are_never_converted(here)
+    test_records_are_those_of_the_tools(folder, here)
+    test_errors_carry_the_tools_messages(folder, here)
+    test_flight_logs(folder)
+    test_stubs_name_what_is_there()
+    test_examples_and_pages(folder)
+print("the module agrees with the tools")

@@ -1,0 +1,13 @@
+"""From path to proved trajectory, and its states over time."""
+import sys
+import numpy
+import skyway
+
+city = skyway.read_box_map(f"{sys.argv[1]}/city.boxmap")
+scene = skyway.CollisionScene(city, "box:0.5,0.5,0.3")
+path = skyway.read_paths(f"{sys.argv[1]}/path.jsonl")[0]
+trajectory = skyway.solve(scene, path, limits={"vmax": 8, "amax": 6}, yaw="along")
+position, velocity, acceleration, jerk = trajectory.sample(numpy.linspace(0, trajectory.duration, 1000))
+print(trajectory.status, trajectory.rung, f"{trajectory.duration:.1f} s")
+print(f"fastest {numpy.linalg.norm(velocity, axis=1).max():.2f} m/s, highest {position[:, 2].max():.1f} m")
+skyway.write_trajectories(f"{sys.argv[1]}/python-trajectory.jsonl", [trajectory])

@@ -1,0 +1,74 @@
+#include "pybind_arrays.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "geom/error.h"
+
+namespace binding {
+namespace {
+
+std::string described(const py::handle& object) {
+  if (!py::isinstance<py::array>(object)) return py::str(py::type::of(object).attr("__name__"));
+  const auto array = py::reinterpret_borrow<py::array>(object);
+  const bool contiguous = (array.flags() & py::array::c_style) != 0;
+  return fmt::format("{}{} {}", contiguous ? "" : "non-contiguous ",
+                     std::string(py::str(array.dtype())),
+                     std::string(py::str(array.attr("shape"))));
+}
+
+}  // namespace
+
+std::span<const double> rows(const py::handle& object, py::ssize_t columns, const char* what) {
+  if (py::isinstance<py::array_t<double, py::array::c_style>>(object)) {
+    const auto array = py::reinterpret_borrow<py::array>(object);
+    const bool fits = columns ? array.ndim() == 2 && array.shape(1) == columns : array.ndim() == 1;
+    if (fits) {
+      return {static_cast<const double*>(array.data()), static_cast<std::size_t>(array.size())};
+    }
+  }
+  throw py::type_error(
+      fmt::format("{}: expected a C-contiguous float64 array of shape (n{}), found {}", what,
+                  columns ? fmt::format(", {}", columns) : ",", described(object)));
+}
+
+void require_coordinates(std::span<const double> values, std::size_t columns, const char* what,
+                         std::size_t first) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::abs(values[i]) <= geom::kLargestCoordinate) continue;  // false for NaN too
+    throw geom::InputError(
+        fmt::format("{}[{}]", what, first + i / columns),
+        fmt::format("coordinates must be finite and within 1e8, found {}", values[i]));
+  }
+}
+
+std::span<const geom::Vec3> points(const py::handle& object, const char* what) {
+  static_assert(sizeof(geom::Vec3) == 3 * sizeof(double));
+  const std::span<const double> values = rows(object, 3, what);
+  require_coordinates(values, 3, what);
+  return {reinterpret_cast<const geom::Vec3*>(values.data()), values.size() / 3};
+}
+
+geom::Vec3 vec3(const py::handle& object, const char* what) {
+  geom::Vec3 out;
+  try {
+    const auto values = object.cast<std::vector<double>>();
+    if (values.size() != 3) throw py::cast_error("");
+    out = {values[0], values[1], values[2]};
+  } catch (const py::cast_error&) {
+    throw py::type_error(fmt::format("{}: expected three numbers, found {}", what,
+                                     std::string(py::str(py::repr(object)))));
+  }
+  require_coordinates({out.data(), 3}, 3, what);
+  return out;
+}
+
+py::tuple tuple_of(const geom::Vec3& v) { return py::make_tuple(v[0], v[1], v[2]); }
+
+py::object from_json(std::string_view text) {
+  if (text.empty()) return py::none();
+  return py::module_::import("json").attr("loads")(text);
+}
+
+}  // namespace binding

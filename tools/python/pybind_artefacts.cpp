@@ -1,0 +1,176 @@
+// Box maps, lattices and roadmaps as NumPy arrays over the mapped files.
+
+#include "cli/files.h"
+#include "geom/io/box_map_file.h"
+#include "plan/io/lattice_file.h"
+#include "plan/io/roadmap_file.h"
+#include "pybind_arrays.h"
+#include "pybind_module.h"
+
+namespace binding {
+namespace {
+
+using plan::Lattice;
+using plan::LatticeGrid;
+using plan::Roadmap;
+
+py::tuple tuple_of(const geom::Aabb& box) {
+  return py::make_tuple(binding::tuple_of(box.min), binding::tuple_of(box.max));
+}
+
+py::array boxes(const py::object& self) {
+  const auto& map = self.cast<const geom::BoxMap&>();
+  const auto all = map.boxes();
+  static_assert(sizeof(geom::Aabb) == 6 * sizeof(double));
+  return view(reinterpret_cast<const double*>(all.data()),
+              {static_cast<py::ssize_t>(all.size()), 6}, self);
+}
+
+void bind_map(py::module_& module) {
+  using geom::BoxMap;
+  py::class_<BoxMap>(module, "BoxMap")
+      .def("__len__", &BoxMap::size)
+      .def_property_readonly("hash", &BoxMap::hash)
+      .def_property_readonly("boxes", [](const py::object& self) { return boxes(self); })
+      .def_property_readonly("ids",
+                             [](const py::object& self) {
+                               const auto ids = self.cast<const BoxMap&>().ids();
+                               return view(ids.data(), {static_cast<py::ssize_t>(ids.size())},
+                                           self);
+                             })
+      .def_property_readonly("label",
+                             [](const py::object& self) {
+                               const auto label = self.cast<const BoxMap&>().label();
+                               return view(label.data(), {static_cast<py::ssize_t>(label.size())},
+                                           self);
+                             })
+      .def_property_readonly("labels", &BoxMap::labels)
+      .def_property_readonly(
+          "frame", [](const BoxMap& map) { return std::string(geom::name(map.spec().frame.axes)); })
+      .def_property_readonly("origin",
+                             [](const BoxMap& map) -> py::object {
+                               const auto& origin = map.spec().frame.origin;
+                               if (!origin) return py::none();
+                               return py::make_tuple(origin->latitude, origin->longitude,
+                                                     origin->height);
+                             })
+      .def_property_readonly("crs", [](const BoxMap& map) { return map.spec().frame.crs; })
+      .def_property_readonly("bounds",
+                             [](const BoxMap& map) { return tuple_of(map.spec().bounds); })
+      .def_property_readonly("tile_size", [](const BoxMap& map) { return map.spec().tile_size; })
+      .def_property_readonly("history",
+                             [](const BoxMap& map) { return from_json(map.spec().history); });
+  module.def("read_box_map", &cli::open_map, py::arg("path"));
+}
+
+// The masks of all nodes, x fastest: what docs/formats.md packs, and bit 31 for the node itself.
+py::array masks(const Lattice& lattice) {
+  const plan::Index3& dims = lattice.dims();
+  const LatticeGrid& grid = lattice.grid();
+  std::vector<std::uint32_t> out(lattice.size());
+  {
+    const py::gil_scoped_release released;
+    Lattice::Block block;
+    for (std::size_t b = 0; b < grid.block_count(); ++b) {
+      lattice.read(b, block);
+      const plan::Index3 low = grid.block_low(b);
+      for (std::int64_t i = 0; i < static_cast<std::int64_t>(LatticeGrid::kBlock); ++i) {
+        const plan::Index3 at{low[0] + i % 8, low[1] + i / 8 % 8, low[2] + i / 64};
+        if (!grid.contains(at)) continue;
+        out[at[0] + dims[0] * (at[1] + dims[1] * at[2])] = block[i];
+      }
+    }
+  }
+  return owning(std::move(out), {dims[2], dims[1], dims[0]});
+}
+
+py::array stored(const py::object& self, std::size_t which) {
+  const geom::NamedArray array = plan::lattice_arrays(self.cast<const Lattice&>())[which];
+  const Shape shape(array.shape.begin(), array.shape.end());
+  if (array.dtype == "|u1") {
+    return view(reinterpret_cast<const std::uint8_t*>(array.bytes.data()), shape, self);
+  }
+  return view(reinterpret_cast<const std::uint32_t*>(array.bytes.data()), shape, self);
+}
+
+void bind_lattice(py::module_& module) {
+  py::class_<Lattice> lattice(module, "Lattice");
+  def_provenance(lattice, [](const Lattice& self) { return self.made_for(); });
+  lattice.def("__len__", &Lattice::size)
+      .def_property_readonly("spacing", [](const Lattice& l) { return l.spec().spacing; })
+      .def_property_readonly("origin",
+                             [](const Lattice& l) { return binding::tuple_of(l.spec().origin); })
+      .def_property_readonly(
+          "connectivity", [](const Lattice& l) { return static_cast<int>(l.spec().connectivity); })
+      .def_property_readonly("first", &Lattice::first)
+      .def_property_readonly("dims", &Lattice::dims)
+      .def_property_readonly("nodes", [](const Lattice& l) { return plan::stored_counts(l).nodes; })
+      .def_property_readonly("edges", [](const Lattice& l) { return plan::stored_counts(l).edges; })
+      .def_property_readonly("block_record", [](const py::object& self) { return stored(self, 0); })
+      .def_property_readonly("records", [](const py::object& self) { return stored(self, 1); })
+      .def("masks", &masks);
+  module.def(
+      "read_lattice",
+      [](const std::string& path) { return plan::read_lattice(cli::open_archive(path)); },
+      py::arg("path"));
+}
+
+template <class T>
+py::array whole(const std::vector<T>& values, const py::object& owner) {
+  return view(values.data(), {static_cast<py::ssize_t>(values.size())}, owner);
+}
+
+void bind_roadmap(py::module_& module) {
+  py::class_<Roadmap> roadmap(module, "Roadmap");
+  def_provenance(roadmap, [](const Roadmap& self) { return self.made_for; });
+  const auto of = [](const py::object& self) -> const Roadmap& {
+    return self.cast<const Roadmap&>();
+  };
+  const auto bends = [](const Roadmap& r) { return static_cast<py::ssize_t>(r.bends.size()); };
+  roadmap.def("__len__", [](const Roadmap& r) { return r.bends.size(); })
+      .def_property_readonly("part", [](const Roadmap& r) { return r.spec.part; })
+      .def_property_readonly("reach", [](const Roadmap& r) { return r.spec.reach; })
+      .def_property_readonly("bend_position",
+                             [=](const py::object& self) {
+                               const Roadmap& r = of(self);
+                               const double* first =
+                                   r.bends.empty() ? nullptr : r.bends[0].position.data();
+                               return column(r.bends, first, {3}, self);
+                             })
+      .def_property_readonly("bend_axis",
+                             [=](const Roadmap& r) {
+                               std::vector<std::int8_t> out;
+                               for (const plan::Bend& bend : r.bends) out.push_back(bend.axis);
+                               return owning(std::move(out));
+                             })
+      .def_property_readonly("bend_outward",
+                             [=](const Roadmap& r) {
+                               std::vector<std::int8_t> out;
+                               for (const plan::Bend& bend : r.bends) {
+                                 out.insert(out.end(), bend.outward.begin(), bend.outward.end());
+                               }
+                               return owning(std::move(out), {bends(r), 2});
+                             })
+      .def_property_readonly("edge_first",
+                             [=](const py::object& self) { return whole(of(self).first, self); })
+      .def_property_readonly("edge_split",
+                             [=](const py::object& self) { return whole(of(self).split, self); })
+      .def_property_readonly("edge_to", [=](const py::object& self) {
+        const auto to = of(self).to;
+        return view(to.data(), {static_cast<py::ssize_t>(to.size())}, self);
+      });
+  module.def(
+      "read_roadmap",
+      [](const std::string& path) { return plan::read_roadmap(cli::open_archive(path)); },
+      py::arg("path"));
+}
+
+}  // namespace
+
+void bind_artefacts(py::module_& module) {
+  bind_map(module);
+  bind_lattice(module);
+  bind_roadmap(module);
+}
+
+}  // namespace binding

@@ -1,0 +1,72 @@
+// The Python module: errors, and what the parts share.
+
+#include "pybind_module.h"
+
+#include <system_error>
+#include <thread>
+
+#include "cli/run.h"
+#include "geom/error.h"
+
+namespace binding {
+
+geom::Execution on_threads(unsigned threads) {
+  return {threads ? threads : std::max(1u, std::thread::hardware_concurrency()), {}};
+}
+
+traj::Limits limits_from(const py::object& object) {
+  traj::Limits limits;
+  if (object.is_none()) return limits;
+  for (const auto& [key, value] : py::cast<py::dict>(object)) {
+    const auto name = key.cast<std::string>();
+    bool known = false;
+    for (const traj::LimitField& field : traj::kLimitFields) {
+      if (name != field.name) continue;
+      known = true;
+      if (value.is_none()) continue;
+      const double number = value.cast<double>();
+      if (!(number > 0)) {
+        throw geom::InputError("limits",
+                               name + " must be > 0, found " + std::string(py::str(value)));
+      }
+      limits.*field.member = number;
+    }
+    if (!known) throw geom::InputError("limits", "there is no limit \"" + name + "\"");
+  }
+  return limits;
+}
+
+py::dict dict_of(const traj::Limits& limits) {
+  py::dict out;
+  for (const traj::LimitField& field : traj::kLimitFields) {
+    if (limits.*field.member) out[field.name] = *(limits.*field.member);
+  }
+  return out;
+}
+
+void bind_errors(py::module_& module) {
+  py::register_exception<geom::InputError>(module, "InputError", PyExc_ValueError);
+  py::register_exception<cli::UsageError>(module, "UsageError", PyExc_ValueError);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const std::system_error& error) {
+      // With a number, OSError becomes FileNotFoundError and the like.
+      const py::tuple arguments = py::make_tuple(error.code().value(), error.what());
+      PyErr_SetObject(PyExc_OSError, arguments.ptr());
+    }
+  });
+}
+
+}  // namespace binding
+
+PYBIND11_MODULE(_skyway, module) {
+  module.attr("__version__") = SKYWAY_VERSION;
+  binding::bind_errors(module);
+  binding::bind_artefacts(module);
+  binding::bind_scene(module);
+  binding::bind_records(module);
+  binding::bind_flight_log(module);
+  binding::bind_planner(module);
+  binding::bind_trajectories(module);
+}

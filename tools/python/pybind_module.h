@@ -1,0 +1,53 @@
+#pragma once
+
+// The parts of the Python module.
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+
+#include "cli/vehicle_option.h"
+#include "geom/collision.h"
+#include "geom/execution.h"
+#include "geom/io/record.h"
+#include "traj/limits.h"
+
+namespace binding {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& module);
+void bind_artefacts(py::module_& module);  // box maps, lattices, roadmaps
+void bind_scene(py::module_& module);
+void bind_records(py::module_& module);  // paths, trajectories, queries
+void bind_flight_log(py::module_& module);
+void bind_planner(py::module_& module);
+void bind_trajectories(py::module_& module);  // solve and check
+
+// A scene, and what else its vehicle's profile says.
+struct Scene {
+  geom::CollisionScene scene;
+  cli::VehicleProfile profile;
+};
+
+geom::Execution on_threads(unsigned threads);  // 0: all
+
+traj::Limits limits_from(const py::object& object);  // a dict by the names of records, or None
+py::dict dict_of(const traj::Limits& limits);
+
+// What a record says of its origin, as attributes: None where it does not say.
+template <class Class, class Get>
+void def_provenance(Class& of, const Get& get) {
+  using Self = typename Class::type;
+  of.def_property_readonly("map", [get](const Self& self) { return get(self).map; });
+  of.def_property_readonly("frame", [get](const Self& self) {
+    const auto frame = get(self).frame;
+    return frame ? std::optional(std::string(geom::name(*frame))) : std::nullopt;
+  });
+  of.def_property_readonly("vehicle", [get](const Self& self) { return get(self).vehicle; });
+  of.def_property_readonly("margin", [get](const Self& self) { return get(self).margin; });
+}
+
+}  // namespace binding

@@ -1,0 +1,162 @@
+// Solving and checking.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cli/run.h"
+#include "cli/solver_words.h"
+#include "geom/error.h"
+#include "pybind_arrays.h"
+#include "pybind_module.h"
+#include "traj/check.h"
+#include "traj/exact_check.h"
+#include "traj/io/report_record.h"
+#include "traj/io/solved_record.h"
+#include "traj/yaw.h"
+
+namespace binding {
+namespace {
+
+// A record of another map must not be taken for one of this.
+void require_same_map(const geom::Provenance& record, const geom::CollisionScene& scene,
+                      const std::string& id) {
+  const geom::Provenance ours = geom::provenance_of(scene);
+  if (record.map && record.map != ours.map) {
+    throw geom::InputError(
+        id, fmt::format("made for another map: expected {}, found {}", *ours.map, *record.map));
+  }
+  if (record.frame && record.frame != ours.frame) {
+    throw geom::InputError(id, fmt::format("expected frame {}, as the map has, found {}",
+                                           geom::name(*ours.frame), geom::name(*record.frame)));
+  }
+}
+
+// A path record, or an array of points.
+geom::PathRecord path_from(const py::object& object) {
+  if (py::isinstance<geom::PathRecord>(object)) return object.cast<geom::PathRecord>();
+  const auto list = points(object, "path");
+  geom::PathRecord record;
+  record.id = "q1";
+  record.status = list.empty() ? "unreachable" : "found";
+  record.points.assign(list.begin(), list.end());
+  return record;
+}
+
+// "along", radians from x towards y, or the (x, y) to look at.
+std::optional<traj::YawOptions> yaw_from(const py::object& object, traj::Limits& limits) {
+  if (object.is_none()) return std::nullopt;
+  if (!limits.yaw_rate) limits.yaw_rate = std::numbers::pi / 2;
+  traj::YawOptions yaw;
+  yaw.rate = *limits.yaw_rate * (1 - 1e-9);  // room for rounding in the proof
+  if (py::isinstance<py::str>(object)) {
+    if (object.cast<std::string>() == "along") return yaw;
+  } else if (py::isinstance<py::float_>(object) || py::isinstance<py::int_>(object)) {
+    yaw.kind = traj::YawOptions::Kind::fixed;
+    yaw.angle = object.cast<double>();
+    if (std::isfinite(yaw.angle)) return yaw;
+  } else if (py::isinstance<py::sequence>(object) && py::len(object) == 2) {
+    const auto at = object.cast<std::array<double, 2>>();
+    yaw.kind = traj::YawOptions::Kind::towards;
+    yaw.target = {at[0], at[1], 0};
+    if (std::isfinite(at[0]) && std::isfinite(at[1])) return yaw;
+  }
+  throw py::value_error("yaw: expected \"along\", radians, or (x, y) of a point, found " +
+                        std::string(py::str(py::repr(object))));
+}
+
+traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py::object& limits,
+                             const std::string& solver, const std::optional<std::string>& times,
+                             const std::string& corridor, double rho, const py::object& yaw_words) {
+  const geom::PathRecord record = path_from(path);
+  require_same_map(record.provenance, self.scene, record.id);
+  traj::SolveOptions options;
+  cli::choose_solver(solver, times.value_or(""), options);
+  options.limits = cli::limits_to_solve(limits_from(limits), self.profile);
+  const auto kind = cli::kCorridors.find(corridor);
+  if (kind == cli::kCorridors.end()) {
+    throw py::value_error("corridor: expected planes or boxes, found \"" + corridor + "\"");
+  }
+  options.corridor = kind->second;
+  if (!(rho >= 0 && rho <= 1e3)) throw py::value_error("rho: must be within 0 to 1000");
+  options.rho = rho;
+  const auto yaw = yaw_from(yaw_words, options.limits);
+  if (record.status != "found") {
+    traj::TrajectoryRecord none;
+    none.id = record.id;
+    none.status = "no_path";
+    none.provenance = record.provenance;
+    none.limits = options.limits;
+    none.message = record.message.empty() ? record.status : record.message;
+    return none;
+  }
+  const py::gil_scoped_release released;
+  const auto result = traj::solve(self.scene, traj::waypoints_of(record), options);
+  auto out = traj::trajectory_record(self.scene, record.id, result, options.limits);
+  if (yaw && !out.trajectory.segments.empty()) traj::add_yaw(*yaw, out.trajectory);
+  return out;
+}
+
+traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRecord& record,
+                                    const traj::Limits& asked, bool exact) {
+  require_same_map(record.provenance, self.scene, record.id);
+  traj::ReportRecord report{record.id, "trajectory", {}, geom::provenance_of(self.scene), {}, {}};
+  if (record.status != "solved") {
+    report.result.reason = record.status;
+    return report;
+  }
+  const auto pick = [](std::optional<double> a, std::optional<double> b) { return a ? a : b; };
+  report.limits = traj::combined(asked, record.limits, pick);
+  report.result = traj::check(self.scene, record.trajectory, report.limits);
+  if (exact) {
+    report.exact = traj::check_exactly(
+        {self.scene.map(), self.scene.vehicle(), self.scene.margin(), report.limits},
+        record.trajectory);
+  }
+  return report;
+}
+
+traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record, bool exact) {
+  require_same_map(record.provenance, self.scene, record.id);
+  traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}};
+  if (record.status != "found") {
+    report.result.reason = "no_path";
+    return report;
+  }
+  report.result = traj::check_path(self.scene, record.points);
+  if (exact) {
+    report.exact = traj::check_exactly(
+        {self.scene.map(), self.scene.vehicle(), self.scene.margin(), {}}, record.points);
+  }
+  return report;
+}
+
+// The report as docs/formats.md has it.
+py::object check(const Scene& self, const py::object& what, const py::object& limits, bool exact) {
+  std::string line;
+  const traj::Limits asked = limits_from(limits);
+  if (py::isinstance<traj::TrajectoryRecord>(what)) {
+    const auto& record = what.cast<const traj::TrajectoryRecord&>();
+    const py::gil_scoped_release released;
+    line = traj::to_json_line(check_trajectory(self, record, asked, exact), self.scene.map());
+  } else {
+    const geom::PathRecord record = path_from(what);
+    const py::gil_scoped_release released;
+    line = traj::to_json_line(check_path(self, record, exact), self.scene.map());
+  }
+  return from_json(line);
+}
+
+}  // namespace
+
+void bind_trajectories(py::module_& module) {
+  module.def("solve", &solve, py::arg("scene"), py::arg("path"), py::kw_only(),
+             py::arg("limits") = py::none(), py::arg("solver") = "auto",
+             py::arg("times") = py::none(), py::arg("corridor") = "planes", py::arg("rho") = 1e-3,
+             py::arg("yaw") = py::none());
+  module.def("check", &check, py::arg("scene"), py::arg("what"), py::kw_only(),
+             py::arg("limits") = py::none(), py::arg("exact") = false);
+}
+
+}  // namespace binding

@@ -1,0 +1,65 @@
+"""The reports of skyway-check as one NumPy table."""
+
+import json
+import os
+
+import numpy
+
+from ._skyway import InputError
+
+_EXTREMES = ("clearance", "speed", "acceleration", "jerk", "tilt", "horizontal_speed", "vertical_speed", "thrust",
+             "body_rate", "yaw_rate")
+_NUMBERS = ("time", "worst", "duration", *(name for e in _EXTREMES for name in (e, e + "_time")))
+
+
+def _parse(line, source, number):
+    def refuse(message):
+        raise InputError(f"{source}:{number}: {message}")
+
+    try:
+        record = json.loads(line)
+    except ValueError as error:
+        refuse(f"not JSON: {error}")
+    if not isinstance(record, dict) or record.get("type") != "report":
+        found = record.get("type") if isinstance(record, dict) else line[:40]
+        refuse(f'expected a record of type "report", found {json.dumps(found)}')
+    if not isinstance(record.get("id"), str):
+        refuse(f"id must be text, found {json.dumps(record.get('id'))}")
+    if not isinstance(record.get("ok"), bool):
+        refuse(f"ok must be true or false, found {json.dumps(record.get('ok'))}")
+    for key in _NUMBERS:
+        value = record.get(key, 0)
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            refuse(f"{key} must be a number, found {json.dumps(value)}")
+    for key, size in (("place", 3), ("jumps", 7)):
+        value = record.get(key)
+        if value is not None and not (isinstance(value, list) and len(value) == size
+                                      and all(isinstance(v, (int, float)) for v in value)):
+            refuse(f"{key} must be a list of {size} numbers, found {json.dumps(value)}")
+    return record
+
+
+def read_reports(path):
+    """One row a report: id, checked, ok, exact_ok, reason, box, place, jumps and the numbers of docs/formats.md; NaN,
+    "" or -1 where a report does not say."""
+    path = os.fspath(path)
+    with open(path, encoding="utf-8", errors="replace") as file:
+        records = [_parse(line, path, number) for number, line in enumerate(file, 1) if line.strip()]
+    if not records:
+        raise InputError(f"{path}: expected at least one record, found none")
+
+    def width(key):
+        return f"U{max(1, *(len(str(r.get(key, ''))) for r in records))}"
+
+    table = numpy.zeros(len(records), dtype=[
+        ("id", width("id")), ("checked", width("checked")), ("ok", bool), ("exact_ok", bool), ("reason", width("reason")),
+        ("box", "i8"), ("place", "f8", 3), ("jumps", "f8", 7), *((name, "f8") for name in _NUMBERS)])
+    for row, record in zip(table, records):
+        for key in ("id", "checked", "reason"):
+            row[key] = record.get(key, "")
+        row["ok"] = record["ok"]
+        row["exact_ok"] = bool((record.get("exact") or {}).get("ok"))
+        row["box"] = record.get("box", -1)
+        for key in ("place", "jumps", *_NUMBERS):
+            row[key] = record.get(key, numpy.nan)
+    return table
