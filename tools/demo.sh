@@ -43,7 +43,15 @@ step "motion profile" 'echo "$out/profile.svg"' \
 step "search tree, for the page" 'echo "nodes: $(head -n 1 "$out/tree.jsonl" | grep -o "\"nodes\":[0-9]*" | cut -d: -f2)"' \
   skyway-plan -q "$map" "${vehicle[@]}" --from=-425,-320.5,7 --to=357,204,5 --snap-ends 5 --method rrt-star \
   --iterations 2000 --tree "$out/tree.jsonl" -o "$out/sampled.jsonl"
+step "what the camera sees" 'echo "$out/first-person.png"' \
+  skyway-render -q "$map" "$out/flight.csv" --at 20 -o "$out/first-person.png"
+mkdir -p "$out/frames"
+echo '{"width":320,"height":240,"fx":190}' > "$out/frames/camera.json"
+step "frames of it, for the page" 'echo "frames: $(($(wc -l < "$out/frames/poses.csv") - 1)), one a second"' \
+  skyway-render -q "$map" "$out/flight.csv" --camera "$out/frames/camera.json" --rate 1 \
+  -o "$out/frames/%05d.png" --poses "$out/frames/poses.csv"
 step "everything in one page" 'echo "$out/demo.html"' \
   skyway-view -q "$map" "$out/city.lattice" "$out/path.jsonl" "$out/tree.jsonl" "$out/trajectory.jsonl" \
-  "$out/report.jsonl" "$out/flight.csv" --title "Skyway demo" -o "$out/demo.html"
+  "$out/report.jsonl" "$out/flight.csv" --frames "$out/frames/%05d.png" --poses "$out/frames/poses.csv" \
+  --title "Skyway demo" -o "$out/demo.html"
 echo "Open $(cd "$out" && pwd)/demo.html in a browser."

@@ -68,9 +68,16 @@ std::string clearance(const Options& options) {
   cli::Scenes scenes(cli::open_map(options.map), options.vehicle,
                      cli::Scenes::Differences::allowed);
   const cli::Drawings drawings = read(options, &scenes.map());
-  const plot::Tracks tracks = plot::tracks_of(drawings, scenes.map().spec().frame.axes);
-  first_of(tracks.list, options, "a path, a trajectory or a flight");
-  const geom::CollisionScene& scene = scenes.scene_for(tracks.provenance, options.inputs[0], 0);
+  if (scenes.map().size() == 0) {
+    throw geom::InputError(options.map, "expected a map with obstacles, found none");
+  }
+  if (drawings.paths.empty() && drawings.trajectories.empty()) {
+    first_of(drawings.flights, options, "a path, a trajectory or a flight");
+  }
+  const geom::CollisionScene& scene =
+      scenes.scene_for(plot::provenance_of(drawings), options.inputs[0], 0);
+  const plot::Tracks tracks = plot::tracks_of(drawings, scene);
+  first_of(tracks.list, options, "a path, a trajectory or a flight of some length");
   return plot::clearance(scene, tracks.list, tracks.x_label);
 }
 

@@ -1,5 +1,9 @@
 // skyway-view: everything in one HTML page that opens in any browser, without a server or network.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "cli/files.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
@@ -8,10 +12,21 @@
 
 namespace {
 
-void require_one_stdin(const std::vector<std::string>& files) {
-  if (std::count(files.begin(), files.end(), "-") > 1) {
+void require_one_stdin(const std::vector<std::string>& files, const std::string& poses) {
+  if (std::count(files.begin(), files.end(), "-") + (poses == "-") > 1) {
     throw cli::UsageError("only one input may be -");
   }
+}
+
+constexpr std::size_t kLargeFrames = 3000000;  // bytes
+
+void warn_if_large(const cli::Common& common, const view::Frames& frames) {
+  const std::size_t bytes = frames.bytes();
+  if (bytes <= kLargeFrames) return;
+  common.warn(fmt::format(
+      "{} frames of {} x {} pixels make the page {:.1f} MB larger: a camera of "
+      "320 x 240 at --rate 2 keeps it small",
+      frames.list.size(), frames.width, frames.height, 4e-6 / 3 * static_cast<double>(bytes)));
 }
 
 }  // namespace
@@ -26,26 +41,38 @@ int main(int argc, char** argv) {
   std::vector<std::string> files;
   std::string title = "Skyway";
   std::string output = "-";
+  view::FrameFiles pictures;
   app.add_option("files", files,
                  "box map, lattices, records (JSON Lines) and flight logs (CSV); - for stdin")
       ->required();
   app.add_option("-o,--output", output, "HTML page to write (default: stdout)");
   app.add_option("--title", title, "what the page is called");
+  CLI::Option* frames_option =
+      app.add_option("--frames", pictures.names,
+                     "frames of skyway-render to show beside the plots, as f-%05d.png");
+  CLI::Option* poses_option =
+      app.add_option("--poses", pictures.poses, "what skyway-render --poses wrote with them");
+  frames_option->needs(poses_option);
+  poses_option->needs(frames_option);
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    require_one_stdin(files);
+    require_one_stdin(files, pictures.poses);
     const view::Contents contents = view::read_contents(files);
+    std::optional<view::Frames> frames;
+    if (!pictures.names.empty()) frames = view::read_frames(pictures);
     view::Bundle bundle;
-    const view::Json meta = view::describe(contents, vehicle, bundle);
+    const view::Json meta = view::describe(contents, frames, vehicle, bundle);
     const std::string page = view::page(title, meta, bundle);
     cli::OutputFile out(output, cli::OutputKind::artefact);
     out.stream() << page;
     out.commit();
+    if (frames) warn_if_large(common, *frames);
     common.write_stats({{"boxes", contents.map ? contents.map->record.size() : 0},
                         {"trees", contents.trees.size()},
                         {"paths", contents.paths.size()},
                         {"motions", meta["motions"].size()},
                         {"reports", contents.reports.size()},
+                        {"frames", frames ? frames->list.size() : 0},
                         {"bytes", page.size()}});
     return cli::Exit::yes;
   });

@@ -96,8 +96,9 @@ void GltfLists::add(const MeshPart& part) {
   materials +=
       comma +
       fmt::format(
-          R"({{"name":{},"pbrMetallicRoughness":{{"baseColorFactor":[{:.3f},{:.3f},{:.3f},1],"metallicFactor":0}}}})",
-          name, part.colour[0] / 255.0, part.colour[1] / 255.0, part.colour[2] / 255.0);
+          R"({{"name":{},"pbrMetallicRoughness":{{"baseColorFactor":[{:.3f},{:.3f},{:.3f},{}],"metallicFactor":0}}{}}})",
+          name, part.colour[0] / 255.0, part.colour[1] / 255.0, part.colour[2] / 255.0,
+          part.opacity, part.opacity < 1 ? R"(,"alphaMode":"BLEND","doubleSided":true)" : "");
   ++made;
 }
 

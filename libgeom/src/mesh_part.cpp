@@ -149,4 +149,28 @@ MeshPart rod_part(Rods given) {
   return part;
 }
 
+MeshPart polytope_part(std::string name, std::array<std::uint8_t, 3> colour, Axes axes,
+                       std::span<const Polytope> regions) {
+  auto vertices = std::make_shared<std::vector<Vec3>>();
+  auto triangles = std::make_shared<std::vector<Triangle>>();
+  const bool mirrored = axes != Axes::enu;  // turning them into ENU swaps two axes
+  for (const Polytope& region : regions) {
+    const std::size_t first = vertices->size();
+    for (const Vec3& v : region.vertices) vertices->push_back(to_enu(axes, v));
+    for (const auto& face : region.faces) {
+      for (std::size_t i = 2; i < face.size(); ++i) {
+        Triangle t = {first + face[0], first + face[i - 1], first + face[i]};
+        if (mirrored) std::swap(t[1], t[2]);
+        triangles->push_back(t);
+      }
+    }
+  }
+  return {std::move(name),
+          colour,
+          vertices->size(),
+          triangles->size(),
+          [=](std::size_t i) { return (*vertices)[i]; },
+          [=](std::size_t i) { return (*triangles)[i]; }};
+}
+
 }  // namespace geom

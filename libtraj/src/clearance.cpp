@@ -74,4 +74,17 @@ std::vector<ClearanceSpan> clearance_profile(const geom::CollisionScene& scene,
   return out;
 }
 
+std::vector<ClearanceSpan> clearance_profile(const geom::CollisionScene& scene,
+                                             std::span<const Vec3> path,
+                                             std::span<const double> times) {
+  assert(path.size() == times.size());
+  std::vector<ClearanceSpan> out;
+  if (scene.map().size() == 0) return out;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Piece leg = straight_piece(path[i - 1], path[i], times[i - 1], times[i]);
+    out.push_back({leg.begin, leg.end, least_clearance(scene, {leg})->value});
+  }
+  return out;
+}
+
 }  // namespace traj

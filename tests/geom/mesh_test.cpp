@@ -57,6 +57,39 @@ TEST(RodPart, ARodOfNoLengthIsFinite) {
   for (std::size_t i = 0; i < part.vertices; ++i) EXPECT_TRUE(part.vertex(i).allFinite());
 }
 
+TEST(PolytopePart, FacesOutwardInEveryAxes) {
+  std::vector<Plane> planes;
+  for (int axis = 0; axis < 3; ++axis) {
+    planes.push_back({Vec3::Unit(axis), 5.0 + axis});
+    planes.push_back({-Vec3::Unit(axis), -3.0});
+  }
+  planes.push_back({Vec3(1, 1, 1), 17});  // cuts the corner (5, 6, 7) off
+  const Polytope regions[] = {polytope(planes), polytope(planes)};
+  const double whole = 2.0 * 3 * 4;
+  for (const Axes axes : {Axes::enu, Axes::neu}) {
+    const MeshPart part = polytope_part("c", {}, axes, regions);
+    ASSERT_EQ(part.triangles % 2, 0u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::size_t first = k * part.triangles / 2;
+      EXPECT_NEAR(enclosed(part, first, first + part.triangles / 2, {9, 9, 9}), whole - 1.0 / 6,
+                  1e-9);
+    }
+    EXPECT_EQ(part.vertex(0), to_enu(axes, regions[0].vertices[0]));
+  }
+}
+
+TEST(PolytopePart, IsHalfTransparentWhereAsked) {
+  MeshPart part = rod_part({"s", {}, {{0, 0, 0}}, {}, 1, 1});
+  std::ostringstream solid;
+  write_glb(solid, std::span(&part, 1));
+  EXPECT_EQ(solid.str().find("BLEND"), std::string::npos);
+  part.opacity = 0.25;
+  std::ostringstream clear;
+  write_glb(clear, std::span(&part, 1));
+  EXPECT_NE(clear.str().find(",0.25],"), std::string::npos);
+  EXPECT_NE(clear.str().find(R"("alphaMode":"BLEND")"), std::string::npos);
+}
+
 TEST(WriteGlb, OfNothingIsAnEmptyScene) {
   std::ostringstream out;
   write_glb(out, {});

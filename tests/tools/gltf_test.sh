@@ -30,3 +30,4 @@ const fs = require('fs');
 })();
 JS
 node validate.js "$3" map.glb all.glb tree.glb
+grep -aq '"alphaMode":"BLEND"' all.glb  # the corridor

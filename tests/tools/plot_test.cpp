@@ -96,7 +96,8 @@ TEST(Clearance, IsThatOfTheScene) {
   spec.bounds = {{0, 0, 0}, {100, 100, 50}};
   const geom::BoxMap map(spec, support::table_of({{{40, 0, 0}, {50, 10, 20}}}));
   const geom::CollisionScene scene(map, {"box", {1, 1, 1}}, 0.5);
-  const plot::ClearanceTrack track{"path q", {0, 10}, {{20, 5, 5}, {30, 5, 5}}};
+  const std::vector<geom::Vec3> path = {{20, 5, 5}, {30, 5, 5}, {20, 5, 5}};
+  const plot::ClearanceTrack track{"path q", traj::clearance_profile(scene, path, 100)};
   const std::string svg = plot::clearance(scene, std::span(&track, 1), "length, m");
   EXPECT_TRUE(holds(svg, ">9 m<"));  // 10 m less the vehicle, the margin not counted
   EXPECT_TRUE(holds(svg, "margin 0.5"));

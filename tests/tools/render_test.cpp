@@ -5,9 +5,11 @@
 
 #include <cmath>
 #include <cstring>
+#include <sstream>
 
 #include "cli/run.h"
 #include "geom/error.h"
+#include "render/camera_poses.h"
 #include "render/frame_output.h"
 #include "render/image_file.h"
 #include "render/motion.h"
@@ -388,6 +390,50 @@ TEST(Y4m, HasTheLimitedRangeOfBt601) {
   EXPECT_EQ(static_cast<unsigned char>(reds[6]), 81);  // BT.601: 81, 90, 240
   EXPECT_EQ(static_cast<unsigned char>(reds[10]), 90);
   EXPECT_EQ(static_cast<unsigned char>(reds[11]), 240);
+}
+
+TEST(CameraPoses, ComeBackBitForBit) {
+  Random random(7);
+  std::string text = std::string(render::kPosesHeader) + "\n";
+  std::vector<View> views(20);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    for (int k = 0; k < 3; ++k) views[i].eye[k] = random.uniform(-1e3, 1e3);
+    text += render::pose_row(views[i], i, 0.1 * static_cast<double>(i));
+  }
+  std::istringstream in(text);
+  const auto poses = render::read_camera_poses(in, "poses");
+  ASSERT_EQ(poses.size(), views.size());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(poses[i].eye, views[i].eye) << "seed 7, row " << i;
+    EXPECT_EQ(poses[i].time, 0.1 * static_cast<double>(i));
+  }
+}
+
+TEST(CameraPoses, RefusesOtherTables) {
+  const std::string header = std::string(render::kPosesHeader) + "\n";
+  for (const std::string& rows :
+       {std::string(), std::string("0,0,1,2,3,1,0,0\n"), std::string("0,0,1,2,nan,1,0,0,0\n"),
+        std::string("1,0,1,2,3,1,0,0,0\n"), std::string("0,0,1,2,3,1,0,0,0\n1,0,1,2,3,1,0,0,0\n"),
+        std::string("0,0,1,2,3,1,0,0,0\n0,1,1,2,3,1,0,0,0\n")}) {
+    std::istringstream in(header + rows);
+    EXPECT_THROW(render::read_camera_poses(in, "poses"), geom::InputError) << rows;
+  }
+  std::istringstream other("frame,t_s\n0,0\n");
+  EXPECT_THROW(render::read_camera_poses(other, "poses"), geom::InputError);
+}
+
+TEST(ReadPng, TakesWholePicturesOnly) {
+  render::Picture picture{5, 3, std::vector<render::Colour>(15, {9, 8, 7}), {}, {}};
+  for (std::size_t i = 0; i < 15; ++i) picture.colour[i].r = static_cast<std::uint8_t>(17 * i);
+  const std::string png = render::colour_png(picture);
+  const render::Pixels read = render::read_png(png, "f.png");
+  EXPECT_EQ(read.width, 5);
+  EXPECT_EQ(read.height, 3);
+  ASSERT_EQ(read.rgb.size(), 45u);
+  EXPECT_EQ(std::memcmp(read.rgb.data(), picture.colour.data(), 45), 0);
+  for (std::size_t bytes = 0; bytes + 16 < png.size(); ++bytes) {  // all but the checksum and IEND
+    EXPECT_THROW(render::read_png(png.substr(0, bytes), "f.png"), geom::InputError) << bytes;
+  }
 }
 
 TEST(FrameOutput, NumbersNames) {

@@ -3,6 +3,7 @@
 Pictures of what was seen are left in the folder PICTURES. Any message of the browser's console fails.
 """
 
+import base64
 import json
 import os
 import pathlib
@@ -219,6 +220,62 @@ def shows_demo(browser, folder, page):
     narrow.quiet()
 
 
+def unlike(viewer, picture):
+    """Mean difference, in levels of 256, between the frame that is shown and a PNG file."""
+    data = base64.b64encode(picture.read_bytes()).decode()
+    return viewer.browser.run("""
+      return (async () => {
+        const other = new Image();
+        other.src = "data:image/png;base64,%s";
+        const levels = async image => {
+          await image.decode();
+          const canvas = document.createElement("canvas"), c = canvas.getContext("2d");
+          canvas.width = image.naturalWidth;
+          canvas.height = image.naturalHeight;
+          c.drawImage(image, 0, 0);
+          return c.getImageData(0, 0, canvas.width, canvas.height).data;
+        };
+        const a = await levels(document.querySelector(".frame img")), b = await levels(other);
+        return a.length === b.length ? a.reduce((sum, v, i) => sum + Math.abs(v - b[i]), 0) / a.length : 256;
+      })()""" % data)
+
+
+def shows_frames(browser, folder, page):
+    (folder / "camera").write_text('{"width":320,"height":240,"fx":190}')
+    (folder / "frames").mkdir()
+    names = folder / "frames" / "f-%05d.png"
+    run("skyway-render", "-q", folder / "map", folder / "trajectory", "--camera", folder / "camera", "--rate", "2",
+        "-o", names, "--poses", folder / "poses")
+    # The flight stands first; the poses say that it is the trajectory which the camera went along.
+    files = [folder / f for f in ("map", "flight.csv", "trajectory")]
+    run("skyway-view", *files, "--frames", names, "--poses", folder / "poses", "--title", "Frames", "-o", page)
+    assert page.stat().st_size < 4e6, page.stat().st_size
+    viewer = Viewer(browser, page)
+    assert viewer.get("motion") == "q1 (planned)" and viewer.get("frame") == 0
+    for share in (0.3, 0.8, 0.1):
+        browser.pointer(("move", *browser.centre("#scrub", share)), ("down",), ("up",))
+        frame = int(2 * viewer.get("time"))
+        assert frame > 0 and viewer.get("frame") == frame, (frame, viewer.get("frame"), viewer.get("time"))
+        near, far = (unlike(viewer, pathlib.Path(str(names) % k)) for k in (frame, frame + 20))
+        assert near < 4 < far, (near, far)
+        assert f"{frame / 2:.2f}" in browser.run("return document.querySelector('.frame figcaption').textContent")
+    before = viewer.get("frame")
+    browser.click("#play")
+    viewer.until(f"skyway.frame > {before}")
+    browser.click("#play")
+    assert viewer.get("frame") == int(2 * viewer.get("time"))
+    image, plot = (browser.run(f"return document.querySelector('{where}').getBoundingClientRect().toJSON()")
+                   for where in (".frame img", "[data-plot=height]"))
+    assert image["bottom"] <= plot["top"] and image["height"] > 100, (image, plot)
+    browser.pointer(("move", *browser.centre("#scrub", 0.4)), ("down",), ("up",))
+    assert unlike(viewer, pathlib.Path(str(names) % viewer.get("frame"))) < 4
+    viewer.picture("frames")
+    browser.run("const s = document.querySelector('#side select'); s.value = '1'; s.dispatchEvent(new Event('change'))")
+    assert viewer.get("motion") == "q1 (flown)" and viewer.get("frame") is None
+    assert browser.run("return document.querySelector('.frame').getBoundingClientRect().height") == 0
+    viewer.quiet()
+
+
 def shows_failure(browser, folder, page):
     run("skyway-check", "-q", folder / "map", folder / "trajectory", "--vehicle", "box:2,2,2", "-o",
         folder / "failed", yes=False)
@@ -263,6 +320,46 @@ def shows_labels(browser, folder, page):
     viewer.picture("labels")
 
 
+def shows_hostile_names(browser, folder, page):
+    """Ids, statuses, messages, vehicles and names of files with HTML in them are words and nothing else."""
+    bad = "</script><img src=x onerror='window.hacked=1'><!--<script>\"&amp;\u2028{{meta}}"
+    rows = (folder / "labels.csv").read_text().splitlines()
+    rows[1] = rows[1].rsplit(",", 1)[0] + ',"' + bad.replace('"', '""') + '"'
+    hostile = folder / "<img src=x onerror=window.hacked=1>.csv"
+    hostile.write_text("\n".join(rows) + "\n")
+    run("skyway-import", "-q", hostile, "-o", folder / "<script>map")
+    segment = {"duration": 4, "x": [0] * 4 + [9] * 4, "y": [9] * 8, "z": [12] * 8}
+    vehicle = {"vehicle": {"name": bad, "half": [0.5, 0.5, 0.3]}, "margin": 0, "frame": "enu"}
+    records = [
+        {"type": "path", "id": bad, "status": "found", "points": [[0, 9, 12], [9, 9, 12]], **vehicle},
+        {"type": "path", "id": bad, "status": "unreachable", "message": bad, "points": []},
+        {"type": "trajectory", "id": bad, "status": "solved", "duration": 4, "rung": bad, "segments": [segment], **vehicle},
+        {"type": "trajectory", "id": bad, "status": "failed", "message": bad, "segments": []},
+        {"type": "report", "id": bad, "ok": False, "checked": bad, "reason": bad, "place": [1, 9, 12], "time": 1},
+        {"type": "report", "id": bad, "ok": True, "checked": "path"},
+        {"type": "tree", "id": bad, "nodes": 1},
+        {"index": 0, "parent": 0, "first_parent": 0, "tree": 0, "cost": 0, "point": [0, 9, 12]},
+        {"type": "corridor", "id": bad, "pieces": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                                                    "faces": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]}]},
+    ]
+    (folder / "<").mkdir()
+    table = folder / "<" / "script>.jsonl"
+    table.write_text("".join(json.dumps(r) + "\n" for r in records))
+    run("skyway-view", folder / "<script>map", table, "--title", bad, "-o", page)
+    viewer = Viewer(browser, page)
+    assert browser.run("return document.title") == bad
+    for tab in browser.run("return [...document.querySelectorAll('[role=tab]')].map(t => t.textContent)"):
+        browser.run(f"[...document.querySelectorAll('[role=tab]')].find(t => t.textContent === {json.dumps(tab)}).click()")
+    browser.run("const s = document.querySelector('#layers select'); s.value = 'label'; s.dispatchEvent(new Event('change'))")
+    browser.run("document.querySelector('.check.failed button').click()")
+    for where in ("#layers", "#side", "h1"):
+        assert "onerror" in browser.run(f"return document.querySelector('{where}').textContent"), where
+    assert browser.run("return document.querySelectorAll('img').length") == 0
+    assert browser.run("return document.scripts.length") == 4
+    assert browser.run("return window.hacked === undefined")
+    viewer.picture("hostile")
+
+
 def shows_real_city(browser, folder, page):
     table = pathlib.Path(os.environ["SKYWAY_REALDATA"]) / "colliders" / "udacity_colliders.csv"
     ends = ["--from=528.78399,288.798721,28.985081", "--to=-26.24902,14.253218,24.835826"]
@@ -296,9 +393,11 @@ def main(folder):
     make_chain(source / "data" / "downtown.csv", demo, ["--from=-425,-320.5,7", "--to", "357,204,5"])
     with Browser() as browser:
         shows_demo(browser, demo, page)
+        shows_frames(browser, demo, page)
         shows_failure(browser, demo, page)
         shows_large_city(browser, folder, page)
         shows_labels(browser, folder, page)
+        shows_hostile_names(browser, folder, page)
         if os.environ.get("SKYWAY_REALDATA"):
             real = folder / "real"
             real.mkdir()

@@ -169,6 +169,13 @@ TEST(ClearanceProfile, RunsAlongAPath) {
   EXPECT_EQ(profile[3].begin, 10);
   EXPECT_EQ(profile[3].end, 14);
   EXPECT_NEAR(profile[3].clearance, 2.5, 1e-3);
+  const std::vector<double> times = {1, 2, 3, 7};
+  const auto timed = clearance_profile(scene, path, times);
+  ASSERT_EQ(timed.size(), 3u);
+  EXPECT_NEAR(timed[0].clearance, 2.5, 1e-3);
+  EXPECT_NEAR(timed[1].clearance, 2.5, 1e-3);
+  EXPECT_EQ(timed[2].begin, 3);
+  EXPECT_EQ(timed[2].end, 7);
 }
 
 // The known touch: a point of the curve is put on a face of a grown box, or up to 1 cm inside.

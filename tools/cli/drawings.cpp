@@ -30,8 +30,9 @@ void require_of(const geom::BoxMap* map, const geom::Provenance& record, const s
 
 class RecordReader {
  public:
-  RecordReader(const std::string& source, const geom::BoxMap* map, Drawings& to)
-      : source_(source), map_(map), to_(to) {}
+  RecordReader(const std::string& source, const geom::BoxMap* map, Drawings& to,
+               Corridors corridors)
+      : source_(source), map_(map), to_(to), corridors_(corridors) {}
 
   void read(const std::string& text, std::size_t line) {
     if (tree_ && !tree_->complete()) {
@@ -69,21 +70,27 @@ class RecordReader {
       keep(traj::parse_trajectory_record(text, source_, line), "solved", to_.trajectories, line);
     } else if (type == "tree") {
       tree_.emplace(text, source_, line);
+    } else if (type == "corridor" && corridors_ == Corridors::taken) {
+      to_.corridors.push_back(traj::parse_corridor_record(text, source_, line));
+      require_of(map_, to_.corridors.back().provenance, source_, line);
     } else {
-      fields.refuse(
-          fmt::format("expected a record of type path, trajectory or tree, found \"{}\"", type));
+      fields.refuse(fmt::format("expected a record of type path, trajectory{}, found \"{}\"",
+                                corridors_ == Corridors::taken ? ", tree or corridor" : " or tree",
+                                type));
     }
   }
 
   const std::string& source_;
   const geom::BoxMap* map_;
   Drawings& to_;
+  Corridors corridors_;
   std::optional<plan::SearchTreeReader> tree_;
 };
 
 }  // namespace
 
-void read_drawings(const std::string& input, const geom::BoxMap* map, Drawings& drawings) {
+void read_drawings(const std::string& input, const geom::BoxMap* map, Drawings& drawings,
+                   Corridors corridors) {
   InputFile file(input);
   if (file.stream().peek() != '{') {
     const bool empty = file.stream().eof();
@@ -94,7 +101,7 @@ void read_drawings(const std::string& input, const geom::BoxMap* map, Drawings& 
     std::move(flights.begin(), flights.end(), std::back_inserter(drawings.flights));
     return;
   }
-  RecordReader reader(file.name(), map, drawings);
+  RecordReader reader(file.name(), map, drawings, corridors);
   std::size_t last = 0;
   file.for_each_line([&](const std::string& text, std::size_t line) {
     reader.read(text, line);

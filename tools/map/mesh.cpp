@@ -20,6 +20,8 @@ using Colour = std::array<std::uint8_t, 3>;
 constexpr Colour kPath{213, 94, 0};
 constexpr Colour kTrajectory{0, 158, 115};
 constexpr Colour kFlight{204, 121, 167};
+constexpr Colour kCorridor{240, 228, 66};  // yellow, as in the page
+constexpr double kCorridorOpacity = 0.3;
 constexpr Colour kTrees[] = {{86, 140, 196}, {204, 102, 85}};
 constexpr double kStep = 0.1;  // seconds between the points of a curve
 
@@ -85,6 +87,14 @@ void add_tree(const plan::SearchTreeRecord& record, geom::Axes axes, double radi
   }
 }
 
+geom::MeshPart corridor_part(const traj::CorridorShape& corridor, geom::Axes axes) {
+  std::vector<geom::Polytope> regions;
+  for (const auto& piece : corridor.pieces) regions.push_back({piece.vertices, piece.faces});
+  geom::MeshPart part = geom::polytope_part("corridor " + corridor.id, kCorridor, axes, regions);
+  part.opacity = kCorridorOpacity;
+  return part;
+}
+
 std::vector<geom::MeshPart> parts_of(const geom::BoxMap& map, const cli::Drawings& drawings,
                                      double radius) {
   const geom::Axes axes = map.spec().frame.axes;
@@ -100,6 +110,7 @@ std::vector<geom::MeshPart> parts_of(const geom::BoxMap& map, const cli::Drawing
   for (const auto& f : drawings.flights) {
     parts.push_back(way("flight " + f.id, kFlight, flown(f), radius));
   }
+  for (const auto& corridor : drawings.corridors) parts.push_back(corridor_part(corridor, axes));
   return parts;
 }
 
@@ -113,7 +124,8 @@ Verb mesh_verb(CLI::App& app, const char* name, const char* what, Write write) {
   auto files = std::make_shared<Files>();
   auto more = std::make_shared<More>();
   CLI::App* verb = files->add(app, name, what);
-  verb->add_option("files", more->inputs, "paths, trajectories, flight logs and search trees");
+  verb->add_option("files", more->inputs,
+                   "paths, trajectories, flight logs, search trees and corridors");
   verb->add_option("--radius", more->radius, "of their lines, metres")
       ->check(CLI::Range(1e-6, 1e6))
       ->capture_default_str();
@@ -121,7 +133,9 @@ Verb mesh_verb(CLI::App& app, const char* name, const char* what, Write write) {
             cli::at_most_one_stdin(files->map, more->inputs);
             const geom::BoxMap map = cli::open_map(files->map);
             cli::Drawings drawings;
-            for (const auto& input : more->inputs) cli::read_drawings(input, &map, drawings);
+            for (const auto& input : more->inputs) {
+              cli::read_drawings(input, &map, drawings, cli::Corridors::taken);
+            }
             const auto parts = parts_of(map, drawings, more->radius);
             cli::OutputFile out(files->output, cli::OutputKind::artefact);
             write(out.stream(), parts);

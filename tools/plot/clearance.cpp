@@ -14,9 +14,10 @@ constexpr double kFar = 50;  // metres
 
 Panel panel_of(const geom::CollisionScene& scene, const ClearanceTrack& track) {
   Series series{track.id, colour(0), {}};
-  for (std::size_t i = 0; i < track.points.size(); ++i) {
-    const auto nearest = scene.nearest(track.points[i], kFar);
-    series.points.push_back({track.x[i], nearest ? nearest->distance : kFar});
+  for (const traj::ClearanceSpan& span : track.spans) {
+    const double least = std::min(span.clearance, kFar);
+    series.points.push_back({span.begin, least});
+    series.points.push_back({span.end, least});
   }
   const Point least = *std::min_element(series.points.begin(), series.points.end(),
                                         [](const Point& a, const Point& b) { return a.y < b.y; });

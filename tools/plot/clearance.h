@@ -7,19 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "geom/collision.h"
+#include "traj/clearance.h"
 
 namespace plot {
 
 struct ClearanceTrack {
   std::string id;
-  std::vector<double> x;           // seconds or metres, ascending
-  std::vector<geom::Vec3> points;  // in the map's frame, one each
+  std::vector<traj::ClearanceSpan> spans;  // at least one
 };
 
-// An SVG of the distance from the reference point to the nearest obstacle grown by the vehicle of
-// the scene, without its margin, at each point; distances over 50 m are shown as that. A picture,
-// no proof: between the points it knows nothing.
+// An SVG of the least distances as steps, for the vehicle and the margin of the scene; those over
+// 50 m are shown as that.
 std::string clearance(const geom::CollisionScene& scene, std::span<const ClearanceTrack> tracks,
                       std::string_view x_label);
 

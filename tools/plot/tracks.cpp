@@ -6,43 +6,47 @@
 namespace plot {
 namespace {
 
+using geom::Vec3;
+
 constexpr double kStep = 0.05;     // seconds between the points of a curve
 constexpr double kPathStep = 0.5;  // metres
-constexpr double kMostPoints = 20000;
+constexpr double kMost = 20000;    // points or steps
 
-std::vector<double> times(double begin, double end, double step) {
-  const double count = std::clamp(std::ceil((end - begin) / step), 1.0, kMostPoints);
-  std::vector<double> out;
-  for (double k = 0; k <= count; ++k) out.push_back(begin + (end - begin) * (k / count));
+double step_of(double extent, double step) { return std::max(step, extent / kMost); }
+
+std::vector<Vec3> points_of(const traj::Trajectory& trajectory) {
+  const double end = traj::duration(trajectory);
+  const double count = std::max(1.0, std::ceil(end / step_of(end, kStep)));
+  std::vector<Vec3> out;
+  for (double k = 0; k <= count; ++k) {
+    out.push_back(traj::evaluate(trajectory, end * (k / count)).position);
+  }
   return out;
 }
 
-ClearanceTrack track_of(const traj::TrajectoryRecord& record) {
-  ClearanceTrack track{
-      "trajectory " + record.id, times(0, traj::duration(record.trajectory), kStep), {}};
-  for (const double t : track.x) {
-    track.points.push_back(traj::evaluate(record.trajectory, t).position);
-  }
-  return track;
-}
-
-ClearanceTrack track_of(const traj::FlightLog& flight, geom::Axes axes) {
-  ClearanceTrack track{"flight " + flight.id, {}, {}};
+std::vector<Vec3> points_of(const traj::FlightLog& flight, geom::Axes axes) {
+  std::vector<Vec3> out;
   for (const traj::FlightSample& s : flight.samples) {
-    track.x.push_back(s.time);
-    track.points.push_back(geom::to_enu(axes, s.position));
+    out.push_back(geom::to_enu(axes, s.position));
   }
-  return track;
+  return out;
 }
 
-ClearanceTrack track_of(const geom::PathRecord& path) {
-  ClearanceTrack track{"path " + path.id, {}, geom::resample(path.points, kPathStep)};
-  double along = 0;
-  for (std::size_t i = 0; i < track.points.size(); ++i) {
-    if (i > 0) along += (track.points[i] - track.points[i - 1]).norm();
-    track.x.push_back(along);
-  }
-  return track;
+ClearanceTrack track_of(const traj::TrajectoryRecord& record, const geom::CollisionScene& scene) {
+  const double step = step_of(traj::duration(record.trajectory), kStep);
+  return {"trajectory " + record.id, traj::clearance_profile(scene, record.trajectory, step)};
+}
+
+ClearanceTrack track_of(const traj::FlightLog& flight, const geom::CollisionScene& scene) {
+  std::vector<double> times;
+  for (const traj::FlightSample& s : flight.samples) times.push_back(s.time);
+  const auto points = points_of(flight, scene.map().spec().frame.axes);
+  return {"flight " + flight.id, traj::clearance_profile(scene, points, times)};
+}
+
+ClearanceTrack track_of(const geom::PathRecord& path, const geom::CollisionScene& scene) {
+  const double step = step_of(geom::length(path.points), kPathStep);
+  return {"path " + path.id, traj::clearance_profile(scene, path.points, step)};
 }
 
 }  // namespace
@@ -69,21 +73,32 @@ std::vector<PlanLine> plan_lines(const cli::Drawings& drawings, geom::Axes axes)
     out.push_back(std::move(line));
   };
   for (const auto& path : drawings.paths) add("path " + path.id, path.points, true);
-  for (const auto& t : drawings.trajectories) add("trajectory " + t.id, track_of(t).points, false);
-  for (const auto& f : drawings.flights) add("flight " + f.id, track_of(f, axes).points, false);
+  for (const auto& t : drawings.trajectories)
+    add("trajectory " + t.id, points_of(t.trajectory), false);
+  for (const auto& f : drawings.flights) add("flight " + f.id, points_of(f, axes), false);
   return out;
 }
 
-Tracks tracks_of(const cli::Drawings& drawings, geom::Axes axes) {
-  Tracks out{{}, "time, s", {}};
-  for (const auto& t : drawings.trajectories) out.list.push_back(track_of(t));
-  for (const auto& f : drawings.flights) out.list.push_back(track_of(f, axes));
-  if (!drawings.trajectories.empty()) out.provenance = drawings.trajectories[0].provenance;
+Tracks tracks_of(const cli::Drawings& drawings, const geom::CollisionScene& scene) {
+  Tracks out{{}, "time, s"};
+  const auto add = [&](const auto& list) {
+    for (const auto& way : list) {
+      ClearanceTrack track = track_of(way, scene);
+      if (!track.spans.empty()) out.list.push_back(std::move(track));
+    }
+  };
+  add(drawings.trajectories);
+  add(drawings.flights);
   if (!out.list.empty()) return out;
   out.x_label = "length along the path, m";
-  for (const auto& p : drawings.paths) out.list.push_back(track_of(p));
-  if (!drawings.paths.empty()) out.provenance = drawings.paths[0].provenance;
+  add(drawings.paths);
   return out;
+}
+
+geom::Provenance provenance_of(const cli::Drawings& drawings) {
+  if (!drawings.trajectories.empty()) return drawings.trajectories[0].provenance;
+  if (drawings.flights.empty() && !drawings.paths.empty()) return drawings.paths[0].provenance;
+  return {};
 }
 
 }  // namespace plot

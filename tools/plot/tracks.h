@@ -17,10 +17,12 @@ std::vector<PlanLine> plan_lines(const cli::Drawings& drawings, geom::Axes axes)
 struct Tracks {
   std::vector<ClearanceTrack> list;
   std::string x_label;
-  geom::Provenance provenance;  // of the first record
 };
 
-// Trajectories and flights over time; paths over their length, where there are only those.
-Tracks tracks_of(const cli::Drawings& drawings, geom::Axes axes);
+// Trajectories and flights over time; paths over their length, where there are only those. What has
+// no length in time or space is left out, and all of it on a map without obstacles.
+Tracks tracks_of(const cli::Drawings& drawings, const geom::CollisionScene& scene);
+
+geom::Provenance provenance_of(const cli::Drawings& drawings);  // of the first in tracks_of
 
 }  // namespace plot

@@ -1,11 +1,14 @@
 #include "render/png_image.h"
 
+#include <fmt/format.h>
 #include <png.h>
 
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <stdexcept>
+
+#include "geom/error.h"
 
 namespace render {
 namespace {
@@ -64,6 +67,14 @@ std::string encoded_pixels(const Picture& picture, const Layout& layout, const P
   });
 }
 
+struct Decoder {
+  png_image image{};
+  Decoder() { image.version = PNG_IMAGE_VERSION; }
+  ~Decoder() { png_image_free(&image); }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+};
+
 }  // namespace
 
 std::string colour_png(const Picture& picture) {
@@ -86,6 +97,30 @@ std::string id_png(const Picture& picture) {
   return encoded_pixels(picture, {8, PNG_COLOR_TYPE_RGB, 3}, [&](std::size_t i, png_byte* to) {
     for (int k = 0; k < 3; ++k) to[k] = static_cast<png_byte>(picture.id[i] >> (8 * k));
   });
+}
+
+Pixels read_png(std::string_view bytes, std::string_view name) {
+  constexpr std::uint64_t kMostPixels = 1u << 26;
+  Decoder decoder;
+  png_image& image = decoder.image;
+  if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) {
+    throw geom::InputError(std::string(name),
+                           fmt::format("expected a PNG picture, found: {}", image.message));
+  }
+  if (std::uint64_t{image.width} * image.height > kMostPixels) {
+    throw geom::InputError(std::string(name),
+                           fmt::format("expected at most {} pixels, found {} x {}", kMostPixels,
+                                       image.width, image.height));
+  }
+  image.format = PNG_FORMAT_RGB;
+  Pixels out{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  out.rgb.resize(PNG_IMAGE_SIZE(image));
+  const png_color black{};
+  if (!png_image_finish_read(&image, &black, out.rgb.data(), 0, nullptr)) {
+    throw geom::InputError(std::string(name),
+                           fmt::format("expected a whole PNG picture, found: {}", image.message));
+  }
+  return out;
 }
 
 }  // namespace render

@@ -2,7 +2,10 @@
 
 // Pictures as PNG.
 
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "render/picture.h"
 
@@ -16,5 +19,14 @@ std::string depth_png(const Picture& picture, double unit);
 
 // The ids as colours: red + 256 green + 65536 blue. All ids are below 2^24 (precondition).
 std::string id_png(const Picture& picture);
+
+struct Pixels {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;  // rows from the top, 8 bits a channel
+};
+// Any PNG; transparent parts are black. Throws geom::InputError(name, …) where it is none, is
+// damaged, or has more than 2^26 pixels.
+Pixels read_png(std::string_view bytes, std::string_view name);
 
 }  // namespace render

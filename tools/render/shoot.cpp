@@ -1,13 +1,11 @@
 #include "render/shoot.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <ctime>
 
 #include "geom/parallel.h"
+#include "render/camera_poses.h"
 #include "render/frame_output.h"
 #include "render/image_file.h"
 #include "render/png_image.h"
@@ -38,12 +36,6 @@ class Stopwatch {
   double wall = 0;
   double cpu = 0;
 };
-
-std::string pose_row(const View& view, std::size_t frame, double time) {
-  const Eigen::Quaterniond q(view.axes);
-  return fmt::format("{},{},{},{},{},{},{},{},{}\n", frame, time, view.eye.x(), view.eye.y(),
-                     view.eye.z(), q.w(), q.x(), q.y(), q.z());
-}
 
 struct Encoded {
   std::string colour;
@@ -91,7 +83,7 @@ nlohmann::ordered_json shoot(const Film& film, const Times& times, const Options
              FrameOutput(options.ids, times.size(), false),
              FrameOutput(options.poses, times.size(), true)};
   if (options.is_video()) to.colour.begin(y4m_header(film.width(), film.height(), options.rate));
-  to.poses.begin("frame,t_s,x_m,y_m,z_m,qw,qx,qy,qz\n");
+  to.poses.begin(std::string(kPosesHeader) + '\n');
   geom::Execution quiet = run;
   quiet.progress = nullptr;
   Stopwatch casting;

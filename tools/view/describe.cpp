@@ -130,7 +130,8 @@ Extent extent_of(const Contents& contents) {
   return {{Vec3(std::round(middle.x()), std::round(middle.y()), 0)}, box};
 }
 
-Json describe(const Contents& contents, const cli::VehicleOptions& vehicle, Bundle& bundle) {
+Json describe(const Contents& contents, const std::optional<Frames>& frames,
+              const cli::VehicleOptions& vehicle, Bundle& bundle) {
   const Extent extent = extent_of(contents);
   const LocalFrame& frame = extent.frame;
   Clearance clearance(contents, vehicle);
@@ -156,6 +157,7 @@ Json describe(const Contents& contents, const cli::VehicleOptions& vehicle, Bund
     return corridor_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
   });
   out["motions"] = motions(contents, frame, clearance, bundle);
+  if (frames) out["frames"] = frames_layer(*frames, contents, bundle);
   out["unsolved"] = unsolved(contents);
   each("reports", contents.reports, [&](const auto& r) {
     return report_layer(r.record, axes_of(contents, r.record.provenance), frame);

@@ -5,6 +5,7 @@
 #include "cli/vehicle_option.h"
 #include "view/bundle.h"
 #include "view/contents.h"
+#include "view/frames.h"
 #include "view/local_frame.h"
 
 namespace view {
@@ -18,16 +19,17 @@ struct Extent {
 Extent extent_of(const Contents& contents);
 
 // Everything the page holds: the value of its <script id="skyway-meta">.
-Json describe(const Contents& contents, const cli::VehicleOptions& vehicle, Bundle& bundle);
+Json describe(const Contents& contents, const std::optional<Frames>& frames,
+              const cli::VehicleOptions& vehicle, Bundle& bundle);
 
-// How far the vehicle is from the next obstacle, for drawing.
+// The obstacles that the vehicle's distance is taken from.
 class Clearance {
  public:
   Clearance(const Contents& contents, const cli::VehicleOptions& vehicle);
 
-  // Single precision metres at each point (in the map's axes), or nothing without a map or vehicle.
-  std::vector<float> at(const std::vector<geom::Vec3>& points, const geom::Provenance& made_for,
-                        const std::string& source, std::size_t line);
+  // Null without a map or vehicle.
+  const geom::CollisionScene* scene_for(const geom::Provenance& made_for, const std::string& source,
+                                        std::size_t line);
 
   // The vehicle that this record or the options name.
   std::optional<geom::Vehicle> vehicle(const geom::Provenance& made_for) const;
@@ -58,6 +60,10 @@ Json trajectory_layer(const Read<traj::TrajectoryRecord>& trajectory, std::size_
 Json flight_layer(const Read<traj::FlightLog>& flight, std::size_t samples,
                   const geom::Provenance& made_for, geom::Axes axes, const LocalFrame& frame,
                   Clearance& clearance, Bundle& bundle);
+
+// Which of the page's motions (solved trajectories, then flights) the frames were taken along: the
+// one that their poses keep nearest to. Throws geom::InputError where they follow none.
+Json frames_layer(const Frames& frames, const Contents& contents, Bundle& bundle);
 
 Json as_json(const traj::Limits& limits);
 Json as_json(const geom::Vec3& v);  // [x,y,z]

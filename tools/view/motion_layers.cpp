@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "traj/clearance.h"
 #include "traj/yaw.h"
 #include "view/layers.h"
 
@@ -18,8 +19,16 @@ void add_vehicle(Json& out, const std::optional<geom::Vehicle>& vehicle, geom::A
   out["vehicle"] = {{"name", vehicle->name}, {"half", as_json(geom::to_enu(axes, vehicle->half))}};
 }
 
-void add_clearance(Json& out, const std::vector<float>& clearance, Bundle& bundle) {
-  if (!clearance.empty()) out["clearance"] = added(clearance, bundle);
+// Steps side by side: the least distance of each, and when it ends (the first begins at 0).
+void add_clearance(Json& out, const std::vector<traj::ClearanceSpan>& spans, Bundle& bundle) {
+  if (spans.empty()) return;
+  std::vector<float> least, end;
+  for (const traj::ClearanceSpan& span : spans) {
+    least.push_back(static_cast<float>(span.clearance));
+    end.push_back(static_cast<float>(span.end));
+  }
+  out["clearance"] = added(least, bundle);
+  out["clearance_end"] = added(end, bundle);
 }
 
 std::vector<float> joints(const traj::Trajectory& trajectory) {
@@ -37,6 +46,29 @@ std::vector<std::size_t> spread(std::size_t rows, std::size_t count) {
   const std::size_t kept = std::min(rows, std::max<std::size_t>(count, 2));
   std::vector<std::size_t> out(kept);
   for (std::size_t i = 0; i < kept; ++i) out[i] = kept < 2 ? 0 : i * (rows - 1) / (kept - 1);
+  return out;
+}
+
+// Along the straight legs between all rows; of the legs between two `kept` ones the least.
+std::vector<traj::ClearanceSpan> clearance_of(const geom::CollisionScene& scene, geom::Axes axes,
+                                              const traj::FlightLog& log,
+                                              const std::vector<std::size_t>& kept) {
+  std::vector<Vec3> points;
+  std::vector<double> times;
+  for (const traj::FlightSample& s : log.samples) {
+    points.push_back(geom::to_enu(axes, s.position));
+    times.push_back(s.time - log.samples.front().time);
+  }
+  const auto legs = traj::clearance_profile(scene, points, times);
+  std::vector<traj::ClearanceSpan> out;
+  for (std::size_t k = 1; k < kept.size() && !legs.empty(); ++k) {
+    traj::ClearanceSpan span = legs[kept[k - 1]];
+    span.end = times[kept[k]];
+    for (std::size_t i = kept[k - 1]; i < kept[k]; ++i) {
+      span.clearance = std::min(span.clearance, legs[i].clearance);
+    }
+    out.push_back(span);
+  }
   return out;
 }
 
@@ -103,12 +135,11 @@ Json trajectory_layer(const Read<traj::TrajectoryRecord>& read, std::size_t samp
                       Bundle& bundle) {
   const traj::TrajectoryRecord& record = read.record;
   const double end = traj::duration(record.trajectory);
+  const double step = end / static_cast<double>(samples - 1);
   std::vector<float> position, velocity, acceleration, jerk, yaw;
-  std::vector<Vec3> points;
   for (std::size_t i = 0; i < samples; ++i) {
     const double t = end * static_cast<double>(i) / static_cast<double>(samples - 1);
     const traj::State s = traj::evaluate(record.trajectory, t);
-    points.push_back(s.position);
     append(position, frame.at(axes, s.position));
     append(velocity, geom::to_enu(axes, s.velocity));
     append(acceleration, geom::to_enu(axes, s.acceleration));
@@ -126,7 +157,9 @@ Json trajectory_layer(const Read<traj::TrajectoryRecord>& read, std::size_t samp
   out["jerk"] = added(jerk, bundle);
   if (yaw.size() == samples) out["yaw"] = added(yaw, bundle);
   out["joints"] = added(joints(record.trajectory), bundle);
-  add_clearance(out, clearance.at(points, record.provenance, read.source, read.line), bundle);
+  if (const auto* scene = clearance.scene_for(record.provenance, read.source, read.line)) {
+    add_clearance(out, traj::clearance_profile(*scene, record.trajectory, step), bundle);
+  }
   add_vehicle(out, clearance.vehicle(record.provenance), axes);
   return out;
 }
@@ -136,19 +169,18 @@ Json flight_layer(const Read<traj::FlightLog>& read, std::size_t samples,
                   Clearance& clearance, Bundle& bundle) {
   const traj::FlightLog& log = read.record;
   Columns columns;
-  std::vector<Vec3> points;
   const double start = log.samples.front().time;
-  for (const std::size_t i : spread(log.samples.size(), samples)) {
-    columns.add(log.samples[i], start, frame);
-    points.push_back(geom::to_enu(axes, log.samples[i].position));
-  }
+  const std::vector<std::size_t> kept = spread(log.samples.size(), samples);
+  for (const std::size_t i : kept) columns.add(log.samples[i], start, frame);
   Json out = {{"kind", "flight"},
               {"id", log.id},
               {"duration", log.samples.back().time - start},
-              {"samples", points.size()},
+              {"samples", kept.size()},
               {"summary", flight_summary(log)}};
   columns.write(out, bundle);
-  add_clearance(out, clearance.at(points, made_for, read.source, read.line), bundle);
+  if (const auto* scene = clearance.scene_for(made_for, read.source, read.line)) {
+    add_clearance(out, clearance_of(*scene, axes, log, kept), bundle);
+  }
   add_vehicle(out, clearance.vehicle(made_for), axes);
   return out;
 }

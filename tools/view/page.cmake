@@ -9,7 +9,7 @@ set(page_scripts
   ${page}/boxes.js ${page}/ground.js ${page}/ribbon.js ${page}/lattice.js ${page}/tree.js ${page}/corridor.js
   ${page}/marker.js ${page}/vehicle.js ${page}/pick.js
   ${page}/orbit.js ${page}/camera.js ${page}/stage.js
-  ${page}/plot.js ${page}/transport.js ${page}/layers.js ${page}/motion_panel.js
+  ${page}/plot.js ${page}/transport.js ${page}/layers.js ${page}/frames.js ${page}/motion_panel.js
   ${page}/checks_panel.js ${page}/contents_panel.js ${page}/tabs.js ${page}/keyboard.js
   ${page}/state.js ${page}/main.js)
 list(JOIN page_styles "|" joined_styles)

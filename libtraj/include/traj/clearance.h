@@ -25,4 +25,9 @@ std::vector<ClearanceSpan> clearance_profile(const geom::CollisionScene& scene,
 std::vector<ClearanceSpan> clearance_profile(const geom::CollisionScene& scene,
                                              std::span<const Vec3> path, double step);
 
+// A part a leg of `path`, whose points are reached at these `times` (one each, ascending).
+std::vector<ClearanceSpan> clearance_profile(const geom::CollisionScene& scene,
+                                             std::span<const Vec3> path,
+                                             std::span<const double> times);
+
 }  // namespace traj

@@ -48,7 +48,7 @@ function makeContentsPanel() {
       ...meta.unsolved.map(m => [m.id, m.status.replaceAll("_", " "), "–"])])));
   }
   parts.push(element("p", { class: "soft" },
-    "Metres, east–north–up. Positions and clearances between samples are drawn, not proved: skyway-check proves."));
+    "Metres, east–north–up. Motion between samples is drawn, not proved; clearances are the least of each step, to 1 mm."));
   return element("div", {}, parts);
 }
 

@@ -13,7 +13,7 @@ class Motion {
     this.isFlight = data.kind === "flight";
     this.duration = data.duration;
     this.samples = data.samples;
-    for (const key of ["position", "velocity", "acceleration", "jerk", "yaw", "clearance", "attitude",
+    for (const key of ["position", "velocity", "acceleration", "jerk", "yaw", "clearance", "clearance_end", "attitude",
       "setpoint", "setpoint_velocity", "error", "motors", "joints"]) {
       this[key] = arrayOf(data[key]);
     }
@@ -40,6 +40,24 @@ class Motion {
   scalar(values, t) {
     const { i, share } = this.find(t);
     return share === 0 ? values[i] : values[i] + (values[i + 1] - values[i]) * share;
+  }
+
+  // The step that holds t: `ends` ascend, and the first step begins at 0.
+  step(ends, t) {
+    let low = 0, high = ends.length - 1;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (ends[middle] < t) low = middle + 1; else high = middle;
+    }
+    return low;
+  }
+
+  // The least of the steps from the sample before i to the one after it.
+  leastAround(values, ends, i) {
+    const until = this.time[Math.min(i + 1, this.samples - 1)];
+    let k = this.step(ends, this.time[Math.max(i - 1, 0)]), least = values[k];
+    while (ends[k] < until && k + 1 < ends.length) least = Math.min(least, values[++k]);
+    return least;
   }
 
   vector(values, t, out = new THREE.Vector3()) {

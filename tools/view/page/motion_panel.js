@@ -11,8 +11,11 @@ class MotionPanel {
     const select = motions.length > 1 ? choice("Motion that is plotted and followed",
       motions.map((m, i) => [String(i), m.name]), "0", value => this.choose(Number(value))) : null;
     this.numbers = element("div");
-    this.element.append(...[select, this.numbers, this.note, this.holder, this.axis.element].filter(Boolean));
-    this.choose(0);
+    this.frames = meta.frames ? new FrameView(meta.frames) : null;
+    this.element.append(...[select, this.numbers, this.frames && this.frames.element, this.note, this.holder,
+      this.axis.element].filter(Boolean));
+    if (select && this.frames) select.value = String(this.frames.motion);
+    this.choose(this.frames ? this.frames.motion : 0);
     new ResizeObserver(() => this.paint()).observe(this.holder);
     theme.follow(() => this.paint());
     clock.follow(() => this.update());
@@ -42,6 +45,7 @@ class MotionPanel {
 
   update() {
     const shown = this.hover ? this.hover.time : clock.time;
+    if (this.frames) this.frames.show(stage.selected, shown);
     for (const plot of this.plots) plot.update(clock.time, shown);
     const words = this.hover ? `At ${withUnit(shown, 2, "s")}, under the pointer`
       : `At ${withUnit(shown, 2, "s")} · dashed: limit${this.plots.some(p => p.motion.joints) ? " · thin uprights: joints of segments" : ""}`;

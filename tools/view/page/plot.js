@@ -122,6 +122,19 @@ class Plot {
     c.lineWidth = curve.bold ? 1.75 : 1.25;
     c.lineJoin = "round";
     c.beginPath();
+    if (curve.ends) this.traceSteps(c, width, curve); else this.traceSamples(c, width, curve);
+    c.stroke();
+  }
+
+  traceSteps(c, width, { values, ends }) {
+    for (let i = 0; i < values.length; ++i) {
+      const y = this.y(values[i]);
+      c.lineTo(timeToX(i ? ends[i - 1] : 0, width), y);
+      c.lineTo(timeToX(ends[i], width), y);
+    }
+  }
+
+  traceSamples(c, width, curve) {
     let drawn = false;
     for (let i = 0; i < this.motion.samples; ++i) {
       const v = curve.values[i];
@@ -130,12 +143,11 @@ class Plot {
       if (drawn) c.lineTo(x, y); else c.moveTo(x, y);
       drawn = true;
     }
-    c.stroke();
   }
 
   at(time) {
     const t = Math.min(time, this.motion.duration);
-    return this.curves.map(curve => this.motion.scalar(curve.values, t));
+    return this.curves.map(({ values, ends }) => (ends ? values[this.motion.step(ends, t)] : this.motion.scalar(values, t)));
   }
 
   // The cursor at `time`, and what the curves are `shown` at.

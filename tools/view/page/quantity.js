@@ -38,7 +38,8 @@ function thrust(motion) {
   });
 }
 
-const one = (name, values) => [{ name, colour: "ink", values, bold: true }];
+// A value a sample; with `ends`, a value a step, each until then.
+const one = (name, values, ends) => [{ name, colour: "ink", values, ends, bold: true }];
 
 const quantities = [
   { key: "height", name: "Height", unit: "m", digits: 2, needs: "position",
@@ -59,8 +60,8 @@ const quantities = [
       values: m.column(`motor${k}`, i => 100 * m.motors[4 * i + k]) })) },
   { key: "tilt", name: "Tilt", unit: "°", digits: 1, limit: "tilt", limitScale: degrees,
     needs: m => m.attitude || m.acceleration, curves: m => one("tilt", tilt(m)) },
-  { key: "clearance", name: "Clearance, sampled for display", unit: "m", digits: 2, needs: "clearance",
-    curves: m => one("to the nearest obstacle", m.clearance) },
+  { key: "clearance", name: "Clearance, least of each step", unit: "m", digits: 2, needs: "clearance",
+    curves: m => one("to the nearest obstacle", m.clearance, m.clearance_end) },
   { key: "error", name: "Tracking error", unit: "m", digits: 3, needs: "error",
     curves: m => one("from the setpoint", m.error) },
 ];
@@ -74,10 +75,10 @@ function limitOf(quantity, motion) {
   return limit === undefined || limit === null || !quantity.limit ? null : limit * (quantity.limitScale || 1);
 }
 
-// The one curve that a motion may be coloured by: the norm, or the only one.
+// The one curve that a motion may be coloured by, a value a sample: the norm, or the only one.
 function mainCurve(quantity, motion) {
-  const curves = quantity.curves(motion);
-  return curves[curves.length - 1].values;
+  const { values, ends } = quantity.curves(motion).pop();
+  return ends ? motion.column(`${quantity.key} around samples`, i => motion.leastAround(values, ends, i)) : values;
 }
 
 function extremesOf(values) {

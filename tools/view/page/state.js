@@ -35,6 +35,7 @@ function exposeState() {
     trees: () => stage.parts.trees.map(t => ({ id: t.data.id, nodes: t.count, shown: t.shown })),
     hover: () => (motionPanel && motionPanel.hover
       ? { plot: motionPanel.hover.plot.quantity.key, time: motionPanel.hover.time } : null),
+    frame: () => (motionPanel && motionPanel.frames && !motionPanel.frames.element.hidden ? motionPanel.frames.index : null),
     values, position, picked: () => (stage.picked ? stage.picked.index : null),
     checks: () => meta.reports.map(r => ({ id: r.id, ok: r.ok, reason: r.reason || null })),
     target: () => stage.view.orbit.target.toArray().map((x, i) => x + origin[i]),

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geom/box_map.h"
+#include "geom/polytope.h"
 
 namespace geom {
 
@@ -24,6 +25,7 @@ struct MeshPart {
   std::size_t triangles = 0;
   std::function<Vec3(std::size_t)> vertex;
   std::function<std::array<std::size_t, 3>(std::size_t)> triangle;  // indices of vertices
+  double opacity = 1;  // in glTF; below 1 what is behind shines through
 };
 
 // A part a label, 8 vertices and 12 triangles a box. `map` must outlive them.
@@ -40,6 +42,11 @@ struct Rods {
   double sphere_radius = 0.5;  // metres
 };
 MeshPart rod_part(Rods rods);
+
+// Convex regions, as geom/polytope.h gives them: each face a fan of triangles. `axes` are those of
+// the vertices.
+MeshPart polytope_part(std::string name, std::array<std::uint8_t, 3> colour, Axes axes,
+                       std::span<const Polytope> regions);
 
 // Binary little-endian PLY: vertices (double) with the colour of their part, and triangles. Throws
 // InputError for more than 2^31 - 1 vertices.

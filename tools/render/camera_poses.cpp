@@ -1,0 +1,66 @@
+#include "render/camera_poses.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "geom/io/text_table.h"
+
+namespace render {
+namespace {
+
+using Row = std::array<double, 9>;  // as the header has them
+
+Row parse(const geom::TextLines& lines) {
+  const std::vector<std::string> names = geom::split_fields(kPosesHeader);
+  const std::vector<std::string> fields = geom::split_fields(lines.line());
+  Row row{};
+  if (fields.size() != row.size()) {
+    lines.refuse(fmt::format("expected {} columns, found {}", row.size(), fields.size()));
+  }
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto value = geom::parse_number(fields[i]);
+    if (!value || !(std::abs(*value) <= 1e9)) {
+      lines.refuse(fmt::format("{} must be a finite number within 1e9, found \"{}\"", names[i],
+                               fields[i].substr(0, 40)));
+    }
+    row[i] = *value;
+  }
+  return row;
+}
+
+}  // namespace
+
+const std::string_view kPosesHeader = "frame,t_s,x_m,y_m,z_m,qw,qx,qy,qz";
+
+std::string pose_row(const View& view, std::size_t frame, double time) {
+  const Eigen::Quaterniond q(view.axes);
+  return fmt::format("{},{},{},{},{},{},{},{},{}\n", frame, time, view.eye.x(), view.eye.y(),
+                     view.eye.z(), q.w(), q.x(), q.y(), q.z());
+}
+
+std::vector<CameraPose> read_camera_poses(std::istream& in, std::string_view name) {
+  geom::TextLines lines(in, name);
+  if (!lines.next() || lines.line() != kPosesHeader) {
+    lines.refuse(fmt::format("expected the header {}, found \"{}\"", kPosesHeader,
+                             lines.line().substr(0, 80)));
+  }
+  std::vector<CameraPose> out;
+  while (lines.next()) {
+    if (lines.line().empty()) continue;
+    const Row row = parse(lines);
+    if (row[0] != static_cast<double>(out.size())) {
+      lines.refuse(fmt::format("expected frame {}, found {}", out.size(), row[0]));
+    }
+    if (!out.empty() && !(row[1] > out.back().time)) {
+      lines.refuse(fmt::format("t_s must grow, found {} after {}", row[1], out.back().time));
+    }
+    out.push_back({row[1], {row[2], row[3], row[4]}});
+  }
+  if (out.empty()) lines.refuse("expected a row a frame, found none");
+  return out;
+}
+
+}  // namespace render

@@ -1,0 +1,68 @@
+#include "view/frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/files.h"
+#include "cli/run.h"
+#include "geom/error.h"
+#include "render/frame_output.h"
+#include "view/webp_frame.h"
+
+namespace view {
+namespace {
+
+constexpr int kMostSide = 4096;
+constexpr std::size_t kMostBytes = 256u << 20;  // what a browser still takes as one text
+
+std::string read_picture(const std::string& name, Frames& frames) {
+  cli::InputFile file(name);
+  const render::Pixels picture = render::read_png(file.read_all(), file.name());
+  if (frames.list.empty()) {
+    frames.width = picture.width;
+    frames.height = picture.height;
+  }
+  if (picture.width != frames.width || picture.height != frames.height) {
+    throw geom::InputError(
+        name, fmt::format("expected {} x {} pixels, as the first frame has, found {} x {}",
+                          frames.width, frames.height, picture.width, picture.height));
+  }
+  if (std::max(picture.width, picture.height) > kMostSide) {
+    throw geom::InputError(name, fmt::format("expected at most {} pixels a side, found {} x {}",
+                                             kMostSide, picture.width, picture.height));
+  }
+  return webp(picture);
+}
+
+}  // namespace
+
+std::size_t Frames::bytes() const {
+  std::size_t sum = 0;
+  for (const Frame& frame : list) sum += frame.webp.size();
+  return sum;
+}
+
+Frames read_frames(const FrameFiles& files) {
+  cli::InputFile file(files.poses);
+  const auto poses = render::read_camera_poses(file.stream(), file.name());
+  if (poses.size() > 1 && !render::is_numbered(files.names)) {
+    throw cli::UsageError(
+        fmt::format("{} frames need numbers in the name, as in \"frame-%05d.png\"; found \"{}\"",
+                    poses.size(), files.names));
+  }
+  Frames out{file.name(), 0, 0, {}};
+  std::size_t bytes = 0;
+  for (const render::CameraPose& pose : poses) {
+    const std::string name = render::numbered(files.names, out.list.size());
+    out.list.push_back({pose, read_picture(name, out)});
+    bytes += out.list.back().webp.size();
+    if (bytes > kMostBytes) {
+      throw geom::InputError(
+          name, fmt::format("expected at most {} MB of frames, found more", kMostBytes >> 20));
+    }
+  }
+  return out;
+}
+
+}  // namespace view

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geom/error.h"
+#include "render/motion.h"
+#include "view/layers.h"
+
+namespace view {
+namespace {
+
+constexpr double kFarthest = 5;     // metres from the vehicle to its camera
+constexpr double kLateness = 1e-6;  // seconds that a frame may be outside the motion
+
+// As they stand in the page: solved trajectories, then flights.
+std::vector<render::Motion> motions_of(const Contents& contents) {
+  std::vector<render::Motion> out;
+  for (const auto& [record, source, line] : contents.trajectories) {
+    if (record.status != "solved") continue;
+    out.emplace_back(record.id, record.trajectory, axes_of(contents, record.provenance));
+  }
+  for (const auto& [flight, source, line] : contents.flights) out.emplace_back(flight);
+  return out;
+}
+
+// Metres between camera and vehicle where they are furthest apart; infinite outside the motion's
+// time.
+double apart(const Frames& frames, const render::Motion& motion) {
+  double most = 0;
+  for (const Frame& frame : frames.list) {
+    const double t = frame.pose.time;
+    if (t < motion.begin() - kLateness || t > motion.end() + kLateness) {
+      return std::numeric_limits<double>::infinity();
+    }
+    most = std::max(most, (motion.pose(t).position - frame.pose.eye).norm());
+  }
+  return most;
+}
+
+}  // namespace
+
+Json frames_layer(const Frames& frames, const Contents& contents, Bundle& bundle) {
+  const std::vector<render::Motion> motions = motions_of(contents);
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const double most = apart(frames, motions[i]);
+    if (most < least) {
+      least = most;
+      best = i;
+    }
+  }
+  if (!(least <= kFarthest)) {
+    throw geom::InputError(
+        frames.source,
+        fmt::format("expected the camera within {} m of a trajectory or flight that is shown, at "
+                    "the times of all frames; found {}",
+                    kFarthest, std::isfinite(least) ? fmt::format("{:.3g} m", least) : "none"));
+  }
+  std::vector<float> times;
+  std::vector<std::uint32_t> ends;
+  std::string bytes;
+  for (const Frame& frame : frames.list) {
+    times.push_back(static_cast<float>(frame.pose.time - motions[best].begin()));
+    bytes += frame.webp;
+    ends.push_back(static_cast<std::uint32_t>(bytes.size()));
+  }
+  const std::span webp(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  return {{"motion", best},
+          {"width", frames.width},
+          {"height", frames.height},
+          {"time", bundle.add(std::span<const float>(times))},
+          {"end", bundle.add(std::span<const std::uint32_t>(ends))},
+          {"webp", bundle.add(webp)}};
+}
+
+}  // namespace view
