@@ -29,6 +29,7 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"traj", "minimum-snap trajectories along paths"},
     {"check", "prove trajectories and paths"},
     {"fly", "fly trajectories with a simulated quadrotor"},
+    {"join", "join the shards of a run"},
     {"export", "write drone files"},
     {"bench", "compare planners, each path proved"},
     {"render", "draw what the vehicle sees, and pictures of maps"},

@@ -5,6 +5,7 @@
 #include "cli/drone_file.h"
 #include "cli/files.h"
 #include "cli/limit_options.h"
+#include "cli/record_output.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "geom/io/csv_field.h"
@@ -22,15 +23,15 @@ namespace {
 struct ProfileFile {
   std::string file;
   double step = 0.1;
-  std::optional<cli::OutputFile> out = std::nullopt;
+  std::optional<cli::RecordOutput> out = std::nullopt;
+  std::string lines = {};  // of the record at hand
 
-  void open() {
+  void open(const cli::Sharding& sharding) {
     if (file.empty()) return;
-    out.emplace(file, cli::OutputKind::text);
-    out->stream() << "id,begin,end,clearance_m\n";
+    out.emplace(file, "profile", sharding);
+    out->head("id,begin,end,clearance_m\n");
   }
   void add(const std::string& id, const std::vector<traj::ClearanceSpan>& spans) {
-    std::string lines;
     for (const traj::ClearanceSpan& span : spans) {
       lines += geom::csv_field(id);
       for (const double value : {span.begin, span.end, span.clearance}) {
@@ -39,7 +40,10 @@ struct ProfileFile {
       }
       lines += '\n';
     }
-    out->stream() << lines;
+  }
+  void finish_record() {
+    if (out) out->add(lines);
+    lines.clear();
   }
 };
 
@@ -127,20 +131,23 @@ struct Checker {
                                          : trajectory(text, source, line);
   }
 
-  // All that is in the file, in order.
-  void each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
-            const std::function<void(const traj::ReportRecord&)>& answer) const {
+  // What the shard takes of the file, in order. Returns how much is in the file.
+  std::size_t each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
+                   const geom::Shard& shard,
+                   const std::function<void(const traj::ReportRecord&)>& answer) const {
+    std::size_t total = 0;
     if (drone_file.format.empty()) {
       file.for_each_line([&](const std::string& line, std::size_t number) {
-        answer(check(line, file.name(), number));
+        if (shard.takes(total++)) answer(check(line, file.name(), number));
       });
-      return;
+      return total;
     }
     const geom::Frame& frame = scenes.map().spec().frame;
     const std::string text = file.read_all();
     for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
-      answer(flown(one));
+      if (shard.takes(total++)) answer(flown(one));
     }
+    return total;
   }
 };
 
@@ -165,6 +172,7 @@ int main(int argc, char** argv) {
   bool override_record = false;
   bool exact = false;
   cli::DroneFileOptions drone_file;
+  cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "reports (default: stdout)");
@@ -181,36 +189,43 @@ int main(int argc, char** argv) {
   app.add_option("--certificate", certificate,
                  "write why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
+  sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
     if ((certificate == "-") + (output == "-") + (profile.file == "-") > 1) {
       throw cli::UsageError("reports, certificates and profiles cannot share stdout");
     }
+    sharding.begin(app, {{"map", map_file}, {"file", input}},
+                   {{"output", output}, {"certificate", certificate}, {"profile", profile.file}});
+    if (const auto done = sharding.finished(common)) return *done;
     using Differences = cli::Scenes::Differences;
     cli::Scenes scenes(cli::open_map(map_file), vehicle,
                        override_record ? Differences::allowed : Differences::stricter_allowed);
     const Checker checker{scenes, profile, limits.limits(), override_record,
                           exact || !certificate.empty()};
     cli::InputFile file(input);
-    cli::OutputFile out(output, cli::OutputKind::text);
-    std::optional<cli::OutputFile> reasons;
-    if (!certificate.empty()) reasons.emplace(certificate, cli::OutputKind::text);
-    profile.open();
+    cli::RecordOutput out(output, "output", sharding);
+    std::optional<cli::RecordOutput> reasons;
+    if (!certificate.empty()) reasons.emplace(certificate, "certificate", sharding);
+    profile.open(sharding);
     std::size_t failed = 0;
     std::size_t count = 0;
     const auto answer = [&](const traj::ReportRecord& report) {
       const bool ok = traj::accepted(report);
       failed += !ok;
       ++count;
-      if (ok && reasons) reasons->stream() << to_json_line(certificate_of(report, scenes.map()));
-      out.stream() << traj::to_json_line(report, scenes.map());
+      if (reasons)
+        reasons->add(ok ? to_json_line(certificate_of(report, scenes.map())) : std::string());
+      profile.finish_record();
+      out.add(traj::to_json_line(report, scenes.map()));
       out.flush();
     };
-    checker.each(file, drone_file, answer);
-    out.commit();
-    if (reasons) reasons->commit();
-    if (profile.out) profile.out->commit();
+    const std::size_t total = checker.each(file, drone_file, sharding.shard(), answer);
+    const cli::Exit exit = failed ? cli::Exit::no : cli::Exit::yes;
+    out.commit(total, exit);
+    if (reasons) reasons->commit(total, exit);
+    if (profile.out) profile.out->commit(total, exit);
     common.write_stats({{"records", count}, {"failed", failed}});
-    return failed ? cli::Exit::no : cli::Exit::yes;
+    return exit;
   });
 }

@@ -8,6 +8,7 @@
 #include "cli/files.h"
 #include "cli/hashed_input.h"
 #include "cli/map_output.h"
+#include "cli/map_shard.h"
 #include "cli/numbers_option.h"
 #include "cli/run.h"
 #include "cloud/pcl_filters.h"
@@ -96,8 +97,16 @@ class Cloud {
   std::string hash_;
 };
 
-geom::BoxTable stream(Cloud& points, const Options& options, const std::string& name,
-                      Report& report) {
+// Points by square places of 16 cells: a shard has a part of the columns, not of each.
+bool takes(const geom::Shard& shard, const geom::Vec3& p, double cell) {
+  const auto place = [&](double v) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / (16 * cell))));
+  };
+  return shard.takes(place(p.x()) + 31 * place(p.y()));
+}
+
+geom::ColumnGrid stream(Cloud& points, const Options& options, const geom::Shard& shard,
+                        Report& report) {
   geom::GroundGrid ground(options.ground_spec);
   const bool drop_ground = options.ground == "drop";
   if (drop_ground) {
@@ -108,6 +117,7 @@ geom::BoxTable stream(Cloud& points, const Options& options, const std::string& 
   std::size_t kept = 0;
   std::size_t dropped = 0;
   points.for_each([&](const CloudPoint& p) {
+    if (shard.count > 1 && !takes(shard, p.position, options.columns.cell)) return;
     if (drop_ground && ground.is_ground(p.position)) {
       ++dropped;
       return;
@@ -118,7 +128,7 @@ geom::BoxTable stream(Cloud& points, const Options& options, const std::string& 
   points.report(report);
   if (drop_ground) report["dropped_as_ground"] = dropped;
   report["kept"] = kept;
-  return columns.boxes(name);
+  return columns;
 }
 
 Points without_ground(const Points& points, const geom::GroundSpec& spec) {
@@ -262,6 +272,8 @@ int main(int argc, char** argv) {
   app.add_option("file", input, "PCD, PLY, LAS or XYZ; - for stdin")->required();
   app.add_option("-o,--output", output, "box map to write (default: stdout)");
   add_options(app, options);
+  cli::Sharding sharding;
+  sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     options.columns.unknown_blocked = options.unknown == "blocked";
     if (options.columns.unknown_blocked && options.mode == "objects") {
@@ -271,10 +283,24 @@ int main(int argc, char** argv) {
     if (input == "-" && options.ground == "drop" && !options.in_memory()) {
       throw cli::UsageError("--ground drop reads the file twice: it cannot be stdin");
     }
+    if (sharding.asked() && options.in_memory()) {
+      throw cli::UsageError(
+          "--outliers, --voxel and --mode objects look at all points together: no --shard");
+    }
+    sharding.begin(app, {{"file", input}}, {{"output", output}});
+    if (const auto done = sharding.finished(common)) return *done;
     Cloud points(input, options);
     Report report;
+    if (sharding.asked()) {
+      const geom::ColumnGrid columns = stream(points, options, sharding.shard(), report);
+      const geom::MakeMapOptions map = options.map.make();
+      cli::write_shard(sharding, output, columns, options.columns,
+                       {{}, history_of(points.hash(), options, map), map});
+      common.write_stats(std::move(report));
+      return cli::Exit::yes;
+    }
     geom::BoxTable table = options.in_memory() ? filter(points, options, name, report)
-                                               : stream(points, options, name, report);
+                                               : stream(points, options, {}, report).boxes(name);
     std::string line;
     for (const auto& [what, count] : report.items()) {
       line += fmt::format("{}{}: {}", line.empty() ? "" : "; ", what, count.dump());

@@ -62,15 +62,20 @@ int main(int argc, char** argv) {
   app.add_option("--report", report, "how it went, JSON Lines");
   vehicle.add_to(app);
   options.add_to(app);
+  cli::Sharding sharding;
+  sharding.add_to(app)->excludes("--tune");
   return cli::run_tool(app, argc, argv, [&] {
     const Inputs inputs = inputs_of(files);
     check_usage(options, inputs, output, report);
     if (vehicle.word.empty()) throw cli::UsageError("no vehicle: give --vehicle FILE.json");
+    sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
+                   {{"output", output}, {"report", report}});
+    if (const auto done = sharding.finished(common)) return *done;
     fly::Mission mission(options, vehicle, inputs.map);
     cli::InputFile file(inputs.trajectories);
-    mission.read(file);
-    cli::OutputFile out(output, cli::OutputKind::text);
+    const std::size_t total = mission.read(file, sharding.shard());
     if (options.tune) {
+      cli::OutputFile out(output, cli::OutputKind::text);
       const traj::TuneResult tuned = mission.tune(common.execution("flights"));
       out.stream() << traj::to_json(tuned.gains);
       out.commit();
@@ -79,17 +84,18 @@ int main(int argc, char** argv) {
                           {"cost", tuned.cost}});
       return cli::Exit::yes;
     }
-    std::optional<cli::OutputFile> told;
-    if (!report.empty()) told.emplace(report, cli::OutputKind::text);
-    const fly::Tally tally =
-        mission.fly(common.execution("flights"), out.stream(), told ? &told->stream() : nullptr);
-    out.commit();
-    if (told) told->commit();
+    cli::RecordOutput out(output, "output", sharding);
+    std::optional<cli::RecordOutput> told;
+    if (!report.empty()) told.emplace(report, "report", sharding);
+    const fly::Tally tally = mission.fly(common.execution("flights"), out, told ? &*told : nullptr);
+    const cli::Exit exit = tally.failed ? cli::Exit::no : cli::Exit::yes;
+    out.commit(total, exit);
+    if (told) told->commit(total, exit);
     common.write_stats({{"records", tally.records},
                         {"failed", tally.failed},
                         {"flown_s", tally.flown},
                         {"cpu_s", tally.cpu},
                         {"times_real_time", tally.cpu > 0 ? tally.flown / tally.cpu : 0}});
-    return tally.failed ? cli::Exit::no : cli::Exit::yes;
+    return exit;
   });
 }

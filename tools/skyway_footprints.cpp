@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/hashed_input.h"
 #include "cli/map_output.h"
+#include "cli/map_shard.h"
 #include "cli/numbers_option.h"
 #include "cli/run.h"
 #include "footprints/source.h"
@@ -87,6 +88,21 @@ void check_sizes(const footprints::Source& source, double slack, const std::stri
   }
 }
 
+// The shard's features, each with all its footprints.
+void keep_shard(std::vector<geom::Footprint>& footprints, const geom::Shard& shard) {
+  std::vector<std::size_t> first;  // of each feature
+  for (std::size_t i = 0; i < footprints.size(); ++i) {
+    if (i == 0 || footprints[i].id != footprints[i - 1].id) first.push_back(i);
+  }
+  const std::size_t features = first.size();
+  first.push_back(footprints.size());
+  const auto at = [&](std::size_t feature) {
+    return footprints.begin() + static_cast<std::ptrdiff_t>(first[feature]);
+  };
+  footprints.erase(at(shard.end(features)), footprints.end());
+  footprints.erase(footprints.begin(), at(shard.begin(features)));
+}
+
 // Footprints stand on the ground: down to its lowest point, and as high above its highest.
 void lift(footprints::Source& source, const footprints::Terrain& terrain, const std::string& crs) {
   for (geom::Footprint& f : source.footprints) {
@@ -153,6 +169,8 @@ int main(int argc, char** argv) {
   app.add_option("--origin", options.origin,
                  "LATITUDE,LONGITUDE of the map's origin (default: the middle)");
   options.map.add_to(app);
+  cli::Sharding sharding;
+  sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     std::optional<geom::Vec2> at;
     if (!options.origin.empty()) {
@@ -164,6 +182,8 @@ int main(int argc, char** argv) {
       at = geom::Vec2((*numbers)[0], (*numbers)[1]);
     }
     if (input == "-") throw cli::UsageError("footprints are read from a file, not from stdin");
+    sharding.begin(app, {{"file", input}, {"terrain", options.terrain}}, {{"output", output}});
+    if (const auto done = sharding.finished(common)) return *done;
     cli::InputFile file(input);
     cli::HashedInput hashed(file);
     if (hashed.head().empty()) throw geom::InputError(file.name(), "the file is empty");
@@ -179,6 +199,7 @@ int main(int argc, char** argv) {
       throw geom::InputError(file.name(), "expected at least one footprint, found none");
     }
     const footprints::Projector projector(source, file.name(), at);
+    if (sharding.asked()) keep_shard(source.footprints, sharding.shard());
     project(source, projector);
     if (!options.terrain.empty()) {
       lift(source, footprints::Terrain(options.terrain, options.terrain), projector.frame().crs);
@@ -188,9 +209,7 @@ int main(int argc, char** argv) {
     geom::BoxTable table =
         geom::boxes_of(source.footprints, options.slack, common.execution("footprints"));
     geom::MakeMapOptions map = options.map.make();
-    const geom::MadeMap made =
-        geom::make_map(std::move(table), projector.frame(), history_of(hashed.hash(), options, map),
-                       file.name(), map);
+    const std::string history = history_of(hashed.hash(), options, map);
     nlohmann::ordered_json stats = {{"format", options.format}, {"footprints", count}};
     std::string report;
     for (const auto& [what, n] : source.counts) {
@@ -199,6 +218,13 @@ int main(int argc, char** argv) {
     }
     if (!report.empty())
       common.warn(fmt::format("{}: footprints: {}{}", file.name(), count, report));
+    if (sharding.asked()) {
+      cli::write_shard(sharding, output, table, {projector.frame(), history, map});
+      common.write_stats(std::move(stats));
+      return cli::Exit::yes;
+    }
+    const geom::MadeMap made =
+        geom::make_map(std::move(table), projector.frame(), history, file.name(), map);
     cli::write_map(common, output, made, file.name(), stats);
     return cli::Exit::yes;
   });

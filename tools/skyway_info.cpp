@@ -9,6 +9,7 @@
 #include "cli/describe.h"
 #include "cli/files.h"
 #include "cli/run.h"
+#include "cli/sharding.h"
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
 #include "geom/io/json_fields.h"
@@ -43,6 +44,19 @@ Json describe_roadmap(const geom::ArrayArchive& archive, bool verify) {
   return described;
 }
 
+Json describe_shard(const geom::ArrayArchive& archive) {
+  const cli::ShardFile shard = cli::read_shard(archive);
+  return {{"type", "shard"},
+          {"shard", fmt::format("{}/{}", shard.shard.index + 1, shard.shard.count)},
+          {"tool", shard.work.tool},
+          {"release", shard.work.release},
+          {"options", shard.work.options},
+          {"inputs", shard.work.inputs},
+          {"output", shard.output},
+          {"kind", shard.kind},
+          {"exit", static_cast<int>(shard.exit)}};
+}
+
 Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
   if (verify) archive.verify();
   Json out;
@@ -62,9 +76,12 @@ Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
     out = describe_lattice(archive, verify);
   } else if (plan::is_roadmap(archive)) {
     out = describe_roadmap(archive, verify);
+  } else if (cli::is_shard(archive)) {
+    out = describe_shard(archive);
   } else {
-    throw geom::InputError(archive.name(),
-                           "expected a box map, a lattice or a roadmap, found another archive");
+    throw geom::InputError(
+        archive.name(),
+        "expected a box map, a lattice, a roadmap or a shard, found another archive");
   }
   if (verify) out["verified"] = true;
   return out;

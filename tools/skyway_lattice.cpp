@@ -6,9 +6,11 @@
 #include "cli/numbers_option.h"
 #include "cli/patch_option.h"
 #include "cli/run.h"
+#include "cli/sharding.h"
 #include "cli/vehicle_option.h"
 #include "plan/build_lattice.h"
 #include "plan/io/lattice_file.h"
+#include "plan/io/part_file.h"
 
 namespace {
 
@@ -16,6 +18,17 @@ plan::Lattice built(const geom::CollisionScene& scene, plan::LatticeSpec spec,
                     const std::optional<geom::Vec3>& origin, const geom::Execution& run) {
   spec.origin = origin.value_or(scene.map().spec().bounds.min);
   return plan::build_lattice(scene, spec, run);
+}
+
+plan::LatticeCounts write_shard(const cli::Sharding& sharding, const std::string& output,
+                                const geom::CollisionScene& scene, plan::LatticeSpec spec,
+                                const std::optional<geom::Vec3>& origin,
+                                const geom::Execution& run) {
+  spec.origin = origin.value_or(scene.map().spec().bounds.min);
+  const plan::LatticePart part = plan::build_lattice_part(scene, spec, sharding.shard(), run);
+  const plan::PartArrays written = plan::arrays_of(part);
+  sharding.write(output, "output", "lattice", written.meta, written.arrays, cli::Exit::yes);
+  return part.counts;
 }
 
 plan::Lattice patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
@@ -37,6 +50,7 @@ int main(int argc, char** argv) {
   int connect = 6;
   std::optional<geom::Vec3> origin;
   cli::PatchOptions patch;
+  cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("-o,--output", output, "lattice to write (default: stdout)");
   auto* spacing = app.add_option("--spacing", spec.spacing,
@@ -49,11 +63,19 @@ int main(int argc, char** argv) {
       cli::add_point(app, "--origin", origin, "a node (default: the lower corner of the bounds)");
   patch.add_to(app, "a lattice", {spacing, connectivity, node});
   vehicle.add_to(app);
+  sharding.add_to(app)->excludes("--patch");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
+    sharding.begin(app, {{"map", map_file}}, {{"output", output}});
+    if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
     spec.connectivity = static_cast<plan::Connectivity>(connect);
     const geom::Execution run = common.execution("layers");
+    if (sharding.asked()) {
+      const auto counts = write_shard(sharding, output, scenes.scene(), spec, origin, run);
+      common.write_stats({{"nodes", counts.nodes}, {"edges", counts.edges}});
+      return cli::Exit::yes;
+    }
     const plan::Lattice lattice =
         patch.asked() ? patched(scenes, patch, run) : built(scenes.scene(), spec, origin, run);
     cli::OutputFile out(output, cli::OutputKind::artefact);

@@ -10,6 +10,7 @@
 #include "cli/files.h"
 #include "cli/numbers_option.h"
 #include "cli/quality_option.h"
+#include "cli/record_output.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "geom/error.h"
@@ -139,6 +140,7 @@ int main(int argc, char** argv) {
   std::string output = "-";
   std::optional<geom::Vec3> from;
   std::optional<geom::Vec3> to;
+  cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   artefact_files.add_to(app);
   cli::add_quality(app, options.quality);
@@ -156,10 +158,18 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.0, 1e4));
   add_search_options(app, search);
   vehicle.add_to(app);
+  sharding.add_to(app)->needs(queries)->excludes("--tree");
   return cli::run_tool(app, argc, argv, [&] {
     if (queries_file.empty() && !from) throw cli::UsageError("give --from and --to, or --queries");
     cli::at_most_one_stdin(
         {map_file, artefact_files.lattice, artefact_files.roadmap, queries_file});
+    sharding.begin(app,
+                   {{"map", map_file},
+                    {"lattice", artefact_files.lattice},
+                    {"roadmap", artefact_files.roadmap},
+                    {"queries", queries_file}},
+                   {{"output", output}});
+    if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
     const cli::Artefacts artefacts(artefact_files);
@@ -171,25 +181,28 @@ int main(int argc, char** argv) {
     options.keep_tree = !search.tree_file.empty();
     const geom::Execution run = common.execution("paths");
     plan::Planner planner(scene, named ? &*named : artefacts.lattice(), artefacts.roadmap());
-    std::vector<geom::PathRecord> records(list.size());
+    const std::vector<std::size_t> chosen = sharding.shard().items(list.size());
+    std::vector<geom::PathRecord> records(chosen.size());
     plan::PlanResult last;
-    geom::parallel_for(list.size(), run, [&](std::size_t i) {
-      plan::PlanResult result = planner.plan(list[i].from, list[i].to, with_deadline(search));
-      records[i] = plan::path_record(scene, list[i].id, result);
+    geom::parallel_for(chosen.size(), run, [&](std::size_t i) {
+      const geom::PlanQuery& query = list[chosen[i]];
+      plan::PlanResult result = planner.plan(query.from, query.to, with_deadline(search));
+      records[i] = plan::path_record(scene, query.id, result);
       if (options.keep_tree) last = std::move(result);
     });
-    cli::OutputFile out(output, cli::OutputKind::text);
+    cli::RecordOutput out(output, "output", sharding);
     std::size_t found = 0;
     for (const geom::PathRecord& record : records) {
       found += record.status == "found";
-      out.stream() << geom::to_json_line(record);
+      out.add(geom::to_json_line(record));
     }
-    out.commit();
+    const cli::Exit exit = found == records.size() ? cli::Exit::yes : cli::Exit::no;
+    out.commit(list.size(), exit);
     if (options.keep_tree) {
       write_tree(search.tree_file, last, records[0], scene.map().spec().frame.axes);
     }
     common.write_stats({{"queries", records.size()}, {"found", found}});
-    if (records.size() == 1 && !found) fmt::print(stderr, "skyway-plan: {}\n", records[0].message);
-    return found == records.size() ? cli::Exit::yes : cli::Exit::no;
+    if (list.size() == 1 && !found) fmt::print(stderr, "skyway-plan: {}\n", records[0].message);
+    return exit;
   });
 }

@@ -6,7 +6,9 @@
 #include "cli/numbers_option.h"
 #include "cli/patch_option.h"
 #include "cli/run.h"
+#include "cli/sharding.h"
 #include "cli/vehicle_option.h"
+#include "plan/io/part_file.h"
 #include "plan/io/roadmap_file.h"
 
 namespace {
@@ -28,6 +30,18 @@ plan::Roadmap patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
   return plan::patch_roadmap(old, scene, patch.change(old.made_for, scene), run);
 }
 
+void write_shard(const cli::Sharding& sharding, const cli::Common& common,
+                 const std::string& output, const geom::CollisionScene& scene,
+                 const plan::RoadmapSpec& spec) {
+  const plan::RoadmapPart part =
+      plan::build_roadmap_part(scene, spec, sharding.shard(), common.execution("bends"));
+  const plan::PartArrays written = plan::arrays_of(part);
+  sharding.write(output, "output", "roadmap", written.meta, written.arrays, cli::Exit::yes);
+  std::size_t edges = 0;
+  for (const auto& list : part.to) edges += list.size();
+  common.write_stats({{"bends", part.bends.size()}, {"edges", edges}});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -38,6 +52,7 @@ int main(int argc, char** argv) {
   std::string output = "-";
   plan::RoadmapSpec spec;
   cli::PatchOptions patch;
+  cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("-o,--output", output, "roadmap to write (default: stdout)");
   auto* reach =
@@ -52,12 +67,14 @@ int main(int argc, char** argv) {
       cli::add_box(app, "--region", spec.region, "bend only around boxes that meet this region");
   patch.add_to(app, "a roadmap", {reach, part, region});
   vehicle.add_to(app);
+  sharding.add_to(app)->excludes("--patch");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
+    sharding.begin(app, {{"map", map_file}}, {{"output", output}});
+    if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
     const geom::Execution run = common.execution("bends");
-    const auto built = [&] {
-      const geom::CollisionScene& scene = scenes.scene();
+    const auto checked_size = [&](const geom::CollisionScene& scene) {
       const std::size_t boxes =
           spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
       if (boxes > kManyBoxes) {
@@ -68,9 +85,14 @@ int main(int argc, char** argv) {
         }
         common.warn(fmt::format("{}: {} boxes, {}", map_file, boxes, size));
       }
-      return plan::build_roadmap(scene, spec, run);
     };
-    const plan::Roadmap roadmap = patch.asked() ? patched(scenes, patch, run) : built();
+    if (!patch.asked()) checked_size(scenes.scene());
+    if (sharding.asked()) {
+      write_shard(sharding, common, output, scenes.scene(), spec);
+      return cli::Exit::yes;
+    }
+    const plan::Roadmap roadmap = patch.asked() ? patched(scenes, patch, run)
+                                                : plan::build_roadmap(scenes.scene(), spec, run);
     cli::OutputFile out(output, cli::OutputKind::artefact);
     plan::write_roadmap(out.stream(), roadmap);
     out.commit();

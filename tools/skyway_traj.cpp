@@ -10,6 +10,7 @@
 #include "cli/limit_options.h"
 #include "cli/numbers_option.h"
 #include "cli/processes.h"
+#include "cli/record_output.h"
 #include "cli/run.h"
 #include "cli/solver_words.h"
 #include "cli/vehicle_option.h"
@@ -104,6 +105,7 @@ int main(int argc, char** argv) {
   cli::LimitOptions limit_options;
   std::string corridor_file;
   std::string yaw_text;
+  cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("paths", input, "paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "trajectories (default: stdout)");
@@ -123,22 +125,28 @@ int main(int argc, char** argv) {
   app.add_option("--yaw", yaw_text,
                  "along (the velocity), degrees from the map's x axis towards y, or X,Y of a point "
                  "to look at (default: no yaw)");
+  sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
     if (corridor_file == "-" && output == "-") {
       throw cli::UsageError("trajectories and corridors cannot both go to stdout");
     }
     cli::choose_solver(solver, times, options);
+    sharding.begin(app, {{"map", map_file}, {"paths", input}},
+                   {{"output", output}, {"corridor-file", corridor_file}});
+    if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
     options.limits = cli::limits_to_solve(limit_options.limits(), scenes.profile());
     const auto yaw = yaw_options(yaw_text, options.limits);
     cli::InputFile file(input);
-    cli::OutputFile out(output, cli::OutputKind::text);
-    std::optional<cli::OutputFile> corridors;
-    if (!corridor_file.empty()) corridors.emplace(corridor_file, cli::OutputKind::text);
+    cli::RecordOutput out(output, "output", sharding);
+    std::optional<cli::RecordOutput> corridors;
+    if (!corridor_file.empty()) corridors.emplace(corridor_file, "corridor-file", sharding);
     std::vector<std::pair<std::string, std::size_t>> lines;  // and their numbers
-    file.for_each_line(
-        [&](const std::string& line, std::size_t number) { lines.emplace_back(line, number); });
+    std::size_t total = 0;
+    file.for_each_line([&](const std::string& line, std::size_t number) {
+      if (sharding.shard().takes(total++)) lines.emplace_back(line, number);
+    });
     // A process an optimisation: MUMPS is not thread safe.
     const auto work = [&](std::size_t i) {
       const auto& [line, number] = lines[i];
@@ -155,13 +163,15 @@ int main(int argc, char** argv) {
       const Answer answer(text);
       ++counts[answer.found];
       if (run.progress) run.progress(i + 1, lines.size());
-      out.stream() << answer.trajectory;
+      out.add(answer.trajectory);
       out.flush();
-      if (corridors) corridors->stream() << answer.corridor;
+      if (corridors) corridors->add(answer.corridor);
     });
-    out.commit();
-    if (corridors) corridors->commit();
+    const bool no = counts.count("no_path") || counts.count("infeasible");
+    const cli::Exit exit = no ? cli::Exit::no : cli::Exit::yes;
+    out.commit(total, exit);
+    if (corridors) corridors->commit(total, exit);
     common.write_stats({{"records", counts}});
-    return counts.count("no_path") || counts.count("infeasible") ? cli::Exit::no : cli::Exit::yes;
+    return exit;
   });
 }

@@ -46,9 +46,27 @@ ColumnGrid::Column& ColumnGrid::column(std::int32_t x, std::int32_t y) {
 }
 
 void ColumnGrid::add(const Vec3& p) {
-  Column& spans = column(floor_index(p.x(), spec_.cell), floor_index(p.y(), spec_.cell));
   Span span{floor_index(p.z(), spec_.step), ceil_index(p.z(), spec_.step)};
   if (span.low == span.high) ++span.high;  // on a step: some height, so that boxes join
+  add_span(floor_index(p.x(), spec_.cell), floor_index(p.y(), spec_.cell), span.low, span.high);
+}
+
+std::vector<std::int32_t> ColumnGrid::spans() const {
+  std::vector<std::int32_t> rows;
+  for (const auto& [key, tile] : tiles_) {
+    for (int i = 0; i < kSide * kSide; ++i) {
+      for (const Span& span : tile[static_cast<std::size_t>(i)]) {
+        rows.insert(rows.end(), {key.second * kSide + i % kSide, key.first * kSide + i / kSide,
+                                 span.low, span.high});
+      }
+    }
+  }
+  return rows;
+}
+
+void ColumnGrid::add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high) {
+  const Span span{low, high};
+  Column& spans = column(x, y);
   const auto gap = static_cast<std::int64_t>(std::floor(spec_.gap / spec_.step));
   const auto near = [&](const Span& s) {
     return static_cast<std::int64_t>(s.low) - span.high <= gap &&

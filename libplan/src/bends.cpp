@@ -110,13 +110,22 @@ std::vector<geom::Aabb> boxes_of(const geom::CollisionScene& scene,
   return out;
 }
 
+std::vector<std::vector<Bend>> bends_of_each(const geom::CollisionScene& scene,
+                                             const RoadmapSpec& spec,
+                                             std::span<const geom::Aabb> boxes,
+                                             const geom::Execution& run) {
+  std::vector<std::vector<Bend>> out(boxes.size());
+  geom::parallel_for(boxes.size(), {run.threads, {}},
+                     [&](std::size_t i) { add_bends(scene, boxes[i], spec.part, out[i]); });
+  return out;
+}
+
 std::vector<Bend> make_bends(const geom::CollisionScene& scene, const RoadmapSpec& spec,
                              const std::vector<geom::Aabb>& boxes, const geom::Execution& run) {
-  std::vector<std::vector<Bend>> of_box(boxes.size());
-  geom::parallel_for(boxes.size(), {run.threads, {}},
-                     [&](std::size_t i) { add_bends(scene, boxes[i], spec.part, of_box[i]); });
   std::vector<Bend> out;
-  for (const auto& some : of_box) out.insert(out.end(), some.begin(), some.end());
+  for (const auto& some : bends_of_each(scene, spec, boxes, run)) {
+    out.insert(out.end(), some.begin(), some.end());
+  }
   return out;
 }
 

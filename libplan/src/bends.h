@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "plan/roadmap.h"
@@ -35,7 +36,11 @@ inline Across across(const Bend& bend, const Vec3& direction) {
 std::vector<geom::Aabb> boxes_of(const geom::CollisionScene& scene,
                                  const std::optional<geom::Aabb>& region);
 
-// In the order of the boxes.
+// In the order of the boxes: those of each, or all.
+std::vector<std::vector<Bend>> bends_of_each(const geom::CollisionScene& scene,
+                                             const RoadmapSpec& spec,
+                                             std::span<const geom::Aabb> boxes,
+                                             const geom::Execution& run);
 std::vector<Bend> make_bends(const geom::CollisionScene& scene, const RoadmapSpec& spec,
                              const std::vector<geom::Aabb>& boxes, const geom::Execution& run);
 

@@ -71,44 +71,67 @@ void add(LatticeCounts& counts, const LatticeCounts& more) {
 }
 
 struct Tile {
-  std::vector<std::pair<std::size_t, std::uint32_t>> blocks;  // and their records in this tile
+  std::vector<std::uint32_t> record;  // of its blocks
   std::vector<std::byte> records;
   LatticeCounts counts;   // of blocks that were read
   LatticeCounts instead;  // what the old store had in their place
 };
 
-Tile read_tile(const LatticeGrid& grid, const MaskSource& source, const OldBlocks* old,
-               std::int64_t x, std::int64_t y) {
-  const Index3 n = grid.blocks();
-  Tile tile;
-  Lattice::Block masks;
-  std::uint32_t records = 0;
-  for (std::int64_t k = 0; k < n[2]; ++k) {
-    for (std::int64_t j = y; j < std::min(y + kTile, n[1]); ++j) {
-      for (std::int64_t i = x; i < std::min(x + kTile, n[0]); ++i) {
-        const auto block = static_cast<std::size_t>(i + n[0] * (j + n[1] * k));
-        if (old && !old->changed[block]) {
-          const auto bytes = old->store.bytes_of(block);
-          tile.records.insert(tile.records.end(), bytes.begin(), bytes.end());
-          tile.blocks.emplace_back(block, bytes.empty() ? old->store.record()[block] : records++);
-          continue;
+// How tiles lie on the grid.
+class TileOrder {
+ public:
+  explicit TileOrder(const LatticeGrid& grid)
+      : blocks_(grid.blocks()), across_((blocks_[0] + kTile - 1) / kTile) {}
+
+  std::size_t count() const {
+    return static_cast<std::size_t>(across_ * ((blocks_[1] + kTile - 1) / kTile));
+  }
+
+  // Calls f(block, its place among the blocks) in the order of a tile.
+  template <class F>
+  void for_each_block(std::size_t tile, const F& f) const {
+    const std::int64_t x = static_cast<std::int64_t>(tile) % across_ * kTile;
+    const std::int64_t y = static_cast<std::int64_t>(tile) / across_ * kTile;
+    for (std::int64_t k = 0; k < blocks_[2]; ++k) {
+      for (std::int64_t j = y; j < std::min(y + kTile, blocks_[1]); ++j) {
+        for (std::int64_t i = x; i < std::min(x + kTile, blocks_[0]); ++i) {
+          f(static_cast<std::size_t>(i + blocks_[0] * (j + blocks_[1] * k)), Index3{i, j, k});
         }
-        const Index3 low = {i * kSide, j * kSide, k * kSide};
-        if (old) {
-          old->store.read(low, {kSide, kSide, kSide}, masks.data());
-          add(tile.instead, count(masks));
-        }
-        source.read(low, {kSide, kSide, kSide}, masks.data());
-        add(tile.counts, count(masks));
-        std::uint32_t record = classify(grid, low, masks);
-        if (record == 0) {
-          record = records++;
-          append_record(grid.spec.connectivity, masks, tile.records);
-        }
-        tile.blocks.emplace_back(block, record);
       }
     }
   }
+
+ private:
+  Index3 blocks_;
+  std::int64_t across_;
+};
+
+Tile read_tile(const LatticeGrid& grid, const MaskSource& source, const OldBlocks* old,
+               std::size_t number) {
+  Tile tile;
+  Lattice::Block masks;
+  std::uint32_t records = 0;
+  TileOrder(grid).for_each_block(number, [&](std::size_t block, const Index3& place) {
+    if (old && !old->changed[block]) {
+      const auto bytes = old->store.bytes_of(block);
+      tile.records.insert(tile.records.end(), bytes.begin(), bytes.end());
+      tile.record.push_back(bytes.empty() ? old->store.record()[block] : records++);
+      return;
+    }
+    const Index3 low = {place[0] * kSide, place[1] * kSide, place[2] * kSide};
+    if (old) {
+      old->store.read(low, {kSide, kSide, kSide}, masks.data());
+      add(tile.instead, count(masks));
+    }
+    source.read(low, {kSide, kSide, kSide}, masks.data());
+    add(tile.counts, count(masks));
+    std::uint32_t record = classify(grid, low, masks);
+    if (record == 0) {
+      record = records++;
+      append_record(grid.spec.connectivity, masks, tile.records);
+    }
+    tile.record.push_back(record);
+  });
   return tile;
 }
 
@@ -141,6 +164,17 @@ struct Owned {
   std::vector<std::uint32_t> record;
   Bytes records;
 };
+
+void require_numbers(std::size_t records) {
+  if (records < BlockStore::kFree) return;
+  throw geom::InputError("lattice",
+                         "expected less than 2^32 blocks that are not all free "
+                         "or blocked: use a larger spacing");
+}
+
+[[noreturn]] void refuse_shard(std::size_t index, std::string_view what) {
+  throw geom::InputError("lattice", fmt::format("shard {} {}", index + 1, what));
+}
 
 }  // namespace
 
@@ -237,43 +271,88 @@ void BlockStore::check() const {
   }
 }
 
-std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
-                                               const geom::Execution& run, const OldBlocks* old) {
-  const Index3 n = grid.blocks();
-  const std::int64_t across = (n[0] + kTile - 1) / kTile;
-  const std::int64_t along = (n[1] + kTile - 1) / kTile;
-  const auto total = static_cast<std::size_t>(across * along);
-  auto owned = std::make_shared<Owned>();
-  owned->record.resize(grid.block_count());
-  LatticeCounts counts = old ? old->store.counts() : LatticeCounts{};
+StoredTiles store_tiles(const LatticeGrid& grid, const MaskSource& source,
+                        const geom::Execution& run, const geom::Shard& shard,
+                        const OldBlocks* old) {
+  const std::size_t first = shard.begin(TileOrder(grid).count());
+  const std::size_t total = shard.end(TileOrder(grid).count()) - first;
+  const auto owned = std::make_shared<Owned>();
+  LatticeCounts counts;
+  if (old) counts = old->store.counts();
   std::size_t stored = 0;
-  std::vector<Tile> tiles(std::min<std::size_t>(total, 64));
-  for (std::size_t begin = 0; begin < total; begin += tiles.size()) {
-    const std::size_t some = std::min(tiles.size(), total - begin);
+  // Tile by tile, so that records need no second pass.
+  constexpr std::size_t kSome = 64;
+  for (std::size_t begin = 0; begin < total; begin += kSome) {
+    const std::size_t some = std::min(kSome, total - begin);
+    std::vector<Tile> tiles(some);
     geom::parallel_for(some, {run.threads, {}}, [&](std::size_t t) {
-      const auto tile = static_cast<std::int64_t>(begin + t);
-      tiles[t] = read_tile(grid, source, old, tile % across * kTile, tile / across * kTile);
+      tiles[t] = read_tile(grid, source, old, first + begin + t);
     });
-    for (std::size_t t = 0; t < some; ++t) {
-      for (const auto& [block, record] : tiles[t].blocks) {
+    for (const Tile& tile : tiles) {
+      for (const std::uint32_t record : tile.record) {
         const bool has_one = record < BlockStore::kFree;
-        owned->record[block] = has_one ? static_cast<std::uint32_t>(stored + record) : record;
+        owned->record.push_back(has_one ? static_cast<std::uint32_t>(stored + record) : record);
       }
-      owned->records.append(tiles[t].records);
+      owned->records.append(tile.records);
       stored = owned->records.view().size() / BlockStore::record_bytes(grid.spec.connectivity);
-      if (stored >= BlockStore::kFree) {
-        throw geom::InputError("lattice",
-                               "expected less than 2^32 blocks that are not all free "
-                               "or blocked: use a larger spacing");
-      }
-      add(counts, tiles[t].counts);
-      counts.nodes -= tiles[t].instead.nodes;
-      counts.edges -= tiles[t].instead.edges;
+      require_numbers(stored);
+      add(counts, tile.counts);
+      counts.nodes -= tile.instead.nodes;
+      counts.edges -= tile.instead.edges;
     }
     if (run.progress) run.progress(begin + some, total);
   }
-  return std::make_shared<const BlockStore>(grid, counts, owned->record, owned->records.view(),
-                                            owned, "lattice");
+  return {counts, owned->record, owned->records.view(), owned};
+}
+
+std::shared_ptr<const BlockStore> join_tiles(const LatticeGrid& grid,
+                                             std::span<const StoredTiles> shards) {
+  struct Joined {
+    Owned all;
+    std::shared_ptr<const void> alone;
+  };
+  const auto joined = std::make_shared<Joined>();
+  const TileOrder order(grid);
+  const std::size_t bytes = BlockStore::record_bytes(grid.spec.connectivity);
+  std::size_t blocks = 0;
+  for (const StoredTiles& tiles : shards) blocks += tiles.record.size();
+  if (blocks != grid.block_count()) {  // before room is made for what is not there
+    throw geom::InputError(
+        "lattice", fmt::format("its shards have {} blocks of {}", blocks, grid.block_count()));
+  }
+  joined->all.record.resize(grid.block_count());
+  LatticeCounts counts;
+  std::size_t stored = 0;
+  for (std::size_t s = 0; s < shards.size(); ++s) {
+    const StoredTiles& tiles = shards[s];
+    const std::size_t own = tiles.records.size() / bytes;
+    const geom::Shard shard{s, shards.size()};
+    std::size_t at = 0;
+    for (std::size_t t = shard.begin(order.count()); t < shard.end(order.count()); ++t) {
+      order.for_each_block(t, [&](std::size_t block, const Index3&) {
+        if (at == tiles.record.size()) refuse_shard(s, "has too few blocks");
+        const std::uint32_t record = tiles.record[at++];
+        const bool has_one = record < BlockStore::kFree;
+        if (has_one && record >= own) refuse_shard(s, "numbers a record that is not there");
+        joined->all.record[block] = has_one ? static_cast<std::uint32_t>(stored + record) : record;
+      });
+    }
+    if (at != tiles.record.size()) refuse_shard(s, "has too many blocks");
+    stored += own;
+    require_numbers(stored);
+    if (shards.size() > 1) joined->all.records.append(tiles.records);
+    add(counts, tiles.counts);
+  }
+  if (shards.size() == 1) joined->alone = shards[0].keep_alive;
+  return std::make_shared<const BlockStore>(
+      grid, counts, joined->all.record,
+      shards.size() == 1 ? shards[0].records : joined->all.records.view(), joined, "lattice");
+}
+
+std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
+                                               const geom::Execution& run, const OldBlocks* old) {
+  const StoredTiles all = store_tiles(grid, source, run, {}, old);
+  return join_tiles(grid, {&all, 1});
 }
 
 }  // namespace plan

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geom/execution.h"
+#include "geom/shard.h"
 #include "plan/lattice.h"
 
 namespace plan {
@@ -63,7 +64,27 @@ struct OldBlocks {
   std::vector<char> changed;  // of each block
 };
 
-// All masks of a source, read block by block; those of `old` that did not change copied.
+// What is stored of a run of tiles, which are columns of 4 x 4 blocks, numbered x fastest: for each
+// of their blocks, tile after tile and in a tile x fastest, the number of its record among
+// `records`, or kFree or kBlocked. Records are numbered in that order.
+struct StoredTiles {
+  LatticeCounts counts;
+  std::span<const std::uint32_t> record;
+  std::span<const std::byte> records;
+  std::shared_ptr<const void> keep_alive;  // of the spans
+};
+
+// Masks of the shard's tiles, read block by block; those of `old` that did not change copied.
+StoredTiles store_tiles(const LatticeGrid& grid, const MaskSource& source,
+                        const geom::Execution& run, const geom::Shard& shard,
+                        const OldBlocks* old = nullptr);
+
+// All tiles, of all shards in their order. One alone is not copied. Throws InputError("lattice", …)
+// where they don't fit.
+std::shared_ptr<const BlockStore> join_tiles(const LatticeGrid& grid,
+                                             std::span<const StoredTiles> shards);
+
+// All masks of a source.
 std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
                                                const geom::Execution& run,
                                                const OldBlocks* old = nullptr);

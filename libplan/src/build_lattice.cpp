@@ -7,6 +7,7 @@
 
 #include "block_store.h"
 #include "geom/error.h"
+#include "plan/lattice_part.h"
 
 namespace plan {
 namespace {
@@ -169,10 +170,37 @@ Lattice lazy_lattice(const geom::CollisionScene& scene, const LatticeSpec& spec,
   return Lattice(grid, geom::provenance_of(scene), std::make_shared<SceneMasks>(scene, grid));
 }
 
+LatticePart build_lattice_part(const geom::CollisionScene& scene, const LatticeSpec& spec,
+                               const geom::Shard& shard, const geom::Execution& run,
+                               const std::optional<Aabb>& within) {
+  const Lattice lazy = lazy_lattice(scene, spec, within);
+  StoredTiles tiles = store_tiles(lazy.grid(), lazy.source(), run, shard);
+  return {lazy.grid(),
+          lazy.made_for(),
+          shard,
+          tiles.counts,
+          tiles.record,
+          tiles.records,
+          std::move(tiles.keep_alive)};
+}
+
+Lattice join_lattice(std::span<const LatticePart> parts) {
+  std::vector<StoredTiles> tiles;
+  for (const LatticePart& part : parts) {
+    if (part.grid.first != parts.front().grid.first || part.grid.dims != parts.front().grid.dims) {
+      throw geom::InputError("lattice",
+                             fmt::format("shard {} is of another lattice", tiles.size() + 1));
+    }
+    tiles.push_back({part.counts, part.record, part.records, part.keep_alive});
+  }
+  const LatticeGrid& grid = parts.front().grid;
+  return Lattice(grid, parts.front().made_for, join_tiles(grid, tiles));
+}
+
 Lattice build_lattice(const geom::CollisionScene& scene, const LatticeSpec& spec,
                       const geom::Execution& run, const std::optional<Aabb>& within) {
-  const Lattice lazy = lazy_lattice(scene, spec, within);
-  return Lattice(lazy.grid(), lazy.made_for(), store_blocks(lazy.grid(), lazy.source(), run));
+  const LatticePart whole = build_lattice_part(scene, spec, {}, run, within);
+  return join_lattice({&whole, 1});
 }
 
 }  // namespace plan

@@ -15,13 +15,9 @@ namespace {
 
 constexpr int kVersion = 2;
 
-struct Meta {
-  LatticeGrid grid;
-  LatticeCounts counts;
-  geom::Provenance made_for;
-};
+}  // namespace
 
-Meta parse_meta(const geom::JsonFields& fields) {
+LatticeMeta read_lattice_meta(const geom::JsonFields& fields) {
   if (fields.text("format", "") != "skyway-lattice") {
     fields.refuse(fmt::format("expected a lattice (format \"skyway-lattice\"), found format \"{}\"",
                               fields.text("format", "")));
@@ -30,7 +26,7 @@ Meta parse_meta(const geom::JsonFields& fields) {
     fields.refuse(fmt::format("expected lattice version {}, found {}", kVersion,
                               fields.number("version").value_or(0)));
   }
-  Meta meta;
+  LatticeMeta meta;
   meta.made_for = fields.provenance();
   meta.grid.spec.spacing = fields.number("spacing").value_or(0);
   if (!(meta.grid.spec.spacing > 0)) fields.refuse("spacing must be > 0");
@@ -65,21 +61,23 @@ Meta parse_meta(const geom::JsonFields& fields) {
   return meta;
 }
 
-}  // namespace
-
-std::string lattice_meta(const Lattice& lattice) {
-  const LatticeCounts counts = stored_counts(lattice);
+std::string lattice_meta(const LatticeMeta& lattice) {
+  const auto& [grid, counts, made_for] = lattice;
   const auto indices = [](const Index3& v) { return fmt::format("[{},{},{}]", v[0], v[1], v[2]); };
   std::string meta = fmt::format(R"({{"format":"skyway-lattice","version":{},)", kVersion);
-  geom::append_json(meta, lattice.made_for());
+  geom::append_json(meta, made_for);
   meta += "\"spacing\":";
-  geom::append_json(meta, lattice.spec().spacing);
+  geom::append_json(meta, grid.spec.spacing);
   meta += ",\"origin\":";
-  geom::append_json(meta, lattice.spec().origin);
+  geom::append_json(meta, grid.spec.origin);
   return meta +
          fmt::format(",\"connectivity\":{},\"first\":{},\"dims\":{},\"nodes\":{},\"edges\":{}}}",
-                     static_cast<int>(lattice.spec().connectivity), indices(lattice.first()),
-                     indices(lattice.dims()), counts.nodes, counts.edges);
+                     static_cast<int>(grid.spec.connectivity), indices(grid.first),
+                     indices(grid.dims), counts.nodes, counts.edges);
+}
+
+std::string lattice_meta(const Lattice& lattice) {
+  return lattice_meta({lattice.grid(), stored_counts(lattice), lattice.made_for()});
 }
 
 std::vector<geom::NamedArray> lattice_arrays(const Lattice& lattice) {
@@ -106,7 +104,7 @@ Lattice read_lattice(const geom::ArrayArchive& archive) {
 }
 
 Lattice read_lattice(const geom::ArrayArchive& archive, std::string_view meta_json) {
-  const Meta meta = parse_meta(geom::JsonFields(meta_json, archive.name(), 0));
+  const LatticeMeta meta = read_lattice_meta(geom::JsonFields(meta_json, archive.name(), 0));
   const std::size_t columns = BlockStore::record_bytes(meta.grid.spec.connectivity);
   return Lattice(meta.grid, meta.made_for,
                  std::make_shared<const BlockStore>(

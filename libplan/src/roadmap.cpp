@@ -28,53 +28,6 @@ bool wraps(const Across& in, const Across& out) {
   return in.second_side() ? out.ratio() <= in.ratio() + kLoose : out.ratio() >= in.ratio() - kLoose;
 }
 
-// Bends by square cells of the plan, as wide as the reach: all that may be linked to one are in the
-// nine around it.
-class BendCells {
- public:
-  BendCells(const std::vector<Bend>& bends, double side) : side_(side) {
-    for (std::size_t i = 0; i < bends.size(); ++i) {
-      cells_[key(bends[i].position)].push_back(static_cast<std::uint32_t>(i));
-    }
-  }
-
-  // Calls f(bend) for all in the nine cells around p.
-  template <class F>
-  void for_near(const Vec3& p, const F& f) const {
-    const auto [x, y] = key(p);
-    for (std::int64_t i = x - 1; i <= x + 1; ++i) {
-      for (std::int64_t j = y - 1; j <= y + 1; ++j) {
-        const auto at = cells_.find({i, j});
-        if (at == cells_.end()) continue;
-        for (const std::uint32_t bend : at->second) f(bend);
-      }
-    }
-  }
-
- private:
-  std::pair<std::int64_t, std::int64_t> key(const Vec3& p) const {
-    return {static_cast<std::int64_t>(std::floor(p.x() / side_)),
-            static_cast<std::int64_t>(std::floor(p.y() / side_))};
-  }
-
-  double side_;
-  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::uint32_t>> cells_;
-};
-
-// Sorts the edges of a bend as Roadmap says. Returns how many are on the first side.
-std::uint32_t sort_edges(const std::vector<Bend>& bends, std::size_t i,
-                         std::vector<std::uint32_t>& to) {
-  std::vector<EdgeKey> keys;
-  for (const std::uint32_t j : to) keys.push_back(edge_key(bends, i, j));
-  std::sort(keys.begin(), keys.end());
-  std::uint32_t split = 0;
-  for (std::size_t n = 0; n < keys.size(); ++n) {
-    to[n] = keys[n].to;
-    split += !keys[n].second;
-  }
-  return split;
-}
-
 }  // namespace
 
 void set_edges(Roadmap& roadmap, std::vector<std::vector<std::uint32_t>> lists) {
@@ -97,47 +50,6 @@ void require_bend(const Roadmap& roadmap, std::uint32_t bend) {
   if (bend < roadmap.bends.size()) return;
   throw geom::InputError(roadmap.source,
                          fmt::format("an edge leads to bend {} of {}", bend, roadmap.bends.size()));
-}
-
-Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec,
-                      const geom::Execution& run) {
-  Roadmap out;
-  out.spec = spec;
-  out.made_for = geom::provenance_of(scene);
-  out.bends = make_bends(scene, spec, boxes_of(scene, spec.region), run);
-  const std::size_t n = out.bends.size();
-  const BendCells cells(out.bends, spec.reach);
-  std::vector<std::vector<std::uint32_t>> to(n);
-  geom::parallel_for(n, run, [&](std::size_t i) {
-    cells.for_near(out.bends[i].position, [&](std::uint32_t j) {
-      if (j > i && linked(scene, out.bends[i], out.bends[j], spec.reach)) to[i].push_back(j);
-    });
-    std::sort(to[i].begin(), to[i].end());
-  });
-  std::vector<std::uint32_t> back(n);  // how many lower bends each is linked to
-  std::uint64_t edges = 0;
-  for (const auto& list : to) {
-    edges += list.size();
-    for (const std::uint32_t j : list) ++back[j];
-  }
-  require_edges_fit(2 * edges);
-  std::vector<std::size_t> own(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    own[i] = to[i].size();
-    to[i].reserve(own[i] + back[i]);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t e = 0; e < own[i]; ++e) to[to[i][e]].push_back(static_cast<std::uint32_t>(i));
-  }
-  out.split.resize(n);
-  geom::parallel_for(n, {run.threads, {}},
-                     [&](std::size_t i) { out.split[i] = sort_edges(out.bends, i, to[i]); });
-  set_edges(out, std::move(to));
-  if (scene.free_bounds()) {
-    out.coarse =
-        label_components(build_lattice(scene, coarse_spec(scene), {run.threads, {}}, spec.region));
-  }
-  return out;
 }
 
 Roadmap bends_along(const geom::CollisionScene& scene, const RoadmapSpec& spec,

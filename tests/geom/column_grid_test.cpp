@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "geom/error.h"
 #include "support/random_city.h"
@@ -50,6 +51,24 @@ TEST(ColumnGrid, DoesNotDependOnTheOrderOfThePoints) {
   const BoxTable other = boxes(points, {1, 0.5, 2, true});
   EXPECT_TRUE(one.boxes == other.boxes);
   EXPECT_EQ(one.label, other.label);
+}
+
+TEST(ColumnGrid, IsMadeOfTheSpansOfOthers) {
+  // Every second point in another grid: their columns lie in each other.
+  for (const ColumnSpec& spec : {ColumnSpec{1, 0.5, 2, true}, ColumnSpec{8, 0.3, 0, false}}) {
+    const auto points = scan(5, 3000, {10, -20, 3});
+    std::array<ColumnGrid, 3> grids = {ColumnGrid(spec), ColumnGrid(spec), ColumnGrid(spec)};
+    for (std::size_t i = 0; i < points.size(); ++i) grids[i % 2].add(points[i]);
+    for (const std::size_t from : {1u, 0u}) {
+      const auto rows = grids[from].spans();
+      for (std::size_t i = 0; i < rows.size(); i += 4) {
+        grids[2].add_span(rows[i], rows[i + 1], rows[i + 2], rows[i + 3]);
+      }
+    }
+    const BoxTable whole = boxes(points, spec);
+    EXPECT_TRUE(grids[2].boxes("test").boxes == whole.boxes);
+    EXPECT_EQ(grids[2].boxes("test").label, whole.label);
+  }
 }
 
 TEST(ColumnGrid, LeavesNothingFreeBelowTheHighestReturnWhereUnknownIsBlocked) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <streambuf>
@@ -63,6 +64,20 @@ class DescriptorBuffer : public std::streambuf {
   std::vector<char> buffer_;
 };
 
+// One that no other process, here or on another node, writes at the same time.
+std::string temporary_name(const std::string& path) {
+  char host[256] = "";
+  gethostname(host, sizeof host - 1);
+  return fmt::format("{}.{}.{}.part", path, host, getpid());
+}
+
+// A file without a name in the directory of `path`, which is gone with this process unless it is
+// given one; -1 where the file system has none.
+int open_unnamed(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  return ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+}
+
 bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r") == std::string::npos;
 }
@@ -91,6 +106,10 @@ void InputFile::for_each_line(const std::function<void(const std::string&, std::
   while (std::getline(stream(), line)) {
     ++number;
     if (is_blank(line)) continue;
+    if (!any && line.starts_with("PK\x03\x04")) {
+      throw geom::InputError(name_,
+                             "expected JSON Lines, found an archive (skyway-info says more)");
+    }
     any = true;
     f(line, number);
   }
@@ -135,9 +154,15 @@ OutputFile::OutputFile(const std::string& path, OutputKind kind) : path_(path) {
   }
   struct stat info {};
   const bool in_place = stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode);
-  if (!in_place) temporary_ = fmt::format("{}.{}.part", path, getpid());
+  if (!in_place) {
+    temporary_ = temporary_name(path);
+    descriptor_ = open_unnamed(path);
+    unnamed_ = descriptor_ >= 0;
+  }
   const std::string& name = in_place ? path : temporary_;
-  descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (!unnamed_) {
+    descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  }
   if (descriptor_ < 0) {
     temporary_.clear();
     fail("cannot write " + path);
@@ -147,7 +172,7 @@ OutputFile::OutputFile(const std::string& path, OutputKind kind) : path_(path) {
 
 OutputFile::~OutputFile() {
   if (descriptor_ > STDOUT_FILENO) close(descriptor_);
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
+  if (!temporary_.empty() && !unnamed_) std::remove(temporary_.c_str());
 }
 
 std::ostream& OutputFile::stream() { return sink_->stream; }
@@ -157,6 +182,14 @@ void OutputFile::flush() { sink_->stream.flush(); }
 void OutputFile::commit() {
   flush();
   if (temporary_.empty()) return;
+  if (unnamed_) {
+    std::remove(temporary_.c_str());  // of a process of this number that was killed
+    const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
+    if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+      fail("cannot write " + path_);
+    }
+    unnamed_ = false;
+  }
   if (close(std::exchange(descriptor_, -1)) != 0) fail("cannot write " + path_);
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot write " + path_);
   temporary_.clear();

@@ -40,8 +40,9 @@ geom::BoxMap open_map(const std::string& path);
 
 enum class OutputKind { text, artefact };  // an artefact is refused where a terminal would get it
 
-// Writes to a temporary name beside `path` and renames in commit(); what is not committed is
-// removed. "-" writes to stdout as it goes. Throws std::system_error on any failure.
+// Writes to a file without a name (where the file system has such, else to a temporary one beside
+// `path`) that takes the place of `path` in commit(); what is not committed is gone, even where the
+// process is killed. "-" writes to stdout as it goes. Throws std::system_error on any failure.
 class OutputFile {
  public:
   OutputFile(const std::string& path, OutputKind kind);
@@ -56,6 +57,7 @@ class OutputFile {
  private:
   std::string path_;
   std::string temporary_;  // empty: written in place (stdout, a device, a pipe)
+  bool unnamed_ = false;   // temporary_ is not there yet
   int descriptor_ = 1;
   struct Sink;  // a stream onto the descriptor that throws when writing fails
   std::unique_ptr<Sink> sink_;

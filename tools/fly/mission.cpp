@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <sstream>
 
 #include "cli/run.h"
 #include "geom/error.h"
@@ -58,9 +59,11 @@ geom::Axes Mission::axes(const Entry& entry) const {
   return scenes_ ? scenes_->map().spec().frame.axes : geom::Axes::enu;
 }
 
-void Mission::read(cli::InputFile& file) {
+std::size_t Mission::read(cli::InputFile& file, const geom::Shard& shard) {
   source_ = file.name();
+  std::size_t total = 0;
   file.for_each_line([&](const std::string& line, std::size_t number) {
+    if (!shard.takes(total++)) return;
     Entry entry{traj::parse_trajectory_record(line, source_, number), number};
     if (entry.record.status == "solved" && entry.record.trajectory.segments.empty()) {
       throw geom::InputError(source_, number, "expected at least one segment, found none");
@@ -74,6 +77,7 @@ void Mission::read(cli::InputFile& file) {
     if (scenes_) scene_for(entry);
     entries_.push_back(std::move(entry));
   });
+  return total;
 }
 
 void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::FlightReport& report) {
@@ -117,9 +121,11 @@ traj::FlightReport Mission::report_of(const Entry& entry, const traj::SetpointTr
   return report;
 }
 
-Tally Mission::fly(const geom::Execution& run, std::ostream& log, std::ostream* report) {
+Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::RecordOutput* report) {
   Tally tally;
-  traj::write_flight_log_header(log);
+  std::ostringstream head;
+  traj::write_flight_log_header(head);
+  log.head(head.str());
   for (std::size_t first = 0; first < entries_.size(); first += kBlock) {
     std::vector<Flown> flown(std::min(kBlock, entries_.size() - first));
     geom::parallel_for(flown.size(), {run.threads, {}}, [&](std::size_t i) {
@@ -135,7 +141,9 @@ Tally Mission::fly(const geom::Execution& run, std::ostream& log, std::ostream* 
       const Entry& entry = entries_[first + i];
       const traj::SetpointTrack* track = flown[i].track ? &*flown[i].track : nullptr;
       const auto told = report_of(entry, track, flown[i].flight, run.threads);
-      traj::write_flight(log, {entry.record.id, std::move(flown[i].flight.samples)});
+      std::ostringstream rows;
+      traj::write_flight(rows, {entry.record.id, std::move(flown[i].flight.samples)});
+      log.add(rows.str());
       if (track) {
         tally.flown += options_.hover + told.lost.value_or(told.duration + options_.settle);
         tally.cpu += flown[i].cpu;
@@ -143,7 +151,7 @@ Tally Mission::fly(const geom::Execution& run, std::ostream& log, std::ostream* 
       ++tally.records;
       tally.failed += !traj::accepted(told);
       const geom::BoxMap* map = scenes_ ? &scenes_->map() : nullptr;
-      if (report) *report << traj::to_json_line(told, profile_.airframe, map);
+      if (report) report->add(traj::to_json_line(told, profile_.airframe, map));
       if (run.progress) run.progress(first + i + 1, entries_.size());
     }
   }

@@ -3,11 +3,11 @@
 // All trajectories of a stream, flown.
 
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
 #include "cli/files.h"
+#include "cli/record_output.h"
 #include "fly/options.h"
 #include "traj/io/flight_report.h"
 #include "traj/io/trajectory_record.h"
@@ -26,10 +26,11 @@ class Mission {
   // `map` may be empty.
   Mission(const Options& options, const cli::VehicleOptions& vehicle, const std::string& map);
 
-  void read(cli::InputFile& file);
+  // Those trajectories that the shard takes. Returns how many there are.
+  std::size_t read(cli::InputFile& file, const geom::Shard& shard);
 
   // The log's rows of each flight and a line of the report each, in order.
-  Tally fly(const geom::Execution& run, std::ostream& log, std::ostream* report);
+  Tally fly(const geom::Execution& run, cli::RecordOutput& log, cli::RecordOutput* report);
 
   traj::TuneResult tune(const geom::Execution& run) const;
 

@@ -26,6 +26,12 @@ class ColumnGrid {
 
   void add(const Vec3& p);
 
+  // What stands in the columns, as rows of four: cell along x, along y, lowest and highest step;
+  // and one of them added, of this or another grid of the same spec. Grids whose spans are all
+  // added to one make what their points would.
+  std::vector<std::int32_t> spans() const;
+  void add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high);
+
   // Closed boxes that contain every point added, columns of equal heights joined. With
   // unknown_blocked also: below and between a column's returns down to the lowest of all, and over
   // that to the highest in cells without returns, within the rectangle around all cells. Throws

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geom/io/array_archive.h"
+#include "geom/io/json_fields.h"
 #include "plan/lattice.h"
 
 namespace plan {
@@ -27,6 +28,15 @@ std::vector<geom::NamedArray> lattice_arrays(const Lattice& lattice);
 Lattice read_lattice(const geom::ArrayArchive& archive, std::string_view meta_json);
 
 bool is_lattice(const geom::ArrayArchive& archive);  // whether the archive says so
+
+// The same of a lattice whose masks stand elsewhere; what of it is in meta.json.
+struct LatticeMeta {
+  LatticeGrid grid;
+  LatticeCounts counts;
+  geom::Provenance made_for;
+};
+std::string lattice_meta(const LatticeMeta& lattice);
+LatticeMeta read_lattice_meta(const geom::JsonFields& fields);
 
 // As written down where it is; counted where not.
 LatticeCounts stored_counts(const Lattice& lattice);

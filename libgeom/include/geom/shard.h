@@ -1,0 +1,36 @@
+#pragma once
+
+// One of several equal shares of some work, for processes that know nothing of each other.
+
+#include <cstddef>
+#include <vector>
+
+namespace geom {
+
+// Share `index` of `count`: either every count-th item (takes), which spreads what is costly, or a
+// run of neighbours (begin, end), which stays in one place. Both give each item to one share.
+struct Shard {
+  std::size_t index = 0;  // below count
+  std::size_t count = 1;
+
+  bool takes(std::size_t item) const { return item % count == index; }
+  std::size_t begin(std::size_t items) const { return before(items, index); }
+  std::size_t end(std::size_t items) const { return before(items, index + 1); }
+
+  // Those it takes of [0, all), ascending.
+  std::vector<std::size_t> items(std::size_t all) const {
+    std::vector<std::size_t> out;
+    for (std::size_t i = index; i < all; i += count) out.push_back(i);
+    return out;
+  }
+
+  friend bool operator==(const Shard&, const Shard&) = default;
+
+ private:
+  // Items in the shares before `share`, without overflow.
+  std::size_t before(std::size_t items, std::size_t share) const {
+    return items / count * share + items % count * share / count;
+  }
+};
+
+}  // namespace geom

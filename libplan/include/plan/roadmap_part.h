@@ -1,0 +1,43 @@
+#pragma once
+
+// A shard of a roadmap: what one of several processes builds.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geom/collision.h"
+#include "geom/execution.h"
+#include "geom/shard.h"
+#include "plan/lattice_part.h"
+#include "plan/roadmap.h"
+
+namespace plan {
+
+// The bends around a run of boxes, and their edges to all later bends. Boxes are counted in the
+// order in which the roadmap goes round them.
+struct RoadmapPart {
+  RoadmapSpec spec;
+  geom::Provenance made_for;
+  geom::Shard shard;
+  std::size_t boxes = 0;                  // of all shards
+  std::vector<Bend> bends;                // around the shard's boxes, in their order
+  std::vector<std::uint32_t> bends_of;    // how many around each of them
+  std::vector<std::uint32_t> near_box;    // boxes of later shards that are within reach, ascending
+  std::vector<std::uint32_t> near_bends;  // how many bends around each of those
+  std::vector<std::vector<std::uint32_t>> to;  // of each bend, ascending: the shard's bends are
+                                               // numbered first, then those of the near boxes
+  std::optional<LatticePart> coarse;           // of Roadmap::coarse
+};
+
+// The shard's part of what build_roadmap() gives; only boxes within reach of its own are looked at.
+RoadmapPart build_roadmap_part(const geom::CollisionScene& scene, const RoadmapSpec& spec,
+                               const geom::Shard& shard, const geom::Execution& run = {});
+
+// The roadmap of all its parts, in the order of their shards: bit for bit what build_roadmap()
+// gives. Throws geom::InputError where they are not the parts of one roadmap, or have too many
+// edges.
+Roadmap join_roadmap(std::vector<RoadmapPart> parts, const geom::Execution& run = {});
+
+}  // namespace plan

@@ -1,0 +1,38 @@
+#include "cli/map_shard.h"
+#include "cli/sharding.h"
+#include "plan/io/lattice_file.h"
+#include "plan/io/part_file.h"
+#include "plan/io/roadmap_file.h"
+#include "readers.h"
+
+namespace {
+
+// 2^24 nodes are enough to fuzz with: larger claims are well formed and take time.
+bool small(const geom::ArrayArchive& archive) {
+  return !archive.has("block_record") ||
+         archive.array<std::uint32_t>("block_record").size() <= 32768;
+}
+
+void join(const cli::ShardFile& shard) {
+  const std::string content = shard.content.dump();
+  if (shard.kind == "lattice" && small(shard.archive)) {
+    const auto part = plan::read_lattice_part(shard.archive, content, shard.shard);
+    plan::verify_lattice(plan::join_lattice({&part, 1}));
+  } else if (shard.kind == "roadmap" && small(shard.archive)) {
+    std::vector<plan::RoadmapPart> parts;
+    parts.push_back(plan::read_roadmap_part(shard.archive, content, shard.shard));
+    plan::verify_roadmap(plan::join_roadmap(std::move(parts)));
+  } else if (cli::is_map_shard(shard) &&
+             shard.content.value("unknown_blocked", nlohmann::json()) != 1) {
+    cli::join_map({&shard, 1});
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto bytes = std::as_bytes(std::span(data, size));
+  return refuses_or_reads(data, size, [&](std::istream&) {
+    join(cli::read_shard(geom::ArrayArchive::from_bytes(bytes, "fuzz")));
+  });
+}

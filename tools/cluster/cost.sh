@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# cost.sh FOLDER [STEP]: seconds and megabytes to ask for, of each step or of one, a shard each: from what was measured
+# (docs/benchmarks.md, "Cluster") times three, and the size of the map.
+set -euo pipefail
+cd "$1"
+source chain.conf
+tiles=0
+boxes=0
+if [ -e city.boxmap ]; then
+  read -r boxes tiles < <(skyway-info --json city.boxmap | sed -E 's/.*"boxes":([0-9]+).*"tiles":([0-9]+).*/\1 \2/')
+fi
+# option NAME TEXT DEFAULT: the number after --NAME.
+option() {
+  sed -nE "s/.*--$1[ =]([0-9.]+).*/\1/p" <<<"$2 " | grep . || echo "$3"
+}
+awk -v only="${2:-}" -v boxes="$boxes" -v tiles="$tiles" -v queries="$QUERY_COUNT" \
+  -v spacing="$(option spacing "$LATTICE" 25)" -v reach="$(option '(within|reach)' "$ROADMAP" 500)" \
+  -v nl="$LATTICE_SHARDS" -v nr="$ROADMAP_SHARDS" -v np="$PATH_SHARDS" -v nt="$TRAJECTORY_SHARDS" -v nc="$REPORT_SHARDS" '
+  function ask(step, seconds, megabytes) {
+    if (only != "" && only != step) return
+    line = sprintf("%d %d", 3 * seconds + 1, 1.5 * megabytes + 100)
+    print only == "" ? step " " line : line
+  }
+  BEGIN {
+    map = boxes * 62e-6                                    # megabytes of a map
+    lattice = tiles * 3e-3 * (5 / spacing) ^ 3             # of a lattice
+    roadmap = boxes * 9 * (46 + 8 * reach / 2) / 1e6
+    ask("map", boxes * 2e-6, boxes * 4e-4 + 500)
+    ask("lattice", tiles * 3.1e-4 * (5 / spacing) ^ 3 / nl, 40 + 0.17 * map + 2 * lattice / nl)
+    ask("join-lattice", lattice / 200, 2 * lattice)
+    ask("roadmap", boxes * reach * 2.7e-6 / nr, 40 + 0.17 * map + 2 * roadmap / nr)
+    ask("join-roadmap", roadmap / 90, 2.5 * roadmap)
+    ask("paths", queries * 0.02 / np, 60 + 0.6 * (map + lattice) + roadmap)
+    ask("join-paths", queries / 1e4, 100)
+    ask("trajectories", queries * 1.2 / nt + 100, 60 + 0.2 * map)  # one alone may take 100 s
+    ask("join-trajectories", queries / 1e4, 100)
+    ask("reports", queries * 0.01 / nc, 60 + 0.4 * map)
+    ask("join-reports", queries / 1e4, 100)
+    ask("summary", queries / 1e4, 100)
+  }'

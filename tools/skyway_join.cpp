@@ -1,0 +1,168 @@
+// skyway-join: the shards of a run become what one run would have written.
+
+#include <fmt/format.h>
+
+#include "cli/map_output.h"
+#include "cli/map_shard.h"
+#include "cli/run.h"
+#include "cli/sharding.h"
+#include "geom/error.h"
+#include "plan/io/lattice_file.h"
+#include "plan/io/part_file.h"
+#include "plan/io/roadmap_file.h"
+
+namespace {
+
+using cli::ShardFile;
+
+// Why two shards are not of one run; empty where they are.
+std::string difference(const ShardFile& a, const ShardFile& b) {
+  const auto differ = [](const char* what, const auto& mine, const auto& other) {
+    return fmt::format("{} {}, not {}", what, nlohmann::json(other).dump(),
+                       nlohmann::json(mine).dump());
+  };
+  if (a.work.tool != b.work.tool) return differ("tool", a.work.tool, b.work.tool);
+  if (a.work.release != b.work.release) return differ("release", a.work.release, b.work.release);
+  if (a.work.options != b.work.options) return differ("options", a.work.options, b.work.options);
+  if (a.work.inputs != b.work.inputs) return differ("inputs", a.work.inputs, b.work.inputs);
+  if (a.output != b.output || a.kind != b.kind) return differ("output", a.output, b.output);
+  if (a.shard.count != b.shard.count) return differ("N", a.shard.count, b.shard.count);
+  return {};
+}
+
+// In their order; each is there once, and they are of one run.
+std::vector<ShardFile> open_all(const std::vector<std::string>& files) {
+  std::vector<ShardFile> shards;
+  for (const std::string& file : files) shards.push_back(cli::read_shard(cli::open_archive(file)));
+  for (const ShardFile& shard : shards) {
+    const std::string why = difference(shards.front(), shard);
+    if (why.empty()) continue;
+    throw geom::InputError(shard.archive.name(),
+                           fmt::format("expected a shard of the same run as {}, found {}",
+                                       shards.front().archive.name(), why));
+  }
+  std::stable_sort(shards.begin(), shards.end(), [](const ShardFile& a, const ShardFile& b) {
+    return a.shard.index < b.shard.index;
+  });
+  const std::size_t count = shards.front().shard.count;
+  for (std::size_t k = 0; k < std::max(count, shards.size()); ++k) {
+    if (k < shards.size() && k > 0 && shards[k].shard == shards[k - 1].shard) {
+      throw geom::InputError(shards[k].archive.name(),
+                             fmt::format("is shard {} of {}, as {} is", shards[k].shard.index + 1,
+                                         count, shards[k - 1].archive.name()));
+    }
+    if (k >= shards.size() || shards[k].shard.index != k) {
+      throw geom::InputError(
+          shards.front().archive.name(),
+          fmt::format("expected all {} shards, but shard {} is missing", count, k + 1));
+    }
+  }
+  for (const ShardFile& shard : shards) shard.archive.verify();
+  return shards;
+}
+
+// The records of a shard, one after the other.
+class Records {
+ public:
+  explicit Records(const ShardFile& file)
+      : name_(file.archive.name()),
+        text_(file.archive.array<std::uint8_t>("text")),
+        ends_(file.archive.array<std::uint64_t>("ends")) {}
+
+  std::size_t count() const { return ends_.size(); }
+
+  std::string_view next() {
+    const std::uint64_t end = ends_[next_++];
+    if (end < at_ || end > text_.size()) {
+      throw geom::InputError(name_, fmt::format("record {} of the shard cannot end there", next_));
+    }
+    const auto* const begin = reinterpret_cast<const char*>(text_.data()) + at_;
+    const std::size_t size = end - at_;
+    at_ = end;
+    return {begin, size};
+  }
+
+ private:
+  std::string name_;
+  std::span<const std::uint8_t> text_;
+  std::span<const std::uint64_t> ends_;
+  std::size_t next_ = 0;
+  std::uint64_t at_ = 0;
+};
+
+void join_records(std::ostream& out, const std::vector<ShardFile>& shards) {
+  const nlohmann::json& content = shards.front().content;
+  if (!content.contains("head") || !content["head"].is_string() || !content.contains("total") ||
+      !content["total"].is_number_unsigned()) {
+    throw geom::InputError(shards.front().archive.name(), "its content is not that of records");
+  }
+  const auto total = content["total"].get<std::size_t>();
+  std::vector<Records> records;
+  for (const ShardFile& shard : shards) {
+    records.emplace_back(shard);
+    const std::size_t n = shards.size();
+    const std::size_t expected = total / n + (shard.shard.index < total % n ? 1 : 0);
+    if (shard.content != content || records.back().count() != expected) {
+      throw geom::InputError(shard.archive.name(),
+                             fmt::format("expected {} of {} records, found {}", expected, total,
+                                         records.back().count()));
+    }
+  }
+  out << content["head"].get<std::string>();
+  for (std::size_t i = 0; i < total; ++i) out << records[i % records.size()].next();
+}
+
+void join_lattices(std::ostream& out, const std::vector<ShardFile>& shards) {
+  std::vector<plan::LatticePart> parts;
+  for (const ShardFile& s : shards) {
+    parts.push_back(plan::read_lattice_part(s.archive, s.content.dump(), s.shard));
+  }
+  plan::write_lattice(out, plan::join_lattice(parts));
+}
+
+void join_roadmaps(std::ostream& out, const std::vector<ShardFile>& shards,
+                   const geom::Execution& run) {
+  std::vector<plan::RoadmapPart> parts;
+  for (const ShardFile& s : shards) {
+    parts.push_back(plan::read_roadmap_part(s.archive, s.content.dump(), s.shard));
+  }
+  plan::write_roadmap(out, plan::join_roadmap(std::move(parts), run));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Join the shards of a run (--shard) into what one run would have written.",
+               "skyway-join"};
+  cli::Common common(app, true);
+  std::vector<std::string> files;
+  std::string output = "-";
+  app.add_option("shards", files, "all shards of one output, in any order")->required();
+  app.add_option("-o,--output", output, "what they make (default: stdout)");
+  return cli::run_tool(app, argc, argv, [&] {
+    const std::vector<ShardFile> shards = open_all(files);
+    const std::string& kind = shards.front().kind;
+    if (cli::is_map_shard(shards.front())) {
+      cli::write_map(common, output, cli::join_map(shards), shards.front().archive.name(), {});
+      return cli::Exit::yes;
+    }
+    const bool text = kind == "records";
+    cli::OutputFile out(output, text ? cli::OutputKind::text : cli::OutputKind::artefact);
+    if (text) {
+      join_records(out.stream(), shards);
+    } else if (kind == "lattice") {
+      join_lattices(out.stream(), shards);
+    } else if (kind == "roadmap") {
+      join_roadmaps(out.stream(), shards, common.execution("bends"));
+    } else {
+      throw geom::InputError(
+          shards.front().archive.name(),
+          fmt::format("expected a kind of shard that is known, found \"{}\"", kind));
+    }
+    out.commit();
+    common.write_stats({{"shards", shards.size()}, {"kind", kind}});
+    const bool no = std::any_of(shards.begin(), shards.end(),
+                                [](const ShardFile& s) { return s.exit == cli::Exit::no; });
+    return no ? cli::Exit::no : cli::Exit::yes;
+  });
+}
