@@ -70,7 +70,7 @@ void add_search_options(CLI::App& app, Search& search) {
   app.add_option("--seconds", search.seconds,
                  "rrt…: end a search after this time; results then depend on the machine")
       ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--seed", sampling.seed, "rrt…: of the random numbers (default 1)");
+  app.add_option("--seed", sampling.seed, "rrt…: of the random numbers (default 0)");
   app.add_option("--tree", search.tree_file,
                  "rrt…: write the tree of the one query: .ply, .glb, else JSON Lines");
 }

@@ -112,11 +112,11 @@ void bind_planner(py::module_& module) {
       .def("plan", &plan_one, py::arg("start"), py::arg("goal"), py::kw_only(),
            py::arg("id") = "q1", py::arg("method") = "auto", py::arg("quality") = "normal",
            py::arg("raw") = false, py::arg("resample") = 0.0, py::arg("snap_ends") = 0.0,
-           py::arg("seed") = 1)
+           py::arg("seed") = 0)
       .def("plan_batch", &plan_batch, py::arg("queries"), py::kw_only(),
            py::arg("ids") = py::none(), py::arg("method") = "auto", py::arg("quality") = "normal",
            py::arg("raw") = false, py::arg("resample") = 0.0, py::arg("snap_ends") = 0.0,
-           py::arg("seed") = 1, py::arg("threads") = 0);
+           py::arg("seed") = 0, py::arg("threads") = 0);
 }
 
 }  // namespace binding

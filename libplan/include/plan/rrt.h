@@ -30,7 +30,7 @@ struct SamplingOptions {
                             // rrt_connect does without
   std::size_t iterations = 20000;  // edges tried towards samples; the star methods use all of them
   double radius = 30;              // metres, >= 0: the star methods' largest neighbourhood
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 0;
   bool straight_first = true;  // whether a free straight line is the answer, and no tree grown
 
   // The star methods end after so many iterations that in all shortened the path by less than
