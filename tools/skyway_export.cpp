@@ -13,9 +13,9 @@
 #include "export/writer.h"
 #include "geom/error.h"
 #include "traj/export/crazyflie.h"
-#include "traj/export/in_enu.h"
 #include "traj/export/straight_legs.h"
 #include "traj/io/trajectory_record.h"
+#include "traj/to_enu.h"
 
 namespace {
 
@@ -151,7 +151,7 @@ void add_options(CLI::App& app, Options& options, Task& task) {
 Written write_unchecked(const TrajectoryRecord& record, Task& task) {
   task.frame.axes = record.provenance.frame.value_or(geom::Axes::enu);
   task.ground = task.landing = task.placement.ground.value_or(0);
-  task.enu = traj::in_enu(task.frame.axes, record.trajectory);
+  task.enu = traj::to_enu(task.frame.axes, record.trajectory);
   return exporting::write(task, traj::straight_legs(task.enu, task.tolerance));
 }
 
@@ -162,7 +162,7 @@ std::optional<Written> write_checked(const Options& options, const TrajectoryRec
                      cli::Scenes::Differences::refused);
   const auto& scene = scenes.scene_for(record.provenance, options.input(), 0);
   task.frame = scene.map().spec().frame;
-  task.enu = traj::in_enu(task.frame.axes, record.trajectory);
+  task.enu = traj::to_enu(task.frame.axes, record.trajectory);
   set_ground(scene, record, task);
   auto [written, result] = exporting::write_proved(scene, task);
   if (result.ok) return std::move(written);

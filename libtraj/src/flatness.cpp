@@ -14,15 +14,6 @@ Eigen::Matrix3d upright(double yaw) {
   return Eigen::AngleAxisd(yaw, Vec3::UnitZ()).toRotationMatrix();
 }
 
-// The value and the derivative in u of a polynomial of degree 7 by its Bernstein values.
-Heading on_segment(std::array<double, kPoints> b, double u, double duration) {
-  for (int m = kDegree; m > 1; --m) {
-    for (int i = 0; i < m; ++i) b[i] += u * (b[i + 1] - b[i]);
-  }
-  const double step = b[1] - b[0];
-  return {b[0] + u * step, kDegree * step / duration};
-}
-
 }  // namespace
 
 FlatState flat_state(const State& state, const Heading& heading) {
@@ -46,11 +37,6 @@ FlatState flat_state(const State& state, const Heading& heading) {
   return out;
 }
 
-State to_enu(geom::Axes axes, const State& s) {
-  return {geom::to_enu(axes, s.position), geom::to_enu(axes, s.velocity),
-          geom::to_enu(axes, s.acceleration), geom::to_enu(axes, s.jerk)};
-}
-
 Heading heading_at(const Trajectory& trajectory, geom::Axes axes, double t) {
   const Segment* segment = nullptr;
   double begin = 0;
@@ -60,7 +46,7 @@ Heading heading_at(const Trajectory& trajectory, geom::Axes axes, double t) {
     if (t < begin + s.duration) break;
   }
   const double u = std::clamp((t - begin) / segment->duration, 0.0, 1.0);
-  const Heading own = on_segment(*segment->yaw, u, segment->duration);
+  const Heading own = *heading(*segment, u);
   return {geom::yaw_to_enu(axes, own.yaw), axes == geom::Axes::enu ? own.rate : -own.rate};
 }
 

@@ -25,17 +25,6 @@ constexpr std::string_view kNedHeader =
 constexpr std::size_t kColumns = 12;
 using Row = std::array<double, kColumns>;
 
-// Yaw and its rate at u of the segment, 0 to 1, by de Casteljau.
-void set_yaw(const Segment& s, double u, Setpoint& setpoint) {
-  if (!s.yaw) return;
-  auto b = *s.yaw;
-  for (int m = kDegree; m > 1; --m) {
-    for (int i = 0; i < m; ++i) b[i] += u * (b[i + 1] - b[i]);
-  }
-  setpoint.yaw = b[0] + u * (b[1] - b[0]);
-  setpoint.yaw_rate = kDegree * (b[1] - b[0]) / s.duration;
-}
-
 // East, north, up as north, east, down; its own inverse. A yaw likewise.
 Vec3 swapped(const Vec3& v) { return {v.y(), v.x(), -v.z()}; }
 
@@ -109,7 +98,9 @@ std::vector<Setpoint> setpoints(const Trajectory& enu, double rate) {
     const Segment& s = enu.segments[segment];
     const double in = std::min(t - begin, s.duration);
     made.push_back({t, evaluate(s, in), 0, 0});
-    set_yaw(s, in / s.duration, made.back());
+    const auto looks = heading(s, in / s.duration).value_or(Heading{});
+    made.back().yaw = looks.yaw;
+    made.back().yaw_rate = looks.rate;
   };
   for (double k = 0; k / rate < end; ++k) add(k / rate);
   add(end);

@@ -127,18 +127,22 @@ void add_yaw(const YawOptions& options, Trajectory& trajectory) {
   }
 }
 
+std::optional<Heading> heading(const Segment& segment, double u) {
+  if (!segment.yaw) return std::nullopt;
+  auto b = *segment.yaw;
+  for (int m = kDegree; m > 1; --m) {
+    for (int i = 0; i < m; ++i) b[i] += u * (b[i + 1] - b[i]);
+  }
+  return Heading{b[0] + u * (b[1] - b[0]), kDegree * (b[1] - b[0]) / segment.duration};
+}
+
 std::optional<double> yaw_at(const Trajectory& trajectory, double t) {
   double begin = 0;
   for (const Segment& s : trajectory.segments) {
     const bool last = &s == &trajectory.segments.back();
     if (t < begin + s.duration || last) {
-      if (!s.yaw) return std::nullopt;
-      const double u = std::clamp((t - begin) / s.duration, 0.0, 1.0);
-      auto b = *s.yaw;
-      for (int m = 1; m < kPoints; ++m) {
-        for (int i = 0; i + m < kPoints; ++i) b[i] += u * (b[i + 1] - b[i]);
-      }
-      return b[0];
+      const auto found = heading(s, std::clamp((t - begin) / s.duration, 0.0, 1.0));
+      return found ? std::optional(found->yaw) : std::nullopt;
     }
     begin += s.duration;
   }

@@ -11,7 +11,7 @@ if [ -z "$root" ]; then
   root=$(mktemp -d)
   trap 'rm -rf "$root"' EXIT
 fi
-in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"; }
+in_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/srv LC_ALL=C.UTF-8 "$@"; }
 deb() { (cd "$root" && printf '/%s' debs/"$1"_*.deb); }
 used() { du -sm --exclude=var/cache --exclude=var/lib/apt "$root" | cut -f 1; }
 
@@ -38,7 +38,7 @@ install() {
 
 echo "== skyway"
 install "$(deb skyway)"
-in_root bash /usr/share/skyway/tools/demo.sh /usr/bin /root/out
+in_root bash /usr/share/skyway/tools/demo.sh /usr/bin /srv/out
 in_root skyway help > /dev/null
 
 echo "== manual pages and completions"
@@ -53,28 +53,28 @@ offered=$(in_root bash -c 'source /usr/share/bash-completion/bash_completion; _c
   COMP_WORDS=(skyway-plan --sn) COMP_CWORD=1; _skyway_plan; echo "${COMPREPLY[@]}"')
 [ "$offered" = --snap-ends ] || { echo "bash offers \"$offered\" after skyway-plan --sn"; exit 1; }
 
-cp "$here"/tests/golden/data/{scan.xyz,blocks.geojson} "$root/root"
+cp "$here"/tests/golden/data/{scan.xyz,blocks.geojson} "$root/srv"
 echo "== skyway-cloud"
 install "$(deb skyway-cloud)"
-in_root skyway-cloud -q /root/scan.xyz -o /root/scan.boxmap
+in_root skyway-cloud -q /srv/scan.xyz -o /srv/scan.boxmap
 
 echo "== skyway-footprints"
 install "$(deb skyway-footprints)"
-in_root skyway-footprints -q /root/blocks.geojson -o /root/blocks.boxmap
-in_root skyway-info /root/blocks.boxmap > /dev/null
+in_root skyway-footprints -q /srv/blocks.geojson -o /srv/blocks.boxmap
+in_root skyway-info /srv/blocks.boxmap > /dev/null
 
 echo "== python3-skyway"
 install "$(deb python3-skyway)"
 for example in read query plan solve check; do
-  in_root python3 "/usr/share/doc/python3-skyway/examples/$example.py" /root/out
+  in_root python3 "/usr/share/doc/python3-skyway/examples/$example.py" /srv/out
 done
 
 echo "== libskyway-dev"
 install g++ cmake make "$(deb libskyway-dev)"
-cp -r "$here/tests/consumer" "$root/root/consumer"
-in_root cmake -S /root/consumer -B /root/consumer/build > /dev/null
-in_root cmake --build /root/consumer/build > /dev/null
-in_root /root/consumer/build/consumer
+cp -r "$here/tests/consumer" "$root/srv/consumer"
+in_root cmake -S /srv/consumer -B /srv/consumer/build > /dev/null
+in_root cmake --build /srv/consumer/build > /dev/null
+in_root /srv/consumer/build/consumer
 echo "find_package(skyway) works"
 
 echo "== sizes"

@@ -4,6 +4,7 @@
 
 #include "geom/error.h"
 #include "plan/build_lattice.h"
+#include "plan/file_bytes.h"
 #include "plan/io/lattice_file.h"
 #include "plan/io/part_file.h"
 #include "plan/io/roadmap_file.h"
@@ -15,18 +16,6 @@ namespace plan {
 namespace {
 
 constexpr std::size_t kCounts[] = {1, 2, 3, 7, 60};  // 60: more than tiles
-
-std::string bytes(const Lattice& lattice) {
-  std::ostringstream out;
-  write_lattice(out, lattice);
-  return out.str();
-}
-
-std::string bytes(const Roadmap& roadmap) {
-  std::ostringstream out;
-  write_roadmap(out, roadmap);
-  return out.str();
-}
 
 // As an archive of its own: what a file gives back.
 template <class Part>

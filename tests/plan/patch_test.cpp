@@ -6,6 +6,7 @@
 
 #include "geom/error.h"
 #include "plan/build_lattice.h"
+#include "plan/file_bytes.h"
 #include "plan/io/lattice_file.h"
 #include "plan/io/roadmap_file.h"
 #include "plan/scenes.h"
@@ -17,18 +18,6 @@ using geom::Aabb;
 
 const Aabb kBounds{{0, 0, 0}, {60, 60, 30}};
 const Vec3 kHalf(0.5, 0.5, 0.25);
-
-std::string bytes(const Lattice& lattice) {
-  std::ostringstream out;
-  write_lattice(out, lattice);
-  return out.str();
-}
-
-std::string bytes(const Roadmap& roadmap) {
-  std::ostringstream out;
-  write_roadmap(out, roadmap);
-  return out.str();
-}
 
 Aabb random_box(support::Random& random) {
   const Vec3 low(random.stepped(-4, 58, 1), random.stepped(-4, 58, 1),

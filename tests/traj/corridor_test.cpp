@@ -41,6 +41,18 @@ geom::Aabb random_box(testing::Random& random) {
   return {p.cwiseMin(q), p.cwiseMax(q)};
 }
 
+// Up to that wide and high, in a cube of 120 m that stands on the ground.
+std::vector<geom::Aabb> boxes_in_the_air(testing::Random& random, int count, double width,
+                                         double height) {
+  std::vector<geom::Aabb> boxes;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 p = random.vector(60) + Vec3(0, 0, 60);
+    const Vec3 size(random.number(0, width), random.number(0, width), random.number(0, height));
+    boxes.push_back({p, p + size});
+  }
+  return boxes;
+}
+
 TEST(Separation, PutsBoxAndSegmentStrictlyOnEitherSide) {
   testing::Random random(1);
   int tried = 0;
@@ -111,11 +123,7 @@ TEST(Joints, KeepThePathsOwnPointsAndDropRepeatedOnes) {
 
 TEST(AddPlanes, HidesEveryBoxInReachFromItsPiece) {
   testing::Random random(3);
-  std::vector<geom::Aabb> boxes;
-  for (int i = 0; i < 300; ++i) {
-    const Vec3 p = random.vector(60) + Vec3(0, 0, 60);
-    boxes.push_back({p, p + Vec3(random.number(0, 4), random.number(0, 4), random.number(0, 20))});
-  }
+  const std::vector<geom::Aabb> boxes = boxes_in_the_air(random, 300, 4, 20);
   const geom::CollisionScene scene =
       testing::scene_of(boxes, {Vec3(-90, -90, 0), Vec3(90, 90, 150)});
   int pieces = 0;
@@ -176,11 +184,7 @@ geom::Aabb box_of(const CorridorPiece& piece) {
 
 TEST(BoxCorridor, LeadsThroughEmptyBoxesFromStartToGoal) {
   testing::Random random(4);
-  std::vector<geom::Aabb> boxes;
-  for (int i = 0; i < 150; ++i) {
-    const Vec3 p = random.vector(60) + Vec3(0, 0, 60);
-    boxes.push_back({p, p + Vec3(random.number(0, 8), random.number(0, 8), random.number(0, 30))});
-  }
+  const std::vector<geom::Aabb> boxes = boxes_in_the_air(random, 150, 8, 30);
   const geom::CollisionScene scene =
       testing::scene_of(boxes, {Vec3(-90, -90, 0), Vec3(90, 90, 150)});
   int paths = 0;

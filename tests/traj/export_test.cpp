@@ -6,10 +6,10 @@
 #include "geom/error.h"
 #include "support/refusal.h"
 #include "traj/export/crazyflie.h"
-#include "traj/export/in_enu.h"
 #include "traj/export/setpoints.h"
 #include "traj/export/straight_legs.h"
 #include "traj/scenes.h"
+#include "traj/to_enu.h"
 
 namespace traj {
 namespace {
@@ -32,11 +32,11 @@ std::string refusal(const std::string& text, void (*read)(std::istream&)) {
 TEST(InEnu, SwapsXAndYAndTurnsYawAndIsItsOwnInverse) {
   Trajectory t = example();
   t.segments[0].yaw = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
-  const Trajectory enu = in_enu(geom::Axes::neu, t);
+  const Trajectory enu = to_enu(geom::Axes::neu, t);
   EXPECT_EQ(enu.segments[0].point[0], Vec3(-120.5, 300.25, 20));
   EXPECT_DOUBLE_EQ((*enu.segments[0].yaw)[7], std::numbers::pi / 2 - 0.7);
-  EXPECT_EQ(in_enu(geom::Axes::neu, enu).segments[1].point, t.segments[1].point);
-  EXPECT_EQ(in_enu(geom::Axes::enu, t).segments[1].point, t.segments[1].point);
+  EXPECT_EQ(to_enu(geom::Axes::neu, enu).segments[1].point, t.segments[1].point);
+  EXPECT_EQ(to_enu(geom::Axes::enu, t).segments[1].point, t.segments[1].point);
 }
 
 TEST(Crazyflie, ComesBackToSinglePrecision) {

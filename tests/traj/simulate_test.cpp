@@ -10,6 +10,7 @@
 #include "traj/flight/monte_carlo.h"
 #include "traj/flight/tune.h"
 #include "traj/limits.h"
+#include "traj/to_enu.h"
 #include "traj/yaw.h"
 
 namespace traj {

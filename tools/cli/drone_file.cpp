@@ -12,9 +12,9 @@
 #include "traj/export/crazyflie.h"
 #include "traj/export/geo_line.h"
 #include "traj/export/gltf_line.h"
-#include "traj/export/in_enu.h"
 #include "traj/export/qgc_plan.h"
 #include "traj/export/wpl.h"
+#include "traj/to_enu.h"
 
 namespace cli {
 namespace {
@@ -105,8 +105,8 @@ traj::Flown read_flown(std::istream& in, const std::string& source, DroneFile& f
 }
 
 traj::Flown in_map_axes(traj::Flown flown, geom::Axes axes) {
-  flown.trajectory = traj::in_enu(axes, std::move(flown.trajectory));
-  flown.path = traj::in_enu(axes, std::move(flown.path));
+  flown.trajectory = traj::to_enu(axes, std::move(flown.trajectory));
+  flown.path = traj::to_enu(axes, std::move(flown.path));
   for (traj::Setpoint& s : flown.setpoints) {
     s.yaw = geom::yaw_to_enu(axes, s.yaw);
     if (axes != geom::Axes::enu) s.yaw_rate = -s.yaw_rate;

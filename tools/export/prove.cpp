@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "traj/export/in_enu.h"
 #include "traj/export/straight_legs.h"
 #include "traj/flown.h"
+#include "traj/to_enu.h"
 
 namespace exporting {
 namespace {
@@ -36,8 +36,8 @@ traj::CheckResult judge(const geom::CollisionScene& scene, const Task& task,
 
 geom::Polyline pushed_legs(const geom::CollisionScene& scene, const Task& task,
                            const geom::Polyline& legs, double distance) {
-  return traj::in_enu(task.frame.axes,
-                      traj::pushed_off(scene, traj::in_enu(task.frame.axes, legs), distance));
+  return traj::to_enu(task.frame.axes,
+                      traj::pushed_off(scene, traj::to_enu(task.frame.axes, legs), distance));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "cli/run.h"
 #include "geom/error.h"
 #include "geom/parallel.h"
+#include "traj/to_enu.h"
 
 namespace fly {
 namespace {

@@ -10,6 +10,7 @@
 #include "cli/drawings.h"
 #include "cli/files.h"
 #include "map/verbs.h"
+#include "traj/to_enu.h"
 
 namespace verbs {
 namespace {
@@ -33,11 +34,6 @@ geom::MeshPart way(std::string name, Colour colour, std::vector<geom::Vec3> poin
   for (std::uint32_t i = 1; i < points.size(); ++i) edges.push_back({i - 1, i});
   return geom::rod_part(
       {std::move(name), colour, std::move(points), std::move(edges), radius, radius});
-}
-
-std::vector<geom::Vec3> in_enu(geom::Axes axes, std::vector<geom::Vec3> points) {
-  for (geom::Vec3& p : points) p = geom::to_enu(axes, p);
-  return points;
 }
 
 std::vector<geom::Vec3> curve(const traj::Trajectory& trajectory) {
@@ -101,11 +97,11 @@ std::vector<geom::MeshPart> parts_of(const geom::BoxMap& map, const cli::Drawing
   std::vector<geom::MeshPart> parts = geom::box_parts(map);
   for (const auto& tree : drawings.trees) add_tree(tree, axes, radius, parts);
   for (const auto& path : drawings.paths) {
-    parts.push_back(way("path " + path.id, kPath, in_enu(axes, path.points), radius));
+    parts.push_back(way("path " + path.id, kPath, traj::to_enu(axes, path.points), radius));
   }
   for (const auto& t : drawings.trajectories) {
     parts.push_back(
-        way("trajectory " + t.id, kTrajectory, in_enu(axes, curve(t.trajectory)), radius));
+        way("trajectory " + t.id, kTrajectory, traj::to_enu(axes, curve(t.trajectory)), radius));
   }
   for (const auto& f : drawings.flights) {
     parts.push_back(way("flight " + f.id, kFlight, flown(f), radius));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/markup.h"
 #include "plot/ticks.h"
 
 namespace plot {
@@ -11,19 +12,6 @@ namespace {
 std::string px(double value) {
   const std::string digits = fmt::format("{:.2f}", value);
   return digits == "-0.00" ? "0.00" : digits;
-}
-
-std::string escaped(std::string_view words) {
-  std::string out;
-  for (const char c : words) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += c;
-  }
-  return out;
 }
 
 int y_ticks(const Frame& frame) { return frame.height > 300 ? 8 : 4; }
@@ -65,14 +53,14 @@ void Svg::text(Point at, std::string_view words, double size, std::string_view a
       turn == 0 ? "" : fmt::format(" transform=\"rotate({} {} {})\"", turn, px(at.x), px(at.y));
   body_ += fmt::format(
       "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n",
-      px(at.x), px(at.y), size, anchor, colour, rotate, escaped(words));
+      px(at.x), px(at.y), size, anchor, colour, rotate, cli::escaped_markup(words));
 }
 
 void Svg::text_on_white(Point at, std::string_view words, double size, std::string_view anchor) {
   body_ += fmt::format(
       "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"#ffffff\" "
       "stroke=\"#ffffff\" stroke-width=\"4\" stroke-linejoin=\"round\">{}</text>\n",
-      px(at.x), px(at.y), size, anchor, escaped(words));
+      px(at.x), px(at.y), size, anchor, cli::escaped_markup(words));
   text(at, words, size, anchor);
 }
 

@@ -3,21 +3,10 @@
 #include <array>
 #include <utility>
 
+#include "cli/markup.h"
+
 namespace view {
 namespace {
-
-std::string escaped_html(std::string_view words) {
-  std::string out;
-  for (const char c : words) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 // JSON that may stand inside <script>: no "<" can end it.
 std::string script_json(const Json& meta) {
@@ -35,7 +24,7 @@ std::string script_json(const Json& meta) {
 
 std::string page(std::string_view title, const Json& meta, const Bundle& bundle) {
   const std::array<std::pair<std::string_view, std::string>, 6> parts = {
-      {{"{{title}}", escaped_html(title)},
+      {{"{{title}}", cli::escaped_markup(title)},
        {"{{style}}", std::string(kPageStyle)},
        {"{{meta}}", script_json(meta)},
        {"{{arrays}}", bundle.base64()},

@@ -6,14 +6,11 @@
 #include <Eigen/Geometry>
 
 #include "geom/frame.h"
+#include "traj/to_enu.h"
 #include "traj/trajectory.h"
+#include "traj/yaw.h"
 
 namespace traj {
-
-struct Heading {
-  double yaw = 0;   // radians, counterclockwise from east
-  double rate = 0;  // rad/s
-};
 
 // Body axes x forward, y left, z up. Matrices turn body vectors into ENU ones.
 struct FlatState {
@@ -29,9 +26,6 @@ struct FlatState {
 // thrust must not point to the left or right of the heading in the plane of the ground
 // (precondition), where x is not defined.
 FlatState flat_state(const State& state, const Heading& heading);
-
-// Vectors of a map's axes in ENU.
-State to_enu(geom::Axes axes, const State& state);
 
 // The heading in ENU t seconds into a trajectory of a map with these axes, clamped to [0,
 // duration]; at a joint that of the later segment. Every segment has a yaw (precondition; add_yaw

@@ -34,6 +34,14 @@ void add_yaw(const YawOptions& options, Trajectory& trajectory);
 // segment (at a joint: the later) has none. The trajectory has at least one segment.
 std::optional<double> yaw_at(const Trajectory& trajectory, double t);
 
+struct Heading {
+  double yaw = 0;   // radians
+  double rate = 0;  // rad/s
+};
+
+// At u of the segment, 0 to 1; nothing where it has no yaw.
+std::optional<Heading> heading(const Segment& segment, double u);
+
 // The largest |yaw rate|, rad/s: an upper bound by the control points of 256 parts; 0 without yaw.
 double yaw_rate_bound(const Segment& segment);
 

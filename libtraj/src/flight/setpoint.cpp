@@ -17,16 +17,6 @@ T value_at(std::array<T, N> q, double u) {
 
 }  // namespace
 
-Trajectory to_enu(geom::Axes axes, const Trajectory& trajectory) {
-  Trajectory out = trajectory;
-  for (Segment& s : out.segments) {
-    for (Vec3& p : s.point) p = geom::to_enu(axes, p);
-    if (!s.yaw) continue;
-    for (double& yaw : *s.yaw) yaw = geom::yaw_to_enu(axes, yaw);
-  }
-  return out;
-}
-
 SetpointTrack::SetpointTrack(const Trajectory& trajectory) {
   pieces_.reserve(trajectory.segments.size());
   for (const Segment& s : trajectory.segments) {

@@ -4,13 +4,9 @@
 
 #include <vector>
 
-#include "geom/frame.h"
 #include "traj/trajectory.h"
 
 namespace traj {
-
-// The trajectory in ENU axes, yaw included. The one place where flight looks at a map's axes.
-Trajectory to_enu(geom::Axes axes, const Trajectory& trajectory);
 
 struct Setpoint {
   Vec3 position = Vec3::Zero();      // m

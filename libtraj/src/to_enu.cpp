@@ -1,8 +1,8 @@
-#include "traj/export/in_enu.h"
+#include "traj/to_enu.h"
 
 namespace traj {
 
-Trajectory in_enu(geom::Axes axes, Trajectory trajectory) {
+Trajectory to_enu(geom::Axes axes, Trajectory trajectory) {
   if (axes == geom::Axes::enu) return trajectory;
   for (Segment& s : trajectory.segments) {
     for (Vec3& p : s.point) p = geom::to_enu(axes, p);
@@ -12,7 +12,12 @@ Trajectory in_enu(geom::Axes axes, Trajectory trajectory) {
   return trajectory;
 }
 
-geom::Polyline in_enu(geom::Axes axes, geom::Polyline path) {
+State to_enu(geom::Axes axes, const State& s) {
+  return {geom::to_enu(axes, s.position), geom::to_enu(axes, s.velocity),
+          geom::to_enu(axes, s.acceleration), geom::to_enu(axes, s.jerk)};
+}
+
+geom::Polyline to_enu(geom::Axes axes, geom::Polyline path) {
   for (Vec3& p : path) p = geom::to_enu(axes, p);
   return path;
 }

@@ -1,0 +1,25 @@
+#pragma once
+
+// What files hold, to be compared.
+
+#include <sstream>
+#include <string>
+
+#include "plan/io/lattice_file.h"
+#include "plan/io/roadmap_file.h"
+
+namespace plan {
+
+inline std::string bytes(const Lattice& lattice) {
+  std::ostringstream out;
+  write_lattice(out, lattice);
+  return out.str();
+}
+
+inline std::string bytes(const Roadmap& roadmap) {
+  std::ostringstream out;
+  write_roadmap(out, roadmap);
+  return out.str();
+}
+
+}  // namespace plan
