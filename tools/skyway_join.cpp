@@ -70,7 +70,7 @@ void join_lattices(std::ostream& out, const std::vector<ShardFile>& shards) {
   for (const ShardFile& s : shards) {
     parts.push_back(plan::read_lattice_part(s.archive, s.content.dump(), s.shard));
   }
-  plan::write_lattice(out, plan::join_lattice(parts));
+  plan::write_lattice(out, parts);
 }
 
 void join_roadmaps(std::ostream& out, const std::vector<ShardFile>& shards,

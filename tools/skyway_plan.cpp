@@ -12,6 +12,7 @@
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "geom/io/query_record.h"
+#include "geom/mapped_file.h"
 #include "geom/parallel.h"
 #include "plan/io/path_record.h"
 #include "plan/io/search_tree.h"
@@ -56,6 +57,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
     plan::PlanResult result = planner.plan(query.from, query.to, search.started());
     out.records[i] = plan::path_record(scene, query.id, result);
     if (!search.tree_file.empty()) out.tree = std::move(result.tree);
+    geom::trim_mapped_files();
   });
   return out;
 }

@@ -1,20 +1,17 @@
 #include "geom/io/array_archive.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <new>
+#include <optional>
 #include <ostream>
-#include <system_error>
 
 #include "crc.h"
 #include "geom/error.h"
+#include "geom/mapped_file.h"
 #include "npy.h"
+#include "stretch.h"
 #include "zip_format.h"
 #include "zip_reader.h"
 #include "zip_writer.h"
@@ -26,7 +23,7 @@ void write_array_archive(std::ostream& out, std::string_view meta_json,
   ZipWriter zip(out);
   zip.add("meta.json", meta_json, {});
   for (const NamedArray& array : arrays)
-    zip.add(array.name + ".npy", npy_header(array), array.bytes);
+    zip.add(array.name + ".npy", npy_header(array), array.pieces);
   zip.finish();
 }
 
@@ -36,14 +33,13 @@ struct ArrayArchive::Data {
   std::vector<Entry> arrays;
   std::string_view meta;
   std::uint32_t meta_crc = 0;
-  void* mapped = nullptr;
+  std::optional<MappedFile> mapped;
   std::byte* owned = nullptr;
 
   Data() = default;
   Data(const Data&) = delete;
   Data& operator=(const Data&) = delete;
   ~Data() {
-    if (mapped) munmap(mapped, bytes.size());
     if (owned) ::operator delete (owned, std::align_val_t{kAlignment});
   }
 };
@@ -68,25 +64,7 @@ ArrayArchive ArrayArchive::open(std::shared_ptr<Data> data) {
 ArrayArchive ArrayArchive::map(const std::string& path) {
   auto data = std::make_shared<Data>();
   data->name = path;
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat info {};
-  if (file < 0 || fstat(file, &info) != 0) {
-    const int error = errno;
-    if (file >= 0) close(file);
-    throw std::system_error(error, std::generic_category(), "cannot read " + path);
-  }
-  if (!S_ISREG(info.st_mode) || info.st_size == 0) {
-    close(file);
-    throw InputError(path, "expected a ZIP archive, found an empty or special file");
-  }
-  const auto size = static_cast<std::size_t>(info.st_size);
-  void* const at = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-  const int error = errno;
-  close(file);
-  if (at == MAP_FAILED)
-    throw std::system_error(error, std::generic_category(), "cannot map " + path);
-  data->mapped = at;
-  data->bytes = {static_cast<const std::byte*>(at), size};
+  data->bytes = data->mapped.emplace(path).bytes();
   return open(std::move(data));
 }
 
@@ -134,7 +112,11 @@ void ArrayArchive::verify() const {
                             expected, found));
   };
   check("meta.json", data_->meta_crc, crc32_of(std::as_bytes(std::span(data_->meta))));
-  for (const Entry& entry : data_->arrays) check(entry.name, entry.crc, crc32_of(entry.stored));
+  for (const Entry& entry : data_->arrays) {
+    std::uint32_t crc = 0;
+    for_each_stretch(entry.stored, [&](auto bytes) { crc = crc32_of(bytes, crc); });
+    check(entry.name, entry.crc, crc);
+  }
 }
 
 }  // namespace geom

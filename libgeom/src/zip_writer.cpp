@@ -7,6 +7,7 @@
 
 #include "crc.h"
 #include "geom/io/bytes.h"
+#include "stretch.h"
 #include "zip_format.h"
 
 namespace geom {
@@ -64,9 +65,13 @@ void append_common(std::string& out, const Stored& stored, bool zip64) {
 }  // namespace
 
 void ZipWriter::add(const std::string& name, std::string_view head,
-                    std::span<const std::byte> body) {
-  const std::uint64_t size = head.size() + body.size();
-  const std::uint32_t crc = crc32_of(body, crc32_of(std::as_bytes(std::span(head))));
+                    std::span<const std::span<const std::byte>> body) {
+  std::uint64_t size = head.size();
+  std::uint32_t crc = crc32_of(std::as_bytes(std::span(head)));
+  for (const auto& piece : body) {
+    size += piece.size();
+    for_each_stretch(piece, [&](auto bytes) { crc = crc32_of(bytes, crc); });
+  }
   const std::uint64_t offset = written_;
   const bool zip64 = size >= kFull32;
   std::string extra = zip64 ? zip64_field({size, size}) : "";
@@ -77,7 +82,11 @@ void ZipWriter::add(const std::string& name, std::string_view head,
   append_common(local, {name, extra, crc, size}, zip64);
   write(local + name + extra);
   write(head);
-  write({reinterpret_cast<const char*>(body.data()), body.size()});
+  for (const auto& piece : body) {
+    for_each_stretch(piece, [&](auto bytes) {
+      write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
+  }
   add_to_directory(name, crc, size, offset);
 }
 

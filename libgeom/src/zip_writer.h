@@ -18,8 +18,9 @@ class ZipWriter {
  public:
   explicit ZipWriter(std::ostream& out) : out_(out) {}  // `out` must outlive it
 
-  // Stores `head` and `body`, one after the other.
-  void add(const std::string& name, std::string_view head, std::span<const std::byte> body);
+  // Stores `head` and the pieces of the body, one after the other.
+  void add(const std::string& name, std::string_view head,
+           std::span<const std::span<const std::byte>> body);
   void finish();  // writes the directory; nothing may be added after it
 
  private:
