@@ -320,8 +320,11 @@ struct RegionContext {
   const Aabb* region;
   Vec3 center;
   double radius;
-  std::vector<std::size_t> found;
+  std::size_t most;                // more are not wanted,
+  std::vector<std::size_t> found;  // and the search ends with one more
   const GroupScene* group = nullptr;
+
+  bool too_many() const { return found.size() > most; }
 };
 
 // One point-query callback serves both kinds of query and both levels.
@@ -444,23 +447,25 @@ bool visit_nearest(RTCPointQueryFunctionArguments* args, NearestContext& context
   return true;
 }
 
-void visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, bool top) {
+bool visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, bool top) {
+  if (context.too_many()) return false;
   if (!top) {
     if (overlap(*context.region, context.group->grown[args->primID])) {
       context.found.push_back(context.group->box[args->primID]);
     }
-    return;
+  } else if (overlap(*context.region, context.impl->group_extent[args->primID])) {
+    const Visit visit(*context.impl, args->primID);
+    search_group(context, visit.scene());
   }
-  if (!overlap(*context.region, context.impl->group_extent[args->primID])) return;
-  const Visit visit(*context.impl, args->primID);
-  search_group(context, visit.scene());
+  if (!context.too_many()) return false;
+  args->query->radius = 0;  // leaves little to visit
+  return true;
 }
 
 bool visit(RTCPointQueryFunctionArguments* args) {
   auto& context = *static_cast<PointContext*>(args->userPtr);
   if (context.nearest) return visit_nearest(args, *context.nearest, context.top, context.slack);
-  visit_region(args, *context.region, context.top);
-  return false;
+  return visit_region(args, *context.region, context.top);
 }
 
 void search_group(NearestContext& context, const GroupScene& group) {
@@ -564,19 +569,25 @@ std::vector<Nearest> CollisionScene::nearest(const Vec3& p, double radius,
   return list;
 }
 
-std::vector<std::size_t> CollisionScene::boxes_meeting(const Aabb& region) const {
-  if (impl_->groups.empty()) return {};
+std::optional<std::vector<std::size_t>> CollisionScene::boxes_meeting(const Aabb& region,
+                                                                      std::size_t most) const {
+  if (impl_->groups.empty()) return std::vector<std::size_t>();
   const Vec3 center = 0.5 * (region.min + region.max);
   const double radius = 0.5 * (region.max - region.min).norm() * (1 + 1e-12) + 1e-9;
-  RegionContext context{impl_.get(), &region, center, radius, {}};
+  RegionContext context{impl_.get(), &region, center, radius, most, {}};
   if (impl_->groups.size() == 1) {
     search_group(context, impl_->touch(0));
   } else {
     PointContext point{nullptr, &context, true};
     near(impl_->top, center, radius, point);
   }
+  if (context.too_many()) return std::nullopt;
   std::sort(context.found.begin(), context.found.end());
   return std::move(context.found);
+}
+
+std::vector<std::size_t> CollisionScene::boxes_meeting(const Aabb& region) const {
+  return *boxes_meeting(region, impl_->map.size());
 }
 
 Aabb CollisionScene::grown(std::size_t i) const { return grow(impl_->map.box(i), impl_->half); }

@@ -123,17 +123,15 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
     given = given || w.velocity;
   }
   const bool all = options.solver == Solver::automatic;
-  std::optional<Trajectory> closed;
+  std::optional<Trajectory> closed;  // not known to fail; proved only where it would be taken
   if (all || options.solver == Solver::closed) {
     closed = closed_form(scene, waypoints, options.limits, options.times.value_or(Times::stops));
-    if (!closed) {
-      result.reason = "no leg times hold the limits at the velocities given";
-    } else if (!proved(scene, *closed, options.limits, result)) {
-      closed.reset();
-    }
+    if (!closed) result.reason = "no leg times hold the limits at the velocities given";
     const bool asked = !all || options.times || given;
-    if (closed && (asked || duration(*closed) <= kNearlyAsFast * fastest(path, options.limits))) {
-      return accept(*closed, "closed", result);
+    const double most = asked ? kNoEnd : kNearlyAsFast * fastest(path, options.limits);
+    if (closed && duration(*closed) <= most) {
+      if (proved(scene, *closed, options.limits, result)) return accept(*closed, "closed", result);
+      closed.reset();
     }
   }
   if (given) {
@@ -147,7 +145,10 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
   }
   if (all || options.solver == Solver::stop_and_go) {
     const Trajectory curve = stop_and_go(path, options.limits);
-    if (closed && duration(*closed) <= duration(curve)) return accept(*closed, "closed", result);
+    if (closed && duration(*closed) <= duration(curve) &&
+        proved(scene, *closed, options.limits, result)) {
+      return accept(*closed, "closed", result);
+    }
     if (proved(scene, curve, options.limits, result)) accept(curve, "stop_and_go", result);
   }
 }
