@@ -93,12 +93,14 @@ class TouchSearch {
         whole_(around(origin_, piece)),
         scale_(largest_coordinate(whole_)) {}
 
-  bool touches(const geom::Aabb& hull) const { return touch(whole_, hull, 0).has_value(); }
+  bool touches(const geom::Aabb& hull) { return touch(whole_, hull, 0).has_value(); }
+  std::size_t looked_at() const { return looked_at_; }
 
  private:
   // The first time in `piece` that cannot be shown clear. `region` holds it, in the map's frame.
-  std::optional<double> touch(const Piece& piece, const geom::Aabb& region, int depth) const {
+  std::optional<double> touch(const Piece& piece, const geom::Aabb& region, int depth) {
     const auto boxes = scene_.boxes_meeting(region, kMany);
+    looked_at_ += boxes ? boxes->size() : kMany;
     if (boxes) {
       std::vector<Candidate> near;
       for (const std::size_t i : *boxes) near.push_back({relative(scene_.grown(i), origin_), i});
@@ -125,11 +127,15 @@ class TouchSearch {
   Vec3 origin_;
   Piece whole_;
   double scale_;
+  std::size_t looked_at_ = 0;
 };
 
-bool touches(const geom::CollisionScene& scene, const Piece& piece) {
+bool touches(const geom::CollisionScene& scene, const Piece& piece, CheckResult& result) {
   if (on_the_line_between_its_ends(piece)) return scene.hits(piece.q.front(), piece.q.back());
-  return TouchSearch(scene, piece).touches(hull_box(piece.q));
+  TouchSearch search(scene, piece);
+  const bool touching = search.touches(hull_box(piece.q));
+  result.looked_at += search.looked_at();
+  return touching;
 }
 
 bool leaves(const geom::CollisionScene& scene, const Piece& piece) {
@@ -181,6 +187,7 @@ class DepthSearch {
     const geom::Aabb region = beside(hull_box(piece.q), kBeside);
     const auto few = scene_.boxes_meeting(region, kMany);
     if (!few && cuts > 0) {
+      looked_at_ += kMany;
       const auto [l, r] = piece.halved();
       add(l, cuts - 1);
       return add(r, cuts - 1);
@@ -189,10 +196,13 @@ class DepthSearch {
     for (const std::size_t i : few ? *few : scene_.boxes_meeting(region)) {
       list.push_back(scene_.grown(i));
     }
+    looked_at_ += list.size();
     if (list.empty()) return;
     parts_.push_back({piece, lists_.size()});
     lists_.push_back(std::move(list));
   }
+
+  std::size_t looked_at() const { return looked_at_; }
 
   Largest deepest() const {
     Largest worst;
@@ -235,12 +245,14 @@ class DepthSearch {
   const geom::CollisionScene& scene_;
   std::vector<Part> parts_;
   std::vector<std::vector<geom::Aabb>> lists_;
+  std::size_t looked_at_ = 0;
 };
 
 void report_collision(const geom::CollisionScene& scene, const std::vector<Piece>& bad,
                       CheckResult& result) {
   DepthSearch search(scene);
   for (const Piece& piece : bad) search.add(piece);
+  result.looked_at += search.looked_at();
   const Largest worst = search.deepest();
   result.box = search.box_at(worst);
   note(result, "collision", worst);
@@ -276,7 +288,7 @@ void check_place(const geom::CollisionScene& scene, const std::vector<Piece>& pi
   }
   if (!outside.empty()) return report_outside(scene, outside, result);
   for (const Piece& piece : pieces) {
-    if (touches(scene, piece)) colliding.push_back(piece);
+    if (touches(scene, piece, result)) colliding.push_back(piece);
   }
   if (!colliding.empty()) report_collision(scene, colliding, result);
 }

@@ -52,9 +52,10 @@ std::string words(const CheckResult& verdict) {
   return verdict.reason + " at " + std::to_string(verdict.time) + " s";
 }
 
-// Notes the reason where the proof fails.
+// Counts the proof, and notes the reason where it fails.
 bool proved(const geom::CollisionScene& scene, const Trajectory& trajectory, const Limits& limits,
             SolveResult& result) {
+  ++result.proofs;
   const CheckResult verdict = check(scene, trajectory, limits);
   if (!verdict.ok) result.reason = words(verdict);
   return verdict.ok;
@@ -163,6 +164,7 @@ void append(const SolveResult& part, SolveResult& whole) {
   if (part.solver_status != kNotRun) whole.solver_status = part.solver_status;
   whole.iterations += part.iterations;
   whole.rounds += part.rounds;
+  whole.proofs += part.proofs;
   whole.objective = std::max(whole.objective, part.objective);
   whole.max_violation = std::max(whole.max_violation, part.max_violation);
   if (whole.rung.empty() || rank(part.rung) > rank(whole.rung)) whole.rung = part.rung;
