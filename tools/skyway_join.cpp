@@ -15,52 +15,6 @@ namespace {
 
 using cli::ShardFile;
 
-// Why two shards are not of one run; empty where they are.
-std::string difference(const ShardFile& a, const ShardFile& b) {
-  const auto differ = [](const char* what, const auto& mine, const auto& other) {
-    return fmt::format("{} {}, not {}", what, nlohmann::json(other).dump(),
-                       nlohmann::json(mine).dump());
-  };
-  if (a.work.tool != b.work.tool) return differ("tool", a.work.tool, b.work.tool);
-  if (a.work.release != b.work.release) return differ("release", a.work.release, b.work.release);
-  if (a.work.options != b.work.options) return differ("options", a.work.options, b.work.options);
-  if (a.work.inputs != b.work.inputs) return differ("inputs", a.work.inputs, b.work.inputs);
-  if (a.output != b.output || a.kind != b.kind) return differ("output", a.output, b.output);
-  if (a.shard.count != b.shard.count) return differ("N", a.shard.count, b.shard.count);
-  return {};
-}
-
-// In their order; each is there once, and they are of one run.
-std::vector<ShardFile> open_all(const std::vector<std::string>& files) {
-  std::vector<ShardFile> shards;
-  for (const std::string& file : files) shards.push_back(cli::read_shard(cli::open_archive(file)));
-  for (const ShardFile& shard : shards) {
-    const std::string why = difference(shards.front(), shard);
-    if (why.empty()) continue;
-    throw geom::InputError(shard.archive.name(),
-                           fmt::format("expected a shard of the same run as {}, found {}",
-                                       shards.front().archive.name(), why));
-  }
-  std::stable_sort(shards.begin(), shards.end(), [](const ShardFile& a, const ShardFile& b) {
-    return a.shard.index < b.shard.index;
-  });
-  const std::size_t count = shards.front().shard.count;
-  for (std::size_t k = 0; k < std::max(count, shards.size()); ++k) {
-    if (k < shards.size() && k > 0 && shards[k].shard == shards[k - 1].shard) {
-      throw geom::InputError(shards[k].archive.name(),
-                             fmt::format("is shard {} of {}, as {} is", shards[k].shard.index + 1,
-                                         count, shards[k - 1].archive.name()));
-    }
-    if (k >= shards.size() || shards[k].shard.index != k) {
-      throw geom::InputError(
-          shards.front().archive.name(),
-          fmt::format("expected all {} shards, but shard {} is missing", count, k + 1));
-    }
-  }
-  for (const ShardFile& shard : shards) shard.archive.verify();
-  return shards;
-}
-
 // The records of a shard, one after the other.
 class Records {
  public:
@@ -100,8 +54,7 @@ void join_records(std::ostream& out, const std::vector<ShardFile>& shards) {
   std::vector<Records> records;
   for (const ShardFile& shard : shards) {
     records.emplace_back(shard);
-    const std::size_t n = shards.size();
-    const std::size_t expected = total / n + (shard.shard.index < total % n ? 1 : 0);
+    const std::size_t expected = shard.shard.taken(total);
     if (shard.content != content || records.back().count() != expected) {
       throw geom::InputError(shard.archive.name(),
                              fmt::format("expected {} of {} records, found {}", expected, total,
@@ -117,7 +70,7 @@ void join_lattices(std::ostream& out, const std::vector<ShardFile>& shards) {
   for (const ShardFile& s : shards) {
     parts.push_back(plan::read_lattice_part(s.archive, s.content.dump(), s.shard));
   }
-  plan::write_lattice(out, plan::join_lattice(parts));
+  plan::write_lattice(out, parts);
 }
 
 void join_roadmaps(std::ostream& out, const std::vector<ShardFile>& shards,
@@ -140,7 +93,7 @@ int main(int argc, char** argv) {
   app.add_option("shards", files, "all shards of one output, in any order")->required();
   app.add_option("-o,--output", output, "what they make (default: stdout)");
   return cli::run_tool(app, argc, argv, [&] {
-    const std::vector<ShardFile> shards = open_all(files);
+    const std::vector<ShardFile> shards = cli::open_shards(files);
     const std::string& kind = shards.front().kind;
     if (cli::is_map_shard(shards.front())) {
       cli::write_map(common, output, cli::join_map(shards), shards.front().archive.name(), {});
@@ -154,6 +107,10 @@ int main(int argc, char** argv) {
       join_lattices(out.stream(), shards);
     } else if (kind == "roadmap") {
       join_roadmaps(out.stream(), shards, common.execution("bends"));
+    } else if (kind == "runs") {
+      throw geom::InputError(shards.front().archive.name(),
+                             "these runs are joined by skyway-fly --join, with the trajectories "
+                             "and options that they were flown with");
     } else {
       throw geom::InputError(
           shards.front().archive.name(),

@@ -15,6 +15,7 @@
 #include "cli/vehicle_option.h"
 #include "geom/error.h"
 #include "geom/io/query_record.h"
+#include "geom/mapped_file.h"
 #include "geom/parallel.h"
 #include "plan/build_lattice.h"
 #include "plan/io/path_record.h"
@@ -189,6 +190,7 @@ int main(int argc, char** argv) {
       plan::PlanResult result = planner.plan(query.from, query.to, with_deadline(search));
       records[i] = plan::path_record(scene, query.id, result);
       if (options.keep_tree) last = std::move(result);
+      geom::trim_mapped_files();
     });
     cli::RecordOutput out(output, "output", sharding);
     std::size_t found = 0;

@@ -13,6 +13,8 @@
 #include <utility>
 
 #include "geom/collision.h"
+#include "geom/mapped_file.h"
+#include "nearest_hints.h"
 #include "skyline.h"
 
 // Two levels of Embree scenes: one over groups of neighbouring tiles, and one a group over its
@@ -53,19 +55,13 @@ struct GroupScene {
   std::vector<Aabb> grown;
   std::vector<Aabb> by_vehicle;  // grown without the margin; empty where that is the same
   Skyline skyline;
-  std::vector<std::uint32_t> hint;  // of each cell of a grid, a box near its middle
-  Eigen::Vector3i hints{0, 0, 0};
+  NearestHints hints;
 
-  // The distance of a box that is likely near, so that a search need not start from nowhere.
-  double hinted_distance(const Vec3& p) const {
-    const Aabb& all = handles.extent;
-    std::size_t cell = 0;
-    for (int i = 2; i >= 0; --i) {
-      const double share = (p[i] - all.min[i]) / (all.max[i] - all.min[i]);  // NaN where flat
-      const int k = share > 0 ? static_cast<int>(std::min(share, 1.0) * (hints[i] - 1e-9)) : 0;
-      cell = cell * static_cast<std::size_t>(hints[i]) + static_cast<std::size_t>(k);
-    }
-    return distance(p, without_margin(hint[cell]));
+  // For the next search, where the box is of this group.
+  void remember(std::size_t map_box, std::atomic<std::uint32_t>& hint) const {
+    const auto at = std::lower_bound(box.begin(), box.end(), map_box);
+    if (at == box.end() || *at != map_box) return;
+    hint.store(static_cast<std::uint32_t>(at - box.begin()), std::memory_order_relaxed);
   }
 
   const Aabb& without_margin(std::size_t i) const {
@@ -73,7 +69,7 @@ struct GroupScene {
   }
   std::size_t bytes() const {
     return box.size() * (sizeof(std::size_t) + kEmbreeBytesPerBox) +
-           (grown.size() + by_vehicle.size()) * sizeof(Aabb) + hint.size() * 4 + (1 << 15);
+           (grown.size() + by_vehicle.size()) * sizeof(Aabb) + hints.bytes() + (1 << 15);
   }
 };
 
@@ -359,16 +355,15 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
   if (groups.size() > 1) build(device, group_extent, segment_against_group, visit, nullptr, top);
 }
 
-namespace {
-
-void add_hints(CollisionScene::Impl& impl, GroupScene& group);
-
-}  // namespace
-
 const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
   const std::lock_guard lock(building);
   if (const GroupScene* scene = groups[g].scene.load()) return *scene;
   auto scene = std::make_unique<GroupScene>();
+  std::size_t count = 0;
+  for (const std::size_t t : groups[g].tiles) count += map.tiles()[t].count;
+  scene->box.reserve(count);
+  scene->grown.reserve(count);
+  if (margin > 0) scene->by_vehicle.reserve(count);
   for (const std::size_t t : groups[g].tiles) {
     std::size_t i = map.tiles()[t].first;
     for (const Aabb& box : map.boxes_of(t)) {
@@ -379,12 +374,13 @@ const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
   }
   geom::build(device, scene->grown, segment_against_box, visit, nullptr, scene->handles);
   scene->skyline = Skyline(scene->grown, scene->handles.extent);
-  add_hints(*this, *scene);
+  scene->hints = NearestHints(scene->handles.extent, scene->grown.size());
   bytes += scene->bytes();
   built.push_back(g);
   groups[g].scene.store(scene.get());
   const GroupScene& made = *scene.release();
   if (bytes > budget) give_up_oldest(g);
+  trim_mapped_files();
   return made;
 }
 
@@ -470,45 +466,26 @@ bool visit(RTCPointQueryFunctionArguments* args) {
 
 void search_group(NearestContext& context, const GroupScene& group) {
   context.group = &group;
-  if (context.room.size() == 1 && !group.hint.empty()) {
-    context.radius = std::min(context.radius, group.hinted_distance(context.point));
-  }
   PointContext inner{&context, nullptr, false};
+  if (context.room.size() > 1) {
+    near(group.handles, context.point, context.radius, inner);
+    return;
+  }
+  // A search for one starts from a box that is likely near.
+  std::atomic<std::uint32_t>& hint = group.hints.at(context.point);
+  const std::uint32_t known = hint.load(std::memory_order_relaxed);
+  if (known != NearestHints::kNone) {
+    const double hinted = distance(context.point, group.without_margin(known));
+    context.radius = std::min(context.radius, hinted);
+  }
   near(group.handles, context.point, context.radius, inner);
+  if (known == NearestHints::kNone && context.found == 1) group.remember(context.room[0].box, hint);
 }
 
 void search_group(RegionContext& context, const GroupScene& group) {
   context.group = &group;
   PointContext inner{nullptr, &context, false};
   near(group.handles, context.center, context.radius, inner);
-}
-
-}  // namespace
-
-namespace {
-
-// About as many cells as boxes, as near to cubes as that gives.
-void add_hints(CollisionScene::Impl& impl, GroupScene& group) {
-  const Aabb& all = group.handles.extent;
-  const Vec3 size = (all.max - all.min).cwiseMax(1.0);
-  const double side = std::cbrt(size.prod() / static_cast<double>(group.box.size()));
-  const Eigen::Vector3i cells = (size / side).array().ceil().cwiseMin(32).cast<int>();
-  std::vector<std::uint32_t> hint;
-  for (int z = 0; z < cells[2]; ++z) {
-    for (int y = 0; y < cells[1]; ++y) {
-      for (int x = 0; x < cells[0]; ++x) {
-        const Vec3 share((x + 0.5) / cells[0], (y + 0.5) / cells[1], (z + 0.5) / cells[2]);
-        Nearest one;
-        NearestContext context{&impl, all.min + (all.max - all.min).cwiseProduct(share),
-                               std::span(&one, 1), 0, std::numeric_limits<double>::infinity()};
-        search_group(context, group);
-        const auto at = std::lower_bound(group.box.begin(), group.box.end(), one.box);
-        hint.push_back(static_cast<std::uint32_t>(at - group.box.begin()));
-      }
-    }
-  }
-  group.hint = std::move(hint);
-  group.hints = cells;
 }
 
 }  // namespace

@@ -305,13 +305,19 @@ StoredTiles store_tiles(const LatticeGrid& grid, const MaskSource& source,
   return {counts, owned->record, owned->records.view(), owned};
 }
 
-std::shared_ptr<const BlockStore> join_tiles(const LatticeGrid& grid,
-                                             std::span<const StoredTiles> shards) {
-  struct Joined {
-    Owned all;
-    std::shared_ptr<const void> alone;
-  };
-  const auto joined = std::make_shared<Joined>();
+std::vector<StoredTiles> tiles_of(std::span<const LatticePart> parts) {
+  std::vector<StoredTiles> tiles;
+  for (const LatticePart& part : parts) {
+    if (part.grid.first != parts.front().grid.first || part.grid.dims != parts.front().grid.dims) {
+      throw geom::InputError("lattice",
+                             fmt::format("shard {} is of another lattice", tiles.size() + 1));
+    }
+    tiles.push_back({part.counts, part.record, part.records, part.keep_alive});
+  }
+  return tiles;
+}
+
+JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredTiles> shards) {
   const TileOrder order(grid);
   const std::size_t bytes = BlockStore::record_bytes(grid.spec.connectivity);
   std::size_t blocks = 0;
@@ -320,39 +326,59 @@ std::shared_ptr<const BlockStore> join_tiles(const LatticeGrid& grid,
     throw geom::InputError(
         "lattice", fmt::format("its shards have {} blocks of {}", blocks, grid.block_count()));
   }
-  joined->all.record.resize(grid.block_count());
-  LatticeCounts counts;
+  JoinedTiles joined;
+  joined.record.resize(grid.block_count());
   std::size_t stored = 0;
   for (std::size_t s = 0; s < shards.size(); ++s) {
     const StoredTiles& tiles = shards[s];
     const std::size_t own = tiles.records.size() / bytes;
     const geom::Shard shard{s, shards.size()};
     std::size_t at = 0;
+    std::size_t numbered = 0;
     for (std::size_t t = shard.begin(order.count()); t < shard.end(order.count()); ++t) {
       order.for_each_block(t, [&](std::size_t block, const Index3&) {
         if (at == tiles.record.size()) refuse_shard(s, "has too few blocks");
         const std::uint32_t record = tiles.record[at++];
         const bool has_one = record < BlockStore::kFree;
         if (has_one && record >= own) refuse_shard(s, "numbers a record that is not there");
-        joined->all.record[block] = has_one ? static_cast<std::uint32_t>(stored + record) : record;
+        joined.record[block] = has_one ? static_cast<std::uint32_t>(stored + record) : record;
+        numbered += has_one;
       });
     }
     if (at != tiles.record.size()) refuse_shard(s, "has too many blocks");
+    if (numbered != own) refuse_shard(s, "has records that no block has, or several");
     stored += own;
     require_numbers(stored);
-    if (shards.size() > 1) joined->all.records.append(tiles.records);
-    add(counts, tiles.counts);
+    joined.records.push_back(tiles.records);
+    add(joined.counts, tiles.counts);
   }
-  if (shards.size() == 1) joined->alone = shards[0].keep_alive;
-  return std::make_shared<const BlockStore>(
-      grid, counts, joined->all.record,
-      shards.size() == 1 ? shards[0].records : joined->all.records.view(), joined, "lattice");
+  return joined;
+}
+
+std::shared_ptr<const BlockStore> store_joined(const LatticeGrid& grid,
+                                               std::span<const StoredTiles> shards) {
+  struct Kept {
+    JoinedTiles tiles;
+    Bytes records;
+    std::shared_ptr<const void> alone;
+  };
+  const auto kept = std::make_shared<Kept>();
+  kept->tiles = join_tiles(grid, shards);
+  auto records = kept->tiles.records.front();
+  if (shards.size() == 1) {
+    kept->alone = shards[0].keep_alive;
+  } else {
+    for (const auto& more : kept->tiles.records) kept->records.append(more);
+    records = kept->records.view();
+  }
+  return std::make_shared<const BlockStore>(grid, kept->tiles.counts, kept->tiles.record, records,
+                                            kept, "lattice");
 }
 
 std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
                                                const geom::Execution& run, const OldBlocks* old) {
   const StoredTiles all = store_tiles(grid, source, run, {}, old);
-  return join_tiles(grid, {&all, 1});
+  return store_joined(grid, {&all, 1});
 }
 
 }  // namespace plan

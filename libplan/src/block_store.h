@@ -12,6 +12,7 @@
 #include "geom/execution.h"
 #include "geom/shard.h"
 #include "plan/lattice.h"
+#include "plan/lattice_part.h"
 
 namespace plan {
 
@@ -79,10 +80,23 @@ StoredTiles store_tiles(const LatticeGrid& grid, const MaskSource& source,
                         const geom::Execution& run, const geom::Shard& shard,
                         const OldBlocks* old = nullptr);
 
-// All tiles, of all shards in their order. One alone is not copied. Throws InputError("lattice", …)
-// where they don't fit.
-std::shared_ptr<const BlockStore> join_tiles(const LatticeGrid& grid,
-                                             std::span<const StoredTiles> shards);
+// Of each part, which are of one lattice or InputError("lattice", …) is thrown.
+std::vector<StoredTiles> tiles_of(std::span<const LatticePart> parts);
+
+// All tiles, of all shards in their order. The records of a shard follow those of the shards before
+// it, and are not copied.
+struct JoinedTiles {
+  LatticeCounts counts;
+  std::vector<std::uint32_t> record;                // of each block
+  std::vector<std::span<const std::byte>> records;  // of each shard
+};
+
+// Throws InputError("lattice", …) where they don't fit.
+JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredTiles> shards);
+
+// One alone is not copied.
+std::shared_ptr<const BlockStore> store_joined(const LatticeGrid& grid,
+                                               std::span<const StoredTiles> shards);
 
 // All masks of a source.
 std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,

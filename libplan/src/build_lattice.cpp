@@ -185,16 +185,8 @@ LatticePart build_lattice_part(const geom::CollisionScene& scene, const LatticeS
 }
 
 Lattice join_lattice(std::span<const LatticePart> parts) {
-  std::vector<StoredTiles> tiles;
-  for (const LatticePart& part : parts) {
-    if (part.grid.first != parts.front().grid.first || part.grid.dims != parts.front().grid.dims) {
-      throw geom::InputError("lattice",
-                             fmt::format("shard {} is of another lattice", tiles.size() + 1));
-    }
-    tiles.push_back({part.counts, part.record, part.records, part.keep_alive});
-  }
   const LatticeGrid& grid = parts.front().grid;
-  return Lattice(grid, parts.front().made_for, join_tiles(grid, tiles));
+  return Lattice(grid, parts.front().made_for, store_joined(grid, tiles_of(parts)));
 }
 
 Lattice build_lattice(const geom::CollisionScene& scene, const LatticeSpec& spec,

@@ -86,12 +86,26 @@ std::vector<geom::NamedArray> lattice_arrays(const Lattice& lattice) {
   const std::size_t columns = BlockStore::record_bytes(lattice.spec().connectivity);
   return {
       geom::named_array<std::uint32_t>("block_record", store->record()),
-      {"records", "|u1", {store->records().size() / columns, columns}, store->records()},
+      {"records", "|u1", {store->records().size() / columns, columns}, {store->records()}},
   };
 }
 
 void write_lattice(std::ostream& out, const Lattice& lattice) {
   geom::write_array_archive(out, lattice_meta(lattice) + '\n', lattice_arrays(lattice));
+}
+
+void write_lattice(std::ostream& out, std::span<const LatticePart> parts) {
+  const LatticeGrid& grid = parts.front().grid;
+  JoinedTiles joined = join_tiles(grid, tiles_of(parts));
+  std::size_t bytes = 0;
+  for (const auto& records : joined.records) bytes += records.size();
+  const std::size_t columns = BlockStore::record_bytes(grid.spec.connectivity);
+  const geom::NamedArray arrays[] = {
+      geom::named_array<std::uint32_t>("block_record", joined.record),
+      {"records", "|u1", {bytes / columns, columns}, std::move(joined.records)},
+  };
+  const std::string meta = lattice_meta({grid, joined.counts, parts.front().made_for});
+  geom::write_array_archive(out, meta + '\n', arrays);
 }
 
 bool is_lattice(const geom::ArrayArchive& archive) {

@@ -59,7 +59,7 @@ PartArrays arrays_of(const LatticePart& part) {
   const std::size_t columns = BlockStore::record_bytes(part.grid.spec.connectivity);
   return {lattice_meta({part.grid, part.counts, part.made_for}),
           {geom::named_array<std::uint32_t>("block_record", part.record),
-           {"records", "|u1", {part.records.size() / columns, columns}, part.records}},
+           {"records", "|u1", {part.records.size() / columns, columns}, {part.records}}},
           {}};
 }
 

@@ -1,5 +1,5 @@
 #include "cli/map_shard.h"
-#include "cli/sharding.h"
+#include "cli/run_shard.h"
 #include "plan/io/lattice_file.h"
 #include "plan/io/part_file.h"
 #include "plan/io/roadmap_file.h"
@@ -25,6 +25,9 @@ void join(const cli::ShardFile& shard) {
   } else if (cli::is_map_shard(shard) &&
              shard.content.value("unknown_blocked", nlohmann::json()) != 1) {
     cli::join_map({&shard, 1});
+  } else if (shard.kind == "runs" && shard.shard.count == 1) {
+    const cli::JoinedRuns runs({shard});
+    for (std::size_t i = 0; i < runs.trajectories(); ++i) runs.outcomes(i, 0.75);
   }
 }
 

@@ -52,6 +52,9 @@ TEST_P(Parts, OfALatticeMakeTheLatticeBitForBit) {
         parts.push_back(through_file(build_lattice_part(scene_, spec, {k, count}, {2, {}})));
       }
       EXPECT_EQ(bytes(join_lattice(parts)), whole) << count << " shards";
+      std::ostringstream written;
+      write_lattice(written, parts);
+      EXPECT_EQ(written.str(), whole) << count << " shards";
     }
   }
 }
@@ -91,6 +94,15 @@ TEST(LatticeParts, OfOtherTilesAreRefused) {
   const std::vector<std::uint32_t> records(wrong[1].record.size(), 1u << 30);
   wrong[1].record = records;
   EXPECT_THROW(join_lattice(wrong), geom::InputError);
+  std::ostringstream written;
+  EXPECT_THROW(write_lattice(written, wrong), geom::InputError);
+  auto more = fine;
+  more[0].records = more[0].records.first(more[0].records.size() / 2);
+  EXPECT_THROW(write_lattice(written, more), geom::InputError);
+  more = fine;
+  const std::vector<std::uint32_t> free(more[0].record.size(), 0xfffffffe);  // none has a record
+  more[0].record = free;
+  EXPECT_THROW(write_lattice(written, more), geom::InputError);
 }
 
 std::vector<RoadmapPart> two_of(const geom::CollisionScene& scene, const RoadmapSpec& spec) {

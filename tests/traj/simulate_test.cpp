@@ -247,8 +247,8 @@ TEST(MonteCarlo, IsTheSameForAnyThreads) {
   FlightOptions base = example();
   base.wind = {Vec3(3, 0, 0), 3};
   const SetpointTrack track(line({5, 0, 0}, 4));
-  const TrackingTube one = fly_often(track, base, {20, 0.1}, {1, {}});
-  const TrackingTube seven = fly_often(track, base, {20, 0.1}, {7, {}});
+  const TrackingTube one = tube_of(fly_runs(track, base, {20, 0.1}, {}, {1, {}}));
+  const TrackingTube seven = tube_of(fly_runs(track, base, {20, 0.1}, {}, {7, {}}));
   EXPECT_EQ(one.radius, seven.radius);
   ASSERT_EQ(one.radius.size(), 40u);
   EXPECT_EQ(one.saturated, seven.saturated);

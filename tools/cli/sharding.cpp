@@ -14,12 +14,9 @@
 namespace cli {
 namespace {
 
-constexpr int kVersion = 1;
-constexpr std::size_t kMostShards = 1000000;
-
 // Options that change no byte of what a shard holds, but where it goes and how long it takes.
-constexpr std::array<std::string_view, 6> kIdle = {"output", "threads", "progress",
-                                                   "stats",  "quiet",   "shard"};
+constexpr std::array<std::string_view, 8> kIdle = {"output", "report", "threads", "progress",
+                                                   "stats",  "quiet",  "shard",   "join"};
 
 geom::Shard parse_shard(const std::string& word) {
   geom::Shard shard;
@@ -66,67 +63,30 @@ nlohmann::json to_json(const Work& work) {
 
 }  // namespace
 
-bool is_shard(const geom::ArrayArchive& archive) {
-  const auto meta = nlohmann::json::parse(archive.meta(), nullptr, false);
-  return meta.is_object() && meta.value("format", nlohmann::json()) == "skyway-shard";
-}
-
-ShardFile read_shard(const geom::ArrayArchive& archive) {
-  const auto refuse = [&](const std::string& what) {
-    throw geom::InputError(archive.name(), what);
-  };
-  if (!is_shard(archive)) refuse("expected a shard (format \"skyway-shard\"), found another file");
-  const auto meta = nlohmann::json::parse(archive.meta());
-  const auto find = [&](const char* key, nlohmann::json::value_t type) {
-    const auto at = meta.find(key);
-    if (at == meta.end() || (at->type() != type)) {
-      refuse(fmt::format("the shard's \"{}\" is missing or of another type", key));
-    }
-    return *at;
-  };
-  using Type = nlohmann::json::value_t;
-  if (find("version", Type::number_unsigned) != kVersion) {
-    refuse(fmt::format("expected shard version {}, found {}", kVersion, meta["version"].dump()));
-  }
-  ShardFile out{archive,
-                {find("tool", Type::string), find("release", Type::string),
-                 find("options", Type::object), find("inputs", Type::object)},
-                {},
-                find("output", Type::string),
-                find("kind", Type::string),
-                find("content", Type::object),
-                find("exit", Type::number_unsigned) == 0 ? Exit::yes : Exit::no};
-  const auto pair = find("shard", Type::array);
-  if (pair.size() != 2 || !pair[0].is_number_unsigned() || !pair[1].is_number_unsigned()) {
-    refuse("the shard's \"shard\" must be two whole numbers, K and N");
-  }
-  const auto number = pair[0].get<std::size_t>();
-  out.shard.count = pair[1].get<std::size_t>();
-  if (number < 1 || number > out.shard.count || out.shard.count > kMostShards) {
-    refuse(fmt::format("there is no shard {} of {}", number, out.shard.count));
-  }
-  out.shard.index = number - 1;
-  return out;
-}
-
 CLI::Option* Sharding::add_to(CLI::App& app) {
   return app.add_option("--shard", word_,
                         "K/N: do only the K-th of N shares, and write a shard for skyway-join");
 }
 
+CLI::Option* Sharding::add_join_to(CLI::App& app, const std::string& what) {
+  return app.add_option("--join", join_, what)->type_name("SHARD")->excludes("--shard");
+}
+
 void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outputs) {
-  if (!asked()) return;
-  shard_ = parse_shard(word_);
+  if (!asked() && join_.empty()) return;
+  if (asked()) shard_ = parse_shard(word_);
   work_ = {app.get_name(), SKYWAY_VERSION, nlohmann::json::object(), nlohmann::json::object()};
   for (const auto& [name, file] : inputs) {
     if (file == "-") {
-      throw UsageError(fmt::format("--shard reads its inputs from files: {} is stdin", name));
+      throw UsageError(fmt::format("{} reads its inputs from files: {} is stdin",
+                                   asked() ? "--shard" : "--join", name));
     }
     if (!file.empty()) work_.inputs[name] = hash_of(file);
   }
   outputs_ = outputs;
   for (const auto& [name, file] : outputs) {
-    if (!file.empty() && name != "output") work_.options[name] = true;  // that, not where
+    const bool beside = asked() && !file.empty() && name != "output";
+    if (beside) work_.options[name] = true;  // that, not where
   }
   const auto is_input = [&](const std::string& value) {
     return std::any_of(inputs.begin(), inputs.end(),
@@ -144,6 +104,17 @@ void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outp
       work_.options[name] = values;
     }
   }
+}
+
+std::vector<ShardFile> Sharding::shards() const {
+  if (join_.empty()) return {};
+  std::vector<ShardFile> shards = open_shards(join_);
+  const std::string why = difference(work_, shards.front().work);
+  if (!why.empty()) {
+    throw geom::InputError(shards.front().archive.name(),
+                           fmt::format("expected a shard of this command, found {}", why));
+  }
+  return shards;
 }
 
 std::optional<Exit> Sharding::finished(const Common& common) const {
@@ -172,7 +143,7 @@ void Sharding::write(const std::string& file, const std::string& output, const s
                      Exit exit) const {
   nlohmann::json meta = to_json(work_);
   meta.update({{"format", "skyway-shard"},
-               {"version", kVersion},
+               {"version", kShardVersion},
                {"shard", {shard_.index + 1, shard_.count}},
                {"output", output},
                {"kind", kind},

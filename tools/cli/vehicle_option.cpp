@@ -101,15 +101,19 @@ std::optional<VehicleProfile> VehicleOptions::profile() const {
   return parse_vehicle(word);
 }
 
-Scenes::Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences)
+Scenes::Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences,
+               std::size_t budget)
     : map_(std::move(map)),
       profile_(options.profile()),
       margin_(options.margin),
-      differences_(differences) {}
+      differences_(differences),
+      budget_(budget) {}
 
 const geom::CollisionScene& Scenes::build(const geom::Vehicle& vehicle, double margin) {
   if (!scene_ || !(scene_->vehicle() == vehicle) || scene_->margin() != margin) {
-    scene_.emplace(map_, vehicle, margin);
+    geom::CollisionOptions collision;
+    collision.budget = budget_;
+    scene_.emplace(map_, vehicle, margin, collision);
   }
   return *scene_;
 }

@@ -40,7 +40,9 @@ class Scenes {
  public:
   enum class Differences { refused, stricter_allowed, allowed };
 
-  Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences);
+  // `budget`: geom::CollisionOptions. Records are local, and a group is built within 2 ms.
+  Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences,
+         std::size_t budget = std::size_t{1} << 26);
 
   // Throws geom::InputError(source, line, …) where the record is of another map or frame or, as
   // `differences` says, asks for another vehicle or margin than the options; UsageError where
@@ -58,6 +60,7 @@ class Scenes {
   std::optional<VehicleProfile> profile_;
   std::optional<double> margin_;
   Differences differences_;
+  std::size_t budget_;
   std::optional<geom::CollisionScene> scene_;
 };
 

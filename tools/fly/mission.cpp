@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <sstream>
 
@@ -60,6 +61,10 @@ geom::Axes Mission::axes(const Entry& entry) const {
   return scenes_ ? scenes_->map().spec().frame.axes : geom::Axes::enu;
 }
 
+traj::SetpointTrack Mission::track_of(const Entry& entry) const {
+  return traj::SetpointTrack(traj::to_enu(axes(entry), entry.record.trajectory));
+}
+
 std::size_t Mission::read(cli::InputFile& file, const geom::Shard& shard) {
   source_ = file.name();
   std::size_t total = 0;
@@ -102,7 +107,7 @@ void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::Flight
 }
 
 traj::FlightReport Mission::report_of(const Entry& entry, const traj::SetpointTrack* track,
-                                      const traj::Flight& flight, unsigned threads) {
+                                      const traj::Flight& flight) {
   traj::FlightReport report;
   report.id = entry.record.id;
   report.status = entry.record.status;
@@ -111,19 +116,47 @@ traj::FlightReport Mission::report_of(const Entry& entry, const traj::SetpointTr
   if (!track) return report;
   report.duration = track->duration();
   judge(entry, flight, report);
-  if (options_.runs > 0) {
-    report.spread = traj::MonteCarloOptions{options_.runs, std::abs(options_.mass_error)};
-    report.tube = traj::fly_often(*track, flight_, *report.spread, {threads, {}});
-  }
+  return report;
+}
+
+void Mission::add_runs(const Entry& entry, std::span<const traj::RunOutcome> runs,
+                       traj::FlightReport& report) {
+  report.spread = options_.spread();
+  report.tube = traj::tube_of(runs);
   if (options_.tube && report.tube.lost == 0) {
     report.tube_check = traj::check_tube(scene_for(entry), entry.record.trajectory,
                                          report.tube.radius, traj::kTubePeriod);
   }
-  return report;
+}
+
+std::vector<std::vector<traj::RunOutcome>> Mission::fly_runs(const geom::Shard& shard,
+                                                             const geom::Execution& run) const {
+  std::vector<std::vector<traj::RunOutcome>> out;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].record.status == "solved") {
+      out.push_back(traj::fly_runs(track_of(entries_[i]), flight_, options_.spread(), shard,
+                                   {run.threads, {}}));
+    }
+    if (run.progress) run.progress(i + 1, entries_.size());
+  }
+  return out;
+}
+
+void Mission::take(cli::JoinedRuns runs) {
+  const auto solved = static_cast<std::size_t>(
+      std::count_if(entries_.begin(), entries_.end(),
+                    [](const Entry& entry) { return entry.record.status == "solved"; }));
+  if (runs.trajectories() != solved) {
+    throw geom::InputError(source_, fmt::format("expected {} solved trajectories as in the shards "
+                                                "of runs, found {}",
+                                                runs.trajectories(), solved));
+  }
+  joined_.emplace(std::move(runs));
 }
 
 Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::RecordOutput* report) {
   Tally tally;
+  std::size_t solved = 0;
   std::ostringstream head;
   traj::write_flight_log_header(head);
   log.head(head.str());
@@ -132,7 +165,7 @@ Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::Reco
     geom::parallel_for(flown.size(), {run.threads, {}}, [&](std::size_t i) {
       const Entry& entry = entries_[first + i];
       if (entry.record.status != "solved") return;
-      flown[i].track.emplace(traj::to_enu(axes(entry), entry.record.trajectory));
+      flown[i].track.emplace(track_of(entry));
       const double begin = thread_seconds();
       const traj::FlightKeep keep{options_.log_period(), scenes_.has_value()};
       flown[i].flight = traj::simulate(*flown[i].track, flight_, keep);
@@ -141,7 +174,15 @@ Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::Reco
     for (std::size_t i = 0; i < flown.size(); ++i) {
       const Entry& entry = entries_[first + i];
       const traj::SetpointTrack* track = flown[i].track ? &*flown[i].track : nullptr;
-      const auto told = report_of(entry, track, flown[i].flight, run.threads);
+      auto told = report_of(entry, track, flown[i].flight);
+      if (track && options_.runs > 0) {
+        add_runs(entry,
+                 joined_
+                     ? joined_->outcomes(solved, track->duration())
+                     : traj::fly_runs(*track, flight_, options_.spread(), {}, {run.threads, {}}),
+                 told);
+      }
+      solved += track != nullptr;
       std::ostringstream rows;
       traj::write_flight(rows, {entry.record.id, std::move(flown[i].flight.samples)});
       log.add(rows.str());
@@ -163,7 +204,7 @@ traj::TuneResult Mission::tune(const geom::Execution& run) const {
   std::vector<traj::SetpointTrack> tracks;
   for (const Entry& entry : entries_) {
     if (entry.record.status != "solved") continue;
-    tracks.emplace_back(traj::to_enu(axes(entry), entry.record.trajectory));
+    tracks.push_back(track_of(entry));
   }
   if (tracks.empty()) {
     throw geom::InputError(source_, "expected at least one solved trajectory, found none");

@@ -3,11 +3,13 @@
 // All trajectories of a stream, flown.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "cli/files.h"
 #include "cli/record_output.h"
+#include "cli/run_shard.h"
 #include "fly/options.h"
 #include "traj/io/flight_report.h"
 #include "traj/io/trajectory_record.h"
@@ -29,6 +31,13 @@ class Mission {
   // Those trajectories that the shard takes. Returns how many there are.
   std::size_t read(cli::InputFile& file, const geom::Shard& shard);
 
+  // The runs of a share, of each solved trajectory.
+  std::vector<std::vector<traj::RunOutcome>> fly_runs(const geom::Shard& shard,
+                                                      const geom::Execution& run) const;
+
+  // Runs that need not be flown. Throws geom::InputError where they are not of these trajectories.
+  void take(cli::JoinedRuns runs);
+
   // The log's rows of each flight and a line of the report each, in order.
   Tally fly(const geom::Execution& run, cli::RecordOutput& log, cli::RecordOutput* report);
 
@@ -42,8 +51,11 @@ class Mission {
 
   geom::Axes axes(const Entry& entry) const;
   const geom::CollisionScene& scene_for(const Entry& entry);
+  traj::SetpointTrack track_of(const Entry& entry) const;
   traj::FlightReport report_of(const Entry& entry, const traj::SetpointTrack* track,
-                               const traj::Flight& flight, unsigned threads);
+                               const traj::Flight& flight);
+  void add_runs(const Entry& entry, std::span<const traj::RunOutcome> runs,
+                traj::FlightReport& report);
   void judge(const Entry& entry, const traj::Flight& flight, traj::FlightReport& report);
 
   Options options_;
@@ -52,6 +64,7 @@ class Mission {
   std::optional<cli::Scenes> scenes_;
   std::string source_;
   std::vector<Entry> entries_;
+  std::optional<cli::JoinedRuns> joined_;
 };
 
 }  // namespace fly

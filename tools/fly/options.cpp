@@ -166,6 +166,8 @@ traj::FlightCost Options::flight_cost() const {
   return out;
 }
 
+traj::MonteCarloOptions Options::spread() const { return {runs, std::abs(mass_error)}; }
+
 int Options::log_period() const {
   const double samples = 100 / log_rate;
   if (std::abs(samples - std::round(samples)) > 1e-9) {

@@ -35,6 +35,7 @@ struct Options {
   // Throws cli::UsageError for what cannot be flown.
   traj::FlightOptions flight(const cli::VehicleProfile& profile) const;
   traj::FlightCost flight_cost() const;
+  traj::MonteCarloOptions spread() const;
   int log_period() const;  // ms
 };
 

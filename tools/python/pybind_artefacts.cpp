@@ -88,9 +88,9 @@ py::array stored(const py::object& self, std::size_t which) {
   const geom::NamedArray array = plan::lattice_arrays(self.cast<const Lattice&>())[which];
   const Shape shape(array.shape.begin(), array.shape.end());
   if (array.dtype == "|u1") {
-    return view(reinterpret_cast<const std::uint8_t*>(array.bytes.data()), shape, self);
+    return view(reinterpret_cast<const std::uint8_t*>(array.pieces.front().data()), shape, self);
   }
-  return view(reinterpret_cast<const std::uint32_t*>(array.bytes.data()), shape, self);
+  return view(reinterpret_cast<const std::uint32_t*>(array.pieces.front().data()), shape, self);
 }
 
 void bind_lattice(py::module_& module) {

@@ -17,6 +17,9 @@ struct Shard {
   std::size_t begin(std::size_t items) const { return before(items, index); }
   std::size_t end(std::size_t items) const { return before(items, index + 1); }
 
+  // How many it takes of [0, all).
+  std::size_t taken(std::size_t all) const { return all / count + (index < all % count ? 1 : 0); }
+
   // Those it takes of [0, all), ascending.
   std::vector<std::size_t> items(std::size_t all) const {
     std::vector<std::size_t> out;

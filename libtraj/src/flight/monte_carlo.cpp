@@ -13,7 +13,7 @@ namespace {
 // The largest error of each period of the tube.
 std::vector<double> largest_by_period(const Flight& flight, double duration) {
   const double samples = kTubePeriod / kSamplePeriod;
-  const auto bins = static_cast<std::size_t>(std::ceil(duration / kTubePeriod));
+  const std::size_t bins = tube_periods(duration);
   std::vector<double> out(bins, 0);
   for (std::size_t k = 0; k < flight.error.size(); ++k) {
     // A sample on the border of two periods belongs to both.
@@ -29,6 +29,10 @@ std::vector<double> largest_by_period(const Flight& flight, double duration) {
 
 }  // namespace
 
+std::size_t tube_periods(double duration) {
+  return static_cast<std::size_t>(std::ceil(duration / kTubePeriod));
+}
+
 FlightOptions drawn(const FlightOptions& base, const MonteCarloOptions& options, std::size_t i) {
   FlightOptions out = base;
   out.seed = base.seed + 1000003 * (i + 1);
@@ -42,34 +46,33 @@ FlightOptions drawn(const FlightOptions& base, const MonteCarloOptions& options,
   return out;
 }
 
-TrackingTube fly_often(const SetpointTrack& track, const FlightOptions& base,
-                       const MonteCarloOptions& options, const geom::Execution& run) {
-  const auto runs = static_cast<std::size_t>(options.runs);
-  struct Told {
-    bool lost = false;
-    Tracking tracking;
-    double saturated = 0;
-    std::vector<double> largest;
-  };
-  std::vector<Told> told(runs);
-  geom::parallel_for(runs, run, [&](std::size_t i) {
-    const Flight flight = simulate(track, drawn(base, options, i), {});
-    told[i].lost = flight.lost.has_value();
-    if (told[i].lost) return;
-    told[i].tracking = tracking(flight, track.duration());
-    told[i].saturated = flight.saturated;
-    told[i].largest = largest_by_period(flight, track.duration());
+std::vector<RunOutcome> fly_runs(const SetpointTrack& track, const FlightOptions& base,
+                                 const MonteCarloOptions& options, const geom::Shard& shard,
+                                 const geom::Execution& run) {
+  const auto taken = shard.items(static_cast<std::size_t>(options.runs));
+  std::vector<RunOutcome> out(taken.size());
+  geom::parallel_for(taken.size(), run, [&](std::size_t i) {
+    const Flight flight = simulate(track, drawn(base, options, taken[i]), {});
+    out[i].lost = flight.lost.has_value();
+    if (out[i].lost) return;
+    out[i].tracking = tracking(flight, track.duration());
+    out[i].saturated = flight.saturated;
+    out[i].largest = largest_by_period(flight, track.duration());
   });
+  return out;
+}
+
+TrackingTube tube_of(std::span<const RunOutcome> outcomes) {
   TrackingTube tube;
-  for (const Told& t : told) tube.lost += t.lost;
+  for (const RunOutcome& run : outcomes) tube.lost += run.lost;
   if (tube.lost) return tube;
-  for (const Told& t : told) {
-    tube.tracking.push_back(t.tracking);
-    tube.saturated += t.saturated / static_cast<double>(runs);
+  for (const RunOutcome& run : outcomes) {
+    tube.tracking.push_back(run.tracking);
+    tube.saturated += run.saturated / static_cast<double>(outcomes.size());
   }
-  std::vector<double> errors(runs);
-  for (std::size_t bin = 0; bin < told.front().largest.size(); ++bin) {
-    for (std::size_t i = 0; i < runs; ++i) errors[i] = told[i].largest[bin];
+  std::vector<double> errors(outcomes.size());
+  for (std::size_t bin = 0; bin < outcomes.front().largest.size(); ++bin) {
+    for (std::size_t i = 0; i < outcomes.size(); ++i) errors[i] = outcomes[i].largest[bin];
     tube.radius.push_back(percentile(errors, kTubeShare));
   }
   return tube;

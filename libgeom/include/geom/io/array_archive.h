@@ -31,7 +31,7 @@ struct NamedArray {
   std::string name;  // without ".npy"
   std::string dtype;
   std::vector<std::size_t> shape;  // C order
-  std::span<const std::byte> bytes;
+  std::vector<std::span<const std::byte>> pieces;  // one after the other
 };
 
 // One row an entry, or `columns` entries a row where that is not 0.
@@ -39,7 +39,7 @@ template <class T>
 NamedArray named_array(std::string name, std::span<const T> values, std::size_t columns = 0) {
   std::vector<std::size_t> shape = {values.size()};
   if (columns) shape = {values.size() / columns, columns};
-  return {std::move(name), std::string(dtype_of<T>()), std::move(shape), std::as_bytes(values)};
+  return {std::move(name), std::string(dtype_of<T>()), std::move(shape), {std::as_bytes(values)}};
 }
 
 // Writes without seeking. The data of every array starts at a multiple of 64 bytes, the ZIP's clock

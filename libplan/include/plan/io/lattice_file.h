@@ -3,6 +3,7 @@
 // `.lattice`: a lattice as a ZIP of NumPy arrays in sparse 8x8x8 blocks (docs/formats.md).
 
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,11 +11,15 @@
 #include "geom/io/array_archive.h"
 #include "geom/io/json_fields.h"
 #include "plan/lattice.h"
+#include "plan/lattice_part.h"
 
 namespace plan {
 
 // Of a lattice that was built or read, not of one worked out where it is looked at.
 void write_lattice(std::ostream& out, const Lattice& lattice);
+
+// Of join_lattice(parts), whose masks are not copied for it. Throws as that does.
+void write_lattice(std::ostream& out, std::span<const LatticePart> parts);
 
 // Opened lazily: shapes, sizes and numbers of blocks are checked, the masks when they are read. An
 // edge to a blocked node, out of the lattice, or of another connectivity is refused with InputError

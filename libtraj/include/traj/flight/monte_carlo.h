@@ -2,7 +2,11 @@
 
 // Many flights with wind and mass drawn by chance, and how far they stray: statistics, not proof.
 
+#include <span>
+#include <vector>
+
 #include "geom/execution.h"
+#include "geom/shard.h"
 #include "traj/flight/tracking.h"
 
 namespace traj {
@@ -19,6 +23,22 @@ FlightOptions drawn(const FlightOptions& base, const MonteCarloOptions& options,
 inline constexpr double kTubePeriod = 0.1;  // s
 inline constexpr double kTubeShare = 0.999;
 
+// How a run went.
+struct RunOutcome {
+  bool lost = false;  // then the rest is empty
+  Tracking tracking;
+  double saturated = 0;         // share
+  std::vector<double> largest;  // m: the largest error in each kTubePeriod
+};
+
+// Periods of a trajectory of this duration.
+std::size_t tube_periods(double duration);
+
+// Those runs that the shard takes, ascending: the same for any number of threads.
+std::vector<RunOutcome> fly_runs(const SetpointTrack& track, const FlightOptions& base,
+                                 const MonteCarloOptions& options, const geom::Shard& shard,
+                                 const geom::Execution& run);
+
 struct TrackingTube {
   std::size_t lost = 0;            // flights; with any, the rest is empty
   std::vector<double> radius;      // m: the 99.9th percentile of the flights' largest errors in
@@ -27,8 +47,7 @@ struct TrackingTube {
   double saturated = 0;            // mean share
 };
 
-// The same for any number of threads. With fewer than 1,000 runs the percentile is the largest.
-TrackingTube fly_often(const SetpointTrack& track, const FlightOptions& base,
-                       const MonteCarloOptions& options, const geom::Execution& run);
+// Of all runs, at least one, in their order. With fewer than 1,000 the percentile is the largest.
+TrackingTube tube_of(std::span<const RunOutcome> outcomes);
 
 }  // namespace traj
