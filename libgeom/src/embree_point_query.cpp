@@ -20,8 +20,11 @@ struct RegionContext {
   const Aabb* region;
   Vec3 center;
   double radius;
-  std::vector<std::size_t> found;
+  std::size_t most;                // more are not wanted,
+  std::vector<std::size_t> found;  // and the search ends with one more
   const GroupScene* group = nullptr;
+
+  bool too_many() const { return found.size() > most; }
 };
 
 // One point-query callback serves both kinds of query and both levels.
@@ -98,16 +101,19 @@ bool visit_nearest(RTCPointQueryFunctionArguments* args, NearestContext& context
   return true;
 }
 
-void visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, bool top) {
+bool visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, bool top) {
+  if (context.too_many()) return false;
   if (!top) {
     if (overlap(*context.region, context.group->grown[args->primID])) {
       context.found.push_back(context.group->box[args->primID]);
     }
-    return;
+  } else if (overlap(*context.region, context.impl->group_extent[args->primID])) {
+    const Visit visit(*context.impl, args->primID);
+    search_group(context, visit.scene());
   }
-  if (!overlap(*context.region, context.impl->group_extent[args->primID])) return;
-  const Visit visit(*context.impl, args->primID);
-  search_group(context, visit.scene());
+  if (!context.too_many()) return false;
+  args->query->radius = 0;  // leaves little to visit
+  return true;
 }
 
 }  // namespace
@@ -115,8 +121,7 @@ void visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, 
 bool visit_candidate(RTCPointQueryFunctionArguments* args) {
   auto& context = *static_cast<PointContext*>(args->userPtr);
   if (context.nearest) return visit_nearest(args, *context.nearest, context.top, context.slack);
-  visit_region(args, *context.region, context.top);
-  return false;
+  return visit_region(args, *context.region, context.top);
 }
 
 std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radius,
@@ -132,16 +137,18 @@ std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radiu
   return context.found;
 }
 
-std::vector<std::size_t> find_meeting(CollisionScene::Impl& impl, const Aabb& region) {
+std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl, const Aabb& region,
+                                                     std::size_t most) {
   const Vec3 center = 0.5 * (region.min + region.max);
   const double radius = 0.5 * (region.max - region.min).norm() * (1 + 1e-12) + 1e-9;
-  RegionContext context{&impl, &region, center, radius, {}};
+  RegionContext context{&impl, &region, center, radius, most, {}};
   if (impl.groups.size() == 1) {
     search_group(context, impl.touch(0));
   } else {
     PointContext point{nullptr, &context, true};
     search(impl.top, center, radius, point);
   }
+  if (context.too_many()) return std::nullopt;
   std::sort(context.found.begin(), context.found.end());
   return std::move(context.found);
 }

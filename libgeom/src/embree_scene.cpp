@@ -51,8 +51,13 @@ std::vector<Nearest> CollisionScene::nearest(const Vec3& p, double radius,
 }
 
 std::vector<std::size_t> CollisionScene::boxes_meeting(const Aabb& region) const {
-  if (impl_->groups.empty()) return {};
-  return find_meeting(*impl_, region);
+  return *boxes_meeting(region, impl_->map.size());
+}
+
+std::optional<std::vector<std::size_t>> CollisionScene::boxes_meeting(const Aabb& region,
+                                                                      std::size_t most) const {
+  if (impl_->groups.empty()) return std::vector<std::size_t>();
+  return find_meeting(*impl_, region, most);
 }
 
 Aabb CollisionScene::grown(std::size_t i) const { return grow(impl_->map.box(i), impl_->half); }

@@ -12,7 +12,8 @@ namespace traj {
 namespace {
 
 constexpr double kEps = 1e-15;
-constexpr int kDeepest = 40;  // halvings
+constexpr int kDeepest = 40;      // halvings
+constexpr int kMostCuts = 20000;  // of a segment; what is not shown to hold by then is refused
 
 // A quantity over a piece of a curve whose sublevel sets are convex: on the curve it is at most the
 // largest at the control points. `slack` is what rounding may have taken from it.
@@ -64,23 +65,30 @@ struct TurnPiece {
   }
 };
 
-// The largest over the piece, to a relative 1e-4. Returns false when `limit` cannot be shown to
+// What is asked of a quantity over a segment.
+struct Bound {
+  double limit;
+  Extreme& best;         // the largest so far
+  int left = kMostCuts;  // a thrust of about nothing, as in free fall, turns at any rate
+};
+
+// The largest over the piece, to a relative 1e-4. Returns false when the limit cannot be shown to
 // hold.
 template <class Quantity>
-bool bounded(const Quantity& piece, double begin, double end, int depth, double limit,
-             Extreme& best) {
+bool bounded(const Quantity& piece, double begin, double end, int depth, Bound& bound) {
+  Extreme& best = bound.best;
   const double at_begin = piece.first();
   const double at_end = piece.last();
   if (at_begin > best.value) best = {at_begin, begin};
   if (at_end > best.value) best = {at_end, end};
   const double upper = piece.upper();
-  const bool decided = upper <= limit || best.value > limit;
-  if (decided && upper <= best.value * (1 + 1e-4) + piece.slack) return upper <= limit;
-  if (depth == kDeepest) return upper <= limit;
+  const bool decided = upper <= bound.limit || best.value > bound.limit;
+  if (decided && upper <= best.value * (1 + 1e-4) + piece.slack) return upper <= bound.limit;
+  if (depth == kDeepest || bound.left-- <= 0) return upper <= bound.limit;
   const auto [l, r] = piece.halved();
   const double middle = 0.5 * (begin + end);
-  const bool left = bounded(l, begin, middle, depth + 1, limit, best);
-  return bounded(r, middle, end, depth + 1, limit, best) && left;
+  const bool left = bounded(l, begin, middle, depth + 1, bound);
+  return bounded(r, middle, end, depth + 1, bound) && left;
 }
 
 double across(const Vec3& p) { return std::sqrt(p.x() * p.x() + p.y() * p.y()); }
@@ -233,9 +241,8 @@ class LimitCheck {
   void holds(std::size_t kind, const Quantity& piece) {
     const auto& limit = options_.limits.*kKinds[kind].limit;
     const double most = limit ? *limit * (1 + options_.limit_slack) : kInfinity;
-    if (!bounded(piece, begin_, begin_ + duration_, 0, most, result_.*kKinds[kind].extreme)) {
-      broken_[kind] = true;
-    }
+    Bound bound{most, result_.*kKinds[kind].extreme};
+    if (!bounded(piece, begin_, begin_ + duration_, 0, bound)) broken_[kind] = true;
   }
 
   template <std::size_t N, class Value>

@@ -1,5 +1,6 @@
 #include "traj/clearance.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "least_clearance.h"
@@ -40,12 +41,13 @@ std::optional<Extreme> least_clearance(const geom::CollisionScene& scene,
                                        const std::vector<Piece>& pieces) {
   if (scene.map().size() == 0) return std::nullopt;
   Largest best;
-  // The distance moves by at most 1 per metre; what is too far to matter is not looked up.
+  // The distance moves by at most 1 per metre and ends at 0; what is too far to matter is not
+  // looked up.
   const auto nearness = [&](const Piece& piece, const Vec3& middle) {
     const double r = radius_around(piece.q, middle);
     const auto near = scene.nearest(middle, r - best.value);
     const double value = near ? -near->distance : best.value - r;
-    return Estimate{value, value + r};
+    return Estimate{value, std::min(0.0, value + r)};
   };
   search_largest(pieces, 1e-3, nearness, best);
   return Extreme{-best.value, best.time};

@@ -86,22 +86,22 @@ struct Estimate {
 
 // The largest of a function over a curve, by branch and bound to `tolerance`. `estimate(piece,
 // middle)` may return anything no larger than `best` once it knows that the piece stays below.
-template <class F>
-void search_largest(const std::vector<Piece>& pieces, double tolerance, const F& estimate,
+template <class P, class F>
+void search_largest(const std::vector<P>& pieces, double tolerance, const F& estimate,
                     Largest& best) {
   struct Entry {
     double bound;
-    Piece piece;
+    P piece;
     bool operator<(const Entry& other) const { return bound < other.bound; }
   };
   std::priority_queue<Entry> open;
-  const auto look = [&](const Piece& piece) {
+  const auto look = [&](const P& piece) {
     const Vec3 p = middle_of(piece.q);
     const Estimate e = estimate(piece, p);
     if (e.value > best.value) best = {e.value, piece.middle(), p};
     if (e.bound > best.value + tolerance) open.push({e.bound, piece});
   };
-  for (const Piece& piece : pieces) look(piece);
+  for (const P& piece : pieces) look(piece);
   for (int i = 0; i < 20000 && !open.empty(); ++i) {
     const Entry top = open.top();
     open.pop();

@@ -52,9 +52,10 @@ std::string words(const CheckResult& verdict) {
   return verdict.reason + " at " + std::to_string(verdict.time) + " s";
 }
 
-// Notes the reason where the proof fails.
+// Counts the proof, and notes the reason where it fails.
 bool proved(const geom::CollisionScene& scene, const Trajectory& trajectory, const Limits& limits,
             SolveResult& result) {
+  ++result.proofs;
   const CheckResult verdict = check(scene, trajectory, limits);
   if (!verdict.ok) result.reason = words(verdict);
   return verdict.ok;
@@ -123,17 +124,15 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
     given = given || w.velocity;
   }
   const bool all = options.solver == Solver::automatic;
-  std::optional<Trajectory> closed;
+  std::optional<Trajectory> closed;  // not known to fail; proved only where it would be taken
   if (all || options.solver == Solver::closed) {
     closed = closed_form(scene, waypoints, options.limits, options.times.value_or(Times::stops));
-    if (!closed) {
-      result.reason = "no leg times hold the limits at the velocities given";
-    } else if (!proved(scene, *closed, options.limits, result)) {
-      closed.reset();
-    }
+    if (!closed) result.reason = "no leg times hold the limits at the velocities given";
     const bool asked = !all || options.times || given;
-    if (closed && (asked || duration(*closed) <= kNearlyAsFast * fastest(path, options.limits))) {
-      return accept(*closed, "closed", result);
+    const double most = asked ? kNoEnd : kNearlyAsFast * fastest(path, options.limits);
+    if (closed && duration(*closed) <= most) {
+      if (proved(scene, *closed, options.limits, result)) return accept(*closed, "closed", result);
+      closed.reset();
     }
   }
   if (given) {
@@ -147,7 +146,10 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
   }
   if (all || options.solver == Solver::stop_and_go) {
     const Trajectory curve = stop_and_go(path, options.limits);
-    if (closed && duration(*closed) <= duration(curve)) return accept(*closed, "closed", result);
+    if (closed && duration(*closed) <= duration(curve) &&
+        proved(scene, *closed, options.limits, result)) {
+      return accept(*closed, "closed", result);
+    }
     if (proved(scene, curve, options.limits, result)) accept(curve, "stop_and_go", result);
   }
 }
@@ -162,6 +164,7 @@ void append(const SolveResult& part, SolveResult& whole) {
   if (part.solver_status != kNotRun) whole.solver_status = part.solver_status;
   whole.iterations += part.iterations;
   whole.rounds += part.rounds;
+  whole.proofs += part.proofs;
   whole.objective = std::max(whole.objective, part.objective);
   whole.max_violation = std::max(whole.max_violation, part.max_violation);
   if (whole.rung.empty() || rank(part.rung) > rank(whole.rung)) whole.rung = part.rung;

@@ -1,7 +1,8 @@
 """shards.py BIN_DIR FOLDER MAP [MAP ...]: what shards cost as maps grow.
 
 For each map, with shards of about 100,000 boxes: the 5 m lattice by shards and joined, 1,000 street-level
-queries of 50 to 500 m by four shards on that lattice, and trajectories of the first 100 paths by four shards.
+queries of 50 to 500 m by four shards on that lattice, and trajectories of all paths found by four shards.
+What single trajectories cost is measured once more by traj_bench, built beside the tools.
 CPU seconds (user and system, one thread) and peak megabytes are of single processes; joined files are kept in
 FOLDER until the next map.
 """
@@ -52,7 +53,7 @@ def queries(side, count):
         a = [random.uniform(-0.4, 0.4) * side, random.uniform(-0.4, 0.4) * side, random.uniform(2, 20)]
         turn, length = random.uniform(0, 2 * math.pi), random.uniform(50, 500)
         b = [a[0] + length * math.cos(turn), a[1] + length * math.sin(turn), random.uniform(2, 20)]
-        yield json.dumps({"id": f"q{i}", "from": a, "to": b})
+        yield json.dumps({"id": f"street-{i}", "from": a, "to": b})
 
 
 for city in sys.argv[3:]:
@@ -66,7 +67,10 @@ for city in sys.argv[3:]:
     (FOLDER / "queries").write_text("\n".join(queries(side, 1000)))
     sharded("paths", 4, ["skyway-plan", city, "--lattice", lattice, "--queries", FOLDER / "queries", "--snap-ends", 30,
                          *VEHICLE], FOLDER / "paths")
-    some = [line for line in (FOLDER / "paths").read_text().splitlines() if '"found"' in line][:100]
-    (FOLDER / "some").write_text("\n".join(some))
-    sharded("trajectories", 4, ["skyway-traj", city, FOLDER / "some", "--vmax", 8, "--amax", 6, *VEHICLE],
+    found = [line for line in (FOLDER / "paths").read_text().splitlines() if '"found"' in line]
+    (FOLDER / "found").write_text("\n".join(found))
+    print(f"  {len(found)} paths found", flush=True)
+    sharded("trajectories", 4, ["skyway-traj", city, FOLDER / "found", "--vmax", 8, "--amax", 6, *VEHICLE],
             FOLDER / "trajectories")
+    each = subprocess.check_output([BIN.parent / "tests/bench/traj_bench", city, FOLDER / "found", "1e-3"])
+    print(f"  {each.decode().strip()}", flush=True)

@@ -113,6 +113,12 @@ TEST_P(CollisionProperty, BoxesMeetingARegionAreAllAndOnlyThose) {
       if (overlap(region, scene.grown(k))) expected.push_back(k);
     }
     ASSERT_EQ(scene.boxes_meeting(region), expected) << "case " << i;
+    const std::size_t n = expected.size();
+    ASSERT_EQ(scene.boxes_meeting(region, n), expected) << "case " << i;
+    ASSERT_EQ(scene.boxes_meeting(region, n + 1), expected) << "case " << i;
+    if (n == 0) continue;
+    ASSERT_FALSE(scene.boxes_meeting(region, n - 1)) << "case " << i;
+    ASSERT_FALSE(scene.boxes_meeting(region, 0)) << "case " << i;
   }
 }
 

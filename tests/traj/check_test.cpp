@@ -132,6 +132,21 @@ TEST(Check, MeasuresTheLargestThrustTiltAndBodyRate) {
   }
 }
 
+// Without thrust it may turn at any rate, all the way: neither refused where nothing is asked, nor
+// looked at for ever.
+TEST(Check, FreeFallBreaksOnlyALimitOfBodyRate) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  for (const double across : {0.0, 0.5, 1e-9}) {
+    Segment fall{2, {}, std::nullopt};
+    for (int k = 0; k < kPoints; ++k) {  // -g t^2 / 2
+      fall.point[static_cast<std::size_t>(k)] = {10 + across * k, 0,
+                                                 -2 * kGravity * k * (k - 1) / 42.0};
+    }
+    EXPECT_TRUE(check(scene, {{fall}}, Limits{}).ok) << across;
+    EXPECT_EQ(check(scene, {{fall}}, {.body_rate = 5}).reason, "body_rate") << across;
+  }
+}
+
 TEST(ClearanceProfile, HasTheLeastOfEachPart) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({0, 4, 0}), 4),

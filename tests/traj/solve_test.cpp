@@ -88,6 +88,20 @@ TEST(Solve, ClosedFormIsTakenInTheOpen) {
   EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
 }
 
+// Two short legs between long ones: the closed form swings far out there, is slow, and its proof
+// would look at all that it swings past.
+TEST(Solve, ProvesOnlyWhatItWouldTake) {
+  const geom::Aabb wide{Vec3(-5000, -5000, 0), Vec3(5000, 5000, 200)};
+  const geom::CollisionScene scene =
+      testing::scene_of({{Vec3(-1000, 40, 0), Vec3(1000, 60, 40)}}, wide);
+  const geom::Polyline path{Vec3(0, 0, 10), Vec3(250, 0, 10), Vec3(250, 1, 10), Vec3(500, 1, 10)};
+  EXPECT_EQ(solved(scene, path, Solver::closed).proofs, 1);
+  const SolveResult result = solved(scene, path, Solver::automatic);
+  ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+  EXPECT_EQ(result.rung, "ipopt");
+  EXPECT_EQ(result.proofs, result.rounds);
+}
+
 TEST(Solve, PathThroughTheBlockIsInfeasible) {
   const SolveResult result = solved(block(), {Vec3(0, 0, 5), Vec3(40, 0, 5)}, Solver::automatic);
   EXPECT_EQ(result.status, SolveStatus::infeasible);

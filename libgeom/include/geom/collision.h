@@ -82,6 +82,9 @@ class CollisionScene {
   // Indices, ascending, of the boxes that once grown meet the closed region.
   std::vector<std::size_t> boxes_meeting(const Aabb& region) const;
 
+  // The same, or nothing where there are more than `most`; costs no more than finding those.
+  std::optional<std::vector<std::size_t>> boxes_meeting(const Aabb& region, std::size_t most) const;
+
   // Planes to the grown boxes within `reach` metres of the segment, nearest first (ties: the lower
   // index). Each separates the whole segment from its box where its gap is > 0.
   struct Separated {

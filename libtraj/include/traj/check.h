@@ -41,6 +41,8 @@ struct CheckResult {
   std::optional<std::size_t> box;  // the obstacle hit: an index into BoxMap::boxes()
   double worst = 0;  // how bad: penetration or way out of bounds or gap in metres, else the value
 
+  std::size_t looked_at = 0;  // obstacles near the pieces it was cut into: what the place cost
+
   double duration = 0;               // seconds
   std::optional<Extreme> clearance;  // metres to the obstacles grown by the vehicle without its
                                      // margin, the least, to 1 mm; absent without obstacles

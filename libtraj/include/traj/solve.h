@@ -45,6 +45,7 @@ struct SolveResult {
   std::string solver_status;  // the optimiser's own word, "was not run" before it runs
   int iterations = 0;         // of the optimiser, all rounds
   int rounds = 0;             // of the optimiser
+  int proofs = 0;             // tried: of these, and of what else might have been taken
   double objective = 0;       // of its last round
   double max_violation = 0;   // the largest constraint violation of its last round
   Corridor corridor;          // of its last round; empty when it was not run
@@ -58,9 +59,9 @@ SolveResult solve(const geom::CollisionScene& scene, const geom::Polyline& path,
                   const SolveOptions& options);
 
 // The same with holds and given velocities (accelerations and jerks are ignored). The path is
-// solved in parts from hold to hold, and `rung` is the lowest of theirs; the optimiser's figures
-// are sums and, from objective on, the worst. A part with given velocities has the closed form
-// only.
+// solved in parts from hold to hold, and `rung` is the lowest of theirs; the figures from
+// iterations on are sums and, from objective on, the worst. A part with given velocities has the
+// closed form only.
 SolveResult solve(const geom::CollisionScene& scene, std::span<const Waypoint> waypoints,
                   const SolveOptions& options);
 

@@ -1,0 +1,296 @@
+#include "check_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace traj {
+namespace {
+
+constexpr int kDeepest = 60;         // halvings; 2^-60 of a segment is below any rounding
+constexpr double kSmallest = 2e-10;  // metres: a piece this small that is not clear collides
+// A piece with more obstacles around it is halved before any is looked at: the box around a curve
+// that swings far out holds a good part of the map, and the curve comes near little of that.
+constexpr std::size_t kMany = 64;
+constexpr int kMostCuts = 8;      // halvings of a piece whose collision is reported
+constexpr double kBeside = 1e-8;  // metres: what is refused comes within 1e-9 m of an obstacle
+
+struct Candidate {
+  geom::Aabb box;  // grown, relative to the origin of the proof, rounded outward
+  std::size_t index;
+};
+
+geom::Aabb relative(const geom::Aabb& box, const Vec3& origin) {
+  geom::Aabb out{box.min - origin, box.max - origin};
+  for (int i = 0; i < 3; ++i) {
+    out.min[i] = std::nextafter(out.min[i], -kInfinity);
+    out.max[i] = std::nextafter(out.max[i], kInfinity);
+  }
+  return out;
+}
+
+// The box that surely holds the curve, whose points carry the error of `depth` halvings.
+geom::Aabb sure_box(const Points<kPoints>& q, int depth, double scale) {
+  const Vec3 pad = Vec3::Constant(1e-15 * (depth + 2) * scale + 1e-300);
+  const geom::Aabb box = hull_box(q);
+  return {box.min - pad, box.max + pad};
+}
+
+bool too_small(const geom::Aabb& box, int depth) {
+  return (box.max - box.min).maxCoeff() < kSmallest || depth >= kDeepest;
+}
+
+// The first time that cannot be shown clear of every candidate, or nothing. Works relative to an
+// origin on the curve, so errors scale with the piece and not with its coordinates.
+std::optional<double> first_touch(const Piece& piece, const std::vector<Candidate>& near, int depth,
+                                  double scale) {
+  const geom::Aabb box = sure_box(piece.q, depth, scale);
+  std::vector<Candidate> rest;
+  for (const Candidate& c : near) {
+    if (geom::overlap(box, c.box)) rest.push_back(c);
+  }
+  if (rest.empty()) return std::nullopt;
+  if (too_small(box, depth)) return piece.middle();
+  const auto [l, r] = piece.halved();
+  if (const auto t = first_touch(l, rest, depth + 1, scale)) return t;
+  return first_touch(r, rest, depth + 1, scale);
+}
+
+// The same against being inside closed bounds.
+std::optional<double> first_outside(const Piece& piece, const geom::Aabb& inner, int depth,
+                                    double scale) {
+  const geom::Aabb box = sure_box(piece.q, depth, scale);
+  if (geom::contains(inner, box.min) && geom::contains(inner, box.max)) return std::nullopt;
+  if (too_small(box, depth)) return piece.middle();
+  const auto [l, r] = piece.halved();
+  if (const auto t = first_outside(l, inner, depth + 1, scale)) return t;
+  return first_outside(r, inner, depth + 1, scale);
+}
+
+Piece around(const Vec3& origin, Piece piece) {
+  for (Vec3& p : piece.q) p -= origin;
+  return piece;
+}
+
+double largest_coordinate(const Piece& piece) {
+  double m = 0;
+  for (const Vec3& p : piece.q) m = std::max(m, p.cwiseAbs().maxCoeff());
+  return m;
+}
+
+bool on_the_line_between_its_ends(const Piece& piece) {
+  return std::all_of(piece.q.begin(), piece.q.end(),
+                     [&](const Vec3& p) { return p == piece.q.front() || p == piece.q.back(); });
+}
+
+// The proof that one piece of a curve is clear of a scene.
+class TouchSearch {
+ public:
+  TouchSearch(const geom::CollisionScene& scene, const Piece& piece)
+      : scene_(scene),
+        origin_(piece.q[0]),
+        whole_(around(origin_, piece)),
+        scale_(largest_coordinate(whole_)) {}
+
+  bool touches(const geom::Aabb& hull) { return touch(whole_, hull, 0).has_value(); }
+  std::size_t looked_at() const { return looked_at_; }
+
+ private:
+  // The first time in `piece` that cannot be shown clear. `region` holds it, in the map's frame.
+  std::optional<double> touch(const Piece& piece, const geom::Aabb& region, int depth) {
+    const auto boxes = scene_.boxes_meeting(region, kMany);
+    looked_at_ += boxes ? boxes->size() : kMany;
+    if (boxes) {
+      std::vector<Candidate> near;
+      for (const std::size_t i : *boxes) near.push_back({relative(scene_.grown(i), origin_), i});
+      return first_touch(piece, near, depth, scale_);
+    }
+    if (too_small(sure_box(piece.q, depth, scale_), depth)) return piece.middle();
+    const auto [l, r] = piece.halved();
+    if (const auto t = touch(l, region_of(l, depth + 1), depth + 1)) return t;
+    return touch(r, region_of(r, depth + 1), depth + 1);
+  }
+
+  // Rounded outward.
+  geom::Aabb region_of(const Piece& piece, int depth) const {
+    const geom::Aabb box = sure_box(piece.q, depth, scale_);
+    geom::Aabb out{box.min + origin_, box.max + origin_};
+    for (int i = 0; i < 3; ++i) {
+      out.min[i] = std::nextafter(out.min[i], -kInfinity);
+      out.max[i] = std::nextafter(out.max[i], kInfinity);
+    }
+    return out;
+  }
+
+  const geom::CollisionScene& scene_;
+  Vec3 origin_;
+  Piece whole_;
+  double scale_;
+  std::size_t looked_at_ = 0;
+};
+
+bool touches(const geom::CollisionScene& scene, const Piece& piece, CheckResult& result) {
+  if (on_the_line_between_its_ends(piece)) return scene.hits(piece.q.front(), piece.q.back());
+  TouchSearch search(scene, piece);
+  const bool touching = search.touches(hull_box(piece.q));
+  result.looked_at += search.looked_at();
+  return touching;
+}
+
+bool leaves(const geom::CollisionScene& scene, const Piece& piece) {
+  if (!scene.free_bounds()) return true;
+  const geom::Aabb box = hull_box(piece.q);
+  if (scene.inside_bounds(box.min) && scene.inside_bounds(box.max)) return false;
+  const Vec3 origin = piece.q[0];
+  geom::Aabb inner{scene.free_bounds()->min - origin, scene.free_bounds()->max - origin};
+  for (int i = 0; i < 3; ++i) {
+    inner.min[i] = std::nextafter(inner.min[i], kInfinity);
+    inner.max[i] = std::nextafter(inner.max[i], -kInfinity);
+  }
+  const Piece local = around(origin, piece);
+  return first_outside(local, inner, 0, largest_coordinate(local)).has_value();
+}
+
+double depth_in(const geom::Aabb& box, const Vec3& p) {
+  return std::min((p - box.min).minCoeff(), (box.max - p).minCoeff());
+}
+
+// An upper bound of that along a piece: a box is as deep as the nearest of its faces, and along a
+// face's axis the piece reaches no further than its control points.
+double most_depth_in(const geom::Aabb& box, const geom::Aabb& hull) {
+  return std::min((hull.max - box.min).minCoeff(), (box.max - hull.min).minCoeff());
+}
+
+double way_out(const geom::CollisionScene& scene, const Vec3& p) {
+  if (!scene.free_bounds()) return scene.half().maxCoeff();
+  return -depth_in(*scene.free_bounds(), p);
+}
+
+// A piece that may collide, and which of the lists of grown boxes has those around it.
+struct Part : Piece {
+  std::size_t list = 0;
+
+  std::pair<Part, Part> halved() const {
+    const auto [l, r] = Piece::halved();
+    return {{l, list}, {r, list}};
+  }
+};
+
+// How deep the curve is in obstacles, by parts with few around them.
+class DepthSearch {
+ public:
+  explicit DepthSearch(const geom::CollisionScene& scene) : scene_(scene) {}
+
+  // Cut up to so many times until few boxes are left; parts without any are left out.
+  void add(const Piece& piece, int cuts = kMostCuts) {
+    const geom::Aabb region = beside(hull_box(piece.q), kBeside);
+    const auto few = scene_.boxes_meeting(region, kMany);
+    if (!few && cuts > 0) {
+      looked_at_ += kMany;
+      const auto [l, r] = piece.halved();
+      add(l, cuts - 1);
+      return add(r, cuts - 1);
+    }
+    std::vector<geom::Aabb> list;
+    for (const std::size_t i : few ? *few : scene_.boxes_meeting(region)) {
+      list.push_back(scene_.grown(i));
+    }
+    looked_at_ += list.size();
+    if (list.empty()) return;
+    parts_.push_back({piece, lists_.size()});
+    lists_.push_back(std::move(list));
+  }
+
+  std::size_t looked_at() const { return looked_at_; }
+
+  Largest deepest() const {
+    Largest worst;
+    const auto depth = [&](const Part& part, const Vec3& p) {
+      const geom::Aabb hull = hull_box(part.q);
+      Estimate e{-kInfinity, -kInfinity};
+      for (const geom::Aabb& box : lists_[part.list]) {
+        e.value = std::max(e.value, depth_in(box, p));
+        e.bound = std::max(e.bound, most_depth_in(box, hull));
+      }
+      return e;
+    };
+    search_largest(parts_, 1e-6, depth, worst);
+    return worst;
+  }
+
+  // The box that is as deep there.
+  std::optional<std::size_t> box_at(const Largest& worst) const {
+    std::optional<std::size_t> which;
+    double most = -kInfinity;
+    const double reach = kBeside + std::max(0.0, -worst.value);
+    for (const std::size_t i : scene_.boxes_meeting(beside({worst.place, worst.place}, reach))) {
+      const double depth = depth_in(scene_.grown(i), worst.place);
+      if (depth > most) {
+        most = depth;
+        which = i;
+      }
+    }
+    return which;
+  }
+
+ private:
+  // Wider by that, and by what rounding may have moved its points.
+  static geom::Aabb beside(const geom::Aabb& box, double reach) {
+    const double far = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
+    const Vec3 pad = Vec3::Constant(reach + 1e-14 * far);
+    return {box.min - pad, box.max + pad};
+  }
+
+  const geom::CollisionScene& scene_;
+  std::vector<Part> parts_;
+  std::vector<std::vector<geom::Aabb>> lists_;
+  std::size_t looked_at_ = 0;
+};
+
+void report_collision(const geom::CollisionScene& scene, const std::vector<Piece>& bad,
+                      CheckResult& result) {
+  DepthSearch search(scene);
+  for (const Piece& piece : bad) search.add(piece);
+  result.looked_at += search.looked_at();
+  const Largest worst = search.deepest();
+  result.box = search.box_at(worst);
+  note(result, "collision", worst);
+}
+
+void report_outside(const geom::CollisionScene& scene, const std::vector<Piece>& bad,
+                    CheckResult& result) {
+  Largest worst;
+  const auto out = [&](const Piece& piece, const Vec3& middle) {
+    Estimate e{way_out(scene, middle), -kInfinity};
+    for (const Vec3& p : piece.q) e.bound = std::max(e.bound, way_out(scene, p));  // convex
+    return e;
+  };
+  search_largest(bad, 1e-6, out, worst);
+  note(result, "bounds", worst);
+}
+
+}  // namespace
+
+void note(CheckResult& result, std::string_view reason, const Largest& worst) {
+  result.reason = reason;
+  result.time = worst.time;
+  result.place = worst.place;
+  result.worst = worst.value;
+}
+
+void check_place(const geom::CollisionScene& scene, const std::vector<Piece>& pieces,
+                 CheckResult& result) {
+  std::vector<Piece> outside;
+  std::vector<Piece> colliding;
+  for (const Piece& piece : pieces) {
+    if (leaves(scene, piece)) outside.push_back(piece);
+  }
+  if (!outside.empty()) return report_outside(scene, outside, result);
+  for (const Piece& piece : pieces) {
+    if (touches(scene, piece, result)) colliding.push_back(piece);
+  }
+  if (!colliding.empty()) report_collision(scene, colliding, result);
+}
+
+}  // namespace traj
