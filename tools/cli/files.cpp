@@ -72,8 +72,9 @@ std::string temporary_name(const std::string& path) {
 }
 
 // A file without a name in the directory of `path`, which is gone with this process unless it is
-// given one; -1 where the file system has none.
+// given one, which takes /proc; -1 where there is none of either.
 int open_unnamed(const std::string& path) {
+  if (access("/proc/self/fd", X_OK) != 0) return -1;
   const auto folder = std::filesystem::path(path).parent_path();
   return ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
 }

@@ -4,8 +4,10 @@ import numpy
 import skyway
 
 city = skyway.read_box_map(f"{sys.argv[1]}/city.boxmap")
-scene = skyway.CollisionScene(city, "box:0.5,0.5,0.3")
-planner = skyway.Planner(scene, lattice=skyway.read_lattice(f"{sys.argv[1]}/city.lattice"))
+lattice = skyway.read_lattice(f"{sys.argv[1]}/city.lattice")
+assert lattice.vehicle and lattice.margin is not None
+scene = skyway.CollisionScene(city, "box:{},{},{}".format(*lattice.vehicle.half), lattice.margin)
+planner = skyway.Planner(scene, lattice=lattice)
 path = planner.plan((-425, -320.5, 7), (357, 204, 5), snap_ends=5)
 print(path.status, f"{path.length:.1f} m", path.points.shape)
 low, high = map(numpy.array, city.bounds)

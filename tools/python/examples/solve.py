@@ -4,8 +4,9 @@ import numpy
 import skyway
 
 city = skyway.read_box_map(f"{sys.argv[1]}/city.boxmap")
-scene = skyway.CollisionScene(city, "box:0.5,0.5,0.3")
 path = skyway.read_paths(f"{sys.argv[1]}/path.jsonl")[0]
+assert path.vehicle and path.margin is not None
+scene = skyway.CollisionScene(city, "box:{},{},{}".format(*path.vehicle.half), path.margin)
 trajectory = skyway.solve(scene, path, limits={"vmax": 8, "amax": 6}, yaw="along")
 position, velocity, acceleration, jerk = trajectory.sample(numpy.linspace(0, trajectory.duration, 1000))
 print(trajectory.status, trajectory.rung, f"{trajectory.duration:.1f} s")
