@@ -12,4 +12,6 @@ std::optional<Axes> axes_from_name(std::string_view word) {
 
 Vec3 to_enu(Axes axes, const Vec3& v) { return axes == Axes::enu ? v : Vec3(v.y(), v.x(), v.z()); }
 
+Aabb to_enu(Axes axes, const Aabb& box) { return {to_enu(axes, box.min), to_enu(axes, box.max)}; }
+
 }  // namespace geom

@@ -105,17 +105,14 @@ std::vector<MeshPart> box_parts(const BoxMap& map) {
     if (rows->empty()) continue;
     const auto boxes = map.boxes();
     const std::string& name = map.labels()[label];
-    parts.push_back({name.empty() ? "boxes" : name, label_colour(label), 8 * rows->size(),
-                     12 * rows->size(),
-                     [=](std::size_t i) {
-                       const Aabb& box = boxes[(*rows)[i / 8]];
-                       return corner({to_enu(axes, box.min), to_enu(axes, box.max)}, i % 8);
-                     },
-                     [](std::size_t i) {
-                       Triangle t = kBox[i % 12];
-                       for (std::size_t& k : t) k += 8 * (i / 12);
-                       return t;
-                     }});
+    parts.push_back(
+        {name.empty() ? "boxes" : name, label_colour(label), 8 * rows->size(), 12 * rows->size(),
+         [=](std::size_t i) { return corner(to_enu(axes, boxes[(*rows)[i / 8]]), i % 8); },
+         [](std::size_t i) {
+           Triangle t = kBox[i % 12];
+           for (std::size_t& k : t) k += 8 * (i / 12);
+           return t;
+         }});
   }
   return parts;
 }

@@ -34,9 +34,7 @@ const render::Shader& shader() {
 // Level or nearly so, 5 to 60 m up, not inside a box.
 std::vector<render::View> views() {
   support::Random random(1);
-  const auto& bounds = city().spec().bounds;
-  const geom::Vec3 low = geom::to_enu(city().spec().frame.axes, bounds.min);
-  const geom::Vec3 high = geom::to_enu(city().spec().frame.axes, bounds.max);
+  const auto [low, high] = geom::to_enu(city().spec().frame.axes, city().spec().bounds);
   std::vector<render::View> out;
   while (out.size() < kViews) {
     render::Pose pose;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scenes.h"
+#include "support/example_quadrotor.h"
 #include "traj/flight/attitude.h"
 #include "traj/flight/motor_mixer.h"
 #include "traj/limits.h"
@@ -12,20 +13,11 @@
 namespace traj {
 namespace {
 
-Quadrotor example() {
-  Quadrotor q;
-  q.mass = 0.5;
-  q.inertia = {0.002, 0.003, 0.004};
-  q.arm = {0.1, 0.12};
-  q.motor_time_constant = 0.02;
-  q.motor_least = 0.1;
-  q.motor_most = 3;
-  return q;
-}
+using support::example_quadrotor;
 
 TEST(MotorMixer, GivesWhatIsAskedWhereItCan) {
   testing::Random random(1);
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   int kept = 0;
   for (int i = 0; i < 1000; ++i) {
     const double thrust = random.number(2, 9);
@@ -43,19 +35,19 @@ TEST(MotorMixer, GivesWhatIsAskedWhereItCan) {
 }
 
 TEST(MotorMixer, GivesUpYawThenThrustThenTilt) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   const Mixed yaw = mix(q, 8, {0.1, 0, 1});
   EXPECT_TRUE(yaw.saturated);
   EXPECT_NEAR(yaw.torque.x(), 0.1, 1e-12);
   EXPECT_LT(yaw.torque.z(), 1);
-  const Mixed thrust = mix(q, 20, {0.1, 0.05, 0});
+  const Mixed thrust = mix(q, 40, {0.1, 0.05, 0});
   EXPECT_NEAR(thrust.torque.x(), 0.1, 1e-12);
   EXPECT_NEAR(thrust.torque.y(), 0.05, 1e-12);
-  EXPECT_LT(thrust.thrust, 12);
+  EXPECT_LT(thrust.thrust, 4 * q.motor_most);
   const Mixed tilt = mix(q, 6, {10, 0, 0});
-  EXPECT_NEAR(tilt.torque.x(), 2 * 0.12 * (3 - 0.1), 1e-12);
+  EXPECT_NEAR(tilt.torque.x(), 2 * q.arm[1] * (q.motor_most - q.motor_least), 1e-12);
   const Mixed nothing = mix(q, 0, Vec3::Zero());
-  EXPECT_EQ(nothing.command, Motors::Constant(0.1));
+  EXPECT_EQ(nothing.command, Motors::Constant(q.motor_least));
   EXPECT_TRUE(nothing.saturated);
 }
 
@@ -150,7 +142,7 @@ TEST(Attitude, ErrorIsTheRotationThatIsLeft) {
 // Rates under p alone: lag w'' + w' + p w = p wanted. With p = 1 / (2 lag) its damping is
 // 1/sqrt(2).
 TEST(CascadeController, RateLoopStepsAsTheClosedForm) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   const double lag = q.motor_time_constant;
   const double p = 1 / (2 * lag);
   Gains gains;
@@ -175,7 +167,7 @@ TEST(CascadeController, RateLoopStepsAsTheClosedForm) {
 }
 
 TEST(CascadeController, NeverAsksForMoreTiltThanItMay) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   Gains gains = nominal_gains(q, 0.3);
   CascadeController controller(q, gains, {});
   Setpoint far;

@@ -5,22 +5,13 @@
 #include <cmath>
 
 #include "scenes.h"
+#include "support/example_quadrotor.h"
 #include "traj/limits.h"
 
 namespace traj {
 namespace {
 
-Quadrotor example() {
-  Quadrotor q;
-  q.mass = 0.8;
-  q.inertia = {0.004, 0.006, 0.009};
-  q.arm = {0.12, 0.15};
-  q.torque_per_thrust = 0.02;
-  q.motor_time_constant = 0.03;
-  q.motor_most = 6;
-  q.drag = {0.2, 0.3, 0.1};
-  return q;
-}
+using support::example_quadrotor;
 
 QuadrotorState fly(const Quadrotor& q, QuadrotorState state, const QuadrotorInput& input,
                    double seconds, int steps) {
@@ -29,7 +20,7 @@ QuadrotorState fly(const Quadrotor& q, QuadrotorState state, const QuadrotorInpu
 }
 
 TEST(Quadrotor, HoversWhereItsMotorsHoldTheWeight) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   QuadrotorState start;
   start.thrust = Motors::Constant(q.mass * kGravity / 4);
   const QuadrotorState end = fly(q, start, {start.thrust, Vec3::Zero()}, 10, 10000);
@@ -39,7 +30,7 @@ TEST(Quadrotor, HoversWhereItsMotorsHoldTheWeight) {
 }
 
 TEST(Quadrotor, FallsAsLinearDragHasIt) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   const QuadrotorState end = fly(q, {}, {}, 3, 3000);
   const double rate = q.drag.z() / q.mass;
   const double speed = kGravity / rate * (1 - std::exp(-3 * rate));
@@ -48,7 +39,7 @@ TEST(Quadrotor, FallsAsLinearDragHasIt) {
 }
 
 TEST(Quadrotor, MotorsLagByTheFirstOrder) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   const QuadrotorState end = fly(q, {}, {Motors(1, 2, 3, 4), Vec3::Zero()}, 0.05, 50);
   for (int i = 0; i < 4; ++i) {
     EXPECT_NEAR(end.thrust[i], (i + 1) * (1 - std::exp(-0.05 / 0.03)), 1e-7);
@@ -56,7 +47,7 @@ TEST(Quadrotor, MotorsLagByTheFirstOrder) {
 }
 
 TEST(Quadrotor, TakesTheWindAsTheAirsVelocity) {
-  Quadrotor q = example();
+  Quadrotor q = example_quadrotor();
   q.drag = Vec3::Constant(0.4);
   QuadrotorState start;
   start.thrust = Motors::Constant(q.mass * kGravity / 4);
@@ -66,7 +57,7 @@ TEST(Quadrotor, TakesTheWindAsTheAirsVelocity) {
 }
 
 TEST(Quadrotor, TorquesTurnAboutTheRightAxes) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   EXPECT_GT(torque_of(q, {0, 1, 1, 0}).x(), 0);  // the left ones: rolls right
   EXPECT_GT(torque_of(q, {0, 1, 0, 1}).y(), 0);  // the back ones: nose down
   EXPECT_GT(torque_of(q, {0, 0, 1, 1}).z(), 0);  // clockwise ones: turns left
@@ -75,7 +66,7 @@ TEST(Quadrotor, TorquesTurnAboutTheRightAxes) {
 
 // A body without forces keeps its spin (in the world's axes) and the energy of its rotation.
 TEST(Quadrotor, KeepsMomentumAndEnergyOfRotation) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   testing::Random random(7);
   for (int i = 0; i < 20; ++i) {
     QuadrotorState start;
@@ -95,7 +86,7 @@ TEST(Quadrotor, KeepsMomentumAndEnergyOfRotation) {
 
 // Without drag, what the body gains in energy it loses in height.
 TEST(Quadrotor, KeepsEnergyInFreeFall) {
-  Quadrotor q = example();
+  Quadrotor q = example_quadrotor();
   q.drag.setZero();
   QuadrotorState start;
   start.velocity = {3, -1, 8};
@@ -107,7 +98,7 @@ TEST(Quadrotor, KeepsEnergyInFreeFall) {
 }
 
 TEST(Quadrotor, IsIntegratedToTheFourthOrder) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   QuadrotorState start;
   start.velocity = {4, -3, 1};
   start.body_rates = {2, -1, 3};
@@ -129,7 +120,7 @@ TEST(Quadrotor, IsIntegratedToTheFourthOrder) {
 }
 
 TEST(Quadrotor, AccelerationStaysBelowItsBound) {
-  const Quadrotor q = example();
+  const Quadrotor q = example_quadrotor();
   testing::Random random(3);
   for (int i = 0; i < 2000; ++i) {
     QuadrotorState s;

@@ -35,10 +35,6 @@ Frame frame_for(const geom::Aabb& bounds) {
           {bounds.max.x(), bounds.max.y()}};
 }
 
-geom::Aabb in_enu(geom::Axes axes, const geom::Aabb& box) {
-  return {geom::to_enu(axes, box.min), geom::to_enu(axes, box.max)};
-}
-
 void draw_boxes(Svg& svg, const Frame& frame, const geom::BoxMap& map) {
   const geom::Axes axes = map.spec().frame.axes;
   const double top = map.spec().bounds.max.z();
@@ -49,7 +45,7 @@ void draw_boxes(Svg& svg, const Frame& frame, const geom::BoxMap& map) {
     return map.boxes()[a].max.z() < map.boxes()[b].max.z();
   });
   for (const std::size_t i : order) {
-    const geom::Aabb box = in_enu(axes, map.boxes()[i]);
+    const geom::Aabb box = geom::to_enu(axes, map.boxes()[i]);
     const Point low = frame.at({box.min.x(), box.min.y()});
     const Point high = frame.at({box.max.x(), box.max.y()});
     const double t = std::clamp((box.max.z() - floor) / std::max(top - floor, 1e-9), 0.0, 1.0);
@@ -125,7 +121,7 @@ void draw_key(Svg& svg, const Frame& frame, const geom::BoxMap& map,
 std::string plan_view(const geom::BoxMap& map, std::span<const PlanTree> trees,
                       std::span<const PlanLine> lines) {
   const geom::Axes axes = map.spec().frame.axes;
-  const Frame frame = frame_for(in_enu(axes, map.spec().bounds));
+  const Frame frame = frame_for(geom::to_enu(axes, map.spec().bounds));
   Svg svg(frame.left + frame.width + 200, frame.top + std::max(frame.height + 60, 470.0));
   draw_boxes(svg, frame, map);
   for (const PlanTree& tree : trees) draw_tree(svg, frame, tree);

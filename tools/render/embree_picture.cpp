@@ -103,13 +103,10 @@ struct PictureScene::Embree {
 PictureScene::PictureScene(const geom::BoxMap& map, std::span<const Tubes> tubes)
     : embree_(std::make_unique<Embree>()) {
   const geom::Axes axes = map.spec().frame.axes;
-  const geom::Aabb bounds{geom::to_enu(axes, map.spec().bounds.min),
-                          geom::to_enu(axes, map.spec().bounds.max)};
+  const geom::Aabb bounds = geom::to_enu(axes, map.spec().bounds);
   ground_ = bounds.min.z();
   middle_ = 0.5 * (bounds.min + bounds.max);
-  for (const geom::Aabb& box : map.boxes()) {
-    boxes_.push_back({geom::to_enu(axes, box.min), geom::to_enu(axes, box.max)});
-  }
+  for (const geom::Aabb& box : map.boxes()) boxes_.push_back(geom::to_enu(axes, box));
   if (boxes_.size() > 0xffffffffu / 8) {
     throw std::runtime_error("a picture shows at most 536870911 boxes: crop the map");
   }

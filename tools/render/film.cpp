@@ -9,8 +9,7 @@ constexpr int kSide = 480;    // width of the map in a combined frame
 constexpr int kCharts = 200;  // height of the charts below
 
 geom::Aabb enu_bounds(const geom::BoxMap& map) {
-  const geom::Axes axes = map.spec().frame.axes;
-  return {geom::to_enu(axes, map.spec().bounds.min), geom::to_enu(axes, map.spec().bounds.max)};
+  return geom::to_enu(map.spec().frame.axes, map.spec().bounds);
 }
 
 // What the lines take up, with room around, no less than a street; the whole map without lines.

@@ -33,13 +33,12 @@ Json map_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle)
     append(corners, frame.at(axes, box.min));
     append(corners, frame.at(axes, box.max));
   }
-  Json out = {{"hash", map.hash()},
-              {"boxes", map.size()},
-              {"frame", geom::name(axes)},
-              {"min", as_json(geom::to_enu(axes, spec.bounds.min))},
-              {"max", as_json(geom::to_enu(axes, spec.bounds.max))},
-              {"corners", bundle.add(std::span<const float>(corners))},
-              {"labels", map.labels()}};
+  const geom::Aabb bounds = geom::to_enu(axes, spec.bounds);
+  Json out = {
+      {"hash", map.hash()},         {"boxes", map.size()},
+      {"frame", geom::name(axes)},  {"min", as_json(bounds.min)},
+      {"max", as_json(bounds.max)}, {"corners", bundle.add(std::span<const float>(corners))},
+      {"labels", map.labels()}};
   if (map.labels().size() > 1) out["label"] = label_array(map, bundle);
   const auto ids = short_ids(map.ids());
   if (!ids.empty()) out["ids"] = bundle.add(std::span<const std::uint32_t>(ids));

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "geom/aabb.h"
 #include "geom/vec3.h"
 
 namespace geom {
@@ -37,7 +38,8 @@ struct Frame {
 std::string_view name(Axes axes);                      // "enu" or "neu"
 std::optional<Axes> axes_from_name(std::string_view);  // the inverse; nothing for another word
 
-// A vector of the map in east-north-up axes; its own inverse.
+// A vector or box of the map in east-north-up axes; each its own inverse.
 Vec3 to_enu(Axes axes, const Vec3& v);
+Aabb to_enu(Axes axes, const Aabb& box);
 
 }  // namespace geom
