@@ -18,7 +18,13 @@ if(NOT newest MATCHES "^skyway \\(${PROJECT_VERSION}\\) ")
   message(FATAL_ERROR "packaging/changelog begins with \"${newest}\", expected ${PROJECT_VERSION}")
 endif()
 file(STRINGS packaging/changelog signature REGEX "^ -- .*>" LIMIT_COUNT 1)
-string(REGEX REPLACE "^ -- (.*>)  .*" "\\1" CPACK_PACKAGE_CONTACT "${signature}")
+# Whoever builds packages for others says who they are, as to Debian's own tools. The changelog's address is of a domain
+# that no one can have (RFC 2606), so that no stranger is written to.
+if(DEFINED ENV{DEBEMAIL} AND DEFINED ENV{DEBFULLNAME})
+  set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+else()
+  string(REGEX REPLACE "^ -- (.*>)  .*" "\\1" CPACK_PACKAGE_CONTACT "${signature}")
+endif()
 execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/packaging/changelog
                 OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
 
@@ -41,7 +47,7 @@ City tables and text maps become box maps, box maps become lattices and
 roadmaps, those give paths, and paths become minimum-snap trajectories that
 are proved free of collision and inside the vehicle's limits, and are written
 in the form that the drone reads. Every step is a command-line tool.")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, python3-skyway")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, python3-skyway, make, slurm-client")
 
 skyway_package(development libskyway-dev libdevel "libraries of the Skyway toolkit
 Headers and static libraries of what the tools are made of: box maps and exact

@@ -1,179 +1,34 @@
 // skyway-check: prove that trajectories and paths are clear of a map and inside their limits.
 
-#include <fmt/format.h>
+#include <algorithm>
 
-#include "cli/drone_file.h"
-#include "cli/files.h"
+#include "checking/checker.h"
 #include "cli/limit_options.h"
-#include "cli/record_output.h"
 #include "cli/run.h"
-#include "cli/vehicle_option.h"
-#include "geom/io/csv_field.h"
-#include "traj/check.h"
-#include "traj/clearance.h"
-#include "traj/exact_check.h"
-#include "traj/flown.h"
 #include "traj/io/certificate_record.h"
-#include "traj/io/report_record.h"
-#include "traj/io/trajectory_record.h"
 
 namespace {
 
-// --profile: CSV.
-struct ProfileFile {
-  std::string file;
-  double step = 0.1;
-  std::optional<cli::RecordOutput> out = std::nullopt;
-  std::string lines = {};  // of the record at hand
-
-  void open(const cli::Sharding& sharding) {
-    if (file.empty()) return;
-    out.emplace(file, "profile", sharding);
-    out->head("id,begin,end,clearance_m\n");
-  }
-  void add(const std::string& id, const std::vector<traj::ClearanceSpan>& spans) {
-    for (const traj::ClearanceSpan& span : spans) {
-      lines += geom::csv_field(id);
-      for (const double value : {span.begin, span.end, span.clearance}) {
-        lines += ',';
-        geom::append_json(lines, value);
-      }
-      lines += '\n';
-    }
-  }
-  void finish_record() {
-    if (out) out->add(lines);
-    lines.clear();
-  }
-};
-
-struct Checker {
-  cli::Scenes& scenes;
-  ProfileFile& profile;
-  traj::Limits asked;  // by the options
-  bool override_record;
-  bool exact;
-
-  // The record's limits, or stricter ones that were asked for.
-  traj::Limits limits_for(const traj::Limits& record) const {
-    const auto pick = [&](std::optional<double> option, std::optional<double> own) {
-      if (!option || !own || override_record) return option ? option : own;
-      return std::optional(std::min(*option, *own));
-    };
-    return traj::combined(asked, record, pick);
-  }
-
-  // The scene says only what vehicle it is for; the exact check looks at the map itself.
-  static traj::ExactTask task(const geom::CollisionScene& scene, const traj::Limits& limits) {
-    return {scene.map(), scene.vehicle(), scene.margin(), limits};
-  }
-
-  traj::ReportRecord trajectory(const std::string& text, const std::string& source,
-                                std::size_t line) const {
-    const auto record = traj::parse_trajectory_record(text, source, line);
-    traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}};
-    if (record.status != "solved") {
-      report.result.reason = record.status;
-      return report;
-    }
-    const auto& scene = scenes.scene_for(record.provenance, source, line);
-    report.limits = limits_for(record.limits);
-    report.provenance = geom::provenance_of(scene);
-    report.result = traj::check(scene, record.trajectory, report.limits);
-    if (exact) report.exact = traj::check_exactly(task(scene, report.limits), record.trajectory);
-    if (profile.out && report.result.reason != "duration") {
-      profile.add(record.id, traj::clearance_profile(scene, record.trajectory, profile.step));
-    }
-    return report;
-  }
-
-  traj::ReportRecord path(const std::string& text, const std::string& source,
-                          std::size_t line) const {
-    const auto record = geom::parse_path_record(text, source, line);
-    traj::ReportRecord report{record.id, "path", {}, record.provenance, {}};
-    if (record.status != "found") {
-      report.result.reason = "no_path";
-      return report;
-    }
-    const auto& scene = scenes.scene_for(record.provenance, source, line);
-    report.provenance = geom::provenance_of(scene);
-    report.result = traj::check_path(scene, record.points);
-    if (exact) report.exact = traj::check_exactly(task(scene, {}), record.points);
-    if (profile.out)
-      profile.add(record.id, traj::clearance_profile(scene, record.points, profile.step));
-    return report;
-  }
-
-  // What a drone makes of a file.
-  traj::ReportRecord flown(const cli::DroneFile& file) const {
-    const auto& scene = scenes.scene();
-    const bool path = !file.flown.path.empty();
-    if (exact && !path) {
-      throw cli::UsageError("--exact takes paths and records, not files of trajectories");
-    }
-    traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}};
-    report.limits = limits_for(scenes.profile()->limits);  // a scene without a record has a profile
-    report.provenance = geom::provenance_of(scene);
-    report.result = traj::check_flown(scene, file.flown, report.limits);
-    const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
-    if (way && exact) report.exact = traj::check_exactly(task(scene, {}), *way);
-    if (!profile.out) return report;
-    if (way) profile.add(file.id, traj::clearance_profile(scene, *way, profile.step));
-    if (!path)
-      profile.add(file.id, traj::clearance_profile(scene, file.flown.trajectory, profile.step));
-    return report;
-  }
-
-  traj::ReportRecord check(const std::string& text, const std::string& source,
-                           std::size_t line) const {
-    const geom::JsonFields fields(text, source, line);
-    return fields.text("type") == "path" ? path(text, source, line)
-                                         : trajectory(text, source, line);
-  }
-
-  // What the shard takes of the file, in order. Returns how much is in the file.
-  std::size_t each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
-                   const geom::Shard& shard,
-                   const std::function<void(const traj::ReportRecord&)>& answer) const {
-    std::size_t total = 0;
-    if (drone_file.format.empty()) {
-      file.for_each_line([&](const std::string& line, std::size_t number) {
-        if (shard.takes(total++)) answer(check(line, file.name(), number));
-      });
-      return total;
-    }
-    const geom::Frame& frame = scenes.map().spec().frame;
-    const std::string text = file.read_all();
-    for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
-      if (shard.takes(total++)) answer(flown(one));
-    }
-    return total;
-  }
-};
-
-traj::CertificateRecord certificate_of(const traj::ReportRecord& report, const geom::BoxMap& map) {
-  return {report.id,         report.checked,    *report.exact,
-          map.spec().bounds, report.provenance, report.limits};
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app{"Prove trajectories and paths free of collision and inside their limits.",
-               "skyway-check"};
-  cli::Common common(app);
-  cli::VehicleOptions vehicle;
-  cli::LimitOptions limits;
-  std::string map_file;
+struct Options {
+  std::string map;
   std::string input = "-";
   std::string output = "-";
   std::string certificate;
-  ProfileFile profile;
+  checking::ProfileFile profile;
+  cli::VehicleOptions vehicle;
+  cli::LimitOptions limits;
   bool override_record = false;
   bool exact = false;
   cli::DroneFileOptions drone_file;
-  cli::Sharding sharding;
-  app.add_option("map", map_file, "box map; - for stdin")->required();
+
+  void add_to(CLI::App& app);
+  checking::Rules rules() const {
+    return {limits.limits(), override_record, exact || !certificate.empty()};
+  }
+};
+
+void Options::add_to(CLI::App& app) {
+  app.add_option("map", map, "box map; - for stdin")->required();
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
   app.add_option("-o,--output", output, "reports (default: stdout)");
   vehicle.add_to(app);
@@ -181,51 +36,97 @@ int main(int argc, char** argv) {
   app.add_flag("--override", override_record,
                "let the options be looser than what the records carry");
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
-  app.add_option("--profile", profile.file,
-                 "write the least clearance of each part of the way, CSV");
-  app.add_option("--profile-step", profile.step,
-                 "length of those parts: seconds, or metres along a path (default 0.1)")
-      ->check(CLI::Range(1e-4, 1e6));
+  profile.add_to(app);
   app.add_option("--certificate", certificate,
                  "write why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
+}
+
+void check_usage(const Options& options) {
+  cli::at_most_one_stdin({options.map, options.input});
+  const std::string outputs[] = {options.output, options.certificate, options.profile.file()};
+  if (std::count(std::begin(outputs), std::end(outputs), "-") > 1) {
+    throw cli::UsageError("reports, certificates and profiles cannot share stdout");
+  }
+}
+
+// Writes what each record came to, and counts.
+class Reports {
+ public:
+  // All must outlive this.
+  Reports(Options& options, const cli::Sharding& sharding, const geom::BoxMap& map)
+      : map_(map), profile_(options.profile), out_(options.output, "output", sharding) {
+    if (!options.certificate.empty())
+      certificates_.emplace(options.certificate, "certificate", sharding);
+    profile_.open(sharding);
+  }
+
+  void add(const traj::ReportRecord& report) {
+    const bool ok = traj::accepted(report);
+    failed_ += !ok;
+    ++count_;
+    if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
+    profile_.finish_record();
+    out_.add(traj::to_json_line(report, map_));
+    out_.flush();
+  }
+
+  // `total`: how many records all shards have.
+  cli::Exit commit(std::size_t total) {
+    const cli::Exit exit = failed_ ? cli::Exit::no : cli::Exit::yes;
+    out_.commit(total, exit);
+    if (certificates_) certificates_->commit(total, exit);
+    profile_.commit(total, exit);
+    return exit;
+  }
+
+  std::size_t count() const { return count_; }
+  std::size_t failed() const { return failed_; }
+
+ private:
+  std::string certificate(const traj::ReportRecord& report) const {
+    return to_json_line(traj::CertificateRecord{report.id, report.checked, *report.exact,
+                                                map_.spec().bounds, report.provenance,
+                                                report.limits});
+  }
+
+  const geom::BoxMap& map_;
+  checking::ProfileFile& profile_;
+  cli::RecordOutput out_;
+  std::optional<cli::RecordOutput> certificates_;
+  std::size_t count_ = 0;
+  std::size_t failed_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Prove trajectories and paths free of collision and inside their limits.",
+               "skyway-check"};
+  cli::Common common(app);
+  Options options;
+  options.add_to(app);
+  cli::Sharding sharding;
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin({map_file, input});
-    if ((certificate == "-") + (output == "-") + (profile.file == "-") > 1) {
-      throw cli::UsageError("reports, certificates and profiles cannot share stdout");
-    }
-    sharding.begin(app, {{"map", map_file}, {"file", input}},
-                   {{"output", output}, {"certificate", certificate}, {"profile", profile.file}});
+    check_usage(options);
+    sharding.begin(app, {{"map", options.map}, {"file", options.input}},
+                   {{"output", options.output},
+                    {"certificate", options.certificate},
+                    {"profile", options.profile.file()}});
     if (const auto done = sharding.finished(common)) return *done;
     using Differences = cli::Scenes::Differences;
-    cli::Scenes scenes(cli::open_map(map_file), vehicle,
-                       override_record ? Differences::allowed : Differences::stricter_allowed);
-    const Checker checker{scenes, profile, limits.limits(), override_record,
-                          exact || !certificate.empty()};
-    cli::InputFile file(input);
-    cli::RecordOutput out(output, "output", sharding);
-    std::optional<cli::RecordOutput> reasons;
-    if (!certificate.empty()) reasons.emplace(certificate, "certificate", sharding);
-    profile.open(sharding);
-    std::size_t failed = 0;
-    std::size_t count = 0;
-    const auto answer = [&](const traj::ReportRecord& report) {
-      const bool ok = traj::accepted(report);
-      failed += !ok;
-      ++count;
-      if (reasons)
-        reasons->add(ok ? to_json_line(certificate_of(report, scenes.map())) : std::string());
-      profile.finish_record();
-      out.add(traj::to_json_line(report, scenes.map()));
-      out.flush();
-    };
-    const std::size_t total = checker.each(file, drone_file, sharding.shard(), answer);
-    const cli::Exit exit = failed ? cli::Exit::no : cli::Exit::yes;
-    out.commit(total, exit);
-    if (reasons) reasons->commit(total, exit);
-    if (profile.out) profile.out->commit(total, exit);
-    common.write_stats({{"records", count}, {"failed", failed}});
+    cli::Scenes scenes(
+        cli::open_map(options.map), options.vehicle,
+        options.override_record ? Differences::allowed : Differences::stricter_allowed);
+    const checking::Checker checker(scenes, options.profile, options.rules());
+    cli::InputFile file(options.input);
+    Reports reports(options, sharding, scenes.map());
+    const std::size_t total =
+        checker.each(file, options.drone_file, sharding.shard(),
+                     [&](const traj::ReportRecord& report) { reports.add(report); });
+    const cli::Exit exit = reports.commit(total);
+    common.write_stats({{"records", reports.count()}, {"failed", reports.failed()}});
     return exit;
   });
 }

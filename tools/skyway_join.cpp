@@ -79,7 +79,7 @@ void join_roadmaps(std::ostream& out, const std::vector<ShardFile>& shards,
   for (const ShardFile& s : shards) {
     parts.push_back(plan::read_roadmap_part(s.archive, s.content.dump(), s.shard));
   }
-  plan::write_roadmap(out, plan::join_roadmap(std::move(parts), run));
+  plan::write_roadmap(out, plan::join_roadmap(parts, run));
 }
 
 }  // namespace

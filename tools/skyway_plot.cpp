@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/drawings.h"
+#include "cli/contents.h"
 #include "cli/files.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
@@ -27,16 +27,18 @@ struct Options {
   cli::VehicleOptions vehicle;
 };
 
-cli::Drawings read(const Options& options, const geom::BoxMap* map) {
-  cli::Drawings drawings;
-  for (const std::string& input : options.inputs) cli::read_drawings(input, map, drawings);
-  const auto other = [&](const auto& record) {
-    return !options.id.empty() && record.id != options.id;
+// What there is to draw of the inputs, all made for `map` where one is given.
+cli::Contents read(const Options& options, const geom::BoxMap* map) {
+  cli::Contents contents = cli::read_contents(options.inputs);
+  if (map) cli::require_same_map(contents, map);
+  cli::drop_failed(contents);
+  const auto other = [&](const auto& read) {
+    return !options.id.empty() && read.record.id != options.id;
   };
-  std::erase_if(drawings.paths, other);
-  std::erase_if(drawings.trajectories, other);
-  std::erase_if(drawings.flights, other);
-  return drawings;
+  std::erase_if(contents.paths, other);
+  std::erase_if(contents.trajectories, other);
+  std::erase_if(contents.flights, other);
+  return contents;
 }
 
 template <class List>
@@ -50,33 +52,33 @@ const auto& first_of(const List& list, const Options& options, const char* what)
 
 std::string plan(const Options& options) {
   const geom::BoxMap map = cli::open_map(options.map);
-  const cli::Drawings drawings = read(options, &map);
+  const cli::Contents contents = read(options, &map);
   const geom::Axes axes = map.spec().frame.axes;
-  return plot::plan_view(map, plot::plan_trees(drawings, axes), plot::plan_lines(drawings, axes));
+  return plot::plan_view(map, plot::plan_trees(contents, axes), plot::plan_lines(contents, axes));
 }
 
 std::string profile(const Options& options) {
   return plot::motion_profile(
-      first_of(read(options, nullptr).trajectories, options, "a solved trajectory"));
+      first_of(read(options, nullptr).trajectories, options, "a solved trajectory").record);
 }
 
 std::string tracking(const Options& options) {
-  return plot::tracking(first_of(read(options, nullptr).flights, options, "a flight log"));
+  return plot::tracking(first_of(read(options, nullptr).flights, options, "a flight log").record);
 }
 
 std::string clearance(const Options& options) {
   cli::Scenes scenes(cli::open_map(options.map), options.vehicle,
                      cli::Scenes::Differences::allowed);
-  const cli::Drawings drawings = read(options, &scenes.map());
+  const cli::Contents contents = read(options, &scenes.map());
   if (scenes.map().size() == 0) {
     throw geom::InputError(options.map, "expected a map with obstacles, found none");
   }
-  if (drawings.paths.empty() && drawings.trajectories.empty()) {
-    first_of(drawings.flights, options, "a path, a trajectory or a flight");
+  if (contents.paths.empty() && contents.trajectories.empty()) {
+    first_of(contents.flights, options, "a path, a trajectory or a flight");
   }
   const geom::CollisionScene& scene =
-      scenes.scene_for(plot::provenance_of(drawings), options.inputs[0], 0);
-  const plot::Tracks tracks = plot::tracks_of(drawings, scene);
+      scenes.scene_for(plot::provenance_of(contents), options.inputs[0], 0);
+  const plot::Tracks tracks = plot::tracks_of(contents, scene);
   first_of(tracks.list, options, "a path, a trajectory or a flight of some length");
   return plot::clearance(scene, tracks.list, tracks.x_label);
 }

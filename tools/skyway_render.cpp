@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/drawings.h"
+#include "cli/contents.h"
 #include "cli/files.h"
 #include "cli/run.h"
 #include "geom/error.h"
@@ -11,12 +11,12 @@
 
 namespace {
 
-std::vector<render::Motion> motions_of(const cli::Drawings& drawings, geom::Axes axes) {
+std::vector<render::Motion> motions_of(const cli::Contents& contents, geom::Axes axes) {
   std::vector<render::Motion> out;
-  for (const auto& record : drawings.trajectories) {
+  for (const auto& [record, source, line] : contents.trajectories) {
     out.emplace_back(record.id, record.trajectory, axes);
   }
-  for (const auto& flight : drawings.flights) out.emplace_back(flight);
+  for (const auto& [flight, source, line] : contents.flights) out.emplace_back(flight);
   return out;
 }
 
@@ -77,16 +77,16 @@ int main(int argc, char** argv) {
       throw cli::UsageError(
           fmt::format("--ids: expected a map of at most {} boxes, found {}", kMostIds, map.size()));
     }
-    cli::Drawings drawings;
-    for (const std::string& input : options.inputs) cli::read_drawings(input, &map, drawings);
-    if (drawings.failed > 0) {
-      common.warn(fmt::format("{} records hold no path or trajectory", drawings.failed));
+    cli::Contents contents = cli::read_contents(options.inputs);
+    cli::require_same_map(contents, &map);
+    if (const std::size_t failed = cli::drop_failed(contents)) {
+      common.warn(fmt::format("{} records hold no path or trajectory", failed));
     }
     const geom::Axes axes = map.spec().frame.axes;
-    const auto motions = motions_of(drawings, axes);
+    const auto motions = motions_of(contents, axes);
     const render::Motion* motion = flown(motions, options);
     const geom::Execution run = common.execution("frames");
-    const render::Film film(map, render::lines_of(drawings, motions, axes), motion, options.film,
+    const render::Film film(map, render::lines_of(contents, motions, axes), motion, options.film,
                             run);
     common.write_stats(render::shoot(film, times_of(options, motion), options, run));
     return cli::Exit::yes;

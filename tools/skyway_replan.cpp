@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <algorithm>
 #include <vector>
 
 #include "cli/artefacts.h"
@@ -16,17 +16,21 @@
 
 namespace {
 
-struct Input {
+struct Line {
   geom::PathRecord record;
-  std::size_t line = 0;
+  std::size_t number = 0;
 };
 
-std::vector<Input> read_paths(const std::string& path, std::string& source) {
+struct Paths {
+  std::string source;
+  std::vector<Line> lines;
+};
+
+Paths read_paths(const std::string& path) {
   cli::InputFile file(path);
-  source = file.name();
-  std::vector<Input> out;
+  Paths out{file.name(), {}};
   file.for_each_line([&](const std::string& line, std::size_t number) {
-    out.push_back({geom::parse_path_record(line, file.name(), number), number});
+    out.lines.push_back({geom::parse_path_record(line, file.name(), number), number});
   });
   return out;
 }
@@ -42,6 +46,64 @@ bool same_scene(const geom::PathRecord& a, const geom::PathRecord& b) {
 geom::PathRecord passed_on(geom::PathRecord record) {
   record.message = "no path to replan" + (record.message.empty() ? "" : ": " + record.message);
   return record;
+}
+
+// Where the paths from `begin` on end that ask for the scene of the first.
+std::size_t end_of_run(const std::vector<Line>& paths, std::size_t begin) {
+  const geom::PathRecord& first = paths[begin].record;
+  const auto other = [&](const Line& path) {
+    return !found(path.record) || !same_scene(first, path.record);
+  };
+  const auto end =
+      std::find_if(paths.begin() + static_cast<std::ptrdiff_t>(begin), paths.end(), other);
+  return static_cast<std::size_t>(end - paths.begin());
+}
+
+// A record for each path, in order.
+std::vector<geom::PathRecord> replan_each(const Paths& paths, cli::Scenes& scenes,
+                                          const cli::Artefacts& artefacts, plan::Quality quality,
+                                          const geom::Execution& run) {
+  const std::vector<Line>& lines = paths.lines;
+  std::vector<geom::PathRecord> records(lines.size());
+  for (std::size_t begin = 0, end = 0; begin < lines.size(); begin = end) {
+    if (!found(lines[begin].record)) {
+      records[begin] = passed_on(lines[begin].record);
+      end = begin + 1;
+      continue;
+    }
+    end = end_of_run(lines, begin);
+    geom::Provenance asked = lines[begin].record.provenance;
+    asked.map.reset();  // another one, as a rule
+    const geom::CollisionScene& scene = scenes.scene_for(asked, paths.source, lines[begin].number);
+    artefacts.require_made_for(scene);
+    plan::Planner planner(scene, artefacts.lattice(), artefacts.roadmap());
+    geom::parallel_for(end - begin, run, [&](std::size_t i) {
+      const geom::PathRecord& old = lines[begin + i].record;
+      const plan::ReplanResult result = plan::replan(scene, planner, old.points, quality);
+      geom::PathRecord& record = records[begin + i];
+      record = plan::path_record(scene, old.id, result.plan);
+      if (found(record)) record.origin = result.origin;
+    });
+  }
+  return records;
+}
+
+struct Tally {
+  std::size_t kept = 0;
+  std::size_t mended = 0;
+  std::size_t failed = 0;
+};
+
+Tally write_records(const std::vector<geom::PathRecord>& records, const std::string& output) {
+  cli::OutputFile out(output, cli::OutputKind::text);
+  Tally tally;
+  for (const geom::PathRecord& record : records) {
+    const bool kept = found(record) && record.origin->mended.empty();
+    ++(!found(record) ? tally.failed : kept ? tally.kept : tally.mended);
+    out.stream() << geom::to_json_line(record);
+  }
+  out.commit();
+  return tally;
 }
 
 }  // namespace
@@ -66,49 +128,14 @@ int main(int argc, char** argv) {
     cli::Scenes scenes(cli::open_map(map_file), vehicle,
                        cli::Scenes::Differences::stricter_allowed);
     const cli::Artefacts artefacts(artefact_files);
-    std::string source;
-    const std::vector<Input> paths = read_paths(paths_file, source);
-
-    std::vector<geom::PathRecord> records(paths.size());
-    const geom::Execution run = common.execution("paths");
-    for (std::size_t begin = 0, end = 0; begin < paths.size(); begin = end) {
-      if (!found(paths[begin].record)) {
-        records[begin] = passed_on(paths[begin].record);
-        end = begin + 1;
-        continue;
-      }
-      const geom::PathRecord& first = paths[begin].record;
-      while (end < paths.size() && found(paths[end].record) &&
-             same_scene(first, paths[end].record)) {
-        ++end;
-      }
-      geom::Provenance asked = first.provenance;
-      asked.map.reset();  // another one, as a rule
-      const geom::CollisionScene& scene = scenes.scene_for(asked, source, paths[begin].line);
-      artefacts.require_made_for(scene);
-      plan::Planner planner(scene, artefacts.lattice(), artefacts.roadmap());
-      geom::parallel_for(end - begin, run, [&](std::size_t i) {
-        const geom::PathRecord& old = paths[begin + i].record;
-        const plan::ReplanResult result = plan::replan(scene, planner, old.points, quality);
-        geom::PathRecord& record = records[begin + i];
-        record = plan::path_record(scene, old.id, result.plan);
-        if (found(record)) record.origin = result.origin;
-      });
-    }
-
-    cli::OutputFile out(output, cli::OutputKind::text);
-    std::size_t kept = 0;
-    std::size_t mended = 0;
-    for (const geom::PathRecord& record : records) {
-      if (found(record)) ++(record.origin->mended.empty() ? kept : mended);
-      out.stream() << geom::to_json_line(record);
-    }
-    out.commit();
-    const std::size_t failed = records.size() - kept - mended;
+    const std::vector<geom::PathRecord> records =
+        replan_each(read_paths(paths_file), scenes, artefacts, quality, common.execution("paths"));
+    const auto [kept, mended, failed] = write_records(records, output);
     common.write_stats(
         {{"paths", records.size()}, {"kept", kept}, {"mended", mended}, {"failed", failed}});
-    if (records.size() == 1 && failed)
+    if (records.size() == 1 && failed) {
       fmt::print(stderr, "skyway-replan: {}\n", records[0].message);
+    }
     return failed ? cli::Exit::no : cli::Exit::yes;
   });
 }

@@ -37,9 +37,7 @@ void write_shard(const cli::Sharding& sharding, const cli::Common& common,
       plan::build_roadmap_part(scene, spec, sharding.shard(), common.execution("bends"));
   const plan::PartArrays written = plan::arrays_of(part);
   sharding.write(output, "output", "roadmap", written.meta, written.arrays, cli::Exit::yes);
-  std::size_t edges = 0;
-  for (const auto& list : part.to) edges += list.size();
-  common.write_stats({{"bends", part.bends.size()}, {"edges", edges}});
+  common.write_stats({{"bends", part.bends.size()}, {"edges", part.edges.to.size()}});
 }
 
 }  // namespace

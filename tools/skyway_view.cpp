@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/contents.h"
 #include "cli/files.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
@@ -16,6 +17,18 @@ void require_one_stdin(const std::vector<std::string>& files, const std::string&
   if (std::count(files.begin(), files.end(), "-") + (poses == "-") > 1) {
     throw cli::UsageError("only one input may be -");
   }
+}
+
+const cli::ContentKinds kKinds{
+    .archives = true,
+    .corridors = true,
+    .reports = true,
+    .refusal = "expected a path, a trajectory, a tree, a corridor or a report, found a {}"};
+
+cli::Contents read(const std::vector<std::string>& files) {
+  cli::Contents contents = cli::read_contents(files, kKinds);
+  cli::require_same_map(contents, contents.map ? &contents.map->record : nullptr);
+  return contents;
 }
 
 constexpr std::size_t kLargeFrames = 3000000;  // bytes
@@ -57,7 +70,7 @@ int main(int argc, char** argv) {
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     require_one_stdin(files, pictures.poses);
-    const view::Contents contents = view::read_contents(files);
+    const cli::Contents contents = read(files);
     std::optional<view::Frames> frames;
     if (!pictures.names.empty()) frames = view::read_frames(pictures);
     view::Bundle bundle;

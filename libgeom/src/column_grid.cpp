@@ -88,15 +88,15 @@ void ColumnGrid::add_span(std::int32_t x, std::int32_t y, std::int32_t low, std:
 }
 
 std::vector<ColumnGrid::Labelled> ColumnGrid::labelled(const Column& column,
-                                                       const Span& all) const {
+                                                       const Span& heights) const {
   std::vector<Labelled> out;
-  std::int32_t reached = all.low;
+  std::int32_t reached = heights.low;
   for (const Span& span : column) {
     if (spec_.unknown_blocked && span.low > reached) out.push_back({{reached, span.low}, 1});
     out.push_back({span, 0});
     reached = span.high;
   }
-  if (spec_.unknown_blocked && column.empty()) out.push_back({all, 1});
+  if (spec_.unknown_blocked && column.empty()) out.push_back({heights, 1});
   return out;
 }
 
@@ -109,29 +109,69 @@ std::size_t ColumnGrid::cells() const {
   return count;
 }
 
-BoxTable ColumnGrid::boxes(std::string_view source) const {
-  BoxTable table;
-  table.labels = {"", "unknown"};
-  constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
-  Span all{kMost, -kMost};
-  std::int32_t x0 = kMost, x1 = -kMost, y0 = kMost, y1 = -kMost;
+ColumnGrid::Extent ColumnGrid::extent() const {
+  Extent e;
   for (const auto& [key, tile] : tiles_) {
     for (int i = 0; i < kSide * kSide; ++i) {
       const Column& c = tile[static_cast<std::size_t>(i)];
       if (c.empty()) continue;
-      all = {std::min(all.low, c.front().low), std::max(all.high, c.back().high)};
-      x0 = std::min(x0, key.second * kSide + i % kSide);
-      x1 = std::max(x1, key.second * kSide + i % kSide);
-      y0 = std::min(y0, key.first * kSide + i / kSide);
-      y1 = std::max(y1, key.first * kSide + i / kSide);
+      e.heights = {std::min(e.heights.low, c.front().low), std::max(e.heights.high, c.back().high)};
+      e.x0 = std::min(e.x0, key.second * kSide + i % kSide);
+      e.x1 = std::max(e.x1, key.second * kSide + i % kSide);
+      e.y0 = std::min(e.y0, key.first * kSide + i / kSide);
+      e.y1 = std::max(e.y1, key.first * kSide + i / kSide);
     }
   }
-  if (x0 > x1) return table;
-  const double rectangle = (static_cast<double>(x1) - x0 + 1) * (static_cast<double>(y1) - y0 + 1);
-  if (spec_.unknown_blocked && rectangle > 2e8) {
+  return e;
+}
+
+template <class Visit>
+void ColumnGrid::visit_row(Tiles::const_iterator tile, Tiles::const_iterator end, std::int32_t y,
+                           const Extent& e, const Visit& visit) const {
+  const Column none;
+  std::int32_t x = e.x0;  // the next cell
+  const auto visit_to = [&](std::int32_t to) {
+    for (; spec_.unknown_blocked && x < to; ++x) visit(y, x, none);
+    x = std::max(x, to);
+  };
+  for (; tile != end; ++tile) {
+    const std::int32_t left = tile->first.second * kSide;
+    const std::int32_t row = (y - tile->first.first * kSide) * kSide;
+    visit_to(std::clamp(left, e.x0, e.x1 + 1));
+    for (; x < left + kSide && x <= e.x1; ++x) {
+      const Column& c = tile->second[static_cast<std::size_t>(row + (x - left))];
+      if (!c.empty() || spec_.unknown_blocked) visit(y, x, c);
+    }
+  }
+  visit_to(e.x1 + 1);
+}
+
+template <class Visit>
+void ColumnGrid::visit_cells(const Extent& e, const Visit& visit) const {
+  std::int32_t y = e.y0;  // the next row
+  for (auto tile = tiles_.begin(); tile != tiles_.end();) {
+    const std::int32_t ty = tile->first.first;
+    const auto end = std::find_if(tile, tiles_.end(),
+                                  [&](const auto& entry) { return entry.first.first != ty; });
+    // Rows between those of tiles hold nothing.
+    for (; spec_.unknown_blocked && y < ty * kSide; ++y) visit_row(end, end, y, e, visit);
+    y = std::max(y, ty * kSide);
+    for (; y <= std::min(e.y1, ty * kSide + kSide - 1); ++y) visit_row(tile, end, y, e, visit);
+    tile = end;
+  }
+}
+
+BoxTable ColumnGrid::boxes(std::string_view source) const {
+  BoxTable table;
+  table.labels = {"", "unknown"};
+  const Extent e = extent();
+  if (e.x0 > e.x1) return table;
+  const double cells =
+      (static_cast<double>(e.x1) - e.x0 + 1) * (static_cast<double>(e.y1) - e.y0 + 1);
+  if (spec_.unknown_blocked && cells > 2e8) {
     throw InputError(source, fmt::format("expected at most 2e8 cells in the rectangle around the "
                                          "points, found {}: use larger cells",
-                                         rectangle));
+                                         cells));
   }
   const auto emit = [&](const CellRectangle<std::vector<Labelled>>& r) {
     for (const Labelled& l : r.value) {
@@ -145,36 +185,9 @@ BoxTable ColumnGrid::boxes(std::string_view source) const {
     }
   };
   RowMerge<std::vector<Labelled>, decltype(emit)> merge(emit);
-  const Column none;
-  for (auto row = tiles_.begin(); row != tiles_.end();) {
-    const std::int32_t ty = row->first.first;
-    const auto row_end =
-        std::find_if(row, tiles_.end(), [&](const auto& entry) { return entry.first.first != ty; });
-    for (std::int32_t y = std::max(y0, ty * kSide); y <= std::min(y1, ty * kSide + kSide - 1);
-         ++y) {
-      std::int32_t x = x0;  // the next cell of the row
-      const auto visit_to = [&](std::int32_t end) {
-        for (; spec_.unknown_blocked && x < end; ++x) merge.add(y, x, labelled(none, all));
-        x = std::max(x, end);
-      };
-      for (auto tile = row; tile != row_end; ++tile) {
-        const std::int32_t left = tile->first.second * kSide;
-        visit_to(std::clamp(left, x0, x1 + 1));
-        for (; x < left + kSide && x <= x1; ++x) {
-          const Column& c =
-              tile->second[static_cast<std::size_t>((y - ty * kSide) * kSide + (x - left))];
-          if (!c.empty() || spec_.unknown_blocked) merge.add(y, x, labelled(c, all));
-        }
-      }
-      visit_to(x1 + 1);
-    }
-    // Rows of cells between this row of tiles and the next hold nothing.
-    const std::int32_t next = row_end == tiles_.end() ? y1 + 1 : row_end->first.first * kSide;
-    for (std::int32_t y = ty * kSide + kSide; spec_.unknown_blocked && y < next && y <= y1; ++y) {
-      for (std::int32_t x = x0; x <= x1; ++x) merge.add(y, x, labelled(none, all));
-    }
-    row = row_end;
-  }
+  visit_cells(e, [&](std::int32_t y, std::int32_t x, const Column& column) {
+    merge.add(y, x, labelled(column, e.heights));
+  });
   merge.finish();
   return table;
 }

@@ -17,36 +17,20 @@ std::size_t count_of(const geom::JsonFields& fields, const char* key) {
   return static_cast<std::size_t>(value);
 }
 
-// Edges of all bends one after the other: those of bend i are to[first[i]] … to[first[i + 1]].
-struct Flat {
-  std::vector<std::uint64_t> first{0};
-  std::vector<std::uint32_t> to;
-
-  explicit Flat(const std::vector<std::vector<std::uint32_t>>& lists) {
-    for (const auto& list : lists) {
-      to.insert(to.end(), list.begin(), list.end());
-      first.push_back(to.size());
-    }
-  }
-};
-
-std::vector<std::vector<std::uint32_t>> read_edges(const geom::ArrayArchive& archive,
-                                                   std::size_t bends) {
-  const auto first = archive.array<std::uint64_t>("edge_first");
-  const auto to = archive.array<std::uint32_t>("edge_to");
-  if (first.size() != bends + 1 || first[0] != 0 || first[bends] != to.size()) {
+EdgeLists read_edges(const geom::ArrayArchive& archive, std::size_t bends) {
+  EdgeLists edges{archive.array<std::uint64_t>("edge_first"),
+                  archive.array<std::uint32_t>("edge_to"), archive.keep_alive()};
+  const auto first = edges.first;
+  if (first.size() != bends + 1 || first[0] != 0 || first[bends] != edges.to.size()) {
     throw geom::InputError(archive.name(), "the arrays of bends and edges do not fit each other");
   }
-  std::vector<std::vector<std::uint32_t>> lists(bends);
   for (std::size_t i = 0; i < bends; ++i) {
-    if (first[i] > first[i + 1] || first[i + 1] > to.size()) {
+    if (first[i] > first[i + 1]) {
       throw geom::InputError(archive.name(),
                              fmt::format("bend {} has a range of edges that cannot be", i));
     }
-    lists[i].assign(to.begin() + static_cast<std::ptrdiff_t>(first[i]),
-                    to.begin() + static_cast<std::ptrdiff_t>(first[i + 1]));
   }
-  return lists;
+  return edges;
 }
 
 std::vector<std::uint32_t> copy(std::span<const std::uint32_t> values) {
@@ -64,26 +48,22 @@ PartArrays arrays_of(const LatticePart& part) {
 }
 
 PartArrays arrays_of(const RoadmapPart& part) {
-  struct Owned {
-    BendArrays bends;
-    Flat edges;
-  };
-  const auto owned = std::make_shared<const Owned>(BendArrays(part.bends), Flat(part.to));
+  const auto bends = std::make_shared<const BendArrays>(part.bends);
   PartArrays out;
   out.meta = roadmap_meta(part.spec, part.made_for) + fmt::format(",\"boxes\":{}", part.boxes);
-  owned->bends.append_to(out.arrays);
+  bends->append_to(out.arrays);
   out.arrays.push_back(geom::named_array<std::uint32_t>("box_bends", part.bends_of));
   out.arrays.push_back(geom::named_array<std::uint32_t>("near_box", part.near_box));
   out.arrays.push_back(geom::named_array<std::uint32_t>("near_bends", part.near_bends));
-  out.arrays.push_back(geom::named_array<std::uint64_t>("edge_first", owned->edges.first));
-  out.arrays.push_back(geom::named_array<std::uint32_t>("edge_to", owned->edges.to));
+  out.arrays.push_back(geom::named_array<std::uint64_t>("edge_first", part.edges.first));
+  out.arrays.push_back(geom::named_array<std::uint32_t>("edge_to", part.edges.to));
   if (part.coarse) {
     PartArrays coarse = arrays_of(*part.coarse);
     out.meta += ",\"lattice\":" + coarse.meta;
     for (auto& array : coarse.arrays) out.arrays.push_back(std::move(array));
   }
   out.meta += '}';
-  out.keep_alive = owned;
+  out.keep_alive = bends;
   return out;
 }
 
@@ -115,7 +95,7 @@ RoadmapPart read_roadmap_part(const geom::ArrayArchive& archive, std::string_vie
   if (part.near_box.size() != part.near_bends.size()) {
     throw geom::InputError(archive.name(), "near_box and near_bends are not of one length");
   }
-  part.to = read_edges(archive, part.bends.size());
+  part.edges = read_edges(archive, part.bends.size());
   if (fields.has("lattice")) {
     part.coarse = read_lattice_part(archive, fields.object()["lattice"].dump(), shard);
   }

@@ -9,6 +9,7 @@
 
 #include "bends.h"
 #include "geom/error.h"
+#include "geom/mapped_file.h"
 #include "geom/parallel.h"
 
 namespace plan {
@@ -53,7 +54,7 @@ class BendCells {
 
 // Sorts the edges of a bend as Roadmap says. Returns how many are on the first side.
 std::uint32_t sort_edges(const std::vector<Bend>& bends, std::size_t i,
-                         std::vector<std::uint32_t>& to) {
+                         std::span<std::uint32_t> to) {
   std::vector<EdgeKey> keys;
   for (const std::uint32_t j : to) keys.push_back(edge_key(bends, i, j));
   std::sort(keys.begin(), keys.end());
@@ -162,7 +163,7 @@ std::vector<std::uint32_t> sizes(const std::vector<std::vector<Bend>>& lists) {
 // Where the bends of all parts stand in their roadmap.
 class Numbering {
  public:
-  explicit Numbering(const std::vector<RoadmapPart>& parts) : first_of_box_{0} {
+  explicit Numbering(std::span<const RoadmapPart> parts) : first_of_box_{0} {
     for (std::size_t s = 0; s < parts.size(); ++s) {
       const RoadmapPart& part = parts[s];
       const geom::Shard shard{s, parts.size()};
@@ -180,11 +181,12 @@ class Numbering {
 
   std::size_t bends() const { return first_of_box_.back(); }
 
-  // In place of each number of a bend in the part, that in the roadmap.
-  void renumber(RoadmapPart& part, std::size_t s, std::size_t shards) const {
+  // Of a bend as the part numbers it, for all that it has edges to.
+  std::vector<std::uint32_t> of_part(const RoadmapPart& part, std::size_t s,
+                                     std::size_t shards) const {
     const std::size_t begin = first_of_box_[geom::Shard{s, shards}.begin(part.boxes)];
-    const std::size_t own = part.bends.size();
-    std::vector<std::uint32_t> near;
+    std::vector<std::uint32_t> out(part.bends.size());
+    std::iota(out.begin(), out.end(), static_cast<std::uint32_t>(begin));
     for (std::size_t i = 0; i < part.near_box.size(); ++i) {
       const std::size_t box = part.near_box[i];
       if (box < geom::Shard{s, shards}.end(part.boxes) || box >= part.boxes ||
@@ -192,53 +194,68 @@ class Numbering {
         refuse(s, fmt::format("does not fit the shard of box {}", box));
       }
       for (std::uint32_t n = 0; n < part.near_bends[i]; ++n) {
-        near.push_back(static_cast<std::uint32_t>(first_of_box_[box] + n));
+        out.push_back(static_cast<std::uint32_t>(first_of_box_[box] + n));
       }
     }
-    for (std::size_t i = 0; i < own; ++i) {
-      std::size_t least = i + 1;
-      for (std::uint32_t& j : part.to[i]) {
-        if (j < least || j >= own + near.size()) refuse(s, "has an edge that cannot be");
-        least = j + std::size_t{1};
-        j = j < own ? static_cast<std::uint32_t>(begin + j) : near[j - own];
-      }
-    }
+    return out;
   }
 
  private:
   std::vector<std::size_t> first_of_box_;
 };
 
-// Lists of edges to later bends become lists of all edges, in the order that Roadmap wants.
-void finish_edges(Roadmap& roadmap, std::vector<std::vector<std::uint32_t>> to, unsigned threads) {
-  const std::size_t n = to.size();
-  std::vector<std::uint32_t> back(n);  // how many lower bends each is linked to
-  std::uint64_t edges = 0;
-  for (const auto& list : to) {
-    edges += list.size();
-    for (const std::uint32_t j : list) ++back[j];
+// Calls f(bend, later bend) for every edge of the parts, numbered as in the roadmap.
+template <class F>
+void for_each_edge(std::span<const RoadmapPart> parts, const Numbering& numbering, const F& f) {
+  for (std::size_t s = 0; s < parts.size(); ++s) {
+    const auto number = numbering.of_part(parts[s], s, parts.size());
+    for (std::size_t i = 0; i < parts[s].bends.size(); ++i) {
+      std::size_t least = i + 1;
+      for (const std::uint32_t j : parts[s].edges.of(i)) {
+        if (j < least || j >= number.size()) refuse(s, "has an edge that cannot be");
+        least = j + std::size_t{1};
+        f(number[i], number[j]);
+      }
+    }
+    geom::trim_mapped_files();
   }
-  require_edges_fit(2 * edges);
-  std::vector<std::size_t> own(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    own[i] = to[i].size();
-    to[i].reserve(own[i] + back[i]);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t e = 0; e < own[i]; ++e) to[to[i][e]].push_back(static_cast<std::uint32_t>(i));
-  }
+}
+
+// Both directions of all edges, in the order that Roadmap wants.
+void join_edges(std::span<const RoadmapPart> parts, const Numbering& numbering, Roadmap& roadmap,
+                unsigned threads) {
+  const std::size_t n = roadmap.bends.size();
+  roadmap.first.assign(n + 1, 0);
+  for_each_edge(parts, numbering, [&](std::uint32_t i, std::uint32_t j) {
+    ++roadmap.first[i + std::size_t{1}];
+    ++roadmap.first[j + std::size_t{1}];
+  });
+  std::partial_sum(roadmap.first.begin(), roadmap.first.end(), roadmap.first.begin());
+  require_edges_fit(roadmap.first.back());
+  const auto owned = std::make_shared<std::vector<std::uint32_t>>(roadmap.first.back());
+  std::vector<std::uint64_t> next(roadmap.first.begin(), roadmap.first.end() - 1);
+  for_each_edge(parts, numbering, [&](std::uint32_t i, std::uint32_t j) {
+    (*owned)[next[i]++] = j;
+    (*owned)[next[j]++] = i;
+  });
   roadmap.split.resize(n);
   geom::parallel_for(n, {threads, {}}, [&](std::size_t i) {
-    roadmap.split[i] = sort_edges(roadmap.bends, i, to[i]);
+    const std::size_t first = roadmap.first[i];
+    const std::span to = std::span(*owned).subspan(first, roadmap.first[i + 1] - first);
+    roadmap.split[i] = sort_edges(roadmap.bends, i, to);
   });
-  set_edges(roadmap, std::move(to));
+  roadmap.to = *owned;
+  roadmap.keep_alive = owned;
 }
 
 }  // namespace
 
 RoadmapPart build_roadmap_part(const geom::CollisionScene& scene, const RoadmapSpec& spec,
                                const geom::Shard& shard, const geom::Execution& run) {
-  RoadmapPart part{spec, geom::provenance_of(scene), shard, {}, {}, {}, {}, {}, {}, {}};
+  RoadmapPart part;
+  part.spec = spec;
+  part.made_for = geom::provenance_of(scene);
+  part.shard = shard;
   const BoxOrder order(scene, spec.region);
   part.boxes = order.count();
   const std::size_t end = shard.end(part.boxes);
@@ -260,13 +277,14 @@ RoadmapPart build_roadmap_part(const geom::CollisionScene& scene, const RoadmapS
   for (const auto& some : others) all.insert(all.end(), some.begin(), some.end());
 
   const BendCells cells(all, spec.reach);
-  part.to.resize(part.bends.size());
+  std::vector<std::vector<std::uint32_t>> to(part.bends.size());
   geom::parallel_for(part.bends.size(), run, [&](std::size_t i) {
     cells.for_near(all[i].position, [&](std::uint32_t j) {
-      if (j > i && linked(scene, all[i], all[j], spec.reach)) part.to[i].push_back(j);
+      if (j > i && linked(scene, all[i], all[j], spec.reach)) to[i].push_back(j);
     });
-    std::sort(part.to[i].begin(), part.to[i].end());
+    std::sort(to[i].begin(), to[i].end());
   });
+  part.edges = flat(std::move(to));
   if (scene.free_bounds()) {
     part.coarse =
         build_lattice_part(scene, coarse_spec(scene), shard, {run.threads, {}}, spec.region);
@@ -274,22 +292,34 @@ RoadmapPart build_roadmap_part(const geom::CollisionScene& scene, const RoadmapS
   return part;
 }
 
-Roadmap join_roadmap(std::vector<RoadmapPart> parts, const geom::Execution& run) {
+EdgeLists flat(std::vector<std::vector<std::uint32_t>> lists) {
+  struct Owned {
+    std::vector<std::uint64_t> first{0};
+    std::vector<std::uint32_t> to;
+  };
+  const auto owned = std::make_shared<Owned>();
+  std::size_t edges = 0;
+  for (const auto& list : lists) edges += list.size();
+  owned->to.reserve(edges);
+  for (auto& list : lists) {
+    owned->to.insert(owned->to.end(), list.begin(), list.end());
+    owned->first.push_back(owned->to.size());
+    std::vector<std::uint32_t>().swap(list);
+  }
+  return {owned->first, owned->to, owned};
+}
+
+Roadmap join_roadmap(std::span<const RoadmapPart> parts, const geom::Execution& run) {
   const Numbering numbering(parts);
   Roadmap out;
   out.spec = parts.front().spec;
   out.made_for = parts.front().made_for;
-  std::vector<std::vector<std::uint32_t>> to;
-  to.reserve(numbering.bends());
   std::vector<LatticePart> coarse;
-  for (std::size_t s = 0; s < parts.size(); ++s) {
-    RoadmapPart part = std::move(parts[s]);
-    numbering.renumber(part, s, parts.size());
+  for (const RoadmapPart& part : parts) {
     out.bends.insert(out.bends.end(), part.bends.begin(), part.bends.end());
-    std::move(part.to.begin(), part.to.end(), std::back_inserter(to));
-    if (part.coarse) coarse.push_back(std::move(*part.coarse));
+    if (part.coarse) coarse.push_back(*part.coarse);
   }
-  finish_edges(out, std::move(to), run.threads);
+  join_edges(parts, numbering, out, run.threads);
   if (!coarse.empty() && coarse.size() != parts.size()) refuse(0, "has a lattice, others do not");
   if (!coarse.empty()) out.coarse = label_components(join_lattice(coarse));
   return out;
@@ -297,9 +327,8 @@ Roadmap join_roadmap(std::vector<RoadmapPart> parts, const geom::Execution& run)
 
 Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec,
                       const geom::Execution& run) {
-  std::vector<RoadmapPart> whole;
-  whole.push_back(build_roadmap_part(scene, spec, {}, run));
-  return join_roadmap(std::move(whole), run);
+  const RoadmapPart whole = build_roadmap_part(scene, spec, {}, run);
+  return join_roadmap({&whole, 1}, run);
 }
 
 }  // namespace plan

@@ -49,9 +49,9 @@ struct Direction {
     const int a = (axis + 1) % 3;
     const int b = (axis + 2) % 3;
     const Whole low = j * (j > 0 ? box.low : box.high)[a] + k * (k > 0 ? box.low : box.high)[b];
-    if (low << shift > curve.high) return 1;
+    if ((low << shift) > curve.high) return 1;
     const Whole high = j * (j > 0 ? box.high : box.low)[a] + k * (k > 0 ? box.high : box.low)[b];
-    if (high << shift < curve.low) return -1;
+    if ((high << shift) < curve.low) return -1;
     return 0;
   }
 };

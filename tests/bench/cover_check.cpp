@@ -11,6 +11,7 @@
 #include <numeric>
 #include <set>
 
+#include "footprints/place.h"
 #include "footprints/source.h"
 #include "geom/cover.h"
 #include "geom/io/city_json.h"
@@ -58,96 +59,137 @@ std::pair<std::size_t, std::size_t> raster(const geom::Polygon& polygon, double 
   return {cells.size(), runs};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const std::string path = argv[1];
-  const double slack = argc > 2 ? std::atof(argv[2]) : 0.5;
-  const auto wanted = static_cast<std::size_t>(argc > 3 ? std::atof(argv[3]) : 1e6);
+std::vector<Footprint> read_projected(const std::string& path) {
   footprints::Source source = read(path);
   const footprints::Projector projector(source, path, std::nullopt);
-  for (Footprint& f : source.footprints) {
-    for (Vec2& p : f.polygon.outer) p = projector(p);
-    for (auto& hole : f.polygon.holes) {
-      for (Vec2& p : hole) p = projector(p);
+  footprints::project(source.footprints, projector);
+  return std::move(source.footprints);
+}
+
+// All boxes of each feature: a wall may lie in those of a roof.
+class Boxes {
+ public:
+  explicit Boxes(const geom::BoxTable& table) {
+    for (std::size_t i = 0; i < table.boxes.size(); ++i) {
+      of_[table.ids[i]].push_back(table.boxes[i]);
     }
   }
-  // All boxes of a feature: a wall may lie in those of a roof.
-  const geom::BoxTable table = geom::boxes_of(source.footprints, slack, {2, {}});
-  std::map<std::uint64_t, std::vector<geom::Aabb>> boxes;
-  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
-    boxes[table.ids[i]].push_back(table.boxes[i]);
+
+  bool cover(const Footprint& f, const Vec2& p) const {
+    const auto of = of_.find(f.id);
+    return of != of_.end() && std::ranges::any_of(of->second, [&](const geom::Aabb& box) {
+             return p.x() >= box.min.x() && p.x() <= box.max.x() && p.y() >= box.min.y() &&
+                    p.y() <= box.max.y() && f.bottom >= box.min.z() && f.top <= box.max.z();
+           });
   }
-  const auto covered = [&](const Footprint& f, const Vec2& p) {
-    return std::ranges::any_of(boxes[f.id], [&](const geom::Aabb& box) {
-      return p.x() >= box.min.x() && p.x() <= box.max.x() && p.y() >= box.min.y() &&
-             p.y() <= box.max.y() && f.bottom >= box.min.z() && f.top <= box.max.z();
-    });
-  };
-  std::size_t corners = 0;
-  std::size_t outside = 0;
-  double area = 0;
-  for (const Footprint& f : source.footprints) {
-    const Extent e = extent_of(f.polygon);
-    area += (e.high - e.low).prod();
+
+ private:
+  std::map<std::uint64_t, std::vector<geom::Aabb>> of_;
+};
+
+struct Tally {
+  std::size_t points = 0;
+  std::size_t outside = 0;  // of all boxes
+};
+
+Tally check_corners(std::span<const Footprint> footprints, const Boxes& boxes) {
+  Tally tally;
+  for (const Footprint& f : footprints) {
     const auto ring = [&](const std::vector<Vec2>& points) {
       for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 middle = 0.5 * (points[i] + points[(i + 1) % points.size()]);
-        corners += 2;
-        outside += !covered(f, points[i]) + !covered(f, middle);
+        tally.points += 2;
+        tally.outside += !boxes.cover(f, points[i]) + !boxes.cover(f, middle);
       }
     };
     ring(f.polygon.outer);
     for (const auto& hole : f.polygon.holes) ring(hole);
   }
+  return tally;
+}
+
+// At least `wanted` random points, spread as the rectangles around the polygons.
+Tally check_inside(std::span<const Footprint> footprints, const Boxes& boxes, std::size_t wanted) {
+  double area = 0;
+  for (const Footprint& f : footprints) {
+    const Extent e = extent_of(f.polygon);
+    area += (e.high - e.low).prod();
+  }
   support::Random random(1);
-  std::size_t inside = 0;
-  while (inside < wanted) {
-    for (const Footprint& f : source.footprints) {
+  Tally tally;
+  while (tally.points < wanted) {
+    for (const Footprint& f : footprints) {
       const Extent e = extent_of(f.polygon);
       const oracle::Distance distance(f.polygon);
       const double share = (e.high - e.low).prod() / area * static_cast<double>(wanted);
       for (double k = random.uniform(0, 1); k < share; ++k) {
         const Vec2 p(random.uniform(e.low.x(), e.high.x()), random.uniform(e.low.y(), e.high.y()));
         if (distance(p.x(), p.y()) > 0) continue;
-        ++inside;
-        outside += !covered(f, p);
+        ++tally.points;
+        tally.outside += !boxes.cover(f, p);
       }
     }
   }
-  std::vector<double> reach(source.footprints.size());
-  std::vector<std::size_t> rectangles(reach.size());
-  std::vector<std::size_t> not_covered(reach.size());  // not proved to be, in rationals
-  std::vector<std::pair<std::size_t, std::size_t>> cells(reach.size());
-  geom::parallel_for(reach.size(), {2, {}}, [&](std::size_t i) {
-    const geom::Polygon& polygon = source.footprints[i].polygon;
-    const auto cover = geom::cover(polygon, slack);
-    rectangles[i] = cover.size();
-    not_covered[i] = !oracle::exactly_covered(polygon, cover);
-    for (const geom::Rectangle& r : cover) {
-      reach[i] = std::max(reach[i], oracle::furthest_outside(polygon, r, 1e-4 * slack));
-    }
-    cells[i] = raster(polygon, slack);
-  });
-  std::size_t all_cells = 0;
-  std::size_t all_runs = 0;
-  std::size_t all_rectangles = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    all_cells += cells[i].first;
-    all_runs += cells[i].second;
-    all_rectangles += rectangles[i];
+  return tally;
+}
+
+// What becomes of one polygon, or of all.
+struct Cover {
+  std::size_t rectangles = 0;
+  std::size_t unproved = 0;  // not proved to be covered, in rationals
+  double furthest = 0;       // metres outside
+  std::size_t cells = 0;     // of the raster
+  std::size_t runs = 0;
+};
+
+Cover cover_of(const geom::Polygon& polygon, double slack) {
+  const auto rectangles = geom::cover(polygon, slack);
+  Cover out;
+  out.rectangles = rectangles.size();
+  out.unproved = !oracle::exactly_covered(polygon, rectangles);
+  for (const geom::Rectangle& r : rectangles) {
+    out.furthest = std::max(out.furthest, oracle::furthest_outside(polygon, r, 1e-4 * slack));
   }
-  const double furthest = *std::max_element(reach.begin(), reach.end());
-  fmt::print("footprints {} boxes {}\n", source.footprints.size(), table.boxes.size());
-  fmt::print("points inside {}, corners and middles {}: outside the boxes {}\n", inside, corners,
-             outside);
-  fmt::print("furthest outside a polygon {:.6f} m of {} (bound, 1e-4 of it loose)\n", furthest,
+  std::tie(out.cells, out.runs) = raster(polygon, slack);
+  return out;
+}
+
+Cover cover_all(std::span<const Footprint> footprints, double slack) {
+  std::vector<Cover> covers(footprints.size());
+  geom::parallel_for(covers.size(), {2, {}},
+                     [&](std::size_t i) { covers[i] = cover_of(footprints[i].polygon, slack); });
+  Cover all;
+  for (const Cover& c : covers) {
+    all.rectangles += c.rectangles;
+    all.unproved += c.unproved;
+    all.furthest = std::max(all.furthest, c.furthest);
+    all.cells += c.cells;
+    all.runs += c.runs;
+  }
+  return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string path = argv[1];
+  const double slack = argc > 2 ? std::atof(argv[2]) : 0.5;
+  const auto wanted = static_cast<std::size_t>(argc > 3 ? std::atof(argv[3]) : 1e6);
+  const std::vector<Footprint> footprints = read_projected(path);
+  const geom::BoxTable table = geom::boxes_of(footprints, slack, {2, {}});
+  const Boxes boxes(table);
+  const Tally corners = check_corners(footprints, boxes);
+  const Tally inside = check_inside(footprints, boxes, wanted);
+  const std::size_t outside = corners.outside + inside.outside;
+  const Cover all = cover_all(footprints, slack);
+  const auto percent = [&](std::size_t n) { return 100.0 * all.rectangles / n; };
+  fmt::print("footprints {} boxes {}\n", footprints.size(), table.boxes.size());
+  fmt::print("points inside {}, corners and middles {}: outside the boxes {}\n", inside.points,
+             corners.points, outside);
+  fmt::print("furthest outside a polygon {:.6f} m of {} (bound, 1e-4 of it loose)\n", all.furthest,
              slack);
-  const std::size_t unproved =
-      std::accumulate(not_covered.begin(), not_covered.end(), std::size_t{0});
-  fmt::print("polygons not proved to be covered, in rationals: {}\n", unproved);
+  fmt::print("polygons not proved to be covered, in rationals: {}\n", all.unproved);
   fmt::print("rectangles {}; raster cells {} ({:.1f}%), runs of cells {} ({:.1f}%)\n",
-             all_rectangles, all_cells, 100.0 * all_rectangles / all_cells, all_runs,
-             100.0 * all_rectangles / all_runs);
-  return outside + unproved > 0 || furthest > slack * 1.0002;
+             all.rectangles, all.cells, percent(all.cells), all.runs, percent(all.runs));
+  return outside + all.unproved > 0 || all.furthest > slack * 1.0002;
 }

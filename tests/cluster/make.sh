@@ -1,20 +1,21 @@
 #!/usr/bin/env bash
-# make.sh BIN_DIR SOURCE_DIR: the Makefile of the chain gives, in parallel, the bytes of a single run; a second make does no
+# make.sh BIN_DIR CHAIN_DIR CITY: the Makefile of the chain, on a table of boxes, gives, in parallel, the bytes of a single run; a second make does no
 # work, and a damaged or missing shard alone is made anew.
 set -euo pipefail
 export PATH="$1:$PATH"
-source=$2
+chain=$2
+city=$3
 command -v make >/dev/null || { echo "skipped: make is not installed"; exit 77; }
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/chain" && cd "$folder/chain"
-cp "$source/tools/cluster/chain.conf" .
-cp "$source/data/downtown.csv" city.csv
+cp "$chain/chain.conf" .
+cp "$city" city.csv
 sed -i 's/^VEHICLE=.*/VEHICLE="box:1,1,1"/; s/^PLAN=.*/PLAN="--snap-ends 60"/; s/^TRAJECTORIES=.*/TRAJECTORIES="--vmax 8 --amax 6 --solver stop-and-go"/' chain.conf
 for i in 1 2 3 4 5 6 7; do
   echo "{\"id\":\"q$i\",\"from\":[-2${i}0,-10$i,30],\"to\":[2${i}0,1${i}4,20]}"
 done >queries.jsonl
-run() { make -s -j2 -f "$source/tools/cluster/chain.mk" FOLDER="$folder/chain" >log.txt 2>&1 || { cat log.txt; exit 1; }; }
+run() { make -s -j2 -f "$chain/chain.mk" FOLDER="$folder/chain" >log.txt 2>&1 || { cat log.txt; exit 1; }; }
 run
 grep -q '"ok":true' reports.jsonl
 skyway-import -q city.csv | cmp - city.boxmap

@@ -19,9 +19,8 @@ void join(const cli::ShardFile& shard) {
     const auto part = plan::read_lattice_part(shard.archive, content, shard.shard);
     plan::verify_lattice(plan::join_lattice({&part, 1}));
   } else if (shard.kind == "roadmap" && small(shard.archive)) {
-    std::vector<plan::RoadmapPart> parts;
-    parts.push_back(plan::read_roadmap_part(shard.archive, content, shard.shard));
-    plan::verify_roadmap(plan::join_roadmap(std::move(parts)));
+    const auto part = plan::read_roadmap_part(shard.archive, content, shard.shard);
+    plan::verify_roadmap(plan::join_roadmap({&part, 1}));
   } else if (cli::is_map_shard(shard) &&
              shard.content.value("unknown_blocked", nlohmann::json()) != 1) {
     cli::join_map({&shard, 1});

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # fresh_root.sh DEB_DIR [ROOT]: the packages on a Debian 12 that has nothing else. Makes a root with mmdebstrap,
-# installs each package there with apt, and runs the demo, the manual pages, the completions, a program built against the
-# libraries and the Python examples, without the source tree. Needs root, the network, and mmdebstrap and lintian; takes
+# installs each package there with apt, and runs the demo, the manual pages, the completions, the chain by Make, a program
+# built against the libraries and the Python examples, without the source tree. Needs root, the network, and mmdebstrap and lintian; takes
 # minutes, so it is run by hand. Afterwards it says how large everything is; a ROOT that was named is kept.
 set -euo pipefail
 debs=$(cd "$1" && pwd)
@@ -53,6 +53,13 @@ offered=$(in_root bash -c 'source /usr/share/bash-completion/bash_completion; _c
   COMP_WORDS=(skyway-plan --sn) COMP_CWORD=1; _skyway_plan; echo "${COMPREPLY[@]}"')
 [ "$offered" = --snap-ends ] || { echo "bash offers \"$offered\" after skyway-plan --sn"; exit 1; }
 
+echo "== the chain"
+install make
+cp "$here/tests/cluster/make.sh" "$root/srv"
+in_root bash /srv/make.sh /usr/bin /usr/share/skyway/cluster /usr/share/skyway/data/downtown.csv
+[ -x "$root/usr/share/skyway/cluster/submit.sh" ] || { echo "submit.sh is not executable"; exit 1; }
+[ -s "$root/usr/share/doc/skyway/cluster.md" ] || { echo "no cluster.md"; exit 1; }
+
 cp "$here"/tests/golden/data/{scan.xyz,blocks.geojson} "$root/srv"
 echo "== skyway-cloud"
 install "$(deb skyway-cloud)"
@@ -70,7 +77,7 @@ for example in read query plan solve check; do
 done
 
 echo "== libskyway-dev"
-install g++ cmake make "$(deb libskyway-dev)"
+install g++ cmake "$(deb libskyway-dev)"
 cp -r "$here/tests/consumer" "$root/srv/consumer"
 in_root cmake -S /srv/consumer -B /srv/consumer/build > /dev/null
 in_root cmake --build /srv/consumer/build > /dev/null

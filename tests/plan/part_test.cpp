@@ -72,7 +72,7 @@ TEST_P(Parts, OfARoadmapMakeTheRoadmapBitForBit) {
       for (std::size_t k = 0; k < count; ++k) {
         parts.push_back(through_file(build_roadmap_part(scene_, spec, {k, count}, {2, {}})));
       }
-      EXPECT_EQ(bytes(join_roadmap(std::move(parts), {2, {}})), whole) << count << " shards";
+      EXPECT_EQ(bytes(join_roadmap(parts, {2, {}})), whole) << count << " shards";
     }
   }
 }
@@ -128,8 +128,16 @@ TEST(RoadmapParts, ThatDoNotFitAreRefused) {
   refused([](auto& parts) { ++parts[1].bends_of[0]; });
   refused([](auto& parts) { ++parts[0].near_bends[0]; });
   refused([](auto& parts) { parts[0].near_box[0] = 0xffffffff; });
-  refused([](auto& parts) { parts[0].to[0].push_back(0); });
-  refused([](auto& parts) { parts[0].to[0] = {0xfffffffe}; });
+  const auto with_edge = [](RoadmapPart& part, std::uint32_t to) {
+    std::vector<std::vector<std::uint32_t>> lists(part.bends.size());
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      lists[i].assign(part.edges.of(i).begin(), part.edges.of(i).end());
+    }
+    lists[0].push_back(to);
+    part.edges = flat(std::move(lists));
+  };
+  refused([&](auto& parts) { with_edge(parts[0], 0); });
+  refused([&](auto& parts) { with_edge(parts[0], 0xfffffffe); });
   refused([](auto& parts) { parts[1].coarse.reset(); });
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "cli/drawings.h"
+#include "cli/contents.h"
 #include "cli/files.h"
 #include "map/verbs.h"
 #include "traj/to_enu.h"
@@ -25,6 +25,10 @@ constexpr Colour kCorridor{240, 228, 66};  // yellow, as in the page
 constexpr double kCorridorOpacity = 0.3;
 constexpr Colour kTrees[] = {{86, 140, 196}, {204, 102, 85}};
 constexpr double kStep = 0.1;  // seconds between the points of a curve
+
+const cli::ContentKinds kKinds{
+    .corridors = true,
+    .refusal = "expected a record of type path, trajectory, tree or corridor, found \"{}\""};
 
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
@@ -91,22 +95,23 @@ geom::MeshPart corridor_part(const traj::CorridorShape& corridor, geom::Axes axe
   return part;
 }
 
-std::vector<geom::MeshPart> parts_of(const geom::BoxMap& map, const cli::Drawings& drawings,
+std::vector<geom::MeshPart> parts_of(const geom::BoxMap& map, const cli::Contents& contents,
                                      double radius) {
   const geom::Axes axes = map.spec().frame.axes;
   std::vector<geom::MeshPart> parts = geom::box_parts(map);
-  for (const auto& tree : drawings.trees) add_tree(tree, axes, radius, parts);
-  for (const auto& path : drawings.paths) {
+  for (const auto& [tree, source, line] : contents.trees) add_tree(tree, axes, radius, parts);
+  for (const auto& [path, source, line] : contents.paths) {
     parts.push_back(way("path " + path.id, kPath, traj::to_enu(axes, path.points), radius));
   }
-  for (const auto& t : drawings.trajectories) {
+  for (const auto& [t, source, line] : contents.trajectories) {
     parts.push_back(
         way("trajectory " + t.id, kTrajectory, traj::to_enu(axes, curve(t.trajectory)), radius));
   }
-  for (const auto& f : drawings.flights) {
+  for (const auto& [f, source, line] : contents.flights) {
     parts.push_back(way("flight " + f.id, kFlight, flown(f), radius));
   }
-  for (const auto& corridor : drawings.corridors) parts.push_back(corridor_part(corridor, axes));
+  for (const auto& [corridor, source, line] : contents.corridors)
+    parts.push_back(corridor_part(corridor, axes));
   return parts;
 }
 
@@ -128,11 +133,10 @@ Verb mesh_verb(CLI::App& app, const char* name, const char* what, Write write) {
   return {verb, [=] {
             cli::at_most_one_stdin(files->map, more->inputs);
             const geom::BoxMap map = cli::open_map(files->map);
-            cli::Drawings drawings;
-            for (const auto& input : more->inputs) {
-              cli::read_drawings(input, &map, drawings, cli::Corridors::taken);
-            }
-            const auto parts = parts_of(map, drawings, more->radius);
+            cli::Contents contents = cli::read_contents(more->inputs, kKinds);
+            cli::require_same_map(contents, &map);
+            cli::drop_failed(contents);
+            const auto parts = parts_of(map, contents, more->radius);
             cli::OutputFile out(files->output, cli::OutputKind::artefact);
             write(out.stream(), parts);
             out.commit();

@@ -51,9 +51,9 @@ ClearanceTrack track_of(const geom::PathRecord& path, const geom::CollisionScene
 
 }  // namespace
 
-std::vector<PlanTree> plan_trees(const cli::Drawings& drawings, geom::Axes axes) {
+std::vector<PlanTree> plan_trees(const cli::Contents& contents, geom::Axes axes) {
   std::vector<PlanTree> out;
-  for (const plan::SearchTreeRecord& record : drawings.trees) {
+  for (const auto& [record, source, line] : contents.trees) {
     PlanTree tree;
     for (std::size_t i = 0; i < record.tree.points.size(); ++i) {
       if (record.tree.parent[i] == i) continue;
@@ -65,39 +65,41 @@ std::vector<PlanTree> plan_trees(const cli::Drawings& drawings, geom::Axes axes)
   return out;
 }
 
-std::vector<PlanLine> plan_lines(const cli::Drawings& drawings, geom::Axes axes) {
+std::vector<PlanLine> plan_lines(const cli::Contents& contents, geom::Axes axes) {
   std::vector<PlanLine> out;
   const auto add = [&](std::string label, const std::vector<geom::Vec3>& points, bool corners) {
     PlanLine line{std::move(label), {}, corners};
     for (const geom::Vec3& p : points) line.points.push_back(geom::to_enu(axes, p));
     out.push_back(std::move(line));
   };
-  for (const auto& path : drawings.paths) add("path " + path.id, path.points, true);
-  for (const auto& t : drawings.trajectories)
+  for (const auto& [path, source, n] : contents.paths) add("path " + path.id, path.points, true);
+  for (const auto& [t, source, n] : contents.trajectories)
     add("trajectory " + t.id, points_of(t.trajectory), false);
-  for (const auto& f : drawings.flights) add("flight " + f.id, points_of(f, axes), false);
+  for (const auto& [f, source, n] : contents.flights)
+    add("flight " + f.id, points_of(f, axes), false);
   return out;
 }
 
-Tracks tracks_of(const cli::Drawings& drawings, const geom::CollisionScene& scene) {
+Tracks tracks_of(const cli::Contents& contents, const geom::CollisionScene& scene) {
   Tracks out{{}, "time, s"};
   const auto add = [&](const auto& list) {
-    for (const auto& way : list) {
+    for (const auto& [way, source, n] : list) {
       ClearanceTrack track = track_of(way, scene);
       if (!track.spans.empty()) out.list.push_back(std::move(track));
     }
   };
-  add(drawings.trajectories);
-  add(drawings.flights);
+  add(contents.trajectories);
+  add(contents.flights);
   if (!out.list.empty()) return out;
   out.x_label = "length along the path, m";
-  add(drawings.paths);
+  add(contents.paths);
   return out;
 }
 
-geom::Provenance provenance_of(const cli::Drawings& drawings) {
-  if (!drawings.trajectories.empty()) return drawings.trajectories[0].provenance;
-  if (drawings.flights.empty() && !drawings.paths.empty()) return drawings.paths[0].provenance;
+geom::Provenance provenance_of(const cli::Contents& contents) {
+  if (!contents.trajectories.empty()) return contents.trajectories[0].record.provenance;
+  if (contents.flights.empty() && !contents.paths.empty())
+    return contents.paths[0].record.provenance;
   return {};
 }
 

@@ -1,18 +1,18 @@
 #pragma once
 
-// What was read, as the plots want it.
+// What was read, as the plots want it: paths that were found and trajectories that were solved.
 
 #include <string>
 #include <vector>
 
-#include "cli/drawings.h"
+#include "cli/contents.h"
 #include "plot/clearance.h"
 #include "plot/plan_view.h"
 
 namespace plot {
 
-std::vector<PlanTree> plan_trees(const cli::Drawings& drawings, geom::Axes axes);
-std::vector<PlanLine> plan_lines(const cli::Drawings& drawings, geom::Axes axes);
+std::vector<PlanTree> plan_trees(const cli::Contents& contents, geom::Axes axes);
+std::vector<PlanLine> plan_lines(const cli::Contents& contents, geom::Axes axes);
 
 struct Tracks {
   std::vector<ClearanceTrack> list;
@@ -21,8 +21,8 @@ struct Tracks {
 
 // Trajectories and flights over time; paths over their length, where there are only those. What has
 // no length in time or space is left out, and all of it on a map without obstacles.
-Tracks tracks_of(const cli::Drawings& drawings, const geom::CollisionScene& scene);
+Tracks tracks_of(const cli::Contents& contents, const geom::CollisionScene& scene);
 
-geom::Provenance provenance_of(const cli::Drawings& drawings);  // of the first in tracks_of
+geom::Provenance provenance_of(const cli::Contents& contents);  // of the first in tracks_of
 
 }  // namespace plot

@@ -28,10 +28,10 @@ std::vector<Spot> spots(const View& view, std::span<const Vec3> points) {
 
 }  // namespace
 
-std::vector<Line> lines_of(const cli::Drawings& drawings, std::span<const Motion> motions,
+std::vector<Line> lines_of(const cli::Contents& contents, std::span<const Motion> motions,
                            geom::Axes axes) {
   std::vector<Line> out;
-  for (const plan::SearchTreeRecord& record : drawings.trees) {
+  for (const auto& [record, source, n] : contents.trees) {
     const plan::SearchTree& tree = record.tree;
     for (std::size_t i = 0; i < tree.points.size(); ++i) {
       if (tree.parent[i] == i) continue;
@@ -42,7 +42,7 @@ std::vector<Line> lines_of(const cli::Drawings& drawings, std::span<const Motion
     }
   }
   std::size_t next = 0;
-  for (const geom::PathRecord& path : drawings.paths) {
+  for (const auto& [path, source, n] : contents.paths) {
     Line line{{}, kWays[next++ % std::size(kWays)], 3};
     for (const Vec3& p : path.points) line.points.push_back(geom::to_enu(axes, p));
     out.push_back(std::move(line));

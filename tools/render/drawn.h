@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cli/drawings.h"
+#include "cli/contents.h"
 #include "render/canvas.h"
 #include "render/embree_picture.h"
 #include "render/motion.h"
@@ -19,7 +19,7 @@ struct Line {
 };
 
 // Of everything that is there: trees first, then paths, then ways.
-std::vector<Line> lines_of(const cli::Drawings& drawings, std::span<const Motion> motions,
+std::vector<Line> lines_of(const cli::Contents& contents, std::span<const Motion> motions,
                            geom::Axes axes);
 // The same in space; a pixel is `metres` there.
 std::vector<Tubes> tubes_of(std::span<const Line> lines, double metres);

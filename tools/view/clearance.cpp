@@ -2,7 +2,7 @@
 
 namespace view {
 
-Clearance::Clearance(const Contents& contents, const cli::VehicleOptions& vehicle) {
+Clearance::Clearance(const cli::Contents& contents, const cli::VehicleOptions& vehicle) {
   if (const auto profile = vehicle.profile()) asked_ = profile->vehicle;
   if (contents.map) {
     scenes_.emplace(contents.map->record, vehicle, cli::Scenes::Differences::refused);

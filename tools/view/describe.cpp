@@ -29,7 +29,7 @@ class Reach {
   Vec3 high_ = -low_;
 };
 
-Reach reach_of(const Contents& contents) {
+Reach reach_of(const cli::Contents& contents) {
   Reach reach;
   if (contents.map) {
     const auto& spec = contents.map->record.spec();
@@ -71,7 +71,7 @@ std::size_t samples_of(double seconds, std::size_t motions) {
 }
 
 // What a flight was for: the trajectory of its id, else the only one, else nothing is known.
-geom::Provenance made_for(const Contents& contents, const traj::FlightLog& flight) {
+geom::Provenance made_for(const cli::Contents& contents, const traj::FlightLog& flight) {
   for (const auto& [record, source, line] : contents.trajectories) {
     if (record.id == flight.id) return record.provenance;
   }
@@ -79,7 +79,7 @@ geom::Provenance made_for(const Contents& contents, const traj::FlightLog& fligh
   return {};
 }
 
-Json motions(const Contents& contents, const LocalFrame& frame, Clearance& clearance,
+Json motions(const cli::Contents& contents, const LocalFrame& frame, Clearance& clearance,
              Bundle& bundle) {
   Json out = Json::array();
   const std::size_t count = contents.trajectories.size() + contents.flights.size();
@@ -100,7 +100,7 @@ Json motions(const Contents& contents, const LocalFrame& frame, Clearance& clear
   return out;
 }
 
-Json unsolved(const Contents& contents) {
+Json unsolved(const cli::Contents& contents) {
   Json out = Json::array();
   for (const auto& [record, source, line] : contents.trajectories) {
     if (record.status == "solved") continue;
@@ -121,7 +121,12 @@ Json as_json(const traj::Limits& limits) {
 
 Json as_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
-Extent extent_of(const Contents& contents) {
+geom::Axes axes_of(const cli::Contents& contents, const geom::Provenance& provenance) {
+  if (provenance.frame) return *provenance.frame;
+  return contents.map ? contents.map->record.spec().frame.axes : geom::Axes::enu;
+}
+
+Extent extent_of(const cli::Contents& contents) {
   const Reach reach = reach_of(contents);
   if (reach.empty())
     throw geom::InputError("inputs", "expected something that has a place, found none");
@@ -130,7 +135,7 @@ Extent extent_of(const Contents& contents) {
   return {{Vec3(std::round(middle.x()), std::round(middle.y()), 0)}, box};
 }
 
-Json describe(const Contents& contents, const std::optional<Frames>& frames,
+Json describe(const cli::Contents& contents, const std::optional<Frames>& frames,
               const cli::VehicleOptions& vehicle, Bundle& bundle) {
   const Extent extent = extent_of(contents);
   const LocalFrame& frame = extent.frame;

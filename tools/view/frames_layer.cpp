@@ -15,7 +15,7 @@ constexpr double kFarthest = 5;     // metres from the vehicle to its camera
 constexpr double kLateness = 1e-6;  // seconds that a frame may be outside the motion
 
 // As they stand in the page: solved trajectories, then flights.
-std::vector<render::Motion> motions_of(const Contents& contents) {
+std::vector<render::Motion> motions_of(const cli::Contents& contents) {
   std::vector<render::Motion> out;
   for (const auto& [record, source, line] : contents.trajectories) {
     if (record.status != "solved") continue;
@@ -41,7 +41,7 @@ double apart(const Frames& frames, const render::Motion& motion) {
 
 }  // namespace
 
-Json frames_layer(const Frames& frames, const Contents& contents, Bundle& bundle) {
+Json frames_layer(const Frames& frames, const cli::Contents& contents, Bundle& bundle) {
   const std::vector<render::Motion> motions = motions_of(contents);
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();

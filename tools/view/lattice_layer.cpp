@@ -62,7 +62,7 @@ std::vector<std::uint8_t> shown_masks(const Lattice& lattice, bool swapped) {
 
 }  // namespace
 
-Json lattice_layer(const Read<Lattice>& read, geom::Axes axes, const LocalFrame& frame,
+Json lattice_layer(const cli::Read<Lattice>& read, geom::Axes axes, const LocalFrame& frame,
                    Bundle& bundle) {
   const Lattice& lattice = read.record;
   if (lattice.size() > kMostNodes) {

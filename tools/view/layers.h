@@ -2,13 +2,16 @@
 
 // What the page shows of each kind of artefact: its numbers in JSON, its arrays in a bundle.
 
+#include "cli/contents.h"
 #include "cli/vehicle_option.h"
 #include "view/bundle.h"
-#include "view/contents.h"
 #include "view/frames.h"
 #include "view/local_frame.h"
 
 namespace view {
+
+// The axes that a record is in: its own word, else the map's, else ENU.
+geom::Axes axes_of(const cli::Contents& contents, const geom::Provenance& provenance);
 
 // The middle of everything there is, and how far it reaches.
 struct Extent {
@@ -16,16 +19,16 @@ struct Extent {
   geom::Aabb bounds;  // ENU, metres; of the map where there is one, else of all points
 };
 // Throws geom::InputError where there is nothing that has a place.
-Extent extent_of(const Contents& contents);
+Extent extent_of(const cli::Contents& contents);
 
 // Everything the page holds: the value of its <script id="skyway-meta">.
-Json describe(const Contents& contents, const std::optional<Frames>& frames,
+Json describe(const cli::Contents& contents, const std::optional<Frames>& frames,
               const cli::VehicleOptions& vehicle, Bundle& bundle);
 
 // The obstacles that the vehicle's distance is taken from.
 class Clearance {
  public:
-  Clearance(const Contents& contents, const cli::VehicleOptions& vehicle);
+  Clearance(const cli::Contents& contents, const cli::VehicleOptions& vehicle);
 
   // Null without a map or vehicle.
   const geom::CollisionScene* scene_for(const geom::Provenance& made_for, const std::string& source,
@@ -41,8 +44,8 @@ class Clearance {
 
 Json map_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle);
 // Throws geom::InputError for more nodes than a browser can show.
-Json lattice_layer(const Read<plan::Lattice>& lattice, geom::Axes axes, const LocalFrame& frame,
-                   Bundle& bundle);
+Json lattice_layer(const cli::Read<plan::Lattice>& lattice, geom::Axes axes,
+                   const LocalFrame& frame, Bundle& bundle);
 Json tree_layer(const plan::SearchTreeRecord& tree, geom::Axes axes, const LocalFrame& frame,
                 Bundle& bundle);
 Json path_layer(const geom::PathRecord& path, geom::Axes axes, const LocalFrame& frame,
@@ -52,18 +55,18 @@ Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const 
 Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame);
 
 // `samples` instants, evenly spaced (>= 2); the trajectory is not empty.
-Json trajectory_layer(const Read<traj::TrajectoryRecord>& trajectory, std::size_t samples,
+Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& trajectory, std::size_t samples,
                       geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
                       Bundle& bundle);
 // At most `samples` rows of the log, the first and the last among them. `made_for` says for which
 // vehicle and in which axes the obstacles are.
-Json flight_layer(const Read<traj::FlightLog>& flight, std::size_t samples,
+Json flight_layer(const cli::Read<traj::FlightLog>& flight, std::size_t samples,
                   const geom::Provenance& made_for, geom::Axes axes, const LocalFrame& frame,
                   Clearance& clearance, Bundle& bundle);
 
 // Which of the page's motions (solved trajectories, then flights) the frames were taken along: the
 // one that their poses keep nearest to. Throws geom::InputError where they follow none.
-Json frames_layer(const Frames& frames, const Contents& contents, Bundle& bundle);
+Json frames_layer(const Frames& frames, const cli::Contents& contents, Bundle& bundle);
 
 Json as_json(const traj::Limits& limits);
 Json as_json(const geom::Vec3& v);  // [x,y,z]

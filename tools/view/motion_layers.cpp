@@ -130,7 +130,7 @@ struct Columns {
 
 }  // namespace
 
-Json trajectory_layer(const Read<traj::TrajectoryRecord>& read, std::size_t samples,
+Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& read, std::size_t samples,
                       geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
                       Bundle& bundle) {
   const traj::TrajectoryRecord& record = read.record;
@@ -164,7 +164,7 @@ Json trajectory_layer(const Read<traj::TrajectoryRecord>& read, std::size_t samp
   return out;
 }
 
-Json flight_layer(const Read<traj::FlightLog>& read, std::size_t samples,
+Json flight_layer(const cli::Read<traj::FlightLog>& read, std::size_t samples,
                   const geom::Provenance& made_for, geom::Axes axes, const LocalFrame& frame,
                   Clearance& clearance, Bundle& bundle) {
   const traj::FlightLog& log = read.record;

@@ -100,7 +100,7 @@ class CollisionScene {
   // grow(map().box(i), half()).
   Aabb grown(std::size_t i) const;
 
-  struct Impl;  // embree_scene.cpp only
+  struct Impl;  // of the files embree_* alone
 
  private:
   std::unique_ptr<Impl> impl_;

@@ -3,6 +3,7 @@
 // Points as columns: the boxes of a laser scan.
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <unordered_map>
 #include <vector>
@@ -59,11 +60,30 @@ class ColumnGrid {
     friend bool operator==(const Labelled&, const Labelled&) = default;
   };
 
+  using Tiles = std::map<std::pair<std::int32_t, std::int32_t>, Tile>;  // by y, then x
+
+  // The rectangle of cells with returns, ends among them, and the heights of all; x0 > x1: none.
+  struct Extent {
+    static constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+    std::int32_t x0 = kMost, x1 = -kMost;
+    std::int32_t y0 = kMost, y1 = -kMost;
+    Span heights{kMost, -kMost};
+  };
+
   Column& column(std::int32_t x, std::int32_t y);
-  std::vector<Labelled> labelled(const Column& column, const Span& all) const;
+  Extent extent() const;
+  std::vector<Labelled> labelled(const Column& column, const Span& heights) const;
+  // Calls visit(y, x, column) by ascending y, then x, for each cell with returns and, with
+  // unknown_blocked, for all others of the rectangle; and the same for one row, whose tiles these
+  // are.
+  template <class Visit>
+  void visit_cells(const Extent& e, const Visit& visit) const;
+  template <class Visit>
+  void visit_row(Tiles::const_iterator tile, Tiles::const_iterator end, std::int32_t y,
+                 const Extent& e, const Visit& visit) const;
 
   ColumnSpec spec_;
-  std::map<std::pair<std::int32_t, std::int32_t>, Tile> tiles_;  // by y, then x
+  Tiles tiles_;
   std::pair<std::int32_t, std::int32_t> last_key_{};
   Tile* last_ = nullptr;
 };

@@ -1,17 +1,16 @@
-#include "view/contents.h"
+#include "cli/contents.h"
 
 #include <fmt/format.h>
 
-#include <sstream>
-#include <string_view>
 #include <utility>
 
 #include "cli/files.h"
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
+#include "geom/io/json_fields.h"
 #include "plan/io/lattice_file.h"
 
-namespace view {
+namespace cli {
 namespace {
 
 void add_archive(const geom::ArrayArchive& archive, Contents& out) {
@@ -33,7 +32,8 @@ void add_archive(const geom::ArrayArchive& archive, Contents& out) {
 // Sorts the lines of one stream into the contents.
 class Records {
  public:
-  Records(const std::string& source, Contents& out) : source_(source), out_(out) {}
+  Records(const std::string& source, const ContentKinds& kinds, Contents& out)
+      : source_(source), kinds_(kinds), out_(out) {}
 
   void add(const std::string& text, std::size_t line) {
     if (tree_ && !tree_->complete()) {
@@ -62,60 +62,56 @@ class Records {
     } else if (type == "trajectory") {
       out_.trajectories.push_back(
           {traj::parse_trajectory_record(text, source_, line), source_, line});
-    } else if (type == "corridor") {
+    } else if (type == "corridor" && kinds_.corridors) {
       out_.corridors.push_back({traj::parse_corridor_record(text, source_, line), source_, line});
-    } else if (type == "report" || type == "flight") {
+    } else if ((type == "report" || type == "flight") && kinds_.reports) {
       out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
     } else {
-      fields.refuse(fmt::format(
-          "expected a path, a trajectory, a tree, a corridor or a report, found a {}", type));
+      fields.refuse(fmt::format(fmt::runtime(kinds_.refusal), type));
     }
   }
 
   const std::string& source_;
+  const ContentKinds& kinds_;
   Contents& out_;
   std::optional<plan::SearchTreeReader> tree_;
   std::size_t tree_line_ = 0;
 };
 
-void add_records(const std::string& text, const std::string& source, Contents& out) {
-  Records records(source, out);
-  std::istringstream in(text);
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (line.find_first_not_of(" \t\r") != std::string::npos) records.add(line, number);
-  }
-  records.finish_tree(number);
+void add_records(InputFile& file, const ContentKinds& kinds, Contents& out) {
+  Records records(file.name(), kinds, out);
+  std::size_t last = 0;
+  file.for_each_line([&](const std::string& text, std::size_t line) {
+    records.add(text, line);
+    last = line;
+  });
+  records.finish_tree(last);
 }
 
-void add_text(const std::string& text, const std::string& source, Contents& out) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) {
-    throw geom::InputError(source, "expected records or a flight log, found an empty file");
-  }
-  if (text[first] == '{') return add_records(text, source, out);
-  std::istringstream in(text);
-  for (traj::FlightLog& log : traj::read_flight_log(in, source)) {
-    out.flights.push_back({std::move(log), source, 0});
+void add_flights(InputFile& file, Contents& out) {
+  for (traj::FlightLog& log : traj::read_flight_log(file.stream(), file.name())) {
+    out.flights.push_back({std::move(log), file.name(), 0});
   }
 }
 
-void add_file(const std::string& path, Contents& out) {
-  cli::InputFile file(path);
-  if (file.stream().peek() != 'P') return add_text(file.read_all(), file.name(), out);
-  if (path != "-") return add_archive(cli::open_archive(path), out);
-  const std::string bytes = file.read_all();
-  add_archive(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "stdin"), out);
+void add_input(const std::string& path, const ContentKinds& kinds, Contents& out) {
+  InputFile file(path);
+  const int first = file.stream().peek();
+  if (first == std::char_traits<char>::eof()) {
+    throw geom::InputError(file.name(), "expected records or a flight log, found an empty file");
+  }
+  if (first == 'P' && kinds.archives) return add_archive(open_archive(path), out);
+  if (first == '{' || std::isspace(first)) return add_records(file, kinds, out);
+  add_flights(file, out);
 }
 
 // Compares what records say of their map with the map, or with the first that says anything.
 class SameMap {
  public:
-  explicit SameMap(const std::optional<Read<geom::BoxMap>>& map) {
+  explicit SameMap(const geom::BoxMap* map) {
     if (!map) return;
-    hash_ = map->record.hash();
-    axes_ = map->record.spec().frame.axes;
+    hash_ = map->hash();
+    axes_ = map->spec().frame.axes;
   }
 
   void require(const geom::Provenance& made_for, const std::string& source, std::size_t line) {
@@ -137,8 +133,16 @@ class SameMap {
   std::optional<geom::Axes> axes_;
 };
 
-void require_same_map(const Contents& contents) {
-  SameMap same(contents.map);
+}  // namespace
+
+Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds) {
+  Contents out;
+  for (const std::string& path : inputs) add_input(path, kinds, out);
+  return out;
+}
+
+void require_same_map(const Contents& contents, const geom::BoxMap* map) {
+  SameMap same(map);
   for (const auto& [lattice, source, line] : contents.lattices) {
     same.require(lattice.made_for(), source, line);
   }
@@ -152,18 +156,10 @@ void require_same_map(const Contents& contents) {
   all(contents.reports);
 }
 
-}  // namespace
-
-Contents read_contents(const std::vector<std::string>& files) {
-  Contents out;
-  for (const std::string& path : files) add_file(path, out);
-  require_same_map(out);
-  return out;
+std::size_t drop_failed(Contents& contents) {
+  return std::erase_if(contents.paths, [](const auto& p) { return p.record.status != "found"; }) +
+         std::erase_if(contents.trajectories,
+                       [](const auto& t) { return t.record.status != "solved"; });
 }
 
-geom::Axes axes_of(const Contents& contents, const geom::Provenance& provenance) {
-  if (provenance.frame) return *provenance.frame;
-  return contents.map ? contents.map->record.spec().frame.axes : geom::Axes::enu;
-}
-
-}  // namespace view
+}  // namespace cli

@@ -1,0 +1,151 @@
+#include "embree_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <optional>
+#include <stdexcept>
+
+namespace geom {
+namespace {
+
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+
+float float_down(double x) { return -float_up(-x); }
+
+struct BoundsSource {  // what the bounds callback needs; lives on the stack during the build
+  std::span<const Aabb> boxes;
+  Vec3 corner;
+  double pad;
+};
+
+void write_bounds(const RTCBoundsFunctionArguments* args) {
+  const auto& source = *static_cast<const BoundsSource*>(args->geometryUserPtr);
+  const Aabb& box = source.boxes[args->primID];
+  const Vec3 low = box.min - source.corner;
+  const Vec3 high = box.max - source.corner;
+  RTCBounds& out = *args->bounds_o;
+  out.lower_x = float_down(low[0] - source.pad);
+  out.lower_y = float_down(low[1] - source.pad);
+  out.lower_z = float_down(low[2] - source.pad);
+  out.upper_x = float_up(high[0] + source.pad);
+  out.upper_y = float_up(high[1] + source.pad);
+  out.upper_z = float_up(high[2] + source.pad);
+}
+
+struct Segment {
+  Vec3 from;
+  Vec3 to;
+};
+
+// The part of the segment inside `box`, or nothing when there is none.
+std::optional<Segment> clipped(const Vec3& a, const Vec3& b, const Aabb& box) {
+  const Vec3 d = b - a;
+  double t0 = 0;
+  double t1 = 1;
+  for (int i = 0; i < 3; ++i) {
+    if (std::max(a[i], b[i]) < box.min[i] || std::min(a[i], b[i]) > box.max[i]) return std::nullopt;
+    if (d[i] == 0) continue;
+    const double u = (box.min[i] - a[i]) / d[i];
+    const double v = (box.max[i] - a[i]) / d[i];
+    t0 = std::max(t0, std::min(u, v));
+    t1 = std::min(t1, std::max(u, v));
+  }
+  if (t0 > t1) return std::nullopt;
+  return Segment{a + d * t0, a + d * t1};
+}
+
+}  // namespace
+
+float float_up(double x) {
+  const float f = static_cast<float>(x);
+  return f < x ? std::nextafter(f, kFloatInfinity) : f;
+}
+
+void throw_on_error(RTCDevice device) {
+  switch (rtcGetDeviceError(device)) {
+    case RTC_ERROR_NONE:
+      return;
+    case RTC_ERROR_OUT_OF_MEMORY:
+      throw std::bad_alloc();
+    case RTC_ERROR_UNSUPPORTED_CPU:
+      throw std::runtime_error("Embree does not support this processor");
+    default:
+      throw std::runtime_error("Embree could not build the collision structure");
+  }
+}
+
+void build(RTCDevice device, std::span<const Aabb> boxes, RTCOccludedFunctionN occluded,
+           RTCPointQueryFunction near, EmbreeBoxes& out) {
+  Aabb all = boxes.front();
+  for (const Aabb& box : boxes) all = merged(all, box);
+  const double size = (all.max - all.min).maxCoeff();
+  out.corner = all.min;
+  out.extent = all;
+  // Queries are clipped to `reach` where they leave it. Rounding origin and direction to float
+  // moves a point by less than 2^-22 of the reach, and the subtraction of the corner by an ulp.
+  const double largest = std::max(all.min.cwiseAbs().maxCoeff(), all.max.cwiseAbs().maxCoeff());
+  out.pad = std::max({4e-4, std::ldexp(size, -20), std::ldexp(largest, -48)});
+  const Vec3 margin = Vec3::Constant(1000);
+  out.reach = {all.min - margin, all.max + margin};
+
+  BoundsSource source{boxes, out.corner, out.pad};
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));
+  rtcSetGeometryUserData(geometry, &source);
+  rtcSetGeometryBoundsFunction(geometry, write_bounds, nullptr);
+  rtcSetGeometryOccludedFunction(geometry, occluded);
+  rtcSetGeometryPointQueryFunction(geometry, near);
+  rtcCommitGeometry(geometry);
+  out.scene = rtcNewScene(device);
+  rtcSetSceneFlags(out.scene, RTC_SCENE_FLAG_ROBUST);
+  rtcAttachGeometry(out.scene, geometry);
+  rtcCommitScene(out.scene);
+  rtcSetGeometryUserData(geometry, nullptr);  // the source ends here
+  rtcReleaseGeometry(geometry);
+  throw_on_error(device);
+}
+
+bool occluded(const EmbreeBoxes& boxes, const Vec3& a, const Vec3& b,
+              RTCIntersectContext& context) {
+  Segment part{a, b};
+  const bool inside = contains(boxes.reach, a) && contains(boxes.reach, b);
+  if (!inside) {
+    const auto reached = clipped(a, b, boxes.reach);
+    if (!reached) return false;
+    part = *reached;
+  }
+  const auto& [from, to] = part;
+  RTCRay ray{};
+  ray.org_x = static_cast<float>(from[0] - boxes.corner[0]);
+  ray.org_y = static_cast<float>(from[1] - boxes.corner[1]);
+  ray.org_z = static_cast<float>(from[2] - boxes.corner[2]);
+  ray.dir_x = static_cast<float>(to[0] - from[0]);
+  ray.dir_y = static_cast<float>(to[1] - from[1]);
+  ray.dir_z = static_cast<float>(to[2] - from[2]);
+  ray.tfar = 1;
+  ray.mask = ~0u;
+  rtcOccluded1(boxes.scene, &context, &ray);
+  return ray.tfar < 0;
+}
+
+double slack_at(const EmbreeBoxes& boxes, const Vec3& p) {
+  // Far outside, single precision is coarser than the pad: widen by what it may lose there.
+  return boxes.pad + std::ldexp((p - boxes.corner).cwiseAbs().maxCoeff(), -22);
+}
+
+void near(const EmbreeBoxes& boxes, const Vec3& p, double radius, void* context) {
+  RTCPointQueryContext rtc;
+  rtcInitPointQueryContext(&rtc);
+  const Vec3 local = p - boxes.corner;
+  RTCPointQuery query{static_cast<float>(local[0]), static_cast<float>(local[1]),
+                      static_cast<float>(local[2]), 0.0f, float_up(radius)};
+  rtcPointQuery(boxes.scene, &query, &rtc, nullptr, context);
+}
+
+void mark_hit(const RTCOccludedFunctionNArguments* args) {
+  RTCRayN_tfar(args->ray, args->N, 0) = -kFloatInfinity;
+}
+
+}  // namespace geom

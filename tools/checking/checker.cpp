@@ -1,0 +1,115 @@
+#include "checking/checker.h"
+
+#include <algorithm>
+
+#include "cli/run.h"
+#include "geom/io/json_fields.h"
+#include "traj/check.h"
+#include "traj/clearance.h"
+#include "traj/exact_check.h"
+#include "traj/flown.h"
+#include "traj/io/trajectory_record.h"
+
+namespace checking {
+namespace {
+
+// The scene says only what vehicle it is for; the exact check looks at the map itself.
+traj::ExactTask exact_task(const geom::CollisionScene& scene, const traj::Limits& limits) {
+  return {scene.map(), scene.vehicle(), scene.margin(), limits};
+}
+
+}  // namespace
+
+// The record's limits, or stricter ones that were asked for.
+traj::Limits Checker::limits_for(const traj::Limits& record) const {
+  const auto pick = [&](std::optional<double> option, std::optional<double> own) {
+    if (!option || !own || rules_.override_record) return option ? option : own;
+    return std::optional(std::min(*option, *own));
+  };
+  return traj::combined(rules_.limits, record, pick);
+}
+
+traj::ReportRecord Checker::trajectory(const std::string& text, const std::string& source,
+                                       std::size_t line) const {
+  const auto record = traj::parse_trajectory_record(text, source, line);
+  traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}};
+  if (record.status != "solved") {
+    report.result.reason = record.status;
+    return report;
+  }
+  const auto& scene = scenes_.scene_for(record.provenance, source, line);
+  report.limits = limits_for(record.limits);
+  report.provenance = geom::provenance_of(scene);
+  report.result = traj::check(scene, record.trajectory, report.limits);
+  if (rules_.exact) {
+    report.exact = traj::check_exactly(exact_task(scene, report.limits), record.trajectory);
+  }
+  if (profile_.is_open() && report.result.reason != "duration") {
+    profile_.add(record.id, traj::clearance_profile(scene, record.trajectory, profile_.step()));
+  }
+  return report;
+}
+
+traj::ReportRecord Checker::path(const std::string& text, const std::string& source,
+                                 std::size_t line) const {
+  const auto record = geom::parse_path_record(text, source, line);
+  traj::ReportRecord report{record.id, "path", {}, record.provenance, {}};
+  if (record.status != "found") {
+    report.result.reason = "no_path";
+    return report;
+  }
+  const auto& scene = scenes_.scene_for(record.provenance, source, line);
+  report.provenance = geom::provenance_of(scene);
+  report.result = traj::check_path(scene, record.points);
+  if (rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), record.points);
+  if (profile_.is_open()) {
+    profile_.add(record.id, traj::clearance_profile(scene, record.points, profile_.step()));
+  }
+  return report;
+}
+
+// What a drone makes of a file.
+traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
+  const auto& scene = scenes_.scene();
+  const bool path = !file.flown.path.empty();
+  if (rules_.exact && !path) {
+    throw cli::UsageError("--exact takes paths and records, not files of trajectories");
+  }
+  traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}};
+  report.limits = limits_for(scenes_.profile()->limits);  // a scene without a record has a profile
+  report.provenance = geom::provenance_of(scene);
+  report.result = traj::check_flown(scene, file.flown, report.limits);
+  const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
+  if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
+  if (!profile_.is_open()) return report;
+  if (way) profile_.add(file.id, traj::clearance_profile(scene, *way, profile_.step()));
+  if (!path) {
+    profile_.add(file.id, traj::clearance_profile(scene, file.flown.trajectory, profile_.step()));
+  }
+  return report;
+}
+
+traj::ReportRecord Checker::record(const std::string& text, const std::string& source,
+                                   std::size_t line) const {
+  const geom::JsonFields fields(text, source, line);
+  return fields.text("type") == "path" ? path(text, source, line) : trajectory(text, source, line);
+}
+
+std::size_t Checker::each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
+                          const geom::Shard& shard, const Answer& answer) const {
+  std::size_t total = 0;
+  if (drone_file.format.empty()) {
+    file.for_each_line([&](const std::string& line, std::size_t number) {
+      if (shard.takes(total++)) answer(record(line, file.name(), number));
+    });
+    return total;
+  }
+  const geom::Frame& frame = scenes_.map().spec().frame;
+  const std::string text = file.read_all();
+  for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
+    if (shard.takes(total++)) answer(flown(one));
+  }
+  return total;
+}
+
+}  // namespace checking

@@ -1,0 +1,48 @@
+#pragma once
+
+// Records and drone files held against a map and their limits.
+
+#include <functional>
+#include <string>
+
+#include "checking/profile_file.h"
+#include "cli/drone_file.h"
+#include "cli/files.h"
+#include "cli/vehicle_option.h"
+#include "traj/io/report_record.h"
+
+namespace checking {
+
+struct Rules {
+  traj::Limits limits;           // by the options
+  bool override_record = false;  // the options may be looser than what a record carries
+  bool exact = false;            // check once more in exact numbers
+};
+
+class Checker {
+ public:
+  // Both must outlive this. The profile takes the clearance of what is checked, where it is open.
+  Checker(cli::Scenes& scenes, ProfileFile& profile, const Rules& rules)
+      : scenes_(scenes), profile_(profile), rules_(rules) {}
+
+  using Answer = std::function<void(const traj::ReportRecord&)>;
+  // Answers what the shard takes of the file, in order. Returns how much is in the file.
+  std::size_t each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
+                   const geom::Shard& shard, const Answer& answer) const;
+
+ private:
+  traj::ReportRecord record(const std::string& text, const std::string& source,
+                            std::size_t line) const;
+  traj::ReportRecord trajectory(const std::string& text, const std::string& source,
+                                std::size_t line) const;
+  traj::ReportRecord path(const std::string& text, const std::string& source,
+                          std::size_t line) const;
+  traj::ReportRecord flown(const cli::DroneFile& file) const;
+  traj::Limits limits_for(const traj::Limits& record) const;
+
+  cli::Scenes& scenes_;
+  ProfileFile& profile_;
+  Rules rules_;
+};
+
+}  // namespace checking

@@ -1,0 +1,41 @@
+#include "checking/profile_file.h"
+
+#include "geom/io/csv_field.h"
+#include "geom/io/record.h"
+
+namespace checking {
+
+void ProfileFile::add_to(CLI::App& app) {
+  app.add_option("--profile", file_, "write the least clearance of each part of the way, CSV");
+  app.add_option("--profile-step", step_,
+                 "length of those parts: seconds, or metres along a path (default 0.1)")
+      ->check(CLI::Range(1e-4, 1e6));
+}
+
+void ProfileFile::open(const cli::Sharding& sharding) {
+  if (file_.empty()) return;
+  out_.emplace(file_, "profile", sharding);
+  out_->head("id,begin,end,clearance_m\n");
+}
+
+void ProfileFile::add(const std::string& id, std::span<const traj::ClearanceSpan> spans) {
+  for (const traj::ClearanceSpan& span : spans) {
+    lines_ += geom::csv_field(id);
+    for (const double value : {span.begin, span.end, span.clearance}) {
+      lines_ += ',';
+      geom::append_json(lines_, value);
+    }
+    lines_ += '\n';
+  }
+}
+
+void ProfileFile::finish_record() {
+  if (out_) out_->add(lines_);
+  lines_.clear();
+}
+
+void ProfileFile::commit(std::size_t total, cli::Exit exit) {
+  if (out_) out_->commit(total, exit);
+}
+
+}  // namespace checking

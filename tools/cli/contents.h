@@ -1,0 +1,61 @@
+#pragma once
+
+// What the user gave to look at: paths, trajectories, search trees, corridors, reports and flights,
+// maps and lattices, whichever of these a file or a stream holds.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geom/box_map.h"
+#include "geom/io/record.h"
+#include "plan/io/search_tree.h"
+#include "plan/lattice.h"
+#include "traj/io/corridor_record.h"
+#include "traj/io/flight_log.h"
+#include "traj/io/report_record.h"
+#include "traj/io/trajectory_record.h"
+
+namespace cli {
+
+// A record and where it stood.
+template <class Record>
+struct Read {
+  Record record;
+  std::string source;
+  std::size_t line = 0;
+};
+
+struct Contents {
+  std::optional<Read<geom::BoxMap>> map;
+  std::vector<Read<plan::Lattice>> lattices;
+  std::vector<Read<plan::SearchTreeRecord>> trees;
+  std::vector<Read<geom::PathRecord>> paths;
+  std::vector<Read<traj::TrajectoryRecord>> trajectories;
+  std::vector<Read<traj::FlightLog>> flights;
+  std::vector<Read<traj::CorridorShape>> corridors;
+  std::vector<Read<traj::ReportSummary>> reports;
+};
+
+// What is taken beside paths, trajectories, trees and flights: not every picture shows all.
+struct ContentKinds {
+  bool archives = false;  // of a map or a lattice
+  bool corridors = false;
+  bool reports = false;
+  // What a record of any other type is told; {} stands for that type.
+  std::string refusal = "expected a record of type path, trajectory or tree, found \"{}\"";
+};
+
+// Reads each input for what it is: archives by their meta.json, JSON Lines by "type" (a query where
+// there is none), anything else as a flight log. Throws geom::InputError for what is not taken, and
+// for a second map.
+Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds = {});
+
+// Throws geom::InputError where something was made for another map than `map` or, without one, than
+// the first that names its map; and where it is in another frame than `map`.
+void require_same_map(const Contents& contents, const geom::BoxMap* map);
+
+// Leaves out paths that were not found and trajectories that were not solved; returns how many.
+std::size_t drop_failed(Contents& contents);
+
+}  // namespace cli

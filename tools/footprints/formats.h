@@ -1,0 +1,22 @@
+#pragma once
+
+// The formats that footprints come in, and reading any of them.
+
+#include <istream>
+#include <string>
+#include <string_view>
+
+#include "footprints/source.h"
+
+namespace footprints {
+
+// "osm", "cityjson", "raster" or "vector", for a file that begins with `head`: CityJSON by what it
+// says, OSM by its name, height models by what GDAL makes of them.
+std::string detect(std::string_view head, const std::string& path);
+
+// `format` as above. `file` is the one at `path`, whose name is for messages. Throws
+// geom::InputError, also where there is no footprint.
+Source read(const std::string& format, const std::string& path, const std::string& name,
+            std::istream& file, const ReadOptions& options);
+
+}  // namespace footprints

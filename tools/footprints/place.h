@@ -1,0 +1,26 @@
+#pragma once
+
+// Footprints brought from their source to the map: onto its plane, and onto the ground.
+
+#include <string>
+
+#include "footprints/source.h"
+#include "geom/shard.h"
+
+namespace footprints {
+
+// Every corner, into metres of the map.
+void project(std::vector<geom::Footprint>& footprints, const Projector& projector);
+
+// Down to the lowest point of the ground under it, and as high above the highest; `crs` is that of
+// the footprints. Counts those without ground under them.
+void lift(Source& source, const Terrain& terrain, const std::string& crs);
+
+// Leaves the shard's features, each with all its footprints, which stand together.
+void keep_shard(std::vector<geom::Footprint>& footprints, const geom::Shard& shard);
+
+// What geom::cover asks of its numbers, and that it ends: a footprint is cut into slabs no lower
+// than the slack (metres). Throws geom::InputError(name, …).
+void check_sizes(const Source& source, double slack, const std::string& name);
+
+}  // namespace footprints
