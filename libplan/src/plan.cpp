@@ -7,11 +7,11 @@
 #include <memory>
 
 #include "geom/error.h"
+#include "lattice_level.h"
 #include "plan/build_lattice.h"
 #include "plan/shortcut.h"
 #include "plan/snap_end.h"
 #include "plan/taut.h"
-#include "plan/visible_nodes.h"
 #include "ring.h"
 
 namespace plan {
@@ -89,16 +89,6 @@ SamplingMethod sampling(Method method) {
   }
 }
 
-Polyline joined(const Lattice& lattice, const Vec3& from, const std::vector<std::size_t>& nodes,
-                const Vec3& to) {
-  Polyline path = {from};
-  for (const std::size_t node : nodes) path.push_back(lattice.position(node));
-  path.push_back(to);
-  path.erase(std::unique(path.begin(), path.end()), path.end());
-  if (path.size() == 1) path.push_back(to);
-  return path;
-}
-
 }  // namespace
 
 std::string_view name(PlanStatus status) {
@@ -132,41 +122,14 @@ std::string_view name(Method method) {
   }
 }
 
-// A lattice, and workspaces for those who search on it.
-struct Planner::Level {
-  std::optional<Lattice> lattice;
-  bool given = false;
-  std::mutex mutex;
-  std::vector<std::unique_ptr<AstarSearch>> idle;
-
-  std::unique_ptr<AstarSearch> take() {
-    const std::lock_guard lock(mutex);
-    if (idle.empty()) return std::make_unique<AstarSearch>(*lattice);
-    auto search = std::move(idle.back());
-    idle.pop_back();
-    return search;
-  }
-
-  void give_back(std::unique_ptr<AstarSearch> search) {
-    const std::lock_guard lock(mutex);
-    idle.push_back(std::move(search));
-  }
-};
-
 Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap)
     : scene_(scene), roadmap_(roadmap) {
-  const auto level = [](Lattice l, bool given) {
-    auto out = std::make_unique<Level>();
-    out->lattice.emplace(std::move(l));
-    out->given = given;
-    return out;
-  };
   const auto lazy = [&](double spacing) {
     const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
-    return level(lazy_lattice(scene, spec), false);
+    return std::make_unique<Level>(lazy_lattice(scene, spec), false);
   };
   if (lattice) {
-    levels_.push_back(level(*lattice, true));
+    levels_.push_back(std::make_unique<Level>(*lattice, true));
   } else if (scene.free_bounds()) {
     const auto spacings = spacings_for(*scene.free_bounds());
     for (const double spacing : spacings) levels_.push_back(lazy(spacing));
@@ -178,23 +141,8 @@ Planner::~Planner() = default;
 
 // Whether there is a path on this lattice.
 bool Planner::search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result) {
-  const Lattice& lattice = *level.lattice;
-  result.resolution = lattice.spec().spacing;
-  result.expanded = 0;
-  auto search = level.take();
-  SearchResult found;
-  // The nearest nodes may lie in a pocket that the lattice cannot leave, though the end itself can.
-  for (const Rings rings : {Rings::nearest, Rings::all}) {
-    found = search->search(visible_nodes(scene_, lattice, *search, from, rings),
-                           visible_nodes(scene_, lattice, *search, to, rings));
-    result.expanded += found.expanded;
-    if (found.found || found.gave_up) break;
-  }
-  level.give_back(std::move(search));
-  if (found.gave_up) result.status = PlanStatus::stopped;
-  if (!found.found) return false;
-  result.path = joined(lattice, from, found.nodes, to);
-  if (level.given) require_free(scene_, result.path, "lattice");
+  if (!level.search(scene_, from, to, result)) return false;
+  if (level.given()) require_free(scene_, result.path, "lattice");
   return true;
 }
 

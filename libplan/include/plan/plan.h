@@ -96,7 +96,7 @@ class Planner {
   PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options);
 
  private:
-  struct Level;
+  class Level;
 
   PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
   std::uint32_t component(const Vec3& p) const;
