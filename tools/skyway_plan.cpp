@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "cli/artefacts.h"
@@ -42,34 +43,41 @@ struct Asked {
 };
 
 struct Planned {
-  std::vector<geom::PathRecord> records;
-  plan::SearchTree tree;  // of the one query, where it is to be written
+  std::size_t records = 0;
+  std::size_t found = 0;
+  geom::PathRecord last;
+  plan::SearchTree tree;  // of the last query, where it is to be written
 };
 
+// Paths are written block by block, for the next tool of a pipe.
 Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
                   const std::vector<geom::PlanQuery>& queries, const geom::Shard& shard,
-                  const planning::SearchOptions& search, const geom::Execution& run) {
+                  const planning::SearchOptions& search, const geom::Execution& run,
+                  cli::RecordOutput& out) {
+  constexpr std::size_t kBlock = 1024;
   const std::vector<std::size_t> chosen = shard.items(queries.size());
-  Planned out;
-  out.records.resize(chosen.size());
-  geom::parallel_for(chosen.size(), run, [&](std::size_t i) {
-    const geom::PlanQuery& query = queries[chosen[i]];
-    plan::PlanResult result = planner.plan(query.from, query.to, search.started());
-    out.records[i] = plan::path_record(scene, query.id, result);
-    if (!search.tree_file.empty()) out.tree = std::move(result.tree);
-    geom::trim_mapped_files();
-  });
-  return out;
-}
-
-// Returns how many of them are paths.
-std::size_t add_all(cli::RecordOutput& out, const std::vector<geom::PathRecord>& records) {
-  std::size_t found = 0;
-  for (const geom::PathRecord& record : records) {
-    found += record.status == "found";
-    out.add(geom::to_json_line(record));
+  Planned planned;
+  for (std::size_t begin = 0; begin < chosen.size(); begin += kBlock) {
+    std::vector<geom::PathRecord> records(std::min(kBlock, chosen.size() - begin));
+    const auto progress = [&](std::size_t done, std::size_t) {
+      if (run.progress) run.progress(begin + done, chosen.size());
+    };
+    geom::parallel_for(records.size(), {run.threads, progress}, [&](std::size_t i) {
+      const geom::PlanQuery& query = queries[chosen[begin + i]];
+      plan::PlanResult result = planner.plan(query.from, query.to, search.started());
+      records[i] = plan::path_record(scene, query.id, result);
+      if (!search.tree_file.empty()) planned.tree = std::move(result.tree);
+      geom::trim_mapped_files();
+    });
+    for (const geom::PathRecord& record : records) {
+      planned.found += record.status == "found";
+      out.add(geom::to_json_line(record));
+    }
+    out.flush();
+    planned.records += records.size();
+    planned.last = std::move(records.back());
   }
-  return found;
+  return planned;
 }
 
 void write_tree(const std::string& path, const plan::SearchTree& tree,
@@ -126,18 +134,17 @@ int main(int argc, char** argv) {
     const std::vector<geom::PlanQuery> queries = asked.queries();
     search.check(queries.size());
     plan::Planner planner(scene, named ? &*named : artefacts.lattice(), artefacts.roadmap());
-    const Planned planned =
-        plan_each(planner, scene, queries, sharding.shard(), search, common.execution("paths"));
     cli::RecordOutput out(output, "output", sharding);
-    const std::size_t found = add_all(out, planned.records);
-    const cli::Exit exit = found == planned.records.size() ? cli::Exit::yes : cli::Exit::no;
+    const Planned planned = plan_each(planner, scene, queries, sharding.shard(), search,
+                                      common.execution("paths"), out);
+    const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;
     out.commit(queries.size(), exit);
     if (!search.tree_file.empty()) {
-      write_tree(search.tree_file, planned.tree, planned.records[0], scene.map().spec().frame.axes);
+      write_tree(search.tree_file, planned.tree, planned.last, scene.map().spec().frame.axes);
     }
-    common.write_stats({{"queries", planned.records.size()}, {"found", found}});
-    if (queries.size() == 1 && !found) {
-      fmt::print(stderr, "skyway-plan: {}\n", planned.records[0].message);
+    common.write_stats({{"queries", planned.records}, {"found", planned.found}});
+    if (queries.size() == 1 && !planned.found) {
+      fmt::print(stderr, "skyway-plan: {}\n", planned.last.message);
     }
     return exit;
   });

@@ -1,6 +1,5 @@
 #include "traj/clearance.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "least_clearance.h"
@@ -41,13 +40,14 @@ std::optional<Extreme> least_clearance(const geom::CollisionScene& scene,
                                        const std::vector<Piece>& pieces) {
   if (scene.map().size() == 0) return std::nullopt;
   Largest best;
-  // The distance moves by at most 1 per metre and ends at 0; what is too far to matter is not
-  // looked up.
+  // The distance moves by at most 1 per metre; what is too far to matter is not looked up, and
+  // below 0 there is nothing to look for.
   const auto nearness = [&](const Piece& piece, const Vec3& middle) {
+    if (best.value >= 0) return Estimate{0, 0};
     const double r = radius_around(piece.q, middle);
     const auto near = scene.nearest(middle, r - best.value);
     const double value = near ? -near->distance : best.value - r;
-    return Estimate{value, std::min(0.0, value + r)};
+    return Estimate{value, value + r};
   };
   search_largest(pieces, 1e-3, nearness, best);
   return Extreme{-best.value, best.time};

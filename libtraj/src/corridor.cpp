@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kLongest = 40;  // metres, of a middle piece
 constexpr double kNear = 8;      // metres, of the piece next to a corner
+constexpr int kMostHalvings = 60;
+constexpr std::size_t kMostMet = 1000;  // obstacles that a stray curve is held apart from at once
 
 geom::Aabb around(const CorridorPiece& piece, double reach) {
   const Vec3 pad = Vec3::Constant(reach);
@@ -31,6 +33,12 @@ struct Near {
   std::optional<geom::Aabb> box;  // none for a bound
 };
 
+void sort_nearest_first(std::vector<Near>& near) {
+  std::stable_sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
+    return a.separation.gap < b.separation.gap;
+  });
+}
+
 std::vector<Near> near_by(const geom::CollisionScene& scene, const CorridorPiece& piece,
                           double reach) {
   std::vector<Near> near;
@@ -44,9 +52,26 @@ std::vector<Near> near_by(const geom::CollisionScene& scene, const CorridorPiece
       if (s.gap <= reach) near.push_back({s, std::nullopt});
     }
   }
-  std::stable_sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
-    return a.separation.gap < b.separation.gap;
-  });
+  sort_nearest_first(near);
+  return near;
+}
+
+// The obstacles that meet `hull`, which may hold a good part of a city where the curve went astray:
+// of more than kMostMet only those towards the piece.
+std::vector<Near> met(const geom::CollisionScene& scene, const CorridorPiece& piece,
+                      geom::Aabb hull) {
+  const geom::Aabb own = around(piece, 0);
+  auto boxes = scene.boxes_meeting(hull, kMostMet);
+  for (int i = 0; i < kMostHalvings && !boxes; ++i) {
+    hull = {0.5 * (hull.min + own.min), 0.5 * (hull.max + own.max)};
+    boxes = scene.boxes_meeting(hull, kMostMet);
+  }
+  std::vector<Near> near;
+  for (const std::size_t i : boxes ? *boxes : scene.boxes_meeting(own)) {
+    const geom::Aabb box = scene.grown(i);
+    near.push_back({separation(piece.from, piece.to, box), box});
+  }
+  sort_nearest_first(near);
   return near;
 }
 
@@ -115,9 +140,8 @@ std::size_t add_planes_met(const geom::CollisionScene& scene, const Trajectory& 
       piece.planes.push_back(plane);
       ++added;
     };
-    for (const std::size_t b : scene.boxes_meeting(hull)) {
-      const geom::Aabb box = scene.grown(b);
-      if (!behind_any(box, piece)) add(separation(piece.from, piece.to, box).plane);
+    for (const Near& near : met(scene, piece, hull)) {
+      if (!behind_any(*near.box, piece)) add(near.separation.plane);
     }
     if (!scene.free_bounds()) continue;
     for (const Separation& s : bound_planes(piece, *scene.free_bounds())) {

@@ -182,6 +182,31 @@ geom::Aabb box_of(const CorridorPiece& piece) {
   return box;
 }
 
+// A curve that went astray over 10,000 posts, of which a map puts the nearest last: the planes that
+// hide those hide nearly all.
+TEST(AddPlanesMet, AddsFewPlanesForACurveFarAstray) {
+  std::vector<geom::Aabb> posts;
+  for (int x = -500; x < 0; x += 5) {
+    for (int y = -500; y < 0; y += 5) posts.push_back({Vec3(x - 1, y - 1, 0), Vec3(x, y, 20)});
+  }
+  const geom::CollisionScene scene =
+      testing::scene_of(posts, {Vec3(-1000, -1000, -1000), Vec3(1000, 1000, 1000)});
+  Corridor corridor = pieces_between({Vec3(0, 0, 5), Vec3(-4, -4, 5)});
+  Segment astray{10, {}, std::nullopt};
+  astray.point.fill(Vec3(0, 0, 5));
+  astray.point[3] = {-600, -500, 15};
+  const std::size_t added = add_planes_met(scene, {{astray}}, corridor);
+  EXPECT_GE(added, 1u);
+  EXPECT_LE(added, 5u);
+  const auto hidden = [&](const geom::Aabb& box) {
+    return std::any_of(corridor[0].planes.begin(), corridor[0].planes.end(),
+                       [&](const Plane& plane) { return geom::behind(box, plane); });
+  };
+  for (const std::size_t i : scene.boxes_meeting({Vec3(-60, -60, 0), Vec3(0, 0, 20)})) {
+    EXPECT_TRUE(hidden(scene.grown(i))) << i;
+  }
+}
+
 TEST(BoxCorridor, LeadsThroughEmptyBoxesFromStartToGoal) {
   testing::Random random(4);
   const std::vector<geom::Aabb> boxes = boxes_in_the_air(random, 150, 8, 30);

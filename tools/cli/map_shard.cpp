@@ -108,9 +108,11 @@ void add_columns(const ShardFile& shard, geom::ColumnGrid& grid) {
 }
 
 geom::ColumnSpec read_spec(const geom::JsonFields& fields) {
+  const double unknown = number_of(fields, "unknown_blocked");
   const geom::ColumnSpec spec{number_of(fields, "cell"), number_of(fields, "step"),
-                              number_of(fields, "gap"), number_of(fields, "unknown_blocked") != 0};
-  if (!(spec.cell > 0 && spec.step > 0 && spec.gap >= 0)) fields.refuse("its cells cannot be");
+                              number_of(fields, "gap"), unknown == 1};
+  const bool sizes = spec.cell > 0 && spec.step > 0 && spec.gap >= 0;
+  if (!sizes || (unknown != 0 && unknown != 1)) fields.refuse("its cells cannot be");
   return spec;
 }
 

@@ -32,7 +32,7 @@ awk -v only="${2:-}" -v boxes="$boxes" -v tiles="$tiles" -v queries="$QUERY_COUN
     ask("join-roadmap", roadmap / 90, 2.5 * roadmap)
     ask("paths", queries * 0.02 / np, 60 + 0.6 * (map + lattice) + roadmap)
     ask("join-paths", queries / 1e4, 100)
-    ask("trajectories", queries * 1.2 / nt + 100, 60 + 0.2 * map)  # one alone may take 100 s
+    ask("trajectories", queries * 0.3 / nt + 10, 60 + 0.2 * map)  # one alone: 1 s, 10 where proofs fail
     ask("join-trajectories", queries / 1e4, 100)
     ask("reports", queries * 0.01 / nc, 60 + 0.4 * map)
     ask("join-reports", queries / 1e4, 100)

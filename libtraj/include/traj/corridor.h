@@ -40,7 +40,8 @@ Corridor pieces_between(const geom::Polyline& points);
 void add_planes(const geom::CollisionScene& scene, double reach, Corridor& corridor);
 
 // Adds planes for the obstacles and bounds that the control points of segment i, the box around
-// them, meet, to piece i. Returns how many were added. As many segments as pieces.
+// them, meet, to piece i: nearest first, and none for what is behind a plane already; of thousands
+// only for those nearer the piece. Returns how many were added. As many segments as pieces.
 std::size_t add_planes_met(const geom::CollisionScene& scene, const Trajectory& trajectory,
                            Corridor& corridor);
 
