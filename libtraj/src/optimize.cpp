@@ -106,10 +106,12 @@ Units units_for(const Corridor& corridor) {
 }
 
 Corridor in_units(Corridor corridor, const Units& units) {
+  const Vec3 o = corridor.front().from;
   for (CorridorPiece& piece : corridor) {
-    piece.from /= units.length;
-    piece.to /= units.length;
-    for (Plane& plane : piece.planes) plane.offset /= units.length;
+    for (Plane& plane : piece.planes)
+      plane.offset = (plane.offset - plane.normal.dot(o)) / units.length;
+    piece.from = (piece.from - o) / units.length;
+    piece.to = (piece.to - o) / units.length;
   }
   return corridor;
 }
@@ -126,11 +128,11 @@ OptimizeOptions in_units(OptimizeOptions options, const Units& units) {
   return options;  // rho is one of these units: see OptimizeOptions
 }
 
-// Back again; the rests at the ends exactly where they were asked for.
+// Back again, to where the path starts; the rests at the ends exactly where they were asked for.
 Trajectory in_metres(Trajectory trajectory, const Units& units, const Corridor& given) {
   for (Segment& s : trajectory.segments) {
     s.duration *= units.time;
-    for (Vec3& p : s.point) p *= units.length;
+    for (Vec3& p : s.point) p = p * units.length + given.front().from;
   }
   std::fill_n(trajectory.segments.front().point.begin(), 4, given.front().from);
   std::fill_n(trajectory.segments.back().point.begin() + 4, 4, given.back().to);
