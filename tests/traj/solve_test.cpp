@@ -71,6 +71,22 @@ TEST(Solve, OptimisedIsMuchFasterThanStopAndGo) {
   EXPECT_LT(optimised, 0.7 * duration(solved(scene, kAround, Solver::stop_and_go).trajectory));
 }
 
+// A block, and the way around it, wherever they lie: whole metres are moved exactly.
+TEST(Solve, IsTheSameFarFromTheOrigin) {
+  const SolveResult near = solved(block(), kAround, Solver::ipopt);
+  const Vec3 far(500000, 4000000, 0);
+  const geom::Aabb bounds{kBounds.min + far, kBounds.max + far};
+  geom::Polyline path = kAround;
+  for (Vec3& p : path) p += far;
+  const auto scene = testing::scene_of({{Vec3(10, -20, 0) + far, Vec3(30, 20, 40) + far}}, bounds);
+  const SolveResult moved = solved(scene, path, Solver::ipopt);
+  ASSERT_EQ(moved.status, SolveStatus::solved) << moved.reason;
+  EXPECT_EQ(moved.rung, "ipopt");
+  EXPECT_NEAR(duration(moved.trajectory), duration(near.trajectory),
+              1e-3 * duration(near.trajectory));
+  EXPECT_LE(moved.iterations, near.iterations + near.iterations / 4 + 2);
+}
+
 TEST(Solve, ClosedFormThatSwingsIntoTheBlockIsRefused) {
   const geom::Polyline path{Vec3(0, 20.1, 5), Vec3(40, 20.1, 5), Vec3(40, 40, 5)};
   const SolveResult result = solved(block(), path, Solver::closed);
