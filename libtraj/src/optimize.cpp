@@ -105,8 +105,13 @@ Units units_for(const Corridor& corridor) {
   return {length, std::sqrt(length)};
 }
 
+// Numbers stay small, and the same wherever the path lies, when it is counted from here.
+Vec3 origin_of(const Corridor& corridor) {
+  return 0.5 * (corridor.front().from + corridor.back().to);
+}
+
 Corridor in_units(Corridor corridor, const Units& units) {
-  const Vec3 o = corridor.front().from;
+  const Vec3 o = origin_of(corridor);
   for (CorridorPiece& piece : corridor) {
     for (Plane& plane : piece.planes)
       plane.offset = (plane.offset - plane.normal.dot(o)) / units.length;
@@ -128,11 +133,11 @@ OptimizeOptions in_units(OptimizeOptions options, const Units& units) {
   return options;  // rho is one of these units: see OptimizeOptions
 }
 
-// Back again, to where the path starts; the rests at the ends exactly where they were asked for.
+// Back again; the rests at the ends exactly where they were asked for.
 Trajectory in_metres(Trajectory trajectory, const Units& units, const Corridor& given) {
   for (Segment& s : trajectory.segments) {
     s.duration *= units.time;
-    for (Vec3& p : s.point) p = p * units.length + given.front().from;
+    for (Vec3& p : s.point) p = p * units.length + origin_of(given);
   }
   std::fill_n(trajectory.segments.front().point.begin(), 4, given.front().from);
   std::fill_n(trajectory.segments.back().point.begin() + 4, 4, given.back().to);
