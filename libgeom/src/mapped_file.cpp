@@ -51,7 +51,7 @@ MappedFile::MappedFile(const std::string& path) {
   }
   if (!S_ISREG(info.st_mode) || info.st_size == 0) {
     close(file);
-    throw InputError(path, "expected a ZIP archive, found an empty or special file");
+    throw InputError(path, "expected a file with something in it, found an empty or special one");
   }
   const auto size = static_cast<std::size_t>(info.st_size);
   void* const at = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);

@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "geom/error.h"
+#include "geom/io/markup.h"
 #include "geom/io/record.h"
 
 namespace traj {
@@ -17,22 +18,6 @@ namespace {
 
 std::string coordinates(const geom::GeodeticPlace& p) {
   return fmt::format("{:.9f},{:.9f},{:.4f}", p.longitude, p.latitude, p.height);
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else {
-      out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return out;
 }
 
 std::string all_of(std::istream& in) { return {std::istreambuf_iterator<char>(in), {}}; }
@@ -72,8 +57,9 @@ geom::GeodeticPlace parse_tuple(std::string_view text, std::string_view source) 
 void write_kml(std::ostream& out, const GeoLine& line) {
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n<Placemark>\n"
-      << "<name>" << escaped(line.name) << "</name>\n";
-  if (!line.note.empty()) out << "<description>" << escaped(line.note) << "</description>\n";
+      << "<name>" << geom::escaped_markup(line.name) << "</name>\n";
+  if (!line.note.empty())
+    out << "<description>" << geom::escaped_markup(line.note) << "</description>\n";
   out << "<Style><LineStyle><color>ff0066ff</color><width>3</width></LineStyle></Style>\n"
          "<LineString>\n<altitudeMode>absolute</altitudeMode>\n<coordinates>\n";
   for (const geom::GeodeticPlace& p : line.points) out << coordinates(p) << '\n';

@@ -1,12 +1,15 @@
 #include "geom/mapped_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 #include <thread>
 #include <vector>
+
+#include "geom/error.h"
+#include "support/temporary_folder.h"
 
 namespace geom {
 namespace {
@@ -16,14 +19,10 @@ constexpr std::size_t kSize = 3 * kMappedKept;
 class MappedFileTest : public testing::Test {
  protected:
   void SetUp() override {
-    path_ =
-        std::filesystem::temp_directory_path() / ("mapped_file_test." + std::to_string(::getpid()));
     std::ofstream out(path_, std::ios::binary);
     const std::vector<char> some(1 << 20, 'x');
     for (std::size_t n = 0; n < kSize; n += some.size()) out.write(some.data(), 1 << 20);
   }
-  void TearDown() override { std::filesystem::remove(path_); }
-
   static std::size_t held() {  // bytes of files in memory
     std::ifstream statm("/proc/self/statm");
     std::size_t size = 0, resident = 0, shared = 0;
@@ -38,7 +37,8 @@ class MappedFileTest : public testing::Test {
     return true;
   }
 
-  std::string path_;
+  support::TemporaryFolder folder_;
+  std::string path_ = folder_ / "file";
 };
 
 TEST_F(MappedFileTest, IsGivenBackAndReadAgain) {
@@ -66,10 +66,28 @@ TEST_F(MappedFileTest, IsReadWhileItIsGivenBack) {
   EXPECT_EQ(right, std::vector<char>(4, 1));
 }
 
+// Whatever takes its place in memory keeps what it holds.
 TEST_F(MappedFileTest, IsForgottenOnceClosed) {
-  { const MappedFile file(path_); }
+  const MappedFile other(path_);  // so that there is something to give back
+  std::byte* place = nullptr;
+  {
+    const MappedFile file(path_);
+    place = const_cast<std::byte*>(file.bytes().data());
+  }
+  void* const taken = mmap(place, kSize, PROT_READ | PROT_WRITE,
+                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
+  ASSERT_EQ(taken, place);
+  place[kSize / 2] = std::byte{'y'};
   trim_mapped_files(0);
-  EXPECT_THROW(MappedFile("/nowhere/at/all"), std::system_error);
+  EXPECT_EQ(place[kSize / 2], std::byte{'y'});
+  munmap(taken, kSize);
+}
+
+TEST_F(MappedFileTest, RefusesWhatCannotBeMapped) {
+  EXPECT_THROW(MappedFile(folder_ / "nothing"), std::system_error);
+  std::ofstream(folder_ / "empty");
+  EXPECT_THROW(MappedFile(folder_ / "empty"), InputError);
+  EXPECT_THROW(MappedFile(folder_.path()), InputError);
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
 #include "cli/run_shard.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <functional>
 
 #include "geom/error.h"
+#include "support/temporary_folder.h"
 
 namespace cli {
 namespace {
@@ -46,13 +45,6 @@ void expect_equal(const traj::RunOutcome& a, const traj::RunOutcome& b) {
 
 class RunShardTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("run_shard_test." + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   // Calls `write` for each of `count` shards, and opens them.
   std::vector<ShardFile> shards(
       std::size_t count,
@@ -70,7 +62,7 @@ class RunShardTest : public testing::Test {
     return open_shards(files);
   }
 
-  std::filesystem::path folder_;
+  support::TemporaryFolder folder_;
 };
 
 TEST_F(RunShardTest, JoinsToAllRuns) {

@@ -9,19 +9,15 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/temporary_folder.h"
+
 namespace cli {
 namespace {
 
 // What the arguments of a tool with some options, in a folder of its own, make of it.
 class ShardingTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("sharding_test." + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-    write("map", "boxes");
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { write("map", "boxes"); }
 
   std::string path(const std::string& name) const { return folder_ / name; }
   void write(const std::string& name, const std::string& text) {
@@ -48,7 +44,7 @@ class ShardingTest : public testing::Test {
     return done;
   }
 
-  std::filesystem::path folder_;
+  support::TemporaryFolder folder_;
 };
 
 TEST_F(ShardingTest, KnowsWhatIsDoneAndHowItEnded) {
@@ -107,10 +103,10 @@ TEST_F(ShardingTest, AKilledProcessLeavesNothing) {
   ::waitpid(child, &status, 0);
   EXPECT_TRUE(WIFSIGNALED(status));
   std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
     files += entry.path().filename().string().starts_with("half");
   }
-  const int unnamed = ::open(folder_.c_str(), O_WRONLY | O_TMPFILE, 0600);
+  const int unnamed = ::open(folder_.path().c_str(), O_WRONLY | O_TMPFILE, 0600);
   EXPECT_EQ(files, unnamed >= 0 ? 0u : 1u);  // where the file system knows files without a name
   if (unnamed >= 0) ::close(unnamed);
 }

@@ -41,22 +41,24 @@ double depth_at(const CollisionScene& scene, const Vec3& p) {
   return most;
 }
 
+// The check, and how many boxes meet the box around the curve's control points.
+std::pair<CheckResult, std::size_t> checked(const CollisionScene& scene, const Trajectory& t) {
+  return {check(scene, t, Limits{}),
+          scene.boxes_meeting(*geom::bounds(t.segments[0].point)).size()};
+}
+
 TEST(CheckPlace, LooksAtWhatIsNearACurveThatSwingsFarOut) {
   const CollisionScene scene = posts();
-  const Trajectory t = swing(80);
-  const std::size_t around = scene.boxes_meeting(*geom::bounds(t.segments[0].point)).size();
+  const auto [result, around] = checked(scene, swing(80));
   ASSERT_GT(around, 9000u);
-  const CheckResult result = check(scene, t, Limits{});
   EXPECT_TRUE(result.ok) << result.reason;
   EXPECT_LT(result.looked_at, around / 5);
 }
 
 TEST(CheckPlace, ReportsACollisionFarOutWithoutLookingAtTheRest) {
   const CollisionScene scene = posts();
-  const Trajectory t = swing(0);
-  const std::size_t around = scene.boxes_meeting(*geom::bounds(t.segments[0].point)).size();
+  const auto [result, around] = checked(scene, swing(0));
   ASSERT_GT(around, 9000u);
-  const CheckResult result = check(scene, t, Limits{});
   EXPECT_EQ(result.reason, "collision");
   EXPECT_LT(result.looked_at, around / 2);
   ASSERT_TRUE(result.box);

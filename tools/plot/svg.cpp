@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/markup.h"
+#include "geom/io/markup.h"
 #include "plot/ticks.h"
 
 namespace plot {
@@ -53,14 +53,14 @@ void Svg::text(Point at, std::string_view words, double size, std::string_view a
       turn == 0 ? "" : fmt::format(" transform=\"rotate({} {} {})\"", turn, px(at.x), px(at.y));
   body_ += fmt::format(
       "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n",
-      px(at.x), px(at.y), size, anchor, colour, rotate, cli::escaped_markup(words));
+      px(at.x), px(at.y), size, anchor, colour, rotate, geom::escaped_markup(words));
 }
 
 void Svg::text_on_white(Point at, std::string_view words, double size, std::string_view anchor) {
   body_ += fmt::format(
       "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"#ffffff\" "
       "stroke=\"#ffffff\" stroke-width=\"4\" stroke-linejoin=\"round\">{}</text>\n",
-      px(at.x), px(at.y), size, anchor, cli::escaped_markup(words));
+      px(at.x), px(at.y), size, anchor, geom::escaped_markup(words));
   text(at, words, size, anchor);
 }
 

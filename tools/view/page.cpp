@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "cli/markup.h"
+#include "geom/io/markup.h"
 
 namespace view {
 namespace {
@@ -24,7 +24,7 @@ std::string script_json(const Json& meta) {
 
 std::string page(std::string_view title, const Json& meta, const Bundle& bundle) {
   const std::array<std::pair<std::string_view, std::string>, 6> parts = {
-      {{"{{title}}", cli::escaped_markup(title)},
+      {{"{{title}}", geom::escaped_markup(title)},
        {"{{style}}", std::string(kPageStyle)},
        {"{{meta}}", script_json(meta)},
        {"{{arrays}}", bundle.base64()},

@@ -25,11 +25,11 @@ class MappedFile {
 
 inline constexpr std::size_t kMappedKept = std::size_t{1} << 25;  // 32 MB
 
-// What was read of mapped files counts as the process's memory until somebody needs it. Once this
-// was called so often that more than `most` bytes of files may be there, it gives them all back:
-// what is touched again is read again, mostly from the system's cache. Changes no answer, and may
-// be called from any thread at any time; cheap where little was read. Call it now and then in work
-// that touches ever more of a big file.
+// What was read of mapped files counts as the process's memory until somebody needs it. Where more
+// than `most` bytes of files (code among them) are held, gives back all of MappedFile: what is
+// touched again is read again, mostly from the system's cache. Changes no answer, and may be called
+// from any thread at any time; cheap where little is mapped. Call it now and then in work that
+// touches ever more of a big file.
 void trim_mapped_files(std::size_t most = kMappedKept);
 
 }  // namespace geom
