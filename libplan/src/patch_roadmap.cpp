@@ -9,6 +9,7 @@
 #include "geom/parallel.h"
 #include "plan/build_lattice.h"
 #include "plan/patch.h"
+#include "plan/roadmap_part.h"
 #include "require_made_for.h"
 
 namespace plan {
@@ -164,7 +165,11 @@ class RoadmapPatch {
     out.split.resize(bends_.size());
     geom::parallel_for(bends_.size(), {run.threads, {}},
                        [&](std::size_t i) { out.split[i] = merge_edges(i); });
-    set_edges(out, std::move(kept_));
+    const EdgeLists edges = flat(std::move(kept_));
+    require_edges_fit(edges.to.size());
+    out.first.assign(edges.first.begin(), edges.first.end());
+    out.to = edges.to;
+    out.keep_alive = edges.keep_alive;
   }
 
  private:

@@ -30,22 +30,6 @@ bool wraps(const Across& in, const Across& out) {
 
 }  // namespace
 
-void set_edges(Roadmap& roadmap, std::vector<std::vector<std::uint32_t>> lists) {
-  std::uint64_t edges = 0;
-  for (const auto& list : lists) edges += list.size();
-  require_edges_fit(edges);
-  const auto owned = std::make_shared<std::vector<std::uint32_t>>();
-  owned->reserve(edges);
-  roadmap.first = {0};
-  for (auto& list : lists) {
-    owned->insert(owned->end(), list.begin(), list.end());
-    roadmap.first.push_back(owned->size());
-    std::vector<std::uint32_t>().swap(list);  // so that no more than one copy is ever held
-  }
-  roadmap.to = *owned;
-  roadmap.keep_alive = owned;
-}
-
 void require_bend(const Roadmap& roadmap, std::uint32_t bend) {
   if (bend < roadmap.bends.size()) return;
   throw geom::InputError(roadmap.source,

@@ -16,13 +16,9 @@ constexpr std::size_t kMany = 64;
 constexpr int kMostCuts = 8;      // halvings of a piece whose collision is reported
 constexpr double kBeside = 1e-8;  // metres: what is refused comes within 1e-9 m of an obstacle
 
-struct Candidate {
-  geom::Aabb box;  // grown, relative to the origin of the proof, rounded outward
-  std::size_t index;
-};
-
-geom::Aabb relative(const geom::Aabb& box, const Vec3& origin) {
-  geom::Aabb out{box.min - origin, box.max - origin};
+// Rounded outward.
+geom::Aabb moved(const geom::Aabb& box, const Vec3& by) {
+  geom::Aabb out{box.min + by, box.max + by};
   for (int i = 0; i < 3; ++i) {
     out.min[i] = std::nextafter(out.min[i], -kInfinity);
     out.max[i] = std::nextafter(out.max[i], kInfinity);
@@ -41,14 +37,14 @@ bool too_small(const geom::Aabb& box, int depth) {
   return (box.max - box.min).maxCoeff() < kSmallest || depth >= kDeepest;
 }
 
-// The first time that cannot be shown clear of every candidate, or nothing. Works relative to an
+// The first time that cannot be shown clear of every grown box, or nothing. Works relative to an
 // origin on the curve, so errors scale with the piece and not with its coordinates.
-std::optional<double> first_touch(const Piece& piece, const std::vector<Candidate>& near, int depth,
-                                  double scale) {
+std::optional<double> first_touch(const Piece& piece, const std::vector<geom::Aabb>& near,
+                                  int depth, double scale) {
   const geom::Aabb box = sure_box(piece.q, depth, scale);
-  std::vector<Candidate> rest;
-  for (const Candidate& c : near) {
-    if (geom::overlap(box, c.box)) rest.push_back(c);
+  std::vector<geom::Aabb> rest;
+  for (const geom::Aabb& grown : near) {
+    if (geom::overlap(box, grown)) rest.push_back(grown);
   }
   if (rest.empty()) return std::nullopt;
   if (too_small(box, depth)) return piece.middle();
@@ -102,8 +98,8 @@ class TouchSearch {
     const auto boxes = scene_.boxes_meeting(region, kMany);
     looked_at_ += boxes ? boxes->size() : kMany;
     if (boxes) {
-      std::vector<Candidate> near;
-      for (const std::size_t i : *boxes) near.push_back({relative(scene_.grown(i), origin_), i});
+      std::vector<geom::Aabb> near;
+      for (const std::size_t i : *boxes) near.push_back(moved(scene_.grown(i), -origin_));
       return first_touch(piece, near, depth, scale_);
     }
     if (too_small(sure_box(piece.q, depth, scale_), depth)) return piece.middle();
@@ -112,15 +108,8 @@ class TouchSearch {
     return touch(r, region_of(r, depth + 1), depth + 1);
   }
 
-  // Rounded outward.
   geom::Aabb region_of(const Piece& piece, int depth) const {
-    const geom::Aabb box = sure_box(piece.q, depth, scale_);
-    geom::Aabb out{box.min + origin_, box.max + origin_};
-    for (int i = 0; i < 3; ++i) {
-      out.min[i] = std::nextafter(out.min[i], -kInfinity);
-      out.max[i] = std::nextafter(out.max[i], kInfinity);
-    }
-    return out;
+    return moved(sure_box(piece.q, depth, scale_), origin_);
   }
 
   const geom::CollisionScene& scene_;

@@ -57,9 +57,6 @@ struct Roadmap {
   std::optional<LabelledLattice> coarse;   // of 10 m, 26 neighbours, where bends are sought
 };
 
-// `first` and `to` from the edges of each bend.
-void set_edges(Roadmap& roadmap, std::vector<std::vector<std::uint32_t>> lists);
-
 // Throws geom::InputError where an edge of a file leads to no bend.
 void require_bend(const Roadmap& roadmap, std::uint32_t bend);
 
