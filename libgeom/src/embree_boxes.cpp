@@ -1,11 +1,14 @@
 #include "embree_boxes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <new>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
+#include <thread>
 
 namespace geom {
 namespace {
@@ -20,7 +23,7 @@ struct BoundsSource {  // what the bounds callback needs; lives on the stack dur
   double pad;
 };
 
-void write_bounds(const RTCBoundsFunctionArguments* args) {
+void write_bounds(const RTCBoundsFunctionArguments* args) noexcept {
   const auto& source = *static_cast<const BoundsSource*>(args->geometryUserPtr);
   const Aabb& box = source.boxes[args->primID];
   const Vec3 low = box.min - source.corner;
@@ -56,17 +59,8 @@ std::optional<Segment> clipped(const Vec3& a, const Vec3& b, const Aabb& box) {
   return Segment{a + d * t0, a + d * t1};
 }
 
-}  // namespace
-
-float float_up(double x) {
-  const float f = static_cast<float>(x);
-  return f < x ? std::nextafter(f, kFloatInfinity) : f;
-}
-
-void throw_on_error(RTCDevice device) {
-  switch (rtcGetDeviceError(device)) {
-    case RTC_ERROR_NONE:
-      return;
+[[noreturn]] void throw_error(RTCError error) {
+  switch (error) {
     case RTC_ERROR_OUT_OF_MEMORY:
       throw std::bad_alloc();
     case RTC_ERROR_UNSUPPORTED_CPU:
@@ -76,8 +70,100 @@ void throw_on_error(RTCDevice device) {
   }
 }
 
-void build(RTCDevice device, std::span<const Aabb> boxes, RTCOccludedFunctionN occluded,
-           RTCPointQueryFunction near, EmbreeBoxes& out) {
+// What a scene is made of.
+struct Parts {
+  BoundsSource source;
+  RTCOccludedFunctionN occluded;
+  RTCPointQueryFunction near;
+};
+
+// Returns the first error that Embree, as a C library, kept to itself. May throw std::bad_alloc all
+// the same: where there is no memory to keep the error in.
+RTCError make_scene(RTCDevice device, const Parts& parts, EmbreeScene& out) {
+  // The thread's error has its place from the first look at it on, which may itself fail and leave
+  // an error behind.
+  if (rtcGetDeviceError(device) && rtcGetDeviceError(device)) return RTC_ERROR_OUT_OF_MEMORY;
+  const EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER));
+  if (!geometry) return rtcGetDeviceError(device);
+  rtcSetGeometryUserPrimitiveCount(geometry.get(),
+                                   static_cast<unsigned>(parts.source.boxes.size()));
+  BoundsSource source = parts.source;
+  rtcSetGeometryUserData(geometry.get(), &source);
+  rtcSetGeometryBoundsFunction(geometry.get(), write_bounds, nullptr);
+  rtcSetGeometryOccludedFunction(geometry.get(), parts.occluded);
+  rtcSetGeometryPointQueryFunction(geometry.get(), parts.near);
+  rtcCommitGeometry(geometry.get());
+  out.reset(rtcNewScene(device));
+  if (!out) return rtcGetDeviceError(device);
+  rtcSetSceneFlags(out.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcAttachGeometry(out.get(), geometry.get());
+  rtcCommitScene(out.get());
+  rtcSetGeometryUserData(geometry.get(), nullptr);  // the source ends here
+  return rtcGetDeviceError(device);
+}
+
+// The same on a thread that ends with it.
+RTCError make_scene_apart(RTCDevice device, const Parts& parts, EmbreeScene& out) {
+  RTCError error = RTC_ERROR_OUT_OF_MEMORY;
+  try {
+    std::thread([&]() noexcept {
+      try {
+        error = make_scene(device, parts, out);
+      } catch (const std::bad_alloc&) {
+      }
+    }).join();
+  } catch (const std::system_error&) {  // no room for a thread
+  }
+  return error;
+}
+
+// Where memory runs out inside a build, what Embree keeps of its thread may refer to memory that is
+// gone, and the thread's next build would write there. So from the first failure in a process on,
+// each build has a thread of its own.
+EmbreeScene made_scene(RTCDevice device, const Parts& parts) {
+  static std::atomic<bool> any_failed = false;
+  EmbreeScene scene;
+  RTCError error = RTC_ERROR_OUT_OF_MEMORY;
+  try {
+    error = (any_failed ? make_scene_apart : make_scene)(device, parts, scene);
+  } catch (const std::bad_alloc&) {
+  }
+  if (error == RTC_ERROR_NONE && scene) return scene;
+  any_failed = true;
+  throw_error(error);
+}
+
+struct Started {
+  RTCDevice device = nullptr;
+  RTCError error = RTC_ERROR_OUT_OF_MEMORY;
+};
+
+Started start() noexcept {
+  Started out;
+  try {
+    out.device = rtcNewDevice("threads=1");
+    if (!out.device) out.error = rtcGetDeviceError(nullptr);
+  } catch (const std::bad_alloc&) {  // not even the error could be kept
+  }
+  return out;
+}
+
+}  // namespace
+
+float float_up(double x) {
+  const float f = static_cast<float>(x);
+  return f < x ? std::nextafter(f, kFloatInfinity) : f;
+}
+
+RTCDevice embree_device() {
+  static const Started embree = start();
+  if (!embree.device) throw_error(embree.error);
+  return embree.device;
+}
+
+EmbreeBoxes build(std::span<const Aabb> boxes, RTCOccludedFunctionN occluded,
+                  RTCPointQueryFunction near) {
+  EmbreeBoxes out;
   Aabb all = boxes.front();
   for (const Aabb& box : boxes) all = merged(all, box);
   const double size = (all.max - all.min).maxCoeff();
@@ -89,22 +175,8 @@ void build(RTCDevice device, std::span<const Aabb> boxes, RTCOccludedFunctionN o
   out.pad = std::max({4e-4, std::ldexp(size, -20), std::ldexp(largest, -48)});
   const Vec3 margin = Vec3::Constant(1000);
   out.reach = {all.min - margin, all.max + margin};
-
-  BoundsSource source{boxes, out.corner, out.pad};
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes.size()));
-  rtcSetGeometryUserData(geometry, &source);
-  rtcSetGeometryBoundsFunction(geometry, write_bounds, nullptr);
-  rtcSetGeometryOccludedFunction(geometry, occluded);
-  rtcSetGeometryPointQueryFunction(geometry, near);
-  rtcCommitGeometry(geometry);
-  out.scene = rtcNewScene(device);
-  rtcSetSceneFlags(out.scene, RTC_SCENE_FLAG_ROBUST);
-  rtcAttachGeometry(out.scene, geometry);
-  rtcCommitScene(out.scene);
-  rtcSetGeometryUserData(geometry, nullptr);  // the source ends here
-  rtcReleaseGeometry(geometry);
-  throw_on_error(device);
+  out.scene = made_scene(embree_device(), {{boxes, out.corner, out.pad}, occluded, near});
+  return out;
 }
 
 bool occluded(const EmbreeBoxes& boxes, const Vec3& a, const Vec3& b,
@@ -126,7 +198,7 @@ bool occluded(const EmbreeBoxes& boxes, const Vec3& a, const Vec3& b,
   ray.dir_z = static_cast<float>(to[2] - from[2]);
   ray.tfar = 1;
   ray.mask = ~0u;
-  rtcOccluded1(boxes.scene, &context, &ray);
+  rtcOccluded1(boxes.scene.get(), &context, &ray);
   return ray.tfar < 0;
 }
 
@@ -141,10 +213,10 @@ void near(const EmbreeBoxes& boxes, const Vec3& p, double radius, void* context)
   const Vec3 local = p - boxes.corner;
   RTCPointQuery query{static_cast<float>(local[0]), static_cast<float>(local[1]),
                       static_cast<float>(local[2]), 0.0f, float_up(radius)};
-  rtcPointQuery(boxes.scene, &query, &rtc, nullptr, context);
+  rtcPointQuery(boxes.scene.get(), &query, &rtc, nullptr, context);
 }
 
-void mark_hit(const RTCOccludedFunctionNArguments* args) {
+void mark_hit(const RTCOccludedFunctionNArguments* args) noexcept {
   RTCRayN_tfar(args->ray, args->N, 0) = -kFloatInfinity;
 }
 

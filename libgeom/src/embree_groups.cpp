@@ -54,8 +54,6 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
     if (margin > 0) half[i] = std::nextafter(half[i], std::numeric_limits<double>::infinity());
   }
   free_bounds = shrink(map.spec().bounds, half);
-  device = rtcNewDevice("threads=1");
-  if (!device) throw_on_error(nullptr);
   auto members = grouped(map, static_cast<double>(options.boxes_per_group));
   groups = std::vector<Group>(members.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -64,7 +62,9 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
     for (const std::size_t t : groups[g].tiles) extent = merged(extent, map.tiles()[t].extent);
     group_extent.push_back(grow(extent, half));
   }
-  if (groups.size() > 1) build(device, group_extent, segment_against_group, visit_candidate, top);
+  if (groups.size() > 1) {
+    top = build(group_extent, segment_against_group, visit_candidate);
+  }
 }
 
 const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
@@ -84,13 +84,13 @@ const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
       if (margin > 0) scene->by_vehicle.push_back(grow(box, vehicle.half));
     }
   }
-  build(device, scene->grown, segment_against_box, visit_candidate, scene->embree);
+  scene->embree = build(scene->grown, segment_against_box, visit_candidate);
   scene->skyline = Skyline(scene->grown, scene->embree.extent);
   scene->hints = NearestHints(scene->embree.extent, scene->grown.size());
+  built.push_back(g);  // the last that can fail: from here on the group has its scene
   bytes += scene->bytes();
-  built.push_back(g);
-  groups[g].scene.store(scene.get());
   const GroupScene& made = *scene.release();
+  groups[g].scene.store(&made);
   if (bytes > budget) give_up_oldest(g);
   trim_mapped_files();
   return made;
@@ -98,16 +98,16 @@ const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
 
 // A query counts itself among the users before it reads `scene`, and here `scene` is taken away
 // before the users are counted, so one of the two always sees the other.
-void CollisionScene::Impl::give_up_oldest(std::size_t keep) {
+void CollisionScene::Impl::give_up_oldest(std::size_t keep) noexcept {
   for (std::size_t tries = built.size(); tries > 0 && bytes > budget; --tries) {
     const std::size_t g = built.front();
-    built.pop_front();
     const GroupScene* scene = groups[g].scene.exchange(nullptr);
     if (g == keep || groups[g].users.load() > 0) {
       groups[g].scene.store(scene);
-      built.push_back(g);
+      built.splice(built.end(), built, built.begin());
       continue;
     }
+    built.pop_front();
     bytes -= scene->bytes();
     delete scene;
   }

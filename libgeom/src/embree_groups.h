@@ -5,10 +5,10 @@
 // A small map is one group and has no upper level.
 
 #include <atomic>
-#include <deque>
+#include <exception>
+#include <list>
 #include <mutex>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "embree_boxes.h"
@@ -41,6 +41,11 @@ struct Group {
   Aabb extent;                                    // grown
   std::atomic<const GroupScene*> scene{nullptr};  // null until touched, and again once given up
   std::atomic<int> users{0};                      // queries inside; never given up while > 0
+
+  Group() = default;
+  Group(const Group&) = delete;
+  Group& operator=(const Group&) = delete;
+  ~Group() { delete scene.load(); }
 };
 
 struct CollisionScene::Impl {
@@ -50,20 +55,14 @@ struct CollisionScene::Impl {
   Vec3 half;
   std::size_t budget;
   std::optional<Aabb> free_bounds;
-  RTCDevice device = nullptr;
   EmbreeBoxes top;
   std::vector<Aabb> group_extent;
   std::vector<Group> groups;
-  std::mutex building;            // guards the two below and every change of Group::scene
-  std::deque<std::size_t> built;  // groups with a scene, oldest first
-  std::size_t bytes = 0;          // of all scenes
+  std::mutex building;           // guards the two below and every change of Group::scene
+  std::list<std::size_t> built;  // groups with a scene, oldest first
+  std::size_t bytes = 0;         // of all scenes
 
   Impl(BoxMap m, Vehicle v, double mg, const CollisionOptions& options);
-  ~Impl() {
-    for (Group& group : groups) delete group.scene.load();
-    if (top.scene) rtcReleaseScene(std::exchange(top.scene, nullptr));
-    rtcReleaseDevice(device);
-  }
 
   // The group's scene, built if need be. It stays while the caller counts among `users`.
   const GroupScene& touch(std::size_t g) {
@@ -71,25 +70,48 @@ struct CollisionScene::Impl {
     return scene ? *scene : build_group(g);
   }
   const GroupScene& build_group(std::size_t g);
-  void give_up_oldest(std::size_t keep);
+  void give_up_oldest(std::size_t keep) noexcept;
 };
 
-// A query inside a group, whose scene stays that long.
-class Visit {
+// Counts a query among the users of a group.
+class Use {
  public:
-  Visit(CollisionScene::Impl& impl, std::size_t g) : group_(impl.groups[g]) {
-    group_.users.fetch_add(1);
-    scene_ = &impl.touch(g);
-  }
-  ~Visit() { group_.users.fetch_sub(1); }
-  Visit(const Visit&) = delete;
-  Visit& operator=(const Visit&) = delete;
-
-  const GroupScene& scene() const { return *scene_; }
+  explicit Use(Group& group) : group_(group) { group_.users.fetch_add(1); }
+  ~Use() { group_.users.fetch_sub(1); }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
 
  private:
   Group& group_;
-  const GroupScene* scene_;
+};
+
+// A query inside a group, whose scene stays that long. Throws where it cannot be built.
+class Visit {
+ public:
+  Visit(CollisionScene::Impl& impl, std::size_t g) : use_(impl.groups[g]), scene_(impl.touch(g)) {}
+
+  const GroupScene& scene() const { return scene_; }
+
+ private:
+  Use use_;  // counted before the scene is read
+  const GroupScene& scene_;
+};
+
+// What went wrong inside a query. Embree's functions are C and drop exceptions, so callbacks keep
+// them here, and whoever called Embree throws them on: a query in which anything went wrong has no
+// answer.
+class Failure {
+ public:
+  bool any() const noexcept { return what_ != nullptr; }
+  void keep_current() noexcept {
+    if (!what_) what_ = std::current_exception();
+  }
+  void rethrow() const {
+    if (what_) std::rethrow_exception(what_);
+  }
+
+ private:
+  std::exception_ptr what_;
 };
 
 }  // namespace geom

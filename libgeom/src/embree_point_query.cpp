@@ -10,8 +10,9 @@ struct NearestContext {
   CollisionScene::Impl* impl;
   Vec3 point;
   std::span<Nearest> room;  // for as many as are wanted
-  std::size_t found = 0;    // a heap at the start of `room`, the worst on top
   double radius;            // boxes further than this are of no interest
+  Failure* failure;
+  std::size_t found = 0;  // a heap at the start of `room`, the worst on top
   const GroupScene* group = nullptr;
 };
 
@@ -20,7 +21,8 @@ struct RegionContext {
   const Aabb* region;
   Vec3 center;
   double radius;
-  std::size_t most;                // more are not wanted,
+  std::size_t most;  // more are not wanted,
+  Failure* failure;
   std::vector<std::size_t> found;  // and the search ends with one more
   const GroupScene* group = nullptr;
 
@@ -33,6 +35,7 @@ struct PointContext {
   RegionContext* region = nullptr;
   bool top = true;
   double slack = 0;  // what the ball in float exceeds the radius by, in metres
+  Failure* failure = nullptr;
 };
 
 void search(const EmbreeBoxes& boxes, const Vec3& p, double radius, PointContext& context) {
@@ -62,7 +65,7 @@ void visit_nearest_box(NearestContext& context, std::size_t i) {
 
 void search_group(NearestContext& context, const GroupScene& group) {
   context.group = &group;
-  PointContext inner{&context, nullptr, false};
+  PointContext inner{&context, nullptr, false, 0, context.failure};
   if (context.room.size() > 1) {
     search(group.embree, context.point, context.radius, inner);
     return;
@@ -75,12 +78,13 @@ void search_group(NearestContext& context, const GroupScene& group) {
     context.radius = std::min(context.radius, hinted);
   }
   search(group.embree, context.point, context.radius, inner);
+  if (context.failure->any()) return;
   if (known == NearestHints::kNone && context.found == 1) group.remember(context.room[0].box, hint);
 }
 
 void search_group(RegionContext& context, const GroupScene& group) {
   context.group = &group;
-  PointContext inner{nullptr, &context, false};
+  PointContext inner{nullptr, &context, false, 0, context.failure};
   search(group.embree, context.center, context.radius, inner);
 }
 
@@ -118,21 +122,33 @@ bool visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, 
 
 }  // namespace
 
-bool visit_candidate(RTCPointQueryFunctionArguments* args) {
-  auto& context = *static_cast<PointContext*>(args->userPtr);
-  if (context.nearest) return visit_nearest(args, *context.nearest, context.top, context.slack);
-  return visit_region(args, *context.region, context.top);
+bool visit_candidate(RTCPointQueryFunctionArguments* args) noexcept {
+  const auto& context = *static_cast<PointContext*>(args->userPtr);
+  bool shrunk = false;
+  if (!context.failure->any()) {
+    try {
+      shrunk = context.nearest ? visit_nearest(args, *context.nearest, context.top, context.slack)
+                               : visit_region(args, *context.region, context.top);
+    } catch (...) {
+      context.failure->keep_current();
+    }
+  }
+  if (!context.failure->any()) return shrunk;
+  args->query->radius = 0;  // leaves little to visit, and that is not looked at
+  return true;
 }
 
 std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radius,
                          std::span<Nearest> room) {
-  NearestContext context{&impl, p, room, 0, radius};
+  Failure failure;
+  NearestContext context{&impl, p, room, radius, &failure};
   if (impl.groups.size() == 1) {
     search_group(context, impl.touch(0));
   } else {
-    PointContext point{&context, nullptr, true};
+    PointContext point{&context, nullptr, true, 0, &failure};
     search(impl.top, p, radius, point);
   }
+  failure.rethrow();
   std::sort_heap(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(context.found), closer);
   return context.found;
 }
@@ -141,13 +157,15 @@ std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl,
                                                      std::size_t most) {
   const Vec3 center = 0.5 * (region.min + region.max);
   const double radius = 0.5 * (region.max - region.min).norm() * (1 + 1e-12) + 1e-9;
-  RegionContext context{&impl, &region, center, radius, most, {}};
+  Failure failure;
+  RegionContext context{&impl, &region, center, radius, most, &failure, {}};
   if (impl.groups.size() == 1) {
     search_group(context, impl.touch(0));
   } else {
-    PointContext point{nullptr, &context, true};
+    PointContext point{nullptr, &context, true, 0, &failure};
     search(impl.top, center, radius, point);
   }
+  failure.rethrow();
   if (context.too_many()) return std::nullopt;
   std::sort(context.found.begin(), context.found.end());
   return std::move(context.found);

@@ -18,9 +18,9 @@ std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl,
                                                      std::size_t most);
 
 // Embree's callbacks: a box of a group against a segment, a group against it, and either against a
-// point's surroundings.
-void segment_against_box(const RTCOccludedFunctionNArguments* args);
-void segment_against_group(const RTCOccludedFunctionNArguments* args);
-bool visit_candidate(RTCPointQueryFunctionArguments* args);
+// point's surroundings. What goes wrong in them is kept (Failure).
+void segment_against_box(const RTCOccludedFunctionNArguments* args) noexcept;
+void segment_against_group(const RTCOccludedFunctionNArguments* args) noexcept;
+bool visit_candidate(RTCPointQueryFunctionArguments* args) noexcept;
 
 }  // namespace geom

@@ -9,9 +9,11 @@ struct SegmentContext {
   CollisionScene::Impl* impl;
   const Vec3* a;
   const Vec3* b;
+  Failure* failure;
   const GroupScene* group;
 };
 
+// False where it failed, too.
 bool hits_group(const SegmentContext& outer, const GroupScene& group) {
   if (group.skyline.clears(*outer.a, *outer.b)) return false;
   SegmentContext inner = outer;
@@ -20,28 +22,49 @@ bool hits_group(const SegmentContext& outer, const GroupScene& group) {
   return occluded(group.embree, *outer.a, *outer.b, inner.rtc);
 }
 
-}  // namespace
-
-void segment_against_box(const RTCOccludedFunctionNArguments* args) {
-  if (!args->valid[0]) return;
-  const auto& context = *reinterpret_cast<const SegmentContext*>(args->context);
-  if (segment_hits(*context.a, *context.b, context.group->grown[args->primID])) mark_hit(args);
+// Marks a hit where there is one, and where it cannot be told: that ends the search.
+template <class Decide>
+void decide(const RTCOccludedFunctionNArguments* args, const SegmentContext& context,
+            const Decide& hit) noexcept {
+  try {
+    if (hit()) mark_hit(args);
+  } catch (...) {
+    context.failure->keep_current();
+  }
+  if (context.failure->any()) mark_hit(args);
 }
 
-void segment_against_group(const RTCOccludedFunctionNArguments* args) {
+}  // namespace
+
+void segment_against_box(const RTCOccludedFunctionNArguments* args) noexcept {
+  if (!args->valid[0]) return;
+  const auto& context = *reinterpret_cast<const SegmentContext*>(args->context);
+  decide(args, context,
+         [&] { return segment_hits(*context.a, *context.b, context.group->grown[args->primID]); });
+}
+
+void segment_against_group(const RTCOccludedFunctionNArguments* args) noexcept {
   if (!args->valid[0]) return;
   const auto& outer = *reinterpret_cast<const SegmentContext*>(args->context);
-  if (!segment_hits(*outer.a, *outer.b, outer.impl->group_extent[args->primID])) return;
-  const Visit visit(*outer.impl, args->primID);
-  if (hits_group(outer, visit.scene())) mark_hit(args);
+  decide(args, outer, [&] {
+    if (!segment_hits(*outer.a, *outer.b, outer.impl->group_extent[args->primID])) return false;
+    const Visit visit(*outer.impl, args->primID);
+    return hits_group(outer, visit.scene());
+  });
 }
 
 bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
-  SegmentContext context{{}, &impl, &a, &b, nullptr};
-  // The only group is never given up.
-  if (impl.groups.size() == 1) return hits_group(context, impl.touch(0));
-  rtcInitIntersectContext(&context.rtc);
-  return occluded(impl.top, a, b, context.rtc);
+  Failure failure;
+  SegmentContext context{{}, &impl, &a, &b, &failure, nullptr};
+  bool hit = false;
+  if (impl.groups.size() == 1) {
+    hit = hits_group(context, impl.touch(0));  // the only group is never given up
+  } else {
+    rtcInitIntersectContext(&context.rtc);
+    hit = occluded(impl.top, a, b, context.rtc);
+  }
+  failure.rethrow();
+  return hit;
 }
 
 }  // namespace geom
