@@ -11,9 +11,9 @@
 namespace geom {
 namespace {
 
-// Boxes that are merged at once, before they are summed. What they are read from are pages of as
-// many tiles as a column has, so that less would read each page again and again.
-constexpr std::size_t kWindow = std::size_t{1} << 18;
+constexpr std::size_t kWindow = std::size_t{1} << 17;  // boxes that are copied and merged at once
+constexpr std::size_t kLongest = 8 * kWindow;          // a column beyond it is never held
+constexpr std::size_t kTrim = 16;  // tiles that are copied before their pages are given back
 
 // Boxes in order, and the first of them.
 class Run {
@@ -48,9 +48,23 @@ void sink(std::vector<Run>& heap, std::size_t i) {
   }
 }
 
-// Calls f(box) for the boxes of all runs, in order.
+// Tiles of one column of squares, and the large boxes that begin there or since the column before:
+// all of them come after all boxes of the column before.
+struct Column {
+  std::vector<std::span<const Aabb>> parts;  // each in order
+  std::size_t boxes = 0;
+
+  void add(std::span<const Aabb> some) {
+    if (some.empty()) return;
+    parts.push_back(some);
+    boxes += some.size();
+  }
+};
+
+// Calls f(box) for the boxes of a column, in order.
 template <class F>
-void merge(std::vector<Run> heap, const F& f) {
+void merge(const Column& column, const F& f) {
+  std::vector<Run> heap(column.parts.begin(), column.parts.end());
   for (std::size_t i = heap.size() / 2; i-- > 0;) sink(heap, i);
   while (!heap.empty()) {
     f(canonical(heap.front().first()));
@@ -61,19 +75,6 @@ void merge(std::vector<Run> heap, const F& f) {
     sink(heap, 0);
   }
 }
-
-// Tiles of one column of squares, and the large boxes that begin there or since the column before:
-// all of them come after all boxes of the column before.
-struct Column {
-  std::vector<Run> runs;
-  std::size_t boxes = 0;
-
-  void add(std::span<const Aabb> some) {
-    if (some.empty()) return;
-    runs.emplace_back(some);
-    boxes += some.size();
-  }
-};
 
 std::vector<Column> columns_of(double size, std::span<const Tile> tiles,
                                std::span<const Aabb> boxes) {
@@ -108,7 +109,7 @@ void add(Sha256& sum, std::span<const Aabb> boxes) { sum.update(std::as_bytes(bo
 void add_streamed(Sha256& sum, const Column& column) {
   constexpr std::size_t kPart = std::size_t{1} << 14;
   std::vector<Aabb> part;
-  merge(column.runs, [&](const Aabb& box) {
+  merge(column, [&](const Aabb& box) {
     part.push_back(box);
     if (part.size() < kPart) return;
     add(sum, part);
@@ -118,29 +119,79 @@ void add_streamed(Sha256& sum, const Column& column) {
   add(sum, part);
 }
 
-// Columns are merged on all threads while those before are summed.
+// Columns copied out of the map, in the order of the file: merged where they are, they would keep
+// pages from all over it in memory.
+struct Window {
+  std::vector<Aabb> boxes;
+  std::vector<Column> columns;  // of these boxes
+};
+
+Window copy(std::span<const Column> columns) {
+  struct Part {
+    std::span<const Aabb> boxes;
+    std::size_t column;
+  };
+  std::vector<Part> parts;
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    for (const auto& part : columns[c].parts) parts.push_back({part, c});
+    count += columns[c].boxes;
+  }
+  std::sort(parts.begin(), parts.end(),
+            [](const Part& a, const Part& b) { return a.boxes.data() < b.boxes.data(); });
+  Window window;
+  window.boxes.resize(count);
+  window.columns.resize(columns.size());
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto to = std::span(window.boxes).subspan(at, parts[i].boxes.size());
+    std::copy(parts[i].boxes.begin(), parts[i].boxes.end(), to.begin());
+    window.columns[parts[i].column].add(to);
+    at += to.size();
+    if (i % kTrim == 0) trim_mapped_files();
+  }
+  return window;
+}
+
+// How many of the columns make the first window; 0 where the first is too long to be held.
+std::size_t window_of(std::span<const Column> columns) {
+  if (columns.empty() || columns.front().boxes > kLongest) return 0;
+  std::size_t count = 1;
+  std::size_t boxes = columns.front().boxes;
+  while (count < columns.size() && boxes + columns[count].boxes <= kWindow) {
+    boxes += columns[count++].boxes;
+  }
+  return count;
+}
+
+// A window goes through three hands, copied, merged and summed, and each window through another at
+// the same time.
 void add_boxes(Sha256& sum, std::span<const Column> columns, const Execution& run) {
+  Window copied;
   std::vector<std::vector<Aabb>> ready;
-  for (std::size_t begin = 0; begin < columns.size() || !ready.empty();) {
-    std::size_t end = begin;
-    std::size_t boxes = 0;
-    while (end < columns.size() && boxes + columns[end].boxes <= kWindow) {
-      boxes += columns[end++].boxes;
+  while (!columns.empty() || !copied.columns.empty() || !ready.empty()) {
+    const std::size_t next = window_of(columns);
+    if (next == 0 && copied.columns.empty() && ready.empty()) {
+      add_streamed(sum, columns.front());
+      columns = columns.subspan(1);
+      continue;
     }
-    std::vector<std::vector<Aabb>> next(end - begin);
-    parallel_for(next.size() + 1, {run.threads, {}}, [&](std::size_t i) {
+    Window fresh;
+    std::vector<std::vector<Aabb>> merged(copied.columns.size());
+    parallel_for(merged.size() + 2, {run.threads, {}}, [&](std::size_t i) {
       if (i == 0) {
         for (const auto& some : ready) add(sum, some);
-        return;
+      } else if (i == 1) {
+        fresh = copy(columns.first(next));
+      } else {
+        const Column& column = copied.columns[i - 2];
+        merged[i - 2].reserve(column.boxes);
+        merge(column, [&](const Aabb& box) { merged[i - 2].push_back(box); });
       }
-      const Column& column = columns[begin + i - 1];
-      next[i - 1].reserve(column.boxes);
-      merge(column.runs, [&](const Aabb& box) { next[i - 1].push_back(box); });
     });
-    trim_mapped_files();
-    ready = std::move(next);
-    begin = end;
-    if (ready.empty() && begin < columns.size()) add_streamed(sum, columns[begin++]);
+    columns = columns.subspan(next);
+    copied = std::move(fresh);
+    ready = std::move(merged);
   }
 }
 
