@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "geom/error.h"
+#include "geom/excerpt.h"
 #include "zip_format.h"
 
 namespace geom {
@@ -118,17 +119,17 @@ std::span<const std::byte> find_data(const Bytes& in, const Directory& d, const 
                                      std::uint64_t size) {
   if (in.get<std::uint32_t>(entry.header, "a local header") != kLocalMark) {
     in.refuse(fmt::format("{}: expected a local header where the directory points, found none",
-                          entry.name));
+                          excerpt(entry.name)));
   }
   const auto local_name = in.get<std::uint16_t>(entry.header + 26, "a local header");
   const auto local_extra = in.get<std::uint16_t>(entry.header + 28, "a local header");
   if (in.text(entry.header + kLocalSize, local_name, "a local name") != entry.name) {
-    in.refuse(fmt::format("{}: the local header has another name", entry.name));
+    in.refuse(fmt::format("{}: the local header has another name", excerpt(entry.name)));
   }
   const std::uint64_t start = entry.header + kLocalSize + local_name + local_extra;
-  const auto data = in.part(start, size, entry.name.c_str());
+  const auto data = in.part(start, size, excerpt(entry.name).c_str());
   if (start + size > d.start) {
-    in.refuse(fmt::format("{}: the entry runs into the directory", entry.name));
+    in.refuse(fmt::format("{}: the entry runs into the directory", excerpt(entry.name)));
   }
   return data;
 }
@@ -155,10 +156,11 @@ ZipEntry read_entry(const Bytes& in, const Directory& d, std::uint64_t& at) {
   at += kCentralSize + name + extra + comment;
   if (method != 0 || extent.stored != extent.size) {
     in.refuse(fmt::format("{}: expected an entry stored without compression, found method {}",
-                          entry.name, method));
+                          excerpt(entry.name), method));
   }
   if (flags & 1)
-    in.refuse(fmt::format("{}: expected a plain entry, found an encrypted one", entry.name));
+    in.refuse(
+        fmt::format("{}: expected a plain entry, found an encrypted one", excerpt(entry.name)));
   entry.bytes = find_data(in, d, entry, extent.size);
   return entry;
 }
@@ -170,7 +172,7 @@ void check_names(const Bytes& in, const std::vector<ZipEntry>& entries) {
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
   if (twice == names.end()) return;
-  in.refuse(fmt::format("{}: expected each entry once, found it twice", *twice));
+  in.refuse(fmt::format("{}: expected each entry once, found it twice", excerpt(*twice)));
 }
 
 // Refuses overlaps of entries, which stand in the order of their places.
@@ -178,7 +180,8 @@ void check_apart(const Bytes& in, std::span<const std::byte> archive,
                  const std::vector<ZipEntry>& entries) {
   std::uint64_t end = 0;
   for (const ZipEntry& entry : entries) {
-    if (end > entry.header) in.refuse(fmt::format("{}: overlaps the entry before it", entry.name));
+    if (end > entry.header)
+      in.refuse(fmt::format("{}: overlaps the entry before it", excerpt(entry.name)));
     end = static_cast<std::uint64_t>(entry.bytes.data() - archive.data()) + entry.bytes.size();
   }
 }

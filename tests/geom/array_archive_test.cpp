@@ -53,6 +53,15 @@ TEST(ArrayArchive, RefusesANameThatComesTwice) {
   EXPECT_NE(message.find("a7.npy: expected each entry once"), std::string::npos) << message;
 }
 
+TEST(ArrayArchive, ShowsNamesOfEntriesShortAndWithoutControlBytes) {
+  const std::string name = "\x1b[2J" + std::string(5000, 'x');
+  const auto bytes = archive_of({name, name});
+  const std::string message = support::refusal_of([&] { ArrayArchive::from_bytes(bytes, "a"); });
+  EXPECT_NE(message.find("found it twice"), std::string::npos);
+  EXPECT_EQ(message.find('\x1b'), std::string::npos);
+  EXPECT_LT(message.size(), 200u);
+}
+
 TEST(ArrayArchive, RefusesEntriesThatOverlap) {
   // The directory's second entry (after meta.json) is pointed at the third, of the same name
   // length.
