@@ -116,7 +116,9 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({files.map, files.artefacts.lattice, files.artefacts.roadmap,
                             files.queries, files.reference});
-    cli::Scenes scenes(cli::open_map(files.map), vehicle, cli::Scenes::Differences::refused);
+    cli::Scenes scenes(
+        cli::open_map(files.map, geom::Verified::extents, common.execution("verify")), vehicle,
+        cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
     const cli::Artefacts artefacts(files.artefacts);
     artefacts.require_made_for(scene);

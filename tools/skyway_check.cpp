@@ -114,10 +114,11 @@ int main(int argc, char** argv) {
                    {{"output", options.output},
                     {"certificate", options.certificate},
                     {"profile", options.profile.file()}});
+    const geom::BoxMap map = cli::open_map(options.map, geom::Verified::contents);
     if (const auto done = sharding.finished(common)) return *done;
     using Differences = cli::Scenes::Differences;
     cli::Scenes scenes(
-        cli::open_map(options.map), options.vehicle,
+        map, options.vehicle,
         options.override_record ? Differences::allowed : Differences::stricter_allowed);
     const checking::Checker checker(scenes, options.profile, options.rules());
     cli::InputFile file(options.input);

@@ -158,7 +158,7 @@ Written write_unchecked(const TrajectoryRecord& record, Task& task) {
 // Nothing where it is refused, which it says.
 std::optional<Written> write_checked(const Options& options, const TrajectoryRecord& record,
                                      Task& task) {
-  cli::Scenes scenes(cli::open_map(options.files[0]), options.vehicle,
+  cli::Scenes scenes(cli::open_map(options.files[0], geom::Verified::contents), options.vehicle,
                      cli::Scenes::Differences::refused);
   const auto& scene = scenes.scene_for(record.provenance, options.input(), 0);
   task.frame = scene.map().spec().frame;

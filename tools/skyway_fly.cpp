@@ -113,10 +113,14 @@ int main(int argc, char** argv) {
     if (vehicle.word.empty()) throw cli::UsageError("no vehicle: give --vehicle FILE.json");
     sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
                    {{"output", output}, {"report", report}});
+    std::optional<geom::BoxMap> map;
+    if (!inputs.map.empty()) {
+      map = cli::open_map(inputs.map, geom::Verified::contents, common.execution("verify"));
+    }
     if (const auto done = sharding.finished(common)) return *done;
     std::vector<cli::ShardFile> shards = sharding.shards();
     const bool runs_only = sharding.asked() && options.runs > 0;
-    fly::Mission mission(options, vehicle, inputs.map);
+    fly::Mission mission(options, vehicle, map);
     cli::InputFile file(inputs.trajectories);
     const std::size_t total = mission.read(file, runs_only ? geom::Shard() : sharding.shard());
     if (!shards.empty()) mission.take(cli::JoinedRuns(std::move(shards)));

@@ -55,7 +55,7 @@ geom::Frame frame_of(const std::string& map, const std::string& axes,
                      geom::Provenance& provenance) {
   geom::Frame frame;
   if (!map.empty()) {
-    const geom::BoxMap opened = cli::open_map(map);
+    const geom::BoxMap opened = cli::open_map(map, geom::Verified::contents);
     frame = opened.spec().frame;
     provenance.map = opened.hash();
   } else if (!axes.empty()) {

@@ -33,7 +33,7 @@ plan::LatticeCounts write_shard(const cli::Sharding& sharding, const std::string
 
 plan::Lattice patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
                       const geom::Execution& run) {
-  const plan::Lattice old = plan::read_lattice(cli::open_archive(patch.artefact));
+  const plan::Lattice old = plan::read_lattice(patch.open(run));
   const geom::CollisionScene& scene = patch.scene(scenes, old.made_for());
   return plan::patch_lattice(old, scene, patch.change(old.made_for(), scene), run);
 }
@@ -68,7 +68,8 @@ int main(int argc, char** argv) {
     cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
     sharding.begin(app, {{"map", map_file}}, {{"output", output}});
     if (const auto done = sharding.finished(common)) return *done;
-    cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::refused);
     spec.connectivity = static_cast<plan::Connectivity>(connect);
     const geom::Execution run = common.execution("layers");
     if (sharding.asked()) {

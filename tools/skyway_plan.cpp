@@ -126,7 +126,8 @@ int main(int argc, char** argv) {
                     {"queries", asked.file}},
                    {{"output", output}});
     if (const auto done = sharding.finished(common)) return *done;
-    cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
     const cli::Artefacts artefacts(prepared);
     artefacts.require_made_for(scene);

@@ -51,7 +51,7 @@ const auto& first_of(const List& list, const Options& options, const char* what)
 }
 
 std::string plan(const Options& options) {
-  const geom::BoxMap map = cli::open_map(options.map);
+  const geom::BoxMap map = cli::open_map(options.map, geom::Verified::extents);
   const cli::Contents contents = read(options, &map);
   const geom::Axes axes = map.spec().frame.axes;
   return plot::plan_view(map, plot::plan_trees(contents, axes), plot::plan_lines(contents, axes));
@@ -67,7 +67,7 @@ std::string tracking(const Options& options) {
 }
 
 std::string clearance(const Options& options) {
-  cli::Scenes scenes(cli::open_map(options.map), options.vehicle,
+  cli::Scenes scenes(cli::open_map(options.map, geom::Verified::extents), options.vehicle,
                      cli::Scenes::Differences::allowed);
   const cli::Contents contents = read(options, &scenes.map());
   if (scenes.map().size() == 0) {

@@ -167,8 +167,8 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
     // Questions may jump all over the map.
-    cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused,
-                       geom::CollisionOptions().budget);
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::refused, geom::CollisionOptions().budget);
     const geom::CollisionScene& scene = scenes.scene();
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);

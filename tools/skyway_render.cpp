@@ -72,7 +72,8 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     options.settle();
     cli::at_most_one_stdin(options.map, options.inputs);
-    const geom::BoxMap map = cli::open_map(options.map);
+    const geom::BoxMap map =
+        cli::open_map(options.map, geom::Verified::extents, common.execution("verify"));
     if (!options.ids.empty() && map.size() > kMostIds) {
       throw cli::UsageError(
           fmt::format("--ids: expected a map of at most {} boxes, found {}", kMostIds, map.size()));

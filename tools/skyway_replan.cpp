@@ -125,8 +125,8 @@ int main(int argc, char** argv) {
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, paths_file, artefact_files.lattice, artefact_files.roadmap});
-    cli::Scenes scenes(cli::open_map(map_file), vehicle,
-                       cli::Scenes::Differences::stricter_allowed);
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::stricter_allowed);
     const cli::Artefacts artefacts(artefact_files);
     const std::vector<geom::PathRecord> records =
         replan_each(read_paths(paths_file), scenes, artefacts, quality, common.execution("paths"));

@@ -25,7 +25,7 @@ std::string estimate(std::size_t boxes, double reach) {
 
 plan::Roadmap patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
                       const geom::Execution& run) {
-  const plan::Roadmap old = plan::read_roadmap(cli::open_archive(patch.artefact));
+  const plan::Roadmap old = plan::read_roadmap(patch.open(run));
   const geom::CollisionScene& scene = patch.scene(scenes, old.made_for);
   return plan::patch_roadmap(old, scene, patch.change(old.made_for, scene), run);
 }
@@ -70,7 +70,8 @@ int main(int argc, char** argv) {
     cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
     sharding.begin(app, {{"map", map_file}}, {{"output", output}});
     if (const auto done = sharding.finished(common)) return *done;
-    cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::refused);
     const geom::Execution run = common.execution("bends");
     const auto checked_size = [&](const geom::CollisionScene& scene) {
       const std::size_t boxes =

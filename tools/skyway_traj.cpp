@@ -100,7 +100,8 @@ int main(int argc, char** argv) {
     sharding.begin(app, {{"map", map_file}, {"paths", input}},
                    {{"output", output}, {"corridor-file", options.corridor_file}});
     if (const auto done = sharding.finished(common)) return *done;
-    cli::Scenes scenes(cli::open_map(map_file), vehicle, cli::Scenes::Differences::refused);
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::refused);
     const solving::Task task = options.task(scenes.profile());
     const Share share = read_share(input, sharding.shard());
     Outputs out{{output, "output", sharding}, std::nullopt};

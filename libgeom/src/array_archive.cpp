@@ -10,8 +10,8 @@
 #include "crc.h"
 #include "geom/error.h"
 #include "geom/mapped_file.h"
+#include "geom/parallel.h"
 #include "npy.h"
-#include "stretch.h"
 #include "zip_format.h"
 #include "zip_reader.h"
 #include "zip_writer.h"
@@ -104,19 +104,64 @@ const ArrayArchive::Entry& ArrayArchive::find(std::string_view array, std::strin
   throw InputError(name(), fmt::format("expected an array {}.npy, found none", array));
 }
 
-void ArrayArchive::verify() const {
-  const auto check = [&](std::string_view entry, std::uint32_t expected, std::uint32_t found) {
-    if (expected == found) return;
-    throw InputError(
-        name(), fmt::format("{}: expected CRC {:08x}, found {:08x}: the file is damaged", entry,
-                            expected, found));
-  };
-  check("meta.json", data_->meta_crc, crc32_of(std::as_bytes(std::span(data_->meta))));
-  for (const Entry& entry : data_->arrays) {
-    std::uint32_t crc = 0;
-    for_each_stretch(entry.stored, [&](auto bytes) { crc = crc32_of(bytes, crc); });
-    check(entry.name, entry.crc, crc);
+std::optional<FileState> ArrayArchive::file() const {
+  if (!data_->mapped) return std::nullopt;
+  return data_->mapped->state();
+}
+
+namespace {
+
+// Checksums of stretches of entries, on all threads; each entry's are one after the other.
+class Checksums {
+ public:
+  void add(std::string_view name, std::uint32_t expected, std::span<const std::byte> bytes) {
+    entries_.push_back({name, expected, stretches_.size()});
+    for (std::size_t at = 0; at < bytes.size(); at += kStretch) {
+      stretches_.push_back({bytes.subspan(at, std::min(kStretch, bytes.size() - at)), 0});
+    }
   }
+
+  void verify(const std::string& archive, const Execution& run) {
+    parallel_for(stretches_.size(), {run.threads, {}}, [&](std::size_t i) {
+      read_ahead(stretches_[i].bytes);
+      stretches_[i].crc = crc32_of(stretches_[i].bytes);
+      trim_mapped_files();
+    });
+    for (std::size_t e = 0; e < entries_.size(); ++e) {
+      const std::size_t end = e + 1 < entries_.size() ? entries_[e + 1].first : stretches_.size();
+      std::uint32_t found = 0;
+      for (std::size_t i = entries_[e].first; i < end; ++i) {
+        found = crc32_joined(found, stretches_[i].crc, stretches_[i].bytes.size());
+      }
+      if (found == entries_[e].expected) continue;
+      throw InputError(archive,
+                       fmt::format("{}: expected CRC {:08x}, found {:08x}: the file is damaged",
+                                   entries_[e].name, entries_[e].expected, found));
+    }
+  }
+
+ private:
+  static constexpr std::size_t kStretch = std::size_t{1} << 22;
+  struct Stretch {
+    std::span<const std::byte> bytes;
+    std::uint32_t crc;
+  };
+  struct Summed {
+    std::string_view name;
+    std::uint32_t expected;
+    std::size_t first;  // of its stretches
+  };
+  std::vector<Stretch> stretches_;
+  std::vector<Summed> entries_;
+};
+
+}  // namespace
+
+void ArrayArchive::verify(const Execution& run) const {
+  Checksums sums;
+  sums.add("meta.json", data_->meta_crc, std::as_bytes(std::span(data_->meta)));
+  for (const Entry& entry : data_->arrays) sums.add(entry.name, entry.crc, entry.stored);
+  sums.verify(name(), run);
 }
 
 }  // namespace geom

@@ -2,78 +2,17 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <cassert>
 #include <numeric>
 #include <tuple>
 
 #include "box_map_data.h"
-#include "geom/sha256.h"
+#include "map_hash.h"
+#include "tile_order.h"
+#include "verify_map.h"
 
 namespace geom {
 namespace {
-
-// Cell indices stay exact in a double and in 32 bits for kLargestCoordinate and tiles of 1 m.
-std::int32_t cell(double coordinate, double size) {
-  return static_cast<std::int32_t>(std::floor(coordinate / size));
-}
-
-struct Place {
-  bool small;  // false sorts first: the large tile opens the map
-  std::int32_t iy;
-  std::int32_t ix;
-
-  friend auto operator<=>(const Place&, const Place&) = default;
-};
-
-Place place_of(const Aabb& box, double size) {
-  const std::int32_t ix = cell(box.min.x(), size);
-  const std::int32_t iy = cell(box.min.y(), size);
-  const std::int64_t across = static_cast<std::int64_t>(cell(box.max.x(), size)) - ix + 1;
-  const std::int64_t along = static_cast<std::int64_t>(cell(box.max.y(), size)) - iy + 1;
-  if (across > 4 || along > 4 || across * along > 4) return {false, 0, 0};
-  return {true, iy, ix};
-}
-
-bool comes_before(const Aabb& a, const Aabb& b) {
-  for (int i = 0; i < 3; ++i) {
-    if (a.min[i] != b.min[i]) return a.min[i] < b.min[i];
-  }
-  for (int i = 0; i < 3; ++i) {
-    if (a.max[i] != b.max[i]) return a.max[i] < b.max[i];
-  }
-  return false;
-}
-
-void add_bytes(Sha256& sum, const void* data, std::size_t size) {
-  sum.update({static_cast<const std::byte*>(data), size});
-}
-
-std::string hash_of(const BoxMapSpec& spec, std::span<const Aabb> boxes) {
-  // Tiles sort by position, so the sorted boxes are put in one order that no tile size changes.
-  std::vector<std::size_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return comes_before(boxes[a], boxes[b]); });
-  Sha256 sum;
-  std::string head(name(spec.frame.axes));
-  head += '\n' + spec.frame.crs + '\n';
-  add_bytes(sum, head.data(), head.size());
-  if (spec.frame.origin) {
-    const double origin[] = {spec.frame.origin->latitude, spec.frame.origin->longitude,
-                             spec.frame.origin->height};
-    add_bytes(sum, origin, sizeof origin);
-  }
-  add_bytes(sum, &spec.bounds, sizeof spec.bounds);
-  for (const std::size_t i : order) add_bytes(sum, &boxes[i], sizeof boxes[i]);
-  return "sha256:" + sum.hex();
-}
-
-// -0 and 0 are one value and must be one byte pattern.
-Aabb canonical(Aabb box) {
-  box.min.array() += 0.0;
-  box.max.array() += 0.0;
-  return box;
-}
 
 std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable& table) {
   static_assert(sizeof(Aabb) == 6 * sizeof(double) && std::endian::native == std::endian::little);
@@ -110,24 +49,12 @@ std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable&
   data->boxes = own->boxes;
   data->ids = own->ids;
   data->label = own->label;
-  data->hash = hash_of(data->spec, data->boxes);
-  data->keep_alive = std::move(own);
+  data->hash = hash_of(data->spec, data->tiles, data->boxes, {});
+  data->owned = std::move(own);
   return data;
 }
 
 }  // namespace
-
-void BoxMap::Data::look_at(std::size_t tile) const {
-  if (!check || looked_at[tile].load(std::memory_order_acquire)) return;
-  check(tile);
-  looked_at[tile].store(true, std::memory_order_release);
-}
-
-void BoxMap::Data::look_at_all() const {
-  if (!check || all_looked_at.load(std::memory_order_acquire)) return;
-  for (std::size_t t = 0; t < tiles.size(); ++t) look_at(t);
-  all_looked_at.store(true, std::memory_order_release);
-}
 
 BoxMap::BoxMap(BoxMapSpec spec, const BoxTable& table)
     : data_(sorted_into_tiles(std::move(spec), table)) {}
@@ -135,22 +62,44 @@ BoxMap::BoxMap(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
 const BoxMapSpec& BoxMap::spec() const { return data_->spec; }
 std::size_t BoxMap::size() const { return data_->boxes.size(); }
+std::size_t BoxMap::tile_count() const { return data_->tiles.size(); }
 std::span<const Aabb> BoxMap::boxes() const {
-  data_->look_at_all();
+  require(Verified::extents);
   return data_->boxes;
 }
 std::span<const Aabb> BoxMap::boxes_of(std::size_t tile) const {
-  data_->look_at(tile);
+  require(Verified::extents);
   return data_->boxes.subspan(data_->tiles[tile].first, data_->tiles[tile].count);
 }
-const Aabb& BoxMap::box(std::size_t i) const { return data_->boxes[i]; }
+const Aabb& BoxMap::box(std::size_t i) const {
+  assert(verified() >= Verified::extents);
+  return data_->boxes[i];
+}
 std::span<const std::uint64_t> BoxMap::ids() const { return data_->ids; }
 std::span<const std::uint32_t> BoxMap::label() const {
-  data_->look_at_all();
+  require(Verified::extents);
   return data_->label;
 }
 const std::vector<std::string>& BoxMap::labels() const { return data_->labels; }
-std::span<const Tile> BoxMap::tiles() const { return data_->tiles; }
+std::span<const Tile> BoxMap::tiles() const {
+  require(Verified::extents);
+  return data_->tiles;
+}
 const std::string& BoxMap::hash() const { return data_->hash; }
+
+Verified BoxMap::verified() const { return data_->verified.load(std::memory_order_acquire); }
+
+void BoxMap::require(Verified level, const Execution& run) const {
+  if (verified() >= level) return;
+  const std::lock_guard lock(data_->verifying);
+  if (verified() < Verified::extents) {
+    verify_extents(*data_, run);
+    data_->verified.store(Verified::extents, std::memory_order_release);
+  }
+  if (verified() < level) {
+    verify_contents(*data_, run);
+    data_->verified.store(Verified::contents, std::memory_order_release);
+  }
+}
 
 }  // namespace geom

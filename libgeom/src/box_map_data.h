@@ -3,12 +3,14 @@
 // What a BoxMap shares: views of arrays that it owns or that a mapped file holds.
 
 #include <atomic>
-#include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geom/box_map.h"
+#include "geom/io/array_archive.h"
 
 namespace geom {
 
@@ -26,16 +28,11 @@ struct BoxMap::Data {
   std::span<const Aabb> boxes;
   std::span<const std::uint64_t> ids;
   std::span<const std::uint32_t> label;
-  std::shared_ptr<const void> keep_alive;  // whatever the spans point into
+  std::shared_ptr<const Owned> owned;   // what the spans point into, or
+  std::optional<ArrayArchive> archive;  // the file that does, and that is to be verified
 
-  // Throws where a value of that tile is wrong; empty where the values are our own. Looking twice
-  // is harmless, so threads need no more than the flags.
-  std::function<void(std::size_t tile)> check;
-  mutable std::vector<std::atomic<bool>> looked_at;  // one a tile
-  mutable std::atomic<bool> all_looked_at = false;
-
-  void look_at(std::size_t tile) const;
-  void look_at_all() const;
+  mutable std::mutex verifying;
+  mutable std::atomic<Verified> verified = Verified::contents;
 };
 
 }  // namespace geom

@@ -77,6 +77,9 @@ std::vector<std::string> labels_of(const JsonFields& meta) {
     if (!label.is_string()) meta.refuse("a label must be a string, found " + shown(label));
     labels.push_back(label.get<std::string>());
   }
+  if (labels.empty() || !labels.front().empty()) {
+    meta.refuse("the first of labels must be \"\", of boxes without one");
+  }
   return labels;
 }
 
@@ -106,27 +109,6 @@ BoxMapSpec spec_of(const JsonFields& meta) {
   if (!steps.is_array()) meta.refuse("history must be a list, found " + shown(steps));
   spec.history = steps.dump();
   return spec;
-}
-
-void check_tile(const std::string& source, const BoxMap::Data& data, std::size_t t) {
-  const Tile& tile = data.tiles[t];
-  for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-    const Aabb& box = data.boxes[i];
-    const bool ordered = (box.min.array() <= box.max.array()).all();  // false for NaN
-    const bool inside = (box.min.array() >= tile.extent.min.array()).all() &&
-                        (box.max.array() <= tile.extent.max.array()).all();
-    if (!ordered || !inside) {
-      throw InputError(source,
-                       fmt::format("box {} must be finite, with min <= max, inside the extent of "
-                                   "its tile {}; found [{}, {}, {}] to [{}, {}, {}]",
-                                   i, t, box.min[0], box.min[1], box.min[2], box.max[0], box.max[1],
-                                   box.max[2]));
-    }
-    if (data.label[i] >= data.labels.size()) {
-      throw InputError(source, fmt::format("label of box {} must be below {}, found {}", i,
-                                           data.labels.size(), data.label[i]));
-    }
-  }
 }
 
 void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
@@ -195,7 +177,7 @@ bool is_box_map(const ArrayArchive& archive) {
   return meta.text("format", "") == "skyway-boxmap";
 }
 
-BoxMap read_box_map(const ArrayArchive& archive) {
+BoxMap read_box_map(const ArrayArchive& archive, Verified known) {
   auto data = std::make_shared<BoxMap::Data>();
   const JsonFields meta = meta_fields(archive);
   require_box_map(meta);
@@ -206,16 +188,17 @@ BoxMap read_box_map(const ArrayArchive& archive) {
   data->boxes = {reinterpret_cast<const Aabb*>(boxes.data()), boxes.size() / 6};
   data->ids = archive.array<std::uint64_t>("ids");
   data->label = archive.array<std::uint32_t>("label");
+  if (meta.number("boxes") != static_cast<double>(data->boxes.size())) {
+    meta.refuse(fmt::format("boxes must be {}, as there are, found {}", data->boxes.size(),
+                            meta.number("boxes").value_or(0)));
+  }
   if (data->ids.size() != data->boxes.size() || data->label.size() != data->boxes.size()) {
     refuse(archive, fmt::format("ids and label must have {} entries, one a box, and have {} and {}",
                                 data->boxes.size(), data->ids.size(), data->label.size()));
   }
   read_tiles(archive, *data);
-  data->keep_alive = archive.keep_alive();
-  data->looked_at = std::vector<std::atomic<bool>>(data->tiles.size());
-  data->check = [name = archive.name(), raw = data.get()](std::size_t t) {
-    check_tile(name, *raw, t);
-  };
+  data->archive = archive;
+  data->verified = known;
   return BoxMap(data);
 }
 

@@ -49,6 +49,7 @@ std::size_t GroupScene::bytes() const {
 
 CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOptions& options)
     : map(std::move(m)), vehicle(std::move(v)), margin(mg), budget(options.budget) {
+  map.require(Verified::extents);  // one that lies would hide boxes from every query
   for (int i = 0; i < 3; ++i) {
     half[i] = vehicle.half[i] + margin;
     if (margin > 0) half[i] = std::nextafter(half[i], std::numeric_limits<double>::infinity());

@@ -39,6 +39,13 @@ std::size_t held(std::size_t mapped) {
   return shared * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
+std::int64_t nanoseconds(const timespec& t) { return t.tv_sec * 1000000000LL + t.tv_nsec; }
+
+FileState state_of(const struct stat& info) {
+  return {info.st_dev, info.st_ino, static_cast<std::uint64_t>(info.st_size),
+          nanoseconds(info.st_mtim), nanoseconds(info.st_ctim)};
+}
+
 }  // namespace
 
 MappedFile::MappedFile(const std::string& path) {
@@ -60,6 +67,7 @@ MappedFile::MappedFile(const std::string& path) {
   if (at == MAP_FAILED)
     throw std::system_error(error, std::generic_category(), "cannot map " + path);
   bytes_ = {static_cast<const std::byte*>(at), size};
+  state_ = state_of(info);
   const std::lock_guard lock(mappings().mutex);
   mappings().size[bytes_.data()] = size;
   mappings().total += size;
@@ -79,6 +87,23 @@ void trim_mapped_files(std::size_t most) {
     // Read-only pages of a file lose nothing; should this fail, they stay.
     static_cast<void>(madvise(const_cast<std::byte*>(at), size, MADV_DONTNEED));
   }
+}
+
+FileState state_of(const std::string& path) {
+  struct stat info {};
+  if (stat(path.c_str(), &info) != 0) {
+    throw std::system_error(errno, std::generic_category(), "cannot read " + path);
+  }
+  return state_of(info);
+}
+
+void read_ahead(std::span<const std::byte> bytes) {
+  if (bytes.empty()) return;
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto begin = reinterpret_cast<std::uintptr_t>(bytes.data()) / page * page;
+  const auto end = reinterpret_cast<std::uintptr_t>(bytes.data() + bytes.size());
+  // Advice: what fails is read all the same.
+  static_cast<void>(madvise(reinterpret_cast<void*>(begin), end - begin, MADV_WILLNEED));
 }
 
 }  // namespace geom

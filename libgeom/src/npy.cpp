@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geom/error.h"
+#include "geom/excerpt.h"
 #include "geom/io/bytes.h"
 #include "zip_format.h"
 
@@ -72,7 +73,7 @@ std::string npy_header(const NamedArray& array) {
 
 ArrayArchive::Entry read_npy(const ZipEntry& zip, const std::string& archive) {
   const auto refuse = [&](std::string_view message) {
-    throw InputError(archive, fmt::format("{}: {}", zip.name, message));
+    throw InputError(archive, fmt::format("{}: {}", excerpt(zip.name), message));
   };
   const std::string_view text(reinterpret_cast<const char*>(zip.bytes.data()), zip.bytes.size());
   if (text.size() < kDictAt || !text.starts_with(kNpyMark)) {
@@ -91,12 +92,13 @@ ArrayArchive::Entry read_npy(const ZipEntry& zip, const std::string& archive) {
   const auto shape = parse_shape(between(dict, "'shape': (", ')'));
   const std::size_t item = item_size(entry.dtype);
   if (item == 0 || !shape || dict.find("'fortran_order': False") == std::string_view::npos) {
-    refuse(fmt::format("expected a little-endian array in C order, found {}", dict));
+    refuse(fmt::format("expected a little-endian array in C order, found {}", excerpt(dict)));
   }
   entry.shape = *shape;
   if (!fits(entry.shape, item, entry.bytes.size())) {
-    refuse(fmt::format("the shape ({}) does not fit {} bytes of {}", fmt::join(entry.shape, ", "),
-                       entry.bytes.size(), entry.dtype));
+    refuse(fmt::format("the shape ({}) does not fit {} bytes of {}",
+                       excerpt(fmt::format("{}", fmt::join(entry.shape, ", "))), entry.bytes.size(),
+                       entry.dtype));
   }
   if (reinterpret_cast<std::uintptr_t>(entry.bytes.data()) % item != 0) {
     refuse("the data must be aligned in the file, and is not");

@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 
 #include "geom/error.h"
+#include "geom/excerpt.h"
 #include "zip_format.h"
 
 namespace geom {
 namespace {
+
+constexpr std::uint64_t kMostEntries = 65536;  // ours have a dozen
 
 // Little-endian numbers at checked places; nothing beyond the end.
 class Bytes {
@@ -115,17 +119,17 @@ std::span<const std::byte> find_data(const Bytes& in, const Directory& d, const 
                                      std::uint64_t size) {
   if (in.get<std::uint32_t>(entry.header, "a local header") != kLocalMark) {
     in.refuse(fmt::format("{}: expected a local header where the directory points, found none",
-                          entry.name));
+                          excerpt(entry.name)));
   }
   const auto local_name = in.get<std::uint16_t>(entry.header + 26, "a local header");
   const auto local_extra = in.get<std::uint16_t>(entry.header + 28, "a local header");
   if (in.text(entry.header + kLocalSize, local_name, "a local name") != entry.name) {
-    in.refuse(fmt::format("{}: the local header has another name", entry.name));
+    in.refuse(fmt::format("{}: the local header has another name", excerpt(entry.name)));
   }
   const std::uint64_t start = entry.header + kLocalSize + local_name + local_extra;
-  const auto data = in.part(start, size, entry.name.c_str());
+  const auto data = in.part(start, size, excerpt(entry.name).c_str());
   if (start + size > d.start) {
-    in.refuse(fmt::format("{}: the entry runs into the directory", entry.name));
+    in.refuse(fmt::format("{}: the entry runs into the directory", excerpt(entry.name)));
   }
   return data;
 }
@@ -152,29 +156,33 @@ ZipEntry read_entry(const Bytes& in, const Directory& d, std::uint64_t& at) {
   at += kCentralSize + name + extra + comment;
   if (method != 0 || extent.stored != extent.size) {
     in.refuse(fmt::format("{}: expected an entry stored without compression, found method {}",
-                          entry.name, method));
+                          excerpt(entry.name), method));
   }
   if (flags & 1)
-    in.refuse(fmt::format("{}: expected a plain entry, found an encrypted one", entry.name));
+    in.refuse(
+        fmt::format("{}: expected a plain entry, found an encrypted one", excerpt(entry.name)));
   entry.bytes = find_data(in, d, entry, extent.size);
   return entry;
 }
 
-// Refuses names that come twice, and overlaps of entries, which stand in the order of their places.
+// Refuses names that come twice.
+void check_names(const Bytes& in, const std::vector<ZipEntry>& entries) {
+  std::vector<std::string_view> names;
+  for (const ZipEntry& entry : entries) names.push_back(entry.name);
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice == names.end()) return;
+  in.refuse(fmt::format("{}: expected each entry once, found it twice", excerpt(*twice)));
+}
+
+// Refuses overlaps of entries, which stand in the order of their places.
 void check_apart(const Bytes& in, std::span<const std::byte> archive,
                  const std::vector<ZipEntry>& entries) {
   std::uint64_t end = 0;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    for (std::size_t k = i + 1; k < entries.size(); ++k) {
-      if (entries[k].name == entries[i].name) {
-        in.refuse(fmt::format("{}: expected each entry once, found it twice", entries[i].name));
-      }
-    }
-    if (end > entries[i].header) {
-      in.refuse(fmt::format("{}: overlaps the entry before it", entries[i].name));
-    }
-    end = static_cast<std::uint64_t>(entries[i].bytes.data() - archive.data()) +
-          entries[i].bytes.size();
+  for (const ZipEntry& entry : entries) {
+    if (end > entry.header)
+      in.refuse(fmt::format("{}: overlaps the entry before it", excerpt(entry.name)));
+    end = static_cast<std::uint64_t>(entry.bytes.data() - archive.data()) + entry.bytes.size();
   }
 }
 
@@ -183,12 +191,16 @@ void check_apart(const Bytes& in, std::span<const std::byte> archive,
 std::vector<ZipEntry> read_zip(std::span<const std::byte> archive, const std::string& name) {
   const Bytes in(archive, name);
   const Directory d = find_directory(in);
+  if (d.count > kMostEntries) {
+    in.refuse(fmt::format("expected a ZIP of at most {} entries, found {}", kMostEntries, d.count));
+  }
   std::vector<ZipEntry> entries;
   std::uint64_t at = d.start;
   for (std::uint64_t i = 0; i < d.count; ++i) entries.push_back(read_entry(in, d, at));
   if (at != d.start + d.size) in.refuse("the ZIP directory has another size than it says");
   std::sort(entries.begin(), entries.end(),
             [](const ZipEntry& a, const ZipEntry& b) { return a.header < b.header; });
+  check_names(in, entries);
   check_apart(in, archive, entries);
   return entries;
 }

@@ -8,7 +8,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [&](std::istream&) {
     const auto archive = geom::ArrayArchive::from_bytes(bytes, "fuzz");
     if (geom::is_box_map(archive)) {
-      geom::read_box_map(archive).boxes();
+      geom::read_box_map(archive).require(geom::Verified::contents);
     } else if (plan::is_roadmap(archive)) {
       plan::verify_roadmap(plan::read_roadmap(archive));
     } else {

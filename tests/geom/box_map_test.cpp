@@ -3,23 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
+#include "support/edited_map.h"
 #include "support/random_city.h"
 
 namespace geom {
 namespace {
 
-std::vector<std::byte> file_of(const BoxMap& map) {
-  std::ostringstream out;
-  write_box_map(out, map);
-  const std::string text = out.str();
-  std::vector<std::byte> bytes(text.size());
-  std::transform(text.begin(), text.end(), bytes.begin(), [](char c) { return std::byte(c); });
-  return bytes;
-}
+using support::file_of;
 
 TEST(BoxMap, EveryBoxLivesInOneTileThatCoversIt) {
   const BoxMap map = support::random_city(5, 500, 900);

@@ -21,7 +21,7 @@ void add_archive(const geom::ArrayArchive& archive, Contents& out) {
                                                "them with skyway-map join",
                                                out.map->source));
     }
-    out.map = {geom::read_box_map(archive), name, 0};
+    out.map = {open_map(archive, geom::Verified::extents), name, 0};
   } else if (plan::is_lattice(archive)) {
     out.lattices.push_back({plan::read_lattice(archive), name, 0});
   } else {

@@ -14,7 +14,7 @@ nlohmann::ordered_json describe(const geom::BoxMap& map) {
   nlohmann::ordered_json out = {{"type", "boxmap"},
                                 {"hash", map.hash()},
                                 {"boxes", map.size()},
-                                {"tiles", map.tiles().size()},
+                                {"tiles", map.tile_count()},
                                 {"tile_size_m", spec.tile_size},
                                 {"frame", geom::name(spec.frame.axes)},
                                 {"bounds_min_m", corner(spec.bounds.min)},

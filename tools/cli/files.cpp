@@ -13,12 +13,14 @@
 #include <iterator>
 #include <streambuf>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
 #include "run.h"
+#include "verified_mark.h"
 
 namespace cli {
 namespace {
@@ -134,7 +136,27 @@ geom::ArrayArchive open_archive(const std::string& path) {
   return geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "stdin");
 }
 
-geom::BoxMap open_map(const std::string& path) { return geom::read_box_map(open_archive(path)); }
+geom::Execution all_cores() { return {std::max(1u, std::thread::hardware_concurrency()), {}}; }
+
+geom::BoxMap open_map(const std::string& path, geom::Verified level, const geom::Execution& run) {
+  return open_map(open_archive(path), level, run);
+}
+
+geom::BoxMap open_map(const geom::ArrayArchive& archive, geom::Verified level,
+                      const geom::Execution& run) {
+  const auto file = archive.file();
+  if (!file) {  // it was read from a stream
+    geom::BoxMap map = geom::read_box_map(archive);
+    map.require(level, run);
+    return map;
+  }
+  geom::BoxMap map = geom::read_box_map(archive, marked(*file));
+  if (map.verified() < level) {
+    map.require(level, run);
+    mark(archive.name(), *file, level, clock_now());
+  }
+  return map;
+}
 
 struct OutputFile::Sink {
   DescriptorBuffer buffer;

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "geom/box_map.h"
+#include "geom/execution.h"
 #include "geom/io/array_archive.h"
 
 namespace cli {
@@ -36,7 +37,15 @@ class InputFile {
 };
 
 geom::ArrayArchive open_archive(const std::string& path);  // mapped; "-" is read into memory
-geom::BoxMap open_map(const std::string& path);
+
+geom::Execution all_cores();
+
+// A map that was verified so far: held against its file once, and not again while the file stays as
+// it is (verified_mark.h).
+geom::BoxMap open_map(const std::string& path, geom::Verified level,
+                      const geom::Execution& run = all_cores());
+geom::BoxMap open_map(const geom::ArrayArchive& archive, geom::Verified level,
+                      const geom::Execution& run = all_cores());
 
 enum class OutputKind { text, artefact };  // an artefact is refused where a terminal would get it
 

@@ -57,7 +57,7 @@ void write_map(const Common& common, const std::string& output, const geom::Made
   stats.update({{"boxes", made.map.size()},
                 {"sealed", made.sealed},
                 {"beyond", made.beyond},
-                {"tiles", made.map.tiles().size()},
+                {"tiles", made.map.tile_count()},
                 {"hash", made.map.hash()}});
   common.write_stats(std::move(stats));
 }

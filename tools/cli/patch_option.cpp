@@ -19,6 +19,12 @@ void PatchOptions::add_to(CLI::App& app, const std::string& kind,
   for (CLI::Option* option : excluded) patch->excludes(option);
 }
 
+geom::ArrayArchive PatchOptions::open(const geom::Execution& run) const {
+  geom::ArrayArchive archive = open_archive(artefact);
+  archive.verify(run);
+  return archive;
+}
+
 const geom::CollisionScene& PatchOptions::scene(Scenes& scenes, geom::Provenance made_for) const {
   made_for.map.reset();  // the old one
   return scenes.scene_for(made_for, artefact, 0);
@@ -26,7 +32,7 @@ const geom::CollisionScene& PatchOptions::scene(Scenes& scenes, geom::Provenance
 
 plan::MapChange PatchOptions::change(const geom::Provenance& made_for,
                                      const geom::CollisionScene& scene) const {
-  const geom::BoxMap old = open_map(old_map);
+  const geom::BoxMap old = open_map(old_map, geom::Verified::contents);
   if (made_for.map != old.hash()) {
     throw geom::InputError(artefact, fmt::format("was made for another map than {}", old_map));
   }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/vehicle_option.h"
+#include "geom/io/array_archive.h"
 #include "plan/patch.h"
 
 namespace cli {
@@ -18,6 +19,9 @@ struct PatchOptions {
   // `kind` in words, for the help; the artefact itself says what `excluded` would.
   void add_to(CLI::App& app, const std::string& kind, std::initializer_list<CLI::Option*> excluded);
   bool asked() const { return !artefact.empty(); }
+
+  // The artefact, undamaged: what is copied of it gets new checksums.
+  geom::ArrayArchive open(const geom::Execution& run) const;
 
   // The new map's scene for what the artefact was made for; options must agree with it.
   const geom::CollisionScene& scene(Scenes& scenes, geom::Provenance made_for) const;

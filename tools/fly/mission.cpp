@@ -33,13 +33,14 @@ struct Flown {
 
 }  // namespace
 
-Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle, const std::string& map)
+Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle,
+                 const std::optional<geom::BoxMap>& map)
     : options_(options), profile_(*vehicle.profile()), flight_(options.flight(profile_)) {
-  if (map.empty()) return;
+  if (!map) return;
   // A record's margin was kept for what happens here, so it is not asked for again.
   cli::VehicleOptions flown = vehicle;
   flown.margin = vehicle.margin.value_or(0);
-  scenes_.emplace(cli::open_map(map), flown, cli::Scenes::Differences::allowed);
+  scenes_.emplace(*map, flown, cli::Scenes::Differences::allowed);
 }
 
 const geom::CollisionScene& Mission::scene_for(const Entry& entry) {

@@ -25,8 +25,8 @@ struct Tally {
 
 class Mission {
  public:
-  // `map` may be empty.
-  Mission(const Options& options, const cli::VehicleOptions& vehicle, const std::string& map);
+  Mission(const Options& options, const cli::VehicleOptions& vehicle,
+          const std::optional<geom::BoxMap>& map);
 
   // Those trajectories that the shard takes. Returns how many there are.
   std::size_t read(cli::InputFile& file, const geom::Shard& shard);

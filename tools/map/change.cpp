@@ -62,8 +62,8 @@ std::string line_of(const char* change, const Entry& entry) {
 cli::Exit run_diff(const std::string& before, const std::string& after, const std::string& output,
                    const cli::Common& common) {
   cli::at_most_one_stdin({before, after});
-  const BoxMap a = cli::open_map(before);
-  const BoxMap b = cli::open_map(after);
+  const BoxMap a = open(before, common);
+  const BoxMap b = open(after, common);
   const bool same_place = a.spec().frame == b.spec().frame;
   const bool same_bounds = a.spec().bounds == b.spec().bounds;
   const auto was = entries(a);
@@ -176,7 +176,7 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
     throw cli::UsageError("give --add, --remove or --keep-out");
   }
   cli::at_most_one_stdin({files.map, changes.add, changes.keep_out});
-  const BoxMap map = cli::open_map(files.map);
+  const BoxMap map = open(files.map, common);
   BoxTable table = geom::table_of(map);
   Json step = {{"tool", "skyway-map patch"}, {"input", map.hash()}};
   Json stats;

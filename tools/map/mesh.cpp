@@ -117,7 +117,8 @@ std::vector<geom::MeshPart> parts_of(const geom::BoxMap& map, const cli::Content
 
 using Write = void (*)(std::ostream&, std::span<const geom::MeshPart>);
 
-Verb mesh_verb(CLI::App& app, const char* name, const char* what, Write write) {
+Verb mesh_verb(CLI::App& app, const cli::Common& common, const char* name, const char* what,
+               Write write) {
   struct More {
     std::vector<std::string> inputs;
     double radius = 0.3;
@@ -130,9 +131,9 @@ Verb mesh_verb(CLI::App& app, const char* name, const char* what, Write write) {
   verb->add_option("--radius", more->radius, "of their lines, metres")
       ->check(CLI::Range(1e-6, 1e6))
       ->capture_default_str();
-  return {verb, [=] {
+  return {verb, [=, &common] {
             cli::at_most_one_stdin(files->map, more->inputs);
-            const geom::BoxMap map = cli::open_map(files->map);
+            const geom::BoxMap map = open(files->map, common);
             cli::Contents contents = cli::read_contents(more->inputs, kKinds);
             cli::require_same_map(contents, &map);
             cli::drop_failed(contents);
@@ -146,14 +147,15 @@ Verb mesh_verb(CLI::App& app, const char* name, const char* what, Write write) {
 
 }  // namespace
 
-Verb to_ply(CLI::App& app, const cli::Common&) {
-  return mesh_verb(app, "to-ply",
+Verb to_ply(CLI::App& app, const cli::Common& common) {
+  return mesh_verb(app, common, "to-ply",
                    "write boxes and what was planned as triangles (binary PLY, east north up)",
                    geom::write_ply);
 }
 
-Verb to_gltf(CLI::App& app, const cli::Common&) {
-  return mesh_verb(app, "to-gltf", "write boxes and what was planned as meshes (binary glTF, .glb)",
+Verb to_gltf(CLI::App& app, const cli::Common& common) {
+  return mesh_verb(app, common, "to-gltf",
+                   "write boxes and what was planned as meshes (binary glTF, .glb)",
                    geom::write_glb);
 }
 

@@ -30,8 +30,8 @@ Json step_of(const char* verb, const BoxMap& input) {
   return {{"tool", std::string("skyway-map ") + verb}, {"input", input.hash()}};
 }
 
-void run_crop(const Files& files, const Aabb& region) {
-  const BoxMap map = cli::open_map(files.map);
+void run_crop(const Files& files, const Aabb& region, const cli::Common& common) {
+  const BoxMap map = open(files.map, common);
   geom::BoxMapSpec spec = map.spec();
   spec.bounds = {spec.bounds.min.cwiseMax(region.min), spec.bounds.max.cwiseMin(region.max)};
   if ((spec.bounds.min.array() >= spec.bounds.max.array()).any()) {
@@ -43,16 +43,17 @@ void run_crop(const Files& files, const Aabb& region) {
   write(files.output, spec, geom::table_of(map, &region), step);
 }
 
-void run_join(const std::vector<std::string>& names, const std::string& output) {
+void run_join(const std::vector<std::string>& names, const std::string& output,
+              const cli::Common& common) {
   cli::at_most_one_stdin({names[0]});
-  const BoxMap first = cli::open_map(names[0]);
+  const BoxMap first = open(names[0], common);
   geom::BoxMapSpec spec = first.spec();
   BoxTable table = geom::table_of(first);
   Json step = step_of("join", first);
   Json others = Json::array();
   for (std::size_t i = 1; i < names.size(); ++i) {
     if (names[i] == "-") throw cli::UsageError("only the first map may be stdin");
-    const BoxMap other = cli::open_map(names[i]);
+    const BoxMap other = open(names[i], common);
     others.push_back(other.hash());
     geom::append(table, geom::in_frame(spec.frame, other, names[i]));
     // Bounds move as a box does.
@@ -70,7 +71,7 @@ void run_join(const std::vector<std::string>& names, const std::string& output) 
 }
 
 void run_merge(const Files& files, const cli::Common& common) {
-  const BoxMap map = cli::open_map(files.map);
+  const BoxMap map = open(files.map, common);
   const geom::Merged merged = geom::merge(geom::table_of(map));
   write(files.output, map.spec(), merged.table, step_of("merge", map));
   common.warn(fmt::format("{}: {} boxes become {}: {} were contained, {} joined", files.map,
@@ -82,7 +83,7 @@ void run_merge(const Files& files, const cli::Common& common) {
 }
 
 void run_simplify(const Files& files, double slack, const cli::Common& common) {
-  const BoxMap map = cli::open_map(files.map);
+  const BoxMap map = open(files.map, common);
   const geom::Simplified simple =
       geom::simplify(geom::table_of(map), slack, common.execution("simplify"));
   Json step = step_of("simplify", map);
@@ -99,8 +100,8 @@ void run_simplify(const Files& files, double slack, const cli::Common& common) {
                       {"tried", simple.tried}});
 }
 
-void run_inflate(const Files& files, double by) {
-  const BoxMap map = cli::open_map(files.map);
+void run_inflate(const Files& files, double by, const cli::Common& common) {
+  const BoxMap map = open(files.map, common);
   BoxTable table = geom::table_of(map);
   for (Aabb& box : table.boxes) box = geom::grow(box, geom::Vec3::Constant(by));
   Json step = step_of("inflate", map);
@@ -108,8 +109,8 @@ void run_inflate(const Files& files, double by) {
   write(files.output, map.spec(), table, step);
 }
 
-void run_tile(const Files& files, double size) {
-  const BoxMap map = cli::open_map(files.map);
+void run_tile(const Files& files, double size, const cli::Common& common) {
+  const BoxMap map = open(files.map, common);
   geom::BoxMapSpec spec = map.spec();
   spec.tile_size = size;
   Json step = step_of("tile", map);
@@ -127,6 +128,10 @@ CLI::App* Files::add(CLI::App& app, const char* name, const char* description) {
   return verb;
 }
 
+geom::BoxMap open(const std::string& map, const cli::Common& common) {
+  return cli::open_map(map, geom::Verified::contents, common.execution("verify"));
+}
+
 void write(const std::string& output, geom::BoxMapSpec spec, const BoxTable& table, Json step) {
   Json history =
       geom::parse_ordered_json(spec.history.empty() ? "[]" : spec.history, "the map's history");
@@ -138,18 +143,18 @@ void write(const std::string& output, geom::BoxMapSpec spec, const BoxTable& tab
   out.commit();
 }
 
-Verb crop(CLI::App& app, const cli::Common&) {
+Verb crop(CLI::App& app, const cli::Common& common) {
   auto files = std::make_shared<Files>();
   auto region = std::make_shared<std::optional<Aabb>>();
   CLI::App* verb = files->add(app, "crop", "keep the boxes that meet a region");
   cli::add_box(*verb, "--bounds", *region, "the region to keep")->required();
-  return {verb, [=] {
-            run_crop(*files, **region);
+  return {verb, [=, &common] {
+            run_crop(*files, **region, common);
             return cli::Exit::yes;
           }};
 }
 
-Verb join(CLI::App& app, const cli::Common&) {
+Verb join(CLI::App& app, const cli::Common& common) {
   auto names = std::make_shared<std::vector<std::string>>();
   auto output = std::make_shared<std::string>("-");
   CLI::App* verb = app.add_subcommand(
@@ -159,8 +164,8 @@ Verb join(CLI::App& app, const cli::Common&) {
       ->required()
       ->expected(2, 10000);
   verb->add_option("-o,--output", *output, "file to write (default: stdout)");
-  return {verb, [=] {
-            run_join(*names, *output);
+  return {verb, [=, &common] {
+            run_join(*names, *output, common);
             return cli::Exit::yes;
           }};
 }
@@ -187,24 +192,24 @@ Verb simplify(CLI::App& app, const cli::Common& common) {
           }};
 }
 
-Verb inflate(CLI::App& app, const cli::Common&) {
+Verb inflate(CLI::App& app, const cli::Common& common) {
   auto files = std::make_shared<Files>();
   auto by = std::make_shared<double>(0);
   CLI::App* verb = files->add(app, "inflate", "grow every box on every side");
   verb->add_option("--by", *by, "metres")->required()->check(CLI::Range(0.0, 1e4));
-  return {verb, [=] {
-            run_inflate(*files, *by);
+  return {verb, [=, &common] {
+            run_inflate(*files, *by, common);
             return cli::Exit::yes;
           }};
 }
 
-Verb tile(CLI::App& app, const cli::Common&) {
+Verb tile(CLI::App& app, const cli::Common& common) {
   auto files = std::make_shared<Files>();
   auto size = std::make_shared<double>(100);
   CLI::App* verb = files->add(app, "tile", "the same map in tiles of another size");
   verb->add_option("--size", *size, "metres")->required()->check(CLI::Range(1.0, 1e6));
-  return {verb, [=] {
-            run_tile(*files, *size);
+  return {verb, [=, &common] {
+            run_tile(*files, *size, common);
             return cli::Exit::yes;
           }};
 }

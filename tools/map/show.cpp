@@ -53,7 +53,7 @@ Json description(const BoxMap& map, bool all) {
 
 }  // namespace
 
-Verb info(CLI::App& app, const cli::Common&) {
+Verb info(CLI::App& app, const cli::Common& common) {
   struct Flags {
     bool json = false;
     bool all = false;
@@ -63,8 +63,9 @@ Verb info(CLI::App& app, const cli::Common&) {
   CLI::App* verb = files->add(app, "info", "print what is in the map");
   verb->add_flag("--json", flags->json, "as one JSON object");
   verb->add_flag("--all", flags->all, "count overlaps on maps of over a million boxes too");
-  return {verb, [=] {
-            const BoxMap map = cli::open_map(files->map);
+  return {verb, [=, &common] {
+            const BoxMap map =
+                cli::open_map(files->map, geom::Verified::extents, common.execution("verify"));
             const Json out = description(map, flags->all);
             cli::OutputFile file(files->output, cli::OutputKind::text);
             file.stream() << (flags->json ? out.dump() + '\n' : cli::as_lines(out));
@@ -73,11 +74,11 @@ Verb info(CLI::App& app, const cli::Common&) {
           }};
 }
 
-Verb to_csv(CLI::App& app, const cli::Common&) {
+Verb to_csv(CLI::App& app, const cli::Common& common) {
   auto files = std::make_shared<Files>();
   CLI::App* verb = files->add(app, "to-csv", "write the boxes as box CSV");
-  return {verb, [=] {
-            const BoxMap map = cli::open_map(files->map);
+  return {verb, [=, &common] {
+            const BoxMap map = open(files->map, common);
             cli::OutputFile out(files->output, cli::OutputKind::text);
             geom::write_box_csv(out.stream(), geom::table_of(map));
             out.commit();

@@ -37,6 +37,9 @@ struct Files {
   CLI::App* add(CLI::App& app, const char* name, const char* description);
 };
 
+// A map to make another thing of, which will stand for it: so all of it is verified.
+geom::BoxMap open(const std::string& map, const cli::Common& common);
+
 // Writes a map made of another, with one more step in its history.
 void write(const std::string& output, geom::BoxMapSpec spec, const geom::BoxTable& table,
            nlohmann::ordered_json step);

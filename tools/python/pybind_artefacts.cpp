@@ -60,7 +60,10 @@ void bind_map(py::module_& module) {
       .def_property_readonly("tile_size", [](const BoxMap& map) { return map.spec().tile_size; })
       .def_property_readonly("history",
                              [](const BoxMap& map) { return from_json(map.spec().history); });
-  module.def("read_box_map", &cli::open_map, py::arg("path"));
+  module.def(
+      "read_box_map",
+      [](const std::string& path) { return cli::open_map(path, geom::Verified::extents); },
+      py::arg("path"), py::call_guard<py::gil_scoped_release>());
 }
 
 // The masks of all nodes, x fastest: what docs/formats.md packs, and bit 31 for the node itself.

@@ -136,6 +136,10 @@ traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record,
 py::object check(const Scene& self, const py::object& what, const py::object& limits, bool exact) {
   std::string line;
   const traj::Limits asked = limits_from(limits);
+  {
+    const py::gil_scoped_release released;
+    self.scene.map().require(geom::Verified::contents, on_threads(0));
+  }
   if (py::isinstance<traj::TrajectoryRecord>(what)) {
     const auto& record = what.cast<const traj::TrajectoryRecord&>();
     const py::gil_scoped_release released;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geom/aabb.h"
+#include "geom/execution.h"
 #include "geom/frame.h"
 
 namespace geom {
@@ -38,30 +39,48 @@ struct BoxMapSpec {
   std::string history;      // one JSON array: a line of options and input hashes per step
 };
 
+// How much of what a map's file says of itself was held against what it holds (docs/formats.md,
+// "Trust"). Each includes those before it.
+enum class Verified : std::uint8_t {
+  nothing,  // the directory, shapes, types and ranges, as reading does
+  extents,  // every box is finite, has min <= max and lies in its tile's extent; its label exists
+  contents  // every checksum; each box is in its tile, in order; the hash is that of the map
+};
+
 // Immutable and cheap to copy: the arrays are shared (mapped from a file, or owned). Boxes are
 // ordered by tile (large first, then by iy, ix), in a tile by (min, max, id), so equal content
-// gives equal bytes. Threads may read one at once. The values of a mapped file are looked at tile
-// by tile when boxes_of(), boxes() or label() first gives them out: those throw InputError where
-// one is wrong (not finite, inverted, beyond its tile's extent, an unknown label).
+// gives equal bytes. Threads may read one at once.
+//
+// A map from a file is believed no further than it was verified: tiles(), boxes(), boxes_of() and
+// label() verify the extents first, whoever asks, and throw InputError where one is wrong. What
+// decides for good (a proof, a map made of this one) calls require(Verified::contents).
 class BoxMap {
  public:
   // Sorts `table` into tiles. No box may be inverted or not finite (precondition).
   BoxMap(BoxMapSpec spec, const BoxTable& table);
 
   const BoxMapSpec& spec() const;
-  std::size_t size() const;             // how many boxes
-  std::span<const Aabb> boxes() const;  // all of them: reads the whole map
+  std::size_t size() const;        // how many boxes
+  std::size_t tile_count() const;  // how many tiles
+  std::span<const Aabb> boxes() const;
   std::span<const Aabb> boxes_of(std::size_t tile) const;
-  const Aabb& box(std::size_t i) const;  // of a tile that was given out before; not looked at
+  const Aabb& box(std::size_t i) const;  // precondition: the extents are verified
   std::span<const std::uint64_t> ids() const;
   std::span<const std::uint32_t> label() const;
   const std::vector<std::string>& labels() const;
   std::span<const Tile> tiles() const;
 
-  // "sha256:" and 64 hexadecimal digits: SHA-256 of frame, bounds and the sorted boxes.
+  // "sha256:" and 64 hexadecimal digits: SHA-256 of frame, bounds and the sorted boxes. A claim of
+  // the file's until its contents are verified.
   const std::string& hash() const;
 
-  struct Data;  // box_map.cpp and box_map_file.cpp only
+  // Verifies what is not yet: reads all boxes for the extents, all bytes for the contents. Throws
+  // InputError at the first that is wrong, whatever the threads. Once for all copies; threads may
+  // call it at once. A map that was made here is verified.
+  void require(Verified level, const Execution& run = {}) const;
+  Verified verified() const;
+
+  struct Data;  // box_map.cpp, box_map_file.cpp and verify_map.cpp only
   explicit BoxMap(std::shared_ptr<const Data> data);
   const Data& data() const { return *data_; }
 

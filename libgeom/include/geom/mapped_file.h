@@ -3,10 +3,23 @@
 // Files mapped into memory, and how much of it they take.
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 
 namespace geom {
+
+// What tells one state of a file from another: where it lies, its length, and when its contents and
+// what the system keeps of it last changed, in nanoseconds since 1970.
+struct FileState {
+  std::uint64_t device = 0;
+  std::uint64_t inode = 0;
+  std::uint64_t size = 0;
+  std::int64_t modified = 0;
+  std::int64_t changed = 0;
+
+  friend bool operator==(const FileState&, const FileState&) = default;
+};
 
 // A regular file, read-only. Throws std::system_error where it cannot be read, InputError where it
 // is empty or no regular file.
@@ -18,9 +31,11 @@ class MappedFile {
   MappedFile& operator=(const MappedFile&) = delete;
 
   std::span<const std::byte> bytes() const { return bytes_; }
+  const FileState& state() const { return state_; }  // as it was opened
 
  private:
   std::span<const std::byte> bytes_;
+  FileState state_;
 };
 
 inline constexpr std::size_t kMappedKept = std::size_t{1} << 25;  // 32 MB
@@ -31,5 +46,11 @@ inline constexpr std::size_t kMappedKept = std::size_t{1} << 25;  // 32 MB
 // from any thread at any time; cheap where little is mapped. Call it now and then in work that
 // touches ever more of a big file.
 void trim_mapped_files(std::size_t most = kMappedKept);
+
+// The state of the file of that name; throws std::system_error where there is none.
+FileState state_of(const std::string& path);
+
+// Tells the system that these bytes of a MappedFile are read next. Changes no answer.
+void read_ahead(std::span<const std::byte> bytes);
 
 }  // namespace geom

@@ -6,11 +6,15 @@
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+#include "geom/execution.h"
+#include "geom/mapped_file.h"
 
 namespace geom {
 
@@ -30,7 +34,7 @@ constexpr std::string_view dtype_of() {
 struct NamedArray {
   std::string name;  // without ".npy"
   std::string dtype;
-  std::vector<std::size_t> shape;  // C order
+  std::vector<std::size_t> shape;                  // C order
   std::vector<std::span<const std::byte>> pieces;  // one after the other
 };
 
@@ -78,7 +82,10 @@ class ArrayArchive {
     return {reinterpret_cast<const T*>(entry.bytes.data()), entry.bytes.size() / sizeof(T)};
   }
 
-  void verify() const;  // every checksum; InputError where one differs
+  // Every checksum; InputError at the first that differs.
+  void verify(const Execution& run = {}) const;
+
+  std::optional<FileState> file() const;  // where it is mapped: as it was opened
   std::shared_ptr<const void> keep_alive() const;
 
  private:

@@ -1,0 +1,99 @@
+#include "geom/io/array_archive.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <numeric>
+#include <sstream>
+
+#include "geom/error.h"
+#include "geom/io/bytes.h"
+#include "support/edited_map.h"
+#include "support/refusal.h"
+
+namespace geom {
+namespace {
+
+// Small arrays of these names, one after the other.
+std::vector<std::byte> archive_of(const std::vector<std::string>& names) {
+  const std::vector<std::uint8_t> values = {1, 2, 3};
+  std::vector<NamedArray> arrays;
+  for (const std::string& name : names) {
+    arrays.push_back(named_array<std::uint8_t>(name, std::span(values)));
+  }
+  std::ostringstream out;
+  write_array_archive(out, "{}", arrays);
+  return support::bytes_of(out.str());
+}
+
+std::vector<std::string> numbered(std::size_t count) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) names.push_back("a" + std::to_string(i));
+  return names;
+}
+
+TEST(ArrayArchive, ReadsManyEntriesInATimeThatGrowsWithTheirNumber) {
+  const auto bytes = archive_of(numbered(60000));
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(ArrayArchive::from_bytes(bytes, "a").arrays().size(), 60000u);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+}
+
+TEST(ArrayArchive, RefusesADirectoryOfMoreEntriesThanAnyFileOfOurs) {
+  const auto bytes = archive_of(numbered(300000));
+  const std::string message = support::refusal_of([&] { ArrayArchive::from_bytes(bytes, "a"); });
+  EXPECT_NE(message.find("at most 65536 entries, found 300001"), std::string::npos) << message;
+}
+
+TEST(ArrayArchive, RefusesANameThatComesTwice) {
+  auto names = numbered(500);
+  names[400] = names[7];
+  const auto bytes = archive_of(names);
+  const std::string message = support::refusal_of([&] { ArrayArchive::from_bytes(bytes, "a"); });
+  EXPECT_NE(message.find("a7.npy: expected each entry once"), std::string::npos) << message;
+}
+
+TEST(ArrayArchive, ShowsNamesOfEntriesShortAndWithoutControlBytes) {
+  const std::string name = "\x1b[2J" + std::string(5000, 'x');
+  const auto bytes = archive_of({name, name});
+  const std::string message = support::refusal_of([&] { ArrayArchive::from_bytes(bytes, "a"); });
+  EXPECT_NE(message.find("found it twice"), std::string::npos);
+  EXPECT_EQ(message.find('\x1b'), std::string::npos);
+  EXPECT_LT(message.size(), 200u);
+}
+
+TEST(ArrayArchive, RefusesEntriesThatOverlap) {
+  // The directory's second entry (after meta.json) is pointed at the third, of the same name
+  // length.
+  auto bytes = archive_of({"a", "b"});
+  const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::size_t at = text.rfind("PK\x01\x02", text.rfind("b.npy"));
+  const std::size_t before = text.rfind("PK\x01\x02", at - 1);
+  ASSERT_NE(before, std::string::npos);
+  std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at) + 42, 4,
+              bytes.begin() + static_cast<std::ptrdiff_t>(before) + 42);
+  EXPECT_THROW(ArrayArchive::from_bytes(bytes, "a"), InputError);
+}
+
+TEST(ArrayArchive, VerifiesWhatSpansManyStretchesOnAnyThreads) {
+  std::vector<std::uint64_t> values(3 << 20);  // 24 MB
+  std::iota(values.begin(), values.end(), 0);
+  const NamedArray arrays[] = {named_array<std::uint64_t>("v", std::span(values))};
+  std::ostringstream out;
+  write_array_archive(out, "{}", arrays);
+  auto bytes = support::bytes_of(out.str());
+  for (const unsigned threads : {1u, 3u}) {
+    EXPECT_NO_THROW(ArrayArchive::from_bytes(bytes, "a").verify({threads, {}}));
+  }
+  for (const std::size_t at : {std::size_t{1000}, bytes.size() / 2, bytes.size() - 1000}) {
+    auto damaged = bytes;
+    damaged[at] ^= std::byte{16};
+    for (const unsigned threads : {1u, 3u}) {
+      const auto archive = ArrayArchive::from_bytes(damaged, "a");
+      EXPECT_THROW(archive.verify({threads, {}}), InputError) << at;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace geom

@@ -1,0 +1,27 @@
+#pragma once
+
+// Remembers which state of a map's file was verified, and how far, so that it is read once. Marks
+// are small files in the user's own cache, never beside the map: who sends a map sends no mark.
+
+#include <cstdint>
+#include <string>
+
+#include "geom/box_map.h"
+#include "geom/mapped_file.h"
+
+namespace cli {
+
+// How far this state of a file was verified: nothing where there is no mark of it, or one that
+// cannot be read, is malformed, belongs to another user or could be written by one.
+geom::Verified marked(const geom::FileState& file);
+
+// Leaves a mark, in place of an older one of that file. Quietly not where there is no cache to
+// write to, where `path` is no longer in this state, or where it changed so recently that it could
+// change again without a difference in its times. At most some hundred marks are kept. `now` is in
+// nanoseconds since 1970.
+void mark(const std::string& path, const geom::FileState& file, geom::Verified level,
+          std::int64_t now);
+
+std::int64_t clock_now();  // by the system's clock
+
+}  // namespace cli
