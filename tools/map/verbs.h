@@ -37,8 +37,8 @@ struct Files {
   CLI::App* add(CLI::App& app, const char* name, const char* description);
 };
 
-// Writes a map made of another, with one more step in its history.
-void write(const std::string& output, geom::BoxMapSpec spec, const geom::BoxTable& table,
+// Writes a map made of files.map, whose place it may take, with one more step in its history.
+void write(const Files& files, geom::BoxMapSpec spec, const geom::BoxTable& table,
            nlohmann::ordered_json step);
 
 }  // namespace verbs
