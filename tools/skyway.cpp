@@ -7,10 +7,14 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "cli/completion.h"
+#include "cli/run.h"
+#include "cli/standard_streams.h"
 
 namespace {
 
@@ -38,27 +42,36 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"info", "say what is in a file"},
 };
 
-void print_verbs(std::FILE* to) {
-  fmt::print(to, "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n");
-  for (const auto& [verb, what] : kVerbs) fmt::print(to, "  {:<17} {}\n", verb, what);
+std::string usage() {
+  std::string text = "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n";
+  for (const auto& [verb, what] : kVerbs) text += fmt::format("  {:<17} {}\n", verb, what);
+  return text;
+}
+
+int answer(std::string_view text) {
+  try {
+    cli::print(text);
+    return 0;
+  } catch (const std::system_error& error) {
+    cli::complain("skyway", error.what());
+    return 4;
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  cli::prepare_standard_streams();
   const std::string verb = argc > 1 ? argv[1] : "";
   if (verb == "help" || verb == "--help" || verb == "-h") {
-    print_verbs(stdout);
-    return 0;
+    return answer(usage());
   }
   if (verb == "--version") {
-    fmt::print("skyway " SKYWAY_VERSION "\n");
-    return 0;
+    return answer("skyway " SKYWAY_VERSION "\n");
   }
   if (const auto shell =
           verb == "--completion" && argc == 3 ? cli::shell_from(argv[2]) : std::nullopt) {
-    fmt::print("{}", cli::completion("skyway", kVerbs, *shell));
-    return 0;
+    return answer(cli::completion("skyway", kVerbs, *shell));
   }
   for (const auto& [known, what] : kVerbs) {
     if (verb != known) continue;
@@ -72,10 +85,10 @@ int main(int argc, char** argv) {
     arguments.push_back(nullptr);
     if (!error) execv(beside.c_str(), arguments.data());
     execvp(tool.c_str(), arguments.data());
-    fmt::print(stderr, "skyway: cannot run {}: {}\n", tool, std::strerror(errno));
+    cli::complain("skyway", fmt::format("cannot run {}: {}", tool, std::strerror(errno)));
     return 4;
   }
-  if (!verb.empty()) fmt::print(stderr, "skyway: unknown verb \"{}\"\n", verb);
-  print_verbs(stderr);
+  if (!verb.empty()) cli::complain("skyway", fmt::format("unknown verb \"{}\"", verb));
+  cli::say(usage());
   return 2;
 }

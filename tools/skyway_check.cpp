@@ -1,9 +1,9 @@
 // skyway-check: prove that trajectories and paths are clear of a map and inside their limits.
 
-#include <algorithm>
-
 #include "checking/checker.h"
 #include "cli/limit_options.h"
+#include "cli/option_check.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "traj/io/certificate_record.h"
 
@@ -22,6 +22,7 @@ struct Options {
   cli::DroneFileOptions drone_file;
 
   void add_to(CLI::App& app);
+  void refuse_idle(const CLI::App& app) const;
   checking::Rules rules() const {
     return {limits.limits(), override_record, exact || !certificate.empty()};
   }
@@ -30,24 +31,23 @@ struct Options {
 void Options::add_to(CLI::App& app) {
   app.add_option("map", map, "box map; - for stdin")->required();
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
-  app.add_option("-o,--output", output, "reports (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "reports (default: stdout)");
   vehicle.add_to(app);
   limits.add_to(app);
   app.add_flag("--override", override_record,
                "let the options be looser than what the records carry");
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
   profile.add_to(app);
-  app.add_option("--certificate", certificate,
-                 "write why each accepted record is clear, JSON Lines; implies --exact");
+  cli::add_output(app, "--certificate", certificate,
+                  "write why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
 }
 
-void check_usage(const Options& options) {
-  cli::at_most_one_stdin({options.map, options.input});
-  const std::string outputs[] = {options.output, options.certificate, options.profile.file()};
-  if (std::count(std::begin(outputs), std::end(outputs), "-") > 1) {
-    throw cli::UsageError("reports, certificates and profiles cannot share stdout");
-  }
+void Options::refuse_idle(const CLI::App& app) const {
+  cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
+  cli::only_for(app, !drone_file.format.empty(),
+                {"--start", "--origin", "--geoid", "--ground", "--takeoff-height", "--heading"},
+                "drone files (--file-format)");
 }
 
 // Writes what each record came to, and counts.
@@ -109,7 +109,8 @@ int main(int argc, char** argv) {
   cli::Sharding sharding;
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    check_usage(options);
+    options.refuse_idle(app);
+    cli::at_most_one_stdin({options.map, options.input});
     sharding.begin(app, {{"map", options.map}, {"file", options.input}},
                    {{"output", options.output},
                     {"certificate", options.certificate},

@@ -10,6 +10,7 @@
 #include "cli/map_output.h"
 #include "cli/map_shard.h"
 #include "cli/numbers_option.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "cloud/pcl_filters.h"
 #include "geom/column_grid.h"
@@ -270,7 +271,7 @@ int main(int argc, char** argv) {
   std::string input;
   std::string output = "-";
   app.add_option("file", input, "PCD, PLY, LAS or XYZ; - for stdin")->required();
-  app.add_option("-o,--output", output, "box map to write (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
   add_options(app, options);
   cli::Sharding sharding;
   sharding.add_to(app);

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "cli/files.h"
+#include "cli/option_check.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "export/prove.h"
@@ -142,10 +144,25 @@ void add_options(CLI::App& app, Options& options, Task& task) {
   task.placement.add_to(app);
   app.add_option("--id", options.id, "which trajectory of the stream (default: its only one)");
   app.add_flag("--unchecked", options.unchecked, "write without a map and without a proof");
-  app.add_option("-o,--output", options.output,
-                 "file to write (default: stdout); beside a Tello's script FILE.txt go FILE.py and "
-                 "FILE.csv");
+  cli::add_output(
+      app, "-o,--output", options.output,
+      "file to write (default: stdout); beside a Tello's script FILE.txt go FILE.py and "
+      "FILE.csv");
   options.vehicle.add_to(app);
+}
+
+void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked) {
+  const bool tello = format == "tello";
+  const bool mission = format == "wpl" || format == "qgc-plan";
+  const bool line = format == "kml" || format == "geojson";
+  const bool legs = tello || mission || line || format == "gltf";
+  cli::only_for(app, format == "setpoints", {"--rate", "--axes"}, "--format setpoints");
+  cli::only_for(app, legs, {"--tolerance"}, "formats of straight legs");
+  cli::only_for(app, tello || mission, {"--speed", "--hover", "--ground"},
+                "missions and Tello scripts");
+  cli::only_for(app, mission || line, {"--origin", "--geoid"}, "formats with places on Earth");
+  cli::only_for(app, tello, {"--takeoff-height", "--heading"}, "--format tello");
+  cli::only_for(app, !unchecked, {"--vehicle", "--margin"}, "an export that is checked");
 }
 
 Written write_unchecked(const TrajectoryRecord& record, Task& task) {
@@ -166,7 +183,7 @@ std::optional<Written> write_checked(const Options& options, const TrajectoryRec
   set_ground(scene, record, task);
   auto [written, result] = exporting::write_proved(scene, task);
   if (result.ok) return std::move(written);
-  fmt::print(stderr, "skyway-export: {}\n", refusal(task, result));
+  cli::complain("skyway-export", refusal(task, result));
   return std::nullopt;
 }
 
@@ -180,11 +197,12 @@ int main(int argc, char** argv) {
   add_options(app, options, task);
   return cli::run_tool(app, argc, argv, [&] {
     options.require_sound(task);
+    refuse_idle(app, task.format, options.unchecked);
     const std::string input = options.input();
     const TrajectoryRecord record =
         options.id.empty() ? read_one(input) : read_named(input, options.id);
     if (record.status != "solved") {
-      fmt::print(stderr, "skyway-export: {}: refused: {}\n", record.id, record.status);
+      cli::complain("skyway-export", fmt::format("{}: refused: {}", record.id, record.status));
       return cli::Exit::no;
     }
     task.id = record.id;

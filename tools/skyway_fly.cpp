@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 
 #include "cli/files.h"
+#include "cli/option_check.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "fly/mission.h"
 #include "fly/options.h"
@@ -22,6 +25,7 @@ Inputs inputs_of(const std::vector<std::string>& files) {
   if (files.empty()) return {};
   if (files.size() == 2) return {files[0], files[1]};
   if (files[0] == "-") return {};
+  if (!std::filesystem::is_regular_file(files[0])) return {"", files[0]};  // no map comes by a pipe
   cli::InputFile file(files[0]);
   const bool zip = file.stream().get() == 'P' && file.stream().get() == 'K';
   return zip ? Inputs{files[0], "-"} : Inputs{"", files[0]};
@@ -29,11 +33,8 @@ Inputs inputs_of(const std::vector<std::string>& files) {
 
 // What must not be asked together.
 void check_usage(const fly::Options& options, const Inputs& inputs, const cli::Sharding& sharding,
-                 const std::string& output, const std::string& report) {
+                 const std::string& report) {
   cli::at_most_one_stdin({inputs.map, inputs.trajectories});
-  if (output == "-" && report == "-") {
-    throw cli::UsageError("the log and the report cannot both go to stdout");
-  }
   if (options.tube && (options.runs == 0 || inputs.map.empty())) {
     throw cli::UsageError("--tube needs a map and --runs");
   }
@@ -98,8 +99,9 @@ int main(int argc, char** argv) {
   app.add_option("map_and_file", files,
                  "box map, then trajectories (default: stdin); without a map, trajectories alone")
       ->expected(0, 2);
-  app.add_option("-o,--output", output, "flight log, CSV; with --tune gains (default: stdout)");
-  app.add_option("--report", report, "how it went, JSON Lines");
+  cli::add_output(app, "-o,--output", output,
+                  "flight log, CSV; with --tune gains (default: stdout)");
+  cli::add_output(app, "--report", report, "how it went, JSON Lines");
   vehicle.add_to(app);
   options.add_to(app);
   cli::Sharding sharding;
@@ -109,7 +111,8 @@ int main(int argc, char** argv) {
       ->expected(1, -1);
   return cli::run_tool(app, argc, argv, [&] {
     const Inputs inputs = inputs_of(files);
-    check_usage(options, inputs, sharding, output, report);
+    check_usage(options, inputs, sharding, report);
+    cli::only_for(app, options.tune, {"--cost"}, "--tune");
     if (vehicle.word.empty()) throw cli::UsageError("no vehicle: give --vehicle FILE.json");
     sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
                    {{"output", output}, {"report", report}});

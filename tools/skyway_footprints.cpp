@@ -6,6 +6,7 @@
 #include "cli/map_output.h"
 #include "cli/map_shard.h"
 #include "cli/numbers_option.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "footprints/formats.h"
 #include "footprints/place.h"
@@ -32,7 +33,7 @@ void Options::add_to(CLI::App& app) {
                  "GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OSM .pbf, CityJSON or a GeoTIFF of "
                  "heights")
       ->required();
-  app.add_option("-o,--output", output, "box map to write (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
   app.add_option("--format", format, "what the file is (default: auto)")
       ->check(CLI::IsMember({"auto", "vector", "osm", "cityjson", "raster"}));
   app.add_option("--slack", slack,

@@ -8,6 +8,8 @@
 #include "cli/files.h"
 #include "cli/hashed_input.h"
 #include "cli/map_output.h"
+#include "cli/option_check.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "geom/error.h"
 #include "geom/io/block_text.h"
@@ -155,7 +157,7 @@ int main(int argc, char** argv) {
                  "FCND CSV, box CSV, block text, RotorPy JSON, Moving AI .3dmap or OctoMap .bt; - "
                  "for stdin")
       ->required();
-  app.add_option("-o,--output", output, "box map to write (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
   app.add_option("--format", options.format, "what the file is (default: auto)")
       ->check(CLI::IsMember(kFormats));
   app.add_option("--frame", options.frame, "enu or neu (default: neu for FCND tables, else enu)")
@@ -170,6 +172,7 @@ int main(int argc, char** argv) {
     cli::InputFile file(input);
     cli::HashedInput hashed(file);
     if (options.format == "auto") options.format = detected(hashed.head(), file.name());
+    cli::only_for(app, options.format == "octomap", {"--unknown"}, "OctoMaps");
     geom::MakeMapOptions map = options.map.make(options.format == "fcnd" ? 1 : 0);
     map.scale *= kMetres.at(options.units);
     Source source = read(hashed.stream(), file.name(), options, map, common);

@@ -5,6 +5,7 @@
 #include "cli/drone_file.h"
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "traj/close_joints.h"
 #include "traj/io/trajectory_record.h"
@@ -95,7 +96,8 @@ int main(int argc, char** argv) {
          "times as many m/s and a hundred times as many m/s2")
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--id", id, "of the record (default: the file's name)");
-  app.add_option("-o,--output", output, "trajectories or paths, JSON Lines (default: stdout)");
+  cli::add_output(app, "-o,--output", output,
+                  "trajectories or paths, JSON Lines (default: stdout)");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({input, map});
     cli::InputFile file(input);

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 
 #include "cli/describe.h"
 #include "cli/files.h"
+#include "cli/hashed_input.h"
+#include "cli/recognise.h"
 #include "cli/run.h"
 #include "cli/sharding.h"
 #include "geom/error.h"
@@ -99,6 +101,36 @@ Json describe_records(const std::string& text, const std::string& name) {
   return out;
 }
 
+// Of a file that no tool of ours wrote, or that is another tool's to read.
+Json describe_foreign(const cli::FileKind& kind) {
+  Json out = {{"type", kind.what}};
+  if (!kind.tools.empty()) out["read_by"] = kind.tools;
+  if (!kind.otherwise.empty()) out["advice"] = kind.otherwise;
+  return out;
+}
+
+bool is_ours(const cli::FileKind& kind) {
+  return kind.tools.find("skyway-info") != kind.tools.npos;
+}
+
+Json describe_file(const std::string& input, bool verify) {
+  cli::InputFile file(input);
+  cli::HashedInput in(file);
+  const auto kind = cli::recognise(in.head());
+  const bool archive = in.head().starts_with("PK");
+  if (verify && !archive) {
+    throw geom::InputError(file.name(),
+                           "expected a map, a lattice, a roadmap or a shard, which "
+                           "alone have checksums to verify, found another file");
+  }
+  if (kind && !is_ours(*kind)) return describe_foreign(*kind);
+  if (archive && input != "-") return describe_archive(cli::open_archive(input), verify);
+  const std::string text(std::istreambuf_iterator<char>(in.stream()), {});
+  if (!archive) return describe_records(text, file.name());
+  return describe_archive(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "stdin"),
+                          verify);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -107,23 +139,11 @@ int main(int argc, char** argv) {
   std::string input;
   bool json = false;
   bool verify = false;
-  app.add_option("file", input, "any of Skyway's files; - for stdin")->required();
+  app.add_option("file", input, "any of Skyway's files, or another; - for stdin")->required();
   app.add_flag("--json", json, "as one JSON object");
   app.add_flag("--verify", verify, "check every checksum, and a map's boxes and hash, as well; looks again even where that was done");
   return cli::run_tool(app, argc, argv, [&] {
-    cli::InputFile file(input);
-    Json out;
-    if (file.stream().peek() == 'P') {
-      if (input == "-") {
-        const std::string text = file.read_all();
-        out = describe_archive(
-            geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "stdin"), verify);
-      } else {
-        out = describe_archive(cli::open_archive(input), verify);
-      }
-    } else {
-      out = describe_records(file.read_all(), file.name());
-    }
+    const Json out = describe_file(input, verify);
     cli::OutputFile print("-", cli::OutputKind::text);
     print.stream() << (json ? out.dump() + '\n' : cli::as_lines(out));
     print.commit();

@@ -4,6 +4,7 @@
 
 #include "cli/map_output.h"
 #include "cli/map_shard.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/sharding.h"
 #include "geom/error.h"
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> files;
   std::string output = "-";
   app.add_option("shards", files, "all shards of one output, in any order")->required();
-  app.add_option("-o,--output", output, "what they make (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "what they make (default: stdout)");
   return cli::run_tool(app, argc, argv, [&] {
     const std::vector<ShardFile> shards = cli::open_shards(files);
     const std::string& kind = shards.front().kind;

@@ -4,6 +4,7 @@
 
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/output_option.h"
 #include "cli/patch_option.h"
 #include "cli/run.h"
 #include "cli/sharding.h"
@@ -52,7 +53,7 @@ int main(int argc, char** argv) {
   cli::PatchOptions patch;
   cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
-  app.add_option("-o,--output", output, "lattice to write (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "lattice to write (default: stdout)");
   auto* spacing = app.add_option("--spacing", spec.spacing,
                                  "distance of neighbouring nodes, metres (default 25)")
                       ->check(CLI::Range(1e-3, 1e6));
@@ -79,7 +80,7 @@ int main(int argc, char** argv) {
     }
     const plan::Lattice lattice =
         patch.asked() ? patched(scenes, patch, run) : built(scenes.scene(), spec, origin, run);
-    cli::OutputFile out(output, cli::OutputKind::artefact);
+    cli::OutputFile out(output, cli::OutputKind::artefact, patch.artefact);
     plan::write_lattice(out.stream(), lattice);
     out.commit();
     const plan::LatticeCounts counts = plan::stored_counts(lattice);

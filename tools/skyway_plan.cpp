@@ -8,6 +8,7 @@
 #include "cli/artefacts.h"
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/output_option.h"
 #include "cli/quality_option.h"
 #include "cli/record_output.h"
 #include "cli/run.h"
@@ -110,7 +111,7 @@ int main(int argc, char** argv) {
   prepared.add_to(app);
   cli::add_quality(app, search.plan.quality);
   CLI::Option* queries_option = asked.add_to(app);
-  app.add_option("-o,--output", output, "paths (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "paths (default: stdout)");
   search.add_to(app);
   vehicle.add_to(app);
   sharding.add_to(app)->needs(queries_option)->excludes("--tree");
@@ -118,6 +119,7 @@ int main(int argc, char** argv) {
     if (asked.file.empty() && !asked.from) {
       throw cli::UsageError("give --from and --to, or --queries");
     }
+    search.refuse_idle(app, prepared);
     cli::at_most_one_stdin({map_file, prepared.lattice, prepared.roadmap, asked.file});
     sharding.begin(app,
                    {{"map", map_file},
@@ -145,7 +147,7 @@ int main(int argc, char** argv) {
     }
     common.write_stats({{"queries", planned.records}, {"found", planned.found}});
     if (queries.size() == 1 && !planned.found) {
-      fmt::print(stderr, "skyway-plan: {}\n", planned.last.message);
+      cli::complain("skyway-plan", planned.last.message);
     }
     return exit;
   });

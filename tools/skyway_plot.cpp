@@ -7,6 +7,7 @@
 
 #include "cli/contents.h"
 #include "cli/files.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "geom/error.h"
@@ -102,7 +103,7 @@ struct Verb {
 CLI::App* add_verb(CLI::App& app, Options& options, const char* name, const char* what) {
   CLI::App* verb = app.add_subcommand(name, what);
   verb->fallthrough();
-  verb->add_option("-o,--output", options.output, "SVG to write (default: stdout)");
+  cli::add_output(*verb, "-o,--output", options.output, "SVG to write (default: stdout)");
   return verb;
 }
 

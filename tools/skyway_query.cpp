@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cli/files.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "geom/error.h"
@@ -162,7 +163,7 @@ int main(int argc, char** argv) {
                  "records with \"point\":[x,y,z] (\"k\":N nearest boxes), \"segment\":[[…],[…]] "
                  "(\"planes\":REACH, \"empty_box\":REACH), \"box\":[[min],[max]] or "
                  "\"sweep\":[[…],[…]] with \"half\":[x,y,z] (default: stdin)");
-  app.add_option("-o,--output", output, "answers (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "answers (default: stdout)");
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});

@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
   render::Options options;
   options.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
+    options.refuse_idle(app);
     options.settle();
     cli::at_most_one_stdin(options.map, options.inputs);
     const geom::BoxMap map =

@@ -7,6 +7,7 @@
 
 #include "cli/artefacts.h"
 #include "cli/files.h"
+#include "cli/output_option.h"
 #include "cli/quality_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
@@ -94,8 +95,10 @@ struct Tally {
   std::size_t failed = 0;
 };
 
-Tally write_records(const std::vector<geom::PathRecord>& records, const std::string& output) {
-  cli::OutputFile out(output, cli::OutputKind::text);
+// The output may take the place of the paths.
+Tally write_records(const std::vector<geom::PathRecord>& records, const std::string& output,
+                    const std::string& paths) {
+  cli::OutputFile out(output, cli::OutputKind::text, paths);
   Tally tally;
   for (const geom::PathRecord& record : records) {
     const bool kept = found(record) && record.origin->mended.empty();
@@ -121,7 +124,7 @@ int main(int argc, char** argv) {
   app.add_option("file,--paths", paths_file, "paths of another map, JSON Lines (default: stdin)");
   artefact_files.add_to(app);
   cli::add_quality(app, quality);
-  app.add_option("-o,--output", output, "paths (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "paths (default: stdout)");
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, paths_file, artefact_files.lattice, artefact_files.roadmap});
@@ -130,11 +133,11 @@ int main(int argc, char** argv) {
     const cli::Artefacts artefacts(artefact_files);
     const std::vector<geom::PathRecord> records =
         replan_each(read_paths(paths_file), scenes, artefacts, quality, common.execution("paths"));
-    const auto [kept, mended, failed] = write_records(records, output);
+    const auto [kept, mended, failed] = write_records(records, output, paths_file);
     common.write_stats(
         {{"paths", records.size()}, {"kept", kept}, {"mended", mended}, {"failed", failed}});
     if (records.size() == 1 && failed) {
-      fmt::print(stderr, "skyway-replan: {}\n", records[0].message);
+      cli::complain("skyway-replan", records[0].message);
     }
     return failed ? cli::Exit::no : cli::Exit::yes;
   });

@@ -4,6 +4,7 @@
 
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/output_option.h"
 #include "cli/patch_option.h"
 #include "cli/run.h"
 #include "cli/sharding.h"
@@ -52,7 +53,7 @@ int main(int argc, char** argv) {
   cli::PatchOptions patch;
   cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
-  app.add_option("-o,--output", output, "roadmap to write (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "roadmap to write (default: stdout)");
   auto* reach =
       app.add_option("--reach,--within", spec.reach,
                      "longest edge, metres (default 500; to be named on maps of more than "
@@ -92,7 +93,7 @@ int main(int argc, char** argv) {
     }
     const plan::Roadmap roadmap = patch.asked() ? patched(scenes, patch, run)
                                                 : plan::build_roadmap(scenes.scene(), spec, run);
-    cli::OutputFile out(output, cli::OutputKind::artefact);
+    cli::OutputFile out(output, cli::OutputKind::artefact, patch.artefact);
     plan::write_roadmap(out.stream(), roadmap);
     out.commit();
     common.write_stats({{"bends", roadmap.bends.size()}, {"edges", roadmap.to.size() / 2}});

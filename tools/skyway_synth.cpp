@@ -1,6 +1,7 @@
 // skyway-synth: a made-up city as an FCND table, the same for the same seed everywhere.
 
 #include "cli/files.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "geom/synth_city.h"
 
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(200.0, 200000.0));
   app.add_option("--height", spec.height, "height of the tallest tower, metres (default 200)")
       ->check(CLI::Range(20.0, 1000.0));
-  app.add_option("-o,--output", output, "FCND CSV to write (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "FCND CSV to write (default: stdout)");
   return cli::run_tool(app, argc, argv, [&] {
     if (size > 0) spec.size_x = spec.size_y = size;
     const auto boxes = geom::synth_city(spec);

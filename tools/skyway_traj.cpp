@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/files.h"
+#include "cli/output_option.h"
 #include "cli/processes.h"
 #include "cli/record_output.h"
 #include "cli/run.h"
@@ -87,15 +88,12 @@ int main(int argc, char** argv) {
   cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("paths", input, "paths, JSON Lines (default: stdin)");
-  app.add_option("-o,--output", output, "trajectories (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "trajectories (default: stdout)");
   vehicle.add_to(app);
   options.add_to(app);
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
-    if (options.corridor_file == "-" && output == "-") {
-      throw cli::UsageError("trajectories and corridors cannot both go to stdout");
-    }
     options.choose_solver();
     sharding.begin(app, {{"map", map_file}, {"paths", input}},
                    {{"output", output}, {"corridor-file", options.corridor_file}});

@@ -6,6 +6,7 @@
 
 #include "cli/contents.h"
 #include "cli/files.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "view/layers.h"
@@ -58,7 +59,7 @@ int main(int argc, char** argv) {
   app.add_option("files", files,
                  "box map, lattices, records (JSON Lines) and flight logs (CSV); - for stdin")
       ->required();
-  app.add_option("-o,--output", output, "HTML page to write (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "HTML page to write (default: stdout)");
   app.add_option("--title", title, "what the page is called");
   CLI::Option* frames_option =
       app.add_option("--frames", pictures.names,

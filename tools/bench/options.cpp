@@ -6,6 +6,7 @@
 #include <map>
 
 #include "cli/files.h"
+#include "cli/output_option.h"
 #include "cli/quality_option.h"
 #include "cli/run.h"
 #include "geom/error.h"
@@ -85,7 +86,7 @@ void add_options(CLI::App& app, Files& files, Options& options) {
          "6 neighbours), then rrt, rrt-connect and auto on 45-50 m until the mean time is "
          "known to 1 %")
       ->excludes("--queries", "--set", "--length", "--method", "--trials", "--within");
-  app.add_option("-o,--output", files.output, "report, JSON (default: stdout)");
+  cli::add_output(app, "-o,--output", files.output, "report, JSON (default: stdout)");
 }
 
 std::vector<Options> parts_of(const Options& options) {

@@ -1,12 +1,14 @@
 #include "checking/profile_file.h"
 
+#include "cli/output_option.h"
 #include "geom/io/csv_field.h"
 #include "geom/io/record.h"
 
 namespace checking {
 
 void ProfileFile::add_to(CLI::App& app) {
-  app.add_option("--profile", file_, "write the least clearance of each part of the way, CSV");
+  cli::add_output(app, "--profile", file_,
+                  "write the least clearance of each part of the way, CSV");
   app.add_option("--profile-step", step_,
                  "length of those parts: seconds, or metres along a path (default 0.1)")
       ->check(CLI::Range(1e-4, 1e6));

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "standard_streams.h"
 
 namespace cli {
 namespace {
@@ -288,7 +289,7 @@ void add_completion(CLI::App& app) {
                                            throw CLI::ValidationError("--completion",
                                                                       "expected bash or zsh");
                                          const std::string script = completion(app, *shell);
-                                         std::fwrite(script.data(), 1, script.size(), stdout);
+                                         print(script);
                                          throw CLI::Success();
                                        })
       ->group("");

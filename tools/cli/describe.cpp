@@ -1,5 +1,6 @@
 #include "describe.h"
 
+#include "geom/excerpt.h"
 #include "geom/io/parse_json.h"
 
 namespace cli {
@@ -39,7 +40,10 @@ nlohmann::ordered_json history_of(const geom::BoxMap& map) {
 std::string as_lines(const nlohmann::ordered_json& object) {
   std::string text;
   for (const auto& [key, value] : object.items()) {
-    text += key + ": " + (value.is_string() ? value.get<std::string>() : value.dump()) + '\n';
+    text += geom::printable(key) + ": " +
+            (value.is_string() ? geom::printable(value.get<std::string>())
+                               : geom::printable(value.dump())) +
+            '\n';
   }
   return text;
 }

@@ -3,8 +3,8 @@
 // Opening what the user named: "-" for the standard streams, and outputs that appear whole or
 // not at all.
 
-#include <fstream>
 #include <functional>
+#include <istream>
 #include <memory>
 #include <ostream>
 #include <span>
@@ -17,7 +17,10 @@
 
 namespace cli {
 
-// A text input. Throws std::system_error when it can't be opened.
+class Unpublished;
+
+// A text input. Throws std::system_error when it can't be opened, and wherever reading it fails:
+// an input that breaks off never looks like one that ends.
 class InputFile {
  public:
   explicit InputFile(const std::string& path);
@@ -25,15 +28,15 @@ class InputFile {
   const std::string& name() const { return name_; }  // for messages: the path, or "stdin"
 
   // Calls f(line text, line number) for each line that is not blank; a final newline may be
-  // missing. Throws geom::InputError when there was none, or when reading fails.
+  // missing. Throws geom::InputError when there was none.
   void for_each_line(const std::function<void(const std::string&, std::size_t)>& f);
 
   std::string read_all();
 
  private:
+  struct Source;  // a stream from a descriptor
   std::string name_;
-  std::ifstream file_;
-  bool is_stdin_;
+  std::shared_ptr<Source> source_;  // all of stdin have the same
 };
 
 geom::ArrayArchive open_archive(const std::string& path);  // mapped; "-" is read into memory
@@ -50,24 +53,27 @@ geom::BoxMap open_map(const geom::ArrayArchive& archive, geom::Verified level,
 enum class OutputKind { text, artefact };  // an artefact is refused where a terminal would get it
 
 // Writes to a file without a name (where the file system has such, else to a temporary one beside
-// `path`) that takes the place of `path` in commit(); what is not committed is gone, even where the
-// process is killed. "-" writes to stdout as it goes. Throws std::system_error on any failure.
+// `path`) that takes the place of `path`, with its permissions, when the run ends well; what is not
+// committed is gone, even where the process is killed. Symbolic links are followed and stay. "-",
+// devices, pipes and descriptors (/dev/stderr, /dev/fd/3) are written as it goes. Throws
+// std::system_error on any failure, and UsageError where the file is another output or an input.
 class OutputFile {
  public:
-  OutputFile(const std::string& path, OutputKind kind);
+  // `updated`: an input that the output may take the place of, as it was read whole by then.
+  OutputFile(const std::string& path, OutputKind kind, std::string_view updated = {});
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream();
-  void flush();   // so that the next tool of a pipe sees what is there
-  void commit();  // call last
+  void flush();       // so that the next tool of a pipe sees what is there
+  void commit();      // call last: all outputs of a run appear together, at its end
+  void commit_now();  // the same, but it appears at once: one of very many
 
  private:
-  std::string path_;
-  std::string temporary_;  // empty: written in place (stdout, a device, a pipe)
-  bool unnamed_ = false;   // temporary_ is not there yet
-  int descriptor_ = 1;
+  std::string path_;                          // that it will take; empty: written in place
+  std::unique_ptr<Unpublished> unpublished_;  // unless written in place
+  int in_place_ = -1;                         // ours to close
   struct Sink;  // a stream onto the descriptor that throws when writing fails
   std::unique_ptr<Sink> sink_;
 };

@@ -1,8 +1,6 @@
 #include "cli/hashed_input.h"
 
-#include <cerrno>
 #include <streambuf>
-#include <system_error>
 #include <vector>
 
 #include "geom/sha256.h"
@@ -25,10 +23,6 @@ class HashedInput::Buffer : public std::streambuf {
   int_type underflow() override {
     if (gptr() < egptr()) return traits_type::to_int_type(*gptr());
     file_.stream().read(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
-    if (file_.stream().bad()) {
-      throw std::system_error(errno ? errno : EIO, std::generic_category(),
-                              "cannot read " + file_.name());
-    }
     const std::streamsize n = file_.stream().gcount();
     if (n == 0) return traits_type::eof();
     sum_.update(std::as_bytes(std::span(bytes_.data(), static_cast<std::size_t>(n))));

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <system_error>
 #include <vector>
@@ -104,7 +103,6 @@ class Child {
     } catch (...) {
       ::_exit(1);
     }
-    std::fflush(stderr);
     ::_exit(0);
   }
   Child(Child&& other) noexcept : process_(other.process_), from_(other.from_) {
@@ -163,7 +161,6 @@ void in_processes(std::size_t n, unsigned count,
     for (std::size_t i = 0; i < n; ++i) take(i, work(i));
     return;
   }
-  std::fflush(nullptr);
   std::vector<Child> children;
   for (std::size_t k = 0; k < processes; ++k) children.emplace_back(k, processes, n, work);
   for (std::size_t i = 0; i < n; ++i) take(i, children[i % processes].receive());

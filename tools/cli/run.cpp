@@ -4,26 +4,40 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
-#include <cstdio>
 #include <new>
+#include <sstream>
 #include <thread>
 
 #include "completion.h"
 #include "files.h"
 #include "geom/error.h"
+#include "geom/excerpt.h"
+#include "option_check.h"
+#include "output_option.h"
+#include "recognise.h"
+#include "run_files.h"
+#include "standard_streams.h"
 
 namespace cli {
 namespace {
 
+constexpr std::size_t kLongestMessage = 2000;  // bytes
+
+// As it may reach a terminal: no file can write its own lines there, or steer it.
+std::string shown_message(std::string_view message) {
+  return geom::excerpt(message, kLongestMessage);
+}
+
+// A message is one line, however the names in it are spelt.
 int fail(const CLI::App& app, Exit code, std::string_view message) {
-  std::fflush(stdout);
-  fmt::print(stderr, "{}: {}\n", app.get_name(), message);
+  say(fmt::format("{}: {}\n", app.get_name(), shown_message(message)));
   return static_cast<int>(code);
 }
 
 int usage(const CLI::App& app, std::string_view message) {
-  return fail(app, Exit::usage, fmt::format("{}\nTry '{} --help'.", message, app.get_name()));
+  const int code = fail(app, Exit::usage, message);
+  say(fmt::format("Try '{} --help'.\n", app.get_name()));
+  return code;
 }
 
 // One line on stderr, drawn anew at most ten times a second.
@@ -36,14 +50,12 @@ class ProgressLine {
     if (done < total && now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
     if (json_) {
-      fmt::print(stderr,
-                 R"({{"progress":"{}","done":{},"total":{}}})"
-                 "\n",
-                 label_, done, total);
+      say(fmt::format(R"({{"progress":"{}","done":{},"total":{}}})"
+                      "\n",
+                      label_, done, total));
     } else {
-      fmt::print(stderr, "\r{} {}/{}{}", label_, done, total, done == total ? "\n" : "");
+      say(fmt::format("\r{} {}/{}{}", label_, done, total, done == total ? "\n" : ""));
     }
-    std::fflush(stderr);
   }
 
  private:
@@ -51,6 +63,59 @@ class ProgressLine {
   bool json_;
   std::chrono::steady_clock::time_point last_{};
 };
+
+// What --help, --version and --completion print.
+int answer(CLI::App& app, const CLI::Success& asked) {
+  std::ostringstream text;
+  app.exit(asked, text, text);
+  print(text.str());
+  return static_cast<int>(Exit::yes);
+}
+
+bool stats_written = false;
+
+void write_stats_to(const std::string& path, const nlohmann::ordered_json& stats) {
+  if (path.empty()) return;
+  OutputFile file(path, OutputKind::text);
+  file.stream() << stats.dump(2) << '\n';
+  file.commit();
+  stats_written = true;
+}
+
+// Of a tool that has nothing to count.
+void write_time(const CLI::App& app, std::chrono::steady_clock::time_point begin) {
+  const CLI::Option* const asked = app.get_option_no_throw("--stats");
+  if (!asked || asked->count() == 0 || stats_written) return;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  write_stats_to(asked->results().front(), {{"seconds", seconds.count()}});
+}
+
+Exit run(const CLI::App& app, const std::function<Exit()>& body) {
+  const auto begin = std::chrono::steady_clock::now();
+  RunFiles& files = *RunFiles::current();
+  expect_outputs(files);
+  const Exit exit = body();
+  write_time(app, begin);
+  files.publish();
+  return exit;
+}
+
+// Runs `body`, and says what went wrong.
+int guarded(CLI::App& app, const std::function<int()>& body) {
+  try {
+    return body();
+  } catch (const UsageError& error) {
+    return usage(app, error.what());
+  } catch (const CLI::ParseError& error) {
+    return usage(app, error.what());
+  } catch (const geom::InputError& error) {
+    return fail(app, Exit::bad_input, error.what() + other_kind(app.get_name(), error.what()));
+  } catch (const std::bad_alloc&) {
+    return fail(app, Exit::failed, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(app, Exit::failed, error.what());
+  }
+}
 
 }  // namespace
 
@@ -61,7 +126,7 @@ Common::Common(CLI::App& app, bool with_threads) : tool_(app.get_name()) {
   }
   app.add_option("--progress", progress_, "progress on stderr: auto, none, bar or json")
       ->check(CLI::IsMember({"auto", "none", "bar", "json"}));
-  app.add_option("--stats", stats_, "write counts and times to this JSON file");
+  add_output(app, "--stats", stats_, "write counts and times to this JSON file");
   app.add_flag("-q,--quiet", quiet_, "no warnings and no progress");
 }
 
@@ -76,42 +141,33 @@ geom::Execution Common::execution(std::string label) const {
 }
 
 void Common::warn(const std::string& message) const {
-  if (!quiet_) fmt::print(stderr, "{}: warning: {}\n", tool_, message);
+  if (!quiet_) say(fmt::format("{}: warning: {}\n", tool_, shown_message(message)));
 }
 
 void Common::note(const std::string& text) const {
-  if (!quiet_) fmt::print(stderr, "{}", text);
+  if (!quiet_) say(text);
 }
 
-void Common::write_stats(nlohmann::ordered_json stats) const {
-  if (stats_.empty()) return;
-  OutputFile file(stats_, OutputKind::text);
-  file.stream() << stats.dump(2) << '\n';
-  file.commit();
+void Common::write_stats(nlohmann::ordered_json stats) const { write_stats_to(stats_, stats); }
+
+void complain(std::string_view tool, std::string_view message) {
+  say(fmt::format("{}: {}\n", tool, shown_message(message)));
 }
 
 int run_tool(CLI::App& app, int argc, char** argv, const std::function<Exit()>& body) {
-  std::signal(SIGPIPE, SIG_DFL);
+  prepare_standard_streams();
   app.set_version_flag("--version", app.get_name() + " " SKYWAY_VERSION);
   add_completion(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    return usage(app, error.what());
-  }
-  try {
-    return static_cast<int>(body());
-  } catch (const UsageError& error) {
-    return usage(app, error.what());
-  } catch (const geom::InputError& error) {
-    return fail(app, Exit::bad_input, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(app, Exit::failed, "out of memory");
-  } catch (const std::exception& error) {
-    return fail(app, Exit::failed, error.what());
-  }
+  RunFiles files;
+  return guarded(app, [&] {
+    try {
+      app.parse(argc, argv);
+      check_values(app);
+    } catch (const CLI::Success& asked) {
+      return answer(app, asked);
+    }
+    return static_cast<int>(run(app, body));
+  });
 }
 
 }  // namespace cli

@@ -27,7 +27,7 @@ class Common {
 
   geom::Execution execution(std::string label) const;
   void warn(const std::string& message) const;  // on stderr, unless -q
-  void note(const std::string& text) const;     // the same, as it stands
+  void note(const std::string& text) const;     // the same, as it stands: printable lines
   // Writes the JSON of --stats, where that was asked for.
   void write_stats(nlohmann::ordered_json stats) const;
 
@@ -39,7 +39,11 @@ class Common {
   std::string tool_;
 };
 
-// Parses, runs `body`, and turns whatever happens into a message and an exit code.
+// Says why the answer is no, on stderr.
+void complain(std::string_view tool, std::string_view message);
+
+// Parses, runs `body`, lets the outputs appear, and turns whatever happens into a message and an
+// exit code.
 int run_tool(CLI::App& app, int argc, char** argv, const std::function<Exit()>& body);
 
 }  // namespace cli

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cli/files.h"
+#include "cli/output_option.h"
 #include "geom/cover.h"
 #include "geom/error.h"
 #include "geom/io/box_csv.h"
@@ -194,7 +195,7 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   }
   if (!changes.keep_out.empty()) add("keep_out", keep_out_boxes(changes, map.spec()));
   if (table.boxes.empty()) throw geom::InputError(files.map, "the patch leaves no boxes at all");
-  write(files.output, map.spec(), table, step);
+  write(files, map.spec(), table, step);
   common.write_stats(stats);
 }
 
@@ -212,7 +213,7 @@ Verb diff(CLI::App& app, const cli::Common& common) {
   verb->fallthrough();
   verb->add_option("before", options->before, "box map; - for stdin")->required();
   verb->add_option("after", options->after, "box map; - for stdin")->required();
-  verb->add_option("-o,--output", options->output, "JSON Lines (default: stdout)");
+  cli::add_output(*verb, "-o,--output", options->output, "JSON Lines (default: stdout)");
   return {verb, [=, &common] {
             return run_diff(options->before, options->after, options->output, common);
           }};

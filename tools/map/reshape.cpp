@@ -6,6 +6,7 @@
 
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/output_option.h"
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
 #include "geom/io/parse_json.h"
@@ -40,7 +41,7 @@ void run_crop(const Files& files, const Aabb& region, const cli::Common& common)
   }
   Json step = step_of("crop", map);
   step["bounds"] = numbers(region);
-  write(files.output, spec, geom::table_of(map, &region), step);
+  write(files, spec, geom::table_of(map, &region), step);
 }
 
 void run_join(const std::vector<std::string>& names, const std::string& output,
@@ -67,13 +68,13 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
     spec.bounds = geom::merged(spec.bounds, bounds.boxes.front());
   }
   step["others"] = others;
-  write(output, spec, table, step);
+  write({names[0], output}, spec, table, step);
 }
 
 void run_merge(const Files& files, const cli::Common& common) {
   const BoxMap map = open(files.map, common);
   const geom::Merged merged = geom::merge(geom::table_of(map));
-  write(files.output, map.spec(), merged.table, step_of("merge", map));
+  write(files, map.spec(), merged.table, step_of("merge", map));
   common.warn(fmt::format("{}: {} boxes become {}: {} were contained, {} joined", files.map,
                           map.size(), merged.table.boxes.size(), merged.contained, merged.joined));
   common.write_stats({{"before", map.size()},
@@ -88,7 +89,7 @@ void run_simplify(const Files& files, double slack, const cli::Common& common) {
       geom::simplify(geom::table_of(map), slack, common.execution("simplify"));
   Json step = step_of("simplify", map);
   step["slack"] = slack;
-  write(files.output, map.spec(), simple.table, step);
+  write(files, map.spec(), simple.table, step);
   common.warn(
       fmt::format("{}: {} boxes become {}", files.map, map.size(), simple.table.boxes.size()));
   const double ratio = static_cast<double>(simple.table.boxes.size()) /
@@ -106,7 +107,7 @@ void run_inflate(const Files& files, double by, const cli::Common& common) {
   for (Aabb& box : table.boxes) box = geom::grow(box, geom::Vec3::Constant(by));
   Json step = step_of("inflate", map);
   step["by"] = by;
-  write(files.output, map.spec(), table, step);
+  write(files, map.spec(), table, step);
 }
 
 void run_tile(const Files& files, double size, const cli::Common& common) {
@@ -115,7 +116,7 @@ void run_tile(const Files& files, double size, const cli::Common& common) {
   spec.tile_size = size;
   Json step = step_of("tile", map);
   step["size"] = size;
-  write(files.output, spec, geom::table_of(map), step);
+  write(files, spec, geom::table_of(map), step);
 }
 
 }  // namespace
@@ -124,7 +125,7 @@ CLI::App* Files::add(CLI::App& app, const char* name, const char* description) {
   CLI::App* verb = app.add_subcommand(name, description);
   verb->fallthrough();
   verb->add_option("map", map, "box map; - for stdin")->required();
-  verb->add_option("-o,--output", output, "file to write (default: stdout)");
+  cli::add_output(*verb, "-o,--output", output, "file to write (default: stdout)");
   return verb;
 }
 
@@ -132,13 +133,13 @@ geom::BoxMap open(const std::string& map, const cli::Common& common) {
   return cli::open_map(map, geom::Verified::contents, common.execution("verify"));
 }
 
-void write(const std::string& output, geom::BoxMapSpec spec, const BoxTable& table, Json step) {
+void write(const Files& files, geom::BoxMapSpec spec, const BoxTable& table, Json step) {
   Json history =
       geom::parse_ordered_json(spec.history.empty() ? "[]" : spec.history, "the map's history");
   history.push_back(std::move(step));
   spec.history = history.dump();
   const BoxMap made(std::move(spec), table);
-  cli::OutputFile out(output, cli::OutputKind::artefact);
+  cli::OutputFile out(files.output, cli::OutputKind::artefact, files.map);
   geom::write_box_map(out.stream(), made);
   out.commit();
 }
@@ -163,7 +164,7 @@ Verb join(CLI::App& app, const cli::Common& common) {
   verb->add_option("maps", *names, "box maps; the first gives the frame")
       ->required()
       ->expected(2, 10000);
-  verb->add_option("-o,--output", *output, "file to write (default: stdout)");
+  cli::add_output(*verb, "-o,--output", *output, "file to write (default: stdout)");
   return {verb, [=, &common] {
             run_join(*names, *output, common);
             return cli::Exit::yes;

@@ -40,8 +40,8 @@ struct Files {
 // A map to make another thing of, which will stand for it: so all of it is verified.
 geom::BoxMap open(const std::string& map, const cli::Common& common);
 
-// Writes a map made of another, with one more step in its history.
-void write(const std::string& output, geom::BoxMapSpec spec, const geom::BoxTable& table,
+// Writes a map made of files.map, whose place it may take, with one more step in its history.
+void write(const Files& files, geom::BoxMapSpec spec, const geom::BoxTable& table,
            nlohmann::ordered_json step);
 
 }  // namespace verbs

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <map>
 
+#include "cli/option_check.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 
 namespace planning {
@@ -63,8 +65,21 @@ void SearchOptions::add_to(CLI::App& app) {
                  "rrt…: end a search after this time; results then depend on the machine")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--seed", plan.sampling.seed, "rrt…: of the random numbers (default 0)");
-  app.add_option("--tree", tree_file,
-                 "rrt…: write the tree of the one query: .ply, .glb, else JSON Lines");
+  cli::add_output(app, "--tree", tree_file,
+                  "rrt…: write the tree of the one query: .ply, .glb, else JSON Lines");
+}
+
+void SearchOptions::refuse_idle(const CLI::App& app, const cli::ArtefactFiles& files) const {
+  using plan::Method;
+  const bool star = plan.method == Method::rrt_star || plan.method == Method::informed_rrt_star;
+  const bool astar = plan.method == Method::astar;
+  const bool sampling = !astar && plan.method != Method::automatic;
+  cli::only_for(app, sampling, {"--step", "--goal-bias", "--iterations", "--seconds", "--seed"},
+                "the rrt methods");
+  cli::only_for(app, star, {"--radius", "--patience"}, "rrt-star and informed-rrt-star");
+  cli::only_for(app, astar && files.lattice.empty(), {"--spacing", "--connect"},
+                "--method astar without --lattice");
+  cli::only_for(app, !sampling, {"--lattice", "--roadmap"}, "the methods auto and astar");
 }
 
 void SearchOptions::check(std::size_t queries) const {

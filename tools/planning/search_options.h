@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/artefacts.h"
 #include "plan/build_lattice.h"
 #include "plan/plan.h"
 
@@ -19,6 +20,9 @@ struct SearchOptions {
   std::string tree_file;                                              // empty: none
 
   void add_to(CLI::App& app);
+
+  // Throws cli::UsageError for options that the method does not look at.
+  void refuse_idle(const CLI::App& app, const cli::ArtefactFiles& files) const;
 
   // Throws cli::UsageError where there is no one tree for the file that was asked for.
   void check(std::size_t queries) const;

@@ -63,7 +63,9 @@ void FrameOutput::begin(const std::string& header) {
 void FrameOutput::write(std::size_t frame, const std::string& bytes) {
   if (!wanted()) return;
   file(frame).stream() << bytes;
-  if (each_) commit();
+  if (!each_) return;
+  file_->commit_now();
+  file_.reset();
 }
 
 void FrameOutput::commit() {

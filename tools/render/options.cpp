@@ -7,6 +7,8 @@
 
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/option_check.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "render/frame_output.h"
 
@@ -70,14 +72,15 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--format", format, "of the colour: png, y4m, or auto, by the name")
       ->check(CLI::IsMember({"auto", "png", "y4m"}))
       ->capture_default_str();
-  app.add_option("-o,--output", colour,
-                 "colour: .y4m for a video, or .png, numbered as in f-%05d.png (default: stdout)");
-  app.add_option("--depth", depth, "depth along the optical axis: .png (16 bit) or .pfm (m)");
+  cli::add_output(app, "-o,--output", colour,
+                  "colour: .y4m for a video, or .png, numbered as in f-%05d.png (default: stdout)");
+  cli::add_output(app, "--depth", depth, "depth along the optical axis: .png (16 bit) or .pfm (m)");
   app.add_option("--depth-unit", depth_unit, "metres a step of a depth .png")
       ->check(CLI::Range(1e-6, 1e3))
       ->capture_default_str();
-  app.add_option("--ids", ids, "which box each pixel shows: .png, red + 256 green + 65536 blue");
-  app.add_option("--poses", poses, "where the camera was at each frame: CSV");
+  cli::add_output(app, "--ids", ids,
+                  "which box each pixel shows: .png, red + 256 green + 65536 blue");
+  cli::add_output(app, "--poses", poses, "where the camera was at each frame: CSV");
 }
 
 bool Options::is_video() const {
@@ -87,6 +90,14 @@ bool Options::is_video() const {
 }
 
 bool Options::is_moving() const { return !at && (has_eye() || is_video() || is_numbered(colour)); }
+
+void Options::refuse_idle(const CLI::App& app) const {
+  const bool over = film.kind == "overview" || film.kind == "combined";
+  cli::only_for(app, over, {"--azimuth", "--elevation"}, "overviews");
+  cli::only_for(app, has_eye(), {"--camera"}, "views through the camera");
+  cli::only_for(app, is_moving(), {"--rate"}, "videos and numbered pictures");
+  cli::only_for(app, depth.ends_with(".png"), {"--depth-unit"}, "a --depth .png");
+}
 
 void Options::settle() {
   if (!camera_file.empty()) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cli/numbers_option.h"
+#include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/solver_words.h"
 
@@ -42,8 +43,8 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--corridor", solve.corridor,
                  "of the optimiser: planes (default) between path and obstacles, or empty boxes")
       ->transform(CLI::CheckedTransformer(cli::kCorridors));
-  app.add_option("--corridor-file", corridor_file,
-                 "write the optimiser's corridors, JSON Lines with vertices and faces to draw");
+  cli::add_output(app, "--corridor-file", corridor_file,
+                  "write the optimiser's corridors, JSON Lines with vertices and faces to draw");
   app.add_option("--rho", solve.rho, "flight seconds a unit of snap is worth, s per m2/s7")
       ->check(CLI::Range(0.0, 1e3));
   app.add_option("--yaw", yaw,

@@ -1,0 +1,286 @@
+#include "recognise.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+
+#include "geom/excerpt.h"
+#include "run_files.h"
+
+namespace cli {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr std::string_view kToCloud = "convert it to LAS, PLY or PCD, which skyway-cloud reads";
+constexpr std::string_view kUnpack = "unpack it first";
+constexpr std::string_view kToTrajectory =
+    "convert its positions to a table id,x,y,z in metres, which skyway-check --paths-csv reads";
+constexpr std::string_view kToMission =
+    "convert it to a WPL or a QGroundControl plan, which skyway-check and "
+    "skyway-import-trajectory read";
+constexpr std::string_view kRecordTools =
+    "skyway-traj skyway-check skyway-replan skyway-fly skyway-export skyway-plot skyway-view "
+    "skyway-render skyway-map skyway-plan skyway-query skyway-bench skyway-info";
+constexpr std::string_view kDroneTools = "skyway-check skyway-import-trajectory";
+constexpr std::string_view kMapTools =
+    "skyway-map skyway-plan skyway-replan skyway-lattice skyway-roadmap skyway-traj skyway-check "
+    "skyway-export skyway-fly skyway-query skyway-plot skyway-view skyway-render skyway-bench "
+    "skyway-info skyway-import-trajectory";
+
+struct Magic {
+  std::size_t at;
+  std::string_view bytes;
+  std::string_view what;
+  std::string_view tools;
+  std::string_view otherwise;
+};
+
+// Longer and more telling ones first.
+constexpr std::array kMagic = {
+    Magic{0, "ASTM-E57"sv, "an E57 point cloud", "", kToCloud},
+    Magic{0, "# .PCD"sv, "a PCD point cloud", "skyway-cloud", ""},
+    Magic{0, "ply\n"sv, "a PLY file", "skyway-cloud", ""},
+    Magic{0, "ply\r"sv, "a PLY file", "skyway-cloud", ""},
+    Magic{0, "# Octomap OcTree binary"sv, "an OctoMap (.bt)", "skyway-import", ""},
+    Magic{0, "# Octomap OcTree file"sv, "a full OctoMap (.ot)", "",
+          "write it as .bt, which skyway-import reads"},
+    Magic{0, "II*\0"sv, "a TIFF or GeoTIFF picture", "skyway-footprints", ""},
+    Magic{0, "MM\0*"sv, "a TIFF or GeoTIFF picture", "skyway-footprints", ""},
+    Magic{0, "II+\0"sv, "a TIFF or GeoTIFF picture", "skyway-footprints", ""},
+    Magic{0, "MM\0+"sv, "a TIFF or GeoTIFF picture", "skyway-footprints", ""},
+    Magic{0, "\0\0\x27\x0a"sv, "a Shapefile", "skyway-footprints", ""},
+    Magic{0, "fgb\x03"sv, "a FlatGeobuf", "skyway-footprints", ""},
+    Magic{4, "\x0a\x09OSMHeader"sv, "an OpenStreetMap extract (.osm.pbf)", "skyway-footprints", ""},
+    Magic{0, "\x89HDF\r\n\x1a\n"sv, "an HDF5 file", "", ""},
+    Magic{0, "ULog\x01\x12\x35"sv, "a PX4 flight log (ULog)", "", kToTrajectory},
+    Magic{0, "\xa3\x95\x80"sv, "an ArduPilot flight log (DataFlash .bin)", "", kToTrajectory},
+    Magic{0, "#ROSBAG V"sv, "a ROS bag", "", kToTrajectory},
+    Magic{0, "\x89MCAP0\r\n"sv, "an MCAP log", "", kToTrajectory},
+    Magic{0, "QGC WPL"sv, "a mission (WPL)", kDroneTools, ""},
+    Magic{0, "glTF"sv, "a binary glTF", kDroneTools, ""},
+    Magic{0, "\x89PNG\r\n\x1a\n"sv, "a PNG picture", "skyway-view", ""},
+    Magic{0, "\xff\xd8\xff"sv, "a JPEG picture", "", ""},
+    Magic{0, "\x1f\x8b"sv, "a gzip archive", "", "unpack it with gunzip"},
+    Magic{0, "BZh"sv, "a bzip2 archive", "", "unpack it with bunzip2"},
+    Magic{0,
+          "\xfd"
+          "7zXZ\0"sv,
+          "an xz archive", "", "unpack it with unxz"},
+    Magic{0, "\x28\xb5\x2f\xfd"sv, "a Zstandard archive", "", "unpack it with unzstd"},
+    Magic{0, "7z\xbc\xaf\x27\x1c"sv, "a 7-Zip archive", "", kUnpack},
+    Magic{257, "ustar"sv, "a tar archive", "", kUnpack},
+    Magic{0, "\x93NUMPY"sv, "a NumPy array (.npy)", "", ""},
+    Magic{0, "PAR1"sv, "a Parquet table", "", "write it as CSV or GeoPackage"},
+    Magic{0, "ARROW1"sv, "an Arrow table", "", "write it as CSV or GeoPackage"},
+    Magic{0, "ISO-10303-21"sv, "an IFC or STEP model", "", ""},
+    Magic{0, "%PDF"sv, "a PDF document", "", ""},
+    Magic{0,
+          "\x7f"
+          "ELF"sv,
+          "a program (ELF)", "", ""},
+    Magic{0, "\xff\xfe\0\0"sv, "text in UTF-32", "", "write it as UTF-8"},
+    Magic{0, "\xff\xfe"sv, "text in UTF-16", "", "write it as UTF-8"},
+    Magic{0, "\xfe\xff"sv, "text in UTF-16", "", "write it as UTF-8"},
+};
+
+struct Word {
+  std::string_view in;
+  std::string_view what;
+  std::string_view tools;
+  std::string_view otherwise;
+};
+
+// In XML, by the elements.
+constexpr std::array kElements = {
+    Word{"<gpx", "a GPX track", "", kToTrajectory},
+    Word{"<wpml:", "a DJI mission (WPML)", "", kToMission},
+    Word{"<kml", "a KML file", kDroneTools, ""},
+    Word{"<osm", "an OpenStreetMap file", "skyway-footprints", ""},
+    Word{"CityModel", "a CityGML model", "",
+         "convert it to CityJSON, which skyway-footprints reads"},
+    Word{"<COLLADA", "a COLLADA model", "", ""},
+    Word{"<sdf", "an SDF world", "", ""},
+    Word{"<svg", "an SVG drawing", "", ""},
+    Word{"<html", "an HTML page", "", ""},
+    Word{"<HTML", "an HTML page", "", ""},
+    Word{"<?xml", "an XML file", "", ""},
+};
+
+// In JSON, by keys and values without blanks between them.
+constexpr std::array kJson = {
+    Word{R"("type":"CityJSON")", "a CityJSON model", "skyway-footprints", ""},
+    Word{R"("type":"CityJSONFeature")", "a CityJSON sequence", "",
+         "join its features into one CityJSON"},
+    Word{R"("type":"path")", "path records", kRecordTools, ""},
+    Word{R"("type":"trajectory")", "trajectory records", kRecordTools, ""},
+    Word{R"("type":"tree")", "search trees",
+         "skyway-plot skyway-view skyway-render skyway-map skyway-info", ""},
+    Word{R"("type":"corridor")", "corridor records", "skyway-view skyway-map skyway-info", ""},
+    Word{R"("type":"certificate")", "certificates", "skyway-info", ""},
+    Word{R"("type":"report")", "reports of skyway-check", "skyway-view skyway-info", ""},
+    Word{R"("type":"answer")", "answers of skyway-query", "skyway-info", ""},
+    Word{R"("fileType":"Plan")", "a QGroundControl plan", kDroneTools, ""},
+    Word{R"("fileType":"GeoFence")", "a QGroundControl fence", "",
+         "write its polygons as GeoJSON for skyway-map patch --keep-out"},
+    Word{R"("type":"FeatureCollection")", "a GeoJSON file",
+         "skyway-footprints skyway-map skyway-check skyway-import-trajectory", ""},
+    Word{R"("type":"Feature")", "a GeoJSON feature", "skyway-footprints skyway-map", ""},
+};
+
+// In ZIP archives, by the name or the text of the first entry. A shard tells of what it is a part
+// of.
+constexpr std::array kZip = {
+    Word{R"("format":"skyway-shard")", "a shard", "skyway-join skyway-fly skyway-info", ""},
+    Word{R"("format":"skyway-boxmap")", "a box map", kMapTools, ""},
+    Word{
+        "skyway-lattice", "a lattice",
+        "skyway-plan skyway-replan skyway-lattice skyway-bench skyway-view skyway-plot skyway-info",
+        ""},
+    Word{R"("format":"skyway-roadmap")", "a roadmap",
+         "skyway-plan skyway-replan skyway-roadmap skyway-bench skyway-info", ""},
+    Word{"wpmz/", "a DJI mission (KMZ with WPML)", "", kToMission},
+    Word{".wpml", "a DJI mission (KMZ with WPML)", "", kToMission},
+    Word{".kml", "a KMZ file", "", "unpack the KML in it"},
+    Word{"[Content_Types].xml", "an office document", "", "write its table as CSV"},
+    Word{"mimetype", "an office document", "", "write its table as CSV"},
+    Word{".npy", "NumPy arrays (.npz)", "", ""},
+};
+
+FileKind kind_of(const Word& word) { return {std::string(word.what), word.tools, word.otherwise}; }
+
+std::optional<FileKind> first_in(std::string_view text, const auto& words) {
+  for (const Word& word : words) {
+    if (text.find(word.in) != text.npos) return kind_of(word);
+  }
+  return std::nullopt;
+}
+
+std::uint8_t byte(std::string_view head, std::size_t at) {
+  return at < head.size() ? static_cast<std::uint8_t>(head[at]) : 0;
+}
+
+// LAS; compressed where the highest bits of the point format say so.
+FileKind las_kind(std::string_view head) {
+  constexpr std::size_t kPointFormat = 104;
+  const bool compressed = (byte(head, kPointFormat) & 0xc0) != 0;
+  if (!compressed) return {"a LAS point cloud", "skyway-cloud", ""};
+  const bool copc = head.substr(0, 600).find("copc") != head.npos;
+  return {copc ? "a COPC point cloud (LAZ)" : "a LAZ point cloud", "",
+          "unpack it to LAS, for example with laszip or PDAL; skyway-cloud reads that"};
+}
+
+FileKind sqlite_kind(std::string_view head) {
+  constexpr std::size_t kApplication = 68;
+  if (head.size() > kApplication && head.substr(kApplication).starts_with("GP")) {
+    return {"a GeoPackage", "skyway-footprints", ""};
+  }
+  return {"an SQLite database", "skyway-footprints", ""};
+}
+
+FileKind zip_kind(std::string_view head) {
+  constexpr std::size_t kNameSize = 26;
+  constexpr std::size_t kName = 30;
+  const std::size_t size = byte(head, kNameSize) + 256u * byte(head, kNameSize + 1);
+  const auto name = head.substr(std::min(kName, head.size()), size);
+  const bool ours = name == "meta.json";
+  if (const auto known = first_in(ours ? head : name, kZip)) return *known;
+  return {fmt::format("a ZIP archive whose first entry is \"{}\"", geom::excerpt(name, 40)), "",
+          kUnpack};
+}
+
+// A telemetry log: MAVLink frames behind 8 bytes of microseconds since 1970.
+bool is_tlog(std::string_view head) {
+  const bool time = byte(head, 0) == 0 && byte(head, 1) >= 4 && byte(head, 1) <= 7;
+  return time && (byte(head, 8) == 0xfe || byte(head, 8) == 0xfd);
+}
+
+// A fence in Mission Planner's words: items of the commands 5000 to 5004.
+bool is_fence(std::string_view head) {
+  return head.starts_with("QGC WPL") && head.find("\t500") != head.npos;
+}
+
+std::string without_blanks(std::string_view text) {
+  std::string out;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(out),
+               [](unsigned char c) { return !std::isspace(c); });
+  return out;
+}
+
+std::optional<FileKind> text_kind(std::string_view head) {
+  if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
+  head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
+  if (head.starts_with('<')) return first_in(head, kElements);
+  if (head.starts_with('{') || head.starts_with('[')) return first_in(without_blanks(head), kJson);
+  const auto start = head.substr(0, 2000);
+  if (start.find("\nFIELDS ") != start.npos && start.find("\nDATA ") != start.npos) {
+    return FileKind{"a PCD point cloud", "skyway-cloud", ""};
+  }
+  return std::nullopt;
+}
+
+// The first bytes of a regular file; none of what is not one, so that nothing waits or is eaten.
+std::string head_of(const std::string& path) {
+  struct stat info {};
+  if (stat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return "";
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return "";
+  std::string head(kHead, '\0');
+  const ssize_t n = ::read(file, head.data(), head.size());
+  ::close(file);
+  head.resize(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  return head;
+}
+
+bool reads(std::string_view tools, std::string_view tool) {
+  return fmt::format(" {} ", tools).find(fmt::format(" {} ", tool)) != std::string::npos;
+}
+
+// Who reads it, where that is not half of all tools, or what to do.
+std::string advice(const FileKind& kind) {
+  if (kind.tools.empty()) return kind.otherwise.empty() ? "" : fmt::format(": {}", kind.otherwise);
+  std::string names;
+  for (const char c : kind.tools) names += c == ' ' ? ", " : std::string(1, c);
+  const bool many = std::count(kind.tools.begin(), kind.tools.end(), ' ') > 2;
+  return many ? "" : fmt::format(", for {}", names);
+}
+
+}  // namespace
+
+std::optional<FileKind> recognise(std::string_view head) {
+  head = head.substr(0, kHead);
+  if (head.starts_with("LASF")) return las_kind(head);
+  if (head.starts_with("SQLite format 3\0"sv)) return sqlite_kind(head);
+  if (head.starts_with("PK\x03\x04")) return zip_kind(head);
+  if (is_fence(head)) {
+    return FileKind{"a fence of Mission Planner", "",
+                    "write its polygons as GeoJSON for skyway-map patch --keep-out"};
+  }
+  if (is_tlog(head)) return FileKind{"a telemetry log (tlog)", "", kToTrajectory};
+  for (const Magic& magic : kMagic) {
+    if (head.size() >= magic.at && head.substr(magic.at).starts_with(magic.bytes)) {
+      return FileKind{std::string(magic.what), magic.tools, magic.otherwise};
+    }
+  }
+  return text_kind(head);
+}
+
+std::string other_kind(std::string_view tool, std::string_view message) {
+  const RunFiles* const files = RunFiles::current();
+  if (!files) return "";
+  for (const RunFiles::Input& input : files->inputs()) {
+    if (!message.starts_with(input.path + ":")) continue;
+    const auto kind = recognise(input.path == "stdin" ? input.head : head_of(input.path));
+    if (!kind || reads(kind->tools, tool)) return "";
+    return fmt::format("; the file is {}{}", kind->what, advice(*kind));
+  }
+  return "";
+}
+
+}  // namespace cli
