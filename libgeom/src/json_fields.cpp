@@ -108,6 +108,9 @@ Provenance JsonFields::provenance() const {
   if ((p.margin = number("margin")) && *p.margin < 0) {
     refuse("margin must be >= 0, found " + shown(object_["margin"]));
   }
+  if (p.margin && *p.margin > kLargestCoordinate) {
+    refuse("margin must be within 1e8 m, found " + shown(object_["margin"]));
+  }
   return p;
 }
 

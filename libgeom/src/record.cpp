@@ -25,6 +25,10 @@ void append_ranges(std::string& out, const char* key, const std::vector<LegRange
 }  // namespace
 
 void append_json(std::string& out, double value) {
+  if (!std::isfinite(value)) {
+    out += "null";
+    return;
+  }
   char digits[32];
   const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
   out.append(digits, end);

@@ -9,28 +9,10 @@
 #include "curve_piece.h"
 #include "least_clearance.h"
 #include "traj/continuity.h"
+#include "traj/domain.h"
 
 namespace traj {
 namespace {
-
-bool durations_are_sound(const Trajectory& trajectory, CheckResult& result) {
-  for (const Segment& s : trajectory.segments) {
-    bool sound = std::isfinite(s.duration) && s.duration > 0;
-    for (const Vec3& p : s.point) sound = sound && p.allFinite();
-    if (s.yaw) {
-      sound = sound &&
-              std::all_of(s.yaw->begin(), s.yaw->end(), [](double y) { return std::isfinite(y); });
-    }
-    if (sound) {
-      result.duration += s.duration;
-      continue;
-    }
-    note(result, "duration", {s.duration, result.duration, Vec3::Zero()});
-    return false;
-  }
-  if (trajectory.segments.empty()) result.reason = "duration";
-  return !trajectory.segments.empty();
-}
 
 // Of the yaw (order 0) or its rate at a joint; one without yaw goes with any.
 double yaw_jump(const Segment& s, const Segment& next, int order) {
@@ -52,16 +34,17 @@ void check_joints(const geom::CollisionScene& scene, const Trajectory& trajector
     const State a = evaluate(s, s.duration);
     const State b = evaluate(next, 0);
     const double gap = (next.point[0] - s.point[kDegree]).norm();
-    if (gap > options.position_gap) {
+    // Written so that what is not a number is refused.
+    if (!(gap <= options.position_gap)) {
       note(result, "discontinuous", {gap, t, s.point[kDegree]});
-    } else if (const double dv = (b.velocity - a.velocity).norm(); dv > options.velocity_gap) {
+    } else if (const double dv = (b.velocity - a.velocity).norm(); !(dv <= options.velocity_gap)) {
       note(result, "discontinuous", {dv, t, s.point[kDegree]});
     } else if (const double da = (b.acceleration - a.acceleration).norm();
-               da > options.acceleration_gap) {
+               !(da <= options.acceleration_gap)) {
       note(result, "discontinuous", {da, t, s.point[kDegree]});
-    } else if (const double dy = yaw_jump(s, next, 0); dy > options.yaw_gap) {
+    } else if (const double dy = yaw_jump(s, next, 0); !(dy <= options.yaw_gap)) {
       note(result, "discontinuous", {dy, t, s.point[kDegree]});
-    } else if (const double dr = yaw_jump(s, next, 1); dr > options.yaw_rate_gap) {
+    } else if (const double dr = yaw_jump(s, next, 1); !(dr <= options.yaw_rate_gap)) {
       note(result, "discontinuous", {dr, t, s.point[kDegree]});
     } else if (gap > 0 && scene.hits(s.point[kDegree], next.point[0])) {
       note(result, "collision", {gap, t, s.point[kDegree]});
@@ -77,7 +60,11 @@ void check_joints(const geom::CollisionScene& scene, const Trajectory& trajector
 CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
                   const CheckOptions& options) {
   CheckResult result;
-  if (!durations_are_sound(trajectory, result)) return result;
+  if (const auto outside = outside_domain(trajectory, options.limits)) {
+    note(result, outside->reason, {outside->value, outside->time, Vec3::Zero()});
+    return result;
+  }
+  result.duration = duration(trajectory);
   const std::vector<Piece> pieces = pieces_of(trajectory);
   check_joints(scene, trajectory, options, result);
   if (result.reason.empty()) check_place(scene, pieces, result);
@@ -97,6 +84,10 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
 
 CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points) {
   CheckResult result;
+  if (const auto outside = outside_domain(points)) {
+    note(result, outside->reason, {outside->value, outside->time, Vec3::Zero()});
+    return result;
+  }
   std::vector<Piece> pieces;
   const auto leg = [](const Vec3& a, const Vec3& b, double index) {
     return Piece{{a, a, a, a, b, b, b, b}, index, index + 1};  // decided exactly

@@ -15,6 +15,18 @@ constexpr double kEps = 1e-15;
 constexpr int kDeepest = 40;      // halvings
 constexpr int kMostCuts = 20000;  // of a segment; what is not shown to hold by then is refused
 
+// The largest of a value over control points, or `least`. Where one is not a number, infinity: a
+// plain maximum would pass it by, and what is not known would read as within the limit.
+template <std::size_t N, class Value>
+double largest(const Points<N>& q, const Value& value, double least = 0) {
+  for (const Vec3& p : q) {
+    const double v = value(p);
+    if (std::isnan(v)) return kInfinity;
+    least = std::max(least, v);
+  }
+  return least;
+}
+
 // A quantity over a piece of a curve whose sublevel sets are convex: on the curve it is at most the
 // largest at the control points. `slack` is what rounding may have taken from it.
 template <std::size_t N, class Value>
@@ -25,11 +37,7 @@ struct ConvexPiece {
 
   double first() const { return value(q.front()); }
   double last() const { return value(q.back()); }
-  double upper() const {
-    double most = 0;
-    for (const Vec3& p : q) most = std::max(most, value(p));
-    return most + slack;
-  }
+  double upper() const { return largest(q, value) + slack; }
   std::pair<ConvexPiece, ConvexPiece> halved() const {
     const auto [l, r] = halves(q);
     return {{l, value, slack}, {r, value, slack}};
@@ -51,10 +59,9 @@ struct TurnPiece {
   double first() const { return ratio(cross.front().norm(), square.front().x()); }
   double last() const { return ratio(cross.back().norm(), square.back().x()); }
   double upper() const {
-    double most = 0;
-    double least = kInfinity;
-    for (const Vec3& p : cross) most = std::max(most, p.norm());
-    for (const Vec3& p : square) least = std::min(least, p.x());
+    const double most = largest(cross, [](const Vec3& p) { return p.norm(); });
+    const double least = -largest(
+        square, [](const Vec3& p) { return -p.x(); }, -kInfinity);
     const double sure = least - square_error;
     return sure > 0 ? (most + cross_error) / sure * (1 + kEps) : kInfinity;
   }
@@ -107,9 +114,7 @@ struct TiltPiece {
     return (upright ? by_points() : by_ball()) + slack;
   }
   double by_points() const {  // a cone of less than a right angle is convex
-    double most = 0;
-    for (const Vec3& p : f) most = std::max(most, most_of(p));
-    return most;
+    return largest(f, [this](const Vec3& p) { return most_of(p); });
   }
   double by_ball() const {
     const Vec3 middle = 0.5 * (f.front() + f.back());
@@ -131,9 +136,7 @@ Points<6> thrust_points(Points<6> a) {
 
 template <std::size_t N>
 double largest_norm(const Points<N>& q) {
-  double m = 0;
-  for (const Vec3& p : q) m = std::max(m, p.norm());
-  return m;
+  return largest(q, [](const Vec3& p) { return p.norm(); });
 }
 
 constexpr double choose(int n, int k) {

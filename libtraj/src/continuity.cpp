@@ -29,7 +29,8 @@ std::array<double, 7> largest_jumps(const Trajectory& trajectory) {
     const Derivatives before = derivatives(trajectory.segments[i - 1], true);
     const Derivatives after = derivatives(trajectory.segments[i], false);
     for (std::size_t d = 0; d < jumps.size(); ++d) {
-      jumps[d] = std::max(jumps[d], (after[d] - before[d]).norm());
+      const double jump = (after[d] - before[d]).norm();
+      if (!(jump <= jumps[d])) jumps[d] = jump;  // what is not a number is not passed by
     }
   }
   return jumps;

@@ -3,6 +3,7 @@
 
 #include "gmp_conditions.h"
 #include "gmp_judge.h"
+#include "traj/domain.h"
 #include "traj/exact_check.h"
 
 namespace traj {
@@ -61,6 +62,7 @@ std::array<mpq_class, 3> derivative_at(const Segment& s, int order, bool end) {
 class Proof {
  public:
   explicit Proof(const ExactTask& task) : task_(task) {
+    if (!has_sound_vehicle()) return;
     const geom::Aabb& bounds = task.map.spec().bounds;
     bounds_ = {whole(bounds.min), whole(bounds.max), 0};
     for (int axis = 0; axis < 3; ++axis) {
@@ -71,7 +73,11 @@ class Proof {
   }
 
   ExactResult of(const Trajectory& trajectory) {
-    if (!durations_are_sound(trajectory)) return result_;
+    if (!has_sound_vehicle()) return result_;
+    if (const auto outside = outside_domain(trajectory, task_.limits)) {
+      refuse(outside->reason, outside->time, Vec3::Zero());
+      return result_;
+    }
     const auto& segments = trajectory.segments;
     result_.segments.resize(segments.size());
     double t = 0;
@@ -133,6 +139,11 @@ class Proof {
       result_.reason = "no_path";
       return result_;
     }
+    if (!has_sound_vehicle()) return result_;
+    if (const auto outside = outside_domain(points)) {
+      refuse(outside->reason, outside->time, Vec3::Zero());
+      return result_;
+    }
     const std::size_t legs = std::max<std::size_t>(points.size() - 1, 1);
     result_.segments.resize(legs);
     const auto leg = [&](std::size_t i) {
@@ -162,7 +173,7 @@ class Proof {
     return curve;
   }
 
-  bool refuse(const char* reason, double time, const Vec3& place) {
+  bool refuse(std::string_view reason, double time, const Vec3& place) {
     result_.reason = reason;
     result_.time = time;
     result_.place = place;
@@ -183,19 +194,12 @@ class Proof {
                   place_at({points.begin(), points.end()}, stop.part));
   }
 
-  bool durations_are_sound(const Trajectory& trajectory) {
-    double t = 0;
-    for (const Segment& s : trajectory.segments) {
-      bool sound = std::isfinite(s.duration) && s.duration > 0;
-      for (const Vec3& p : s.point) sound = sound && p.allFinite();
-      if (s.yaw)
-        sound = sound && std::all_of(s.yaw->begin(), s.yaw->end(),
-                                     [](double y) { return std::isfinite(y); });
-      if (!sound) return refuse("duration", t, Vec3::Zero());
-      t += s.duration;
-    }
-    if (trajectory.segments.empty()) return refuse("duration", 0, Vec3::Zero());
-    return true;
+  // Half sizes and margin that the boxes around a curve are looked for by.
+  bool has_sound_vehicle() {
+    const auto sound = [](double size) { return size >= 0 && size <= geom::kLargestCoordinate; };
+    const Vec3& half = task_.vehicle.half;
+    return (std::all_of(half.begin(), half.end(), sound) && sound(task_.margin)) ||
+           refuse("vehicle", 0, Vec3::Zero());
   }
 
   bool joint(const Segment& before, const Segment& after, double time) {

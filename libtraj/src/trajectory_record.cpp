@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "traj/domain.h"
+
 namespace traj {
 namespace {
 
@@ -53,8 +55,9 @@ Segment parse_segment(const JsonFields& fields, const Json& segment, std::size_t
   Segment s;
   const Json duration = segment.value("duration", Json());
   s.duration = fields.number(duration, where + ".duration");
-  if (!(s.duration > 0)) {
-    fields.refuse(fmt::format("{}.duration must be > 0, found {}", where, duration.dump()));
+  if (!(s.duration >= kShortestSegment && s.duration <= kLongestTrajectory)) {
+    fields.refuse(fmt::format("{}.duration must be within {} and {} s, found {}", where,
+                              kShortestSegment, kLongestTrajectory, duration.dump()));
   }
   const char* axes[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
@@ -149,6 +152,10 @@ TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view
     for (std::size_t i = 0; i < list.size(); ++i) {
       record.trajectory.segments.push_back(parse_segment(fields, list[i], i));
     }
+  }
+  if (duration(record.trajectory) > kLongestTrajectory) {
+    fields.refuse(fmt::format("the segments must last at most {} s in all, found {} s",
+                              kLongestTrajectory, duration(record.trajectory)));
   }
   if (record.status == "solved" && record.trajectory.segments.empty()) {
     fields.refuse("segments must not be empty when the status is solved, found none");

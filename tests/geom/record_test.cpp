@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "geom/error.h"
 
 namespace geom {
@@ -30,6 +32,22 @@ TEST(PathRecord, CarriesHoldsAndVelocitiesThereAndBack) {
   EXPECT_EQ(back.hold, record.hold);
   EXPECT_EQ(back.velocity, record.velocity);
   EXPECT_EQ(to_json_line(back), line);
+}
+
+TEST(AppendJson, WritesWhatIsNotFiniteAsNull) {
+  std::string line;
+  for (const double value :
+       {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+        std::numeric_limits<double>::quiet_NaN(), 0.5}) {
+    append_json(line, value);
+    line += ' ';
+  }
+  EXPECT_EQ(line, "null null null 0.5 ");
+}
+
+TEST(PathRecord, RefusesMarginsThatNoSceneHolds) {
+  EXPECT_EQ(refusal(R"("margin":1e154)"), "p:1: margin must be within 1e8 m, found 1e+154");
+  EXPECT_EQ(refusal(R"("margin":-1)"), "p:1: margin must be >= 0, found -1");
 }
 
 TEST(PathRecord, RefusesHoldsAndVelocitiesThatCannotBe) {

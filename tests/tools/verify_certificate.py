@@ -1,15 +1,30 @@
-"""verify_certificate.py RECORDS MAP.csv BOUNDS CERTIFICATES: follows every certificate in exact fractions.
+"""verify_certificate.py RECORDS MAP.boxmap CERTIFICATES: follows every certificate in exact fractions.
 
-RECORDS are trajectories or paths (JSON Lines), MAP.csv is what `skyway-map to-csv` writes, BOUNDS are
-the map's, x0,y0,z0,x1,y1,z1. Nothing is taken on trust: each box of the map is looked at for each piece.
-Exit 0 when every record has a certificate that holds, else 1 with the reason. docs/certificates.md.
+RECORDS are trajectories or paths and CERTIFICATES what `skyway-check --certificate` wrote of them (JSON
+Lines). Nothing is taken on trust: the map's hash is worked out of its frame, bounds and boxes, and each
+box is looked at for each piece. Exit 0 when there is a record, and every one has a certificate that
+holds; 1 when one is refused, with the reason; 2 for wrong usage; 3 when a file cannot be read as what it
+should be. docs/certificates.md says what is checked, and what is not.
 """
 
-import csv
+import ast
+import hashlib
 import json
 import math
+import struct
 import sys
+import zipfile
+import zlib
 from fractions import Fraction as F
+
+GRAVITY = 9.80665
+LARGEST = 1e8  # of coordinates, sizes and margins, m: what the tools read
+SHORTEST, LONGEST = 1e-9, 1e9  # s, of a segment
+LEAST_LIMIT, LARGEST_LIMIT = 1e-9, 1e9
+DEEPEST = 60
+LIMITS = ("vmax", "vmax_h", "vmax_v", "amax", "jmax", "tilt", "thrust", "body_rate", "yaw_rate")
+COVERS = {"speed": "vmax", "acceleration": "amax", "jerk": "jmax", "tilt": "tilt", "horizontal_speed": "vmax_h",
+          "vertical_speed": "vmax_v", "thrust": "thrust", "body_rate": "body_rate", "yaw_rate": "yaw_rate"}
 
 
 class Refused(Exception):
@@ -21,10 +36,134 @@ def require(holds, what):
         raise Refused(what)
 
 
-def whole_number(value, what):
-    require(type(value) is int and value >= 0, f"{what} must be a whole number, found {value!r}")
+# ---- What is written, taken as nothing but what it should be.
+
+def shown(value):
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def number(value, what, least=-LARGEST, most=LARGEST):
+    """A JSON number that is a double, as a float: no string, bool, NaN, nor anything a double is not."""
+    require(type(value) in (int, float) and abs(value) <= sys.float_info.max, f"{what} must be a number, found {shown(value)}")
+    require(float(value) == value, f"{what} must be a double, found {shown(value)}")
+    require(least <= value <= most, f"{what} must be within {least} and {most}, found {shown(value)}")
+    return float(value)
+
+
+def numbers(value, count, what, least=-LARGEST):
+    require(type(value) is list and len(value) == count, f"{what} must be {count} numbers, found {shown(value)}")
+    return [number(v, f"{what}[{i}]", least) for i, v in enumerate(value)]
+
+
+def text(record, key, what):
+    require(type(record.get(key)) is str, f"{what} must have a text {key!r}, found {shown(record.get(key))}")
+    return record[key]
+
+
+def entries(value, what):
+    require(type(value) is list, f"{what} must be a list, found {shown(value)}")
     return value
 
+
+def an_object(value, what):
+    require(type(value) is dict, f"{what} must be an object, found {shown(value)}")
+    return value
+
+
+def whole_number(value, what, below):
+    require(type(value) is int and 0 <= value < below, f"{what} must be a whole number below {below}, found {shown(value)}")
+    return value
+
+
+def strict_json(line):
+    def pairs(found):
+        out = dict(found)
+        require(len(out) == len(found), f"a key stands twice in {shown([k for k, _ in found])}")
+        return out
+
+    def constant(word):
+        raise Refused(f"{word} is no JSON")
+
+    def decimal(digits):
+        value = float(digits)
+        require(math.isfinite(value), f"{digits} is larger than any double")
+        require(value or not any(d in "123456789" for d in digits.lower().split("e")[0]), f"{digits} is smaller than any double")
+        return value
+
+    return json.loads(line, object_pairs_hook=pairs, parse_constant=constant, parse_float=decimal)
+
+
+def by_id(path):
+    """The records of a file of JSON Lines, each under its id."""
+    out = {}
+    with open(path, encoding="utf-8", newline="\n") as file:
+        for row, line in enumerate(file, 1):
+            if not line.strip(" \t\r\n"):
+                continue
+            try:
+                record = an_object(strict_json(line), "a line")
+                name = text(record, "id", "a record")
+                require(name not in out, f"the id {name!r} stands twice")
+            except (Refused, RecursionError, ValueError) as reason:
+                raise Refused(f"{path}:{row}: {reason}") from None
+            out[name] = record
+    require(out, f"{path}: there is no record")
+    return out
+
+
+# ---- The map.
+
+def float_rows(data):
+    """The bytes of each row of an array of float64, six a row."""
+    require(data[:6] == b"\x93NUMPY" and data[6] in (1, 2), "boxes.npy is no NumPy array")
+    at = 8 + (2 if data[6] == 1 else 4)
+    end = at + int.from_bytes(data[8:at], "little")
+    header = an_object(ast.literal_eval(data[at:end].decode("ascii")), "the header of boxes.npy")
+    shape = header.get("shape")
+    require(header.get("descr") == "<f8" and header.get("fortran_order") is False and type(shape) is tuple and
+            len(shape) == 2 and shape[1] == 6 and len(data) - end == 48 * shape[0], f"boxes.npy is not n x 6 float64: {header}")
+    return [data[i:i + 48] for i in range(end, len(data), 48)]
+
+
+class BoxMap:
+    """A .boxmap of which everything that is used here is looked at, and the hash worked out of it."""
+
+    def __init__(self, path):
+        with zipfile.ZipFile(path) as archive:
+            names = archive.namelist()
+            require(len(set(names)) == len(names), "a file stands twice in the map")
+            meta = an_object(strict_json(archive.read("meta.json")), "meta.json")
+            rows = float_rows(archive.read("boxes.npy"))
+        require(meta.get("format") == "skyway-boxmap" and meta.get("version") == 1, "the map is no skyway-boxmap of version 1")
+        require(meta.get("boxes") == len(rows), f"the map says {shown(meta.get('boxes'))} boxes and has {len(rows)}")
+        self.boxes = [struct.unpack("<6d", row) for row in rows]
+        for i, box in enumerate(self.boxes):
+            corners(box, f"box {i}")
+        self.frame = text(meta, "frame", "the map")
+        require(self.frame in ("enu", "neu"), f"the frame must be enu or neu, found {self.frame!r}")
+        sides = entries(meta.get("bounds"), "the bounds of the map")
+        require(len(sides) == 2, "the bounds of the map must be two corners")
+        self.bounds = corners(sum((numbers(side, 3, "the bounds of the map") for side in sides), []), "the bounds of the map")
+        self.hash = self.worked_out(meta, rows)
+        require(meta.get("hash") == self.hash, f"the map says the hash {shown(meta.get('hash'))}, its content has {self.hash}")
+
+    def worked_out(self, meta, rows):
+        total = hashlib.sha256(f"{self.frame}\n{text(meta, 'crs', 'the map')}\n".encode())
+        if "origin" in meta:
+            total.update(struct.pack("<3d", *numbers(meta["origin"], 3, "the origin of the map")))
+        total.update(struct.pack("<6d", *self.bounds[0], *self.bounds[1]))
+        for i in sorted(range(len(rows)), key=self.boxes.__getitem__):
+            total.update(rows[i])
+        return "sha256:" + total.hexdigest()
+
+
+def corners(six, what):
+    require(all(-LARGEST <= a <= b <= LARGEST for a, b in zip(six[:3], six[3:])), f"{what} must be two corners within 1e8 m, found {six}")
+    return list(six[:3]), list(six[3:])
+
+
+# ---- Bernstein forms.
 
 def halves(points):
     """The control points (lists of coordinates) of both halves, by de Casteljau."""
@@ -36,17 +175,17 @@ def halves(points):
     return left, right[::-1]
 
 
-def pieces(points, cover):
+def pieces(points, cover, halved=halves):
     """The pieces of a cover in order; refuses one that leaves out, or repeats, a part of the curve."""
-    require(cover, "a cover is missing")
+    require(cover is not None, "a cover is missing")
     stack = [(points, 0)]  # what is still to be covered, the first on top
-    for depth in cover:
-        whole_number(depth, "a depth")
-        require(stack and depth <= 200, "the pieces are more than the curve")
+    for depth in entries(cover, "a cover"):
+        whole_number(depth, "a depth", DEEPEST + 1)
+        require(stack, "the pieces are more than the curve")
         piece, above = stack.pop()
         require(depth >= above, "a piece begins where it cannot")
         for level in range(above, depth):
-            piece, later = halves(piece)
+            piece, later = halved(piece)
             stack.append((later, level + 1))
         yield piece
     require(not stack, "the pieces leave out a part of the curve")
@@ -60,33 +199,46 @@ def derivative(points, times):
     return points
 
 
-def square(p):
-    """Bernstein coefficients of |p|^2."""
-    n = len(p) - 1
-    out = [F(0)] * (2 * n + 1)
-    for i in range(n + 1):
-        for j in range(n + 1):
-            weight = F(math.comb(n, i) * math.comb(n, j), math.comb(2 * n, i + j))
-            out[i + j] += weight * sum(a * b for a, b in zip(p[i], p[j]))
-    return out
+def whole_numbers(values):
+    """Fractions as whole numbers over one denominator."""
+    below = math.lcm(*(v.denominator for v in values))
+    return [v.numerator * (below // v.denominator) for v in values], below
 
 
 def product(p, q):
     """Bernstein coefficients of the product of two polynomials."""
     n, m = len(p) - 1, len(q) - 1
-    out = [F(0)] * (n + m + 1)
+    (a, below_a), (b, below_b) = whole_numbers(p), whole_numbers(q)
+    out = [0] * (n + m + 1)
     for i in range(n + 1):
         for j in range(m + 1):
-            out[i + j] += F(math.comb(n, i) * math.comb(m, j), math.comb(n + m, i + j)) * p[i] * q[j]
-    return out
+            out[i + j] += math.comb(n, i) * math.comb(m, j) * a[i] * b[j]
+    return [F(c, math.comb(n + m, k) * below_a * below_b) for k, c in enumerate(out)]
+
+
+def square(p):
+    """Bernstein coefficients of |p|^2."""
+    axes = [product(column(p, axis), column(p, axis)) for axis in range(len(p[0]))]
+    return [sum(of_axis) for of_axis in zip(*axes)]
 
 
 def column(points, axis):
     return [p[axis] for p in points]
 
 
+def doubled_halves(points):
+    """Both halves of a polynomial in whole numbers, times a power of two: signs stay."""
+    degree, row = len(points) - 1, points
+    left, right = [], []
+    for k in range(degree + 1):
+        left.append([row[0][0] << (degree - k)])
+        right.append([row[-1][0] << (degree - k)])
+        row = [[a + b] for (a,), (b,) in zip(row, row[1:])]
+    return left, right[::-1]
+
+
 def require_not_negative(polynomial, cover, what):
-    for piece in pieces([[c] for c in polynomial], cover):
+    for piece in pieces([[c] for c in whole_numbers(polynomial)[0]], cover, doubled_halves):
         require(all(c >= 0 for (c,) in piece), f"{what} is not shown on a piece")
 
 
@@ -105,7 +257,7 @@ def bounding_box(points):
 
 def apart(points, low, high, plane):
     """Whether the plane's normal has all points strictly on one side of the box, the side it says."""
-    require(plane in ("+x", "-x", "+y", "-y", "+z", "-z"), f"unknown plane {plane!r}")
+    require(plane in ("+x", "-x", "+y", "-y", "+z", "-z"), f"unknown plane {shown(plane)}")
     i = "xyz".index(plane[1])
     j, k = (i + 1) % 3, (i + 2) % 3
     normal = [F(0)] * 3
@@ -117,22 +269,34 @@ def apart(points, low, high, plane):
 
 
 class Verifier:
-    def __init__(self, boxes, bounds, half, margin, limits):
-        grow = [F(h) + F(margin) for h in half]
-        self.boxes = [([l - g for l, g in zip(low, grow)], [h + g for h, g in zip(high, grow)])
-                      for low, high in boxes]
+    """The proofs of one record, held against what is claimed of it."""
+
+    def __init__(self, box_map, claim):
+        grow = [F(h) + F(claim["margin"]) for h in claim["half"]]
+        self.boxes = [([F(c) - g for c, g in zip(box[:3], grow)], [F(c) + g for c, g in zip(box[3:], grow)])
+                      for box in box_map.boxes]
         # The same in floats and a micrometre larger, to pass by quickly what is clearly far away.
         self.rough = [([float(c) - 1e-6 for c in low], [float(c) + 1e-6 for c in high])
                       for low, high in self.boxes]
-        self.low = [b + g for b, g in zip(bounds[0], grow)]
-        self.high = [b - g for b, g in zip(bounds[1], grow)]
-        self.limits = limits
+        self.low = [F(b) + g for b, g in zip(box_map.bounds[0], grow)]
+        self.high = [F(b) - g for b, g in zip(box_map.bounds[1], grow)]
+        self.limits = claim["limits"]
+
+    def planes(self, proof, parts):
+        """The planes by piece and box; each must do what it says, needed or not."""
+        out = {}
+        for entry in entries(proof.get("planes", []), "planes"):
+            require(type(entry) is list and len(entry) == 3, f"a plane must be [piece, box, plane], found {shown(entry)}")
+            at = (whole_number(entry[0], "a piece", len(parts)), whole_number(entry[1], "a box", len(self.boxes)))
+            require(at not in out, f"two planes for box {at[1]} and piece {at[0]}")
+            require(apart(parts[at[0]], *self.boxes[at[1]], entry[2]), f"a plane does not part box {at[1]} from piece {at[0]}")
+            out[at] = entry[2]
+        return out
 
     def clear(self, points, proof):
-        planes = {}
-        for piece, box, plane in proof.get("planes", []):
-            planes[whole_number(piece, "a piece"), whole_number(box, "a box")] = plane
-        for number, piece in enumerate(pieces(points, proof.get("clear"))):
+        parts = list(pieces(points, proof.get("clear")))
+        planes = self.planes(proof, parts)
+        for piece_number, piece in enumerate(parts):
             low, high = bounding_box(piece)
             (x0, y0, z0), (x1, y1, z1) = map(float, low), map(float, high)
             for index, ((a, b, c), (d, e, f)) in enumerate(self.rough):
@@ -141,8 +305,7 @@ class Verifier:
                 box = self.boxes[index]
                 if any(h < l for h, l in zip(high, box[0])) or any(l > h for l, h in zip(low, box[1])):
                     continue
-                plane = planes.get((number, index))
-                require(plane and apart(piece, *box, plane), f"box {index} is not shown to miss piece {number}")
+                require((piece_number, index) in planes, f"box {index} is not shown to miss piece {piece_number}")
 
     def inside(self, points, proof):
         for piece in pieces(points, proof.get("bounds")):
@@ -159,7 +322,7 @@ class Verifier:
     def tilt(self, points, duration, proof):
         if "tilt" not in self.limits:
             return
-        thrust = [[x, y, z + F(9.80665) * duration**2] for x, y, z in derivative(points, 2)]
+        thrust = [[x, y, z + F(GRAVITY) * duration**2] for x, y, z in derivative(points, 2)]
         upward = [z for _, _, z in thrust]
         tangent = tangent_below(F(self.limits["tilt"]))
         cone = [tangent**2 * u - s
@@ -170,14 +333,14 @@ class Verifier:
     def thrust(self, points, duration, proof):
         if "thrust" not in self.limits:
             return
-        thrust = [[x, y, z + F(9.80665) * duration**2] for x, y, z in derivative(points, 2)]
+        thrust = [[x, y, z + F(GRAVITY) * duration**2] for x, y, z in derivative(points, 2)]
         most = (F(self.limits["thrust"]) * duration**2) ** 2
         require_not_negative([most - c for c in square(thrust)], proof.get("thrust"), "thrust")
 
     def body_rate(self, points, duration, proof):
         if "body_rate" not in self.limits:
             return
-        force = [[x, y, z + F(9.80665) * duration**2] for x, y, z in derivative(points, 2)]
+        force = [[x, y, z + F(GRAVITY) * duration**2] for x, y, z in derivative(points, 2)]
         jerk = derivative(points, 3)
         turn = [[a - b for a, b in zip(product(column(force, k), column(jerk, m)),
                                        product(column(force, m), column(jerk, k)))]
@@ -215,11 +378,13 @@ class Verifier:
             self.clear([before[1][-1], after[1][0]], proof["gap"])
 
     def trajectory(self, record, proofs):
-        segments = [(F(s["duration"]), [[F(c) for c in p] for p in zip(s["x"], s["y"], s["z"])],
-                     [F(y) for y in s["yaw"]] if "yaw" in s else None) for s in record["segments"]]
-        require(segments and len(proofs) == len(segments), "a segment has no proof")
+        segments = [a_segment(s, f"segments[{i}]") for i, s in enumerate(entries(record.get("segments"), "segments"))]
+        require(segments, "there is no segment")
+        require_near(record, "duration", float(sum(s[0] for s in segments)))
+        check_keys(proofs, len(segments), lambda i: {"clear", "bounds", "planes", "gap"} | {
+            cover for cover, limit in COVERS.items()
+            if limit in self.limits and (cover != "yaw_rate" or segments[i][2] is not None)})
         for (duration, points, yaw), proof in zip(segments, proofs):
-            require(duration > 0 and len(points) == 8, "a segment is not a trajectory's")
             self.clear(points, proof)
             self.inside(points, proof)
             self.norm(points, duration, 1, "vmax", "speed", proof)
@@ -233,53 +398,145 @@ class Verifier:
             self.yaw_rate(yaw, duration, proof)
         for before, after, proof in zip(segments, segments[1:], proofs):
             self.joint(before, after, proof)
+        require("gap" not in proofs[-1], "a gap after the last segment")
 
     def path(self, record, proofs):
-        points = [[F(c) for c in p] for p in record["points"]]
+        points = [[F(c) for c in numbers(p, 3, f"points[{i}]")] for i, p in enumerate(entries(record.get("points"), "points"))]
+        require(points, "there is no point")
+        stops(record, len(points))
         legs = list(zip(points, points[1:])) or [(points[0], points[0])]
-        require(len(proofs) == len(legs), "a leg has no proof")
+        require_near(record, "length", math.fsum(math.dist(*([float(c) for c in p] for p in leg)) for leg in legs))
+        check_keys(proofs, len(legs), lambda _: {"clear", "bounds", "planes"})
         for leg, proof in zip(legs, proofs):
             self.clear(list(leg), proof)
             self.inside(list(leg), proof)
 
 
-def verify(record, certificate, boxes, bounds):
-    """Raises Refused; else says what has been shown. What the record does not say is the certificate's."""
-    said = {**certificate, **record}
-    limits = {**certificate.get("limits", {}), **record.get("limits", {})}
-    unknown = set(limits) - {"vmax", "vmax_h", "vmax_v", "amax", "jmax", "tilt", "thrust", "body_rate", "yaw_rate"}
-    require(not unknown, f"unknown limits: {unknown}")
-    verifier = Verifier(boxes, bounds, said["vehicle"]["half"], said.get("margin", 0), limits)
-    kind = record.get("type", "trajectory")
-    require(certificate.get("of") == kind, "the certificate is of something else")
-    (verifier.path if kind == "path" else verifier.trajectory)(record, certificate["segments"])
-    return {"half": said["vehicle"]["half"], "margin": said.get("margin", 0),
-            "limits": limits if kind == "trajectory" else {}}
+def a_segment(segment, what):
+    """Its duration, control points, and yaw values or None."""
+    an_object(segment, what)
+    duration = number(segment.get("duration"), f"{what}.duration", SHORTEST, LONGEST)
+    axes = [numbers(segment.get(axis), 8, f"{what}.{axis}") for axis in "xyz"]
+    yaw = [F(y) for y in numbers(segment["yaw"], 8, f"{what}.yaw")] if "yaw" in segment else None
+    return F(duration), [[F(c) for c in p] for p in zip(*axes)], yaw
 
 
-def lines(path):
-    with open(path) as file:
-        return [json.loads(line) for line in file if line.strip()]
+def require_near(record, key, value):
+    """What a record says of itself, where it does, is what its curve is."""
+    if key in record:
+        found = number(record[key], key, 0)
+        require(abs(found - value) <= 1e-9 * value, f"{key} is {value}, found {found}")
+
+
+def stops(record, count):
+    """The holds and velocities of a path are no part of what is shown; they must be what they should."""
+    if "hold" in record:
+        numbers(record["hold"], count, "hold", least=0)
+    if "velocity" in record:
+        velocities = entries(record["velocity"], "velocity")
+        require(len(velocities) == count, f"velocity must have {count} entries, found {len(velocities)}")
+        for i, v in enumerate(velocities):
+            if v is not None:
+                numbers(v, 3, f"velocity[{i}]")
+
+
+def check_keys(proofs, count, allowed):
+    """A proof for each segment or leg, and in it nothing that would not be looked at."""
+    require(len(entries(proofs, "segments of a certificate")) == count, f"{len(proofs)} proofs for {count} parts")
+    for i, proof in enumerate(proofs):
+        an_object(proof, f"proof {i}")
+        require(set(proof) <= allowed(i), f"proof {i} speaks of {sorted(set(proof) - allowed(i))}, for which nothing is claimed")
+        gap = an_object(proof.get("gap", {}), "a gap")
+        require(set(gap) <= {"clear", "planes"}, f"a gap of {sorted(gap)}")
+
+
+# ---- What is claimed.
+
+def limits_of(record):
+    """Those of a record, or of a vehicle."""
+    limits = an_object(record.get("limits", {}), "limits")
+    require(set(limits) <= set(LIMITS), f"unknown limits: {sorted(set(limits) - set(LIMITS))}")
+    for key, value in limits.items():
+        number(value, f"limits.{key}", LEAST_LIMIT, LARGEST_LIMIT)
+    require(limits.get("tilt", 1) <= math.pi / 2, f"limits.tilt must be below a right angle, found {limits.get('tilt')}")
+    require(limits.get("thrust", 10) > GRAVITY, f"limits.thrust must be > {GRAVITY}, found {limits.get('thrust')}")
+    return limits
+
+
+def said_by(record, box_map, what, keys):
+    """What a record, or a certificate, says was asked. All of `keys` must be there."""
+    missing = [key for key in keys if key not in record]
+    require(not missing, f"{what} does not say {missing}")
+    require(record.get("map", box_map.hash) == box_map.hash, f"{what} is of another map: {shown(record.get('map'))}, this one is {box_map.hash}")
+    require(record.get("frame", box_map.frame) == box_map.frame, f"{what} is in the frame {shown(record.get('frame'))}, the map in {box_map.frame}")
+    vehicle = an_object(record.get("vehicle", {"half": [0, 0, 0]}), f"the vehicle of {what}")
+    if "name" in vehicle:
+        text(vehicle, "name", "a vehicle")
+    return {"half": numbers(vehicle.get("half"), 3, f"vehicle.half of {what}", least=0),
+            "margin": number(record.get("margin", 0), f"margin of {what}", least=0),
+            "limits": stricter(limits_of(record), limits_of(vehicle))}
+
+
+def stricter(some, others):
+    """Of each limit the smaller, or the only one."""
+    return {key: min(limits[key] for limits in (some, others) if key in limits)
+            for key in LIMITS if key in some or key in others}
+
+
+def claim_of(record, certificate, box_map):
+    """The stricter of what was asked for the record and what the certificate was made with."""
+    sides = [numbers(s, 3, "the bounds") for s in entries(certificate.get("bounds"), "the bounds of the certificate")]
+    require(sides == list(box_map.bounds), "the certificate has other bounds than the map")
+    asked = said_by(record, box_map, "the record", ())
+    made = said_by(certificate, box_map, "the certificate", ("map", "frame", "vehicle", "margin"))
+    return {"half": [max(pair) for pair in zip(asked["half"], made["half"])],
+            "margin": max(asked["margin"], made["margin"]), "limits": stricter(asked["limits"], made["limits"])}
+
+
+def verify(record, certificate, box_map):
+    """Raises Refused; else says what has been shown."""
+    kind = text(record, "type", "a record")
+    require(kind in ("trajectory", "path"), f"a record of type {shown(kind)}")
+    status = record.get("status", "solved" if kind == "trajectory" else "found")
+    require(status == ("solved" if kind == "trajectory" else "found"), f"the record says {shown(status)}")
+    require(certificate.get("type") == "certificate" and certificate.get("id") == record.get("id"), "it is no certificate of this record")
+    require(certificate.get("of") == kind, f"the certificate is of a {shown(certificate.get('of'))}")
+    claim = claim_of(record, certificate, box_map)
+    verifier = Verifier(box_map, claim)
+    proofs = certificate.get("segments")
+    if kind == "trajectory":
+        verifier.trajectory(record, proofs)
+        return claim
+    verifier.path(record, proofs)
+    return {"half": claim["half"], "margin": claim["margin"]}
+
+
+def verify_files(record_file, map_file, certificate_file):
+    """Prints what became of each record, and says how many were refused."""
+    box_map, records, certificates = BoxMap(map_file), by_id(record_file), by_id(certificate_file)
+    print(f"map {box_map.hash}: {len(box_map.boxes)} boxes, bounds {json.dumps(box_map.bounds)}")
+    refused = [f"{name!a}: refused: there is no record of this certificate" for name in certificates if name not in records]
+    for name, record in records.items():
+        try:
+            require(name in certificates, "there is no certificate")
+            shown_to_hold = verify(record, certificates[name], box_map)
+            print(f"{name!a}: holds for {json.dumps(shown_to_hold)}")
+        except Refused as reason:
+            refused.append(f"{name!a}: refused: {reason}")
+    print("\n".join(refused), end="\n" if refused else "")
+    return len(refused)
 
 
 def main():
-    if len(sys.argv) != 5:
-        sys.exit(__doc__)
-    with open(sys.argv[2]) as file:
-        rows = [[F(float(c)) for c in row[:6]] for row in list(csv.reader(file))[1:]]
-    boxes = [(row[:3], row[3:]) for row in rows]
-    numbers = [F(float(c)) for c in sys.argv[3].split(",")]
-    certificates = {c["id"]: c for c in lines(sys.argv[4])}
-    failed = 0
-    for record in lines(sys.argv[1]):
-        try:
-            require(record["id"] in certificates, "there is no certificate")
-            shown = verify(record, certificates[record["id"]], boxes, (numbers[:3], numbers[3:]))
-            print(f"{record['id']}: holds for {json.dumps(shown)}")
-        except (Refused, ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as reason:
-            failed += 1
-            print(f"{record['id']}: refused: {reason}")
-    sys.exit(failed > 0)
+    if len(sys.argv) != 4:
+        print(__doc__, file=sys.stderr)
+        sys.exit(2)
+    try:
+        sys.exit(verify_files(*sys.argv[1:]) > 0)
+    except (Refused, EOFError, KeyError, OSError, RecursionError, SyntaxError, ValueError, NotImplementedError,
+            RuntimeError, struct.error, zipfile.BadZipFile, zlib.error) as reason:
+        print(f"refused: {type(reason).__name__}: {reason}".replace("Refused: ", ""), file=sys.stderr)
+        sys.exit(3)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "geom/error.h"
 #include "support/refusal.h"
 #include "traj/scenes.h"
@@ -41,6 +43,20 @@ TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   EXPECT_EQ(back.extremes[1].value, 7.5);
   EXPECT_EQ(back.provenance.margin, 0.25);
   EXPECT_EQ(back.limits.vmax, 8);
+}
+
+TEST(ReportSummary, SaysNothingOfWhatIsNotFinite) {
+  const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}},
+                         {{{{1, 1, 1}, {2, 2, 2}}}, {41}, {0}, {""}});
+  ReportRecord record{"q1", "trajectory", {}, {}, {}};
+  record.result.reason = "body_rate";
+  record.result.worst = std::numeric_limits<double>::infinity();
+  record.result.duration = 4;
+  record.result.speed = {7.5, 2};
+  record.result.body_rate = {std::numeric_limits<double>::quiet_NaN(), 1};
+  const ReportSummary back = parse_report_record(to_json_line(record, map), "r.jsonl", 1);
+  EXPECT_FALSE(back.worst);
+  for (const auto& extreme : back.extremes) EXPECT_NE(extreme.name, std::string("body_rate"));
 }
 
 TEST(ReportSummary, ReadsWhatAFlightWas) {

@@ -44,7 +44,8 @@ traj::ReportRecord Checker::trajectory(const std::string& text, const std::strin
   if (rules_.exact) {
     report.exact = traj::check_exactly(exact_task(scene, report.limits), record.trajectory);
   }
-  if (profile_.is_open() && report.result.reason != "duration") {
+  if (profile_.is_open() && report.result.duration > 0) {
+    profile_.require_room(report.result.duration);
     profile_.add(record.id, traj::clearance_profile(scene, record.trajectory, profile_.step()));
   }
   return report;
@@ -63,6 +64,7 @@ traj::ReportRecord Checker::path(const std::string& text, const std::string& sou
   report.result = traj::check_path(scene, record.points);
   if (rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), record.points);
   if (profile_.is_open()) {
+    profile_.require_room(geom::length(record.points));
     profile_.add(record.id, traj::clearance_profile(scene, record.points, profile_.step()));
   }
   return report;
@@ -82,8 +84,10 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
   if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
   if (!profile_.is_open()) return report;
+  if (way) profile_.require_room(geom::length(*way));
   if (way) profile_.add(file.id, traj::clearance_profile(scene, *way, profile_.step()));
-  if (!path) {
+  if (!path && report.result.duration > 0) {
+    profile_.require_room(report.result.duration);
     profile_.add(file.id, traj::clearance_profile(scene, file.flown.trajectory, profile_.step()));
   }
   return report;

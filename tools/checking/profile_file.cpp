@@ -1,10 +1,21 @@
 #include "checking/profile_file.h"
 
+<<<<<<< HEAD
 #include "cli/output_option.h"
+=======
+#include <fmt/format.h>
+
+#include "cli/run.h"
+>>>>>>> proof
 #include "geom/io/csv_field.h"
 #include "geom/io/record.h"
 
 namespace checking {
+namespace {
+
+constexpr double kMostParts = 1e6;  // of one way: 40 MB of text
+
+}  // namespace
 
 void ProfileFile::add_to(CLI::App& app) {
   cli::add_output(app, "--profile", file_,
@@ -18,6 +29,14 @@ void ProfileFile::open(const cli::Sharding& sharding) {
   if (file_.empty()) return;
   out_.emplace(file_, "profile", sharding);
   out_->head("id,begin,end,clearance_m\n");
+}
+
+void ProfileFile::require_room(double extent) const {
+  if (extent / step_ <= kMostParts) return;
+  throw cli::UsageError(
+      fmt::format("--profile-step: expected at most {:g} parts of a way, found {:.0f} of {} each; "
+                  "--profile-step {:g} or more fits",
+                  kMostParts, extent / step_, step_, extent / kMostParts));
 }
 
 void ProfileFile::add(const std::string& id, std::span<const traj::ClearanceSpan> spans) {

@@ -19,6 +19,8 @@ class ProfileFile {
 
   void open(const cli::Sharding& sharding);  // which must outlive this
   bool is_open() const { return out_.has_value(); }
+  // Throws UsageError where a way so long (seconds, or metres) has more parts than can be written.
+  void require_room(double extent) const;
   void add(const std::string& id, std::span<const traj::ClearanceSpan> spans);
   void finish_record();  // what was added since the last is of one record
   void commit(std::size_t total, cli::Exit exit);

@@ -111,6 +111,14 @@ Written write_line(const Task& task, const geom::Polyline& legs) {
 
 bool has_legs(const std::string& format) { return format != "crazyflie" && format != "setpoints"; }
 
+void require_few_rows(double seconds, double rate) {
+  constexpr double kMostRows = 1e7;  // 2 GB of text
+  if (seconds * rate <= kMostRows) return;
+  throw cli::UsageError(fmt::format(
+      "--rate: expected at most {:g} setpoints in all, found {:.0f}; --rate {:g} or less fits",
+      kMostRows, seconds * rate, kMostRows / seconds));
+}
+
 Written write(const Task& task, const geom::Polyline& legs) {
   std::ostringstream text;
   if (task.format == "crazyflie") {
@@ -118,6 +126,7 @@ Written write(const Task& task, const geom::Polyline& legs) {
     return {text.str(), {}, {}, {task.format, task.placement, {}}};
   }
   if (task.format == "setpoints") {
+    require_few_rows(traj::duration(task.enu), task.rate);
     traj::write_setpoints(text, traj::setpoints(task.enu, task.rate),
                           task.ned ? traj::SetpointAxes::ned : traj::SetpointAxes::enu);
     return {text.str(), {}, {}, {task.format, task.placement, {}}};

@@ -24,7 +24,8 @@ constexpr Colour kFlight{204, 121, 167};
 constexpr Colour kCorridor{240, 228, 66};  // yellow, as in the page
 constexpr double kCorridorOpacity = 0.3;
 constexpr Colour kTrees[] = {{86, 140, 196}, {204, 102, 85}};
-constexpr double kStep = 0.1;  // seconds between the points of a curve
+constexpr double kStep = 0.1;       // seconds between the points of a curve,
+constexpr double kMostSteps = 1e5;  // but no more of them than that
 
 const cli::ContentKinds kKinds{
     .corridors = true,
@@ -42,7 +43,7 @@ geom::MeshPart way(std::string name, Colour colour, std::vector<geom::Vec3> poin
 
 std::vector<geom::Vec3> curve(const traj::Trajectory& trajectory) {
   const double end = traj::duration(trajectory);
-  const double count = std::max(1.0, std::ceil(end / kStep));
+  const double count = std::clamp(std::ceil(end / kStep), 1.0, kMostSteps);
   std::vector<geom::Vec3> points;
   for (double k = 0; k <= count; ++k) {
     points.push_back(traj::evaluate(trajectory, end * (k / count)).position);

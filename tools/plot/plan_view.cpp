@@ -71,6 +71,7 @@ double width_of(std::size_t i) { return std::max(1.6, 4.2 - 1.1 * static_cast<do
 
 void draw_line(Svg& svg, const Frame& frame, const PlanLine& line, std::size_t i) {
   const std::vector<Point> points = on_page(frame, line.points);
+  if (points.empty()) return;
   const std::string_view colour = plot::colour(i);
   if (i == 0) {
     svg.polyline(points, "stroke=\"#ffffff\" stroke-width=\"7\" stroke-linejoin=\"round\"");

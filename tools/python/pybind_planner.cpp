@@ -34,6 +34,13 @@ double within(double value, double most, const char* what) {
   throw py::value_error(fmt::format("{}: must be within 0 to {} m, found {}", what, most, value));
 }
 
+// As --resample; 0: not.
+double resample_step(double value) {
+  if (value == 0 || (value >= 1e-3 && value <= 1e6)) return value;
+  throw py::value_error(
+      fmt::format("resample: must be 0, or within 0.001 to 1e6 m, found {}", value));
+}
+
 // A planner, and what it was made for.
 struct Planner {
   Planner(const Scene& of, const plan::Lattice* lattice, const plan::Roadmap* roadmap)
@@ -59,7 +66,7 @@ struct Words {
     out.method = method_from(method);
     out.quality = quality_from(quality);
     out.raw = raw;
-    out.resample = within(resample, 1e6, "resample");
+    out.resample = resample_step(resample);
     out.snap_ends = within(snap_ends, 1e4, "snap_ends");
     out.sampling.seed = seed;
     return out;

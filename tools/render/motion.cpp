@@ -9,6 +9,8 @@
 namespace render {
 namespace {
 
+constexpr double kMostSteps = 1e5;  // of a way: its lines are drawn, and that is finer than pixels
+
 Vec3 mixed(const Vec3& a, const Vec3& b, double share) { return a + share * (b - a); }
 
 }  // namespace
@@ -72,7 +74,7 @@ double Motion::tracking_error(double t) const {
 }
 
 std::vector<Vec3> Motion::way(double step) const {
-  const double count = std::max(1.0, std::ceil((end_ - begin_) / step));
+  const double count = std::clamp(std::ceil((end_ - begin_) / step), 1.0, kMostSteps);
   std::vector<Vec3> out;
   for (double k = 0; k <= count; ++k) {
     const double t = begin_ + (end_ - begin_) * (k / count);

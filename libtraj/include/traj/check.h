@@ -32,9 +32,9 @@ struct Extreme {
 
 struct CheckResult {
   bool ok = false;
-  // "" when ok, else the first of these that holds: "duration" (empty, or a duration that is not
-  // finite and positive), "discontinuous", "bounds", "collision", "speed", "acceleration",
-  // "jerk", "tilt", "horizontal_speed", "vertical_speed", "thrust", "body_rate", "yaw_rate".
+  // "" when ok, else the first that holds: "duration", "coordinates", "limits" (outside domain.h:
+  // nothing was measured), "discontinuous", "bounds", "collision", "speed", "acceleration", "jerk",
+  // "tilt", "horizontal_speed", "vertical_speed", "thrust", "body_rate", "yaw_rate".
   std::string reason;
   double time = 0;                 // of the worst violation, seconds
   Vec3 place = Vec3::Zero();       // where that is, metres

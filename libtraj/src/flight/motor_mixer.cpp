@@ -15,6 +15,15 @@ Motors of_torque(const Quadrotor& q, const Vec3& torque) {
 
 double spread(const Motors& m) { return m.maxCoeff() - m.minCoeff(); }
 
+// The mean thrust nearest to what is wanted that keeps every motor within its range. A turn that
+// takes all of the room leaves one mean only, and rounding may put its two bounds the wrong way
+// round by an ulp.
+double mean_within_room(const Quadrotor& q, double wanted, const Motors& turn) {
+  const double least = q.motor_least - turn.minCoeff();
+  const double most = q.motor_most - turn.maxCoeff();
+  return least < most ? std::clamp(wanted, least, most) : 0.5 * (least + most);
+}
+
 }  // namespace
 
 Mixed mix(const Quadrotor& q, double thrust, const Vec3& torque) {
@@ -30,8 +39,7 @@ Mixed mix(const Quadrotor& q, double thrust, const Vec3& torque) {
   }
   Motors turn = tilt + kept * yaw;
   if (spread(turn) > room) turn *= room / spread(turn);
-  const double mean =
-      std::clamp(thrust / 4, q.motor_least - turn.minCoeff(), q.motor_most - turn.maxCoeff());
+  const double mean = mean_within_room(q, thrust / 4, turn);
   out.saturated |= mean != thrust / 4;
   out.command = (turn.array() + mean).max(q.motor_least).min(q.motor_most);
   out.thrust = out.command.sum();

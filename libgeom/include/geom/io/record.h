@@ -52,7 +52,7 @@ struct PathRecord {
   std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
 };
 
-// Appends numbers (shortest round trip) and strings (escaped) to a line of JSON.
+// Appends numbers (shortest round trip; not finite: null) and strings (escaped) to a line of JSON.
 void append_json(std::string& out, double value);
 void append_json(std::string& out, std::string_view text);
 void append_json(std::string& out, const Vec3& v);  // [x,y,z]
