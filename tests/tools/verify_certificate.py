@@ -247,6 +247,8 @@ def verify(record, certificate, boxes, bounds):
     """Raises Refused; else says what has been shown. What the record does not say is the certificate's."""
     said = {**certificate, **record}
     limits = {**certificate.get("limits", {}), **record.get("limits", {})}
+    for name, most in record.get("vehicle", {}).get("limits", {}).items():
+        limits[name] = min(most, limits.get(name, most))
     unknown = set(limits) - {"vmax", "vmax_h", "vmax_v", "amax", "jmax", "tilt", "thrust", "body_rate", "yaw_rate"}
     require(not unknown, f"unknown limits: {unknown}")
     verifier = Verifier(boxes, bounds, said["vehicle"]["half"], said.get("margin", 0), limits)

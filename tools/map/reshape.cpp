@@ -49,10 +49,13 @@ void run_join(const std::vector<std::string>& names, const std::string& output) 
   BoxTable table = geom::table_of(first);
   Json step = step_of("join", first);
   Json others = Json::array();
+  Json histories = Json::array();
   for (std::size_t i = 1; i < names.size(); ++i) {
     if (names[i] == "-") throw cli::UsageError("only the first map may be stdin");
     const BoxMap other = cli::open_map(names[i]);
     others.push_back(other.hash());
+    const std::string& past = other.spec().history;
+    histories.push_back(Json::parse(past.empty() ? "[]" : past));
     geom::append(table, geom::in_frame(spec.frame, other, names[i]));
     // Bounds move as a box does.
     geom::BoxMapSpec moved = other.spec();
@@ -65,6 +68,7 @@ void run_join(const std::vector<std::string>& names, const std::string& output) 
     spec.bounds = geom::merged(spec.bounds, bounds.boxes.front());
   }
   step["others"] = others;
+  step["histories"] = histories;
   write(output, spec, table, step);
 }
 
