@@ -87,7 +87,7 @@ class Reports {
   std::string certificate(const traj::ReportRecord& report) const {
     return to_json_line(traj::CertificateRecord{report.id, report.checked, *report.exact,
                                                 map_.spec().bounds, report.provenance,
-                                                report.limits});
+                                                report.limits, report.overridden});
   }
 
   const geom::BoxMap& map_;

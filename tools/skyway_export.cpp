@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -73,6 +74,20 @@ void warn_of_memory(const cli::Common& common, const Task& task) {
       memory.compressed_fits
           ? fmt::format(" (compressed they take {} of its 4096 bytes)", memory.compressed_bytes)
           : ", nor do they fit compressed"));
+}
+
+// Straight legs end in rests of their own, not in those of the trajectory.
+void warn_of_holds(const cli::Common& common, const Task& task) {
+  if (!exporting::has_legs(task.format)) return;
+  double held = 0;
+  for (const traj::Segment& s : task.enu.segments) {
+    const auto here = [&](const geom::Vec3& p) { return p == s.point.front(); };
+    if (std::all_of(s.point.begin(), s.point.end(), here)) held += s.duration;
+  }
+  if (held > 0) {
+    common.warn(fmt::format("{}: it stands still for {:.4g} s, which {} does not say: left out",
+                            task.id, held, task.format));
+  }
 }
 
 // The text, and beside a Tello's script its program and table.
@@ -165,7 +180,26 @@ void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked)
   cli::only_for(app, !unchecked, {"--vehicle", "--margin"}, "an export that is checked");
 }
 
-Written write_unchecked(const TrajectoryRecord& record, Task& task) {
+// Without a map nothing judges the speed of each leg, so that it must suit legs in any direction.
+void require_slow_enough(const Task& task) {
+  const std::optional<double> most = exporting::speed_limit(task.limits);
+  if (!task.speed || !most || *task.speed <= *most) return;
+  throw cli::UsageError(
+      fmt::format("--speed: asked for {} m/s, but {} may fly at most {} m/s in every direction: "
+                  "ask for no more",
+                  *task.speed, task.id, *most));
+}
+
+Written write_unchecked(const Options& options, const TrajectoryRecord& record, Task& task) {
+  TrajectoryRecord made_for = record;
+  const auto asked = options.vehicle.asked(options.vehicle.profile());
+  if (asked.vehicle || record.provenance.vehicle) {
+    made_for.provenance.vehicle =
+        cli::agreed_room(record.provenance, asked, cli::Differences::refused, options.input(), 0)
+            .vehicle;
+  }
+  task.limits = traj::limits_of(made_for);
+  require_slow_enough(task);
   task.frame.axes = record.provenance.frame.value_or(geom::Axes::enu);
   task.ground = task.landing = task.placement.ground.value_or(0);
   task.enu = traj::to_enu(task.frame.axes, record.trajectory);
@@ -178,6 +212,7 @@ std::optional<Written> write_checked(const Options& options, const TrajectoryRec
   cli::Scenes scenes(cli::open_map(options.files[0], geom::Verified::contents), options.vehicle,
                      cli::Scenes::Differences::refused);
   const auto& scene = scenes.scene_for(record.provenance, options.input(), 0);
+  task.limits = geom::limits_that_hold({{}, record.limits, scene.vehicle().limits});
   task.frame = scene.map().spec().frame;
   task.enu = traj::to_enu(task.frame.axes, record.trajectory);
   set_ground(scene, record, task);
@@ -206,14 +241,15 @@ int main(int argc, char** argv) {
       return cli::Exit::no;
     }
     task.id = record.id;
-    task.limits = record.limits;
     task.ned = options.axes == "ned";
     task.lands = !options.hover;
     task.checked = !options.unchecked;
-    const std::optional<Written> written =
-        options.unchecked ? write_unchecked(record, task) : write_checked(options, record, task);
+    const std::optional<Written> written = options.unchecked
+                                               ? write_unchecked(options, record, task)
+                                               : write_checked(options, record, task);
     if (!written) return cli::Exit::no;
     if (task.format == "crazyflie") warn_of_memory(common, task);
+    warn_of_holds(common, task);
     save(task, *written, options.output);
     common.write_stats(statistics(task, *written));
     return cli::Exit::yes;

@@ -7,6 +7,7 @@
 #include "cli/numbers_option.h"
 #include "cli/output_option.h"
 #include "cli/run.h"
+#include "cli/vehicle_option.h"
 #include "traj/close_joints.h"
 #include "traj/io/trajectory_record.h"
 
@@ -36,6 +37,11 @@ struct Importer {
     if (file.returns) {
       common.warn(file.id +
                   ": the return to home is left out: its height is a setting of the vehicle");
+    }
+    if (file.flown.speed) {
+      common.warn(fmt::format(
+          "{}: the file's speed, {} m/s, is left out: a path has none; give skyway-traj --vmax",
+          file.id, *file.flown.speed));
     }
     geom::PathRecord record;
     record.id = file.id;
@@ -72,6 +78,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Read a drone file as a trajectory or a path.", "skyway-import-trajectory"};
   cli::Common common(app);
   cli::DroneFileOptions options{"auto", {}, {}};
+  cli::VehicleOptions vehicle;
   std::string input;
   std::string output = "-";
   std::string map;
@@ -88,6 +95,7 @@ int main(int argc, char** argv) {
   app.add_option("--frame", axes, "axes to write in: enu or neu (default enu)")
       ->check(CLI::IsMember({"enu", "neu"}))
       ->excludes(map_option);
+  vehicle.add_to(app);
   options.placement.add_to(app);
   cli::add_point(app, "--start", options.start, "where a Tello stands before it takes off");
   app.add_option(
@@ -103,6 +111,9 @@ int main(int argc, char** argv) {
     cli::InputFile file(input);
     Importer importer{common, file.name(), gap, {}};
     const geom::Frame frame = frame_of(map, axes, importer.provenance);
+    const cli::AskedRoom room = vehicle.asked(vehicle.profile());
+    importer.provenance.vehicle = room.vehicle;
+    importer.provenance.margin = room.margin;
     auto read = cli::read_drone_file(file.read_all(), file.name(), options, frame);
     if (!id.empty() && read.size() > 1) throw cli::UsageError("--id names one record, found more");
     if (!id.empty()) read.front().id = id;

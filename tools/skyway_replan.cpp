@@ -12,7 +12,7 @@
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "geom/parallel.h"
-#include "plan/io/path_record.h"
+#include "plan/io/replanned_record.h"
 #include "plan/replan.h"
 
 namespace {
@@ -60,6 +60,16 @@ std::size_t end_of_run(const std::vector<Line>& paths, std::size_t begin) {
   return static_cast<std::size_t>(end - paths.begin());
 }
 
+// Says in the record, too, what could not be kept.
+geom::PathRecord told(plan::ReplannedRecord replanned) {
+  if (!replanned.lost.empty()) {
+    replanned.record.message =
+        fmt::format("the way leaves points {} of the old path, whose holds and velocities are lost",
+                    fmt::join(replanned.lost, ", "));
+  }
+  return std::move(replanned.record);
+}
+
 // A record for each path, in order.
 std::vector<geom::PathRecord> replan_each(const Paths& paths, cli::Scenes& scenes,
                                           const cli::Artefacts& artefacts, plan::Quality quality,
@@ -81,9 +91,7 @@ std::vector<geom::PathRecord> replan_each(const Paths& paths, cli::Scenes& scene
     geom::parallel_for(end - begin, run, [&](std::size_t i) {
       const geom::PathRecord& old = lines[begin + i].record;
       const plan::ReplanResult result = plan::replan(scene, planner, old.points, quality);
-      geom::PathRecord& record = records[begin + i];
-      record = plan::path_record(scene, old.id, result.plan);
-      if (found(record)) record.origin = result.origin;
+      records[begin + i] = told(plan::replanned_record(scene, old, result));
     });
   }
   return records;
@@ -97,12 +105,15 @@ struct Tally {
 
 // The output may take the place of the paths.
 Tally write_records(const std::vector<geom::PathRecord>& records, const std::string& output,
-                    const std::string& paths) {
+                    const std::string& paths, const cli::Common& common) {
   cli::OutputFile out(output, cli::OutputKind::text, paths);
   Tally tally;
   for (const geom::PathRecord& record : records) {
     const bool kept = found(record) && record.origin->mended.empty();
     ++(!found(record) ? tally.failed : kept ? tally.kept : tally.mended);
+    if (found(record) && !record.message.empty()) {
+      common.warn(fmt::format("{}: {}", record.id, record.message));
+    }
     out.stream() << geom::to_json_line(record);
   }
   out.commit();
@@ -133,7 +144,7 @@ int main(int argc, char** argv) {
     const cli::Artefacts artefacts(artefact_files);
     const std::vector<geom::PathRecord> records =
         replan_each(read_paths(paths_file), scenes, artefacts, quality, common.execution("paths"));
-    const auto [kept, mended, failed] = write_records(records, output, paths_file);
+    const auto [kept, mended, failed] = write_records(records, output, paths_file, common);
     common.write_stats(
         {{"paths", records.size()}, {"kept", kept}, {"mended", mended}, {"failed", failed}});
     if (records.size() == 1 && failed) {

@@ -52,17 +52,26 @@ struct Outputs {
 
 using Counts = std::map<std::string, std::size_t, std::less<>>;  // by rung or status
 
+solving::Solved answer_to(const geom::PathRecord& path, const std::string& source, std::size_t line,
+                          const solving::Options& options, cli::Scenes& scenes) {
+  if (path.status != "found") {
+    const auto vehicle =
+        scenes.profile() ? std::optional(scenes.profile()->vehicle) : path.provenance.vehicle;
+    const geom::Limits held = vehicle ? vehicle->limits : geom::Limits{};
+    return solving::without_path(path, geom::limits_that_hold({options.limits.limits(), {}, held}));
+  }
+  const geom::CollisionScene& scene = scenes.scene_for(path.provenance, source, line);
+  return solving::solve(scene, path, options.task(scene.vehicle()));
+}
+
 // A process an optimisation: MUMPS is not thread safe.
-Counts solve_each(const Share& share, const solving::Task& task, cli::Scenes& scenes,
+Counts solve_each(const Share& share, const solving::Options& options, cli::Scenes& scenes,
                   const geom::Execution& run, Outputs& out) {
   const auto work = [&](std::size_t i) {
     const auto& [line, number] = share.lines[i];
     const geom::PathRecord path = geom::parse_path_record(line, share.source, number);
-    const solving::Solved solved =
-        path.status == "found"
-            ? solving::solve(scenes.scene_for(path.provenance, share.source, number), path, task)
-            : solving::without_path(path, task.options.limits);
-    return solving::to_text(solved, out.corridors.has_value());
+    return solving::to_text(answer_to(path, share.source, number, options, scenes),
+                            out.corridors.has_value());
   };
   Counts counts;
   const auto take = [&](std::size_t i, const std::string& text) {
@@ -99,14 +108,14 @@ int main(int argc, char** argv) {
                    {{"output", output}, {"corridor-file", options.corridor_file}});
     if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
-                       vehicle, cli::Scenes::Differences::refused);
-    const solving::Task task = options.task(scenes.profile());
+                       vehicle, cli::Differences::refused);
+    if (scenes.profile()) options.task(scenes.profile()->vehicle);  // refuses before it reads
     const Share share = read_share(input, sharding.shard());
     Outputs out{{output, "output", sharding}, std::nullopt};
     if (!options.corridor_file.empty()) {
       out.corridors.emplace(options.corridor_file, "corridor-file", sharding);
     }
-    const Counts counts = solve_each(share, task, scenes, common.execution("trajectories"), out);
+    const Counts counts = solve_each(share, options, scenes, common.execution("trajectories"), out);
     const bool no = counts.contains("no_path") || counts.contains("infeasible");
     const cli::Exit exit = no ? cli::Exit::no : cli::Exit::yes;
     out.commit(share.total, exit);

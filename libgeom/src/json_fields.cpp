@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 
 #include "geom/error.h"
 #include "geom/io/parse_json.h"
@@ -85,6 +88,37 @@ std::vector<Vec3> JsonFields::points(const char* key) const {
   return points;
 }
 
+Limits JsonFields::limits(const Json& value, std::string_view what) const {
+  if (!value.is_object()) refuse(fmt::format("{} must be an object, found {}", what, shown(value)));
+  Limits out;
+  for (const auto& [key, entry] : value.items()) {
+    const auto field = std::find_if(std::begin(kLimitFields), std::end(kLimitFields),
+                                    [&](const LimitField& f) { return key == f.name; });
+    if (field == std::end(kLimitFields)) {
+      std::string names;
+      for (const LimitField& f : kLimitFields) names += fmt::format(" {}", f.name);
+      refuse(
+          fmt::format("{} has \"{}\", which is no limit; expected some of:{}", what, key, names));
+    }
+    const std::string where = fmt::format("{}.{}", what, key);
+    const double limit = number(entry, where);
+    if (!(limit > 0)) refuse(fmt::format("{} must be > 0, found {}", where, shown(entry)));
+    out.*field->member = limit;
+  }
+  if (out.tilt && *out.tilt >= std::numbers::pi / 2) {
+    refuse(fmt::format("{}.tilt must be below a right angle, 1.5707963 rad, found {}", what,
+                       *out.tilt));
+  }
+  if (out.thrust && *out.thrust <= kGravity) {
+    refuse(fmt::format("{}.thrust must be > {} m/s2, found {}", what, kGravity, *out.thrust));
+  }
+  return out;
+}
+
+Limits JsonFields::limits() const {
+  return has("limits") ? limits(object_["limits"], "limits") : Limits{};
+}
+
 Provenance JsonFields::provenance() const {
   Provenance p;
   if (has("map")) p.map = text("map");
@@ -103,6 +137,7 @@ Provenance JsonFields::provenance() const {
     if (vehicle.half.minCoeff() < 0) {
       refuse("vehicle.half must be >= 0, found " + shown(v["half"]));
     }
+    if (v.contains("limits")) vehicle.limits = limits(v["limits"], "vehicle.limits");
     p.vehicle = vehicle;
   }
   if ((p.margin = number("margin")) && *p.margin < 0) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -65,13 +66,26 @@ void append_json(std::string& out, const Provenance& provenance) {
     append_json(out, std::string_view(provenance.vehicle->name));
     out += ",\"half\":";
     append_json(out, provenance.vehicle->half);
-    out += "},";
+    out += ',';
+    append_json(out, provenance.vehicle->limits);
+    out.back() = '}';  // the comma that each part leaves behind it
+    out += ',';
   }
   if (provenance.margin) {
     out += "\"margin\":";
     append_json(out, *provenance.margin);
     out += ',';
   }
+}
+
+void append_json(std::string& out, const Limits& limits) {
+  std::string body;
+  for (const auto& [key, limit] : kLimitFields) {
+    if (!(limits.*limit)) continue;
+    body += fmt::format("{}\"{}\":", body.empty() ? "" : ",", key);
+    append_json(body, *(limits.*limit));
+  }
+  if (!body.empty()) out += "\"limits\":{" + body + "},";
 }
 
 namespace {
@@ -105,6 +119,23 @@ const nlohmann::json& list_of(const JsonFields& fields, const char* key, std::si
                               list.is_array() ? fmt::format("{}", list.size()) : shown(list)));
   }
   return list;
+}
+
+std::vector<LegRange> parse_ranges(const JsonFields& fields, const char* key, std::size_t points) {
+  std::vector<LegRange> ranges;
+  if (!fields.has(key)) return ranges;
+  const nlohmann::json& list = fields.object()[key];
+  const auto sound = [&](const nlohmann::json& range) {
+    return range.is_array() && range.size() == 2 && range[0].is_number_unsigned() &&
+           range[1].is_number_unsigned() &&
+           range[0].get<std::size_t>() < range[1].get<std::size_t>() &&
+           range[1].get<std::size_t>() < points;
+  };
+  if (!list.is_array() || !std::all_of(list.begin(), list.end(), sound)) {
+    fields.refuse(fmt::format("{} must be a list of [a,b] with a < b, points of the path", key));
+  }
+  for (const auto& range : list) ranges.push_back({range[0], range[1]});
+  return ranges;
 }
 
 void parse_holds(const JsonFields& fields, PathRecord& record) {
@@ -178,6 +209,10 @@ PathRecord parse_path_record(std::string_view json, std::string_view source, std
   if (fields.has("points")) record.points = fields.points("points");
   if (record.status == "found" && record.points.empty()) {
     fields.refuse("points must hold at least one point when the status is found, found none");
+  }
+  if (fields.has("kept") || fields.has("mended")) {
+    record.origin = {parse_ranges(fields, "kept", record.points.size()),
+                     parse_ranges(fields, "mended", record.points.size())};
   }
   parse_holds(fields, record);
   parse_velocities(fields, record);

@@ -47,6 +47,10 @@ void append_segment(std::string& out, const SegmentProof& proof) {
 
 }  // namespace
 
+void append_overridden(std::string& out, const std::vector<std::string>& names) {
+  if (!names.empty()) out += fmt::format("\"overridden\":[\"{}\"],", fmt::join(names, "\",\""));
+}
+
 std::string to_json_line(const CertificateRecord& record) {
   std::string line = "{\"type\":\"certificate\",\"id\":";
   geom::append_json(line, std::string_view(record.id));
@@ -54,7 +58,8 @@ std::string to_json_line(const CertificateRecord& record) {
   geom::append_json(line, std::string_view(record.of));
   line += ',';
   geom::append_json(line, record.provenance);
-  append_json(line, record.limits);
+  geom::append_json(line, record.limits);
+  append_overridden(line, record.overridden);
   line += "\"bounds\":[";
   geom::append_json(line, record.bounds.min);
   line += ',';

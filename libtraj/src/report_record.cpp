@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "json_number.h"
+#include "traj/io/certificate_record.h"
 #include "traj/io/trajectory_record.h"
 
 namespace traj {
@@ -139,7 +140,8 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   if (record.exact) append_exact(line, record, map);
   line += ',';
   geom::append_json(line, record.provenance);
-  append_json(line, record.limits);
+  geom::append_json(line, record.limits);
+  append_overridden(line, record.overridden);
   line.back() = '}';  // the comma that each part leaves behind it
   line += '\n';
   return line;
@@ -167,7 +169,7 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
     report.exact_ok = flag(fields, exact, "exact.ok");
   }
   report.provenance = fields.provenance();
-  report.limits = parse_limits(fields);
+  report.limits = fields.limits();
   return report;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "portable_math.h"
+#include "traj/time_scaling.h"
 
 namespace traj {
 namespace {
@@ -54,6 +55,15 @@ Segment straight(const Vec3& a, const Vec3& b, double duration) {
   return {duration, {a, a, a, a, b, b, b, b}, std::nullopt};
 }
 
+// Slowed until the thrust turns no faster than it may.
+Segment turning_no_faster(const Segment& segment, const Limits& limits) {
+  if (!limits.body_rate) return segment;
+  Limits turning;
+  turning.body_rate = limits.body_rate;
+  const Trajectory alone{{segment}};
+  return slowed(alone, smallest_factor(alone, turning)).segments.front();
+}
+
 }  // namespace
 
 Trajectory stop_and_go(std::span<const Vec3> points, const Limits& limits) {
@@ -63,7 +73,8 @@ Trajectory stop_and_go(std::span<const Vec3> points, const Limits& limits) {
     const Vec3& a = points[i - 1];
     const Vec3& b = points[i];
     if (a == b) continue;
-    trajectory.segments.push_back(straight(a, b, shortest(b - a, limits)));
+    trajectory.segments.push_back(
+        turning_no_faster(straight(a, b, shortest(b - a, limits)), limits));
   }
   if (trajectory.segments.empty()) {
     trajectory.segments.push_back(straight(points[0], points[0], 1));

@@ -70,35 +70,9 @@ Segment parse_segment(const JsonFields& fields, const Json& segment, std::size_t
 
 }  // namespace
 
-void append_json(std::string& out, const Limits& limits) {
-  std::string body;
-  for (const LimitField& field : kLimitFields) {
-    const auto& value = limits.*field.member;
-    if (!value) continue;
-    body += fmt::format("{}\"{}\":", body.empty() ? "" : ",", field.name);
-    geom::append_json(body, *value);
-  }
-  if (!body.empty()) out += "\"limits\":{" + body + "},";
-}
-
-Limits parse_limits(const JsonFields& fields) {
-  Limits limits;
-  if (!fields.has("limits")) return limits;
-  const Json& object = fields.object()["limits"];
-  if (!object.is_object()) fields.refuse("limits must be an object, found " + object.dump());
-  for (const auto& [key, member] : kLimitFields) {
-    if (!object.contains(key)) continue;
-    const double value = fields.number(object[key], std::string("limits.") + key);
-    if (!(value > 0)) {
-      fields.refuse(fmt::format("limits.{} must be > 0, found {}", key, object[key].dump()));
-    }
-    limits.*member = value;
-  }
-  if (limits.thrust && *limits.thrust <= kGravity) {
-    fields.refuse(
-        fmt::format("limits.thrust must be > {} m/s2, found {}", kGravity, *limits.thrust));
-  }
-  return limits;
+Limits limits_of(const TrajectoryRecord& record) {
+  const auto& vehicle = record.provenance.vehicle;
+  return geom::limits_that_hold({{}, record.limits, vehicle ? vehicle->limits : Limits{}});
 }
 
 std::string to_json_line(const TrajectoryRecord& record) {
@@ -118,7 +92,7 @@ std::string to_json_line(const TrajectoryRecord& record) {
     line += ',';
   }
   geom::append_json(line, record.provenance);
-  append_json(line, record.limits);
+  geom::append_json(line, record.limits);
   if (!record.message.empty()) {
     line += "\"message\":";
     geom::append_json(line, std::string_view(record.message));
@@ -142,7 +116,7 @@ TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view
   record.id = fields.text("id");
   record.status = fields.text("status", "solved");
   record.provenance = fields.provenance();
-  record.limits = parse_limits(fields);
+  record.limits = fields.limits();
   record.message = fields.text("message", "");
   record.rung = fields.text("rung", "");
   if (fields.has("solver")) record.solver = fields.object()["solver"].dump();

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+
+#include "plan/io/replanned_record.h"
 #include "plan/scenes.h"
 #include "support/exact_oracle.h"
 
@@ -125,6 +129,56 @@ TEST(Replan, PlansAnewWhereAMendWouldBeMuchLonger) {
   EXPECT_LE(geom::length(result.plan.path), 1.05 * geom::length(fresh.path));
 }
 
+// --- records ------------------------------------------------------------------------------------
+
+geom::PathRecord record_of(const Polyline& points) {
+  geom::PathRecord record;
+  record.id = "q1";
+  record.status = "found";
+  record.points = points;
+  return record;
+}
+
+ReplannedRecord replanned_of(const geom::CollisionScene& scene, const geom::PathRecord& old) {
+  return replanned_record(scene, old, replanned(scene, old.points));
+}
+
+const Polyline kRow = {{5, 50, 5}, {20, 50, 5}, {40, 50, 5}, {60, 50, 5}, {80, 50, 5}, {95, 50, 5}};
+
+TEST(ReplannedRecord, KeepsHoldsAndVelocitiesOfAPathThatIsKept) {
+  const auto scene = scene_of({{{50, 10, 0}, {52, 20, 10}}}, kBounds, kHalf);
+  geom::PathRecord old = record_of(kRow);
+  old.hold = {0, 7, 0, 0, 3, 1};
+  old.velocity = {Vec3(1, 0, 0), {}, Vec3(2, 0, 0), {}, {}, {}};
+  const ReplannedRecord replanned = replanned_of(scene, old);
+  EXPECT_EQ(replanned.record.hold, old.hold);
+  EXPECT_EQ(replanned.record.velocity, old.velocity);
+  EXPECT_TRUE(replanned.lost.empty());
+}
+
+TEST(ReplannedRecord, KeepsTheHoldsThatAreLeftAndSaysWhichAreLost) {
+  const auto scene = scene_of({{{38, 45, 0}, {42, 55, 10}}}, kBounds, kHalf);
+  geom::PathRecord old = record_of(kRow);
+  old.hold = {2, 0, 7, 0, 3, 1};
+  old.velocity = {{}, Vec3(1, 0, 0), {}, Vec3(1, 0, 0), {}, {}};
+  const ReplannedRecord replanned = replanned_of(scene, old);
+  const geom::PathRecord& record = replanned.record;
+  ASSERT_EQ(record.status, "found");
+  ASSERT_EQ(record.hold.size(), record.points.size());
+  ASSERT_EQ(record.velocity.size(), record.points.size());
+  double total = 0;
+  for (std::size_t i = 0; i < record.points.size(); ++i) {
+    total += record.hold[i];
+    if (record.hold[i] > 0) {
+      const auto at = std::find(old.points.begin(), old.points.end(), record.points[i]);
+      ASSERT_TRUE(at != old.points.end());
+      EXPECT_EQ(record.hold[i], old.hold[static_cast<std::size_t>(at - old.points.begin())]);
+    }
+  }
+  EXPECT_EQ(total, 6) << "all but the one inside the new box";
+  EXPECT_NE(std::find(replanned.lost.begin(), replanned.lost.end(), 2u), replanned.lost.end());
+}
+
 class ReplanProperty : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(ReplanProperty, IsSoundForAnyChange) {
@@ -154,6 +208,14 @@ TEST_P(ReplanProperty, IsSoundForAnyChange) {
       const ReplanResult result = replan(after, newer, old.path, quality);
       SCOPED_TRACE(testing::Message() << "seed " << GetParam() << ", query " << i);
       expect_sound(after, old.path, result);
+      geom::PathRecord record = record_of(old.path);
+      record.hold.assign(old.path.size(), 1);
+      const ReplannedRecord carried = replanned_record(after, record, result);
+      if (result.plan.status == PlanStatus::found) {
+        EXPECT_EQ(std::accumulate(carried.record.hold.begin(), carried.record.hold.end(), 0.0) +
+                      static_cast<double>(carried.lost.size()),
+                  static_cast<double>(old.path.size()));
+      }
       bool all_free = true;
       for (std::size_t k = 1; k < old.path.size(); ++k) {
         all_free = all_free && exactly_free(after, old.path[k - 1], old.path[k]);

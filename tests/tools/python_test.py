@@ -150,6 +150,29 @@ def test_records_are_those_of_the_tools(out, scene):
     assert numpy.isnan(table["speed"][-1])
 
 
+def test_limits_of_vehicles_hold(city):
+    """Those of a profile travel, hold and are loosened by nobody."""
+    tello = skyway.CollisionScene(city, "tello")
+    assert tello.limits == tello.vehicle.limits and tello.limits["vmax"] == 8
+    path = skyway.Planner(tello).plan((-425, -320.5, 7), (-380, -290, 12), snap_ends=5)
+    assert path.status == "found" and path.vehicle.limits == tello.limits
+    said = raises(skyway.UsageError, skyway.solve, tello, path, limits={"vmax": 30})
+    assert "30 m/s" in said and "8 m/s" in said
+    trajectory = skyway.solve(tello, path)  # needs no limits
+    assert trajectory.status == "solved" and trajectory.limits == tello.limits
+    report = skyway.check(tello, trajectory, limits={"vmax": 30, "amax": 30})
+    assert report["ok"] and report["limits"] == {**tello.limits, "amax": 30}
+    assert skyway.check(tello, trajectory, limits={"vmax": 1})["limits"]["vmax"] == 1
+    again = skyway.CollisionScene(city, path.vehicle)
+    assert again.vehicle == tello.vehicle and skyway.solve(again, path).to_json() == trajectory.to_json()
+    for small in ("box:0.01,0.01,0.01", "crazyflie"):
+        assert "found tello" in raises(skyway.InputError, skyway.check, skyway.CollisionScene(city, small), trajectory)
+    large = skyway.CollisionScene(city, "tello", 0.1)
+    assert "with margin 0.1" in raises(skyway.InputError, skyway.solve, large, path)
+    assert skyway.check(large, trajectory)["margin"] == 0.1
+    assert "finite" in raises(skyway.InputError, skyway.solve, tello, path, limits={"vmax": float("inf")})
+
+
 def test_errors_carry_the_tools_messages(out, scene):
     torn = pathlib.Path(out) / "torn.boxmap"
     torn.write_bytes(pathlib.Path(f"{out}/city.boxmap").read_bytes()[:-100])
@@ -281,6 +304,7 @@ with tempfile.TemporaryDirectory() as folder:
     test_batches_are_never_converted(here)
     test_records_are_those_of_the_tools(folder, here)
     test_errors_carry_the_tools_messages(folder, here)
+    test_limits_of_vehicles_hold(here.map)
     test_flight_logs(folder)
     test_stubs_name_what_is_there()
     test_examples_and_pages(folder)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scenes.h"
+#include "traj/check.h"
 
 namespace traj {
 namespace {
@@ -47,6 +48,18 @@ TEST(StopAndGo, TakesTheShortestTimeOfEachLimit) {
   EXPECT_NEAR(jerk.jerk, 4, 1e-5);
   const Peaks tilt = sampled(stop_and_go(path, {{}, {}, {}, 0.5}).segments[0]);
   EXPECT_NEAR(tilt.tilt, 0.5, 1e-5);
+}
+
+TEST(StopAndGo, TurnsTheThrustNoFasterThanItMay) {
+  Limits limits;
+  limits.amax = 8;
+  limits.body_rate = 2;
+  const geom::CollisionScene scene = testing::scene_of({});
+  for (const double length : {0.01, 0.3, 5.0, 80.0}) {
+    const std::vector<Vec3> path{Vec3(0, 0, 5), Vec3(length, 0, 5),
+                                 Vec3(length, 0, 5 + length / 2)};
+    EXPECT_LE(check(scene, stop_and_go(path, limits), Limits{}).body_rate.value, 2) << length;
+  }
 }
 
 TEST(StopAndGo, SkipsLegsOfNoLength) {

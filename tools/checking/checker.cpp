@@ -1,7 +1,6 @@
 #include "checking/checker.h"
 
-#include <algorithm>
-
+#include "cli/limit_options.h"
 #include "cli/run.h"
 #include "geom/io/json_fields.h"
 #include "traj/check.h"
@@ -18,27 +17,43 @@ traj::ExactTask exact_task(const geom::CollisionScene& scene, const traj::Limits
   return {scene.map(), scene.vehicle(), scene.margin(), limits};
 }
 
+// Only --override allows it.
+bool has_less_room(const geom::CollisionScene& scene, const geom::Provenance& record) {
+  return cli::smaller_than_asked({scene.vehicle(), scene.margin()}, record);
+}
+
 }  // namespace
 
-// The record's limits, or stricter ones that were asked for.
-traj::Limits Checker::limits_for(const traj::Limits& record) const {
-  const auto pick = [&](std::optional<double> option, std::optional<double> own) {
-    if (!option || !own || rules_.override_record) return option ? option : own;
-    return std::optional(std::min(*option, *own));
-  };
-  return traj::combined(rules_.limits, record, pick);
+traj::Limits Checker::limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const {
+  return cli::limits_to_check({rules_.limits, record, vehicle.limits, rules_.override_record},
+                              vehicle.name);
+}
+
+// The limits that --override loosens.
+std::vector<std::string> Checker::loosened(const traj::TrajectoryRecord& record,
+                                           const geom::Vehicle& vehicle,
+                                           const traj::Limits& held) const {
+  const geom::Limits strict =
+      geom::limits_that_hold({rules_.limits, traj::limits_of(record), vehicle.limits});
+  std::vector<std::string> out;
+  for (const auto& [name, limit] : geom::kLimitFields) {
+    if (held.*limit != strict.*limit) out.emplace_back(name);
+  }
+  return out;
 }
 
 traj::ReportRecord Checker::trajectory(const std::string& text, const std::string& source,
                                        std::size_t line) const {
   const auto record = traj::parse_trajectory_record(text, source, line);
-  traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}};
+  traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}, {}, {}};
   if (record.status != "solved") {
     report.result.reason = record.status;
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
-  report.limits = limits_for(record.limits);
+  report.limits = limits_for(record.limits, scene.vehicle());
+  report.overridden = loosened(record, scene.vehicle(), report.limits);
+  if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
   report.result = traj::check(scene, record.trajectory, report.limits);
   if (rules_.exact) {
@@ -54,12 +69,13 @@ traj::ReportRecord Checker::trajectory(const std::string& text, const std::strin
 traj::ReportRecord Checker::path(const std::string& text, const std::string& source,
                                  std::size_t line) const {
   const auto record = geom::parse_path_record(text, source, line);
-  traj::ReportRecord report{record.id, "path", {}, record.provenance, {}};
+  traj::ReportRecord report{record.id, "path", {}, record.provenance, {}, {}, {}};
   if (record.status != "found") {
     report.result.reason = "no_path";
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
+  if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
   report.result = traj::check_path(scene, record.points);
   if (rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), record.points);
@@ -77,10 +93,12 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   if (rules_.exact && !path) {
     throw cli::UsageError("--exact takes paths and records, not files of trajectories");
   }
-  traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}};
-  report.limits = limits_for(scenes_.profile()->limits);  // a scene without a record has a profile
+  traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}, {}, {}};
+  const traj::Limits limits = limits_for({}, scene.vehicle());
+  report.overridden = loosened({}, scene.vehicle(), limits);
+  report.limits = traj::measured(file.flown, limits);
   report.provenance = geom::provenance_of(scene);
-  report.result = traj::check_flown(scene, file.flown, report.limits);
+  report.result = traj::check_flown(scene, file.flown, limits);
   const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
   if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
   if (!profile_.is_open()) return report;

@@ -4,12 +4,14 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "checking/profile_file.h"
 #include "cli/drone_file.h"
 #include "cli/files.h"
 #include "cli/vehicle_option.h"
 #include "traj/io/report_record.h"
+#include "traj/io/trajectory_record.h"
 
 namespace checking {
 
@@ -38,7 +40,9 @@ class Checker {
   traj::ReportRecord path(const std::string& text, const std::string& source,
                           std::size_t line) const;
   traj::ReportRecord flown(const cli::DroneFile& file) const;
-  traj::Limits limits_for(const traj::Limits& record) const;
+  traj::Limits limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const;
+  std::vector<std::string> loosened(const traj::TrajectoryRecord& record,
+                                    const geom::Vehicle& vehicle, const traj::Limits& held) const;
 
   cli::Scenes& scenes_;
   ProfileFile& profile_;

@@ -1,12 +1,9 @@
 #include "checking/profile_file.h"
 
-<<<<<<< HEAD
-#include "cli/output_option.h"
-=======
 #include <fmt/format.h>
 
+#include "cli/output_option.h"
 #include "cli/run.h"
->>>>>>> proof
 #include "geom/io/csv_field.h"
 #include "geom/io/record.h"
 

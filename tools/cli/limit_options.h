@@ -1,10 +1,12 @@
 #pragma once
 
-// The options that name a vehicle's limits.
+// The options that name a vehicle's limits, and which limits hold then.
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <string>
 
+#include "geom/vehicle.h"
 #include "traj/limits.h"
 
 namespace cli {
@@ -13,7 +15,7 @@ namespace cli {
 class LimitOptions {
  public:
   void add_to(CLI::App& app);
-  traj::Limits limits() const;  // those that were given
+  traj::Limits limits() const;  // those that were given; UsageError for one that is no number
 
  private:
   traj::Limits given_;
@@ -21,5 +23,16 @@ class LimitOptions {
   std::optional<double> body_rate_;
   std::optional<double> yaw_rate_;
 };
+
+// A limit as the options take it: "12 m/s", "35 degrees".
+std::string shown(const geom::LimitField& field, double value);
+
+// geom::limits_that_hold for a check. UsageError where --override asks for more tilt than the
+// vehicle's box holds.
+geom::Limits limits_to_check(const geom::LimitSources& sources, const std::string& vehicle);
+
+// Those to solve for: what is asked and what the vehicle may do. UsageError where more is asked
+// than the vehicle may do, and where both say too little to solve for.
+geom::Limits limits_to_solve(const geom::Limits& asked, const geom::Vehicle& vehicle);
 
 }  // namespace cli

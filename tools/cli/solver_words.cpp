@@ -48,17 +48,4 @@ void choose_solver(const std::string& solver, const std::string& times,
   }
 }
 
-traj::Limits limits_to_solve(const traj::Limits& asked,
-                             const std::optional<VehicleProfile>& profile) {
-  const auto pick = [](std::optional<double> a, std::optional<double> b) { return a ? a : b; };
-  const traj::Limits limits =
-      traj::combined(asked, profile ? profile->limits : traj::Limits{}, pick);
-  if ((!limits.vmax && !(limits.vmax_h && limits.vmax_v)) ||
-      (!limits.amax && !(limits.tilt && limits.thrust))) {
-    throw UsageError(
-        "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust)");
-  }
-  return limits;
-}
-
 }  // namespace cli

@@ -25,14 +25,9 @@ std::string note_of(const Task& task) {
   return task.checked ? "" : "UNCHECKED: not compared with any map";
 }
 
-// The slowest of what the options and the limits say.
+// As asked, else what the limits allow.
 std::optional<double> speed_of(const Task& task) {
-  std::optional<double> speed = task.speed;
-  if (speed) return speed;
-  for (const auto& limit : {task.limits.vmax, task.limits.vmax_h, task.limits.vmax_v}) {
-    if (limit) speed = std::min(speed.value_or(*limit), *limit);
-  }
-  return speed;
+  return task.speed ? task.speed : speed_limit(task.limits);
 }
 
 // Where the nose points: as asked, as the trajectory's yaw begins, or north.
@@ -108,6 +103,14 @@ Written write_line(const Task& task, const geom::Polyline& legs) {
 }
 
 }  // namespace
+
+std::optional<double> speed_limit(const traj::Limits& limits) {
+  std::optional<double> speed;
+  for (const auto& limit : {limits.vmax, limits.vmax_h, limits.vmax_v}) {
+    if (limit) speed = std::min(speed.value_or(*limit), *limit);
+  }
+  return speed;
+}
 
 bool has_legs(const std::string& format) { return format != "crazyflie" && format != "setpoints"; }
 

@@ -36,6 +36,9 @@ struct Written {
   cli::DroneFileOptions reading;  // what it takes to read the text again
 };
 
+// The largest speed that they allow in every direction, m/s.
+std::optional<double> speed_limit(const traj::Limits& limits);
+
 // Whether the format is straight legs, rather than the curve itself.
 bool has_legs(const std::string& format);
 

@@ -43,17 +43,16 @@ Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle,
   scenes_.emplace(*map, flown, cli::Scenes::Differences::allowed);
 }
 
+// The vehicle that flies must be the one it was made for: in its limits, and over a map in its
+// size.
+void Mission::require_vehicle(const Entry& entry) const {
+  geom::Provenance made_for = entry.record.provenance;
+  made_for.margin.reset();  // kept for what happens here
+  if (made_for.vehicle && !scenes_) made_for.vehicle->half = profile_.vehicle.half;
+  cli::agreed_room(made_for, {profile_.vehicle, 0}, cli::Differences::refused, source_, entry.line);
+}
+
 const geom::CollisionScene& Mission::scene_for(const Entry& entry) {
-  const auto& made_for = entry.record.provenance.vehicle;
-  if (made_for && made_for->half != profile_.vehicle.half) {
-    const auto shown = [](const geom::Vehicle& v) {
-      return fmt::format("{} [{}, {}, {}]", v.name, v.half[0], v.half[1], v.half[2]);
-    };
-    throw geom::InputError(
-        source_, entry.line,
-        fmt::format("expected a trajectory for the vehicle {}, as asked, found one for {}",
-                    shown(profile_.vehicle), shown(*made_for)));
-  }
   return scenes_->scene_for(entry.record.provenance, source_, entry.line);
 }
 
@@ -81,6 +80,7 @@ std::size_t Mission::read(cli::InputFile& file, const geom::Shard& shard) {
           source_, number,
           fmt::format("duration must be at most {} s to be flown, found {}", kLongest, length));
     }
+    require_vehicle(entry);
     if (scenes_) scene_for(entry);
     entries_.push_back(std::move(entry));
   });
@@ -98,8 +98,9 @@ void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::Flight
   report.provenance = geom::provenance_of(scene);
   if (flight.path.empty()) return;  // lost at once
   traj::TiltedVehicle tilted;
-  if (profile_.body) {
-    tilted.tilt_max = profile_.limits.tilt.value_or(0);
+  const auto& tilt_max = profile_.vehicle.limits.tilt;  // else the box holds every attitude
+  if (tilt_max && profile_.body) {
+    tilted.tilt_max = *tilt_max;
     tilted.half_at = [body = *profile_.body](double tilt) {
       return geom::attitude_half_sizes(body, std::min(tilt, 1.5707963267948966));
     };

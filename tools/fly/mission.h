@@ -50,6 +50,7 @@ class Mission {
   };
 
   geom::Axes axes(const Entry& entry) const;
+  void require_vehicle(const Entry& entry) const;
   const geom::CollisionScene& scene_for(const Entry& entry);
   traj::SetpointTrack track_of(const Entry& entry) const;
   traj::FlightReport report_of(const Entry& entry, const traj::SetpointTrack* track,

@@ -52,10 +52,13 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
   BoxTable table = geom::table_of(first);
   Json step = step_of("join", first);
   Json others = Json::array();
+  Json histories = Json::array();
   for (std::size_t i = 1; i < names.size(); ++i) {
     if (names[i] == "-") throw cli::UsageError("only the first map may be stdin");
     const BoxMap other = open(names[i], common);
     others.push_back(other.hash());
+    const std::string& past = other.spec().history;
+    histories.push_back(geom::parse_ordered_json(past.empty() ? "[]" : past, names[i]));
     geom::append(table, geom::in_frame(spec.frame, other, names[i]));
     // Bounds move as a box does.
     geom::BoxMapSpec moved = other.spec();
@@ -68,6 +71,7 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
     spec.bounds = geom::merged(spec.bounds, bounds.boxes.front());
   }
   step["others"] = others;
+  step["histories"] = histories;
   write({names[0], output}, spec, table, step);
 }
 

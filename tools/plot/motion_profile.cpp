@@ -42,7 +42,7 @@ double tilt(const traj::State& s) {
 
 std::string motion_profile(const traj::TrajectoryRecord& record) {
   const geom::Axes axes = record.provenance.frame.value_or(geom::Axes::enu);
-  const traj::Limits& limits = record.limits;
+  const traj::Limits limits = traj::limits_of(record);
   const auto of = [&](const Value& value, const char* label, std::size_t i) {
     return Series{label, colour(i), curve(record, axes, value)};
   };

@@ -2,6 +2,7 @@
 
 #include "pybind_module.h"
 
+#include <cmath>
 #include <system_error>
 #include <thread>
 
@@ -25,9 +26,9 @@ traj::Limits limits_from(const py::object& object) {
       known = true;
       if (value.is_none()) continue;
       const double number = value.cast<double>();
-      if (!(number > 0)) {
-        throw geom::InputError("limits",
-                               name + " must be > 0, found " + std::string(py::str(value)));
+      if (!(number > 0 && std::isfinite(number))) {
+        throw geom::InputError(
+            "limits", name + " must be > 0 and finite, found " + std::string(py::str(value)));
       }
       limits.*field.member = number;
     }

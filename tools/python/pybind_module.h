@@ -26,10 +26,9 @@ void bind_flight_log(py::module_& module);
 void bind_planner(py::module_& module);
 void bind_trajectories(py::module_& module);  // solve and check
 
-// A scene, and what else its vehicle's profile says.
+// A scene: the class that Python sees.
 struct Scene {
   geom::CollisionScene scene;
-  cli::VehicleProfile profile;
 };
 
 geom::Execution on_threads(unsigned threads);  // 0: all

@@ -106,6 +106,7 @@ void bind_vehicle(py::module_& module) {
   py::class_<Vehicle>(module, "Vehicle")
       .def_readonly("name", &Vehicle::name)
       .def_property_readonly("half", [](const Vehicle& v) { return tuple_of(v.half); })
+      .def_property_readonly("limits", [](const Vehicle& v) { return dict_of(v.limits); })
       .def("__eq__", [](const Vehicle& a, const Vehicle& b) { return a == b; })
       .def("__repr__", [](const Vehicle& v) {
         return "Vehicle(" + v.name + ", " + std::string(py::str(tuple_of(v.half))) + ")";
@@ -116,19 +117,23 @@ void bind_vehicle(py::module_& module) {
 
 void bind_scene(py::module_& module) {
   bind_vehicle(module);
+  const auto scene_of = [](const geom::BoxMap& map, const geom::Vehicle& vehicle, double margin) {
+    if (!(margin >= 0 && margin <= 1e6)) {
+      throw py::value_error("margin: must be within 0 to 1e6 m");
+    }
+    return Scene{geom::CollisionScene(map, vehicle, margin)};
+  };
   py::class_<Scene>(module, "CollisionScene")
-      .def(py::init([](const geom::BoxMap& map, const std::string& vehicle, double margin) {
-             if (!(margin >= 0 && margin <= 1e6)) {
-               throw py::value_error("margin: must be within 0 to 1e6 m");
-             }
-             cli::VehicleProfile profile = cli::parse_vehicle(vehicle);
-             return Scene{geom::CollisionScene(map, profile.vehicle, margin), profile};
+      .def(py::init(scene_of), py::arg("map"), py::arg("vehicle"), py::arg("margin") = 0.0)
+      .def(py::init([scene_of](const geom::BoxMap& map, const std::string& vehicle, double margin) {
+             return scene_of(map, cli::parse_vehicle(vehicle).vehicle, margin);
            }),
            py::arg("map"), py::arg("vehicle"), py::arg("margin") = 0.0)
       .def_property_readonly("map", [](const Scene& s) { return s.scene.map(); })
       .def_property_readonly("vehicle", [](const Scene& s) { return s.scene.vehicle(); })
       .def_property_readonly("margin", [](const Scene& s) { return s.scene.margin(); })
-      .def_property_readonly("limits", [](const Scene& s) { return dict_of(s.profile.limits); })
+      .def_property_readonly("limits",
+                             [](const Scene& s) { return dict_of(s.scene.vehicle().limits); })
       .def_property_readonly("free_bounds",
                              [](const Scene& s) -> py::object {
                                const auto& bounds = s.scene.free_bounds();

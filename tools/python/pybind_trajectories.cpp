@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cli/agreed_room.h"
+#include "cli/limit_options.h"
 #include "cli/run.h"
 #include "cli/solver_words.h"
 #include "geom/error.h"
@@ -19,9 +21,10 @@
 namespace binding {
 namespace {
 
-// A record of another map must not be taken for one of this.
-void require_same_map(const geom::Provenance& record, const geom::CollisionScene& scene,
-                      const std::string& id) {
+// The scene's vehicle, with the limits that hold for the record. A record of another map must not
+// be taken for one of this.
+geom::Vehicle agreed_vehicle(const geom::Provenance& record, const geom::CollisionScene& scene,
+                             cli::Differences differences, const std::string& id) {
   const geom::Provenance ours = geom::provenance_of(scene);
   if (record.map && record.map != ours.map) {
     throw geom::InputError(
@@ -31,6 +34,7 @@ void require_same_map(const geom::Provenance& record, const geom::CollisionScene
     throw geom::InputError(id, fmt::format("expected frame {}, as the map has, found {}",
                                            geom::name(*ours.frame), geom::name(*record.frame)));
   }
+  return cli::agreed_room(record, {scene.vehicle(), scene.margin()}, differences, id, 0).vehicle;
 }
 
 // A path record, or an array of points.
@@ -44,10 +48,13 @@ geom::PathRecord path_from(const py::object& object) {
   return record;
 }
 
+constexpr double kYawRate = std::numbers::pi / 2;  // rad/s, where none is asked for
+
 // "along", radians from x towards y, or the (x, y) to look at.
-std::optional<traj::YawOptions> yaw_from(const py::object& object, traj::Limits& limits) {
+std::optional<traj::YawOptions> yaw_from(const py::object& object, bool rate_asked,
+                                         traj::Limits& limits) {
   if (object.is_none()) return std::nullopt;
-  if (!limits.yaw_rate) limits.yaw_rate = std::numbers::pi / 2;
+  if (!rate_asked) limits.yaw_rate = std::min(limits.yaw_rate.value_or(kYawRate), kYawRate);
   traj::YawOptions yaw;
   yaw.rate = *limits.yaw_rate * (1 - 1e-9);  // room for rounding in the proof
   if (py::isinstance<py::str>(object)) {
@@ -70,10 +77,12 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
                              const std::string& solver, const std::optional<std::string>& times,
                              const std::string& corridor, double rho, const py::object& yaw_words) {
   const geom::PathRecord record = path_from(path);
-  require_same_map(record.provenance, self.scene, record.id);
+  const geom::Vehicle vehicle =
+      agreed_vehicle(record.provenance, self.scene, cli::Differences::refused, record.id);
+  const traj::Limits asked = limits_from(limits);
   traj::SolveOptions options;
   cli::choose_solver(solver, times.value_or(""), options);
-  options.limits = cli::limits_to_solve(limits_from(limits), self.profile);
+  options.limits = cli::limits_to_solve(asked, vehicle);
   const auto kind = cli::kCorridors.find(corridor);
   if (kind == cli::kCorridors.end()) {
     throw py::value_error("corridor: expected planes or boxes, found \"" + corridor + "\"");
@@ -81,7 +90,7 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   options.corridor = kind->second;
   if (!(rho >= 0 && rho <= 1e3)) throw py::value_error("rho: must be within 0 to 1000");
   options.rho = rho;
-  const auto yaw = yaw_from(yaw_words, options.limits);
+  const auto yaw = yaw_from(yaw_words, asked.yaw_rate.has_value(), options.limits);
   if (record.status != "found") {
     traj::TrajectoryRecord none;
     none.id = record.id;
@@ -98,16 +107,18 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   return out;
 }
 
+// As skyway-check has it: stricter than the record as one likes.
 traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRecord& record,
                                     const traj::Limits& asked, bool exact) {
-  require_same_map(record.provenance, self.scene, record.id);
-  traj::ReportRecord report{record.id, "trajectory", {}, geom::provenance_of(self.scene), {}, {}};
+  const geom::Vehicle vehicle =
+      agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
+  traj::ReportRecord report{record.id, "trajectory", {}, geom::provenance_of(self.scene),
+                            {},        {},           {}};
   if (record.status != "solved") {
     report.result.reason = record.status;
     return report;
   }
-  const auto pick = [](std::optional<double> a, std::optional<double> b) { return a ? a : b; };
-  report.limits = traj::combined(asked, record.limits, pick);
+  report.limits = geom::limits_that_hold({asked, record.limits, vehicle.limits});
   report.result = traj::check(self.scene, record.trajectory, report.limits);
   if (exact) {
     report.exact = traj::check_exactly(
@@ -118,8 +129,8 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
 }
 
 traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record, bool exact) {
-  require_same_map(record.provenance, self.scene, record.id);
-  traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}};
+  agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
+  traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}, {}};
   if (record.status != "found") {
     report.result.reason = "no_path";
     return report;

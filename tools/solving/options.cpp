@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "cli/numbers_option.h"
@@ -12,10 +13,14 @@
 namespace solving {
 namespace {
 
-// --yaw along, DEGREES, or X,Y of a point to look at; up to 90 degrees/s where no limit is given.
-std::optional<traj::YawOptions> yaw_options(const std::string& text, traj::Limits& limits) {
+constexpr double kYawRate = std::numbers::pi / 2;  // rad/s, where none is asked for
+
+// --yaw along, DEGREES, or X,Y of a point to look at; up to 90 degrees/s, and no more than the
+// vehicle's, where no limit is given.
+std::optional<traj::YawOptions> yaw_options(const std::string& text, bool rate_asked,
+                                            traj::Limits& limits) {
   if (text.empty()) return std::nullopt;
-  if (!limits.yaw_rate) limits.yaw_rate = std::numbers::pi / 2;
+  if (!rate_asked) limits.yaw_rate = std::min(limits.yaw_rate.value_or(kYawRate), kYawRate);
   traj::YawOptions yaw;
   yaw.rate = *limits.yaw_rate * (1 - 1e-9);  // room for rounding in the proof
   if (text == "along") return yaw;
@@ -54,10 +59,11 @@ void Options::add_to(CLI::App& app) {
 
 void Options::choose_solver() { cli::choose_solver(solver, times, solve); }
 
-Task Options::task(const std::optional<cli::VehicleProfile>& profile) const {
+Task Options::task(const geom::Vehicle& vehicle) const {
+  const geom::Limits asked = limits.limits();
   Task task{solve, std::nullopt};
-  task.options.limits = cli::limits_to_solve(limits.limits(), profile);
-  task.yaw = yaw_options(yaw, task.options.limits);
+  task.options.limits = cli::limits_to_solve(asked, vehicle);
+  task.yaw = yaw_options(yaw, asked.yaw_rate.has_value(), task.options.limits);
   return task;
 }
 

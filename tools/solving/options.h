@@ -7,13 +7,12 @@
 #include <string>
 
 #include "cli/limit_options.h"
-#include "cli/vehicle_option.h"
 #include "traj/solve.h"
 #include "traj/yaw.h"
 
 namespace solving {
 
-// What is asked of every path.
+// What is asked of a path.
 struct Task {
   traj::SolveOptions options;
   std::optional<traj::YawOptions> yaw;
@@ -32,8 +31,9 @@ struct Options {
   // Once parsed: what --solver and --times say together; throws cli::UsageError.
   void choose_solver();
 
-  // For a vehicle, where there is one. Throws cli::UsageError for too few limits and a wrong yaw.
-  Task task(const std::optional<cli::VehicleProfile>& profile) const;
+  // For a path of that vehicle. Throws cli::UsageError for limits as cli::limits_to_solve does, and
+  // for a wrong yaw.
+  Task task(const geom::Vehicle& vehicle) const;
 };
 
 }  // namespace solving

@@ -150,7 +150,7 @@ Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& read, std::size_t
   Json out = {{"kind", "trajectory"}, {"id", record.id}, {"duration", end}, {"samples", samples}};
   if (!record.rung.empty()) out["rung"] = record.rung;
   out["segments"] = record.trajectory.segments.size();
-  out["limits"] = as_json(record.limits);
+  out["limits"] = as_json(traj::limits_of(record));
   out["position"] = added(position, bundle);
   out["velocity"] = added(velocity, bundle);
   out["acceleration"] = added(acceleration, bundle);

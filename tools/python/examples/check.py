@@ -6,7 +6,7 @@ import skyway
 city = skyway.read_box_map(f"{sys.argv[1]}/city.boxmap")
 for trajectory in skyway.read_trajectories(f"{sys.argv[1]}/trajectory.jsonl"):
     assert trajectory.vehicle and trajectory.margin is not None
-    scene = skyway.CollisionScene(city, "box:{},{},{}".format(*trajectory.vehicle.half), trajectory.margin)
+    scene = skyway.CollisionScene(city, trajectory.vehicle, trajectory.margin)
     report = skyway.check(scene, trajectory, exact=True)
     print(report["id"], report["ok"], f"clearance {report['clearance']:.3f} m at {report['clearance_time']:.1f} s")
 scene = skyway.CollisionScene(city, "tello")

@@ -6,7 +6,7 @@ import skyway
 city = skyway.read_box_map(f"{sys.argv[1]}/city.boxmap")
 lattice = skyway.read_lattice(f"{sys.argv[1]}/city.lattice")
 assert lattice.vehicle and lattice.margin is not None
-scene = skyway.CollisionScene(city, "box:{},{},{}".format(*lattice.vehicle.half), lattice.margin)
+scene = skyway.CollisionScene(city, lattice.vehicle, lattice.margin)
 planner = skyway.Planner(scene, lattice=lattice)
 path = planner.plan((-425, -320.5, 7), (357, 204, 5), snap_ends=5)
 print(path.status, f"{path.length:.1f} m", path.points.shape)

@@ -6,7 +6,7 @@ import skyway
 city = skyway.read_box_map(f"{sys.argv[1]}/city.boxmap")
 path = skyway.read_paths(f"{sys.argv[1]}/path.jsonl")[0]
 assert path.vehicle and path.margin is not None
-scene = skyway.CollisionScene(city, "box:{},{},{}".format(*path.vehicle.half), path.margin)
+scene = skyway.CollisionScene(city, path.vehicle, path.margin)  # with the limits of its profile
 trajectory = skyway.solve(scene, path, limits={"vmax": 8, "amax": 6}, yaw="along")
 position, velocity, acceleration, jerk = trajectory.sample(numpy.linspace(0, trajectory.duration, 1000))
 print(trajectory.status, trajectory.rung, f"{trajectory.duration:.1f} s")

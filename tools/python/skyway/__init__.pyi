@@ -19,7 +19,7 @@ class InputError(ValueError):
 
 
 class UsageError(ValueError):
-    """What the tools refuse with exit status 2: an unknown vehicle, too few limits."""
+    """What the tools refuse with exit status 2: an unknown vehicle, too few limits, or looser ones than the vehicle's."""
 
 
 class Vehicle:
@@ -27,6 +27,10 @@ class Vehicle:
 
     @property
     def half(self) -> _Tuple3: ...
+
+    @property
+    def limits(self) -> dict[str, float]:
+        """What its profile allows; `tilt` is the one up to which `half` holds it."""
 
 
 class _MadeFor:
@@ -248,7 +252,7 @@ class FlightLog:
 class CollisionScene:
     """Batches are C-contiguous float64 arrays, used where they are; threads=0 is all of them."""
 
-    def __init__(self, map: BoxMap, vehicle: str, margin: float = 0.0) -> None: ...
+    def __init__(self, map: BoxMap, vehicle: Union[str, Vehicle], margin: float = 0.0) -> None: ...
 
     @property
     def map(self) -> BoxMap: ...
@@ -330,10 +334,12 @@ def write_trajectories(path: str, records: Sequence[Trajectory]) -> None: ...
 def solve(scene: CollisionScene, path: Union[Path, _Floats], *, limits: Optional[dict[str, float]] = None,
           solver: str = "auto", times: Optional[str] = None, corridor: str = "planes", rho: float = 1e-3,
           yaw: Union[None, str, float, tuple[float, float]] = None) -> Trajectory:
-    """A proved trajectory along the path, or one whose status says why not. One optimisation runs at a time in a
+    """A proved trajectory along the path, or one whose status says why not. `limits` may be no looser than the vehicle's,
+    and the path's vehicle, margin and limits must be the scene's. One optimisation runs at a time in a
     process."""
 
 
 def check(scene: CollisionScene, what: Union[Path, Trajectory, _Floats], *,
           limits: Optional[dict[str, float]] = None, exact: bool = False) -> dict[str, Any]:
-    """The report of skyway-check, as docs/formats.md has it. `limits` stand before the record's."""
+    """The report of skyway-check, as docs/formats.md has it. Of `limits`, the record's and both vehicles' the smallest
+    hold; a scene of less room than the record's is refused."""

@@ -29,9 +29,13 @@ class JsonFields {
   Vec3 point(const char* key) const;
   std::vector<Vec3> points(const char* key) const;
   Provenance provenance() const;
+  Limits limits() const;  // the value of "limits"; none without it
 
   double number(const nlohmann::json& value, std::string_view what) const;
   Vec3 point(const nlohmann::json& value, std::string_view what) const;
+  // Each > 0, the tilt below a right angle, the thrust above kGravity. Throws for a limit that is
+  // not known: what was meant as one must not be passed over.
+  Limits limits(const nlohmann::json& value, std::string_view what) const;
   [[noreturn]] void refuse(std::string_view message) const;
 
  private:

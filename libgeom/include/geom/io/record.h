@@ -47,7 +47,7 @@ struct PathRecord {
   Provenance provenance;
   std::string message;               // why there is no path, in words; may be empty
   std::string search;                // the planner's own report: a JSON object, or empty
-  std::optional<PathOrigin> origin;  // of a replanned path; written, but not read
+  std::optional<PathOrigin> origin;  // of a replanned path
   std::vector<double> hold;          // seconds to stand still at each point, >= 0; empty: nowhere
   std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
 };
@@ -59,6 +59,9 @@ void append_json(std::string& out, const Vec3& v);  // [x,y,z]
 
 // `"map":…,"frame":…,"vehicle":…,"margin":…` of what is present, each followed by a comma.
 void append_json(std::string& out, const Provenance& provenance);
+
+// `"limits":{…},` of what is present, or nothing.
+void append_json(std::string& out, const Limits& limits);
 
 std::string to_json_line(const PathRecord& record);  // ends with a newline
 

@@ -3,6 +3,7 @@
 // Why a trajectory or path is clear and within its limits, as a JSON Lines record.
 
 #include <string>
+#include <vector>
 
 #include "geom/io/record.h"
 #include "traj/exact_check.h"
@@ -16,7 +17,11 @@ struct CertificateRecord {
   geom::Aabb bounds;  // the map's
   geom::Provenance provenance;
   Limits limits;
+  std::vector<std::string> overridden;  // as of the report
 };
+
+// `"overridden":["vmax",…],`, or nothing.
+void append_overridden(std::string& out, const std::vector<std::string>& names);
 
 std::string to_json_line(const CertificateRecord& record);  // ends with a newline
 

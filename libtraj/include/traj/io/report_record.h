@@ -20,8 +20,9 @@ struct ReportRecord {
   std::string checked;  // "trajectory" or "path"
   CheckResult result;   // a record that holds nothing to check has only `reason`
   geom::Provenance provenance;
-  Limits limits;
-  std::optional<ExactResult> exact;  // where it was asked for
+  Limits limits;                        // those it was held to
+  std::optional<ExactResult> exact;     // where it was asked for
+  std::vector<std::string> overridden;  // limits, and "vehicle" for its room, that were loosened
 };
 
 // Whether every check that was made accepts it.

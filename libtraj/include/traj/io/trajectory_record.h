@@ -23,15 +23,14 @@ struct TrajectoryRecord {
   std::string solver;   // the solver's own report: a JSON object, or empty
 };
 
+// What holds for it: its own limits and its vehicle's.
+Limits limits_of(const TrajectoryRecord& record);
+
 std::string to_json_line(const TrajectoryRecord& record);  // ends with a newline
 
 // Throws InputError(source, line, …) for anything that is not a trajectory record: malformed JSON,
 // a missing key, a segment without 8 values an axis, a duration that is not positive and finite.
 TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view source,
                                          std::size_t line);
-
-// `"limits":{…},` of what is present, or nothing.
-void append_json(std::string& out, const Limits& limits);
-Limits parse_limits(const geom::JsonFields& fields);
 
 }  // namespace traj

@@ -1,0 +1,144 @@
+#include "geom/limits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "geom/io/json_fields.h"
+#include "geom/io/record.h"
+#include "support/refusal.h"
+
+namespace geom {
+namespace {
+
+// Of each field the k-th number in the list (0: none).
+Limits with(double vmax, double vmax_v, double tilt) {
+  Limits out;
+  if (vmax > 0) out.vmax = vmax;
+  if (vmax_v > 0) out.vmax_v = vmax_v;
+  if (tilt > 0) out.tilt = tilt;
+  return out;
+}
+
+TEST(Limits, HoldStricterOfEach) {
+  EXPECT_EQ(limits_that_hold({with(8, 0, 0), with(0, 3, 0), with(12, 4, 0.6)}), with(8, 3, 0.6));
+  EXPECT_EQ(limits_that_hold({with(30, 30, 1), {}, with(12, 4, 0.6)}), with(12, 4, 0.6));
+  EXPECT_EQ(limits_that_hold({}), Limits{});
+}
+
+TEST(Limits, AreLoosenedByOverridingAloneAndOnlyWhereOptionsNameThem) {
+  const LimitSources sources{with(30, 0, 0), with(8, 3, 0), with(12, 4, 0.6), true};
+  EXPECT_EQ(limits_that_hold(sources), with(30, 3, 0.6));
+}
+
+TEST(Limits, NeverTiltBeyondWhatTheBoxHolds) {
+  EXPECT_EQ(limits_that_hold({with(0, 0, 1), {}, with(0, 0, 0.6), true}).tilt, 0.6);
+  EXPECT_EQ(limits_that_hold({with(0, 0, 1), {}, {}, true}).tilt, 1);  // it holds every attitude
+}
+
+TEST(Limits, NameTheFirstThatIsAboveOrLooser) {
+  EXPECT_EQ(first_above(with(8, 0, 0), with(8, 4, 0)), nullptr);
+  EXPECT_STREQ(first_above(with(9, 5, 0), with(8, 4, 0))->name, "vmax");
+  EXPECT_EQ(first_above(with(9, 0, 0), {}), nullptr);
+  EXPECT_EQ(first_looser(with(8, 4, 0), with(8, 4, 0)), nullptr);
+  EXPECT_STREQ(first_looser(with(8, 0, 0), with(8, 4, 0))->name, "vmax_v");
+}
+
+// --- as they travel -----------------------------------------------------------------------------
+
+PathRecord through_a_line(const PathRecord& record) {
+  return parse_path_record(to_json_line(record), "line", 1);
+}
+
+TEST(Limits, TravelWithTheVehicleOfARecord) {
+  PathRecord record{"q1", "found", {{0, 0, 0}}, {}, {}, {}, {}, {}, {}};
+  record.provenance.vehicle = {"quad", {1, 1, 1}, with(12, 4, 0.6)};
+  EXPECT_EQ(through_a_line(record).provenance.vehicle, record.provenance.vehicle);
+  record.provenance.vehicle->limits = {};
+  EXPECT_EQ(to_json_line(record).find("limits"), std::string::npos);
+}
+
+TEST(Limits, OfARecordAreObeyedOrRefused) {
+  const auto refusal = [](const std::string& limits) {
+    return support::refusal_of(
+        [&] { JsonFields("{\"limits\":" + limits + "}", "r.jsonl", 3).limits(); });
+  };
+  EXPECT_EQ(refusal(R"({"vmax":8})"), "");
+  EXPECT_NE(refusal(R"({"vmx":8})").find("limits has \"vmx\", which is no limit"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"vmax":0})").find("limits.vmax must be > 0, found 0"), std::string::npos);
+  EXPECT_NE(refusal(R"({"vmax":null})").find("limits.vmax must be a finite number"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"tilt":1.6})").find("below a right angle"), std::string::npos);
+  EXPECT_NE(refusal(R"({"thrust":9})").find("limits.thrust must be > 9.80665"), std::string::npos);
+  EXPECT_NE(refusal("8").find("limits must be an object, found 8"), std::string::npos);
+  EXPECT_THROW(
+      parse_path_record(R"({"type":"path","id":"q","points":[[0,0,0]],"vehicle":{"half":[1,1,1],)"
+                        R"("limits":{"climb":4}}})",
+                        "r.jsonl", 1),
+      std::exception);
+}
+
+// --- no limit is lost, whoever says it ----------------------------------------------------------
+
+class RandomLimits {
+ public:
+  explicit RandomLimits(std::uint64_t seed) : engine_(seed) {}
+
+  Limits next() {
+    Limits out;
+    for (const auto& [name, limit] : kLimitFields) {
+      if (coin()) out.*limit = 0.25 + 0.25 * static_cast<double>(engine_() % 5);
+    }
+    if (out.thrust) *out.thrust += kGravity;
+    return out;
+  }
+  bool coin() { return engine_() % 2; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// What the words in limits.h say, a limit at a time.
+std::optional<double> oracle(const LimitSources& sources, const LimitField& field) {
+  const auto& asked = sources.options.*field.member;
+  std::vector<double> said;
+  if (!asked || !sources.overridden) {
+    for (const Limits* who : {&sources.record, &sources.vehicle}) {
+      if (who->*field.member) said.push_back(*(who->*field.member));
+    }
+  }
+  if (asked) said.push_back(*asked);
+  if (std::string_view(field.name) == "tilt" && sources.vehicle.tilt) {
+    said.push_back(*sources.vehicle.tilt);
+  }
+  if (said.empty()) return std::nullopt;
+  return *std::min_element(said.begin(), said.end());
+}
+
+TEST(Limits, HoldWhateverSaysThem) {
+  constexpr std::uint64_t kSeed = 15;
+  RandomLimits random(kSeed);
+  for (int i = 0; i < 20000; ++i) {
+    PathRecord record{"q1", "found", {{0, 0, 0}}, {}, {}, {}, {}, {}, {}};
+    record.provenance.vehicle = {"v", {1, 1, 1}, random.next()};
+    const LimitSources sources{random.next(), random.next(),
+                               through_a_line(record).provenance.vehicle->limits, random.coin()};
+    ASSERT_EQ(sources.vehicle, record.provenance.vehicle->limits);
+    const Limits held = limits_that_hold(sources);
+    for (const LimitField& field : kLimitFields) {
+      ASSERT_EQ(held.*field.member, oracle(sources, field))
+          << field.name << ", seed " << kSeed << ", case " << i;
+    }
+    if (!sources.overridden) {
+      for (const Limits* who : {&sources.options, &sources.record, &sources.vehicle}) {
+        ASSERT_EQ(first_looser(held, *who), nullptr) << "seed " << kSeed << ", case " << i;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace geom
