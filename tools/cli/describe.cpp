@@ -1,5 +1,7 @@
 #include "describe.h"
 
+#include "skipped_option.h"
+
 namespace cli {
 namespace {
 
@@ -25,6 +27,7 @@ nlohmann::ordered_json describe(const geom::BoxMap& map) {
                      {"height_m", spec.frame.origin->height}};
   }
   if (!spec.frame.crs.empty()) out["crs"] = spec.frame.crs;
+  if (const std::size_t skipped = skipped_in(spec)) out["skipped_obstacles"] = skipped;
   out["history"] = nlohmann::ordered_json::parse(spec.history.empty() ? "[]" : spec.history);
   return out;
 }

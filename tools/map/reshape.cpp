@@ -6,6 +6,7 @@
 
 #include "cli/files.h"
 #include "cli/numbers_option.h"
+#include "cli/skipped_option.h"
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
 #include "geom/join.h"
@@ -49,10 +50,12 @@ void run_join(const std::vector<std::string>& names, const std::string& output) 
   BoxTable table = geom::table_of(first);
   Json step = step_of("join", first);
   Json others = Json::array();
+  std::size_t skipped = 0;  // that the others know of; the first has its own history
   for (std::size_t i = 1; i < names.size(); ++i) {
     if (names[i] == "-") throw cli::UsageError("only the first map may be stdin");
     const BoxMap other = cli::open_map(names[i]);
     others.push_back(other.hash());
+    skipped += cli::skipped_in(other.spec());
     geom::append(table, geom::in_frame(spec.frame, other, names[i]));
     // Bounds move as a box does.
     geom::BoxMapSpec moved = other.spec();
@@ -65,6 +68,7 @@ void run_join(const std::vector<std::string>& names, const std::string& output) 
     spec.bounds = geom::merged(spec.bounds, bounds.boxes.front());
   }
   step["others"] = others;
+  if (skipped > 0) step["skipped"] = skipped;
   write(output, spec, table, step);
 }
 
