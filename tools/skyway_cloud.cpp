@@ -12,7 +12,9 @@
 #include "cli/numbers_option.h"
 #include "cli/output_option.h"
 #include "cli/run.h"
+#include "cli/skipped_option.h"
 #include "cloud/pcl_filters.h"
+#include "cloud/placement.h"
 #include "geom/column_grid.h"
 #include "geom/error.h"
 #include "geom/io/point_cloud.h"
@@ -35,6 +37,8 @@ struct Options {
   std::vector<int> classes;
   geom::ColumnSpec columns;
   geom::GroundSpec ground_spec;
+  cloud::Placement placement;
+  cli::SkippedOption skipped;
   cli::MapOptions map;
 
   bool in_memory() const { return !outliers.empty() || voxel > 0 || mode == "objects"; }
@@ -50,14 +54,15 @@ std::string detect(std::string_view head, const std::string& name) {
 }
 
 geom::CloudCounts read(std::istream& in, const std::string& name, const Options& options,
-                       const geom::PointSink& sink) {
-  if (options.format == "las") return geom::read_las(in, name, sink);
+                       const geom::PointSink& sink, const geom::ReferenceSink& reference) {
+  if (options.format == "las") return geom::read_las(in, name, sink, reference);
+  reference({});  // the others have no place for it
   if (options.format == "ply") return geom::read_ply(in, name, sink);
   if (options.format == "pcd") return geom::read_pcd(in, name, sink);
   return geom::read_xyz(in, name, sink);
 }
 
-// The points of the classes asked for, one by one.
+// The points of the classes asked for, one by one, in metres.
 class Cloud {
  public:
   Cloud(const std::string& path, Options& options) : path_(path), options_(options) {}
@@ -67,22 +72,29 @@ class Cloud {
     cli::HashedInput hashed(file);
     if (options_.format == "auto") options_.format = detect(hashed.head(), file.name());
     other_class_ = 0;
-    counts_ = read(hashed.stream(), file.name(), options_, [&](std::span<const CloudPoint> chunk) {
+    const auto points = [&](std::span<const CloudPoint> chunk) {
       for (const CloudPoint& p : chunk) {
         const bool wanted = options_.classes.empty() ||
                             std::find(options_.classes.begin(), options_.classes.end(), p.cls) !=
                                 options_.classes.end();
         if (wanted) {
-          f(p);
+          f({in_metres(p.position, file.name()), p.cls});
         } else {
           ++other_class_;
         }
       }
-    });
+    };
+    counts_ = read(hashed.stream(), file.name(), options_, points,
+                   [&](const geom::CoordinateReference& told) {
+                     says_nothing_ = told.kind == geom::CoordinateReference::Kind::none;
+                     options_.placement.settle(told, file.name());
+                   });
     hash_ = hashed.hash();
   }
 
   const std::string& hash() const { return hash_; }
+  const geom::Skipped& skipped() const { return counts_.skipped; }
+  bool says_nothing() const { return says_nothing_; }  // of what its coordinates mean
 
   void report(Report& out) const {
     out["points"] = counts_.read;
@@ -91,9 +103,20 @@ class Cloud {
   }
 
  private:
+  geom::Vec3 in_metres(const geom::Vec3& p, const std::string& name) const {
+    const geom::Vec3 metres = options_.placement.in_metres(p);
+    if (!(metres.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate)) {
+      throw geom::InputError(name, fmt::format("a point must be within 1e8 m of the origin, found "
+                                               "[{}, {}, {}] in metres",
+                                               metres.x(), metres.y(), metres.z()));
+    }
+    return metres;
+  }
+
   std::string path_;
   Options& options_;
   geom::CloudCounts counts_;
+  bool says_nothing_ = false;
   std::size_t other_class_ = 0;
   std::string hash_;
 };
@@ -198,8 +221,7 @@ geom::BoxTable filter(Cloud& source, const Options& options, const std::string& 
   return columns.boxes(name);
 }
 
-std::string history_of(const std::string& hash, const Options& options,
-                       const geom::MakeMapOptions& map) {
+Report step_of(const std::string& hash, const Options& options, const geom::MakeMapOptions& map) {
   Report step = {{"tool", "skyway-cloud"},       {"input", hash},
                  {"format", options.format},     {"mode", options.mode},
                  {"cell", options.columns.cell}, {"step", options.columns.step},
@@ -217,8 +239,9 @@ std::string history_of(const std::string& hash, const Options& options,
     step["tolerance"] = options.tolerance;
     step["min_points"] = options.min_points;
   }
+  options.placement.record(step);
   step.update(cli::history_of(map));
-  return Report::array({step}).dump();
+  return step;
 }
 
 void add_options(CLI::App& app, Options& options) {
@@ -259,7 +282,24 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--unknown", options.unknown,
                  "space that was not scanned: free (default) or blocked")
       ->check(CLI::IsMember({"free", "blocked"}));
+  options.placement.add_to(app);
+  options.skipped.add_to(app);
   options.map.add_to(app);
+}
+
+// What was found of units and of what is no point: says it, or refuses; the history of the map.
+std::string settled_history(const Cloud& points, const Options& options,
+                            const geom::MakeMapOptions& map, const std::string& name,
+                            const cli::Common& common) {
+  Report step = step_of(points.hash(), options, map);
+  options.skipped.settle(points.skipped(), name, common, step);
+  const std::string report = options.placement.report();
+  if (!report.empty()) common.warn(name + ": " + report);
+  if (options.format == "las" && points.says_nothing() && !options.placement.units_given()) {
+    common.warn(name + ": the file does not say what its units are: taken as metres (--units says "
+                       "otherwise)");
+  }
+  return Report::array({step}).dump();
 }
 
 }  // namespace
@@ -296,7 +336,8 @@ int main(int argc, char** argv) {
       const geom::ColumnGrid columns = stream(points, options, sharding.shard(), report);
       const geom::MakeMapOptions map = options.map.make();
       cli::write_shard(sharding, output, columns, options.columns,
-                       {{}, history_of(points.hash(), options, map), map});
+                       {options.placement.frame(),
+                        settled_history(points, options, map, name, common), map});
       common.write_stats(std::move(report));
       return cli::Exit::yes;
     }
@@ -312,8 +353,9 @@ int main(int argc, char** argv) {
     }
     common.warn(name + ": " + line);
     const geom::MakeMapOptions map = options.map.make();
+    const std::string history = settled_history(points, options, map, name, common);
     const geom::MadeMap made =
-        geom::make_map(std::move(table), {}, history_of(points.hash(), options, map), name, map);
+        geom::make_map(std::move(table), options.placement.frame(), history, name, map);
     cli::write_map(common, output, made, name, report);
     return cli::Exit::yes;
   });

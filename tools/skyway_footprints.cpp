@@ -8,6 +8,8 @@
 #include "cli/numbers_option.h"
 #include "cli/output_option.h"
 #include "cli/run.h"
+#include "cli/skipped_option.h"
+#include "cli/units.h"
 #include "footprints/formats.h"
 #include "footprints/place.h"
 #include "geom/error.h"
@@ -22,6 +24,9 @@ struct Options {
   double slack = 0.5;  // metres
   std::string terrain;
   std::string origin;
+  std::string height_units;
+  bool metres = false;
+  cli::SkippedOption skipped;
   cli::MapOptions map;
 
   void add_to(CLI::App& app);
@@ -53,6 +58,14 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--terrain", terrain, "GeoTIFF of the ground that footprints stand on");
   app.add_option("--origin", origin,
                  "LATITUDE,LONGITUDE of the map's origin (default: the middle)");
+  app.add_option("--height-units", height_units,
+                 "unit of heights that name none (default: what the coordinate reference system "
+                 "says, else m)")
+      ->check(CLI::IsMember(cli::kMetres));
+  app.add_flag("--metres", metres,
+               "numbers without a coordinate reference system are metres even if they look like "
+               "degrees");
+  skipped.add_to(app);
   map.add_to(app);
 }
 
@@ -66,16 +79,17 @@ std::optional<geom::Vec2> Options::place() const {
   return geom::Vec2((*numbers)[0], (*numbers)[1]);
 }
 
-std::string history_of(const std::string& hash, const Options& options, const std::string& format,
-                       const geom::MakeMapOptions& map) {
+nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
+                               const std::string& format, const geom::MakeMapOptions& map) {
   nlohmann::ordered_json step = {{"tool", "skyway-footprints"},
                                  {"input", hash},
                                  {"format", format},
                                  {"slack", options.slack},
                                  {"storey", options.read.height.storey},
                                  {"default_height", options.read.height.default_height}};
+  if (options.read.height_unit) step["height_units_m"] = *options.read.height_unit;
   step.update(cli::history_of(map));
-  return nlohmann::ordered_json::array({step}).dump();
+  return step;
 }
 
 // What was read, in numbers; warns of what is worth knowing.
@@ -90,6 +104,14 @@ nlohmann::ordered_json counts_of(const footprints::Source& source, const std::st
   if (!report.empty()) {
     common.warn(fmt::format("{}: footprints: {}{}", name, source.footprints.size(), report));
   }
+  for (const std::string& warning : source.warnings) common.warn(name + ": " + warning);
+  if (!source.not_read.empty()) {
+    std::string kinds;
+    for (const auto& [kind, n] : source.not_read) kinds += fmt::format("; {}: {}", kind, n);
+    common.warn(fmt::format("{}: not read, whatever stands there counts as free{}", name, kinds));
+    counts["not_read"] = source.not_read;
+  }
+  if (!source.skipped.empty()) counts["skipped"] = source.skipped.count();
   return counts;
 }
 
@@ -103,11 +125,16 @@ struct City {
 City city_of(footprints::Source source, const Options& options,
              const std::optional<geom::Vec2>& origin, const std::string& name,
              const cli::Sharding& sharding) {
-  const footprints::Projector projector(source, name, origin);
+  const footprints::Projector projector(source, name, origin, options.metres);
+  const geom::MakeMapOptions map = options.map.make();
+  std::optional<double> floor = map.floor;
+  if (map.bounds) floor = map.bounds->min.z();
+  if (floor) *floor /= map.scale;
+  footprints::sink_ground(source.footprints, floor);
   if (sharding.asked()) footprints::keep_shard(source.footprints, sharding.shard());
   footprints::project(source.footprints, projector);
   if (!options.terrain.empty()) {
-    const footprints::Terrain terrain(options.terrain, options.terrain);
+    const footprints::Terrain terrain(options.terrain, options.terrain, options.read);
     footprints::lift(source, terrain, projector.frame().crs);
   }
   footprints::check_sizes(source, options.slack, name);
@@ -126,6 +153,9 @@ int main(int argc, char** argv) {
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     const std::optional<geom::Vec2> origin = options.place();
+    if (!options.height_units.empty()) {
+      options.read.height_unit = cli::kMetres.at(options.height_units);
+    }
     if (options.input == "-")
       throw cli::UsageError("footprints are read from a file, not from stdin");
     sharding.begin(app, {{"file", options.input}, {"terrain", options.terrain}},
@@ -140,11 +170,14 @@ int main(int argc, char** argv) {
     const City city =
         city_of(footprints::read(format, options.input, file.name(), hashed.stream(), options.read),
                 options, origin, file.name(), sharding);
+    const geom::MakeMapOptions map = options.map.make();
+    nlohmann::ordered_json stats = counts_of(city.source, format, file.name(), common);
+    nlohmann::ordered_json step = step_of(hashed.hash(), options, format, map);
+    options.skipped.settle(city.source.skipped, file.name(), common, step);
+    if (!city.source.not_read.empty()) step["not_read"] = city.source.not_read;
+    const std::string history = nlohmann::ordered_json::array({step}).dump();
     geom::BoxTable table =
         geom::boxes_of(city.source.footprints, options.slack, common.execution("footprints"));
-    const geom::MakeMapOptions map = options.map.make();
-    const std::string history = history_of(hashed.hash(), options, format, map);
-    nlohmann::ordered_json stats = counts_of(city.source, format, file.name(), common);
     if (sharding.asked()) {
       cli::write_shard(sharding, options.output, table, {city.frame, history, map});
       common.write_stats(std::move(stats));

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <sstream>
 
 #include "cli/files.h"
@@ -11,6 +10,8 @@
 #include "cli/option_check.h"
 #include "cli/output_option.h"
 #include "cli/run.h"
+#include "cli/skipped_option.h"
+#include "cli/units.h"
 #include "geom/error.h"
 #include "geom/io/block_text.h"
 #include "geom/io/box_csv.h"
@@ -27,6 +28,7 @@ struct Source {
   geom::Frame frame;
   std::size_t flat = 0;
   double largest_change = 0;
+  geom::Skipped skipped;
 };
 
 struct Options {
@@ -34,16 +36,9 @@ struct Options {
   std::string frame;
   std::string units = "m";
   std::string unknown = "free";
+  cli::SkippedOption skipped;
   cli::MapOptions map;
 };
-
-const std::map<std::string, double> kMetres = {{"m", 1},
-                                               {"km", 1000},
-                                               {"cm", 0.01},
-                                               {"mm", 0.001},
-                                               {"ft", 0.3048},
-                                               {"in", 0.0254},
-                                               {"us-ft", 1200.0 / 3937}};
 
 const std::vector<std::string> kFormats = {"auto",       "fcnd",  "box-csv", "block-text",
                                            "world-json", "3dmap", "octomap"};
@@ -83,30 +78,28 @@ std::string detected(std::string_view head, const std::string& source) {
 Source read_fcnd(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {
   geom::FcndTable fcnd = geom::read_fcnd_csv(in, name);
   if (!map.floor) map.floor = 0;
-  return {
-      std::move(fcnd.table), {geom::Axes::neu, fcnd.origin, ""}, fcnd.flat, fcnd.largest_change};
+  return {std::move(fcnd.table), {geom::Axes::neu, fcnd.origin, ""}, fcnd.flat,
+          fcnd.largest_change, std::move(fcnd.skipped)};
 }
 
-Source read_block_text(std::istream& in, const std::string& name, geom::MakeMapOptions& map,
-                       const cli::Common& common) {
+Source read_block_text(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {
   geom::BlockText block = geom::read_block_text(in, name);
-  for (const std::string& word : block.unknown) common.warn(name + ": unknown keyword, " + word);
   map.source_bounds = block.boundary;
-  return {std::move(block.table), {}, block.flat, 0};
+  return {std::move(block.table), {}, block.flat, 0, std::move(block.skipped)};
 }
 
 Source read_world_json(std::istream& in, const std::string& name, geom::MakeMapOptions& map,
                        const cli::Common& common) {
   geom::WorldJson world = geom::read_world_json(in, name);
-  for (const std::string& key : world.unknown) common.warn(name + ": unknown key, " + key);
+  for (const std::string& key : world.names) common.warn(name + ": unknown key, " + key);
   map.source_bounds = world.bounds;
-  return {std::move(world.table), {}, world.flat, 0};
+  return {std::move(world.table), {}, world.flat, 0, std::move(world.skipped)};
 }
 
 Source read_3dmap(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {
   geom::VoxelMap voxels = geom::read_voxel_3dmap(in, name);
   map.source_bounds = voxels.bounds;
-  return {std::move(voxels.table), {}, 0, 0};
+  return {std::move(voxels.table), {}, 0, 0, {}};
 }
 
 Source read_octomap(std::istream& in, const std::string& name, const Options& options,
@@ -119,7 +112,7 @@ Source read_octomap(std::istream& in, const std::string& name, const Options& op
                     "(--unknown blocked makes them obstacles)",
                     name, tree.unknown));
   }
-  return {std::move(tree.table), {}, 0, 0};
+  return {std::move(tree.table), {}, 0, 0, {}};
 }
 
 Source read(std::istream& in, const std::string& name, const Options& options,
@@ -127,7 +120,7 @@ Source read(std::istream& in, const std::string& name, const Options& options,
   Source source;
   if (options.format == "fcnd") source = read_fcnd(in, name, map);
   if (options.format == "box-csv") source.table = geom::read_box_csv(in, name);
-  if (options.format == "block-text") source = read_block_text(in, name, map, common);
+  if (options.format == "block-text") source = read_block_text(in, name, map);
   if (options.format == "world-json") source = read_world_json(in, name, map, common);
   if (options.format == "3dmap") source = read_3dmap(in, name, map);
   if (options.format == "octomap") source = read_octomap(in, name, options, map, common);
@@ -135,13 +128,13 @@ Source read(std::istream& in, const std::string& name, const Options& options,
   return source;
 }
 
-std::string history_of(const std::string& hash, const Options& options,
-                       const geom::MakeMapOptions& map) {
+nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
+                               const geom::MakeMapOptions& map) {
   nlohmann::ordered_json step = {
       {"tool", "skyway-import"}, {"input", hash}, {"format", options.format}};
   step.update(cli::history_of(map));
   if (options.format == "octomap") step["unknown"] = options.unknown;
-  return nlohmann::ordered_json::array({step}).dump();
+  return step;
 }
 
 }  // namespace
@@ -163,10 +156,11 @@ int main(int argc, char** argv) {
   app.add_option("--frame", options.frame, "enu or neu (default: neu for FCND tables, else enu)")
       ->check(CLI::IsMember({"enu", "neu"}));
   app.add_option("--units", options.units, "unit of the source's numbers (default m)")
-      ->check(CLI::IsMember(kMetres));
+      ->check(CLI::IsMember(cli::kMetres));
   app.add_option("--unknown", options.unknown,
                  "cells of an OctoMap that were never seen: free (default) or blocked")
       ->check(CLI::IsMember({"free", "blocked"}));
+  options.skipped.add_to(app);
   options.map.add_to(app, "1 for FCND tables, else 0");
   return cli::run_tool(app, argc, argv, [&] {
     cli::InputFile file(input);
@@ -174,17 +168,20 @@ int main(int argc, char** argv) {
     if (options.format == "auto") options.format = detected(hashed.head(), file.name());
     cli::only_for(app, options.format == "octomap", {"--unknown"}, "OctoMaps");
     geom::MakeMapOptions map = options.map.make(options.format == "fcnd" ? 1 : 0);
-    map.scale *= kMetres.at(options.units);
+    map.scale *= cli::kMetres.at(options.units);
     Source source = read(hashed.stream(), file.name(), options, map, common);
     if (source.flat > 0)
       common.warn(fmt::format("{}: {} flat box(es) kept", file.name(), source.flat));
+    nlohmann::ordered_json step = step_of(hashed.hash(), options, map);
+    options.skipped.settle(source.skipped, file.name(), common, step);
     const geom::MadeMap made =
         geom::make_map(std::move(source.table), source.frame,
-                       history_of(hashed.hash(), options, map), file.name(), map);
-    cli::write_map(common, output, made, file.name(),
-                   {{"format", options.format},
-                    {"flat", source.flat},
-                    {"largest_change_m", source.largest_change}});
+                       nlohmann::ordered_json::array({step}).dump(), file.name(), map);
+    nlohmann::ordered_json stats = {{"format", options.format},
+                                    {"flat", source.flat},
+                                    {"largest_change_m", source.largest_change}};
+    if (!source.skipped.empty()) stats["skipped"] = source.skipped.count();
+    cli::write_map(common, output, made, file.name(), stats);
     return cli::Exit::yes;
   });
 }

@@ -76,7 +76,8 @@ BlockText read_block_text(std::istream& in, std::string_view source) {
       out.table.ids.push_back(lines.number());
       out.table.label.push_back(label->second);
     } else {
-      out.unknown.push_back(fmt::format("line {}: {}", lines.number(), fields[0].substr(0, 40)));
+      out.skipped.add("unknown keyword",
+                      fmt::format("line {}: {}", lines.number(), fields[0].substr(0, 40)));
     }
   }
   if (!boundary) lines.refuse("expected a boundary line, found none");

@@ -49,7 +49,7 @@ std::optional<double> level_of(std::string_view part) {
 
 }  // namespace
 
-std::optional<double> parse_length(std::string_view text) {
+std::optional<double> parse_length(std::string_view text, double bare) {
   text = trimmed(text);
   while (!text.empty() && (text[0] == '~' || text[0] == '<' || text[0] == '>')) {
     text = trimmed(text.substr(1));
@@ -58,7 +58,9 @@ std::optional<double> parse_length(std::string_view text) {
   if (!value) return std::nullopt;
   text = trimmed(text);
   double metres = *value;
-  if (text.starts_with("'")) {
+  if (text.empty() || text[0] == ';') {
+    metres *= bare;
+  } else if (text.starts_with("'")) {
     metres *= 0.3048;
     text = trimmed(text.substr(1));
     if (const auto inches = leading_number(text)) metres += *inches * 0.0254;
@@ -70,27 +72,27 @@ std::optional<double> parse_length(std::string_view text) {
     metres *= 1000;
   } else if (text.starts_with("mi") || text.starts_with("mm")) {
     return std::nullopt;
-  } else if (!text.empty() && text[0] != 'm' && text[0] != 'M' && text[0] != ';') {
+  } else if (text[0] != 'm' && text[0] != 'M') {
     return std::nullopt;
   }
   if (!(std::abs(metres) <= 1e4)) return std::nullopt;
   return metres;
 }
 
-std::optional<double> parse_highest(std::string_view text) {
+std::optional<double> parse_highest(std::string_view text, double bare) {
   std::optional<double> most;
   for_each_part(text, [&](std::string_view part) {
-    const auto value = parse_length(part);
+    const auto value = parse_length(part, bare);
     if (value) most = std::max(most.value_or(*value), *value);
   });
   return most;
 }
 
-std::optional<double> parse_lowest(std::string_view text) {
+std::optional<double> parse_lowest(std::string_view text, double bare) {
   std::optional<double> least;
   bool junk = false;
   for_each_part(text, [&](std::string_view part) {
-    const auto value = parse_length(part);
+    const auto value = parse_length(part, bare);
     if (value) least = std::min(least.value_or(*value), *value);
     junk |= !value;
   });
@@ -127,7 +129,13 @@ BuildingHeight building_height(const std::function<std::string(const char*)>& ta
     if (!value) out.junk = true;
     return value;
   };
-  const auto metres = [&](const char* key) { return read(key, parse_highest); };
+  const auto length = [&](const auto& parse) {
+    return [&out, &options, &parse](std::string_view text) {
+      out.bare |= parse(text, 1) != parse(text, 2);
+      return parse(text, options.unit);
+    };
+  };
+  const auto metres = [&](const char* key) { return read(key, length(parse_highest)); };
   const auto levels = [&](const char* key) { return read(key, parse_levels); };
 
   std::optional<double> top;
@@ -143,13 +151,14 @@ BuildingHeight building_height(const std::function<std::string(const char*)>& ta
       out.from = HeightFrom::levels;
     }
   }
+  out.unread = out.junk;
   if (top && !(*top > 0)) {
     out.junk = true;
     out.from = HeightFrom::nothing;
     top.reset();
   }
   out.top = top.value_or(options.default_height);
-  auto bottom = read("min_height", parse_lowest);
+  auto bottom = read("min_height", length(parse_lowest));
   if (!bottom) {
     if (const auto level = read("building:min_level", parse_lowest_level))
       bottom = *level * options.storey;

@@ -10,6 +10,7 @@
 
 #include "geom/error.h"
 #include "geom/io/parse_json.h"
+#include "geom/io/text_table.h"
 #include "geom/vec3.h"
 
 namespace geom {
@@ -19,9 +20,10 @@ using Json = nlohmann::json;
 using Surface = std::vector<std::vector<Vec3>>;  // an outer ring, then holes
 
 constexpr double kWall = 1e-6;  // m2 in plan: below it a surface stands upright
-const std::set<std::string> kNoObstacle = {"Road",     "Railway",        "TransportSquare",
-                                           "Waterway", "WaterBody",      "TINRelief",
-                                           "LandUse",  "CityObjectGroup"};
+// What lies on the ground: without a geometry, nothing of it is known to be in the air.
+const std::set<std::string> kLevel = {"TINRelief", "LandUse",  "WaterBody",      "Waterway",
+                                      "Road",      "Railway", "TransportSquare"};
+const std::set<std::string> kGround = {"TINRelief", "LandUse", "WaterBody", "Waterway"};
 
 class Reader {
  public:
@@ -107,18 +109,19 @@ class Reader {
       refuse_object("expected an object with a type");
     }
     const std::string type = object["type"];
-    if (kNoObstacle.contains(type)) {
-      ++out_.skipped[type];
-      return;
-    }
+    other_ = 0;
     const std::vector<const Json*> geometries = finest(object);
     if (geometries.empty()) {
-      ++out_.skipped[type + " without geometry"];
+      const bool parent = object.contains("children") && object["children"].is_array() &&
+                          !object["children"].empty();
+      if (other_ > 0 || !(parent || kLevel.contains(type) || type == "CityObjectGroup")) {
+        out_.skipped.add(fmt::format("{} without surfaces", type.substr(0, 40)), name.substr(0, 60));
+      }
       return;
     }
     surfaces_.clear();
     for (const Json* geometry : geometries) collect_geometry(*geometry);
-    add_footprints(id);
+    add_footprints(id, kGround.contains(type));
   }
 
   // Templates: shapes that objects place by a matrix and a reference point.
@@ -196,11 +199,11 @@ class Reader {
       const Json& shape = is_instance(geometry) ? template_of(geometry) : geometry;
       const std::string type = shape.value("type", Json()).dump();
       if (type.find("Surface") == std::string::npos && type.find("Solid") == std::string::npos) {
-        ++out_.skipped["geometry " + type.substr(0, 40)];
+        ++other_;
         continue;
       }
       const Json lod = shape.value("lod", Json(0));
-      const double value = lod.is_string()   ? std::atof(lod.get<std::string>().c_str())
+      const double value = lod.is_string()   ? parse_number(lod.get<std::string>()).value_or(0)
                            : lod.is_number() ? lod.get<double>()
                                              : 0;
       if (value < best_lod) continue;
@@ -245,13 +248,13 @@ class Reader {
     return surface;
   }
 
-  void add_footprints(std::uint64_t id) {
+  void add_footprints(std::uint64_t id, bool ground) {
     double bottom = kLargestCoordinate;
     for (const Surface& surface : surfaces_) {
       for (const Vec3& v : surface[0]) bottom = std::min(bottom, v.z());
     }
     if (surfaces_.empty()) {
-      ++out_.skipped["object without surfaces"];
+      out_.skipped.add("object without surfaces", object_.substr(0, 60));
       return;
     }
     ++out_.objects;
@@ -260,6 +263,7 @@ class Reader {
       f.id = id;
       f.bottom = bottom;
       f.top = bottom;
+      f.ground = ground;
       double area = 0;
       for (std::size_t r = 0; r < surface.size(); ++r) {
         std::vector<Vec2> ring;
@@ -295,6 +299,7 @@ class Reader {
   std::vector<Json> templates_;
   std::vector<Vec3> template_vertices_;
   std::vector<Surface> surfaces_;
+  std::size_t other_ = 0;  // geometries of the object that are no surfaces
   CityJson out_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <ostream>
@@ -18,6 +19,8 @@ constexpr std::array<const char*, 6> kColumns = {"posX",      "posY",      "posZ
                                                  "halfSizeX", "halfSizeY", "halfSizeZ"};
 constexpr std::array<const char*, 6> kNames = {"position x",  "position y",  "position z",
                                                "half size x", "half size y", "half size z"};
+constexpr std::array<const char*, 8> kTurns = {"rot",  "yaw",  "pitch", "roll",
+                                               "quat", "head", "angle", "orient"};
 using Columns = std::array<std::size_t, 6>;  // which field holds what
 
 bool starts_with_number(std::string_view line) {
@@ -45,8 +48,18 @@ std::optional<GeodeticOrigin> parse_origin(const TextLines& lines) {
   return GeodeticOrigin{*latitude, *longitude, 0};
 }
 
-Columns parse_header(const TextLines& lines) {
+// Whether a column's name speaks of a turned box, which this table cannot hold.
+bool turns(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::any_of(kTurns.begin(), kTurns.end(),
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+Columns parse_header(const TextLines& lines, FcndTable& out) {
   const auto fields = split_fields(lines.line());
+  for (const std::string& field : fields) {
+    if (turns(field)) out.skipped.add("column of turned boxes", field.substr(0, 40));
+  }
   Columns columns{};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto at = std::find(fields.begin(), fields.end(), kColumns[i]);
@@ -68,12 +81,17 @@ double add_outward(double a, double b, double sign) {
   return std::nextafter(sum, sign * std::numeric_limits<double>::infinity());
 }
 
-void add_box(const TextLines& lines, const Columns& columns, FcndTable& out) {
+void add_box(const TextLines& lines, const Columns& columns, std::size_t width, FcndTable& out) {
   const auto fields = split_fields(lines.line());
   const std::size_t needed = *std::max_element(columns.begin(), columns.end()) + 1;
   if (fields.size() < needed) {
     lines.refuse(fmt::format("expected {} fields, found {}: \"{}\"", needed, fields.size(),
                              lines.line().substr(0, 80)));
+  }
+  for (std::size_t i = width; i < fields.size(); ++i) {
+    if (fields[i].empty()) continue;
+    out.skipped.add("field without a column", fmt::format("line {}: {}", lines.number(),
+                                                          fields[i].substr(0, 40)));
   }
   std::array<double, 6> v;
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -110,6 +128,7 @@ FcndTable read_fcnd_csv(std::istream& in, std::string_view source) {
   FcndTable out;
   out.table.labels = {""};
   Columns columns = {0, 1, 2, 3, 4, 5};
+  std::size_t width = columns.size();
   bool header = false;
   while (lines.next()) {
     if (lines.line().empty()) continue;
@@ -118,11 +137,12 @@ FcndTable read_fcnd_csv(std::istream& in, std::string_view source) {
     if (preamble && !starts_with_number(lines.line())) {
       // The three-line form names the two columns of its next line first.
       if (split_fields(lines.line()) == std::vector<std::string>{"lat0", "lon0"}) continue;
-      columns = parse_header(lines);
+      columns = parse_header(lines, out);
+      width = split_fields(lines.line()).size();
       header = true;
       continue;
     }
-    add_box(lines, columns, out);
+    add_box(lines, columns, width, out);
   }
   if (out.table.boxes.empty()) {
     lines.refuse(lines.number() ? "expected at least one box after the header, found none"

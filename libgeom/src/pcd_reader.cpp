@@ -117,7 +117,12 @@ class PcdReader {
         refuse("expected the fields x, y and z");
       }
     }
-    if (points_ == 0) points_ = width_ * height_;
+    const std::uint64_t grid = width_ * height_;
+    if (points_ == 0) points_ = grid;
+    if (grid != 0 && grid != points_) {
+      refuse(fmt::format("POINTS must be WIDTH times HEIGHT, found {} and {} x {}", points_, width_,
+                         height_));
+    }
   }
 
   void ended(std::uint64_t found) const {
@@ -153,6 +158,11 @@ class PcdReader {
       ++found;
     }
     ended(found);
+    if (in_ >> text) more();
+  }
+
+  [[noreturn]] void more() const {
+    refuse(fmt::format("expected {} points, and the file holds more", points_));
   }
 
   double number(const std::string& word) const {
@@ -170,6 +180,8 @@ class PcdReader {
       }
       chunks_.add(p);
     }));
+    in_.ignore(static_cast<std::streamsize>(record_));
+    if (static_cast<std::uint64_t>(in_.gcount()) == record_) more();
   }
 
   // Sizes, then LZF of the fields one after the other, each with all points.

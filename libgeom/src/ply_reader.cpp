@@ -34,14 +34,30 @@ class PlyReader {
 
   CloudCounts read() {
     read_header();
+    bool points = false;
+    Skipped skipped;
     for (const Element& element : elements_) {
       read_element(element);
-      if (element.name == "vertex") return chunks_.finish();
+      points |= element.name == "vertex";
+      if (is_surface(element.name) && element.count > 0) {
+        skipped.add("surface of a mesh",
+                    fmt::format("element {} {}", element.name, element.count));
+      }
     }
-    refuse("expected an element \"vertex\", found none");
+    if (in_ >> std::ws && in_.peek() != std::char_traits<char>::eof()) {
+      refuse("expected the file to end after the elements that its header names, and it goes on");
+    }
+    if (!points) refuse("expected an element \"vertex\", found none");
+    CloudCounts counts = chunks_.finish();
+    counts.skipped = std::move(skipped);
+    return counts;
   }
 
  private:
+  static bool is_surface(const std::string& name) {
+    return name == "face" || name == "tristrips" || name == "edge";
+  }
+
   [[noreturn]] void refuse(std::string_view message) const {
     throw InputError(source_, line_, message);
   }

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <system_error>
 
 #include "geom/error.h"
+#include "geom/io/number.h"
 #include "geom/vec3.h"
 
 namespace geom {
@@ -59,9 +59,8 @@ std::vector<std::string> split_fields(std::string_view line, bool quoted) {
 std::optional<double> parse_number(std::string_view field) {
   if (field.starts_with('+')) field.remove_prefix(1);
   double value = 0;
-  const auto [rest, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  const auto [rest, error] = read_number(field.data(), field.data() + field.size(), value);
   if (rest != field.data() + field.size() || field.empty()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) return HUGE_VAL;
   if (error != std::errc()) return std::nullopt;
   return value;
 }

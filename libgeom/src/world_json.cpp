@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <istream>
 #include <map>
@@ -65,11 +67,19 @@ class World {
   std::string source_;
 };
 
+constexpr std::array<std::string_view, 6> kNames = {"colour", "name",    "label",
+                                                    "id",     "comment", "description"};
+
 void note_unknown(const Json& object, std::initializer_list<std::string_view> known,
-                  const std::string& where, std::vector<std::string>& out) {
+                  const std::string& where, WorldJson& out) {
   for (const auto& [key, value] : object.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      out.push_back(where + key.substr(0, 40));
+      const bool name = std::find(kNames.begin(), kNames.end(), key) != kNames.end();
+      if (name) {
+        out.names.push_back(where + key);
+      } else {
+        out.skipped.add("unknown key", where + key.substr(0, 40));
+      }
     }
   }
 }
@@ -86,7 +96,8 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
   if (!blocks.is_array() || blocks.empty()) {
     world.refuse("expected at least one block in \"blocks\", found " + shown(blocks));
   }
-  note_unknown(root, {"bounds", "blocks"}, "", out.unknown);
+  note_unknown(root, {"bounds", "blocks", "start", "goal", "resolution", "margin", "expected_path_length"},
+               "", out);
   out.table.labels = {""};
   std::map<std::string, std::uint32_t> known = {{"", 0}};
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -95,7 +106,7 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
     const auto zeros = (box.min.array() == box.max.array()).count();
     if (zeros == 3) world.refuse(what + " must have some extent, found a point");
     out.flat += zeros > 0;
-    note_unknown(blocks[i], {"extents", "color"}, what + ": ", out.unknown);
+    note_unknown(blocks[i], {"extents", "color"}, what + ": ", out);
     const std::string colour = world.colour(blocks[i], what);
     const auto [label, fresh] =
         known.try_emplace(colour, static_cast<std::uint32_t>(out.table.labels.size()));

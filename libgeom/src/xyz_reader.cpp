@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "geom/io/point_cloud.h"
 #include "geom/io/text_table.h"
 #include "point_chunks.h"
@@ -10,6 +12,8 @@ CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink&
   constexpr std::string_view kSeparators = " \t,;\r";
   TextLines lines(in, source);
   PointChunks chunks(source, sink);
+  std::optional<double> promised;  // by a header that is a count
+  std::size_t found = 0;
   bool first = true;  // a header may still come: a line of words, or of a count alone
   while (lines.next()) {
     std::string_view rest = lines.line();
@@ -28,10 +32,18 @@ CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink&
             fmt::format("expected three numbers, found \"{}\"", lines.line().substr(0, 60)));
       }
       if (value) p[i] = *value;
+      if (words && i == 1) promised = p[0];
       rest = end == rest.npos ? std::string_view() : rest.substr(end);
     }
-    if (!words) chunks.add(p);
+    if (!words) {
+      chunks.add(p);
+      ++found;
+    }
     first = false;
+  }
+  if (promised && *promised != static_cast<double>(found)) {
+    lines.refuse(fmt::format("expected {} points, as the first line says, found {}", *promised,
+                             found));
   }
   return chunks.finish();
 }

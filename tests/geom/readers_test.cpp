@@ -97,7 +97,7 @@ TEST(BlockText, ReadsColoursCommentsAndUnknownWords) {
   const BlockText text = read_block_text(in, "m.txt");
   EXPECT_EQ(text.boundary.max, Vec3(9, 9, 9));
   EXPECT_EQ(text.table.labels[1], "255 0 0");
-  EXPECT_EQ(text.unknown, std::vector<std::string>{"line 4: fog"});
+  EXPECT_EQ(text.skipped.text(), "1 x unknown keyword (line 4: fog)");
 }
 
 TEST(BlockText, WantsOneBoundaryAndUprightBlocks) {

@@ -2,6 +2,7 @@
 
 #include "geom/excerpt.h"
 #include "geom/io/parse_json.h"
+#include "skipped_option.h"
 
 namespace cli {
 namespace {
@@ -28,6 +29,7 @@ nlohmann::ordered_json describe(const geom::BoxMap& map) {
                      {"height_m", spec.frame.origin->height}};
   }
   if (!spec.frame.crs.empty()) out["crs"] = spec.frame.crs;
+  if (const std::size_t skipped = skipped_in(spec)) out["skipped_obstacles"] = skipped;
   out["history"] = history_of(map);
   return out;
 }

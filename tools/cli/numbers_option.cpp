@@ -1,7 +1,8 @@
 #include "numbers_option.h"
 
-#include <charconv>
 #include <cmath>
+
+#include "geom/io/number.h"
 
 namespace cli {
 
@@ -11,7 +12,7 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text, std::siz
   const char* const end = at + text.size();
   while (true) {
     double value = 0;
-    const auto [rest, error] = std::from_chars(at, end, value);
+    const auto [rest, error] = geom::read_number(at, end, value);
     if (error != std::errc() || !(std::abs(value) <= geom::kLargestCoordinate)) return std::nullopt;
     values.push_back(value);
     if (rest == end) break;

@@ -13,19 +13,25 @@ bool says(const std::string& path, std::string_view word) {
   return file.read_all().find(word) != std::string::npos;
 }
 
-Source read_city_json(std::istream& in, const std::string& name) {
+Source read_city_json(std::istream& in, const std::string& name, const ReadOptions& options) {
   geom::CityJson city = geom::read_city_json(in, name);
   Source source;
   source.footprints = std::move(city.footprints);
   source.crs = city.crs;
   source.counts["objects"] = city.objects;
-  for (const auto& [what, count] : city.skipped) source.counts["skipped_" + what] = count;
+  source.skipped = std::move(city.skipped);
+  const auto unit = height_unit(source.crs, name, options);
+  if (!unit) refuse_heights(name, source.crs);
+  for (geom::Footprint& f : source.footprints) {
+    f.bottom *= *unit;
+    f.top *= *unit;
+  }
   return source;
 }
 
 Source read_any(const std::string& format, const std::string& path, const std::string& name,
                 std::istream& file, const ReadOptions& options) {
-  if (format == "cityjson") return read_city_json(file, name);
+  if (format == "cityjson") return read_city_json(file, name, options);
   if (format == "osm") return read_osm(path, name, options);
   if (format == "raster") return read_raster(path, name, options);
   return read_vector(path, name, options);
@@ -48,7 +54,9 @@ Source read(const std::string& format, const std::string& path, const std::strin
             std::istream& file, const ReadOptions& options) {
   Source source = read_any(format, path, name, file, options);
   if (source.footprints.empty()) {
-    throw geom::InputError(name, "expected at least one footprint, found none");
+    const std::string skipped = source.skipped.text();
+    throw geom::InputError(name, "expected at least one footprint, found none" +
+                                     (skipped.empty() ? "" : ": " + skipped));
   }
   return source;
 }

@@ -11,6 +11,8 @@ namespace footprints {
 namespace {
 
 constexpr double kMostCells = 2e9;
+constexpr double kMostTerrain = 2.5e8;  // cells, which are held in memory
+constexpr double kHighest = 1e4;        // metres
 
 struct Raster {
   Dataset dataset;
@@ -38,17 +40,23 @@ struct Raster {
     double nodata = band->GetNoDataValue(&has_nodata);
     if (band->GetRasterDataType() == GDT_Float32) nodata = static_cast<float>(nodata);
     for (int i = 0; i < width; ++i) {
-      const bool missing = has_nodata && out[i] == nodata;
+      const bool missing = (has_nodata && out[i] == nodata) || std::isnan(out[i]);
       out[i] = (out[i] * scale + offset) * metres;
-      if (missing || !(std::abs(out[i]) <= 1e4)) out[i] = std::numeric_limits<double>::quiet_NaN();
+      if (!missing && out[i] > kHighest) {
+        throw geom::InputError(
+            name, fmt::format("row {}, column {}: expected a height of at most {} m, found {}: say "
+                              "which value stands for none (`gdal_translate -a_nodata`), or what the "
+                              "unit is (--height-units)",
+                              row, i, kHighest, out[i]));
+      }
+      // What is said to lie deeper than any place on Earth is a value for none.
+      if (missing || out[i] < -kHighest) out[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
 };
 
-// Metres are what bands are in that say nothing.
 double metres_per(const std::string& unit, const std::string& name) {
-  static const std::map<std::string, double> known = {{"", 1},
-                                                      {"m", 1},
+  static const std::map<std::string, double> known = {{"m", 1},
                                                       {"metre", 1},
                                                       {"meter", 1},
                                                       {"metres", 1},
@@ -69,11 +77,34 @@ double metres_per(const std::string& unit, const std::string& name) {
   return at->second;
 }
 
-Raster open_raster(const std::string& path, const std::string& name) {
+// What the band says; else as other heights of its CRS.
+double metres_per_unit(GDALRasterBand& band, const std::string& crs, const std::string& name,
+                       const ReadOptions& options) {
+  const std::string unit = band.GetUnitType();
+  if (unit.empty()) {
+    const auto metres = height_unit(crs, name, options);
+    if (!metres) refuse_heights(name, crs);
+    return *metres;
+  }
+  const double metres = metres_per(unit, name);
+  if (options.height_unit && std::abs(*options.height_unit - metres) > 1e-9) {
+    throw geom::InputError(name, fmt::format("its heights are in \"{}\", and --height-units says "
+                                             "otherwise: leave that out",
+                                             unit));
+  }
+  return metres;
+}
+
+Raster open_raster(const std::string& path, const std::string& name, const ReadOptions& options) {
   Raster raster;
   raster.dataset = open(path, GDAL_OF_RASTER);
   if (!raster.dataset || raster.dataset->GetRasterCount() < 1) {
     throw geom::InputError(name, "expected a raster of heights, and GDAL cannot open it as one");
+  }
+  if (raster.dataset->GetRasterCount() > 1) {
+    throw geom::InputError(name, fmt::format("expected one band of heights, found {}: choose one, for "
+                                             "example with `gdal_translate -b 1 in.tif out.tif`",
+                                             raster.dataset->GetRasterCount()));
   }
   raster.band = raster.dataset->GetRasterBand(1);
   raster.width = raster.dataset->GetRasterXSize();
@@ -87,8 +118,8 @@ Raster open_raster(const std::string& path, const std::string& name) {
   }
   raster.scale = raster.band->GetScale();
   raster.offset = raster.band->GetOffset();
-  raster.metres = metres_per(raster.band->GetUnitType(), name);
-  raster.crs = wkt_of(raster.dataset->GetSpatialRef());
+  raster.crs = wkt_of(raster.dataset->GetSpatialRef(), name);
+  raster.metres = metres_per_unit(*raster.band, raster.crs, name, options);
   return raster;
 }
 
@@ -112,7 +143,10 @@ class SurfaceReader {
       }
     }
     merge.finish();
-    for (geom::Footprint& f : out_.footprints) f.bottom = lowest_;
+    for (geom::Footprint& f : out_.footprints) {
+      f.bottom = lowest_;
+      f.ground = true;
+    }
     return std::move(out_);
   }
 
@@ -168,12 +202,18 @@ bool is_raster(const std::string& path) {
 }
 
 Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options) {
-  const Raster raster = open_raster(path, name);
+  const Raster raster = open_raster(path, name, options);
   return SurfaceReader(raster, name, options).read();
 }
 
-Terrain::Terrain(const std::string& path, const std::string& name) : name_(name) {
-  const Raster raster = open_raster(path, name);
+Terrain::Terrain(const std::string& path, const std::string& name, const ReadOptions& options)
+    : name_(name) {
+  const Raster raster = open_raster(path, name, options);
+  if (static_cast<double>(raster.width) * raster.height > kMostTerrain) {
+    throw geom::InputError(name, fmt::format("expected a terrain of at most {} cells, found {} x {}: "
+                                             "cut it to the city, for example with `gdalwarp -te`",
+                                             kMostTerrain, raster.width, raster.height));
+  }
   crs_ = raster.crs;
   std::copy(raster.transform, raster.transform + 6, transform_);
   width_ = raster.width;

@@ -6,6 +6,7 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -40,8 +41,18 @@ inline OGRSpatialReference reference(const std::string& crs, const std::string& 
   return out;
 }
 
-inline std::string wkt_of(const OGRSpatialReference* reference) {
-  if (!reference || reference->IsLocal()) return "";
+// Empty for none and for a local one, whose units must be metres.
+inline std::string wkt_of(const OGRSpatialReference* reference, const std::string& name) {
+  if (!reference) return "";
+  if (reference->IsLocal()) {
+    const double unit = reference->GetLinearUnits();
+    if (std::abs(unit - 1) > 1e-9) {
+      throw geom::InputError(name, fmt::format("expected local coordinates in metres, found units "
+                                               "of {} m: convert them first",
+                                               unit));
+    }
+    return "";
+  }
   char* text = nullptr;
   reference->exportToWkt(&text);
   const std::string out = text ? text : "";

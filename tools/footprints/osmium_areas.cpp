@@ -21,31 +21,92 @@
 namespace footprints {
 namespace {
 
+using Values = std::initializer_list<std::string_view>;
+
+std::string_view value_of(const osmium::TagList& tags, const char* key) {
+  const char* value = tags.get_value_by_key(key);
+  return value ? value : "";
+}
+
+bool is_one_of(std::string_view value, Values values) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+// Something that stands on an area, and is built from its outline.
 bool is_building(const osmium::TagList& tags) {
-  const char* building = tags.get_value_by_key("building");
-  if (building && std::string_view(building) != "no") return true;
-  const char* part = tags.get_value_by_key("building:part");
-  return part && std::string_view(part) != "no";
+  for (const char* key : {"building", "building:part"}) {
+    const std::string_view value = value_of(tags, key);
+    if (!value.empty() && value != "no") return true;
+  }
+  return is_one_of(value_of(tags, "man_made"),
+                   {"tower", "communications_tower", "water_tower", "cooling_tower", "mast",
+                    "chimney", "crane", "silo", "storage_tank", "gasometer", "lighthouse",
+                    "windmill", "antenna", "obelisk"});
+}
+
+// Something high that is drawn as a point or a line, whose width nothing tells.
+bool is_high_line(const osmium::TagList& tags) {
+  return is_one_of(value_of(tags, "power"), {"tower", "pole", "line", "minor_line", "portal",
+                                             "catenary_mast"}) ||
+         value_of(tags, "generator:source") == "wind" || !value_of(tags, "aerialway").empty();
+}
+
+// The tag of what is not read; empty for what is no obstacle in the air.
+std::string kind_not_read(const osmium::TagList& tags) {
+  static const std::pair<const char*, std::vector<std::string_view>> kinds[] = {
+      {"natural", {"tree", "tree_row", "wood"}},
+      {"landuse", {"forest"}},
+      {"highway", {"street_lamp"}},
+      {"man_made", {"flagpole", "utility_pole", "bridge", "gantry", "canopy", "beam", "wire"}},
+      {"barrier", {"wall", "city_wall", "fence", "hedge", "retaining_wall"}},
+      {"bridge", {"yes", "viaduct"}}};
+  for (const auto& [key, values] : kinds) {
+    const std::string_view value = value_of(tags, key);
+    if (std::find(values.begin(), values.end(), value) != values.end()) {
+      return fmt::format("{}={}", key, value);
+    }
+  }
+  return "";
 }
 
 using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
-using Locations = osmium::handler::NodeLocationsForWays<Index>;
+using Locations = osmium::handler::NodeLocationsForWays<Index, Index>;
 
 geom::Vec2 point_of(const osmium::Location& at) { return {at.lon(), at.lat()}; }
 
-// Ways as they are, so that one that crosses itself or lacks a node is there too; relations as
-// osmium assembles them, and what it cannot assemble by number.
+// Ways as they are, so that one that crosses itself is there too; relations as osmium assembles them,
+// and what it cannot assemble by number.
 class BuildingHandler : public osmium::handler::Handler {
  public:
   BuildingHandler(const ReadOptions& options, Source& out) : options_(options), out_(out) {}
 
+  void node(const osmium::Node& node) {
+    const bool entrance = value_of(node.tags(), "building") == "entrance";
+    if ((is_building(node.tags()) && !entrance) || is_high_line(node.tags())) {
+      out_.skipped.add("building or mast that is a point", fmt::format("node {}", node.id()));
+    } else {
+      note_not_read(node.tags());
+    }
+  }
+
   void way(const osmium::Way& way) {
-    if (!is_building(way.tags()) || way.nodes().empty()) return;
+    const std::string which = fmt::format("way {}", way.id());
+    if (!is_building(way.tags())) {
+      if (is_high_line(way.tags())) {
+        out_.skipped.add("line in the air", which);
+      } else {
+        note_not_read(way.tags());
+      }
+      return;
+    }
     geom::Footprint f;
     for (const osmium::NodeRef& node : way.nodes()) {
       if (node.location().valid()) f.polygon.outer.push_back(point_of(node.location()));
     }
-    if (f.polygon.outer.size() < way.nodes().size()) ++out_.counts["ways_without_all_nodes"];
+    if (f.polygon.outer.size() < way.nodes().size() || way.nodes().empty()) {
+      ++out_.counts["ways_without_all_nodes"];
+      out_.skipped.add("part of an outline whose nodes are not in the file", which);
+    }
     if (f.polygon.outer.empty()) return;
     if (!way.is_closed()) ++out_.counts["ways_not_closed"];
     add(way, osmium::item_type::way, std::move(f));
@@ -74,13 +135,23 @@ class BuildingHandler : public osmium::handler::Handler {
   bool is_assembled(osmium::object_id_type relation) const { return assembled_.contains(relation); }
 
  private:
+  void note_not_read(const osmium::TagList& tags) {
+    if (tags.empty()) return;
+    const std::string kind = kind_not_read(tags);
+    if (!kind.empty()) ++out_.not_read[kind];
+  }
+
   geom::BuildingHeight count(const osmium::OSMObject& object) {
     ++out_.counts["buildings"];
     const auto tag = [&](const char* key) -> std::string {
       const char* value = object.tags().get_value_by_key(key);
       return value ? value : "";
     };
-    return counted_height(tag, options_, out_);
+    const char* what = object.type() == osmium::item_type::way ? "way" : "relation";
+    const auto id = object.type() == osmium::item_type::area
+                        ? static_cast<const osmium::Area&>(object).orig_id()
+                        : object.id();
+    return counted_height(tag, options_.height, fmt::format("{} {}", what, id), out_);
   }
 
   void push(osmium::object_id_type id, const geom::BuildingHeight& height, geom::Footprint f) {
@@ -139,9 +210,23 @@ class HullHandler : public osmium::handler::Handler {
     if (at == relations_of_.end()) return;
     for (const osmium::object_id_type relation : at->second) {
       for (const osmium::NodeRef& node : way.nodes()) {
-        if (node.location().valid()) points_[relation].push_back(node.location());
+        if (node.location().valid()) {
+          points_[relation].push_back(node.location());
+        } else {
+          torn_.insert(relation);
+        }
       }
     }
+    relations_of_.erase(at);
+  }
+
+  // Once all ways have passed: whether a way of the relation, or a node of one, was not among them.
+  bool is_torn(osmium::object_id_type relation) const {
+    return torn_.contains(relation) ||
+           std::any_of(relations_of_.begin(), relations_of_.end(), [&](const auto& missing) {
+             return std::find(missing.second.begin(), missing.second.end(), relation) !=
+                    missing.second.end();
+           });
   }
 
   void remember_members(const osmium::Relation& relation) {
@@ -159,6 +244,7 @@ class HullHandler : public osmium::handler::Handler {
 
  private:
   std::set<osmium::object_id_type> wanted_;
+  std::set<osmium::object_id_type> torn_;
   std::map<osmium::object_id_type, std::vector<osmium::object_id_type>> relations_of_;
   std::map<osmium::object_id_type, std::vector<osmium::Location>> points_;
 };
@@ -204,6 +290,10 @@ void add_hulls(const osmium::io::File& file, Locations& locations, BuildingHandl
     f.polygon.outer = hull_of(hulls.points(object.id()));
     ++out.counts[f.polygon.outer.empty() ? "multipolygons_without_ways"
                                          : "multipolygons_by_their_hull"];
+    if (f.polygon.outer.empty() || hulls.is_torn(object.id())) {
+      out.skipped.add("part of a multipolygon whose ways are not in the file",
+                      fmt::format("relation {}", object.id()));
+    }
     if (!f.polygon.outer.empty()) {
       buildings.add(object, osmium::item_type::relation, std::move(f));
     }
@@ -221,8 +311,9 @@ Source read_osm(const std::string& path, const std::string& name, const ReadOpti
         osmium::area::Assembler::config_type{});
     osmium::relations::read_relations(file, manager);
     Index index;
-    Locations locations(index);
-    locations.ignore_errors();  // a node that is not in the extract: counted with its way
+    Index index_of_new;  // nodes that an editor has made and no server numbered: negative ids
+    Locations locations(index, index_of_new);
+    locations.ignore_errors();  // a node that is not in the extract: skipped with its way
     BuildingHandler buildings(options, out);
     osmium::io::Reader reader(file);
     osmium::apply(reader, locations, buildings,

@@ -47,6 +47,14 @@ void lift(Source& source, const Terrain& terrain, const std::string& crs) {
   }
 }
 
+void sink_ground(std::vector<geom::Footprint>& footprints, std::optional<double> floor) {
+  double lowest = floor.value_or(geom::kLargestCoordinate);
+  for (const geom::Footprint& f : footprints) lowest = std::min(lowest, f.bottom);
+  for (geom::Footprint& f : footprints) {
+    if (f.ground) f.bottom = lowest;
+  }
+}
+
 void keep_shard(std::vector<geom::Footprint>& footprints, const geom::Shard& shard) {
   std::vector<std::size_t> first;  // of each feature
   for (std::size_t i = 0; i < footprints.size(); ++i) {

@@ -2,6 +2,7 @@
 
 // Footprints brought from their source to the map: onto its plane, and onto the ground.
 
+#include <optional>
 #include <string>
 
 #include "footprints/source.h"
@@ -15,6 +16,10 @@ void project(std::vector<geom::Footprint>& footprints, const Projector& projecto
 // Down to the lowest point of the ground under it, and as high above the highest; `crs` is that of
 // the footprints. Counts those without ground under them.
 void lift(Source& source, const Terrain& terrain, const std::string& crs);
+
+// What is ground is solid: down to the lowest of all footprints, and to the floor of the map (in the
+// footprints' own units) where that is lower. Before keep_shard().
+void sink_ground(std::vector<geom::Footprint>& footprints, std::optional<double> floor);
 
 // Leaves the shard's features, each with all its footprints, which stand together.
 void keep_shard(std::vector<geom::Footprint>& footprints, const geom::Shard& shard);

@@ -3,8 +3,9 @@
 namespace footprints {
 
 geom::BuildingHeight counted_height(const std::function<std::string(const char*)>& tag,
-                                    const ReadOptions& options, Source& source) {
-  const geom::BuildingHeight height = geom::building_height(tag, options.height);
+                                    const geom::HeightOptions& options, const std::string& which,
+                                    Source& source) {
+  const geom::BuildingHeight height = geom::building_height(tag, options);
   switch (height.from) {
     case geom::HeightFrom::height:
       ++source.counts["heights_given"];
@@ -17,6 +18,7 @@ geom::BuildingHeight counted_height(const std::function<std::string(const char*)
       break;
   }
   if (height.junk) ++source.counts["heights_not_understood"];
+  if (height.unread) source.skipped.add("height that is not understood", which);
   return height;
 }
 

@@ -11,24 +11,42 @@
 
 #include "geom/footprint.h"
 #include "geom/io/building_height.h"
+#include "geom/io/skipped.h"
 
 namespace footprints {
 
 struct Source {
+  using Warnings = std::vector<std::string>;
+
   std::vector<geom::Footprint> footprints;
   std::string crs;                            // whatever PROJ understands; empty: local metres
-  std::map<std::string, std::size_t> counts;  // for the report: "heights from levels", "skipped …"
+  std::map<std::string, std::size_t> counts;  // for the report: "heights from levels", …
+  geom::Skipped skipped;                      // what is or may be an obstacle and is no footprint
+  Warnings warnings;
+  std::map<std::string, std::size_t> not_read;  // of kinds that are never read: trees, lamps, …
 };
 
 struct ReadOptions {
   geom::HeightOptions height;
   std::string where;         // OGR SQL on attributes; empty: all features
+  std::optional<double> height_unit;  // metres in one of the heights that name no unit
   double height_step = 0.5;  // metres: surface models are rounded up to multiples of it; 0: not
 };
 
-// Counts where the height of a building came from and gives its range.
+// Counts where the height of a building came from and gives its range; `which` names the building
+// where its height is not understood.
 geom::BuildingHeight counted_height(const std::function<std::string(const char*)>& tag,
-                                    const ReadOptions& options, Source& source);
+                                    const geom::HeightOptions& options, const std::string& which,
+                                    Source& source);
+
+// Metres in a unit of heights that name none, in a source of this CRS: what the options say, or the
+// CRS's own vertical part, or 1 where the CRS counts metres or degrees, or there is none. Nothing
+// where it counts something else, as heights may then too.
+std::optional<double> height_unit(const std::string& crs, const std::string& name,
+                                  const ReadOptions& options);
+
+// The refusal where height_unit() is nothing and a height is needed.
+[[noreturn]] void refuse_heights(const std::string& name, const std::string& crs);
 
 // GeoJSON, GeoPackage, Shapefile, FlatGeobuf and whatever else GDAL reads as polygons. `path` may
 // be one of GDAL's virtual files; `name` is for messages. Throws geom::InputError.
@@ -37,17 +55,20 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
 // Whether GDAL reads the file as a raster.
 bool is_raster(const std::string& path);
 
-// A surface or terrain model: rectangles of cells of equal height, from the lowest cell up. Where
+// A surface or terrain model of one band: rectangles of cells of equal height, from the lowest cell up. Where
 // there is a CRS their sides have all corners of cells, since straight lines bend when projected.
 Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options);
 
-// OpenStreetMap data: buildings and building parts, multipolygons assembled.
+// OpenStreetMap data: ways and multipolygons that are buildings, building parts, or towers, masts,
+// chimneys, silos and the like; multipolygons assembled. Those that are points or lines are skipped,
+// and so are outlines of which a part is not in the file. Trees, lamps, poles, walls, fences and
+// bridges are not read.
 Source read_osm(const std::string& path, const std::string& name, const ReadOptions& options);
 
 // The ground under a place, from a terrain model.
 class Terrain {
  public:
-  Terrain(const std::string& path, const std::string& name);
+  Terrain(const std::string& path, const std::string& name, const ReadOptions& options);
 
   struct Range {
     double low;
@@ -71,8 +92,10 @@ class Projector {
  public:
   // Without a CRS coordinates are metres already and stay; `origin` is then where (0, 0) is.
   // `origin`: latitude, longitude; else the middle of the footprints. Throws geom::InputError(name,
-  // …) for a CRS that PROJ does not know.
-  Projector(const Source& source, const std::string& name, const std::optional<geom::Vec2>& origin);
+  // …) for a CRS that PROJ does not know, for an origin too far from the footprints (and warns of
+  // one that is far), and, unless `metres` insists, for numbers without a CRS that look like degrees.
+  Projector(Source& source, const std::string& name, const std::optional<geom::Vec2>& origin,
+            bool metres);
   ~Projector();
 
   geom::Vec2 operator()(const geom::Vec2& p) const;

@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/numbers_option.h"
 #include "cli/output_option.h"
+#include "cli/skipped_option.h"
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
 #include "geom/io/parse_json.h"
@@ -53,12 +54,14 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
   Json step = step_of("join", first);
   Json others = Json::array();
   Json histories = Json::array();
+  std::size_t skipped = 0;  // that the others know of; the first has its own history
   for (std::size_t i = 1; i < names.size(); ++i) {
     if (names[i] == "-") throw cli::UsageError("only the first map may be stdin");
     const BoxMap other = open(names[i], common);
     others.push_back(other.hash());
     const std::string& past = other.spec().history;
     histories.push_back(geom::parse_ordered_json(past.empty() ? "[]" : past, names[i]));
+    skipped += cli::skipped_in(other.spec());
     geom::append(table, geom::in_frame(spec.frame, other, names[i]));
     // Bounds move as a box does.
     geom::BoxMapSpec moved = other.spec();
@@ -72,6 +75,7 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
   }
   step["others"] = others;
   step["histories"] = histories;
+  if (skipped > 0) step["skipped"] = skipped;
   write({names[0], output}, spec, table, step);
 }
 

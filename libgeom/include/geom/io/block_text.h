@@ -3,19 +3,18 @@
 // Block text, as courses use it: a `boundary` line and `block` lines.
 
 #include <iosfwd>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "geom/box_map.h"
+#include "geom/io/skipped.h"
 
 namespace geom {
 
 struct BlockText {
   BoxTable table;  // ids are line numbers; a colour becomes the label "R G B"
   Aabb boundary;
-  std::vector<std::string> unknown;  // "line N: WORD" for each keyword that is neither
-  std::size_t flat = 0;              // blocks without extent along one or two axes: kept
+  Skipped skipped;       // lines whose keyword is neither: they may have been meant as blocks
+  std::size_t flat = 0;  // blocks without extent along one or two axes: kept
 };
 
 // `boundary|block x0 y0 z0 x1 y1 z1 [r g b]`, fields by white space, `#` starts a comment. Throws

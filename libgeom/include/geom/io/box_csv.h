@@ -10,7 +10,8 @@
 namespace geom {
 
 // Throws InputError(source, line, …) for another header, a field that is not a finite number, an
-// inverted box, and a table without boxes. Labels may be quoted. ids are line numbers.
+// inverted box, and a table without boxes. Labels may be quoted (csv_records.h) and then hold any
+// bytes. ids are the numbers of the lines on which records begin.
 BoxTable read_box_csv(std::istream& in, std::string_view source);
 
 void write_box_csv(std::ostream& out, const BoxTable& table);

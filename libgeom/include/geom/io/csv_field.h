@@ -7,9 +7,13 @@
 
 namespace geom {
 
-// In quotes, its own doubled, where it has a comma, a quote or a line's end; else as it is.
+// In quotes, its own doubled, where it has a comma, a quote, a line's end, or a blank at either end;
+// else as it is.
 inline std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos &&
+                     (text.empty() || (!blank(text.front()) && !blank(text.back())));
+  if (plain) return std::string(text);
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + '"';

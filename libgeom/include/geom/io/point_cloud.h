@@ -8,6 +8,8 @@
 #include <span>
 #include <string_view>
 
+#include "geom/io/coordinate_reference.h"
+#include "geom/io/skipped.h"
 #include "geom/vec3.h"
 
 namespace geom {
@@ -20,21 +22,27 @@ struct CloudPoint {
 // Is given the points chunk by chunk, in the file's order.
 using PointSink = std::function<void(std::span<const CloudPoint>)>;
 
+// Is told what a file says of its coordinates, before the first point.
+using ReferenceSink = std::function<void(const CoordinateReference&)>;
+
 struct CloudCounts {
   std::size_t read = 0;        // points in the file
   std::size_t not_finite = 0;  // of these, left out: a coordinate is NaN or infinite
+  Skipped skipped;             // what is no point and may be an obstacle: faces of a mesh
 };
 
 // Each throws InputError(source, …) for a header that is wrong or of a kind not known, for data
-// that end before the points that the header promises, for a word where a number should be, and
-// for coordinates beyond kLargestCoordinate. Memory does not grow with the file, but for compressed
+// that end before the points that the header promises or hold more, for a word where a number should
+// be, and for coordinates beyond kLargestCoordinate. Memory does not grow with the file, but for compressed
 // PCD, which is unpacked whole.
 CloudCounts read_pcd(std::istream& in, std::string_view source, const PointSink& sink);
 CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink& sink);
 
 // LAS 1.0 to 1.4, point formats 0 to 10. LAZ and COPC are refused with the command that converts
-// them.
-CloudCounts read_las(std::istream& in, std::string_view source, const PointSink& sink);
+// them. The reference is what its GeoTIFF keys and its well-known text say, read where they stand
+// before the points; two that differ, and one that stands after the points alone, throw.
+CloudCounts read_las(std::istream& in, std::string_view source, const PointSink& sink,
+                     const ReferenceSink& reference = {});
 
 // Three numbers a line, then anything; fields by white space, comma or semicolon; `#` and `//`
 // start comments, and a first line that starts with a word or is a number alone is a header.

@@ -8,16 +8,19 @@
 #include <vector>
 
 #include "geom/box_map.h"
+#include "geom/io/skipped.h"
 
 namespace geom {
 
 struct WorldJson {
   BoxTable table;  // ids count the blocks from 0; a colour becomes the label "R G B"
   Aabb bounds;
-  std::vector<std::string> unknown;  // keys that say nothing known
-  std::size_t flat = 0;              // blocks without extent along one or two axes: kept
+  std::vector<std::string> names;  // keys that are not known and by their name no geometry
+  Skipped skipped;       // other keys: they may mean obstacles, or turn blocks
+  std::size_t flat = 0;  // blocks without extent along one or two axes: kept
 };
 
+// The keys of a course (start, goal, resolution, margin, expected_path_length) are no obstacles.
 // Throws InputError(source, …) for anything that is not such a world: malformed JSON, no bounds, no
 // blocks, extents that are not 6 finite numbers, an inverted box, and one without any extent.
 WorldJson read_world_json(std::istream& in, std::string_view source);

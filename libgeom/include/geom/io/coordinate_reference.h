@@ -1,0 +1,41 @@
+#pragma once
+
+// What a file says of its coordinates: which reference system, and how long its units are.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace geom {
+
+struct CoordinateReference {
+  enum class Kind {
+    none,       // the file says nothing
+    metric,     // lengths: a projected or a local system
+    no_plane,   // degrees, metres from the centre of the Earth, a Mercator map of the whole world:
+                // what is one metre long there is not one metre long in the numbers
+    not_known,  // something that is not understood
+  };
+  Kind kind = Kind::none;
+  std::string crs;              // the text or "EPSG:…" by which the file names it; local: empty
+  std::optional<double> plane;  // metres in a unit of x and y, where that is told
+  std::optional<double> up;     // of z, where it is told apart
+  bool up_unclear = false;      // heights have a reference of their own whose unit is not told
+  std::string name;             // for messages
+
+  friend bool operator==(const CoordinateReference&, const CoordinateReference&) = default;
+};
+
+// Of well-known text, of GDAL's and Esri's kind (WKT 1) and of ISO 19162 (WKT 2). No data base is
+// asked: a unit that the text does not give is not known.
+CoordinateReference reference_of_wkt(std::string_view text);
+
+// Of the keys of GeoTIFF 1.1 (OGC 19-008), as LAS files have them: the directory (34735), and the
+// doubles (34736) that it points into. Codes of EPSG whose unit follows from their range (UTM) or
+// is well known (heights above common levels) are understood, others not.
+CoordinateReference reference_of_geo_keys(std::span<const std::uint16_t> directory,
+                                          std::span<const double> doubles);
+
+}  // namespace geom

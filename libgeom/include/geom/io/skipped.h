@@ -1,0 +1,35 @@
+#pragma once
+
+// What a reader could not build although it is, or may be, an obstacle.
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace geom {
+
+// Counts by kind, and the names of the first few of each. Who makes a map of the rest either
+// refuses or says so in the map (cli::SkippedOption).
+class Skipped {
+ public:
+  // `kind`: "unknown keyword"; `which`: "line 7: window".
+  void add(const std::string& kind, std::string which);
+  void add(const Skipped& other);
+
+  bool empty() const { return kinds_.empty(); }
+  std::size_t count() const;
+
+  // "2 x unknown keyword (line 7: window, line 9: blok), 1 x Point (feature 3)".
+  std::string text() const;
+
+ private:
+  struct Kind {
+    std::size_t count = 0;
+    std::vector<std::string> first;
+  };
+  std::map<std::string, Kind> kinds_;
+};
+
+}  // namespace geom
