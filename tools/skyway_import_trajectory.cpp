@@ -32,10 +32,6 @@ struct Importer {
   }
 
   std::string path_line(const cli::DroneFile& file) const {
-    if (file.returns) {
-      common.warn(file.id +
-                  ": the return to home is left out: its height is a setting of the vehicle");
-    }
     geom::PathRecord record;
     record.id = file.id;
     record.status = "found";
@@ -46,6 +42,7 @@ struct Importer {
   }
 
   std::string line(const cli::DroneFile& file) const {
+    for (const std::string& note : file.notes) common.warn(file.id + ": " + note);
     return file.flown.path.empty() ? trajectory_line(file) : path_line(file);
   }
 };

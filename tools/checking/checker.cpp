@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "cli/run.h"
 #include "geom/io/json_fields.h"
 #include "traj/check.h"
 #include "traj/clearance.h"
@@ -27,6 +26,16 @@ traj::Limits Checker::limits_for(const traj::Limits& record) const {
     return std::optional(std::min(*option, *own));
   };
   return traj::combined(rules_.limits, record, pick);
+}
+
+// A limit that an option asks for is held or refused. One that only the vehicle's profile has, and
+// that nothing in a path or a mission commands, is the vehicle's own to keep; the report names it.
+void Checker::refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& report) const {
+  const auto missing = traj::not_measured(report.result, rules_.limits);
+  if (missing.empty() || !report.result.ok) return;
+  report.result.ok = false;
+  report.result.reason = missing.front() + "_not_measured";
+  report.result.place = place;
 }
 
 traj::ReportRecord Checker::trajectory(const std::string& text, const std::string& source,
@@ -61,6 +70,8 @@ traj::ReportRecord Checker::path(const std::string& text, const std::string& sou
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
   report.provenance = geom::provenance_of(scene);
   report.result = traj::check_path(scene, record.points);
+  report.limits = rules_.limits;
+  refuse_unmeasured(record.points.front(), report);
   if (rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), record.points);
   if (profile_.is_open()) {
     profile_.add(record.id, traj::clearance_profile(scene, record.points, profile_.step()));
@@ -79,6 +90,7 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   report.limits = limits_for(scenes_.profile()->limits);  // a scene without a record has a profile
   report.provenance = geom::provenance_of(scene);
   report.result = traj::check_flown(scene, file.flown, report.limits);
+  if (path) refuse_unmeasured(file.flown.path.front(), report);
   const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
   if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
   if (!profile_.is_open()) return report;
@@ -107,7 +119,9 @@ std::size_t Checker::each(cli::InputFile& file, const cli::DroneFileOptions& dro
   const geom::Frame& frame = scenes_.map().spec().frame;
   const std::string text = file.read_all();
   for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
-    if (shard.takes(total++)) answer(flown(one));
+    if (!shard.takes(total++)) continue;
+    for (const std::string& note : one.notes) common_.warn(one.id + ": " + note);
+    answer(flown(one));
   }
   return total;
 }
