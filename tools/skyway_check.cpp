@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     cli::Scenes scenes(
         map, options.vehicle,
         options.override_record ? Differences::allowed : Differences::stricter_allowed);
-    const checking::Checker checker(scenes, options.profile, options.rules());
+    const checking::Checker checker(common, scenes, options.profile, options.rules());
     cli::InputFile file(options.input);
     Reports reports(options, sharding, scenes.map());
     const std::size_t total =

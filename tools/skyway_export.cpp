@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <list>
 #include <optional>
 #include <utility>
 
@@ -45,7 +45,13 @@ TrajectoryRecord read_named(const std::string& input, const std::string& id) {
   std::optional<TrajectoryRecord> found;
   file.for_each_line([&](const std::string& line, std::size_t number) {
     TrajectoryRecord record = traj::parse_trajectory_record(line, file.name(), number);
-    if (!found && record.id == id) found = std::move(record);
+    if (record.id != id) return;
+    if (found) {
+      throw geom::InputError(
+          file.name(), number,
+          fmt::format("expected one trajectory of id \"{}\", found another", id));
+    }
+    found = std::move(record);
   });
   if (!found)
     throw geom::InputError(file.name(),
@@ -90,21 +96,6 @@ void warn_of_holds(const cli::Common& common, const Task& task) {
   }
 }
 
-// The text, and beside a Tello's script its program and table.
-void save(const Task& task, const Written& written, const std::string& output) {
-  const auto kind = task.format == "gltf" ? cli::OutputKind::artefact : cli::OutputKind::text;
-  cli::OutputFile out(output, kind);
-  out.stream() << written.text;
-  if (task.format != "tello" || output == "-") return out.commit();
-  cli::OutputFile python(std::filesystem::path(output).replace_extension(".py"), kind);
-  cli::OutputFile csv(std::filesystem::path(output).replace_extension(".csv"), kind);
-  python.stream() << written.python;
-  csv.stream() << written.csv;
-  out.commit();
-  python.commit();
-  csv.commit();
-}
-
 void set_ground(const geom::CollisionScene& scene, const TrajectoryRecord& record, Task& task) {
   const auto& segments = record.trajectory.segments;
   task.ground =
@@ -115,6 +106,8 @@ void set_ground(const geom::CollisionScene& scene, const TrajectoryRecord& recor
 struct Options {
   std::vector<std::string> files;
   std::string output = "-";
+  std::string python;  // of a Tello, beside its script; empty: not asked for
+  std::string table;
   std::string id;
   std::string axes = "enu";
   bool unchecked = false;
@@ -128,10 +121,19 @@ struct Options {
     if (files.empty() && !unchecked) throw cli::UsageError("map is required (or --unchecked)");
     if (files.size() > map_files() + 1) throw cli::UsageError("--unchecked takes no map");
     if (!unchecked) cli::at_most_one_stdin({files[0], input()});
-    if (task.format == "tello" && (output.ends_with(".py") || output.ends_with(".csv"))) {
-      throw cli::UsageError(
-          "a Tello's script needs another name: FILE.py and FILE.csv go beside it");
+    const std::string outputs[] = {output, python, table};
+    if (std::count(std::begin(outputs), std::end(outputs), "-") > 1) {
+      throw cli::UsageError("the script, --python and --table cannot share stdout");
     }
+  }
+
+  void save(const Task& task, const Written& written) const {
+    const auto kind = task.format == "gltf" ? cli::OutputKind::artefact : cli::OutputKind::text;
+    std::list<cli::OutputFile> outputs;
+    outputs.emplace_back(output, kind).stream() << written.text;
+    if (!python.empty()) outputs.emplace_back(python, kind).stream() << written.python;
+    if (!table.empty()) outputs.emplace_back(table, kind).stream() << written.csv;
+    for (cli::OutputFile& file : outputs) file.commit();
   }
 };
 
@@ -159,10 +161,11 @@ void add_options(CLI::App& app, Options& options, Task& task) {
   task.placement.add_to(app);
   app.add_option("--id", options.id, "which trajectory of the stream (default: its only one)");
   app.add_flag("--unchecked", options.unchecked, "write without a map and without a proof");
-  cli::add_output(
-      app, "-o,--output", options.output,
-      "file to write (default: stdout); beside a Tello's script FILE.txt go FILE.py and "
-      "FILE.csv");
+  cli::add_output(app, "-o,--output", options.output, "file to write (default: stdout)");
+  cli::add_output(app, "--python", options.python,
+                  "of a Tello, write also a program for the library DJITelloPy that flies it");
+  cli::add_output(app, "--table", options.table,
+                  "of a Tello, write also a table of where and when each leg ends, CSV");
   options.vehicle.add_to(app);
 }
 
@@ -176,7 +179,8 @@ void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked)
   cli::only_for(app, tello || mission, {"--speed", "--hover", "--ground"},
                 "missions and Tello scripts");
   cli::only_for(app, mission || line, {"--origin", "--geoid"}, "formats with places on Earth");
-  cli::only_for(app, tello, {"--takeoff-height", "--heading"}, "--format tello");
+  cli::only_for(app, tello, {"--takeoff-height", "--heading", "--python", "--table"},
+                "--format tello");
   cli::only_for(app, !unchecked, {"--vehicle", "--margin"}, "an export that is checked");
 }
 
@@ -206,9 +210,20 @@ Written write_unchecked(const Options& options, const TrajectoryRecord& record, 
   return exporting::write(task, traj::straight_legs(task.enu, task.tolerance));
 }
 
+// What a file of straight legs does not command, and its check cannot hold.
+void warn_of_unmeasured(const cli::Common& common, const Task& task,
+                        const traj::CheckResult& result) {
+  const auto missing = traj::not_measured(result, task.limits);
+  if (missing.empty()) return;
+  common.warn(
+      fmt::format("{}: {} does not say the {}: the vehicle's own settings must keep the "
+                  "limits of that",
+                  task.id, task.format, fmt::join(missing, ", ")));
+}
+
 // Nothing where it is refused, which it says.
-std::optional<Written> write_checked(const Options& options, const TrajectoryRecord& record,
-                                     Task& task) {
+std::optional<Written> write_checked(const cli::Common& common, const Options& options,
+                                     const TrajectoryRecord& record, Task& task) {
   cli::Scenes scenes(cli::open_map(options.files[0], geom::Verified::contents), options.vehicle,
                      cli::Scenes::Differences::refused);
   const auto& scene = scenes.scene_for(record.provenance, options.input(), 0);
@@ -217,7 +232,10 @@ std::optional<Written> write_checked(const Options& options, const TrajectoryRec
   task.enu = traj::to_enu(task.frame.axes, record.trajectory);
   set_ground(scene, record, task);
   auto [written, result] = exporting::write_proved(scene, task);
-  if (result.ok) return std::move(written);
+  if (result.ok) {
+    warn_of_unmeasured(common, task, result);
+    return std::move(written);
+  }
   cli::complain("skyway-export", refusal(task, result));
   return std::nullopt;
 }
@@ -246,11 +264,11 @@ int main(int argc, char** argv) {
     task.checked = !options.unchecked;
     const std::optional<Written> written = options.unchecked
                                                ? write_unchecked(options, record, task)
-                                               : write_checked(options, record, task);
+                                               : write_checked(common, options, record, task);
     if (!written) return cli::Exit::no;
     if (task.format == "crazyflie") warn_of_memory(common, task);
     warn_of_holds(common, task);
-    save(task, *written, options.output);
+    options.save(task, *written);
     common.write_stats(statistics(task, *written));
     return cli::Exit::yes;
   });

@@ -34,10 +34,6 @@ struct Importer {
   }
 
   std::string path_line(const cli::DroneFile& file) const {
-    if (file.returns) {
-      common.warn(file.id +
-                  ": the return to home is left out: its height is a setting of the vehicle");
-    }
     if (file.flown.speed) {
       common.warn(fmt::format(
           "{}: the file's speed, {} m/s, is left out: a path has none; give skyway-traj --vmax",
@@ -53,6 +49,7 @@ struct Importer {
   }
 
   std::string line(const cli::DroneFile& file) const {
+    for (const std::string& note : file.notes) common.warn(file.id + ": " + note);
     return file.flown.path.empty() ? trajectory_line(file) : path_line(file);
   }
 };

@@ -69,6 +69,8 @@ std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source)
   TextLines lines(in, source);
   Table table(lines);
   while (lines.next()) {
+    if (in.eof())
+      lines.refuse("expected a line that ends with LF, found none: the file may be cut");
     if (!lines.line().empty()) table.take(split_fields(lines.line()));
   }
   std::vector<PathRecord> paths = std::move(table).paths();

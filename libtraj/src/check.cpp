@@ -1,6 +1,7 @@
 #include "traj/check.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -55,6 +56,23 @@ void check_joints(const geom::CollisionScene& scene, const Trajectory& trajector
   }
 }
 
+// The segments with what may be beside them, and where neighbours miss each other, the steps.
+std::vector<Piece> strayed_pieces(const Trajectory& trajectory, std::span<const Stray> stray) {
+  std::vector<Piece> pieces = pieces_of(trajectory);
+  if (stray.empty()) return pieces;
+  assert(stray.size() == trajectory.segments.size());
+  const std::size_t count = pieces.size();
+  for (std::size_t i = 0; i < count; ++i) pieces[i].stray = stray[i].position;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const Vec3& a = pieces[i].q[kDegree];
+    const Vec3& b = pieces[i + 1].q[0];
+    if (a == b) continue;
+    const Vec3 both = pieces[i].stray.cwiseMax(pieces[i + 1].stray);
+    pieces.push_back({{a, a, a, a, b, b, b, b}, pieces[i].end, pieces[i].end, both});
+  }
+  return pieces;
+}
+
 }  // namespace
 
 CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
@@ -65,7 +83,7 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
     return result;
   }
   result.duration = duration(trajectory);
-  const std::vector<Piece> pieces = pieces_of(trajectory);
+  const std::vector<Piece> pieces = strayed_pieces(trajectory, options.stray);
   check_joints(scene, trajectory, options, result);
   if (result.reason.empty()) check_place(scene, pieces, result);
   check_limits(trajectory, options, result);
@@ -82,20 +100,22 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
   return check(scene, trajectory, options);
 }
 
-CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points) {
+CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points,
+                       std::span<const Vec3> stray) {
   CheckResult result;
   if (const auto outside = outside_domain(points)) {
     note(result, outside->reason, {outside->value, outside->time, Vec3::Zero()});
     return result;
   }
   std::vector<Piece> pieces;
-  const auto leg = [](const Vec3& a, const Vec3& b, double index) {
-    return Piece{{a, a, a, a, b, b, b, b}, index, index + 1};  // decided exactly
+  const auto add = [&](const Vec3& a, const Vec3& b) {
+    const std::size_t i = pieces.size();
+    const auto index = static_cast<double>(i);
+    const Vec3 beside = stray.empty() ? Vec3(Vec3::Zero()) : stray[i];
+    pieces.push_back({{a, a, a, a, b, b, b, b}, index, index + 1, beside});  // exact without it
   };
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    pieces.push_back(leg(points[i - 1], points[i], static_cast<double>(i - 1)));
-  }
-  if (points.size() == 1) pieces.push_back(leg(points[0], points[0], 0));
+  for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
+  if (points.size() == 1) add(points[0], points[0]);
   if (pieces.empty()) {
     result.reason = "no_path";
     return result;
@@ -104,6 +124,14 @@ CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> 
   result.clearance = least_clearance(scene, pieces);
   result.ok = result.reason.empty();
   return result;
+}
+
+std::vector<std::string> not_measured(const CheckResult& result, const Limits& limits) {
+  std::vector<std::string> missing;
+  for (const LimitKind& kind : kLimitKinds) {
+    if (limits.*kind.limit && !(result.*kind.extreme)) missing.emplace_back(kind.reason);
+  }
+  return missing;
 }
 
 }  // namespace traj

@@ -51,7 +51,7 @@ struct TurnPiece {
   Points<11> square;  // of degree 10, in x
   double cross_error;
   double square_error;
-  double slack = 1e-9;  // rad/s: of what is reported, not of the verdict
+  double slack;  // rad/s: of what is reported, not of the verdict
 
   static double ratio(double cross, double square) {
     return square > 0 ? cross / square : (cross > 0 ? kInfinity : 0);
@@ -68,7 +68,7 @@ struct TurnPiece {
   std::pair<TurnPiece, TurnPiece> halved() const {
     const auto [cl, cr] = halves(cross);
     const auto [sl, sr] = halves(square);
-    return {{cl, sl, cross_error, square_error}, {cr, sr, cross_error, square_error}};
+    return {{cl, sl, cross_error, square_error, slack}, {cr, sr, cross_error, square_error, slack}};
   }
 };
 
@@ -170,31 +170,17 @@ TurnPiece turning(const Points<6>& f, double f_error, const Points<5>& j, double
                 x.x() * y.y() - x.y() * y.x());
   };
   const auto dot = [](const Vec3& x, const Vec3& y) { return Vec3(x.dot(y), 0, 0); };
-  return {product(f, j, cross), product(f, f, dot),
-          f_most * j_error + j_most * f_error + 100 * kEps * f_most * j_most,
-          2 * f_most * f_error + 100 * kEps * f_most * f_most};
+  const double cross_error = f_most * j_error + j_most * f_error + 100 * kEps * f_most * j_most;
+  const double square_error = 2 * f_most * f_error + 100 * kEps * f_most * f_most;
+  // No halving takes these errors away, so no digits below them are looked for.
+  const double slack = 1e-9 + (cross_error + square_error * j_most) / kGravity;
+  return {product(f, j, cross), product(f, f, dot), cross_error, square_error, slack};
 }
 
 double norm(const Vec3& p) { return p.norm(); }
 double up(const Vec3& p) { return std::abs(p.z()); }
 
-// A limit, what a report calls it, and where its extreme goes.
-struct Kind {
-  const char* reason;
-  std::optional<double> Limits::*limit;
-  Extreme CheckResult::*extreme;
-};
-constexpr Kind kKinds[] = {
-    {"speed", &Limits::vmax, &CheckResult::speed},
-    {"acceleration", &Limits::amax, &CheckResult::acceleration},
-    {"jerk", &Limits::jmax, &CheckResult::jerk},
-    {"tilt", &Limits::tilt, &CheckResult::tilt},
-    {"horizontal_speed", &Limits::vmax_h, &CheckResult::horizontal_speed},
-    {"vertical_speed", &Limits::vmax_v, &CheckResult::vertical_speed},
-    {"thrust", &Limits::thrust, &CheckResult::thrust},
-    {"body_rate", &Limits::body_rate, &CheckResult::body_rate},
-    {"yaw_rate", &Limits::yaw_rate, &CheckResult::yaw_rate},
-};
+// The numbers of kLimitKinds.
 enum { speed_, acceleration_, jerk_, tilt_, across_, up_, thrust_, body_rate_, yaw_rate_, kinds_ };
 
 class LimitCheck {
@@ -202,16 +188,19 @@ class LimitCheck {
   LimitCheck(const CheckOptions& options, CheckResult& result)
       : options_(options), result_(result) {}
 
-  void add(const Segment& s) {
+  void add(const Segment& s, const Stray& stray) {
     duration_ = s.duration;
     const auto v = velocity_points(s);
     const auto a = acceleration_points(s);
     const auto j = jerk_points(s);
     // Errors of the differences (each a subtraction and a product) and of up to 40 halvings.
-    const double v_error = 50 * kEps * largest_norm(v);
-    const double a_error =
+    const double v_rounded = 50 * kEps * largest_norm(v);
+    const double a_rounded =
         12 / s.duration * 4 * kEps * largest_norm(v) + 50 * kEps * largest_norm(a);
-    const double j_error = 10 / s.duration * a_error + 50 * kEps * largest_norm(j);
+    const double j_rounded = 10 / s.duration * a_rounded + 50 * kEps * largest_norm(j);
+    const double v_error = v_rounded + stray.velocity;
+    const double a_error = a_rounded + stray.acceleration;
+    const double j_error = j_rounded + stray.jerk;
     convex(speed_, v, norm, v_error);
     convex(across_, v, across, v_error);
     convex(up_, v, up, v_error);
@@ -222,7 +211,7 @@ class LimitCheck {
     holds(tilt_, TiltPiece{f, f_error});
     convex(jerk_, j, norm, j_error);
     holds(body_rate_, turning(f, f_error, j, j_error));
-    if (s.yaw) add_yaw(s);
+    if (s.yaw) add_yaw(s, stray.yaw_rate);
     begin_ += s.duration;
   }
 
@@ -230,8 +219,8 @@ class LimitCheck {
     if (!result_.reason.empty()) return;
     for (std::size_t k = 0; k < kinds_; ++k) {
       if (!broken_[k]) continue;
-      const Extreme& at = result_.*kKinds[k].extreme;
-      result_.reason = kKinds[k].reason;
+      const Extreme at = (result_.*kLimitKinds[k].extreme).value_or(Extreme{});
+      result_.reason = kLimitKinds[k].reason;
       result_.worst = at.value;
       result_.time = at.time;
       result_.place = evaluate(trajectory, at.time).position;
@@ -242,9 +231,11 @@ class LimitCheck {
  private:
   template <class Quantity>
   void holds(std::size_t kind, const Quantity& piece) {
-    const auto& limit = options_.limits.*kKinds[kind].limit;
+    const auto& limit = options_.limits.*kLimitKinds[kind].limit;
     const double most = limit ? *limit * (1 + options_.limit_slack) : kInfinity;
-    Bound bound{most, result_.*kKinds[kind].extreme};
+    std::optional<Extreme>& extreme = result_.*kLimitKinds[kind].extreme;
+    if (!extreme) extreme.emplace();
+    Bound bound{most, *extreme};
     if (!bounded(piece, begin_, begin_ + duration_, 0, bound)) broken_[kind] = true;
   }
 
@@ -253,14 +244,14 @@ class LimitCheck {
     holds(kind, ConvexPiece<N, Value>{q, value, slack});
   }
 
-  void add_yaw(const Segment& s) {
+  void add_yaw(const Segment& s, double stray) {
     Points<kDegree> rate;
     for (std::size_t i = 0; i < rate.size(); ++i) {
       rate[i] = Vec3::UnitX() * (((*s.yaw)[i + 1] - (*s.yaw)[i]) * kDegree / s.duration);
     }
     double most = 0;
     for (const double y : *s.yaw) most = std::max(most, std::abs(y));
-    const double error = 50 * kEps * (largest_norm(rate) + most * kDegree / s.duration);
+    const double error = 50 * kEps * (largest_norm(rate) + most * kDegree / s.duration) + stray;
     convex(yaw_rate_, rate, norm, error);
   }
 
@@ -275,7 +266,9 @@ class LimitCheck {
 
 void check_limits(const Trajectory& trajectory, const CheckOptions& options, CheckResult& result) {
   LimitCheck limits(options, result);
-  for (const Segment& s : trajectory.segments) limits.add(s);
+  for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
+    limits.add(trajectory.segments[i], options.stray.empty() ? Stray{} : options.stray[i]);
+  }
   limits.report(trajectory);
 }
 

@@ -26,14 +26,17 @@ geom::Aabb moved(const geom::Aabb& box, const Vec3& by) {
   return out;
 }
 
-// The box that surely holds the curve, whose points carry the error of `depth` halvings.
-geom::Aabb sure_box(const Points<kPoints>& q, int depth, double scale) {
+geom::Aabb padded(const geom::Aabb& box, const Vec3& pad) { return {box.min - pad, box.max + pad}; }
+
+// The box that surely holds the curve, whose points carry the error of `depth` halvings, and what
+// is flown beside it.
+geom::Aabb sure_box(const Piece& piece, int depth, double scale) {
   const Vec3 pad = Vec3::Constant(1e-15 * (depth + 2) * scale + 1e-300);
-  const geom::Aabb box = hull_box(q);
-  return {box.min - pad, box.max + pad};
+  return padded(hull_box(piece.q), pad + piece.stray * (1 + 1e-15));
 }
 
-bool too_small(const geom::Aabb& box, int depth) {
+bool too_small(const Piece& piece, int depth) {
+  const geom::Aabb box = hull_box(piece.q);
   return (box.max - box.min).maxCoeff() < kSmallest || depth >= kDeepest;
 }
 
@@ -41,13 +44,13 @@ bool too_small(const geom::Aabb& box, int depth) {
 // origin on the curve, so errors scale with the piece and not with its coordinates.
 std::optional<double> first_touch(const Piece& piece, const std::vector<geom::Aabb>& near,
                                   int depth, double scale) {
-  const geom::Aabb box = sure_box(piece.q, depth, scale);
+  const geom::Aabb box = sure_box(piece, depth, scale);
   std::vector<geom::Aabb> rest;
   for (const geom::Aabb& grown : near) {
     if (geom::overlap(box, grown)) rest.push_back(grown);
   }
   if (rest.empty()) return std::nullopt;
-  if (too_small(box, depth)) return piece.middle();
+  if (too_small(piece, depth)) return piece.middle();
   const auto [l, r] = piece.halved();
   if (const auto t = first_touch(l, rest, depth + 1, scale)) return t;
   return first_touch(r, rest, depth + 1, scale);
@@ -56,9 +59,9 @@ std::optional<double> first_touch(const Piece& piece, const std::vector<geom::Aa
 // The same against being inside closed bounds.
 std::optional<double> first_outside(const Piece& piece, const geom::Aabb& inner, int depth,
                                     double scale) {
-  const geom::Aabb box = sure_box(piece.q, depth, scale);
+  const geom::Aabb box = sure_box(piece, depth, scale);
   if (geom::contains(inner, box.min) && geom::contains(inner, box.max)) return std::nullopt;
-  if (too_small(box, depth)) return piece.middle();
+  if (too_small(piece, depth)) return piece.middle();
   const auto [l, r] = piece.halved();
   if (const auto t = first_outside(l, inner, depth + 1, scale)) return t;
   return first_outside(r, inner, depth + 1, scale);
@@ -89,7 +92,7 @@ class TouchSearch {
         whole_(around(origin_, piece)),
         scale_(largest_coordinate(whole_)) {}
 
-  bool touches(const geom::Aabb& hull) { return touch(whole_, hull, 0).has_value(); }
+  bool touches() { return touch(whole_, region_of(whole_, 0), 0).has_value(); }
   std::size_t looked_at() const { return looked_at_; }
 
  private:
@@ -102,14 +105,14 @@ class TouchSearch {
       for (const std::size_t i : *boxes) near.push_back(moved(scene_.grown(i), -origin_));
       return first_touch(piece, near, depth, scale_);
     }
-    if (too_small(sure_box(piece.q, depth, scale_), depth)) return piece.middle();
+    if (too_small(piece, depth)) return piece.middle();
     const auto [l, r] = piece.halved();
     if (const auto t = touch(l, region_of(l, depth + 1), depth + 1)) return t;
     return touch(r, region_of(r, depth + 1), depth + 1);
   }
 
   geom::Aabb region_of(const Piece& piece, int depth) const {
-    return moved(sure_box(piece.q, depth, scale_), origin_);
+    return moved(sure_box(piece, depth, scale_), origin_);
   }
 
   const geom::CollisionScene& scene_;
@@ -120,16 +123,18 @@ class TouchSearch {
 };
 
 bool touches(const geom::CollisionScene& scene, const Piece& piece, CheckResult& result) {
-  if (on_the_line_between_its_ends(piece)) return scene.hits(piece.q.front(), piece.q.back());
+  if (piece.stray.isZero(0) && on_the_line_between_its_ends(piece)) {
+    return scene.hits(piece.q.front(), piece.q.back());
+  }
   TouchSearch search(scene, piece);
-  const bool touching = search.touches(hull_box(piece.q));
+  const bool touching = search.touches();
   result.looked_at += search.looked_at();
   return touching;
 }
 
 bool leaves(const geom::CollisionScene& scene, const Piece& piece) {
   if (!scene.free_bounds()) return true;
-  const geom::Aabb box = hull_box(piece.q);
+  const geom::Aabb box = padded(hull_box(piece.q), piece.stray * (1 + 1e-15));
   if (scene.inside_bounds(box.min) && scene.inside_bounds(box.max)) return false;
   const Vec3 origin = piece.q[0];
   geom::Aabb inner{scene.free_bounds()->min - origin, scene.free_bounds()->max - origin};
@@ -173,7 +178,8 @@ class DepthSearch {
 
   // Cut up to so many times until few boxes are left; parts without any are left out.
   void add(const Piece& piece, int cuts = kMostCuts) {
-    const geom::Aabb region = beside(hull_box(piece.q), kBeside);
+    stray_ = stray_.cwiseMax(piece.stray);
+    const geom::Aabb region = beside(padded(hull_box(piece.q), piece.stray), kBeside);
     const auto few = scene_.boxes_meeting(region, kMany);
     if (!few && cuts > 0) {
       looked_at_ += kMany;
@@ -183,7 +189,7 @@ class DepthSearch {
     }
     std::vector<geom::Aabb> list;
     for (const std::size_t i : few ? *few : scene_.boxes_meeting(region)) {
-      list.push_back(scene_.grown(i));
+      list.push_back(padded(scene_.grown(i), piece.stray));
     }
     looked_at_ += list.size();
     if (list.empty()) return;
@@ -213,8 +219,9 @@ class DepthSearch {
     std::optional<std::size_t> which;
     double most = -kInfinity;
     const double reach = kBeside + std::max(0.0, -worst.value);
-    for (const std::size_t i : scene_.boxes_meeting(beside({worst.place, worst.place}, reach))) {
-      const double depth = depth_in(scene_.grown(i), worst.place);
+    const geom::Aabb around = padded({worst.place, worst.place}, stray_);
+    for (const std::size_t i : scene_.boxes_meeting(beside(around, reach))) {
+      const double depth = depth_in(padded(scene_.grown(i), stray_), worst.place);
       if (depth > most) {
         most = depth;
         which = i;
@@ -234,6 +241,7 @@ class DepthSearch {
   const geom::CollisionScene& scene_;
   std::vector<Part> parts_;
   std::vector<std::vector<geom::Aabb>> lists_;
+  Vec3 stray_ = Vec3::Zero();  // the largest
   std::size_t looked_at_ = 0;
 };
 
@@ -251,8 +259,10 @@ void report_outside(const geom::CollisionScene& scene, const std::vector<Piece>&
                     CheckResult& result) {
   Largest worst;
   const auto out = [&](const Piece& piece, const Vec3& middle) {
-    Estimate e{way_out(scene, middle), -kInfinity};
-    for (const Vec3& p : piece.q) e.bound = std::max(e.bound, way_out(scene, p));  // convex
+    const double beside = piece.stray.maxCoeff();
+    Estimate e{way_out(scene, middle) + beside, -kInfinity};
+    for (const Vec3& p : piece.q)
+      e.bound = std::max(e.bound, way_out(scene, p) + beside);  // convex
     return e;
   };
   search_largest(bad, 1e-6, out, worst);

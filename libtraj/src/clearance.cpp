@@ -45,12 +45,13 @@ std::optional<Extreme> least_clearance(const geom::CollisionScene& scene,
   const auto nearness = [&](const Piece& piece, const Vec3& middle) {
     if (best.value >= 0) return Estimate{0, 0};
     const double r = radius_around(piece.q, middle);
-    const auto near = scene.nearest(middle, r - best.value);
-    const double value = near ? -near->distance : best.value - r;
+    const double beside = piece.stray.norm();
+    const auto near = scene.nearest(middle, r + beside - best.value);
+    const double value = near ? beside - near->distance : best.value - r;
     return Estimate{value, value + r};
   };
   search_largest(pieces, 1e-3, nearness, best);
-  return Extreme{-best.value, best.time};
+  return Extreme{std::max(0.0, -best.value), best.time};
 }
 
 std::vector<ClearanceSpan> clearance_profile(const geom::CollisionScene& scene,

@@ -55,11 +55,12 @@ struct Piece {
   Points<kPoints> q;
   double begin;
   double end;
+  Vec3 stray = Vec3::Zero();  // how far what is flown may be from it, along each axis
 
   double middle() const { return 0.5 * (begin + end); }
   std::pair<Piece, Piece> halved() const {
     const auto [l, r] = halves(q);
-    return {{l, begin, middle()}, {r, middle(), end}};
+    return {{l, begin, middle(), stray}, {r, middle(), end, stray}};
   }
 };
 

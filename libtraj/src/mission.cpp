@@ -22,6 +22,15 @@ MissionItem item_at(const geom::GeographicFrame& earth, int command, const Vec3&
   return item;
 }
 
+// MAV_CMD of what changes no place and no height: conditions on time, distance and yaw, the start
+// of a landing as a mark, relays and servos, regions of interest, cameras, mounts, the fence's
+// switch, grippers, gimbals.
+constexpr int kMovesNothing[] = {112, 114, 115,  181,  182,  183,  184,  189,  195, 196, 197,
+                                 200, 201, 202,  203,  204,  205,  206,  207,  211, 214, 530,
+                                 531, 532, 1000, 1001, 2000, 2001, 2003, 2500, 2501};
+
+constexpr double kSamePlace = 0.5;  // m: home and a take-off that mean the same
+
 class Flight {
  public:
   Flight(const Mission& mission, const MissionFrame& frame, std::optional<double> home,
@@ -31,13 +40,11 @@ class Flight {
   }
 
   FlownMission fly() {
-    for (index_ = 0; index_ < mission_.items.size(); ++index_) {
-      if (landed_ || flown_.returns) break;
-      take(mission_.items[index_]);
-    }
+    for (index_ = 0; index_ < mission_.items.size(); ++index_) take(mission_.items[index_]);
     if (flown_.path.empty()) {
       throw geom::InputError(source_, "expected at least one waypoint, found none");
     }
+    if (unsaid_speed_) flown_.speed.reset();
     return std::move(flown_);
   }
 
@@ -77,8 +84,7 @@ class Flight {
   }
 
   Vec3 on_map(const geom::GeodeticPlace& at, double z) const {
-    if (std::abs(at.latitude - frame_.origin.latitude) > 10 ||
-        std::abs(std::remainder(at.longitude - frame_.origin.longitude, 360)) > 20) {
+    if (!is_near(frame_.origin, at.latitude, at.longitude)) {
       refuse(fmt::format("expected a place near the origin {} {}, found {} {}",
                          frame_.origin.latitude, frame_.origin.longitude, at.latitude,
                          at.longitude));
@@ -95,6 +101,11 @@ class Flight {
   }
 
   void go(const Vec3& p, double hold) {
+    if (!flown_.path.empty() && p != flown_.path.back()) {
+      unsaid_speed_ = unsaid_speed_ || !flown_.speed;
+      const bool passes = flown_.path.size() > 1 && flown_.hold.back() == 0;
+      flown_.cuts_corners = flown_.cuts_corners || passes;
+    }
     flown_.path.push_back(p);
     flown_.hold.push_back(hold);
   }
@@ -108,20 +119,54 @@ class Flight {
   }
 
   void take(const MissionItem& item) {
+    const bool moves_nothing = std::find(std::begin(kMovesNothing), std::end(kMovesNothing),
+                                         item.command) != std::end(kMovesNothing);
+    if (moves_nothing) return;
+    if (flown_.ended) {
+      refuse(
+          fmt::format("expected nothing after the end of the flight (a landing, a return, "
+                      "loitering without end), found command {}",
+                      item.command));
+    }
     if (item.command == kTakeoff) {
-      const Vec3 p = place(item);
-      if (flown_.path.empty()) flown_.ends.takeoff_from = home_;
-      go(p, 0);
-    } else if (item.command == kWaypoint || item.command == kLoiterTime) {
+      take_off(item);
+    } else if (item.command == kWaypoint) {
       go(place(item), hold_of(item));
-    } else if (item.command == kLoiterForever) {
-      go(place(item), 0);
-      landed_ = true;
+    } else if (item.command == kLoiterTime || item.command == kLoiterForever) {
+      require_on_the_spot(item);
+      const bool forever = item.command == kLoiterForever;
+      go(place(item), forever ? 0 : hold_of(item));
+      flown_.ended = forever;
     } else if (item.command == kLand) {
       land(item);
     } else {
       take_other(item);
     }
+  }
+
+  // Straight up: at home, where the file says both and they differ, and then to the place it says.
+  void take_off(const MissionItem& item) {
+    if (!flown_.path.empty()) {
+      refuse("expected one take-off, at the beginning, found another command before it");
+    }
+    const Vec3 p = place(item);
+    flown_.ends.takeoff_from = home_;
+    if (mission_.home) {
+      const Vec3 above_home = on_map(*mission_.home, p.z());
+      const double away = (above_home - p).norm();
+      if (away > kSamePlace) {
+        flown_.takeoff_from_home = away;
+        go(above_home, 1);  // it climbs to the height first
+      }
+    }
+    go(p, 0);
+  }
+
+  void require_on_the_spot(const MissionItem& item) const {
+    const double radius = item.param[2];
+    if (radius == 0 || std::isnan(radius)) return;
+    refuse(
+        fmt::format("expected loitering on the spot (radius 0), found a circle of {} m", radius));
   }
 
   // On the ground at the height it says, from the height it comes with.
@@ -131,22 +176,31 @@ class Flight {
     const Vec3 above(ground.x(), ground.y(), flown_.path.back().z());
     if (above != flown_.path.back()) go(above, 0);
     flown_.ends.landing_on = ground.z();
-    landed_ = true;
+    flown_.ended = true;
   }
 
   void take_other(const MissionItem& item) {
     if (item.command == kReturn) {
-      flown_.returns = true;
+      flown_.returns = flown_.ended = true;
     } else if (item.command == kSpeed) {
-      if (item.param[1] > 0) flown_.speed = std::max(flown_.speed.value_or(0), item.param[1]);
+      take_speed(item.param[1]);
     } else if (item.command == kDelay) {
       if (!flown_.hold.empty()) flown_.hold.back() += hold_of(item);
-    } else if (item.command <= kLastNavigation || item.command == kJump) {
+    } else {
       refuse(
           fmt::format("expected waypoints (16), take-offs (22), landings (21), loitering (17, 19), "
-                      "a return (20) "
-                      "or what does not move, found command {}",
+                      "a return (20), delays (93), speeds (178) or what is known to move nothing, "
+                      "found command {}",
                       item.command));
+    }
+  }
+
+  // -1: as it is; other values that are no speed: the vehicle's own, which the file does not say.
+  void take_speed(double speed) {
+    if (speed > 0) {
+      flown_.speed = std::max(flown_.speed.value_or(0), speed);
+    } else if (speed != -1) {
+      unsaid_speed_ = true;
     }
   }
 
@@ -156,7 +210,7 @@ class Flight {
   std::optional<double> home_;
   std::string source_;
   std::size_t index_ = 0;
-  bool landed_ = false;
+  bool unsaid_speed_ = false;  // a leg, the ascent aside, was flown before any speed was said
   FlownMission flown_;
 };
 
@@ -187,6 +241,11 @@ Mission make_mission(std::span<const Vec3> points, const MissionFrame& frame,
     mission.items.push_back(item_at(earth, kLand, ground, options.home));
   }
   return mission;
+}
+
+bool is_near(const geom::GeodeticOrigin& origin, double latitude, double longitude) {
+  return std::abs(latitude) <= 90 && std::abs(latitude - origin.latitude) <= 10 &&
+         std::abs(std::remainder(longitude - origin.longitude, 360)) <= 20;
 }
 
 FlownMission flown_mission(const Mission& mission, const MissionFrame& frame,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <istream>
 #include <iterator>
 #include <limits>
@@ -15,11 +16,16 @@ namespace traj {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using geom::shown;
 
 constexpr int kGenericFirmware = 0;  // MAV_AUTOPILOT_GENERIC
+constexpr int kGeneric = 0;          // MAV_TYPE_GENERIC
 constexpr int kQuadrotor = 2;        // MAV_TYPE_QUADROTOR
-constexpr int kAboveTerrain = 3;     // AltitudeMode: from here on, heights follow the terrain
-constexpr double kUnsaidSpeed = 5;   // m/s
+constexpr int kAboveHome = 1;        // AltitudeMode
+constexpr int kAboveSea = 2;         // from 3 on, heights follow the terrain
+// MAV_TYPE of what flies straight legs and rests in the air: rotors of all kinds.
+constexpr int kRotorcraft[] = {kGeneric, kQuadrotor, 3, 4, 13, 14, 15, 29, 35};
+constexpr double kUnsaidSpeed = 5;  // m/s
 
 Json item_json(const MissionItem& item, std::size_t number) {
   Json json;
@@ -47,11 +53,6 @@ struct PlanReader {
 
   [[noreturn]] void refuse(const std::string& message) const {
     throw geom::InputError(source, message);
-  }
-
-  static std::string shown(const Json& value) {
-    if (value.is_structured()) return fmt::format("an {} of {}", value.type_name(), value.size());
-    return geom::shown(value);
   }
 
   const Json& member(const Json& object, const char* key, const std::string& where) const {
@@ -100,10 +101,6 @@ struct PlanReader {
     MissionItem item;
     item.frame = whole(json, "frame", where);
     item.command = whole(json, "command", where);
-    if (json.contains("AltitudeMode") && whole(json, "AltitudeMode", where) >= kAboveTerrain) {
-      refuse(fmt::format("{}.AltitudeMode must be 1 or 2 (above home or sea level), found {}",
-                         where, shown(json["AltitudeMode"])));
-    }
     const Json& params = member(json, "params", where);
     if (!params.is_array() || params.size() != 7) {
       refuse(fmt::format("{}.params must be a list of 7, found {}", where, shown(params)));
@@ -116,7 +113,56 @@ struct PlanReader {
     item.latitude = param(4);
     item.longitude = param(5);
     item.altitude = param(6);
+    require_one_height(json, item, where);
     return item;
+  }
+
+  // What the file says of an item's height beside its frame and seventh parameter: QGroundControl
+  // goes by this, other programs by those.
+  void require_one_height(const Json& json, const MissionItem& item,
+                          const std::string& where) const {
+    const auto said = [&](const char* key) { return json.contains(key) && !json[key].is_null(); };
+    if (said("AltitudeMode") && item.frame != kMissionFrame) {
+      const int mode = whole(json, "AltitudeMode", where);
+      const bool home = item.frame == kGlobalRelative || item.frame == kGlobalRelativeInt;
+      if (mode != (home ? kAboveHome : kAboveSea)) {
+        refuse(
+            fmt::format("{}.AltitudeMode must be 1 or 2 (above home or sea level) as its frame "
+                        "{} says, found {}",
+                        where, item.frame, mode));
+      }
+    }
+    if (said("Altitude") && item.frame != kMissionFrame) {
+      const double height = number(json["Altitude"], where + ".Altitude");
+      if (std::abs(height - item.altitude) > 1e-3) {
+        refuse(fmt::format("{}.Altitude must be the height in params, {}, found {}", where,
+                           item.altitude, height));
+      }
+    }
+  }
+
+  void require_no_fence(const Json& plan) const {
+    if (!plan.contains("geoFence")) return;
+    const Json& fence = object(plan, "geoFence", "plan");
+    for (const char* key : {"circles", "polygons"}) {
+      if (!fence.contains(key) || (fence[key].is_array() && fence[key].empty())) continue;
+      refuse(
+          fmt::format("plan.geoFence.{} must be empty, found {}: what a vehicle does at a fence "
+                      "is not checked; remove it",
+                      key, shown(fence[key])));
+    }
+  }
+
+  void require_rotorcraft(const Json& mission) const {
+    if (!mission.contains("vehicleType")) return;
+    const int type = whole(mission, "vehicleType", "mission");
+    if (std::find(std::begin(kRotorcraft), std::end(kRotorcraft), type) != std::end(kRotorcraft)) {
+      return;
+    }
+    refuse(
+        fmt::format("mission.vehicleType must be one that flies straight legs and hovers (2, a "
+                    "quadrotor, or its like), found {}",
+                    type));
   }
 
   geom::GeodeticPlace home(const Json& value) const {
@@ -135,6 +181,8 @@ struct PlanReader {
     require(plan, "version", 1, "plan");
     const Json& json = object(plan, "mission", "plan");
     require(json, "version", 2, "mission");
+    require_no_fence(plan);
+    require_rotorcraft(json);
     Mission mission;
     mission.home = home(member(json, "plannedHomePosition", "mission"));
     const Json& items = member(json, "items", "mission");
@@ -178,7 +226,7 @@ Mission read_qgc_plan(std::istream& in, std::string_view source) {
   const PlanReader reader{source};
   const std::string text(std::istreambuf_iterator<char>(in), {});
   const Json plan = geom::parse_ordered_json(text, source);
-  if (!plan.is_object()) reader.refuse("expected a JSON object, found " + reader.shown(plan));
+  if (!plan.is_object()) reader.refuse("expected a JSON object, found " + shown(plan));
   return reader.mission(plan);
 }
 

@@ -9,15 +9,29 @@
 namespace traj {
 namespace {
 
-void append_extreme(std::string& out, std::string_view key, const Extreme& extreme) {
-  append_number(out, key, extreme.value);
-  append_number(out, std::string(key) + "_time", extreme.time);
+// Nothing of what was not measured.
+void append_extreme(std::string& out, std::string_view key, const std::optional<Extreme>& extreme) {
+  if (!extreme) return;
+  append_number(out, key, extreme->value);
+  append_number(out, std::string(key) + "_time", extreme->time);
 }
 
 void append_jumps(std::string& out, const CheckResult& result) {
+  if (!result.jumps) return;
   out += ",\"jumps\":[";
-  for (const double jump : result.jumps) {
+  for (const double jump : *result.jumps) {
     geom::append_json(out, jump);
+    out += ',';
+  }
+  out.back() = ']';
+}
+
+void append_not_measured(std::string& out, const ReportRecord& record) {
+  const std::vector<std::string> missing = not_measured(record.result, record.limits);
+  if (missing.empty()) return;
+  out += ",\"not_measured\":[";
+  for (const std::string& name : missing) {
+    geom::append_json(out, std::string_view(name));
     out += ',';
   }
   out.back() = ']';
@@ -123,20 +137,19 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   }
   line += ",\"checked\":";
   geom::append_json(line, std::string_view(record.checked));
-  if (result.clearance) append_extreme(line, "clearance", *result.clearance);
-  if (result.duration > 0) {
-    append_number(line, "duration", result.duration);
-    append_extreme(line, "speed", result.speed);
-    append_extreme(line, "acceleration", result.acceleration);
-    append_extreme(line, "jerk", result.jerk);
-    append_extreme(line, "tilt", result.tilt);
-    append_extreme(line, "horizontal_speed", result.horizontal_speed);
-    append_extreme(line, "vertical_speed", result.vertical_speed);
-    append_extreme(line, "thrust", result.thrust);
-    append_extreme(line, "body_rate", result.body_rate);
-    append_extreme(line, "yaw_rate", result.yaw_rate);
-    append_jumps(line, result);
-  }
+  append_extreme(line, "clearance", result.clearance);
+  if (result.duration > 0) append_number(line, "duration", result.duration);
+  append_extreme(line, "speed", result.speed);
+  append_extreme(line, "acceleration", result.acceleration);
+  append_extreme(line, "jerk", result.jerk);
+  append_extreme(line, "tilt", result.tilt);
+  append_extreme(line, "horizontal_speed", result.horizontal_speed);
+  append_extreme(line, "vertical_speed", result.vertical_speed);
+  append_extreme(line, "thrust", result.thrust);
+  append_extreme(line, "body_rate", result.body_rate);
+  append_extreme(line, "yaw_rate", result.yaw_rate);
+  append_jumps(line, result);
+  append_not_measured(line, record);
   if (record.exact) append_exact(line, record, map);
   line += ',';
   geom::append_json(line, record.provenance);

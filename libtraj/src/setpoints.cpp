@@ -125,6 +125,11 @@ std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source) 
   SetpointAxes axes = SetpointAxes::enu;
   std::string text;
   for (std::size_t line = 1; std::getline(in, text); ++line) {
+    if (in.eof()) {
+      throw geom::InputError(source, line,
+                             "expected a line that ends with LF, found none: the "
+                             "file may be cut");
+    }
     if (text.ends_with('\r')) text.pop_back();
     if (line == 1) {
       axes = axes_of_header(text, source);

@@ -168,6 +168,9 @@ TelloFlight read_tello(std::istream& in, std::string_view source) {
   while (std::getline(in, text)) {
     ++reader.line;
     if (text.ends_with('\r')) reader.refuse("expected a line that ends with LF, found CRLF");
+    if (in.eof()) {
+      reader.refuse("expected a line that ends with LF, found none: the file may be cut");
+    }
     if (text.empty()) continue;
     if (flight.lands) reader.refuse(fmt::format("expected nothing after land, found \"{}\"", text));
     if (text == "takeoff" && !flying) {

@@ -58,7 +58,7 @@ double held_turn_rate(const Trajectory& trajectory, double factor, double most) 
     CheckResult result;
     check_limits(slowed(trajectory, factor), options, result);
     if (result.reason.empty()) break;
-    const double over = result.body_rate.value / most;
+    const double over = result.body_rate->value / most;
     factor *= std::isfinite(over) ? std::clamp(cube_root(over), 1 + 1e-6, 2.0) : 2;
   }
   return factor;

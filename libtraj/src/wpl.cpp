@@ -78,6 +78,8 @@ struct LineReader {
         refuse(fmt::format("{} must be 0 or 1, found {}", kNames[flag], v[flag]));
       }
     }
+    // A vehicle begins at the item that is current: the first, be it home, or the one after home.
+    if (v[1] == 1 && index > 1) refuse("current must be 0 after the first two items, found 1");
     return {whole(v[2], "frame"),
             whole(v[3], "command"),
             {v[4], v[5], v[6], v[7]},

@@ -2,5 +2,5 @@
 #include "traj/export/gltf_line.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return refuses_or_reads(data, size, [](std::istream& in) { traj::read_gltf_line(in, "fuzz"); });
+  return refuses_or_reads(data, size, [](std::istream& in) { traj::read_gltf_lines(in, "fuzz"); });
 }

@@ -46,7 +46,7 @@ TEST(Check, AcceptsAClearCurveAndMeasuresItsClearance) {
   EXPECT_TRUE(result.ok) << result.reason;
   ASSERT_TRUE(result.clearance);
   EXPECT_NEAR(result.clearance->value, 2.5, 1.1e-3);
-  EXPECT_NEAR(result.speed.value, 20.0 / 8 * 35 / 16, 1e-3);
+  EXPECT_NEAR(result.speed->value, 20.0 / 8 * 35 / 16, 1e-3);
 }
 
 TEST(Check, NamesPlaceTimeAndBoxOfTheWorstCollision) {
@@ -80,27 +80,27 @@ TEST(Check, HoldsEachLimitApart) {
   const Trajectory t = arc({0, 20, 0}, {6, 0, 0});
   const CheckResult free = check(scene, t, Limits{});
   const auto with = [&](Limits limits) { return check(scene, t, limits).reason; };
-  EXPECT_EQ(with({.vmax = free.speed.value * 1.001}), "");
-  EXPECT_EQ(with({.vmax = free.speed.value * 0.999}), "speed");
-  EXPECT_EQ(with({.amax = free.acceleration.value * 0.999}), "acceleration");
-  EXPECT_EQ(with({.jmax = free.jerk.value * 0.999}), "jerk");
+  EXPECT_EQ(with({.vmax = free.speed->value * 1.001}), "");
+  EXPECT_EQ(with({.vmax = free.speed->value * 0.999}), "speed");
+  EXPECT_EQ(with({.amax = free.acceleration->value * 0.999}), "acceleration");
+  EXPECT_EQ(with({.jmax = free.jerk->value * 0.999}), "jerk");
   EXPECT_EQ(with({.tilt = 0.05}), "tilt");
   EXPECT_EQ(with({.tilt = 1.5}), "");
   EXPECT_EQ(with({.vmax_h = 0.5}), "horizontal_speed");
-  EXPECT_EQ(with({.vmax_h = free.speed.value * 1.001}), "");
+  EXPECT_EQ(with({.vmax_h = free.speed->value * 1.001}), "");
   const Trajectory climb = arc({0, 20, 0}, {0, 0, 6});
   const CheckResult up = check(scene, climb, {.vmax_v = 100, .thrust = 100});
-  EXPECT_GT(up.vertical_speed.value, 0.1);
-  EXPECT_EQ(check(scene, climb, {.vmax_v = up.vertical_speed.value * 0.999}).reason,
+  EXPECT_GT(up.vertical_speed->value, 0.1);
+  EXPECT_EQ(check(scene, climb, {.vmax_v = up.vertical_speed->value * 0.999}).reason,
             "vertical_speed");
-  EXPECT_EQ(check(scene, climb, {.thrust = up.thrust.value * 0.999}).reason, "thrust");
-  EXPECT_EQ(check(scene, climb, {.thrust = up.thrust.value * 1.001}).reason, "");
-  EXPECT_EQ(with({.body_rate = free.body_rate.value * 0.999}), "body_rate");
-  EXPECT_EQ(with({.body_rate = free.body_rate.value * 1.001}), "");
+  EXPECT_EQ(check(scene, climb, {.thrust = up.thrust->value * 0.999}).reason, "thrust");
+  EXPECT_EQ(check(scene, climb, {.thrust = up.thrust->value * 1.001}).reason, "");
+  EXPECT_EQ(with({.body_rate = free.body_rate->value * 0.999}), "body_rate");
+  EXPECT_EQ(with({.body_rate = free.body_rate->value * 1.001}), "");
   Trajectory turning = t;
   turning.segments[0].yaw = {0, 0, 0, 0, 1, 1, 1, 1};
   turning.segments[1].yaw = {1, 1, 1, 1, 0, 0, 0, 0};
-  EXPECT_NEAR(check(scene, turning, {.yaw_rate = 0.55}).yaw_rate.value, 35.0 / 16 / 4, 1e-4);
+  EXPECT_NEAR(check(scene, turning, {.yaw_rate = 0.55}).yaw_rate->value, 35.0 / 16 / 4, 1e-4);
   EXPECT_EQ(check(scene, turning, {.yaw_rate = 0.55}).reason, "");
   EXPECT_EQ(check(scene, turning, {.yaw_rate = 0.54}).reason, "yaw_rate");
   turning.segments[1].yaw->front() = 1.1;
@@ -123,12 +123,12 @@ TEST(Check, MeasuresTheLargestThrustTiltAndBodyRate) {
       tilt = std::max(tilt, std::atan2(f.head<2>().norm(), f.z()));
       rate = std::max(rate, f.cross(s.jerk).norm() / f.squaredNorm());
     }
-    EXPECT_LE(thrust, result.thrust.value * (1 + 1e-4) + 1e-9) << seed;
-    EXPECT_NEAR(result.thrust.value, thrust, 2e-3 * thrust) << seed;
-    EXPECT_LE(tilt, result.tilt.value * (1 + 1e-4) + 1e-9) << seed;
-    EXPECT_NEAR(result.tilt.value, tilt, 1e-2) << seed;
-    EXPECT_LE(rate, result.body_rate.value * (1 + 1e-4) + 1e-8) << seed;
-    EXPECT_NEAR(result.body_rate.value, rate, 0.05 * rate) << seed;
+    EXPECT_LE(thrust, result.thrust->value * (1 + 1e-4) + 1e-9) << seed;
+    EXPECT_NEAR(result.thrust->value, thrust, 2e-3 * thrust) << seed;
+    EXPECT_LE(tilt, result.tilt->value * (1 + 1e-4) + 1e-9) << seed;
+    EXPECT_NEAR(result.tilt->value, tilt, 1e-2) << seed;
+    EXPECT_LE(rate, result.body_rate->value * (1 + 1e-4) + 1e-8) << seed;
+    EXPECT_NEAR(result.body_rate->value, rate, 0.05 * rate) << seed;
   }
 }
 

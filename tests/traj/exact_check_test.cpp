@@ -109,7 +109,8 @@ TEST(ExactCheck, AcceptsWhatTheFastCheckAccepts) {
     const Vec3 velocity(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-2, 2));
     const Trajectory t = arc(middle, velocity);
     const CheckResult loose = check(scene, t, Limits{});
-    const auto near = [&](const Extreme& e) {
+    const auto near = [&](const std::optional<Extreme>& measured) {
+      const Extreme& e = *measured;
       return e.value * (1 + random.uniform(-1, 4) * 1e-4);
     };
     const Limits limits{.vmax = near(loose.speed),

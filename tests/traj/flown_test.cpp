@@ -101,7 +101,7 @@ TEST(CheckFlown, HoldsSetpointsToTheLimits) {
   Limits limits;
   limits.vmax = 5;
   EXPECT_TRUE(check_flown(yard(), flown, limits).ok);
-  EXPECT_EQ(check_flown(yard(), flown, limits).speed.value, 5);
+  EXPECT_EQ(check_flown(yard(), flown, limits).speed->value, 5);
   limits.vmax = 4.9;
   const CheckResult result = check_flown(yard(), flown, limits);
   EXPECT_EQ(result.reason, "speed");
@@ -112,6 +112,90 @@ TEST(CheckFlown, HoldsSetpointsToTheLimits) {
   flown.setpoints[1].state.position = {5, 5, 5};
   flown.trajectory = straight_between(flown.setpoints);
   EXPECT_EQ(check_flown(yard(), flown, {}).reason, "collision");
+}
+
+// Rows of a table, flown; the reason of the refusal.
+std::string reason_of(const std::vector<Setpoint>& setpoints, const Limits& limits) {
+  Flown flown;
+  flown.setpoints = setpoints;
+  flown.trajectory = straight_between(setpoints);
+  return check_flown(yard(), flown, limits).reason;
+}
+
+TEST(CheckFlown, HoldsWhatLeadsFromSetpointToSetpointToTheLimits) {
+  const Vec3 p(40, 0, 5);
+  const Vec3 none = Vec3::Zero();
+  const std::vector<Setpoint> jerky = {{0, {p, none, {3, 0, 0}}, 0, 0},
+                                       {0.1, {p, none, {-3, 0, 0}}, 0, 0}};
+  EXPECT_EQ(reason_of(jerky, {.jmax = 59}), "jerk");
+  EXPECT_EQ(reason_of(jerky, {.jmax = 60}), "");
+  // |f x f'| / |f|^2 where f is upright: 60 / 9.80665 rad/s.
+  EXPECT_EQ(reason_of(jerky, {.body_rate = 6.1}), "body_rate");
+  EXPECT_EQ(reason_of(jerky, {.body_rate = 6.12}), "");
+  const std::vector<Setpoint> quick = {{0, {p}, 0, 0}, {2, {p + Vec3(3, 0, 4)}, 0, 0}};
+  EXPECT_EQ(reason_of(quick, {.vmax = 2.4}), "speed");
+  EXPECT_EQ(reason_of(quick, {.vmax = 2.5, .vmax_h = 1.5, .vmax_v = 2}), "");
+  EXPECT_EQ(reason_of(quick, {.vmax_h = 1.4}), "horizontal_speed");
+  EXPECT_EQ(reason_of(quick, {.vmax_v = 1.9}), "vertical_speed");
+  const std::vector<Setpoint> rush = {{0, {p}, 0, 0}, {1, {p, {6, 0, 0}}, 0, 0}};
+  EXPECT_EQ(reason_of(rush, {.amax = 5.9}), "acceleration");
+  EXPECT_EQ(reason_of(rush, {.tilt = 0.5}), "tilt");
+  EXPECT_EQ(reason_of(rush, {.thrust = 11}), "thrust");
+  EXPECT_EQ(reason_of(rush, {.amax = 6}), "");
+  const std::vector<Setpoint> turn = {{0, {p}, 3.1, 0}, {1, {p}, -3.1, 0}};
+  EXPECT_EQ(reason_of(turn, {.yaw_rate = 0.08}), "yaw_rate") << "across half a turn: 0.083";
+  EXPECT_EQ(reason_of(turn, {.yaw_rate = 0.09}), "");
+}
+
+TEST(CheckFlown, HoldsNoSampledTrajectoryToMoreThanItsOwnLimits) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Trajectory t = testing::random_trajectory(seed);
+    const auto far = scene_of({}, {Vec3(-1e4, -1e4, -1e4), Vec3(1e4, 1e4, 1e4)});
+    const CheckResult of = check(far, t, Limits{});
+    const Limits limits{.vmax = of.speed->value,
+                        .amax = of.acceleration->value,
+                        .jmax = of.jerk->value,
+                        .vmax_h = of.horizontal_speed->value,
+                        .vmax_v = of.vertical_speed->value,
+                        .thrust = of.thrust->value};
+    for (const double rate : {1.0, 7.0, 50.0, 1000.0}) {
+      Flown flown;
+      flown.setpoints = setpoints(t, rate);
+      flown.trajectory = straight_between(flown.setpoints);
+      EXPECT_EQ(check_flown(far, flown, limits).reason, "") << seed << " at " << rate;
+    }
+  }
+}
+
+TEST(CheckFlown, SaysWhatItDoesNotMeasure) {
+  Flown flown = path({{40, 0, 5}, {40, 30, 5}});
+  const Limits limits{.vmax = 5, .amax = 3, .jmax = 9, .tilt = 0.5, .body_rate = 1, .yaw_rate = 1};
+  const CheckResult unsaid = check_flown(yard(), flown, limits);
+  EXPECT_FALSE(unsaid.speed || unsaid.jerk || unsaid.tilt || unsaid.jumps);
+  EXPECT_EQ(
+      not_measured(unsaid, limits),
+      (std::vector<std::string>{"speed", "acceleration", "jerk", "tilt", "body_rate", "yaw_rate"}));
+  flown.speed = 5;
+  const CheckResult said = check_flown(yard(), flown, limits);
+  EXPECT_EQ(said.speed->value, 5);
+  EXPECT_EQ(not_measured(said, {.vmax = 5}), std::vector<std::string>{});
+  flown.returns = true;
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "return");
+}
+
+TEST(CheckFlown, LooksBesideAPathAsFarAsItMayBeOff) {
+  Flown flown = path({{10.005, -5, 5}, {10.005, 15, 5}});
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok);
+  flown.path_stray = {0.01, 0.01, 0.01};
+  const CheckResult result = check_flown(yard(), flown, {});
+  EXPECT_EQ(result.reason, "collision");
+  EXPECT_EQ(result.box, 0u);
+  EXPECT_EQ(result.clearance->value, 0);
+  flown.path = {{60, 0, 99.995}, {70, 0, 50}};
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "bounds");
+  flown.path = {{15, 5, 12}, {40, 5, 12}};
+  flown.ends = {0, 0};
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok) << "it stands on the ground, exactly";
 }
 
 Trajectory with_gap(Random& random, const State& gap) {

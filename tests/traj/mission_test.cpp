@@ -72,15 +72,15 @@ TEST(Wpl, ReadsTakeOffsWithoutPlaceLoiteringDelaysAndReturns) {
                                  "2\t0\t3\t19\t7\t0\t0\t0\t47.001\t8\t20\t1\n"
                                  "3\t0\t2\t93\t2\t0\t0\t0\t0\t0\t0\t1\n"
                                  "4\t0\t0\t16\t0\t0\t0\t0\t47.001\t8.001\t440\t1\n"
-                                 "5\t0\t2\t20\t0\t0\t0\t0\t0\t0\t0\t1\n"
-                                 "6\t0\t3\t16\t0\t0\t0\t0\t47\t8\t5\t1\n");
-  ASSERT_EQ(flown.path.size(), 3u) << "nothing after the return";
+                                 "5\t0\t2\t20\t0\t0\t0\t0\t0\t0\t0\t1\n");
+  ASSERT_EQ(flown.path.size(), 3u);
   EXPECT_LT((flown.path[0] - Vec3(0, 0, 25)).norm(), 1e-6);
   EXPECT_NEAR(flown.path[1].y(), 111.17, 0.05);
   EXPECT_EQ(flown.path[1].z(), 30);
   EXPECT_EQ(flown.path[2].z(), 40) << "above the sea";
   EXPECT_EQ(flown.hold, (std::vector<double>{0, 9, 0}));
   EXPECT_TRUE(flown.returns);
+  EXPECT_TRUE(flown.ended);
 }
 
 TEST(Wpl, BadFilesAreRefused) {
@@ -95,7 +95,7 @@ TEST(Wpl, BadFilesAreRefused) {
   EXPECT_EQ(
       refusal(home + "1\t0\t3\t82\t0\t0\t0\t0\t47\t8\t15\t1\n"),
       "m.wpl:3: expected waypoints (16), take-offs (22), landings (21), loitering (17, 19), a "
-      "return (20) or what does not move, found command 82");
+      "return (20), delays (93), speeds (178) or what is known to move nothing, found command 82");
   EXPECT_EQ(refusal(home + "1\t0\t10\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
             "m.wpl:3: frame must be 0, 3, 5 or 6 (above sea level or home), found 10");
   EXPECT_EQ(refusal(home + "1\t0\t3\t16\t0\t0\t0\t0\t97\t8\t15\t1\n"),
@@ -146,12 +146,13 @@ TEST(QgcPlan, BadFilesAreRefused) {
             "m.plan: mission.items[0].type must be \"SimpleItem\", found \"ComplexItem\"");
   EXPECT_EQ(
       plan_refusal("\"AltitudeMode\": 1", "\"AltitudeMode\": 3"),
-      "m.plan: mission.items[0].AltitudeMode must be 1 or 2 (above home or sea level), found 3");
+      "m.plan: mission.items[0].AltitudeMode must be 1 or 2 (above home or sea level) as its frame "
+      "3 says, found 3");
   EXPECT_EQ(plan_refusal("\"params\": [\n     0.0,", "\"params\": ["),
             "m.plan: mission.items[0].params must be a list of 7, found an array of 6");
   EXPECT_EQ(plan_refusal("\"command\": 22", "\"command\": \"takeoff\""),
             "m.plan: mission.items[0].command must be a finite number, found \"takeoff\"");
-  EXPECT_TRUE(plan_refusal("{", "[").starts_with("m.plan: expected a JSON object"));
+  EXPECT_EQ(plan_refusal("{", "["), "m.plan:2: expected JSON, found something else at byte 14");
 }
 
 TEST(GeoLine, ComesBackToATenthOfAMillimetre) {
@@ -162,18 +163,105 @@ TEST(GeoLine, ComesBackToATenthOfAMillimetre) {
     std::stringstream file;
     kml ? write_kml(file, line) : write_geojson(file, line);
     const auto back = kml ? read_kml(file, "f") : read_geojson(file, "f");
-    ASSERT_EQ(back.size(), kPoints.size());
+    ASSERT_EQ(back.size(), 1u);
+    ASSERT_EQ(back[0].size(), kPoints.size());
     for (std::size_t i = 0; i < kPoints.size(); ++i) {
-      EXPECT_LT((earth.enu(back[i]) - kPoints[i]).norm(), 2e-4);
+      EXPECT_LT((earth.enu(back[0][i]) - kPoints[i]).norm(), 2e-4);
     }
   }
 }
 
+TEST(Wpl, KnowsWhatEndsWhatCutsCornersAndWhatSpeedIsSaid) {
+  const std::string takeoff = std::string(kHome) + "1\t0\t3\t22\t0\t0\t0\t0\t0\t0\t15\t1\n";
+  const std::string corner = takeoff + "2\t0\t3\t16\t0\t2\t0\t0\t47.001\t8\t15\t1\n" +
+                             "3\t0\t3\t16\t1\t2\t0\t0\t47.001\t8.001\t15\t1\n";
+  EXPECT_TRUE(fly(corner).cuts_corners);
+  EXPECT_FALSE(fly(corner).ended);
+  EXPECT_FALSE(fly(corner).speed);
+  const std::string speed = takeoff + "2\t0\t2\t178\t1\t5\t-1\t0\t0\t0\t0\t1\n";
+  const std::string rest = speed + "3\t0\t3\t16\t1\t2\t0\t0\t47.001\t8\t15\t1\n" +
+                           "4\t0\t3\t21\t0\t0\t0\t0\t47.001\t8\t0\t1\n";
+  EXPECT_FALSE(fly(rest).cuts_corners);
+  EXPECT_TRUE(fly(rest).ended);
+  EXPECT_EQ(fly(rest).speed, 5);
+  EXPECT_EQ(fly(rest).takeoff_from_home, 0);
+  const FlownMission away =
+      fly(std::string(kHome) + "1\t0\t3\t22\t0\t0\t0\t0\t47.0001\t8\t15\t1\n");
+  ASSERT_EQ(away.path.size(), 2u) << "up at home, then there";
+  EXPECT_LT((away.path[0] - Vec3(0, 0, 25)).norm(), 1e-6);
+  EXPECT_NEAR(away.takeoff_from_home, 11.1, 0.1);
+}
+
+TEST(Wpl, WhatIsNotKnownToMoveNothingIsRefused) {
+  const std::string takeoff = std::string(kHome) + "1\t0\t3\t22\t0\t0\t0\t0\t0\t0\t15\t1\n";
+  std::size_t passed = 0;
+  for (int command = 0; command < 40000; ++command) {
+    const std::string items =
+        takeoff + "2\t0\t3\t" + std::to_string(command) + "\t1\t0\t0\t0\t47.001\t8\t15\t1\n";
+    if (refusal(items).empty()) ++passed;
+  }
+  EXPECT_EQ(passed, 31u + 7u) << "what is listed, and 16, 17, 19, 20, 21, 93, 178";
+}
+
+TEST(GeoLine, ReadsEveryLine) {
+  const std::string line =
+      "<LineString><altitudeMode>absolute</altitudeMode><coordinates>1,2,3 "
+      "1,2,4</coordinates></LineString>";
+  std::istringstream kml("<kml><Placemark>" + line +
+                         "</Placemark><Folder><Placemark><MultiGeometry>" + line + line +
+                         "</MultiGeometry></Placemark></Folder></kml>");
+  EXPECT_EQ(read_kml(kml, "f").size(), 3u);
+  std::istringstream json(
+      R"({"type":"GeometryCollection","geometries":[{"type":"LineString","coordinates":[[1,2,3]]},
+          {"type":"MultiLineString","coordinates":[[[1,2,3]],[[4,5,6],[7,8,9]]]}]})");
+  const auto lines = read_geojson(json, "f");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[2][1].longitude, 7);
+  EXPECT_EQ(lines[2][1].latitude, 8);
+  EXPECT_EQ(lines[2][1].height, 9);
+}
+
+TEST(GeoLine, RefusalsSayWhereAndWhat) {
+  const auto kml = [](const std::string& text) {
+    std::istringstream in(text);
+    return support::refusal_of([&] { read_kml(in, "f"); });
+  };
+  EXPECT_EQ(
+      kml("<kml>\n<Point/></kml>"),
+      "f:2: expected LineStrings, found <Point>, which is no line that could be flown: remove "
+      "it");
+  EXPECT_EQ(kml("<kml>\n<LineString><coordinates>1,2,3</coordinates></LineString></kml>"),
+            "f:2: expected altitudeMode absolute, found none, which means on the ground: give "
+            "heights above the sea and say so");
+  EXPECT_EQ(kml("<kml><Document>\n"),
+            "f:2: the element of line 1 is not ended: the file may be cut");
+  EXPECT_EQ(kml("<kml></Document>"),
+            "f:1: expected the end of the element of line 1, found another's");
+  EXPECT_EQ(kml("<kml/>\n<kml/>"),
+            "f:2: expected nothing more after the root element, found another");
+  EXPECT_EQ(kml("<gpx/>"), "f:1: expected KML, found <gpx>");
+  const auto json = [](const std::string& text) {
+    std::istringstream in(text);
+    return support::refusal_of([&] { read_geojson(in, "f"); });
+  };
+  EXPECT_EQ(json(R"({"type":"Feature","geometry":{"type":"Point"}})"),
+            "f: the file.geometry: expected LineStrings, found Point, which is no line that could "
+            "be flown: remove it");
+  EXPECT_EQ(json("{\n\"type\":"),
+            "f:2: expected JSON, found its end too early: the file may be cut");
+  EXPECT_EQ(json("{}\n{}"), "f:2: expected JSON, found something else at byte 4");
+  EXPECT_EQ(json(R"({"type":"Feature","type":"Point"})"),
+            "f: expected the key \"type\" once in an object, found it again");
+  EXPECT_EQ(json(std::string(200000, '[')), "f: expected JSON nested at most 100 deep, found more");
+}
+
 TEST(GeoLine, BadFilesAreRefused) {
-  for (const char* text : {"", "<kml></kml>", "<LineString><coordinates></coordinates>",
-                           "<LineString><coordinates>1,2</coordinates>",
-                           "<LineString><coordinates>1,2,3,4</coordinates>",
-                           "<LineString><coordinates>1,200,3</coordinates>"}) {
+  for (const char* text :
+       {"", "<kml></kml>", "<kml>&lol;</kml>", "<kml a=b/>", "<kml a='<'/>", "<kml>&#0;</kml>",
+        "<kml>&#xd800;</kml>", "<kml><a></kml></a>", "<LineString><coordinates></coordinates>",
+        "<LineString><coordinates>1,2</coordinates>",
+        "<LineString><coordinates>1,2,3,4</coordinates>",
+        "<LineString><coordinates>1,200,3</coordinates>"}) {
     std::istringstream in(text);
     EXPECT_THROW(read_kml(in, "f"), geom::InputError) << text;
   }
@@ -190,13 +278,15 @@ TEST(GltfLine, ComesBackToSinglePrecisionAndRefusesOtherBytes) {
   std::stringstream file;
   write_gltf_line(file, kPoints, "line", "");
   const std::string bytes = file.str();
-  const geom::Polyline back = read_gltf_line(file, "f");
+  const auto lines = read_gltf_lines(file, "f");
+  ASSERT_EQ(lines.size(), 1u);
+  const geom::Polyline& back = lines[0];
   ASSERT_EQ(back.size(), kPoints.size());
   EXPECT_EQ(back[0], kPoints[0]);
   for (std::size_t i = 0; i < kPoints.size(); ++i) EXPECT_LT((back[i] - kPoints[i]).norm(), 1e-4);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     std::istringstream part(bytes.substr(0, size));
-    EXPECT_THROW(read_gltf_line(part, "f"), geom::InputError) << size;
+    EXPECT_THROW(read_gltf_lines(part, "f"), geom::InputError) << size;
   }
 }
 

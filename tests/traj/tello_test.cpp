@@ -83,6 +83,8 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(Tello, BadScriptsAreRefused) {
+  EXPECT_EQ(refusal("takeoff\ngo 100 0 0 10"),
+            "t.txt:2: expected a line that ends with LF, found none: the file may be cut");
   EXPECT_EQ(refusal("command\ntakeoff\ngo 100 0 0 50\nland\n"), "");
   EXPECT_EQ(refusal(""), "t.txt: expected a takeoff, found none");
   EXPECT_EQ(refusal("command\r\n"), "t.txt:1: expected a line that ends with LF, found CRLF");

@@ -42,6 +42,16 @@ std::vector<std::string> Checker::loosened(const traj::TrajectoryRecord& record,
   return out;
 }
 
+// A limit that an option asks for is held or refused. One that only the vehicle's profile has, and
+// that nothing in a path or a mission commands, is the vehicle's own to keep; the report names it.
+void Checker::refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& report) const {
+  const auto missing = traj::not_measured(report.result, rules_.limits);
+  if (missing.empty() || !report.result.ok) return;
+  report.result.ok = false;
+  report.result.reason = missing.front() + "_not_measured";
+  report.result.place = place;
+}
+
 traj::ReportRecord Checker::trajectory(const std::string& text, const std::string& source,
                                        std::size_t line) const {
   const auto record = traj::parse_trajectory_record(text, source, line);
@@ -78,6 +88,8 @@ traj::ReportRecord Checker::path(const std::string& text, const std::string& sou
   if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
   report.result = traj::check_path(scene, record.points);
+  report.limits = rules_.limits;
+  refuse_unmeasured(record.points.front(), report);
   if (rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), record.points);
   if (profile_.is_open()) {
     profile_.require_room(geom::length(record.points));
@@ -94,11 +106,11 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
     throw cli::UsageError("--exact takes paths and records, not files of trajectories");
   }
   traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}, {}, {}};
-  const traj::Limits limits = limits_for({}, scene.vehicle());
-  report.overridden = loosened({}, scene.vehicle(), limits);
-  report.limits = traj::measured(file.flown, limits);
+  report.limits = limits_for({}, scene.vehicle());
+  report.overridden = loosened({}, scene.vehicle(), report.limits);
   report.provenance = geom::provenance_of(scene);
-  report.result = traj::check_flown(scene, file.flown, limits);
+  report.result = traj::check_flown(scene, file.flown, report.limits);
+  if (path) refuse_unmeasured(file.flown.path.front(), report);
   const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
   if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
   if (!profile_.is_open()) return report;
@@ -129,7 +141,9 @@ std::size_t Checker::each(cli::InputFile& file, const cli::DroneFileOptions& dro
   const geom::Frame& frame = scenes_.map().spec().frame;
   const std::string text = file.read_all();
   for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
-    if (shard.takes(total++)) answer(flown(one));
+    if (!shard.takes(total++)) continue;
+    for (const std::string& note : one.notes) common_.warn(one.id + ": " + note);
+    answer(flown(one));
   }
   return total;
 }

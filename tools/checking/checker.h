@@ -9,6 +9,7 @@
 #include "checking/profile_file.h"
 #include "cli/drone_file.h"
 #include "cli/files.h"
+#include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "traj/io/report_record.h"
 #include "traj/io/trajectory_record.h"
@@ -23,9 +24,9 @@ struct Rules {
 
 class Checker {
  public:
-  // Both must outlive this. The profile takes the clearance of what is checked, where it is open.
-  Checker(cli::Scenes& scenes, ProfileFile& profile, const Rules& rules)
-      : scenes_(scenes), profile_(profile), rules_(rules) {}
+  // All must outlive this. The profile takes the clearance of what is checked, where it is open.
+  Checker(const cli::Common& common, cli::Scenes& scenes, ProfileFile& profile, const Rules& rules)
+      : common_(common), scenes_(scenes), profile_(profile), rules_(rules) {}
 
   using Answer = std::function<void(const traj::ReportRecord&)>;
   // Answers what the shard takes of the file, in order. Returns how much is in the file.
@@ -43,7 +44,9 @@ class Checker {
   traj::Limits limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const;
   std::vector<std::string> loosened(const traj::TrajectoryRecord& record,
                                     const geom::Vehicle& vehicle, const traj::Limits& held) const;
+  void refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& report) const;
 
+  const cli::Common& common_;
   cli::Scenes& scenes_;
   ProfileFile& profile_;
   Rules rules_;

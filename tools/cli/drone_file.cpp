@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "geom/error.h"
 #include "geom/io/path_csv.h"
 #include "numbers_option.h"
 #include "run.h"
@@ -19,13 +20,17 @@
 namespace cli {
 namespace {
 
+constexpr double kGeodesy = 1e-8;  // m: what a projection may be off by
+
 // What a text is, by how it begins.
 std::string detected(std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (text.starts_with("QGC WPL")) return "wpl";
   if (text.starts_with("{")) {
-    return text.find("\"FeatureCollection\"") == text.npos ? "qgc-plan" : "geojson";
+    const bool geojson =
+        text.find("\"fileType\"") == text.npos && text.find("\"coordinates\"") != text.npos;
+    return geojson ? "geojson" : "qgc-plan";
   }
   if (text.starts_with("glTF")) return "gltf";
   if (text.starts_with("<")) return "kml";
@@ -35,12 +40,15 @@ std::string detected(std::string_view text) {
   return "paths-csv";
 }
 
+using Notes = std::vector<std::string>;
+
 traj::Flown flown_tello(std::istream& in, const std::string& source,
-                        const DroneFileOptions& options, geom::Axes axes) {
+                        const DroneFileOptions& options, geom::Axes axes, Notes& notes) {
   if (!options.start) {
     throw UsageError("a Tello script says no place: give --start x,y,z, where it stands");
   }
   const traj::TelloFlight flight = traj::read_tello(in, source);
+  if (!flight.lands) notes.emplace_back("it ends without landing: it hovers, or the file was cut");
   const auto start = options.placement.tello_start(geom::to_enu(axes, *options.start));
   traj::Flown flown;
   flown.path = traj::tello_path(flight, start);
@@ -54,59 +62,102 @@ traj::Flown flown_tello(std::istream& in, const std::string& source,
 }
 
 traj::Flown flown_mission(const traj::Mission& mission, const std::string& source,
-                          const DroneFileOptions& options, const geom::Frame& frame,
-                          bool& returns) {
+                          const DroneFileOptions& options, const geom::Frame& frame, Notes& notes) {
   traj::FlownMission read = traj::flown_mission(mission, options.placement.mission_frame(frame),
                                                 options.placement.ground, source);
-  returns = read.returns;
+  if (read.returns) {
+    notes.emplace_back("the return to home is left out: its height is a setting of the vehicle");
+  }
+  if (!read.ended) {
+    notes.emplace_back("it ends without a landing: it hovers, or the file was cut");
+  }
+  if (read.cuts_corners) {
+    notes.emplace_back(
+        "a waypoint without a rest: the vehicle may cut its corner, by as much as "
+        "its settings allow");
+  }
+  if (read.takeoff_from_home > 0) {
+    notes.push_back(
+        fmt::format("the take-off is {:.3g} m from home: it is taken to climb at home "
+                    "and go there, which not every autopilot does",
+                    read.takeoff_from_home));
+  }
   traj::Flown flown;
   flown.path = std::move(read.path);
   flown.hold = std::move(read.hold);
   flown.ends = read.ends;
   flown.speed = read.speed;
+  flown.returns = read.returns;
+  flown.path_stray = traj::kMissionStray;
   return flown;
 }
 
-geom::Polyline on_map(const std::vector<geom::GeodeticPlace>& places,
-                      const traj::MissionFrame& frame, double geoid) {
+geom::Polyline on_map(const traj::GeoPoints& places, const traj::MissionFrame& frame, double geoid,
+                      std::string_view source) {
   const geom::GeographicFrame earth(frame.origin);
   geom::Polyline path;
   for (geom::GeodeticPlace place : places) {
+    if (!traj::is_near(frame.origin, place.latitude, place.longitude)) {
+      throw geom::InputError(
+          source, fmt::format("expected a place near the origin, latitude {} longitude {}, found "
+                              "latitude {} longitude {}",
+                              frame.origin.latitude, frame.origin.longitude, place.latitude,
+                              place.longitude));
+    }
     place.height += geoid;
     path.push_back(earth.enu(place));
   }
   return path;
 }
 
-// In ENU.
-traj::Flown read_flown(std::istream& in, const std::string& source, DroneFile& file,
-                       const DroneFileOptions& options, const geom::Frame& frame) {
-  traj::Flown flown;
-  if (file.format == "crazyflie") {
-    flown.trajectory = traj::read_crazyflie(in, source);
-  } else if (file.format == "setpoints") {
-    flown.setpoints = traj::read_setpoints(in, source);
-    flown.trajectory = traj::straight_between(flown.setpoints);
-  } else if (file.format == "tello") {
-    flown = flown_tello(in, source, options, frame.axes);
-  } else if (file.format == "wpl") {
-    flown = flown_mission(traj::read_wpl(in, source), source, options, frame, file.returns);
-  } else if (file.format == "qgc-plan") {
-    flown = flown_mission(traj::read_qgc_plan(in, source), source, options, frame, file.returns);
-  } else if (file.format == "kml") {
-    const traj::MissionFrame over = options.placement.mission_frame(frame);
-    flown.path = on_map(traj::read_kml(in, source), over, over.geoid);
-  } else if (file.format == "geojson") {
-    flown.path = on_map(traj::read_geojson(in, source), options.placement.mission_frame(frame), 0);
-  } else {
-    flown.path = traj::read_gltf_line(in, source);
+std::vector<traj::Flown> on_map(const std::vector<traj::GeoPoints>& lines,
+                                const traj::MissionFrame& frame, double geoid,
+                                std::string_view source) {
+  std::vector<traj::Flown> flown(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    flown[i].path = on_map(lines[i], frame, geoid, source);
+    flown[i].path_stray = geom::Vec3(kGeodesy, kGeodesy, 0);
   }
   return flown;
+}
+
+// In ENU.
+std::vector<traj::Flown> read_flown(std::istream& in, const std::string& source,
+                                    const std::string& format, const DroneFileOptions& options,
+                                    const geom::Frame& frame, Notes& notes) {
+  const auto over = [&] { return options.placement.mission_frame(frame); };
+  if (format == "kml") return on_map(traj::read_kml(in, source), over(), over().geoid, source);
+  if (format == "geojson") return on_map(traj::read_geojson(in, source), over(), 0, source);
+  if (format == "gltf") {
+    std::vector<traj::Flown> flown;
+    for (geom::Polyline& line : traj::read_gltf_lines(in, source)) {
+      flown.emplace_back().path = std::move(line);
+    }
+    return flown;
+  }
+  traj::Flown flown;
+  if (format == "crazyflie") {
+    traj::CrazyflieFlight flight = traj::read_crazyflie(in, source);
+    flown.trajectory = std::move(flight.trajectory);
+    flown.stray = std::move(flight.stray);
+  } else if (format == "setpoints") {
+    flown.setpoints = traj::read_setpoints(in, source);
+    flown.trajectory = traj::straight_between(flown.setpoints);
+  } else if (format == "tello") {
+    flown = flown_tello(in, source, options, frame.axes, notes);
+  } else if (format == "wpl") {
+    flown = flown_mission(traj::read_wpl(in, source), source, options, frame, notes);
+  } else {
+    flown = flown_mission(traj::read_qgc_plan(in, source), source, options, frame, notes);
+  }
+  return {flown};
 }
 
 traj::Flown in_map_axes(traj::Flown flown, geom::Axes axes) {
   flown.trajectory = traj::to_enu(axes, std::move(flown.trajectory));
   flown.path = traj::to_enu(axes, std::move(flown.path));
+  flown.path_stray = geom::to_enu(axes, flown.path_stray);
+  for (traj::Stray& stray : flown.stray) stray.position = geom::to_enu(axes, stray.position);
   for (traj::Setpoint& s : flown.setpoints) {
     s.yaw = geom::yaw_to_enu(axes, s.yaw);
     if (axes != geom::Axes::enu) s.yaw_rate = -s.yaw_rate;
@@ -120,7 +171,7 @@ traj::Flown in_map_axes(traj::Flown flown, geom::Axes axes) {
 std::vector<DroneFile> read_paths(std::istream& in, const std::string& source) {
   std::vector<DroneFile> files;
   for (geom::PathRecord& record : geom::read_path_csv(in, source)) {
-    files.push_back({std::move(record.id), "paths-csv", {}, false});
+    files.push_back({std::move(record.id), "paths-csv", {}, {}});
     files.back().flown.path = std::move(record.points);
   }
   return files;
@@ -184,10 +235,14 @@ std::vector<DroneFile> read_drone_file(const std::string& text, const std::strin
   std::istringstream in(text);
   const std::string format = options.format == "auto" ? detected(text) : options.format;
   if (format == "paths-csv") return read_paths(in, source);
-  DroneFile file{std::filesystem::path(source).stem().string(), format, {}, false};
-  file.flown = in_map_axes(read_flown(in, source, file, options, frame), frame.axes);
+  Notes notes;
+  auto read = read_flown(in, source, format, options, frame, notes);
+  const std::string name = std::filesystem::path(source).stem().string();
   std::vector<DroneFile> files;
-  files.push_back(std::move(file));
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const std::string id = read.size() == 1 ? name : fmt::format("{}-{}", name, i + 1);
+    files.push_back({id, format, in_map_axes(std::move(read[i]), frame.axes), notes});
+  }
   return files;
 }
 

@@ -29,11 +29,12 @@ struct Placement {
   traj::TelloStart tello_start(const geom::Vec3& enu_ground) const;
 };
 
+// One flight of a file.
 struct DroneFile {
   std::string id;
   std::string format;
-  traj::Flown flown;     // in the map's axes
-  bool returns = false;  // it ends with a return to home by a way that the file does not say
+  traj::Flown flown;               // in the map's axes
+  std::vector<std::string> notes;  // what its user should know before flying it, for warnings
 };
 
 struct DroneFileOptions {
@@ -45,9 +46,11 @@ struct DroneFileOptions {
   void add_to(CLI::App& app);
 };
 
-// What is in a file of this text: one flight, or for a table of paths ("paths-csv") several. The id
-// is the file's name without folder and extension, or the table's. Throws geom::InputError for bad
-// text, UsageError where an option is missing.
+// All that is in a file of this text: one flight, or of lines (KML, GeoJSON, glTF) and tables of
+// paths
+// ("paths-csv") several, at least one. The id is the file's name without folder and extension, with
+// -1, -2, … where there are several, or the table's. Throws geom::InputError for bad text and for
+// what cannot be flown or is not known, UsageError where an option is missing.
 std::vector<DroneFile> read_drone_file(const std::string& text, const std::string& source,
                                        const DroneFileOptions& options, const geom::Frame& frame);
 

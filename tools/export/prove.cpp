@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geom/error.h"
 #include "traj/export/straight_legs.h"
 #include "traj/flown.h"
 #include "traj/to_enu.h"
@@ -11,16 +12,18 @@
 namespace exporting {
 namespace {
 
-constexpr int kAttempts = 10;        // of tolerances, halved each time
-constexpr double kRounding = 0.012;  // m: more than centimetres and 1e-7 degrees round by
-constexpr double kEndGap = 0.02;     // m: how well straight legs must meet the ends
+constexpr int kAttempts = 10;       // of tolerances, halved each time
+constexpr double kRounding = 0.03;  // m: more than centimetres, 1e-7 degrees and what a vehicle
+                                    // makes of those move a point by
+constexpr double kEndGap = 0.02;    // m: how well straight legs must meet the ends
 
 // What the bytes make the drone fly, judged.
 traj::CheckResult judge(const geom::CollisionScene& scene, const Task& task,
                         const Written& written) {
   const geom::Frame& frame = scene.map().spec().frame;
-  const traj::Flown flown =
-      cli::read_drone_file(written.text, "what was written", written.reading, frame)[0].flown;
+  const auto read = cli::read_drone_file(written.text, "what was written", written.reading, frame);
+  if (read.size() != 1) throw geom::InputError("what was written", "expected one flight");
+  const traj::Flown& flown = read.front().flown;
   traj::CheckResult result = traj::check_flown(scene, flown, task.limits);
   if (!result.ok || flown.path.empty()) return result;
   const geom::Vec3 end = geom::to_enu(frame.axes, task.enu.segments.back().point[traj::kDegree]);

@@ -30,7 +30,7 @@ struct Task {
 
 struct Written {
   std::string text;
-  // Of a Tello: a program and a table that go beside it.
+  // Of a Tello: a program and a table, for those who ask for them.
   std::string python;
   std::string csv;
   cli::DroneFileOptions reading;  // what it takes to read the text again

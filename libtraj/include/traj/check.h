@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geom/collision.h"
 #include "traj/limits.h"
@@ -13,8 +14,21 @@
 
 namespace traj {
 
+// How far what is flown may be from a segment at any instant, beside what the segment says: from
+// rounding that the vehicle does itself.
+struct Stray {
+  Vec3 position = Vec3::Zero();  // m along each axis
+  double velocity = 0;           // m/s, m/s2, m/s3: of the norms
+  double acceleration = 0;
+  double jerk = 0;
+  double yaw_rate = 0;  // rad/s
+};
+
 struct CheckOptions {
   Limits limits;
+  // Of each segment, and then the curve with all that is so near to it must be clear and inside the
+  // limits; empty: none. Must outlive the check.
+  std::span<const Stray> stray;
   // How far neighbouring segments may miss each other at a joint. The straight step between
   // them is tested for collision as well.
   double position_gap = 1e-9;      // metres
@@ -46,16 +60,18 @@ struct CheckResult {
   double duration = 0;               // seconds
   std::optional<Extreme> clearance;  // metres to the obstacles grown by the vehicle without its
                                      // margin, the least, to 1 mm; absent without obstacles
-  Extreme speed;                     // the largest, to a relative 1e-4: m/s, m/s2, m/s3, radians
-  Extreme acceleration;
-  Extreme jerk;
-  Extreme tilt;
-  Extreme horizontal_speed;
-  Extreme vertical_speed;
-  Extreme thrust;
-  Extreme body_rate;              // rad/s
-  Extreme yaw_rate;               // rad/s; 0 without yaw
-  std::array<double, 7> jumps{};  // at joints, see continuity.h
+  // The largest of what was measured, to a relative 1e-4; absent: not measured, as of a path, which
+  // has no times, and of a yaw that no segment says.
+  std::optional<Extreme> speed;  // m/s
+  std::optional<Extreme> acceleration;
+  std::optional<Extreme> jerk;
+  std::optional<Extreme> tilt;  // radians
+  std::optional<Extreme> horizontal_speed;
+  std::optional<Extreme> vertical_speed;
+  std::optional<Extreme> thrust;
+  std::optional<Extreme> body_rate;            // rad/s
+  std::optional<Extreme> yaw_rate;             // rad/s
+  std::optional<std::array<double, 7>> jumps;  // at joints, see continuity.h
 };
 
 // Decides by control points: a piece whose control points' box meets no grown obstacle is clear
@@ -68,8 +84,13 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
 CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
                   const Limits& limits);
 
-// The same for a path: bounds and collision of every leg, exact. `time` is then the index of the
-// leg, and speeds are 0.
-CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points);
+// The same for a path: bounds and collision of every leg, exact, or of all that is within its
+// `stray`, metres along each axis, one a leg (empty: none). `time` is then the index of the leg.
+CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points,
+                       std::span<const Vec3> stray = {});
+
+// A limit that was asked for and is not measured in a result, by the name of what it bounds:
+// "speed", "acceleration", …, in the order of CheckResult.
+std::vector<std::string> not_measured(const CheckResult& result, const Limits& limits);
 
 }  // namespace traj

@@ -25,9 +25,16 @@ void write_kml(std::ostream& out, const GeoLine& line);
 // RFC 7946: a FeatureCollection of one LineString; heights are above the ellipsoid. As exact.
 void write_geojson(std::ostream& out, const GeoLine& line);
 
-// The points of the first LineString. Throw geom::InputError(source, …) where there is none, or
-// coordinates that are not three finite numbers.
-std::vector<geom::GeodeticPlace> read_kml(std::istream& in, std::string_view source);
-std::vector<geom::GeodeticPlace> read_geojson(std::istream& in, std::string_view source);
+using GeoPoints = std::vector<geom::GeodeticPlace>;
+
+// The points of every line in the file, in order; at least one line, and in each at least one
+// point. KML: LineStrings, wherever they stand. GeoJSON: LineStrings and MultiLineStrings, in
+// features, collections and alone. Throw geom::InputError(source, line, …) for whatever else has a
+// place (a Point, a Polygon, a track, an overlay, a link to another file), elements of KML that are
+// not known, coordinates that are not three numbers, heights that are not absolute (in KML that
+// must be said: unsaid means on the ground), and a coordinate system other than WGS 84 longitude,
+// latitude.
+std::vector<GeoPoints> read_kml(std::istream& in, std::string_view source);
+std::vector<GeoPoints> read_geojson(std::istream& in, std::string_view source);
 
 }  // namespace traj

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "geom/polyline.h"
 
@@ -15,7 +16,10 @@ namespace traj {
 void write_gltf_line(std::ostream& out, std::span<const geom::Vec3> enu, std::string_view name,
                      std::string_view note);
 
-// The points of such a file, in ENU. Throws geom::InputError(source, …) for other bytes.
-geom::Polyline read_gltf_line(std::istream& in, std::string_view source);
+// The points of every line strip that the file's one scene shows, in ENU, in order; at least one.
+// Nodes may be moved, in no other way transformed. Throws geom::InputError(source, …) for other
+// bytes, and for whatever else there is: triangles, indices, nodes under nodes or in no scene,
+// animations, files beside it.
+std::vector<geom::Polyline> read_gltf_lines(std::istream& in, std::string_view source);
 
 }  // namespace traj

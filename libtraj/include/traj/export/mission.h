@@ -34,8 +34,6 @@ enum MavCommand {
   kLand = 21,
   kTakeoff = 22,
   kDelay = 93,
-  kLastNavigation = 95,
-  kJump = 177,
   kSpeed = 178
 };
 
@@ -80,15 +78,29 @@ struct FlownMission {
   geom::Polyline path;
   std::vector<double> hold;  // s, one a point
   VerticalEnds ends;
-  std::optional<double> speed;  // m/s, the largest asked for
+  std::optional<double> speed;  // m/s, the largest asked for; absent where a leg has none
   bool returns = false;         // ends with a return to home, by a way the file does not say
+  bool ended = false;           // by a landing, a return or loitering; else it may have been cut
+  bool cuts_corners = false;    // a point between two legs without a rest: the vehicle turns early
+  // m from home to the take-off's place, where those differ: it climbs at home and goes there. Some
+  // autopilots take no heed of a take-off's place and go on from above home.
+  double takeoff_from_home = 0;
 };
 
-// Waypoints, take-offs, landings, loitering for a time (as a rest) and speeds; commands that move
-// nothing are passed over. `home` is the z of home, for files that do not say it. Throws
-// geom::InputError(source, line, …) for others that move the vehicle (splines, turns, jumps),
-// heights above terrain, places that are not on Earth or over 1000 km from the origin, and a height
-// above home without home.
+// How far a vehicle may be from the places that a file says, along each axis: latitudes and
+// longitudes travel as whole 1e-7 degrees, cut or rounded by the ground station, and heights are
+// kept to centimetres by some autopilots.
+inline const Vec3 kMissionStray{0.0112, 0.0112, 0.01};
+
+// Whether that is a place on Earth within 10 degrees of latitude and 20 of longitude of the origin.
+bool is_near(const geom::GeodeticOrigin& origin, double latitude, double longitude);
+
+// Waypoints, take-offs, landings, loitering for a time (as a rest) and speeds; commands that are
+// known to move nothing (cameras, gimbals, servos, yaw) are passed over. `home` is the z of home,
+// for files that do not say it. Throws geom::InputError(source, line, …) for all others (splines,
+// turns, jumps, changes of height or mode, what is not known), items after the end of the flight, a
+// second take-off, loitering on a circle, heights above terrain, places that are not near the
+// origin, and a height above home without home.
 FlownMission flown_mission(const Mission& mission, const MissionFrame& frame,
                            std::optional<double> home, std::string_view source);
 

@@ -16,7 +16,8 @@ void write_qgc_plan(std::ostream& out, const Mission& mission, std::string_view 
 
 // Throws geom::InputError(source, …) for malformed JSON, another file type or version, a missing
 // key, items that are not simple ones (surveys and the like, which only QGroundControl can
-// expand) and heights above terrain.
+// expand), heights above terrain or said twice and not alike, a fence, and a vehicle that does not
+// hover. Rally points only say where a return may lead, and a return is never taken for checked.
 Mission read_qgc_plan(std::istream& in, std::string_view source);
 
 }  // namespace traj

@@ -28,7 +28,8 @@ std::vector<Setpoint> setpoints(const Trajectory& enu, double rate);
 void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, SetpointAxes axes);
 
 // The rows of either table, in ENU. Throws geom::InputError(source, line, …) for another header, a
-// row that is not 12 finite numbers, times that do not grow, fewer than two rows.
+// row that is not 12 finite numbers, times that do not grow, fewer than two rows, and a last line
+// without its end, which may have lost digits.
 std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source);
 
 // The way of a client that goes straight from position to position, at these times.

@@ -59,8 +59,10 @@ void write_tello_python(std::ostream& out, const TelloFlight& flight, const Tell
 // 0, then where each leg ends.
 void write_tello_csv(std::ostream& out, const TelloFlight& flight, const TelloStart& start);
 
-// Throws geom::InputError(source, line, …) for text that is not such a script, and for a move the
-// SDK refuses: beyond 500 cm, 20 cm or less on all axes, a speed outside 10 to 100 cm/s.
+// Throws geom::InputError(source, line, …) for text that is not such a script (any other command of
+// the SDK: up, cw, flip, curve, rc, …), for a move the SDK refuses (beyond 500 cm, 20 cm or less on
+// all axes, a speed outside 10 to 100 cm/s), and for a last line without its end, which may have
+// lost digits. A script that was cut between lines reads as one that ends in hovering.
 TelloFlight read_tello(std::istream& in, std::string_view source);
 
 // Where it flies, in ENU: the end of the take-off, then the end of each leg.

@@ -14,7 +14,9 @@ namespace traj {
 void write_wpl(std::ostream& out, const Mission& mission);
 
 // Item 0 is home where it is a waypoint in frame 0. Throws geom::InputError(source, line, …) for
-// another version, CRLF, fields that are missing or no numbers, and an index that is not the next.
+// another version, CRLF, fields that are missing or no numbers, an index that is not the next, and
+// a mission that begins (is current) at a later item. A line that was cut misses fields; a file
+// that was cut between lines reads as a shorter mission (see FlownMission::ended).
 Mission read_wpl(std::istream& in, std::string_view source);
 
 }  // namespace traj

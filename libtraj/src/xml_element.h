@@ -1,0 +1,23 @@
+#pragma once
+
+// XML as a tree: what a KML file holds, read to its end.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace traj {
+
+struct XmlElement {
+  std::string name;      // without its namespace's prefix: "LineString", also of "kml:LineString"
+  std::size_t line = 0;  // where it begins
+  std::string text;      // its own character data, entities resolved
+  std::vector<XmlElement> children;
+};
+
+// The root element. Comments and processing instructions are left out. Throws geom::InputError
+// (source, line, …) for text that is not well-formed XML 1.0 in UTF-8 from its first byte to its
+// last, for a document type (entities of one's own), and for elements nested deeper than 100.
+XmlElement parse_xml(std::string_view text, std::string_view source);
+
+}  // namespace traj
