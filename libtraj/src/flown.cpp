@@ -150,16 +150,6 @@ CheckOptions file_tolerance(const Limits& limits) {
   return options;
 }
 
-Limits measured(const Flown& flown, const Limits& limits) {
-  if (flown.path.empty()) return limits;
-  Limits out;
-  if (!flown.speed) return out;
-  for (const auto limit : {&Limits::vmax, &Limits::vmax_h, &Limits::vmax_v}) {
-    out.*limit = limits.*limit;
-  }
-  return out;
-}
-
 CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown,
                         const Limits& limits) {
   if (!flown.path.empty()) return check_way(scene, flown, limits);

@@ -92,11 +92,10 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
     throw cli::UsageError("--exact takes paths and records, not files of trajectories");
   }
   traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}, {}, {}};
-  const traj::Limits limits = limits_for({}, scene.vehicle());
-  report.overridden = loosened({}, scene.vehicle(), limits);
-  report.limits = traj::measured(file.flown, limits);
+  report.limits = limits_for({}, scene.vehicle());
+  report.overridden = loosened({}, scene.vehicle(), report.limits);
   report.provenance = geom::provenance_of(scene);
-  report.result = traj::check_flown(scene, file.flown, limits);
+  report.result = traj::check_flown(scene, file.flown, report.limits);
   const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
   if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
   if (!profile_.is_open()) return report;

@@ -32,10 +32,6 @@ std::optional<geom::Polyline> whole_way(const geom::CollisionScene& scene, const
 // Single precision and six decimals: how far a file's segments may miss each other.
 CheckOptions file_tolerance(const Limits& limits);
 
-// Those of the limits that check_flown holds it to: of straight legs the speeds, where the file
-// says one.
-Limits measured(const Flown& flown, const Limits& limits);
-
 // traj::check of a trajectory, with file_tolerance: joints may miss by 1 mm, 1 cm/s, 0.1 m/s2,
 // limits by 0.1%. Setpoints: collision and bounds of the straight ways between them, limits of each
 // (a client that interpolates velocity and acceleration between them stays within). A path:
