@@ -48,20 +48,6 @@ TEST(CheckFlown, LooksAtTheAscentAndTheDescent) {
   EXPECT_EQ(check_flown(yard(), flown, {}).reason, "takeoff") << "below the ground";
 }
 
-TEST(Measured, AreOfLegsTheSpeedsWhereTheFileSaysOne) {
-  Limits all;
-  all.vmax = 5;
-  all.vmax_v = 3;
-  all.amax = 4;
-  Flown flown = path({{40, 0, 5}, {40, 30, 45}});
-  EXPECT_EQ(measured(flown, all), Limits{});
-  flown.speed = 5;
-  Limits speeds = all;
-  speeds.amax.reset();
-  EXPECT_EQ(measured(flown, all), speeds);
-  EXPECT_EQ(measured(Flown{}, all), all);
-}
-
 TEST(CheckFlown, KnowsTheSpeedsOfLegs) {
   Flown flown = path({{40, 0, 5}, {40, 30, 45}});
   flown.speed = 5;

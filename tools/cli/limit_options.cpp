@@ -95,8 +95,7 @@ geom::Limits limits_to_solve(const geom::Limits& asked, const geom::Vehicle& veh
   if ((!limits.vmax && !(limits.vmax_h && limits.vmax_v)) ||
       (!limits.amax && !(limits.tilt && limits.thrust))) {
     throw UsageError(
-        "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust), or "
-        "a --vehicle that has them");
+        "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust)");
   }
   return limits;
 }

@@ -43,12 +43,25 @@ Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle,
   scenes_.emplace(*map, flown, cli::Scenes::Differences::allowed);
 }
 
+void Mission::refuse_size(const geom::Vehicle& made_for, std::size_t line) const {
+  const auto shown = [](const geom::Vehicle& v) {
+    return fmt::format("{} [{}, {}, {}]", v.name, v.half[0], v.half[1], v.half[2]);
+  };
+  throw geom::InputError(
+      source_, line,
+      fmt::format("expected a trajectory for the vehicle {}, as asked, found one for {}",
+                  shown(profile_.vehicle), shown(made_for)));
+}
+
 // The vehicle that flies must be the one it was made for: in its limits, and over a map in its
 // size.
 void Mission::require_vehicle(const Entry& entry) const {
   geom::Provenance made_for = entry.record.provenance;
+  if (made_for.vehicle && made_for.vehicle->half != profile_.vehicle.half) {
+    if (scenes_) refuse_size(*made_for.vehicle, entry.line);
+    made_for.vehicle->half = profile_.vehicle.half;  // without a map nothing is said of room
+  }
   made_for.margin.reset();  // kept for what happens here
-  if (made_for.vehicle && !scenes_) made_for.vehicle->half = profile_.vehicle.half;
   cli::agreed_room(made_for, {profile_.vehicle, 0}, cli::Differences::refused, source_, entry.line);
 }
 
