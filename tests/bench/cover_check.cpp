@@ -61,7 +61,7 @@ std::pair<std::size_t, std::size_t> raster(const geom::Polygon& polygon, double 
 
 std::vector<Footprint> read_projected(const std::string& path) {
   footprints::Source source = read(path);
-  const footprints::Projector projector(source, path, std::nullopt);
+  const footprints::Projector projector(source, path, std::nullopt, true);
   footprints::project(source.footprints, projector);
   return std::move(source.footprints);
 }

@@ -58,7 +58,7 @@ TEST(StopAndGo, TurnsTheThrustNoFasterThanItMay) {
   for (const double length : {0.01, 0.3, 5.0, 80.0}) {
     const std::vector<Vec3> path{Vec3(0, 0, 5), Vec3(length, 0, 5),
                                  Vec3(length, 0, 5 + length / 2)};
-    EXPECT_LE(check(scene, stop_and_go(path, limits), Limits{}).body_rate.value, 2) << length;
+    EXPECT_LE(check(scene, stop_and_go(path, limits), Limits{}).body_rate->value, 2) << length;
   }
 }
 
