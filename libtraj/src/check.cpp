@@ -1,5 +1,7 @@
 #include "traj/check.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,6 +9,8 @@
 #include "check_limits.h"
 #include "check_place.h"
 #include "curve_piece.h"
+#include "geom/error.h"
+#include "geom/precondition.h"
 #include "least_clearance.h"
 #include "traj/continuity.h"
 
@@ -32,6 +36,37 @@ bool durations_are_sound(const Trajectory& trajectory, CheckResult& result) {
   return !trajectory.segments.empty();
 }
 
+// Differences and squares of such points overflow.
+bool is_within_reach(const Trajectory& trajectory, CheckResult& result) {
+  double begin = 0;
+  for (const Segment& s : trajectory.segments) {
+    for (const Vec3& p : s.point) {
+      if (p.cwiseAbs().maxCoeff() <= geom::kFarthest) continue;
+      note(result, "bounds", {p.cwiseAbs().maxCoeff(), begin, p});
+      return false;
+    }
+    begin += s.duration;
+  }
+  return true;
+}
+
+// A comparison with what is not a number holds whatever it is compared with.
+void require_numbers(const CheckOptions& options) {
+  const auto require = [](const char* what, double value) {
+    if (value >= 0) return;
+    throw geom::InputError(what, fmt::format("expected a number >= 0, found {}", value));
+  };
+  for (const LimitField& field : kLimitFields) {
+    if (options.limits.*field.member) require(field.name, *(options.limits.*field.member));
+  }
+  require("limit_slack", options.limit_slack);
+  require("position_gap", options.position_gap);
+  require("velocity_gap", options.velocity_gap);
+  require("acceleration_gap", options.acceleration_gap);
+  require("yaw_gap", options.yaw_gap);
+  require("yaw_rate_gap", options.yaw_rate_gap);
+}
+
 // Of the yaw (order 0) or its rate at a joint; one without yaw goes with any.
 double yaw_jump(const Segment& s, const Segment& next, int order) {
   if (!s.yaw || !next.yaw) return 0;
@@ -52,16 +87,16 @@ void check_joints(const geom::CollisionScene& scene, const Trajectory& trajector
     const State a = evaluate(s, s.duration);
     const State b = evaluate(next, 0);
     const double gap = (next.point[0] - s.point[kDegree]).norm();
-    if (gap > options.position_gap) {
+    if (!(gap <= options.position_gap)) {
       note(result, "discontinuous", {gap, t, s.point[kDegree]});
-    } else if (const double dv = (b.velocity - a.velocity).norm(); dv > options.velocity_gap) {
+    } else if (const double dv = (b.velocity - a.velocity).norm(); !(dv <= options.velocity_gap)) {
       note(result, "discontinuous", {dv, t, s.point[kDegree]});
     } else if (const double da = (b.acceleration - a.acceleration).norm();
-               da > options.acceleration_gap) {
+               !(da <= options.acceleration_gap)) {
       note(result, "discontinuous", {da, t, s.point[kDegree]});
-    } else if (const double dy = yaw_jump(s, next, 0); dy > options.yaw_gap) {
+    } else if (const double dy = yaw_jump(s, next, 0); !(dy <= options.yaw_gap)) {
       note(result, "discontinuous", {dy, t, s.point[kDegree]});
-    } else if (const double dr = yaw_jump(s, next, 1); dr > options.yaw_rate_gap) {
+    } else if (const double dr = yaw_jump(s, next, 1); !(dr <= options.yaw_rate_gap)) {
       note(result, "discontinuous", {dr, t, s.point[kDegree]});
     } else if (gap > 0 && scene.hits(s.point[kDegree], next.point[0])) {
       note(result, "collision", {gap, t, s.point[kDegree]});
@@ -76,8 +111,11 @@ void check_joints(const geom::CollisionScene& scene, const Trajectory& trajector
 
 CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
                   const CheckOptions& options) {
+  require_numbers(options);
   CheckResult result;
-  if (!durations_are_sound(trajectory, result)) return result;
+  if (!durations_are_sound(trajectory, result) || !is_within_reach(trajectory, result)) {
+    return result;
+  }
   const std::vector<Piece> pieces = pieces_of(trajectory);
   check_joints(scene, trajectory, options, result);
   if (result.reason.empty()) check_place(scene, pieces, result);
@@ -96,6 +134,7 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
 }
 
 CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points) {
+  for (const Vec3& p : points) geom::require_point("path", p);
   CheckResult result;
   std::vector<Piece> pieces;
   const auto leg = [](const Vec3& a, const Vec3& b, double index) {

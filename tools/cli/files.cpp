@@ -18,6 +18,7 @@
 
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
+#include "geom/mapped_file.h"
 #include "run.h"
 
 namespace cli {
@@ -181,6 +182,7 @@ std::ostream& OutputFile::stream() { return sink_->stream; }
 void OutputFile::flush() { sink_->stream.flush(); }
 
 void OutputFile::commit() {
+  geom::require_mapped_files_unchanged();  // what is written was made of them
   flush();
   if (temporary_.empty()) return;
   if (unnamed_) {

@@ -10,8 +10,10 @@
 #include <thread>
 
 #include "completion.h"
+#include "cut_file.h"
 #include "files.h"
 #include "geom/error.h"
+#include "geom/mapped_file.h"
 
 namespace cli {
 namespace {
@@ -92,6 +94,8 @@ void Common::write_stats(nlohmann::ordered_json stats) const {
 
 int run_tool(CLI::App& app, int argc, char** argv, const std::function<Exit()>& body) {
   std::signal(SIGPIPE, SIG_DFL);
+  static const std::string name = app.get_name();
+  end_where_a_file_is_cut(name.c_str());
   app.set_version_flag("--version", app.get_name() + " " SKYWAY_VERSION);
   add_completion(app);
   try {
@@ -102,7 +106,9 @@ int run_tool(CLI::App& app, int argc, char** argv, const std::function<Exit()>& 
     return usage(app, error.what());
   }
   try {
-    return static_cast<int>(body());
+    const Exit exit = body();
+    geom::require_mapped_files_unchanged();
+    return static_cast<int>(exit);
   } catch (const UsageError& error) {
     return usage(app, error.what());
   } catch (const geom::InputError& error) {
