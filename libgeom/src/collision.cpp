@@ -36,8 +36,7 @@ std::vector<std::uint8_t> CollisionScene::hits(std::span<const std::pair<Vec3, V
 }
 
 bool CollisionScene::sweep_hits(const Vec3& a, const Vec3& b, const Vec3& half) const {
-  require_point("segment", a);
-  require_point("segment", b);
+  require_points("segment", a, b);
   for (const double size : half) require_length("swept box", size, kLargestCoordinate);
   // Whatever the swept box meets, once grown by the vehicle instead, meets a stretch grown by the
   // difference; the whole segment decides.
@@ -56,8 +55,7 @@ bool CollisionScene::sweep_hits(const Vec3& a, const Vec3& b, const Vec3& half) 
 std::vector<CollisionScene::Separated> CollisionScene::separating_planes(const Vec3& a,
                                                                          const Vec3& b,
                                                                          double reach) const {
-  require_point("segment", a);
-  require_point("segment", b);
+  require_points("segment", a, b);
   require_length("reach", reach, kInfinity);
   std::vector<Separated> out;
   for (const std::size_t i : boxes_meeting(around(a, b, Vec3::Constant(reach)))) {

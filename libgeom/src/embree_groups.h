@@ -103,7 +103,6 @@ class Visit {
 // answer.
 class Failure {
  public:
-  bool any() const noexcept { return what_ != nullptr; }
   void keep_current() noexcept {
     if (!what_) what_ = std::current_exception();
   }
