@@ -36,6 +36,12 @@ bool line_misses(double ax, double ay, double bx, double by, double lx, double l
   return one == orientation(ax, ay, bx, by, hx, rising ? ly : hy);
 }
 
+// Where squares overflow; infinite only where the distance itself is beyond doubles.
+double far_distance(const Vec3& p, const Aabb& box) {
+  const auto off = [&](int i) { return std::max({box.min[i] - p[i], p[i] - box.max[i], 0.0}); };
+  return std::hypot(std::hypot(off(0), off(1)), off(2));  // of three, it gives NaN of infinite ones
+}
+
 }  // namespace
 
 int orientation(double ax, double ay, double bx, double by, double cx, double cy) {
@@ -55,6 +61,7 @@ double distance(const Vec3& p, const Aabb& box) {
     const double d = std::max({box.min[i] - p[i], p[i] - box.max[i], 0.0});
     sum += d * d;
   }
+  if (std::isinf(sum)) return far_distance(p, box);
   return std::sqrt(sum);
 }
 
@@ -70,7 +77,9 @@ bool overlap(const Aabb& a, const Aabb& b) {
 
 bool segment_hits(const Vec3& a, const Vec3& b, const Aabb& box) {
   for (int i = 0; i < 3; ++i) {
-    if (std::max(a[i], b[i]) < box.min[i] || std::min(a[i], b[i]) > box.max[i]) return false;
+    // Both, one after the other: so that what is not a number is on neither side.
+    if (a[i] < box.min[i] && b[i] < box.min[i]) return false;
+    if (a[i] > box.max[i] && b[i] > box.max[i]) return false;
   }
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;

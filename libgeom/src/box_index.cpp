@@ -1,10 +1,17 @@
 #include "geom/box_index.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "geom/error.h"
+#include "geom/precondition.h"
+
 namespace geom {
 namespace {
+
+constexpr double kLeastCell = 1e-6;  // metres: cells are counted in 64 bits out to kFarthest
 
 std::uint64_t key(std::int64_t x, std::int64_t y) {
   return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xffffffffu);
@@ -12,15 +19,26 @@ std::uint64_t key(std::int64_t x, std::int64_t y) {
 
 struct Cells {
   std::int64_t x0, x1, y0, y1;
-  std::int64_t count() const { return (x1 - x0 + 1) * (y1 - y0 + 1); }
+  double count() const {
+    return (static_cast<double>(x1 - x0) + 1) * (static_cast<double>(y1 - y0) + 1);
+  }
 };
 
 Cells cells(const Aabb& box, double size) {
+  require_point("box", box.min);
+  require_point("box", box.max);
   const auto at = [&](double v) { return static_cast<std::int64_t>(std::floor(v / size)); };
   return {at(box.min.x()), at(box.max.x()), at(box.min.y()), at(box.max.y())};
 }
 
 }  // namespace
+
+BoxIndex::BoxIndex(double cell) : cell_(cell) {
+  if (!(cell >= kLeastCell && cell <= kLargestCoordinate)) {
+    throw InputError("box index", fmt::format("expected cells of {} to {} metres, found {}",
+                                              kLeastCell, kLargestCoordinate, cell));
+  }
+}
 
 void BoxIndex::add(std::size_t i, const Aabb& box) {
   const double side = (box.max - box.min).head<2>().maxCoeff();
@@ -40,7 +58,7 @@ std::vector<std::size_t> BoxIndex::near(const Aabb& region) const {
   };
   for (const auto& [level, at] : levels_) {
     const Cells c = cells(region, at.cell);
-    if (static_cast<std::size_t>(c.count()) > at.hash.size()) {
+    if (c.count() > static_cast<double>(at.hash.size())) {
       for (const auto& [cell, some] : at.hash) take(some);
       continue;
     }

@@ -8,21 +8,37 @@
 #include <queue>
 
 #include "geom/error.h"
+#include "geom/precondition.h"
 #include "geom/row_merge.h"
 
 namespace geom {
 namespace {
 
+// Near enough that the index of a cell or step beside it fits 31 bits, too.
+double checked(double v, double size) {
+  const double k = v / size;
+  if (std::abs(k) < 0x1p31 - 2) return k;
+  throw InputError("column",
+                   fmt::format("expected a coordinate within 2^31 cells or steps of {} m, "
+                               "found {}",
+                               size, v));
+}
+
+void require_size(const char* what, double size) {
+  if (size > 0 && std::isfinite(size)) return;
+  throw InputError(what, fmt::format("expected metres > 0, found {}", size));
+}
+
 // The k with k * size <= v < (k + 1) * size as doubles multiply: division may be one off.
 std::int32_t floor_index(double v, double size) {
-  auto k = static_cast<std::int32_t>(std::floor(v / size));
+  auto k = static_cast<std::int32_t>(std::floor(checked(v, size)));
   while (k * size > v) --k;
   while ((k + 1) * size <= v) ++k;
   return k;
 }
 
 std::int32_t ceil_index(double v, double size) {
-  auto k = static_cast<std::int32_t>(std::ceil(v / size));
+  auto k = static_cast<std::int32_t>(std::ceil(checked(v, size)));
   while (k * size < v) ++k;
   while ((k - 1) * size >= v) --k;
   return k;
@@ -33,6 +49,18 @@ std::int32_t tile_of(std::int32_t cell, int side) {
 }
 
 }  // namespace
+
+ColumnGrid::ColumnGrid(const ColumnSpec& spec) : spec_(spec) {
+  require_size("cell", spec.cell);
+  require_size("step", spec.step);
+  require_length("gap", spec.gap, kLargestCoordinate);
+}
+
+GroundGrid::GroundGrid(const GroundSpec& spec) : spec_(spec) {
+  require_size("ground cell", spec.cell);
+  require_length("ground slope", spec.slope, kLargestCoordinate);
+  require_length("ground height", spec.height, kLargestCoordinate);
+}
 
 ColumnGrid::Column& ColumnGrid::column(std::int32_t x, std::int32_t y) {
   const std::pair key(tile_of(y, kSide), tile_of(x, kSide));

@@ -1,14 +1,20 @@
 #include "geom/cover.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "geom/error.h"
+#include "geom/precondition.h"
 #include "orientation.h"
 
 namespace geom {
 namespace {
+
+constexpr double kLeastSlack = 1e-6;  // metres
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -278,9 +284,26 @@ Polygon transposed(const Polygon& polygon) {
   return out;
 }
 
+void require(const Polygon& polygon, double slack) {
+  double largest = 0;
+  const auto look_at = [&](const std::vector<Vec2>& ring) {
+    for (const Vec2& p : ring) {
+      require_point("polygon", {p.x(), p.y(), 0});
+      largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+  };
+  look_at(polygon.outer);
+  for (const auto& hole : polygon.holes) look_at(hole);
+  const double least = std::max(kLeastSlack, 0.999 * 1e-9 * largest);  // a product may be rounded
+  if (slack >= least && slack <= kLargestCoordinate) return;
+  throw InputError("slack", fmt::format("expected metres from {} to {}, found {}", least,
+                                        kLargestCoordinate, slack));
+}
+
 }  // namespace
 
 std::vector<Rectangle> cover(const Polygon& polygon, double slack) {
+  require(polygon, slack);
   std::vector<Rectangle> best = Slabs(polygon, slack, true).cover();
   const auto consider = [&](std::vector<Rectangle> other) {
     if (other.size() < best.size()) best = std::move(other);

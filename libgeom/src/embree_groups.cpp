@@ -8,6 +8,7 @@
 
 #include "embree_queries.h"
 #include "geom/mapped_file.h"
+#include "geom/precondition.h"
 
 namespace geom {
 namespace {
@@ -49,19 +50,27 @@ std::size_t GroupScene::bytes() const {
 
 CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOptions& options)
     : map(std::move(m)), vehicle(std::move(v)), margin(mg), budget(options.budget) {
+  for (const double size : vehicle.half) require_length("vehicle", size, kLargestCoordinate);
+  require_length("margin", margin, kLargestCoordinate);
+  for (const Tile& tile :
+       map.tiles()) {  // Embree leaves out what is further away than a float goes
+    require_point("box map", tile.extent.min);
+    require_point("box map", tile.extent.max);
+  }
   map.require(Verified::extents);  // one that lies would hide boxes from every query
   for (int i = 0; i < 3; ++i) {
     half[i] = vehicle.half[i] + margin;
     if (margin > 0) half[i] = std::nextafter(half[i], std::numeric_limits<double>::infinity());
   }
   free_bounds = shrink(map.spec().bounds, half);
-  auto members = grouped(map, static_cast<double>(options.boxes_per_group));
+  auto members = grouped(map, std::max(1.0, static_cast<double>(options.boxes_per_group)));
   groups = std::vector<Group>(members.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     groups[g].tiles = std::move(members[g]);
     Aabb extent = map.tiles()[groups[g].tiles.front()].extent;
     for (const std::size_t t : groups[g].tiles) extent = merged(extent, map.tiles()[t].extent);
     group_extent.push_back(grow(extent, half));
+    reach = g == 0 ? group_extent.front() : merged(reach, group_extent.back());
   }
   if (groups.size() > 1) {
     top = build(group_extent, segment_against_group, visit_candidate);

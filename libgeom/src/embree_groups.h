@@ -56,6 +56,7 @@ struct CollisionScene::Impl {
   std::size_t budget;
   std::optional<Aabb> free_bounds;
   EmbreeBoxes top;
+  Aabb reach;  // of all grown boxes, where there are any
   std::vector<Aabb> group_extent;
   std::vector<Group> groups;
   std::mutex building;           // guards the two below and every change of Group::scene
@@ -102,7 +103,6 @@ class Visit {
 // answer.
 class Failure {
  public:
-  bool any() const noexcept { return what_ != nullptr; }
   void keep_current() noexcept {
     if (!what_) what_ = std::current_exception();
   }

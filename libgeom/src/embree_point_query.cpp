@@ -24,9 +24,8 @@ struct RegionContext {
   std::size_t most;  // more are not wanted,
   Failure* failure;
   std::vector<std::size_t> found;  // and the search ends with one more
+  bool ended = false;
   const GroupScene* group = nullptr;
-
-  bool too_many() const { return found.size() > most; }
 };
 
 // One point-query callback serves both kinds of query and both levels.
@@ -35,7 +34,6 @@ struct PointContext {
   RegionContext* region = nullptr;
   bool top = true;
   double slack = 0;  // what the ball in float exceeds the radius by, in metres
-  Failure* failure = nullptr;
 };
 
 void search(const EmbreeBoxes& boxes, const Vec3& p, double radius, PointContext& context) {
@@ -65,7 +63,7 @@ void visit_nearest_box(NearestContext& context, std::size_t i) {
 
 void search_group(NearestContext& context, const GroupScene& group) {
   context.group = &group;
-  PointContext inner{&context, nullptr, false, 0, context.failure};
+  PointContext inner{&context, nullptr, false};
   if (context.room.size() > 1) {
     search(group.embree, context.point, context.radius, inner);
     return;
@@ -78,13 +76,12 @@ void search_group(NearestContext& context, const GroupScene& group) {
     context.radius = std::min(context.radius, hinted);
   }
   search(group.embree, context.point, context.radius, inner);
-  if (context.failure->any()) return;
   if (known == NearestHints::kNone && context.found == 1) group.remember(context.room[0].box, hint);
 }
 
 void search_group(RegionContext& context, const GroupScene& group) {
   context.group = &group;
-  PointContext inner{nullptr, &context, false, 0, context.failure};
+  PointContext inner{nullptr, &context, false};
   search(group.embree, context.center, context.radius, inner);
 }
 
@@ -101,21 +98,22 @@ bool visit_nearest(RTCPointQueryFunctionArguments* args, NearestContext& context
     search_group(context, visit.scene());
   }
   if (context.radius == before) return false;
-  args->query->radius = float_up(context.radius + slack);
+  args->query->radius = float_up(std::max(0.0, context.radius + slack));
   return true;
 }
 
 bool visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, bool top) {
-  if (context.too_many()) return false;
+  if (context.ended) return false;
   if (!top) {
     if (overlap(*context.region, context.group->grown[args->primID])) {
       context.found.push_back(context.group->box[args->primID]);
+      context.ended = context.found.size() > context.most;
     }
   } else if (overlap(*context.region, context.impl->group_extent[args->primID])) {
     const Visit visit(*context.impl, args->primID);
     search_group(context, visit.scene());
   }
-  if (!context.too_many()) return false;
+  if (!context.ended) return false;
   args->query->radius = 0;  // leaves little to visit
   return true;
 }
@@ -124,17 +122,16 @@ bool visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, 
 
 bool visit_candidate(RTCPointQueryFunctionArguments* args) noexcept {
   const auto& context = *static_cast<PointContext*>(args->userPtr);
-  bool shrunk = false;
-  if (!context.failure->any()) {
-    try {
-      shrunk = context.nearest ? visit_nearest(args, *context.nearest, context.top, context.slack)
-                               : visit_region(args, *context.region, context.top);
-    } catch (...) {
-      context.failure->keep_current();
-    }
+  try {
+    if (context.nearest) return visit_nearest(args, *context.nearest, context.top, context.slack);
+    return visit_region(args, *context.region, context.top);
+  } catch (...) {
+    (context.nearest ? context.nearest->failure : context.region->failure)->keep_current();
   }
-  if (!context.failure->any()) return shrunk;
-  args->query->radius = 0;  // leaves little to visit, and that is not looked at
+  // What is still called looks at nothing.
+  if (context.nearest) context.nearest->radius = -1;
+  if (context.region) context.region->ended = true;
+  args->query->radius = 0;
   return true;
 }
 
@@ -145,7 +142,7 @@ std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radiu
   if (impl.groups.size() == 1) {
     search_group(context, impl.touch(0));
   } else {
-    PointContext point{&context, nullptr, true, 0, &failure};
+    PointContext point{&context, nullptr, true};
     search(impl.top, p, radius, point);
   }
   failure.rethrow();
@@ -162,11 +159,11 @@ std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl,
   if (impl.groups.size() == 1) {
     search_group(context, impl.touch(0));
   } else {
-    PointContext point{nullptr, &context, true, 0, &failure};
+    PointContext point{nullptr, &context, true};
     search(impl.top, center, radius, point);
   }
   failure.rethrow();
-  if (context.too_many()) return std::nullopt;
+  if (context.found.size() > most) return std::nullopt;
   std::sort(context.found.begin(), context.found.end());
   return std::move(context.found);
 }

@@ -1,10 +1,31 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "embree_groups.h"
 #include "embree_queries.h"
 #include "geom/collision.h"
+#include "geom/error.h"
+#include "geom/precondition.h"
 
 namespace geom {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+[[noreturn]] void refuse(const Aabb& region) {
+  throw InputError("region", fmt::format("expected min <= max, found [{}, {}, {}] to [{}, {}, {}]",
+                                         region.min[0], region.min[1], region.min[2], region.max[0],
+                                         region.max[1], region.max[2]));
+}
+
+bool is_near(const Aabb& region) {
+  return region.min.lpNorm<1>() + region.max.lpNorm<1>() <= kFarthest;
+}
+
+}  // namespace
 
 CollisionScene::CollisionScene(BoxMap map, Vehicle vehicle, double margin,
                                const CollisionOptions& options)
@@ -24,6 +45,7 @@ bool CollisionScene::inside_bounds(const Vec3& p) const {
 }
 
 bool CollisionScene::hits(const Vec3& a, const Vec3& b) const {
+  require_points("segment", a, b);
   if (impl_->groups.empty()) return false;
   return hits_any(*impl_, a, b);
 }
@@ -33,7 +55,9 @@ bool CollisionScene::free(const Vec3& a, const Vec3& b) const {
 }
 
 std::size_t CollisionScene::nearest(const Vec3& p, double radius, std::span<Nearest> room) const {
-  if (impl_->groups.empty() || room.empty()) return 0;
+  require_point("point", p);
+  if (std::isnan(radius)) refuse_length("radius", radius, kInfinity);
+  if (impl_->groups.empty() || room.empty() || radius < 0) return 0;
   return find_nearest(*impl_, p, radius, room);
 }
 
@@ -56,8 +80,13 @@ std::vector<std::size_t> CollisionScene::boxes_meeting(const Aabb& region) const
 
 std::optional<std::vector<std::size_t>> CollisionScene::boxes_meeting(const Aabb& region,
                                                                       std::size_t most) const {
+  if (!(region.min.array() <= region.max.array()).all()) refuse(region);  // NaN is not <= either
   if (impl_->groups.empty()) return std::vector<std::size_t>();
-  return find_meeting(*impl_, region, most);
+  if (is_near(region)) return find_meeting(*impl_, region, most);
+  // What is cut off has no boxes.
+  if (!overlap(region, impl_->reach)) return std::vector<std::size_t>();
+  const Aabb part{region.min.cwiseMax(impl_->reach.min), region.max.cwiseMin(impl_->reach.max)};
+  return find_meeting(*impl_, part, most);
 }
 
 Aabb CollisionScene::grown(std::size_t i) const { return grow(impl_->map.box(i), impl_->half); }

@@ -13,7 +13,6 @@ struct SegmentContext {
   const GroupScene* group;
 };
 
-// False where it failed, too.
 bool hits_group(const SegmentContext& outer, const GroupScene& group) {
   if (group.skyline.clears(*outer.a, *outer.b)) return false;
   SegmentContext inner = outer;
@@ -22,7 +21,8 @@ bool hits_group(const SegmentContext& outer, const GroupScene& group) {
   return occluded(group.embree, *outer.a, *outer.b, inner.rtc);
 }
 
-// Marks a hit where there is one, and where it cannot be told: that ends the search.
+// Marks a hit where there is one, and where it cannot be told: that ends the search, on both
+// levels.
 template <class Decide>
 void decide(const RTCOccludedFunctionNArguments* args, const SegmentContext& context,
             const Decide& hit) noexcept {
@@ -30,8 +30,8 @@ void decide(const RTCOccludedFunctionNArguments* args, const SegmentContext& con
     if (hit()) mark_hit(args);
   } catch (...) {
     context.failure->keep_current();
+    mark_hit(args);
   }
-  if (context.failure->any()) mark_hit(args);
 }
 
 }  // namespace

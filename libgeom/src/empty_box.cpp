@@ -6,6 +6,8 @@
 #include <set>
 #include <vector>
 
+#include "geom/error.h"
+
 namespace geom {
 namespace {
 
@@ -69,6 +71,10 @@ Aabb greedy(Aabb box, const Aabb& seed, std::span<const Aabb> obstacles) {
 
 std::optional<EmptyBox> empty_box(const Aabb& seed, const Aabb& limits,
                                   std::span<const Aabb> obstacles, std::size_t most_cuts) {
+  for (const Aabb& obstacle : obstacles) {
+    if ((obstacle.min.array() <= obstacle.max.array()).all()) continue;
+    throw InputError("obstacle", "expected min <= max on every axis, found a box without");
+  }
   if (!contains(limits, seed.min) || !contains(limits, seed.max)) return std::nullopt;
   for (const Aabb& obstacle : obstacles) {
     if (overlap(seed, obstacle)) return std::nullopt;

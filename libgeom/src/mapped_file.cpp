@@ -5,10 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <fstream>
-#include <map>
 #include <mutex>
+#include <stdexcept>
 #include <system_error>
 
 #include "geom/error.h"
@@ -16,16 +17,51 @@
 namespace geom {
 namespace {
 
+// One mapping of the process. Nodes are never freed but used again, and a node's path and size are
+// there before its address is, so that a signal handler may go through them at any time.
+struct Mapping {
+  std::atomic<const std::byte*> at = nullptr;  // null: free
+  std::atomic<std::size_t> size = 0;
+  std::string path;
+  FileState opened;  // as the file was then
+  int file = -1;
+  Mapping* next = nullptr;
+};
+
 // All that is mapped: the address space is the process's too.
 struct Mappings {
-  std::mutex mutex;
-  std::map<const std::byte*, std::size_t> size;
+  std::mutex mutex;  // guards every change
+  std::atomic<Mapping*> first = nullptr;
   std::size_t total = 0;
 };
 
 Mappings& mappings() {
   static Mappings all;
   return all;
+}
+
+Mapping& free_node() {
+  for (Mapping* node = mappings().first; node; node = node->next) {
+    if (!node->at) return *node;
+  }
+  auto* const node = new Mapping;
+  node->next = mappings().first;
+  mappings().first = node;
+  return *node;
+}
+
+std::int64_t nanoseconds(const timespec& t) { return t.tv_sec * 1000000000LL + t.tv_nsec; }
+
+FileState state_of(const struct stat& info) {
+  return {info.st_dev, info.st_ino, static_cast<std::uint64_t>(info.st_size),
+          nanoseconds(info.st_mtim), nanoseconds(info.st_ctim)};
+}
+
+bool is_as_it_was(const Mapping& mapping) {
+  struct stat info {};
+  if (fstat(mapping.file, &info) != 0) return false;
+  const FileState now = state_of(info);
+  return now.size == mapping.opened.size && now.modified == mapping.opened.modified;
 }
 
 // Bytes of files (code among them) that the process holds; all that are mapped where the system
@@ -37,13 +73,6 @@ std::size_t held(std::size_t mapped) {
   std::size_t shared = 0;
   if (!(statm >> size >> resident >> shared)) return mapped;
   return shared * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-}
-
-std::int64_t nanoseconds(const timespec& t) { return t.tv_sec * 1000000000LL + t.tv_nsec; }
-
-FileState state_of(const struct stat& info) {
-  return {info.st_dev, info.st_ino, static_cast<std::uint64_t>(info.st_size),
-          nanoseconds(info.st_mtim), nanoseconds(info.st_ctim)};
 }
 
 }  // namespace
@@ -60,32 +89,67 @@ MappedFile::MappedFile(const std::string& path) {
     close(file);
     throw InputError(path, "expected a file with something in it, found an empty or special one");
   }
+  const std::lock_guard lock(mappings().mutex);
+  Mapping* node = nullptr;
+  try {
+    node = &free_node();
+    node->path = path;
+  } catch (...) {
+    close(file);
+    throw;
+  }
   const auto size = static_cast<std::size_t>(info.st_size);
   void* const at = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-  const int error = errno;
-  close(file);
-  if (at == MAP_FAILED)
+  if (at == MAP_FAILED) {
+    const int error = errno;
+    close(file);
     throw std::system_error(error, std::generic_category(), "cannot map " + path);
+  }
   bytes_ = {static_cast<const std::byte*>(at), size};
   state_ = state_of(info);
-  const std::lock_guard lock(mappings().mutex);
-  mappings().size[bytes_.data()] = size;
+  node->file = file;
+  node->opened = state_;
+  node->size = size;
+  node->at = bytes_.data();
   mappings().total += size;
 }
 
 MappedFile::~MappedFile() {
   const std::lock_guard lock(mappings().mutex);
-  mappings().size.erase(bytes_.data());
+  for (Mapping* node = mappings().first; node; node = node->next) {
+    if (node->at != bytes_.data()) continue;
+    node->at = nullptr;
+    close(node->file);
+  }
   mappings().total -= bytes_.size();
   munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
+}
+
+const char* mapped_file_at(const void* address) noexcept {
+  const auto* const at = static_cast<const std::byte*>(address);
+  for (const Mapping* node = mappings().first; node; node = node->next) {
+    const std::byte* const begin = node->at;
+    if (begin && at >= begin && at < begin + node->size) return node->path.c_str();
+  }
+  return nullptr;
+}
+
+void require_mapped_files_unchanged() {
+  const std::lock_guard lock(mappings().mutex);
+  for (const Mapping* node = mappings().first; node; node = node->next) {
+    if (node->at && !is_as_it_was(*node)) {
+      throw std::runtime_error(node->path + " was changed while it was read");
+    }
+  }
 }
 
 void trim_mapped_files(std::size_t most) {
   const std::lock_guard lock(mappings().mutex);
   if (mappings().total <= most || held(mappings().total) <= most) return;
-  for (const auto& [at, size] : mappings().size) {
+  for (const Mapping* node = mappings().first; node; node = node->next) {
     // Read-only pages of a file lose nothing; should this fail, they stay.
-    static_cast<void>(madvise(const_cast<std::byte*>(at), size, MADV_DONTNEED));
+    const std::byte* const at = node->at;
+    if (at) static_cast<void>(madvise(const_cast<std::byte*>(at), node->size, MADV_DONTNEED));
   }
 }
 

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -15,27 +17,33 @@ void parallel_for(std::size_t n, const Execution& run, const std::function<void(
   std::size_t failed_at = n;
   std::exception_ptr failure;
   std::mutex mutex;
-  const auto work = [&] {
+  const auto failed = [&](std::size_t i) noexcept {
+    const std::lock_guard lock(mutex);
+    if (i < failed_at) {
+      failed_at = i;
+      failure = std::current_exception();
+    }
+    next.store(n);
+  };
+  const auto work = [&]() noexcept {
     for (std::size_t i; (i = next.fetch_add(1)) < n;) {
-      std::exception_ptr caught;
       try {
         f(i);
+        if (!run.progress) continue;
+        const std::lock_guard lock(mutex);
+        run.progress(++done, n);
       } catch (...) {
-        caught = std::current_exception();
+        failed(i);
       }
-      if (!caught && !run.progress) continue;
-      const std::lock_guard lock(mutex);
-      if (caught && i < failed_at) {
-        failed_at = i;
-        failure = caught;
-      }
-      if (caught) next.store(n);
-      if (run.progress) run.progress(++done, n);
     }
   };
   std::vector<std::jthread> workers;
   const std::size_t count = std::min<std::size_t>(run.threads, n);
-  for (std::size_t w = 1; w < count; ++w) workers.emplace_back(work);
+  try {
+    for (std::size_t w = 1; w < count; ++w) workers.emplace_back(work);
+  } catch (const std::system_error&) {  // no more threads: those that there are do the work
+  } catch (const std::bad_alloc&) {
+  }
   work();
   workers.clear();
   if (failure) std::rethrow_exception(failure);

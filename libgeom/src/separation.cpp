@@ -5,11 +5,20 @@
 #include <array>
 #include <limits>
 
+#include "geom/precondition.h"
+
 namespace geom {
 namespace {
 
 constexpr double kSmallGap = 1e-3;     // metres: below it the nearest points say little
 constexpr double kLargestPull = 1e-3;  // metres
+
+void require(const Vec3& from, const Vec3& to, const Aabb& box) {
+  require_point("segment", from);
+  require_point("segment", to);
+  require_point("box", box.min);
+  require_point("box", box.max);
+}
 
 double lower_support(const Aabb& box, const Vec3& n) {
   double sum = 0;
@@ -69,6 +78,7 @@ Separation best_axis(const Vec3& from, const Vec3& to, const Aabb& box) {
 }  // namespace
 
 Separation separation(const Vec3& from, const Vec3& to, const Aabb& box) {
+  require(from, to, box);
   const Vec3 step = to - from;
   const Vec3 p = from + nearest_parameter(from, step, box) * step;
   const Vec3 gap = to_box(p, box);
@@ -85,6 +95,7 @@ bool behind(const Aabb& box, const Plane& plane) {
 }
 
 double distance(const Vec3& from, const Vec3& to, const Aabb& box) {
+  require(from, to, box);
   return to_box(from + nearest_parameter(from, to - from, box) * (to - from), box).norm();
 }
 

@@ -54,8 +54,8 @@ class Skyline {
   static constexpr int kSide = 64;
   static constexpr int kMostCells = 48;
 
-  int cell(double v, int axis) const {
-    return static_cast<int>(std::clamp((v - low_[axis]) * per_metre_, 0.0, kSide - 1.0));
+  int cell(double v, int axis) const {  // in the order that takes what is not a number to 0
+    return static_cast<int>(std::max(0.0, std::min(kSide - 1.0, (v - low_[axis]) * per_metre_)));
   }
 
   Eigen::Vector2d low_;

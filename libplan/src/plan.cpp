@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "geom/error.h"
+#include "geom/precondition.h"
 #include "lattice_level.h"
 #include "plan/build_lattice.h"
 #include "plan/shortcut.h"
@@ -333,6 +334,10 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
 }
 
 PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+  geom::require_point("start", from);
+  geom::require_point("goal", to);
+  geom::require_length("snap_ends", options.snap_ends, geom::kLargestCoordinate);
+  geom::require_length("resample", options.resample, geom::kLargestCoordinate);
   Vec3 ends[] = {from, to};
   std::optional<Vec3> snapped[2];
   for (int i = 0; i < 2; ++i) {

@@ -1,5 +1,7 @@
 #include "traj/check.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -8,12 +10,27 @@
 #include "check_limits.h"
 #include "check_place.h"
 #include "curve_piece.h"
+#include "geom/error.h"
 #include "least_clearance.h"
 #include "traj/continuity.h"
 #include "traj/domain.h"
 
 namespace traj {
 namespace {
+
+// A comparison with what is not a number holds whatever it is compared with.
+void require_numbers(const CheckOptions& options) {
+  const auto require = [](const char* what, double value) {
+    if (value >= 0) return;
+    throw geom::InputError(what, fmt::format("expected a number >= 0, found {}", value));
+  };
+  require("limit_slack", options.limit_slack);
+  require("position_gap", options.position_gap);
+  require("velocity_gap", options.velocity_gap);
+  require("acceleration_gap", options.acceleration_gap);
+  require("yaw_gap", options.yaw_gap);
+  require("yaw_rate_gap", options.yaw_rate_gap);
+}
 
 // Of the yaw (order 0) or its rate at a joint; one without yaw goes with any.
 double yaw_jump(const Segment& s, const Segment& next, int order) {
@@ -77,6 +94,7 @@ std::vector<Piece> strayed_pieces(const Trajectory& trajectory, std::span<const 
 
 CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
                   const CheckOptions& options) {
+  require_numbers(options);
   CheckResult result;
   if (const auto outside = outside_domain(trajectory, options.limits)) {
     note(result, outside->reason, {outside->value, outside->time, Vec3::Zero()});

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <exception>
 #include <mutex>
+#include <new>
 #include <span>
 #include <stdexcept>
 
@@ -47,28 +49,30 @@ class Adapter : public Ipopt::TNLP {
   }
 
   bool eval_f(Index n, const Number* x, bool, Number& value) override {
-    value = nlp_.objective(all(x, n));
-    return std::isfinite(value);
+    return kept([&] {
+      value = nlp_.objective(all(x, n));
+      return std::isfinite(value);
+    });
   }
 
   bool eval_grad_f(Index n, const Number* x, bool, Number* out) override {
-    return copied(nlp_.gradient(all(x, n)), out);
+    return kept([&] { return copied(nlp_.gradient(all(x, n)), out); });
   }
 
   bool eval_g(Index n, const Number* x, bool, Index, Number* out) override {
-    return copied(nlp_.constraint_values(all(x, n)), out);
+    return kept([&] { return copied(nlp_.constraint_values(all(x, n)), out); });
   }
 
   bool eval_jac_g(Index n, const Number* x, bool, Index, Index, Index* row, Index* column,
                   Number* out) override {
     if (!out) return entries(nlp_.jacobian_entries(), row, column);
-    return copied(nlp_.jacobian(all(x, n)), out);
+    return kept([&] { return copied(nlp_.jacobian(all(x, n)), out); });
   }
 
   bool eval_h(Index n, const Number* x, bool, Number factor, Index m, const Number* multipliers,
               bool, Index, Index* row, Index* column, Number* out) override {
     if (!out) return entries(nlp_.hessian_entries(), row, column);
-    return copied(nlp_.hessian(all(x, n), factor, all(multipliers, m)), out);
+    return kept([&] { return copied(nlp_.hessian(all(x, n), factor, all(multipliers, m)), out); });
   }
 
   // The last digits of the optimum cost most of the iterations and are not worth them: stops when
@@ -77,6 +81,39 @@ class Adapter : public Ipopt::TNLP {
                              Number infeasibility, Number, Number mu, Number, Number, Number,
                              Number, Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
+    return kept([&] { return goes_on(mode, iteration, objective, infeasibility, mu); });
+  }
+
+  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*,
+                         const Number*, Index, const Number*, const Number*, Number,
+                         const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
+    kept([&] {
+      outcome_.x.assign(x, x + n);
+      return true;
+    });
+  }
+
+  // Once Ipopt has returned: what went wrong in any of these.
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  // Ipopt takes an exception for a failed evaluation, and looks elsewhere: it is kept, and the
+  // solve ends (intermediate_callback() comes once an iteration).
+  template <class F>
+  bool kept(const F& f) noexcept {
+    if (failure_) return false;
+    try {
+      return f();
+    } catch (...) {
+      failure_ = std::current_exception();
+      return false;
+    }
+  }
+
+  bool goes_on(Ipopt::AlgorithmMode mode, Index iteration, Number objective, Number infeasibility,
+               Number mu) {
     outcome_.iterations = iteration;
     if (mode != Ipopt::RegularMode) recent_.clear();
     recent_.push_back(objective);
@@ -86,13 +123,6 @@ class Adapter : public Ipopt::TNLP {
     return *most - *least >= 1e-3 * std::max(1.0, std::abs(objective));
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*,
-                         const Number*, Index, const Number*, const Number*, Number,
-                         const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
-    outcome_.x.assign(x, x + n);
-  }
-
- private:
   static std::span<const double> all(const Number* x, Index n) {
     return {x, static_cast<std::size_t>(n)};
   }
@@ -111,6 +141,7 @@ class Adapter : public Ipopt::TNLP {
   const Nlp& nlp_;
   IpoptOutcome& outcome_;
   std::deque<double> recent_;
+  std::exception_ptr failure_;
 };
 
 std::string words(Ipopt::ApplicationReturnStatus status) {
@@ -170,8 +201,13 @@ IpoptOutcome ipopt_solve(const Nlp& nlp, int max_iterations) {
   if (app->Initialize(std::string()) != Ipopt::Solve_Succeeded) {
     throw std::runtime_error("Ipopt could not be initialised");
   }
-  const Ipopt::SmartPtr<Ipopt::TNLP> adapter = new Adapter(nlp, outcome);
-  outcome.status = words(app->OptimizeTNLP(adapter));
+  const Ipopt::SmartPtr<Adapter> adapter = new Adapter(nlp, outcome);
+  const Ipopt::ApplicationReturnStatus status =
+      app->OptimizeTNLP(Ipopt::SmartPtr<Ipopt::TNLP>(Ipopt::GetRawPtr(adapter)));
+  adapter->rethrow();
+  // No answer: with more memory there would be another.
+  if (status == Ipopt::Insufficient_Memory) throw std::bad_alloc();
+  outcome.status = words(status);
   return outcome;
 }
 

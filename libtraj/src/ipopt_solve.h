@@ -16,7 +16,8 @@ struct IpoptOutcome {
 };
 
 // One at a time in a process: MUMPS crashes when two threads solve at once, so calls wait for each
-// other. Prints nothing and reads no option file.
+// other. Prints nothing and reads no option file. Throws what the problem's functions throw, and
+// std::bad_alloc where the solver's memory runs out.
 IpoptOutcome ipopt_solve(const Nlp& nlp, int max_iterations);
 
 }  // namespace traj

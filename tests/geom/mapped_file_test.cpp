@@ -4,7 +4,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -81,6 +83,33 @@ TEST_F(MappedFileTest, IsForgottenOnceClosed) {
   trim_mapped_files(0);
   EXPECT_EQ(place[kSize / 2], std::byte{'y'});
   munmap(taken, kSize);
+}
+
+TEST_F(MappedFileTest, IsKnownByItsAddresses) {
+  const std::byte* at = nullptr;
+  {
+    const MappedFile file(path_);
+    at = file.bytes().data();
+    EXPECT_STREQ(mapped_file_at(at), path_.c_str());
+    EXPECT_STREQ(mapped_file_at(at + kSize - 1), path_.c_str());
+    EXPECT_EQ(mapped_file_at(at + kSize), nullptr);
+    EXPECT_EQ(mapped_file_at(at - 1), nullptr);
+    EXPECT_EQ(mapped_file_at(nullptr), nullptr);
+  }
+  EXPECT_EQ(mapped_file_at(at), nullptr);
+}
+
+TEST_F(MappedFileTest, IsSeenToHaveChanged) {
+  {
+    const MappedFile file(path_);
+    EXPECT_NO_THROW(require_mapped_files_unchanged());
+    std::ofstream(folder_ / "new") << "another";
+    std::filesystem::rename(folder_ / "new", path_);  // a new file of the name: the old one stays
+    EXPECT_NO_THROW(require_mapped_files_unchanged());
+  }
+  const MappedFile file(path_);
+  ASSERT_EQ(truncate(path_.c_str(), 3), 0);
+  EXPECT_THROW(require_mapped_files_unchanged(), std::runtime_error);
 }
 
 TEST_F(MappedFileTest, RefusesWhatCannotBeMapped) {

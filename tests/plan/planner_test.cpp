@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "geom/error.h"
 #include "geom/parallel.h"
 #include "plan/build_lattice.h"
@@ -37,6 +39,26 @@ TEST(Planner, IsTheStraightLineWhereThatIsFree) {
   EXPECT_EQ(result.method, "straight");
   EXPECT_EQ(result.resolution, 0);
   EXPECT_EQ(result.path, (geom::Polyline{{2, 2, 2}, {38, 2, 2}}));
+}
+
+TEST(Planner, RefusesEndsAndLengthsThatAreNone) {
+  const auto scene = tower();
+  for (const double wrong : {double{NAN}, -double{NAN}, HUGE_VAL, -HUGE_VAL, 1e10, 1e300}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 p(2, 2, 2);
+      p[axis] = wrong;
+      EXPECT_THROW(planned(scene, p, {38, 2, 2}), geom::InputError) << wrong;
+      EXPECT_THROW(planned(scene, {38, 2, 2}, p), geom::InputError) << wrong;
+    }
+  }
+  for (const double wrong : {double{NAN}, -1.0, HUGE_VAL}) {
+    PlanOptions options;
+    options.snap_ends = wrong;
+    EXPECT_THROW(planned(scene, {2, 2, 2}, {38, 2, 2}, options), geom::InputError) << wrong;
+    options = {};
+    options.resample = wrong;
+    EXPECT_THROW(planned(scene, {2, 2, 2}, {38, 2, 2}, options), geom::InputError) << wrong;
+  }
 }
 
 TEST(Planner, GoesRoundAnObstacle) {

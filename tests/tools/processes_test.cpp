@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,31 @@ TEST(Processes, HandOnErrorsAfterWhatCameBefore) {
     EXPECT_STREQ(error.what(), "paths:6: expected: a point");
   }
   EXPECT_EQ(taken.size(), 5u);
+}
+
+// Never a record less: what a worker could not do is thrown, whatever came before.
+TEST(Processes, HandOnThatMemoryRanOut) {
+  std::size_t taken = 0;
+  const auto work = [](std::size_t i) -> std::string {
+    if (i == 4) throw std::bad_alloc();
+    return "x";
+  };
+  EXPECT_THROW(in_processes(9, 3, work, [&](std::size_t, const std::string&) { ++taken; }),
+               std::bad_alloc);
+  EXPECT_EQ(taken, 4u);
+}
+
+TEST(Processes, SayThatOneWasKilledForItsMemory) {
+  const auto work = [](std::size_t i) {
+    if (i == 3) std::raise(SIGKILL);
+    return std::string("x");
+  };
+  try {
+    all(4, 2, work);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("memory"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Processes, SayWhereOneDied) {

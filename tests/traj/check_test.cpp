@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
 
 #include "geom/error.h"
 #include "scenes.h"
@@ -47,6 +49,43 @@ TEST(Check, AcceptsAClearCurveAndMeasuresItsClearance) {
   ASSERT_TRUE(result.clearance);
   EXPECT_NEAR(result.clearance->value, 2.5, 1.1e-3);
   EXPECT_NEAR(result.speed->value, 20.0 / 8 * 35 / 16, 1e-3);
+}
+
+TEST(Check, SaysNoYesToWhatIsNotANumber) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const LimitField& field : kLimitFields) {
+    for (const double wrong : {nan, -nan, -1.0}) {
+      Limits limits;
+      limits.*field.member = wrong;
+      EXPECT_EQ(check(scene, line, limits).reason, "limits") << field.name;
+    }
+  }
+  for (double CheckOptions::*member :
+       {&CheckOptions::position_gap, &CheckOptions::velocity_gap, &CheckOptions::acceleration_gap,
+        &CheckOptions::yaw_gap, &CheckOptions::yaw_rate_gap, &CheckOptions::limit_slack}) {
+    CheckOptions options;
+    options.*member = nan;
+    EXPECT_THROW(check(scene, line, options), geom::InputError);
+  }
+  const double wrongs[] = {nan, INFINITY, -INFINITY, 1e10, 1e155, 1e300, -1.7e308};
+  for (const double wrong : wrongs) {
+    for (int i = 0; i < kPoints; ++i) {
+      Trajectory t = line;
+      t.segments.push_back(t.segments[0]);
+      t.segments[1].point[static_cast<std::size_t>(i)].z() = wrong;
+      EXPECT_FALSE(check(scene, t, Limits{}).ok) << wrong;
+    }
+    const Vec3 path[] = {{-10, 4, 0}, {10, 4, wrong}};
+    EXPECT_EQ(check_path(scene, path).reason, "coordinates") << wrong;
+    EXPECT_EQ(check_path(scene, std::span(path).last(1)).reason, "coordinates") << wrong;
+  }
+  for (const double duration : {nan, 0.0, -1.0, INFINITY}) {
+    Trajectory t = line;
+    t.segments[0].duration = duration;
+    EXPECT_FALSE(check(scene, t, Limits{}).ok) << duration;
+  }
 }
 
 TEST(Check, NamesPlaceTimeAndBoxOfTheWorstCollision) {

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <system_error>
 #include <vector>
 
@@ -20,7 +21,7 @@
 namespace cli {
 namespace {
 
-enum class Kind : std::uint8_t { result, bad_input, usage, failed };
+enum class Kind : std::uint8_t { result, bad_input, usage, out_of_memory, failed };
 
 struct Frame {
   Kind kind = Kind::result;
@@ -61,6 +62,8 @@ Frame run(const std::function<std::string(std::size_t)>& work, std::size_t i) {
     return {Kind::bad_input, error.what()};
   } catch (const UsageError& error) {
     return {Kind::usage, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {Kind::out_of_memory, {}};
   } catch (const std::exception& error) {
     return {Kind::failed, error.what()};
   }
@@ -130,7 +133,7 @@ class Child {
       frame.text.resize(size);
     }
     if (!whole || !read_all(from_, frame.text.data(), size)) {
-      throw std::runtime_error("a worker process ended early");
+      throw std::runtime_error(how_it_ended());
     }
     switch (frame.kind) {
       case Kind::result:
@@ -141,12 +144,29 @@ class Child {
       }
       case Kind::usage:
         throw UsageError(frame.text);
+      case Kind::out_of_memory:
+        throw std::bad_alloc();
       default:
         throw std::runtime_error(frame.text);
     }
   }
 
  private:
+  // The pipe is closed, so the child has ended or is about to.
+  std::string how_it_ended() {
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    process_ = 0;
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) {
+      return "a worker process was killed, perhaps for want of memory: fewer --threads need less";
+    }
+    if (WIFSIGNALED(status)) {
+      return fmt::format("a worker process was ended by signal {}", WTERMSIG(status));
+    }
+    return fmt::format("a worker process ended early (exit {})", WEXITSTATUS(status));
+  }
+
   pid_t process_ = 0;
   int from_ = -1;
 };

@@ -10,7 +10,8 @@ namespace cli {
 
 // Calls work(i) for i in [0, n) in up to `count` child processes, which see what this one holds by
 // now, and take(i, result) here, in order, as soon as results are there. An InputError, UsageError
-// or other exception of work() is thrown here once all before it were taken. With one process or
+// std::bad_alloc or other exception of work() is thrown here once all before it were taken, and
+// std::runtime_error in place of the results of a process that was killed. With one process or
 // one item nothing is forked. Call before any thread is running: children have only the caller's.
 void in_processes(std::size_t n, unsigned count,
                   const std::function<std::string(std::size_t)>& work,

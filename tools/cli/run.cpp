@@ -9,9 +9,12 @@
 #include <thread>
 
 #include "completion.h"
+#include "cut_file.h"
+#include "cut_file.h"
 #include "files.h"
 #include "geom/error.h"
 #include "geom/excerpt.h"
+#include "geom/mapped_file.h"
 #include "option_check.h"
 #include "output_option.h"
 #include "recognise.h"
@@ -95,6 +98,7 @@ Exit run(const CLI::App& app, const std::function<Exit()>& body) {
   RunFiles& files = *RunFiles::current();
   expect_outputs(files);
   const Exit exit = body();
+  geom::require_mapped_files_unchanged();  // what is written was made of them
   write_time(app, begin);
   files.publish();
   return exit;
@@ -156,6 +160,8 @@ void complain(std::string_view tool, std::string_view message) {
 
 int run_tool(CLI::App& app, int argc, char** argv, const std::function<Exit()>& body) {
   prepare_standard_streams();
+  static const std::string name = app.get_name();
+  end_where_a_file_is_cut(name.c_str());
   app.set_version_flag("--version", app.get_name() + " " SKYWAY_VERSION);
   add_completion(app);
   RunFiles files;

@@ -37,13 +37,23 @@ struct PictureScene::Embree {
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene scene = device ? rtcNewScene(device) : nullptr;
 
+  // Never released where this throws: a process whose memory ran out while Embree started ends.
   Embree() {
-    if (!scene) throw std::runtime_error("Embree does not start on this processor");
+    if (!scene) {
+      throw_on_error(device);
+      throw std::runtime_error("Embree does not start on this processor");
+    }
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   }
   ~Embree() {
     rtcReleaseScene(scene);
     rtcReleaseDevice(device);
+  }
+
+  RTCGeometry new_geometry(RTCGeometryType type) {
+    RTCGeometry geometry = rtcNewGeometry(device, type);
+    if (!geometry) throw std::bad_alloc();
+    return geometry;
   }
 
   template <class T>
@@ -61,7 +71,7 @@ struct PictureScene::Embree {
   }
 
   void add_boxes(std::span<const geom::Aabb> boxes, const Vec3& middle) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
+    RTCGeometry geometry = new_geometry(RTC_GEOMETRY_TYPE_QUAD);
     auto* corner =
         buffer<Corner>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 8 * boxes.size());
     auto* face = buffer<std::array<std::uint32_t, 4>>(geometry, RTC_BUFFER_TYPE_INDEX,
@@ -82,7 +92,7 @@ struct PictureScene::Embree {
   }
 
   void add_tubes(const Tubes& tubes, const Vec3& middle, unsigned id) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
+    RTCGeometry geometry = new_geometry(RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
     auto* point = buffer<Eigen::Vector4f>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4,
                                           2 * tubes.edges.size());
     auto* index =

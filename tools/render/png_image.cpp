@@ -4,8 +4,11 @@
 #include <png.h>
 
 #include <cmath>
+#include <csetjmp>
+#include <exception>
 #include <functional>
 #include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "geom/error.h"
@@ -19,13 +22,34 @@ struct Layout {
   int bytes_a_pixel;
 };
 
-void append(png_structp png, png_bytep bytes, std::size_t count) {
-  static_cast<std::string*>(png_get_io_ptr(png))
-      ->append(reinterpret_cast<const char*>(bytes), count);
+struct Written {
+  std::string bytes;
+  std::exception_ptr failure;
+};
+
+// libpng is C, and nothing is thrown through it: what goes wrong is kept, and libpng told.
+void append(png_structp png, png_bytep bytes, std::size_t count) noexcept {
+  auto& out = *static_cast<Written*>(png_get_io_ptr(png));
+  try {
+    out.bytes.append(reinterpret_cast<const char*>(bytes), count);
+    return;
+  } catch (...) {
+    out.failure = std::current_exception();
+  }
+  png_error(png, "out of memory");
 }
 
-[[noreturn]] void refuse(png_structp, png_const_charp message) {
-  throw std::runtime_error(std::string("cannot write PNG: ") + message);
+void refuse(png_structp png, png_const_charp message) noexcept {
+  auto& out = *static_cast<Written*>(png_get_error_ptr(png));
+  if (!out.failure) {
+    try {
+      out.failure =
+          std::make_exception_ptr(std::runtime_error(std::string("cannot write PNG: ") + message));
+    } catch (...) {
+      out.failure = std::current_exception();
+    }
+  }
+  png_longjmp(png, 1);
 }
 
 struct Destroy {
@@ -33,25 +57,19 @@ struct Destroy {
   void operator()(png_structp png) { png_destroy_write_struct(&png, &info); }
 };
 
-// `row(y)` gives the bytes of a row.
-std::string encoded(const Picture& picture, const Layout& layout,
-                    const std::function<png_const_bytep(int)>& row) {
-  std::string out;
-  std::unique_ptr<png_struct, Destroy> png(
-      png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, refuse, nullptr));
-  if (!png) throw std::bad_alloc();
-  png_infop info = png_create_info_struct(png.get());
-  if (!info) throw std::bad_alloc();
-  png.get_deleter().info = info;
-  png_set_write_fn(png.get(), &out, append, nullptr);
-  png_set_compression_level(png.get(), 3);  // flat colours: more is slow and little smaller
-  png_set_IHDR(png.get(), info, static_cast<png_uint_32>(picture.width),
+// `row(y)` gives the bytes of a row. False where libpng refused: it then leaves this by a jump, so
+// that there must be nothing here to destroy.
+bool write_all(png_structp png, png_infop info, const Picture& picture, const Layout& layout,
+               const std::function<png_const_bytep(int)>& row) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_compression_level(png, 3);  // flat colours: more is slow and little smaller
+  png_set_IHDR(png, info, static_cast<png_uint_32>(picture.width),
                static_cast<png_uint_32>(picture.height), layout.bits, layout.kind,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_write_info(png.get(), info);
-  for (int y = 0; y < picture.height; ++y) png_write_row(png.get(), row(y));
-  png_write_end(png.get(), info);
-  return out;
+  png_write_info(png, info);
+  for (int y = 0; y < picture.height; ++y) png_write_row(png, row(y));
+  png_write_end(png, info);
+  return true;
 }
 
 // Rows of what `put(pixel, bytes)` makes of each pixel.

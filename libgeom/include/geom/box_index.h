@@ -17,8 +17,9 @@ namespace geom {
 // cost no more than others.
 class BoxIndex {
  public:
-  // `cell`: metres, about the size of a box and its surroundings.
-  explicit BoxIndex(double cell) : cell_(cell) {}
+  // `cell`: metres, about the size of a box and its surroundings. InputError where it is not from
+  // 1e-6 to kLargestCoordinate, and below, where a coordinate is beyond kFarthest or none.
+  explicit BoxIndex(double cell);
 
   void add(std::size_t i, const Aabb& box);
 

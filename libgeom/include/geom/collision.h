@@ -28,17 +28,23 @@ struct Nearest {
 
 struct CollisionOptions {
   std::size_t budget = std::size_t{1} << 29;  // bytes that groups of tiles may take
-  std::size_t boxes_per_group = 4096;         // about; a map of up to twice as many is one group
+  std::size_t boxes_per_group = 4096;         // about, > 0; a map of up to twice as many is one
 };
 
 // Holds the map, grown by vehicle and margin (geom::grow). Groups of neighbouring tiles are built
 // on first touch, once, whatever the threads, and given up, the oldest first, once all together
 // take more than the budget. All queries are const and may run from several threads at once.
-// Answers are exact for the grown boxes, and ties break on the lowest index. A query throws
-// InputError where a tile of a mapped file that it touches holds a wrong value.
+// Answers are exact for the grown boxes, and ties break on the lowest index.
+//
+// A query answers only where nothing went wrong in it. It throws InputError where a tile of a
+// mapped file that it touches holds a wrong value, and std::bad_alloc where there is no memory for
+// a group; asked again, it builds the group anew. Points must be within kFarthest
+// (geom/precondition.h), lengths >= 0, regions have min <= max, and what is not a number is never
+// answered: InputError too. Regions and radii may be infinite.
 class CollisionScene {
  public:
-  // `margin` in metres, >= 0, is added to each half size.
+  // `margin` in metres is added to each half size. InputError where it, a half size (both 0 to
+  // kLargestCoordinate) or the map's extent is none.
   CollisionScene(BoxMap map, Vehicle vehicle, double margin, const CollisionOptions& options = {});
   ~CollisionScene();
   CollisionScene(CollisionScene&&) noexcept;
@@ -52,13 +58,14 @@ class CollisionScene {
   // Where the reference point may be (geom::shrink of the map's bounds); nothing when the vehicle
   // does not fit.
   const std::optional<Aabb>& free_bounds() const;
-  bool inside_bounds(const Vec3& p) const;
+  bool inside_bounds(const Vec3& p) const;  // of any point; of what is none, too: false
 
   // Whether the closed segment (or point, a == b) meets a grown box. Bounds are not looked at.
   bool hits(const Vec3& a, const Vec3& b) const;
   bool hits(const Vec3& p) const { return hits(p, p); }
 
-  // Inside the bounds at both ends and free of every grown box.
+  // Inside the bounds at both ends and free of every grown box. False of points outside, how far
+  // away whatsoever.
   bool free(const Vec3& a, const Vec3& b) const;
   bool free(const Vec3& p) const { return free(p, p); }
 
@@ -70,7 +77,7 @@ class CollisionScene {
   std::vector<std::uint8_t> hits(std::span<const std::pair<Vec3, Vec3>> segments,
                                  const Execution& run) const;
 
-  // The nearest obstacle within `radius` metres (closed), or nothing.
+  // The nearest obstacle within `radius` metres (closed; below 0 holds none), or nothing.
   std::optional<Nearest> nearest(const Vec3& p, double radius) const;
 
   // The `count` nearest obstacles within `radius`, nearest first; fewer where there are no more.

@@ -20,10 +20,11 @@ struct ColumnSpec {
 };
 
 // Collects points, in any order; memory grows with the area that they cover, not with their number.
-// Indices of cells and steps must fit 31 bits: |coordinate| / cell < 2^31.
+// Indices of cells and steps must fit 31 bits, |coordinate| / cell < 2^31: InputError otherwise,
+// and where a size is not > 0 or the gap < 0.
 class ColumnGrid {
  public:
-  explicit ColumnGrid(const ColumnSpec& spec) : spec_(spec) {}
+  explicit ColumnGrid(const ColumnSpec& spec);
 
   void add(const Vec3& p);
 
@@ -95,10 +96,10 @@ struct GroundSpec {
 };
 
 // The ground of a scan: the lowest return of each cell, lowered to what its neighbours allow at the
-// slope. Add all points, finish(), then ask.
+// slope. Add all points, finish(), then ask. InputError as of a ColumnGrid.
 class GroundGrid {
  public:
-  explicit GroundGrid(const GroundSpec& spec) : spec_(spec) {}
+  explicit GroundGrid(const GroundSpec& spec);
 
   void add(const Vec3& p);
   void finish();

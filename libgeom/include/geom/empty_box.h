@@ -18,6 +18,7 @@ struct EmptyBox {
 // the closed obstacles; nothing where `seed` meets one or is not inside `limits`. Exact by branch
 // and bound (each obstacle inside is cut off at one of its faces), to `most_cuts` cuts. Ties go to
 // the cut found first, so the answer depends on the order of the obstacles alone.
+// InputError where an obstacle is inverted or not a number.
 std::optional<EmptyBox> empty_box(const Aabb& seed, const Aabb& limits,
                                   std::span<const Aabb> obstacles, std::size_t most_cuts = 20000);
 

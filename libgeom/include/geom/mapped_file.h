@@ -22,7 +22,8 @@ struct FileState {
 };
 
 // A regular file, read-only. Throws std::system_error where it cannot be read, InputError where it
-// is empty or no regular file.
+// is empty or no regular file. Whoever cuts the file meanwhile makes the system send SIGBUS to the
+// reader of what is gone.
 class MappedFile {
  public:
   explicit MappedFile(const std::string& path);
@@ -37,6 +38,15 @@ class MappedFile {
   std::span<const std::byte> bytes_;
   FileState state_;
 };
+
+// The path of the mapped file that holds this address; null where none does. For signal handlers:
+// it neither locks nor allocates. The path is good as long as the file is mapped.
+const char* mapped_file_at(const void* address) noexcept;
+
+// Throws std::runtime_error where a file that is mapped is no more as it was when it was opened
+// (its length, or when it was written): what was read of it may be of both. SIGBUS tells only of
+// whole pages that are gone.
+void require_mapped_files_unchanged();
 
 inline constexpr std::size_t kMappedKept = std::size_t{1} << 25;  // 32 MB
 

@@ -27,6 +27,13 @@ inline void require_point(std::string_view what, const Vec3& p) {
   refuse_point(what, p);
 }
 
+// Both of them, in few operations where they are near.
+inline void require_points(std::string_view what, const Vec3& a, const Vec3& b) {
+  if (a.lpNorm<1>() + b.lpNorm<1>() <= kFarthest) return;
+  require_point(what, a);
+  require_point(what, b);
+}
+
 // Metres, from 0 to `most`.
 inline void require_length(std::string_view what, double value, double most) {
   if (!(value >= 0 && value <= most)) refuse_length(what, value, most);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Planes between a segment and a box.
+// Planes between a segment and a box. Where a coordinate of either is not finite or beyond
+// kFarthest (geom/precondition.h), both functions that measure throw InputError.
 
 #include "geom/aabb.h"
 
