@@ -10,7 +10,6 @@
 
 #include "completion.h"
 #include "cut_file.h"
-#include "cut_file.h"
 #include "files.h"
 #include "geom/error.h"
 #include "geom/excerpt.h"
