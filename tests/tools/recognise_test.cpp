@@ -73,9 +73,9 @@ TEST(Recognise, NamesOurOwnFiles) {
   EXPECT_EQ(what(zip("meta.json", R"({"format":"skyway-lattice")")), "a lattice");
   EXPECT_EQ(what(zip("meta.json", R"({"format":"skyway-roadmap")")), "a roadmap");
   EXPECT_EQ(what(zip("meta.json", R"({"content":{},"format":"skyway-shard")")), "a shard");
-  EXPECT_EQ(what(R"({"type":"path","id":"a")"), "path records");
-  EXPECT_EQ(what(R"({"type":"trajectory","id":"a")"), "trajectory records");
-  EXPECT_EQ(what(R"({"type":"report","id":"a")"), "reports of skyway-check");
+  EXPECT_EQ(what(R"({"type":"path","id":"a")"), "a stream of paths");
+  EXPECT_EQ(what(R"({"type":"trajectory","id":"a")"), "a stream of trajectories");
+  EXPECT_EQ(what(R"({"type":"report","id":"a")"), "a stream of reports");
 }
 
 TEST(Recognise, NamesWhatNobodyReads) {
