@@ -8,6 +8,7 @@
 #include "cli/numbers_option.h"
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
+#include "geom/io/parse_json.h"
 #include "geom/join.h"
 #include "geom/merge.h"
 #include "geom/simplify.h"
@@ -127,7 +128,8 @@ CLI::App* Files::add(CLI::App& app, const char* name, const char* description) {
 }
 
 void write(const std::string& output, geom::BoxMapSpec spec, const BoxTable& table, Json step) {
-  Json history = Json::parse(spec.history.empty() ? "[]" : spec.history);
+  Json history =
+      geom::parse_ordered_json(spec.history.empty() ? "[]" : spec.history, "the map's history");
   history.push_back(std::move(step));
   spec.history = history.dump();
   const BoxMap made(std::move(spec), table);
