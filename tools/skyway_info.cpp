@@ -13,6 +13,7 @@
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
 #include "geom/io/json_fields.h"
+#include "geom/io/parse_json.h"
 #include "plan/io/lattice_file.h"
 #include "plan/io/roadmap_file.h"
 
@@ -23,7 +24,7 @@ using Json = nlohmann::ordered_json;
 Json describe_lattice(const geom::ArrayArchive& archive, bool verify) {
   const plan::Lattice lattice = plan::read_lattice(archive);
   if (verify) plan::verify_lattice(lattice);
-  Json out = Json::parse(archive.meta());
+  Json out = geom::parse_ordered_json(archive.meta(), archive.name());
   out.erase("format");
   out.erase("version");
   Json described = {{"type", "lattice"}};
@@ -34,7 +35,7 @@ Json describe_lattice(const geom::ArrayArchive& archive, bool verify) {
 Json describe_roadmap(const geom::ArrayArchive& archive, bool verify) {
   const plan::Roadmap roadmap = plan::read_roadmap(archive);
   if (verify) plan::verify_roadmap(roadmap);
-  Json out = Json::parse(archive.meta());
+  Json out = geom::parse_ordered_json(archive.meta(), archive.name());
   out.erase("format");
   out.erase("version");
   Json described = {{"type", "roadmap"}};

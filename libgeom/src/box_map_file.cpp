@@ -8,6 +8,8 @@
 
 #include "box_map_data.h"
 #include "geom/error.h"
+#include "geom/io/json_fields.h"
+#include "geom/io/parse_json.h"
 #include "geom/io/record.h"
 
 namespace geom {
@@ -50,62 +52,59 @@ std::string meta_of(const BoxMap& map) {
   throw InputError(archive.name(), message);
 }
 
-Vec3 read_vec3(const ArrayArchive& archive, const Json& value, std::string_view key) {
-  if (!value.is_array() || value.size() != 3) {
-    refuse(archive, fmt::format("meta.json: {} must be 3 numbers, found {}", key, value.dump()));
-  }
-  Vec3 v;
-  for (int i = 0; i < 3; ++i) {
-    if (!value[i].is_number() || !std::isfinite(v[i] = value[i].get<double>()) ||
-        std::abs(v[i]) > kLargestCoordinate) {
-      refuse(archive, fmt::format("meta.json: {} must be 3 numbers, found {}", key, value.dump()));
-    }
-  }
-  return v;
+JsonFields meta_fields(const ArrayArchive& archive) {
+  return {archive.meta(), archive.name() + ": meta.json", 0};
 }
 
-Json parse_meta(const ArrayArchive& archive) {
-  Json meta = Json::parse(archive.meta(), nullptr, false);
-  if (!meta.is_object()) refuse(archive, "meta.json is not a JSON object");
-  if (meta.value("format", Json()) != "skyway-boxmap") {
-    refuse(archive, fmt::format("expected a box map (format \"skyway-boxmap\"), found format {}",
-                                meta.value("format", Json()).dump()));
+void require_box_map(const JsonFields& meta) {
+  const auto found = [&](const char* key) {
+    return meta.has(key) ? shown(meta.object()[key]) : std::string("none");
+  };
+  if (found("format") != "\"skyway-boxmap\"") {
+    meta.refuse(fmt::format("expected a box map (format \"skyway-boxmap\"), found format {}",
+                            found("format")));
   }
-  if (meta.value("version", Json()) != kVersion) {
-    refuse(archive, fmt::format("expected box map version {}, found {}", kVersion,
-                                meta.value("version", Json()).dump()));
+  if (found("version") != std::to_string(kVersion)) {
+    meta.refuse(fmt::format("expected box map version {}, found {}", kVersion, found("version")));
   }
-  return meta;
 }
 
-BoxMapSpec spec_of(const ArrayArchive& archive, const Json& meta) {
+std::vector<std::string> labels_of(const JsonFields& meta) {
+  std::vector<std::string> labels;
+  const Json listed = meta.has("labels") ? meta.object()["labels"] : Json();
+  if (!listed.is_array()) meta.refuse("labels must be a list, found " + shown(listed));
+  for (const Json& label : listed) {
+    if (!label.is_string()) meta.refuse("a label must be a string, found " + shown(label));
+    labels.push_back(label.get<std::string>());
+  }
+  return labels;
+}
+
+BoxMapSpec spec_of(const JsonFields& meta) {
   BoxMapSpec spec;
-  const auto axes = axes_from_name(meta.at("frame").get<std::string>());
+  const auto axes = axes_from_name(meta.text("frame"));
   if (!axes) {
-    refuse(archive,
-           "meta.json: frame must be \"enu\" or \"neu\", found " + meta.at("frame").dump());
+    meta.refuse("frame must be \"enu\" or \"neu\", found " + shown(meta.object()["frame"]));
   }
   spec.frame.axes = *axes;
-  if (meta.contains("origin")) {
-    const Vec3 origin = read_vec3(archive, meta.at("origin"), "origin");
+  if (meta.has("origin")) {
+    const Vec3 origin = meta.point("origin");
     spec.frame.origin = GeodeticOrigin{origin[0], origin[1], origin[2]};
   }
-  spec.frame.crs = meta.at("crs").get<std::string>();
-  const Json& bounds = meta.at("bounds");
-  if (!bounds.is_array() || bounds.size() != 2) {
-    refuse(archive, "meta.json: bounds must be two corners, found " + bounds.dump());
+  spec.frame.crs = meta.text("crs");
+  const std::vector<Vec3> corners = meta.points("bounds");
+  if (corners.size() != 2 || (corners[0].array() > corners[1].array()).any()) {
+    meta.refuse("bounds must be two corners, min <= max, found " + shown(meta.object()["bounds"]));
   }
-  spec.bounds = {read_vec3(archive, bounds[0], "bounds"), read_vec3(archive, bounds[1], "bounds")};
-  if ((spec.bounds.min.array() > spec.bounds.max.array()).any()) {
-    refuse(archive, "meta.json: bounds must have min <= max, found " + bounds.dump());
-  }
-  spec.bounds_from = meta.at("bounds_from").get<std::string>();
-  spec.tile_size = meta.at("tile_size").get<double>();
+  spec.bounds = {corners[0], corners[1]};
+  spec.bounds_from = meta.text("bounds_from");
+  spec.tile_size = meta.number("tile_size").value_or(0);
   if (!(spec.tile_size >= 1 && spec.tile_size <= kLargestCoordinate)) {
-    refuse(archive,
-           "meta.json: tile_size must be at least 1 m, found " + meta.at("tile_size").dump());
+    meta.refuse(fmt::format("tile_size must be from 1 m to 1e8 m, found {}", spec.tile_size));
   }
-  spec.history = meta.at("history").dump();
+  const Json steps = meta.has("history") ? meta.object()["history"] : Json();
+  if (!steps.is_array()) meta.refuse("history must be a list, found " + shown(steps));
+  spec.history = steps.dump();
   return spec;
 }
 
@@ -192,20 +191,17 @@ void write_box_map(std::ostream& out, const BoxMap& map) {
 }
 
 bool is_box_map(const ArrayArchive& archive) {
-  const Json meta = Json::parse(archive.meta(), nullptr, false);
-  return meta.is_object() && meta.value("format", Json()) == "skyway-boxmap";
+  const JsonFields meta = meta_fields(archive);
+  return meta.text("format", "") == "skyway-boxmap";
 }
 
 BoxMap read_box_map(const ArrayArchive& archive) {
   auto data = std::make_shared<BoxMap::Data>();
-  try {
-    const Json meta = parse_meta(archive);
-    data->spec = spec_of(archive, meta);
-    data->labels = meta.at("labels").get<std::vector<std::string>>();
-    data->hash = meta.at("hash").get<std::string>();
-  } catch (const Json::exception& error) {
-    refuse(archive, std::string("meta.json: ") + error.what());
-  }
+  const JsonFields meta = meta_fields(archive);
+  require_box_map(meta);
+  data->spec = spec_of(meta);
+  data->labels = labels_of(meta);
+  data->hash = meta.text("hash");
   const auto boxes = archive.array<double>("boxes", 6);
   data->boxes = {reinterpret_cast<const Aabb*>(boxes.data()), boxes.size() / 6};
   data->ids = archive.array<std::uint64_t>("ids");

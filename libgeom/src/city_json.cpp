@@ -9,6 +9,7 @@
 #include <set>
 
 #include "geom/error.h"
+#include "geom/io/parse_json.h"
 #include "geom/io/text_table.h"
 #include "geom/vec3.h"
 
@@ -29,7 +30,7 @@ class Reader {
   explicit Reader(std::string_view source) : source_(source) {}
 
   CityJson read(std::istream& in) {
-    const Json root = Json::parse(in, nullptr, false);
+    const Json root = parse_json(in, source_);
     if (!root.is_object() || root.value("type", Json()) != "CityJSON") {
       refuse("expected a JSON object with \"type\":\"CityJSON\"");
     }
@@ -69,14 +70,14 @@ class Reader {
 
   double number(const Json& value, std::string_view what) const {
     if (!value.is_number() || !std::isfinite(value.get<double>())) {
-      refuse(fmt::format("{} must be a finite number, found {}", what, value.dump().substr(0, 40)));
+      refuse(fmt::format("{} must be a finite number, found {}", what, shown(value)));
     }
     return value.get<double>();
   }
 
   Vec3 triple(const Json& value, std::string_view what) const {
     if (!value.is_array() || value.size() != 3) {
-      refuse(fmt::format("{} must be 3 numbers, found {}", what, value.dump().substr(0, 60)));
+      refuse(fmt::format("{} must be 3 numbers, found {}", what, shown(value)));
     }
     return {number(value[0], what), number(value[1], what), number(value[2], what)};
   }
@@ -145,8 +146,8 @@ class Reader {
   const Json& template_of(const Json& instance) const {
     const Json index = instance.value("template", Json());
     if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= templates_.size()) {
-      refuse_object(fmt::format("a template must be below {}, found {}", templates_.size(),
-                                index.dump().substr(0, 40)));
+      refuse_object(
+          fmt::format("a template must be below {}, found {}", templates_.size(), shown(index)));
     }
     return templates_[index.get<std::size_t>()];
   }
@@ -230,8 +231,7 @@ class Reader {
 
   std::size_t index_below(const Json& index, std::size_t count) const {
     if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= count) {
-      refuse_object(fmt::format("a vertex index must be below {}, found {}", count,
-                                index.dump().substr(0, 40)));
+      refuse_object(fmt::format("a vertex index must be below {}, found {}", count, shown(index)));
     }
     return index.get<std::size_t>();
   }

@@ -5,28 +5,17 @@
 #include <cmath>
 
 #include "geom/error.h"
+#include "geom/io/parse_json.h"
 
 namespace geom {
 namespace {
 
 using Json = nlohmann::json;
 
-// What stood there, short enough for a message.
-std::string shown(const Json& value) {
-  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
-  return text;
-}
-
 }  // namespace
 
 JsonFields::JsonFields(std::string_view json, std::string_view source, std::size_t line)
-    : source_(source), line_(line) {
-  try {
-    object_ = Json::parse(json);
-  } catch (const Json::exception& error) {
-    refuse(fmt::format("expected a JSON object on one line: {}", error.what()));
-  }
+    : object_(parse_json(json, source, line)), source_(source), line_(line) {
   if (!object_.is_object()) refuse("expected a JSON object, found " + shown(object_));
 }
 
@@ -85,7 +74,8 @@ Vec3 JsonFields::point(const char* key) const {
 }
 
 std::vector<Vec3> JsonFields::points(const char* key) const {
-  const Json& list = object_.at(key);
+  if (!has(key)) refuse(fmt::format("expected the key \"{}\", found none", key));
+  const Json& list = object_[key];
   if (!list.is_array()) refuse(fmt::format("{} must be a list, found {}", key, shown(list)));
   std::vector<Vec3> points;
   points.reserve(list.size());

@@ -7,8 +7,9 @@
 #include <istream>
 #include <nlohmann/json.hpp>
 
-#include "geom/geographic_frame.h"
 #include "geom/error.h"
+#include "geom/geographic_frame.h"
+#include "geom/io/parse_json.h"
 
 namespace geom {
 namespace {
@@ -27,7 +28,7 @@ class Reader {
   }
 
   KeepOut read(std::istream& in) {
-    const Json root = Json::parse(in, nullptr, false);
+    const Json root = parse_json(in, source_);
     if (!root.is_object()) refuse("expected a GeoJSON object");
     const std::string type = root.value("type", Json()).dump();
     if (type == "\"FeatureCollection\"") {
@@ -80,7 +81,7 @@ class Reader {
         continue;
       const Json& value = properties[key];
       if (!value.is_number() || !(std::abs(value.get<double>()) <= kLargestCoordinate)) {
-        refuse(fmt::format("{} must be metres, found {}", key, value.dump().substr(0, 40)));
+        refuse(fmt::format("{} must be metres, found {}", key, shown(value)));
       }
       return value.get<double>();
     }
@@ -107,7 +108,7 @@ class Reader {
     for (const Json& position : positions) {
       if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
           !position[1].is_number()) {
-        refuse("a position must be two numbers, found " + position.dump().substr(0, 60));
+        refuse("a position must be two numbers, found " + shown(position));
       }
       given.push_back(checked(position[0].get<double>(), position[1].get<double>()));
     }

@@ -9,6 +9,7 @@
 #include "geom/collision.h"
 #include "geom/error.h"
 #include "geom/io/json_fields.h"
+#include "geom/io/parse_json.h"
 
 namespace geom {
 namespace {
@@ -97,7 +98,7 @@ const nlohmann::json& list_of(const JsonFields& fields, const char* key, std::si
   const nlohmann::json& list = fields.object()[key];
   if (!list.is_array() || list.size() != points) {
     fields.refuse(fmt::format("{} must be a list of {}, one a point, found {}", key, points,
-                              list.is_array() ? fmt::format("{}", list.size()) : list.dump()));
+                              list.is_array() ? fmt::format("{}", list.size()) : shown(list)));
   }
   return list;
 }
@@ -107,7 +108,7 @@ void parse_holds(const JsonFields& fields, PathRecord& record) {
     const std::string what = fmt::format("hold[{}]", record.hold.size());
     record.hold.push_back(fields.number(value, what));
     if (record.hold.back() < 0) {
-      fields.refuse(fmt::format("{} must be >= 0 s, found {}", what, value.dump()));
+      fields.refuse(fmt::format("{} must be >= 0 s, found {}", what, shown(value)));
     }
   }
 }
@@ -121,7 +122,7 @@ void parse_velocities(const JsonFields& fields, PathRecord& record) {
     record.velocity[i] = fields.point(value, what);
     if (!record.hold.empty() && record.hold[i] > 0 && !record.velocity[i]->isZero(0)) {
       fields.refuse(fmt::format("{} must be zero or null where the path holds, found {}", what,
-                                value.dump()));
+                                shown(value)));
     }
   }
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/error.h"
+#include "geom/io/parse_json.h"
 
 namespace geom {
 namespace {
@@ -27,7 +28,7 @@ class World {
     const Json found = owner.is_object() ? owner.value("extents", Json()) : Json();
     if (!found.is_array() || found.size() != 6) {
       refuse(fmt::format("{} must have \"extents\":[xmin,xmax,ymin,ymax,zmin,zmax], found {}", what,
-                         found.dump().substr(0, 80)));
+                         shown(found)));
     }
     Aabb box;
     for (int i = 0; i < 3; ++i) {
@@ -45,8 +46,7 @@ class World {
     if (!block.contains("color")) return "";
     const Json& found = block["color"];
     if (!found.is_array() || found.size() != 3) {
-      refuse(
-          fmt::format("{}: color must be 3 numbers, found {}", what, found.dump().substr(0, 80)));
+      refuse(fmt::format("{}: color must be 3 numbers, found {}", what, shown(found)));
     }
     std::string label;
     for (const Json& part : found) {
@@ -59,7 +59,7 @@ class World {
   double coordinate(const Json& value, std::string_view what) const {
     const double v = value.is_number() ? value.get<double>() : HUGE_VAL;
     if (!(std::abs(v) <= kLargestCoordinate)) {
-      refuse(fmt::format("{}: expected a finite number within 1e8, found {}", what, value.dump()));
+      refuse(fmt::format("{}: expected a finite number within 1e8, found {}", what, shown(value)));
     }
     return v;
   }
@@ -88,13 +88,13 @@ void note_unknown(const Json& object, std::initializer_list<std::string_view> kn
 
 WorldJson read_world_json(std::istream& in, std::string_view source) {
   const World world(source);
-  const Json root = Json::parse(in, nullptr, false);
+  const Json root = parse_json(in, source);
   if (!root.is_object()) world.refuse("expected a JSON object with \"bounds\" and \"blocks\"");
   WorldJson out;
   out.bounds = world.extents(root.value("bounds", Json()), "bounds");
   const Json blocks = root.value("blocks", Json());
   if (!blocks.is_array() || blocks.empty()) {
-    world.refuse("expected at least one block in \"blocks\", found " + blocks.dump().substr(0, 80));
+    world.refuse("expected at least one block in \"blocks\", found " + shown(blocks));
   }
   note_unknown(root, {"bounds", "blocks", "start", "goal", "resolution", "margin", "expected_path_length"},
                "", out);

@@ -11,6 +11,7 @@
 
 #include "geom/error.h"
 #include "geom/io/markup.h"
+#include "geom/io/parse_json.h"
 #include "geom/io/record.h"
 
 namespace traj {
@@ -104,8 +105,8 @@ std::vector<geom::GeodeticPlace> read_kml(std::istream& in, std::string_view sou
 
 std::vector<geom::GeodeticPlace> read_geojson(std::istream& in, std::string_view source) {
   std::vector<geom::GeodeticPlace> points;
+  const nlohmann::json json = geom::parse_json(in, source);
   try {
-    const nlohmann::json json = nlohmann::json::parse(all_of(in));
     for (const nlohmann::json& feature : json.at("features")) {
       const nlohmann::json& geometry = feature.at("geometry");
       if (geometry.at("type") != "LineString") continue;
@@ -114,8 +115,10 @@ std::vector<geom::GeodeticPlace> read_geojson(std::istream& in, std::string_view
       }
       break;
     }
-  } catch (const nlohmann::json::exception& error) {
-    refuse(source, fmt::format("expected GeoJSON with a LineString: {}", error.what()));
+  } catch (const nlohmann::json::exception&) {
+    refuse(source,
+           "expected GeoJSON features with a LineString of [longitude, latitude, height], found "
+           "other keys or values");
   }
   if (points.empty()) refuse(source, "expected GeoJSON with a LineString, found none");
   return points;

@@ -12,6 +12,7 @@
 #include "geom/error.h"
 #include "geom/io/bytes.h"
 #include "geom/io/glb.h"
+#include "geom/io/parse_json.h"
 
 namespace traj {
 namespace {
@@ -31,7 +32,7 @@ struct Chunks {
   std::string_view bin;
 };
 
-Chunks chunks_of(std::string_view bytes) {
+Chunks chunks_of(std::string_view bytes, std::string_view source) {
   const auto word = [&](std::size_t at) {
     std::uint32_t value = 0;
     if (at + 4 > bytes.size()) throw std::out_of_range("the file ends early");
@@ -43,7 +44,8 @@ Chunks chunks_of(std::string_view bytes) {
   const std::size_t bin_at = 20 + json_size;
   const std::size_t bin_size = word(bin_at);
   if (bin_at + 8 + bin_size > bytes.size()) throw std::out_of_range("the file ends early");
-  return {Json::parse(bytes.substr(20, json_size)), bytes.substr(bin_at + 8, bin_size)};
+  return {geom::parse_ordered_json(bytes.substr(20, json_size), source),
+          bytes.substr(bin_at + 8, bin_size)};
 }
 
 geom::Polyline points_of(const Chunks& chunks) {
@@ -112,9 +114,9 @@ geom::Polyline read_gltf_line(std::istream& in, std::string_view source) {
   const std::string bytes(std::istreambuf_iterator<char>(in), {});
   geom::Polyline points;
   try {
-    points = points_of(chunks_of(bytes));
-  } catch (const Json::exception& error) {
-    throw geom::InputError(source, fmt::format("expected a glTF line: {}", error.what()));
+    points = points_of(chunks_of(bytes, source));
+  } catch (const Json::exception&) {
+    throw geom::InputError(source, "expected a glTF line, found other keys or values");
   } catch (const std::out_of_range& error) {
     throw geom::InputError(source, fmt::format("expected a glTF line: {}", error.what()));
   }

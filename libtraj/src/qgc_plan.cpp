@@ -9,6 +9,7 @@
 #include <ostream>
 
 #include "geom/error.h"
+#include "geom/io/parse_json.h"
 
 namespace traj {
 namespace {
@@ -50,8 +51,7 @@ struct PlanReader {
 
   static std::string shown(const Json& value) {
     if (value.is_structured()) return fmt::format("an {} of {}", value.type_name(), value.size());
-    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+    return geom::shown(value);
   }
 
   const Json& member(const Json& object, const char* key, const std::string& where) const {
@@ -177,12 +177,7 @@ void write_qgc_plan(std::ostream& out, const Mission& mission, std::string_view 
 Mission read_qgc_plan(std::istream& in, std::string_view source) {
   const PlanReader reader{source};
   const std::string text(std::istreambuf_iterator<char>(in), {});
-  Json plan;
-  try {
-    plan = Json::parse(text);
-  } catch (const Json::exception& error) {
-    reader.refuse(fmt::format("expected a JSON object: {}", error.what()));
-  }
+  const Json plan = geom::parse_ordered_json(text, source);
   if (!plan.is_object()) reader.refuse("expected a JSON object, found " + reader.shown(plan));
   return reader.mission(plan);
 }

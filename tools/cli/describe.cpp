@@ -1,5 +1,6 @@
 #include "describe.h"
 
+#include "geom/io/parse_json.h"
 #include "skipped_option.h"
 
 namespace cli {
@@ -28,8 +29,13 @@ nlohmann::ordered_json describe(const geom::BoxMap& map) {
   }
   if (!spec.frame.crs.empty()) out["crs"] = spec.frame.crs;
   if (const std::size_t skipped = skipped_in(spec)) out["skipped_obstacles"] = skipped;
-  out["history"] = nlohmann::ordered_json::parse(spec.history.empty() ? "[]" : spec.history);
+  out["history"] = history_of(map);
   return out;
+}
+
+nlohmann::ordered_json history_of(const geom::BoxMap& map) {
+  const std::string& history = map.spec().history;
+  return geom::parse_ordered_json(history.empty() ? "[]" : history, "the map's history");
 }
 
 std::string as_lines(const nlohmann::ordered_json& object) {

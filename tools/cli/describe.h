@@ -10,6 +10,9 @@ namespace cli {
 
 nlohmann::ordered_json describe(const geom::BoxMap& map);
 
+// The steps that made it, a list.
+nlohmann::ordered_json history_of(const geom::BoxMap& map);
+
 // One "key: value" line each; nested objects as JSON.
 std::string as_lines(const nlohmann::ordered_json& object);
 

@@ -36,6 +36,11 @@ struct DroneFile {
   bool returns = false;  // it ends with a return to home by a way that the file does not say
 };
 
+// Throws geom::InputError(id, …) for a point (east, north, up) that is further than 200 km from the
+// origin: coordinates of a projection, taken as metres from a place, would put home elsewhere.
+void require_near_origin(const geom::Polyline& enu, const geom::GeodeticOrigin& origin,
+                         const std::string& id);
+
 struct DroneFileOptions {
   std::string format;  // empty: not asked for
   Placement placement;

@@ -4,6 +4,7 @@
 
 #include "geom/error.h"
 #include "geom/io/json_fields.h"
+#include "geom/io/parse_json.h"
 #include "geom/join.h"
 
 namespace cli {
@@ -60,7 +61,8 @@ MapMaking read_making(const geom::JsonFields& fields) {
   map.ceiling = fields.number("ceiling");
   const bool sizes = map.scale > 0 && map.bloat_percent >= 0 && map.inflate >= 0 && map.pad >= 0 &&
                      map.seal >= 0 && map.tile_size >= 1;
-  if (!sizes || !Json::accept(out.history)) fields.refuse("the options of its map cannot be");
+  if (!sizes) fields.refuse("the options of its map cannot be");
+  geom::parse_json(out.history, "the map's history");
   if (fields.has("bounds")) {
     const auto corners = fields.points("bounds");
     if (corners.size() != 2 || !(corners[0].array() <= corners[1].array()).all()) {

@@ -6,6 +6,7 @@
 
 #include "cli/files.h"
 #include "geom/error.h"
+#include "geom/io/parse_json.h"
 
 namespace cli {
 namespace {
@@ -42,7 +43,7 @@ void check_complete(const std::vector<ShardFile>& shards) {
 }  // namespace
 
 bool is_shard(const geom::ArrayArchive& archive) {
-  const auto meta = nlohmann::json::parse(archive.meta(), nullptr, false);
+  const auto meta = geom::parse_json(archive.meta(), archive.name());
   return meta.is_object() && meta.value("format", nlohmann::json()) == "skyway-shard";
 }
 
@@ -51,7 +52,7 @@ ShardFile read_shard(const geom::ArrayArchive& archive) {
     throw geom::InputError(archive.name(), what);
   };
   if (!is_shard(archive)) refuse("expected a shard (format \"skyway-shard\"), found another file");
-  const auto meta = nlohmann::json::parse(archive.meta());
+  const auto meta = geom::parse_json(archive.meta(), archive.name());
   const auto find = [&](const char* key, nlohmann::json::value_t type) {
     const auto at = meta.find(key);
     if (at == meta.end() || (at->type() != type)) {

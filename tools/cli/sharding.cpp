@@ -9,6 +9,7 @@
 
 #include "cli/hashed_input.h"
 #include "geom/error.h"
+#include "geom/io/parse_json.h"
 #include "geom/sha256.h"
 
 namespace cli {
@@ -147,7 +148,7 @@ void Sharding::write(const std::string& file, const std::string& output, const s
                {"shard", {shard_.index + 1, shard_.count}},
                {"output", output},
                {"kind", kind},
-               {"content", nlohmann::json::parse(content)},
+               {"content", geom::parse_json(content, file)},
                {"exit", static_cast<int>(exit)}});
   OutputFile out(file, OutputKind::artefact);
   geom::write_array_archive(out.stream(), meta.dump() + '\n', arrays);

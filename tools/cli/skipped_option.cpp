@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "geom/error.h"
+#include "geom/io/parse_json.h"
 
 namespace cli {
 
@@ -27,7 +28,8 @@ void SkippedOption::settle(const geom::Skipped& skipped, const std::string& sour
 }
 
 std::size_t skipped_in(const geom::BoxMapSpec& spec) {
-  const auto steps = nlohmann::json::parse(spec.history, nullptr, false);
+  if (spec.history.empty()) return 0;
+  const nlohmann::json steps = geom::parse_json(spec.history, "the map's history");
   std::size_t count = 0;
   if (!steps.is_array()) return 0;
   for (const nlohmann::json& step : steps) {

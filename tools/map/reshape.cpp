@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "cli/degrees.h"
 #include "cli/files.h"
 #include "cli/numbers_option.h"
 #include "cli/skipped_option.h"
 #include "geom/error.h"
 #include "geom/io/box_map_file.h"
+#include "geom/io/parse_json.h"
 #include "geom/join.h"
 #include "geom/merge.h"
 #include "geom/simplify.h"
@@ -30,8 +33,9 @@ Json step_of(const char* verb, const BoxMap& input) {
   return {{"tool", std::string("skyway-map ") + verb}, {"input", input.hash()}};
 }
 
-void run_crop(const Files& files, const Aabb& region) {
+void run_crop(const Files& files, const Aabb& region, const cli::MetresOption& metres) {
   const BoxMap map = cli::open_map(files.map);
+  metres.check_option(map.spec().frame, std::array{region.min, region.max}, "--bounds");
   geom::BoxMapSpec spec = map.spec();
   spec.bounds = {spec.bounds.min.cwiseMax(region.min), spec.bounds.max.cwiseMin(region.max)};
   if ((spec.bounds.min.array() >= spec.bounds.max.array()).any()) {
@@ -131,7 +135,8 @@ CLI::App* Files::add(CLI::App& app, const char* name, const char* description) {
 }
 
 void write(const std::string& output, geom::BoxMapSpec spec, const BoxTable& table, Json step) {
-  Json history = Json::parse(spec.history.empty() ? "[]" : spec.history);
+  Json history =
+      geom::parse_ordered_json(spec.history.empty() ? "[]" : spec.history, "the map's history");
   history.push_back(std::move(step));
   spec.history = history.dump();
   const BoxMap made(std::move(spec), table);
@@ -144,9 +149,11 @@ Verb crop(CLI::App& app, const cli::Common&) {
   auto files = std::make_shared<Files>();
   auto region = std::make_shared<std::optional<Aabb>>();
   CLI::App* verb = files->add(app, "crop", "keep the boxes that meet a region");
+  auto metres = std::make_shared<cli::MetresOption>();
   cli::add_box(*verb, "--bounds", *region, "the region to keep")->required();
+  metres->add_to(*verb);
   return {verb, [=] {
-            run_crop(*files, **region);
+            run_crop(*files, **region, *metres);
             return cli::Exit::yes;
           }};
 }

@@ -22,7 +22,7 @@ Json quartet(const geom::Quartet& q) {
 // The steps of the history that say what unknown space became.
 Json unknown_of(const BoxMap& map) {
   Json out = Json::array();
-  for (const Json& step : Json::parse(map.spec().history.empty() ? "[]" : map.spec().history)) {
+  for (const Json& step : cli::history_of(map)) {
     if (step.is_object() && step.contains("unknown")) out.push_back(step["unknown"]);
   }
   return out;

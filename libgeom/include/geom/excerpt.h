@@ -1,0 +1,18 @@
+#pragma once
+
+// Text of a file as a message may show it: nothing that steers a terminal, and not too much.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace geom {
+
+// `text` with control characters, marks that turn the direction of writing, and bytes that are no
+// UTF-8 as \n, \t, \x1b or \u202e. Everything else as it stands.
+std::string printable(std::string_view text);
+
+// The same, of no more than about `most` bytes: what is longer ends in "...".
+std::string excerpt(std::string_view text, std::size_t most = 60);
+
+}  // namespace geom
