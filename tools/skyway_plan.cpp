@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "cli/artefacts.h"
+#include "cli/degrees.h"
 #include "cli/files.h"
 #include "cli/numbers_option.h"
 #include "cli/output_option.h"
@@ -27,6 +29,7 @@ struct Asked {
   std::optional<geom::Vec3> from;
   std::optional<geom::Vec3> to;
   std::string file;
+  cli::MetresOption metres;
 
   CLI::Option* add_to(CLI::App& app) {
     auto* queries = app.add_option("--queries", file, "JSON Lines or CSV; - for stdin");
@@ -34,12 +37,20 @@ struct Asked {
     auto* goal = cli::add_point(app, "--to", to, "goal, metres");
     start->needs(goal)->excludes(queries);
     goal->needs(start)->excludes(queries);
+    metres.add_to(app);
     return queries;
   }
-  std::vector<geom::PlanQuery> queries() const {
-    if (from) return {{"q1", *from, *to}};
+  std::vector<geom::PlanQuery> queries(const geom::Frame& frame) const {
+    if (from) {
+      metres.check_option(frame, std::array{*from, *to}, "--from and --to");
+      return {{"q1", *from, *to, {}, 0}};
+    }
     cli::InputFile input(file);
-    return geom::read_plan_queries(input.stream(), input.name());
+    auto queries = geom::read_plan_queries(input.stream(), input.name());
+    for (const geom::PlanQuery& q : queries) {
+      metres.check_input(frame, std::array{q.from, q.to}, input.name(), q.line);
+    }
+    return queries;
   }
 };
 
@@ -134,7 +145,7 @@ int main(int argc, char** argv) {
     const cli::Artefacts artefacts(prepared);
     artefacts.require_made_for(scene);
     const auto named = artefacts.lattice() ? std::nullopt : search.named_lattice(scene);
-    const std::vector<geom::PlanQuery> queries = asked.queries();
+    const std::vector<geom::PlanQuery> queries = asked.queries(scene.map().spec().frame);
     search.check(queries.size());
     plan::Planner planner(scene, named ? &*named : artefacts.lattice(), artefacts.roadmap());
     cli::RecordOutput out(output, "output", sharding);

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "cli/degrees.h"
 #include "cli/files.h"
 #include "cli/output_option.h"
 #include "cli/run.h"
@@ -53,6 +55,24 @@ std::string list_of(const auto& items, const auto& write) {
     write(out, item);
   }
   return out + ']';
+}
+
+// The points of a batch's records, as far as they are records.
+std::vector<Vec3> points_of(const std::vector<std::pair<std::string, std::size_t>>& batch,
+                            const std::string& source) {
+  std::vector<Vec3> out;
+  try {
+    for (const auto& [text, line] : batch) {
+      const JsonFields fields(text, source, line);
+      if (fields.has("point")) out.push_back(fields.point("point"));
+      for (const char* key : {"segment", "box", "sweep"}) {
+        if (!fields.has(key)) continue;
+        for (const Vec3& p : fields.points(key)) out.push_back(p);
+      }
+    }
+  } catch (const geom::InputError&) {  // is told when the record's turn comes
+  }
+  return out;
 }
 
 class Answers {
@@ -158,12 +178,14 @@ int main(int argc, char** argv) {
   std::string map_file;
   std::string input = "-";
   std::string output = "-";
+  cli::MetresOption metres;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("file", input,
                  "records with \"point\":[x,y,z] (\"k\":N nearest boxes), \"segment\":[[…],[…]] "
                  "(\"planes\":REACH, \"empty_box\":REACH), \"box\":[[min],[max]] or "
                  "\"sweep\":[[…],[…]] with \"half\":[x,y,z] (default: stdin)");
   cli::add_output(app, "-o,--output", output, "answers (default: stdout)");
+  metres.add_to(app);
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
@@ -176,7 +198,12 @@ int main(int argc, char** argv) {
     const Answers answers(scene);
     const geom::Execution run{common.execution("queries").threads, {}};
     std::vector<std::pair<std::string, std::size_t>> batch;
+    bool first = true;
     const auto answer_batch = [&] {
+      if (std::exchange(first, false) && !batch.empty()) {
+        metres.check_input(scene.map().spec().frame, points_of(batch, file.name()), file.name(),
+                           batch.front().second);
+      }
       std::vector<std::string> lines(batch.size());
       const auto write = [&] {
         for (const std::string& line : lines) {

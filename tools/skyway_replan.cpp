@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/artefacts.h"
+#include "cli/degrees.h"
 #include "cli/files.h"
 #include "cli/output_option.h"
 #include "cli/quality_option.h"
@@ -131,19 +132,25 @@ int main(int argc, char** argv) {
   cli::ArtefactFiles artefact_files;
   std::string output = "-";
   plan::Quality quality = plan::Quality::normal;
+  cli::MetresOption metres;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   app.add_option("file,--paths", paths_file, "paths of another map, JSON Lines (default: stdin)");
   artefact_files.add_to(app);
   cli::add_quality(app, quality);
   cli::add_output(app, "-o,--output", output, "paths (default: stdout)");
+  metres.add_to(app);
   vehicle.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, paths_file, artefact_files.lattice, artefact_files.roadmap});
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
                        vehicle, cli::Scenes::Differences::stricter_allowed);
     const cli::Artefacts artefacts(artefact_files);
+    const Paths paths = read_paths(paths_file);
+    for (const Line& path : paths.lines) {
+      metres.check_input(scenes.map().spec().frame, path.record.points, paths.source, path.number);
+    }
     const std::vector<geom::PathRecord> records =
-        replan_each(read_paths(paths_file), scenes, artefacts, quality, common.execution("paths"));
+        replan_each(paths, scenes, artefacts, quality, common.execution("paths"));
     const auto [kept, mended, failed] = write_records(records, output, paths_file, common);
     common.write_stats(
         {{"paths", records.size()}, {"kept", kept}, {"mended", mended}, {"failed", failed}});

@@ -10,6 +10,8 @@
 namespace geom {
 namespace {
 
+constexpr double kFurthestFromOrigin = 2e5;  // metres
+
 Aabb bounding_box(const BoxTable& table) {
   Aabb all = table.boxes.front();
   for (const Aabb& box : table.boxes) all = merged(all, box);
@@ -62,11 +64,27 @@ std::size_t seal_to_floor(BoxTable& table, double floor, double seal) {
   return sealed;
 }
 
+// Numbers that count from an origin on Earth count from near it: those of a country's projection
+// would put the map, and home, into another country.
+void require_near_origin(const BoxTable& table, const Frame& frame, std::string_view source) {
+  if (!frame.origin || !frame.crs.empty()) return;
+  const Aabb all = bounding_box(table);
+  const Vec3 nearest = Vec3::Zero().cwiseMax(all.min).cwiseMin(all.max);
+  const double away = nearest.head<2>().norm();
+  if (away <= kFurthestFromOrigin) return;
+  throw InputError(source, fmt::format("its coordinates begin {:.0f} km from the origin, latitude {}, "
+                                       "longitude {}: are they those of a projection, which count "
+                                       "from another place?",
+                                       away / 1000, frame.origin->latitude,
+                                       frame.origin->longitude));
+}
+
 }  // namespace
 
 MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_view source,
                  const MakeMapOptions& options) {
   resize(table, source, options);
+  require_near_origin(table, frame, source);
   BoxMapSpec spec;
   spec.frame = std::move(frame);
   spec.history = std::move(history);
@@ -83,9 +101,12 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
   if (!options.bounds && options.floor) spec.bounds.min.z() = *options.floor;
   if (!options.bounds && options.ceiling) spec.bounds.max.z() = *options.ceiling;
   spec.bounds_from = options.bounds ? "option" : options.source_bounds ? "source" : "obstacles";
-  if ((spec.bounds.min.array() >= spec.bounds.max.array()).any()) {
+  // By its negation, which refuses NaN as well.
+  if (!(spec.bounds.min.array() < spec.bounds.max.array()).all() ||
+      !(spec.bounds.min.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate) ||
+      !(spec.bounds.max.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate)) {
     throw InputError(source,
-                     fmt::format("the bounds must have min < max on every axis, found "
+                     fmt::format("the bounds must be finite and have min < max on every axis, found "
                                  "[{}, {}, {}] to [{}, {}, {}]",
                                  spec.bounds.min[0], spec.bounds.min[1], spec.bounds.min[2],
                                  spec.bounds.max[0], spec.bounds.max[1], spec.bounds.max[2]));

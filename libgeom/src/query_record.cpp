@@ -21,7 +21,7 @@ double path_length(const TextLines& lines, std::string_view name, double value) 
 PlanQuery parse_json(const TextLines& lines) {
   const JsonFields fields(lines.line(), lines.source(), lines.number());
   PlanQuery query{fields.text("id", fmt::format("q{}", lines.number())), fields.point("from"),
-                  fields.point("to"), fields.number("best_known")};
+                  fields.point("to"), fields.number("best_known"), 0};
   if (query.best_known) path_length(lines, "best_known", *query.best_known);
   return query;
 }
@@ -80,7 +80,7 @@ class CsvQueries {
     const auto fields = columns_.fields(lines);
     double v[6];
     for (std::size_t i = 0; i < 6; ++i) v[i] = coordinate(lines, kNames[i], fields[numbers_[i]]);
-    PlanQuery query{columns_.id(fields), {v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+    PlanQuery query{columns_.id(fields), {v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {}, 0};
     if (best_known_ && !fields[*best_known_].empty()) {
       query.best_known = path_length(lines, "best_known_m",
                                      coordinate(lines, "best_known_m", fields[*best_known_]));
@@ -110,6 +110,7 @@ std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view sour
       continue;
     }
     queries.push_back(csv ? csv->parse(lines) : parse_json(lines));
+    queries.back().line = lines.number();
     if (!ids.insert(queries.back().id).second) {
       lines.refuse(fmt::format("expected each id once, found \"{}\" again", queries.back().id));
     }

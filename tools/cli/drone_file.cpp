@@ -207,11 +207,33 @@ void Placement::add_to(CLI::App& app) {
 }
 
 traj::MissionFrame Placement::mission_frame(const geom::Frame& frame) const {
-  if (origin) return {*origin, geoid};
+  if (origin) {
+    geom::Frame placed = frame;
+    placed.origin = origin;
+    if (!geom::counts_from_origin(placed)) {
+      throw UsageError(fmt::format("the map's coordinates are those of \"{}\": they do not count from "
+                                   "a place, so --origin cannot say where they are; make the map "
+                                   "from data in metres about that place",
+                                   frame.crs.substr(0, 60)));
+    }
+    return {*origin, geoid};
+  }
   if (!geom::counts_from_origin(frame)) {
     throw UsageError("the map knows no origin on Earth: give --origin latitude,longitude,height");
   }
   return {*frame.origin, geoid};
+}
+
+void require_near_origin(const geom::Polyline& enu, const geom::GeodeticOrigin& origin,
+                         const std::string& id) {
+  constexpr double kFurthest = 2e5;  // metres
+  for (const geom::Vec3& p : enu) {
+    if (p.head<2>().norm() <= kFurthest) continue;
+    throw geom::InputError(
+        id, fmt::format("expected a flight within 200 km of the origin, latitude {}, longitude {}, "
+                        "found [{}, {}]: do the coordinates of the map count from another place?",
+                        origin.latitude, origin.longitude, p.x(), p.y()));
+  }
 }
 
 traj::TelloStart Placement::tello_start(const geom::Vec3& enu_ground) const {

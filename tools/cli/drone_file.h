@@ -37,6 +37,11 @@ struct DroneFile {
   std::vector<std::string> notes;  // what its user should know before flying it, for warnings
 };
 
+// Throws geom::InputError(id, …) for a point (east, north, up) that is further than 200 km from the
+// origin: coordinates of a projection, taken as metres from a place, would put home elsewhere.
+void require_near_origin(const geom::Polyline& enu, const geom::GeodeticOrigin& origin,
+                         const std::string& id);
+
 struct DroneFileOptions {
   std::string format;  // empty: not asked for
   Placement placement;

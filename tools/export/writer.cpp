@@ -73,7 +73,9 @@ Written write_mission(const Task& task, const geom::Polyline& legs) {
   options.home = task.ground;
   if (task.lands) options.landing_on = task.landing;
   options.speed = speed_of(task);
-  const auto mission = traj::make_mission(legs, task.placement.mission_frame(task.frame), options);
+  const traj::MissionFrame over = task.placement.mission_frame(task.frame);
+  cli::require_near_origin(legs, over.origin, task.id);
+  const auto mission = traj::make_mission(legs, over, options);
   std::ostringstream text;
   if (task.format == "wpl") {
     traj::write_wpl(text, mission);
@@ -92,6 +94,7 @@ Written write_line(const Task& task, const geom::Polyline& legs) {
     return {text.str(), {}, {}, {task.format, task.placement, {}}};
   }
   const traj::MissionFrame over = task.placement.mission_frame(task.frame);
+  cli::require_near_origin(legs, over.origin, task.id);
   const geom::GeographicFrame earth(over.origin);
   traj::GeoLine line{task.id, note_of(task), {}};
   for (const Vec3& p : legs) {

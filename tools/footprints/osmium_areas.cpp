@@ -324,7 +324,9 @@ Source read_osm(const std::string& path, const std::string& name, const ReadOpti
   } catch (const std::system_error&) {
     throw;
   } catch (const std::exception& error) {
-    throw geom::InputError(name, fmt::format("expected OpenStreetMap data: {}", error.what()));
+    throw geom::InputError(name, fmt::format("expected OpenStreetMap data, sorted as `osmium sort` does: "
+                                             "{}",
+                                             error.what()));
   }
   return out;
 }

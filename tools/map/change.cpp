@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -142,6 +143,28 @@ std::size_t remove(BoxTable& table, const std::string& word, const std::string& 
   return removed;
 }
 
+// A sloping side is covered by a stair of boxes as high as the slack: so many steps, and no more
+// than seconds.
+void refuse_long_stairs(const geom::Polygon& polygon, double slack, const std::string& name,
+                        std::uint64_t feature) {
+  constexpr double kMostSteps = 1e4;
+  double longest = 0;
+  const auto look_at = [&](const std::vector<geom::Vec2>& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const geom::Vec2 d = (ring[(i + 1) % ring.size()] - ring[i]).cwiseAbs();
+      if (d.minCoeff() > 0) longest = std::max(longest, d.maxCoeff());
+    }
+  };
+  look_at(polygon.outer);
+  std::for_each(polygon.holes.begin(), polygon.holes.end(), look_at);
+  if (longest <= kMostSteps * slack) return;
+  throw geom::InputError(
+      name, fmt::format("feature {}: expected sloping sides of at most {:.6g} m (1e4 times --slack), "
+                        "found one of {:.6g} m: give --slack {:.3g} or more, or cut the volume to the "
+                        "map",
+                        feature, kMostSteps * slack, longest, std::ceil(longest / kMostSteps)));
+}
+
 BoxTable keep_out_boxes(const Changes& changes, const geom::BoxMapSpec& spec) {
   cli::InputFile file(changes.keep_out);
   const geom::KeepOut zones =
@@ -151,6 +174,7 @@ BoxTable keep_out_boxes(const Changes& changes, const geom::BoxMapSpec& spec) {
   table.labels = {""};
   for (std::size_t i = 0; i < zones.volumes.size(); ++i) {
     const geom::Footprint& zone = zones.volumes[i];
+    refuse_long_stairs(zone.polygon, changes.slack, file.name(), zone.id);
     BoxTable one;
     one.labels = {"", zones.labels[i]};
     const geom::Vec3 bulge(zones.bulge[i], zones.bulge[i], 0);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "cli/degrees.h"
 #include "cli/files.h"
 #include "cli/numbers_option.h"
 #include "cli/output_option.h"
@@ -32,8 +34,10 @@ Json step_of(const char* verb, const BoxMap& input) {
   return {{"tool", std::string("skyway-map ") + verb}, {"input", input.hash()}};
 }
 
-void run_crop(const Files& files, const Aabb& region, const cli::Common& common) {
+void run_crop(const Files& files, const Aabb& region, const cli::MetresOption& metres,
+              const cli::Common& common) {
   const BoxMap map = open(files.map, common);
+  metres.check_option(map.spec().frame, std::array{region.min, region.max}, "--bounds");
   geom::BoxMapSpec spec = map.spec();
   spec.bounds = {spec.bounds.min.cwiseMax(region.min), spec.bounds.max.cwiseMin(region.max)};
   if ((spec.bounds.min.array() >= spec.bounds.max.array()).any()) {
@@ -156,9 +160,11 @@ Verb crop(CLI::App& app, const cli::Common& common) {
   auto files = std::make_shared<Files>();
   auto region = std::make_shared<std::optional<Aabb>>();
   CLI::App* verb = files->add(app, "crop", "keep the boxes that meet a region");
+  auto metres = std::make_shared<cli::MetresOption>();
   cli::add_box(*verb, "--bounds", *region, "the region to keep")->required();
+  metres->add_to(*verb);
   return {verb, [=, &common] {
-            run_crop(*files, **region, common);
+            run_crop(*files, **region, *metres, common);
             return cli::Exit::yes;
           }};
 }

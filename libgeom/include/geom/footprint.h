@@ -18,8 +18,8 @@ struct Footprint {
   double bottom = 0;  // metres, <= top
   double top = 0;
   std::uint64_t id = 0;         // of the feature; footprints of one feature follow each other
-  bool ground = false;          // of the Earth: solid however far down the map reaches
   bool likely_covered = false;  // a wall or floor that others of its feature probably hold already
+  bool ground = false;          // of the Earth: solid however far down the map reaches
 };
 
 // Boxes that contain every point of the footprints, none reaching further than `slack` metres

@@ -18,6 +18,7 @@ struct PlanQuery {
   Vec3 from;
   Vec3 to;
   std::optional<double> best_known;  // metres: the length of the best path known
+  std::size_t line = 0;              // of the source; 0: none
 };
 
 // `{"id":"q1","from":[x,y,z],"to":[x,y,z]}` a line (without id: "q" and the line number), or CSV

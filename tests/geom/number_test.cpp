@@ -1,0 +1,53 @@
+#include "geom/io/number.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "geom/io/text_table.h"
+
+namespace {
+
+TEST(ParseNumber, WhatIsTooSmallIsAZeroWithItsSign) {
+  for (const char* text : {"1e-400", "0.001e-330", "1e-99999999999999999999", "123456e-340"}) {
+    const auto value = geom::parse_number(text);
+    ASSERT_TRUE(value) << text;
+    EXPECT_EQ(*value, 0) << text;
+    EXPECT_FALSE(std::signbit(*value)) << text;
+  }
+  const auto negative = geom::parse_number("-1e-400");
+  ASSERT_TRUE(negative);
+  EXPECT_TRUE(*negative == 0 && std::signbit(*negative));
+}
+
+TEST(ParseNumber, WhatIsTooLargeIsNoNumber) {
+  for (const char* text : {"1e400", "-1e400", "1e99999999999999999999", "0.0001e400"}) {
+    EXPECT_FALSE(geom::parse_number(text)) << text;
+  }
+  EXPECT_FALSE(geom::parse_number(std::string(400, '9')));
+}
+
+TEST(ParseNumber, ManyZerosAreWeighedAgainstTheExponent) {
+  EXPECT_EQ(geom::parse_number("0." + std::string(400, '0') + "1e401"), 1.0);
+  EXPECT_EQ(geom::parse_number("1" + std::string(400, '0') + "e-400"), 1.0);
+  EXPECT_EQ(geom::parse_number("0." + std::string(400, '0') + "1"), 0.0);
+}
+
+TEST(ParseNumber, KeepsDenormalsAndTheLargest) {
+  EXPECT_EQ(geom::parse_number("5e-324"), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(geom::parse_number("1.7976931348623157e308"), std::numeric_limits<double>::max());
+  EXPECT_TRUE(std::isinf(geom::parse_number("-inf").value()));
+}
+
+TEST(ReadNumber, LeavesWhatFollows) {
+  const std::string text = "-1e-400,7";
+  double value = 1;
+  const auto [rest, error] = geom::read_number(text.data(), text.data() + text.size(), value);
+  EXPECT_EQ(error, std::errc());
+  EXPECT_EQ(*rest, ',');
+  EXPECT_EQ(value, 0);
+}
+
+}  // namespace

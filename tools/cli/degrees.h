@@ -1,0 +1,32 @@
+#pragma once
+
+// Latitudes and longitudes that were given where metres are expected.
+
+#include <CLI/CLI.hpp>
+#include <span>
+#include <string>
+
+#include "geom/frame.h"
+
+namespace cli {
+
+// Whether all points, of which there is one at least, read as the latitude and longitude (in either
+// order) of places within half a degree of the frame's origin, and none of these numbers is whole.
+// Of points that are metres, spread over a square kilometre, one in a million reads so.
+bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> points);
+
+class MetresOption {
+ public:
+  void add_to(CLI::App& app);  // --metres: insist
+
+  // Throw cli::UsageError, and geom::InputError(source, line, …), where points look like degrees.
+  void check_option(const geom::Frame& frame, std::span<const geom::Vec3> points,
+                    const std::string& option) const;
+  void check_input(const geom::Frame& frame, std::span<const geom::Vec3> points,
+                   const std::string& source, std::size_t line) const;
+
+ private:
+  bool insisted_ = false;
+};
+
+}  // namespace cli
