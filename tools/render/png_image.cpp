@@ -72,6 +72,22 @@ bool write_all(png_structp png, png_infop info, const Picture& picture, const La
   return true;
 }
 
+std::string encoded(const Picture& picture, const Layout& layout,
+                    const std::function<png_const_bytep(int)>& row) {
+  Written out;
+  std::unique_ptr<png_struct, Destroy> png(
+      png_create_write_struct(PNG_LIBPNG_VER_STRING, &out, refuse, nullptr));
+  if (!png) throw std::bad_alloc();
+  png_infop info = png_create_info_struct(png.get());
+  if (!info) throw std::bad_alloc();
+  png.get_deleter().info = info;
+  png_set_write_fn(png.get(), &out, append, nullptr);
+  const bool written = write_all(png.get(), info, picture, layout, row);
+  if (out.failure) std::rethrow_exception(out.failure);
+  if (!written) throw std::runtime_error("cannot write PNG");
+  return std::move(out.bytes);
+}
+
 // Rows of what `put(pixel, bytes)` makes of each pixel.
 template <class Put>
 std::string encoded_pixels(const Picture& picture, const Layout& layout, const Put& put) {
