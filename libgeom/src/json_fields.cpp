@@ -97,8 +97,8 @@ Limits JsonFields::limits(const Json& value, std::string_view what) const {
     if (field == std::end(kLimitFields)) {
       std::string names;
       for (const LimitField& f : kLimitFields) names += fmt::format(" {}", f.name);
-      refuse(
-          fmt::format("{} has \"{}\", which is no limit; expected some of:{}", what, key, names));
+      refuse(fmt::format("{} has {}, which is no limit; expected some of:{}", what,
+                         shown(Json(key)), names));
     }
     const std::string where = fmt::format("{}.{}", what, key);
     const double limit = number(entry, where);

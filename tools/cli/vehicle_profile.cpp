@@ -9,6 +9,7 @@
 #include "built_in_vehicles.h"
 #include "files.h"
 #include "geom/io/json_fields.h"
+#include "geom/io/parse_json.h"
 #include "numbers_option.h"
 #include "run.h"
 #include "traj/io/airframe_record.h"
@@ -46,9 +47,9 @@ void require_known_keys(const JsonFields& fields) {
   for (const auto& [key, value] : fields.object().items()) {
     if (std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end()) continue;
     fields.refuse(
-        fmt::format("\"{}\" is no key of a vehicle's profile; expected some of: {} (remarks go "
-                    "into sources)",
-                    key, fmt::join(kKeys, " ")));
+        fmt::format("{} is no key of a vehicle's profile; expected some of: {} (remarks go into "
+                    "sources)",
+                    geom::shown(nlohmann::json(key)), fmt::join(kKeys, " ")));
   }
 }
 
