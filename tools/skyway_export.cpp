@@ -117,7 +117,7 @@ struct Options {
   std::string input() const { return files.size() > map_files() ? files.back() : "-"; }
   std::size_t map_files() const { return unchecked ? 0 : 1; }
 
-  void require_sound(const Task& task) const {
+  void require_sound() const {
     if (files.empty() && !unchecked) throw cli::UsageError("map is required (or --unchecked)");
     if (files.size() > map_files() + 1) throw cli::UsageError("--unchecked takes no map");
     if (!unchecked) cli::at_most_one_stdin({files[0], input()});
@@ -181,7 +181,7 @@ void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked)
   cli::only_for(app, mission || line, {"--origin", "--geoid"}, "formats with places on Earth");
   cli::only_for(app, tello, {"--takeoff-height", "--heading", "--python", "--table"},
                 "--format tello");
-  cli::only_for(app, !unchecked, {"--vehicle", "--margin"}, "an export that is checked");
+  cli::only_for(app, !unchecked, {"--margin"}, "an export that is checked");
 }
 
 // Without a map nothing judges the speed of each leg, so that it must suit legs in any direction.
@@ -249,7 +249,7 @@ int main(int argc, char** argv) {
   Task task;
   add_options(app, options, task);
   return cli::run_tool(app, argc, argv, [&] {
-    options.require_sound(task);
+    options.require_sound();
     refuse_idle(app, task.format, options.unchecked);
     const std::string input = options.input();
     const TrajectoryRecord record =

@@ -95,7 +95,7 @@ def another_vehicle_is_refused():
     for other in ("slow.json", "fast.json"):
         for command in (f"skyway-traj city path --vehicle {other} --margin 0.5",
                         f"skyway-export city trajectory --vehicle {other} --margin 0.5 --format crazyflie",
-                        f"skyway-export --unchecked trajectory --vehicle {other} --margin 0.5 --format crazyflie",
+                        f"skyway-export --unchecked trajectory --vehicle {other} --format crazyflie",
                         f"skyway-fly trajectory --vehicle {other} -o log",
                         f"skyway-fly city trajectory --vehicle {other} -o log"):
             done = run(command, exits=(3,))
