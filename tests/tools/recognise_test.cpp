@@ -72,6 +72,9 @@ TEST(Recognise, NamesOurOwnFiles) {
   EXPECT_EQ(what(zip("meta.json", R"({"format":"skyway-boxmap")")), "a box map");
   EXPECT_EQ(what(zip("meta.json", R"({"format":"skyway-lattice")")), "a lattice");
   EXPECT_EQ(what(zip("meta.json", R"({"format":"skyway-roadmap")")), "a roadmap");
+  EXPECT_EQ(
+      what(zip("meta.json", R"({"format":"skyway-roadmap","lattice":{"format":"skyway-lattice")")),
+      "a roadmap");
   EXPECT_EQ(what(zip("meta.json", R"({"content":{},"format":"skyway-shard")")), "a shard");
   EXPECT_EQ(what(R"({"type":"path","id":"a")"), "a stream of paths");
   EXPECT_EQ(what(R"({"type":"trajectory","id":"a")"), "a stream of trajectories");

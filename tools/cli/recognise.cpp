@@ -139,12 +139,12 @@ constexpr std::array kJson = {
 constexpr std::array kZip = {
     Word{R"("format":"skyway-shard")", "a shard", "skyway-join skyway-fly skyway-info", ""},
     Word{R"("format":"skyway-boxmap")", "a box map", kMapTools, ""},
-    Word{
-        "skyway-lattice", "a lattice",
-        "skyway-plan skyway-replan skyway-lattice skyway-bench skyway-view skyway-plot skyway-info",
-        ""},
     Word{R"("format":"skyway-roadmap")", "a roadmap",
          "skyway-plan skyway-replan skyway-roadmap skyway-bench skyway-info", ""},
+    Word{
+        R"("format":"skyway-lattice")", "a lattice",
+        "skyway-plan skyway-replan skyway-lattice skyway-bench skyway-view skyway-plot skyway-info",
+        ""},
     Word{"wpmz/", "a DJI mission (KMZ with WPML)", "", kToMission},
     Word{".wpml", "a DJI mission (KMZ with WPML)", "", kToMission},
     Word{".kml", "a KMZ file", "", "unpack the KML in it"},
@@ -173,7 +173,8 @@ FileKind las_kind(std::string_view head) {
   if (!compressed) return {"a LAS point cloud", "skyway-cloud", ""};
   const bool copc = head.substr(0, 600).find("copc") != head.npos;
   return {copc ? "a COPC point cloud (LAZ)" : "a LAZ point cloud", "",
-          "unpack it to LAS, for example with laszip or PDAL; skyway-cloud reads that"};
+          "unpack it to LAS, for example with laszip or PDAL; skyway-cloud reads that",
+          "skyway-cloud"};
 }
 
 FileKind sqlite_kind(std::string_view head) {
@@ -238,17 +239,17 @@ std::string head_of(const std::string& path) {
   return head;
 }
 
-bool reads(std::string_view tools, std::string_view tool) {
+bool names(std::string_view tools, std::string_view tool) {
   return fmt::format(" {} ", tools).find(fmt::format(" {} ", tool)) != std::string::npos;
 }
 
 // Who reads it, where that is not half of all tools, or what to do.
 std::string advice(const FileKind& kind) {
   if (kind.tools.empty()) return kind.otherwise.empty() ? "" : fmt::format(": {}", kind.otherwise);
-  std::string names;
-  for (const char c : kind.tools) names += c == ' ' ? ", " : std::string(1, c);
+  std::string list;
+  for (const char c : kind.tools) list += c == ' ' ? ", " : std::string(1, c);
   const bool many = std::count(kind.tools.begin(), kind.tools.end(), ' ') > 2;
-  return many ? "" : fmt::format(", for {}", names);
+  return many ? "" : fmt::format(", for {}", list);
 }
 
 }  // namespace
@@ -277,7 +278,7 @@ std::string other_kind(std::string_view tool, std::string_view message) {
   for (const RunFiles::Input& input : files->inputs()) {
     if (!message.starts_with(input.path + ":")) continue;
     const auto kind = recognise(input.path == "stdin" ? input.head : head_of(input.path));
-    if (!kind || reads(kind->tools, tool)) return "";
+    if (!kind || names(kind->tools, tool) || names(kind->named_by, tool)) return "";
     return fmt::format("; the file is {}{}", kind->what, advice(*kind));
   }
   return "";

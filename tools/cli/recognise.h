@@ -9,9 +9,10 @@
 namespace cli {
 
 struct FileKind {
-  std::string what;            // "an E57 point cloud"
-  std::string_view tools;      // that read it, by name, with blanks between; empty: none
-  std::string_view otherwise;  // what to do where no tool reads it; may be empty
+  std::string what;                // "an E57 point cloud"
+  std::string_view tools;          // that read it, by name, with blanks between; empty: none
+  std::string_view otherwise;      // what to do where no tool reads it; may be empty
+  std::string_view named_by = {};  // tools that say by themselves what it is
 };
 
 constexpr std::size_t kHead = 4096;  // bytes that recognise() looks at
