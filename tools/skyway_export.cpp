@@ -178,7 +178,7 @@ void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked)
   cli::only_for(app, legs, {"--tolerance"}, "formats of straight legs");
   cli::only_for(app, tello || mission, {"--speed", "--hover", "--ground"},
                 "missions and Tello scripts");
-  cli::only_for(app, mission || line, {"--origin", "--geoid"}, "formats with places on Earth");
+  // --origin and --geoid say where the map is: that is true whatever the format needs of it.
   cli::only_for(app, tello, {"--takeoff-height", "--heading", "--python", "--table"},
                 "--format tello");
   cli::only_for(app, !unchecked, {"--margin"}, "an export that is checked");

@@ -450,7 +450,6 @@ def idle_options(folder):
             ("skyway-check", ["m.boxmap", "t.jsonl", "--heading", "10"]),
             ("skyway-export", [*export, "crazyflie", "--rate", "10"]),
             ("skyway-export", [*export, "crazyflie", "--speed", "1"]),
-            ("skyway-export", [*export, "tello", "--origin", "37,-122,0"]),
             ("skyway-export", [*export, "kml", "--heading", "10"]),
             ("skyway-export", ["t.jsonl", "--unchecked", "--format", "kml", "--margin", "1"]),
             ("skyway-import", ["village.csv", "--unknown", "blocked"]),
