@@ -2,8 +2,8 @@
 
 For each map one street-level query of 45 to 50 m whose straight line is blocked, its path and trajectory, and then
 skyway-plan, skyway-check and skyway-export of two builds: with the file in the system's cache and not, and of the later
-build without a mark of an earlier run and with one. Median wall seconds of RUNS (default 5) processes, and the largest
-peak megabytes. Where caches may not be dropped whole, that file is.
+build without a mark of an earlier run and with one. Median wall and CPU seconds of RUNS (default 5) processes,
+and the largest peak megabytes. Where caches may not be dropped whole, that file is.
 """
 
 import json
@@ -20,7 +20,7 @@ import time
 
 BEFORE, AFTER = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 RUNS = int(os.environ.get("RUNS", 5))
-VEHICLE = ["--vehicle", "box:1,1,1"]
+VEHICLE = ["--vehicle", "box:1,1,1", "--margin", "0.5"]
 
 
 def output(*args, text=None):
@@ -64,13 +64,13 @@ def drop(city):
 
 
 def measure(command, environment):
-    """Wall seconds and peak megabytes of one process."""
+    """Wall and CPU seconds and peak megabytes of one process."""
     begin = time.monotonic()
     child = subprocess.Popen([str(part) for part in command], env=environment, stdout=subprocess.DEVNULL,
                              stdin=subprocess.DEVNULL)
     _, status, usage = os.wait4(child.pid, 0)
     assert os.waitstatus_to_exitcode(status) == 0, command
-    return time.monotonic() - begin, usage.ru_maxrss / 1024
+    return time.monotonic() - begin, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
 def row(command, city, cache, cached, mark):
@@ -79,16 +79,17 @@ def row(command, city, cache, cached, mark):
     measure(command, environment)
     if mark:
         assert list((cache / "skyway/verified").iterdir()), "no mark was left"
-    walls, peaks = [], []
+    walls, times, peaks = [], [], []
     for _ in range(RUNS):
         if not mark:
             shutil.rmtree(cache, ignore_errors=True)
         if not cached:
             drop(city)
-        wall, peak = measure(command, environment)
+        wall, cpu, peak = measure(command, environment)
         walls.append(wall)
+        times.append(cpu)
         peaks.append(peak)
-    return f"{statistics.median(walls):7.3f} s {max(peaks):5.0f} MB"
+    return f"{statistics.median(walls):.3f} s {statistics.median(times):.3f} s {max(peaks):.0f} MB"
 
 
 for city in sys.argv[3:]:
@@ -104,10 +105,10 @@ for city in sys.argv[3:]:
                     "export": ["skyway-export", city, file, "--format", "setpoints", *out]}
         boxes = json.loads(output("skyway-info", "--json", city)[1])["boxes"]
         print(f"{pathlib.Path(city).name}, {boxes} boxes, {os.path.getsize(city) / 1e6:.1f} MB")
-        print(f"  {'':20}{'before':>20}{'after, no mark':>20}{'after, mark':>20}")
+        print(f"  {'':20}{'before':>26}{'after, no mark':>26}{'after, mark':>26}")
         for tool, command in commands.items():
             for cached in (True, False):
                 cells = [row([binaries / command[0], *command[1:]], city, folder / "cache", cached, mark)
                          for binaries, mark in ((BEFORE, False), (AFTER, False), (AFTER, True))]
-                print(f"  {tool + (', cached' if cached else ', not cached'):20}" + "".join(f"{c:>20}" for c in cells),
+                print(f"  {tool + (', cached' if cached else ', not cached'):20}" + "".join(f"{c:>26}" for c in cells),
                       flush=True)

@@ -288,7 +288,7 @@ def directory(folder):
         for i in range(300000):
             archive.writestr(zipfile.ZipInfo(f"{i}.npy"), b"")
     begin = time.monotonic()
-    code, _, error = run("skyway-info", path)
+    code, _, error = run("skyway-map", "info", path)
     expect("a directory of 300,000 entries", code == 3 and time.monotonic() - begin < 5, f"{code} {error}")
 
 
