@@ -123,7 +123,7 @@ Json describe_file(const std::string& input, bool verify) {
                            "expected a map, a lattice, a roadmap or a shard, which "
                            "alone have checksums to verify, found another file");
   }
-  if (kind && !is_ours(*kind)) return describe_foreign(*kind);
+  if (kind && !is_ours(*kind) && !verify) return describe_foreign(*kind);
   if (archive && input != "-") return describe_archive(cli::open_archive(input), verify);
   const std::string text(std::istreambuf_iterator<char>(in.stream()), {});
   if (!archive) return describe_records(text, file.name());

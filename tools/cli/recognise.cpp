@@ -185,13 +185,20 @@ FileKind sqlite_kind(std::string_view head) {
   return {"an SQLite database", "skyway-footprints", ""};
 }
 
+std::string without_blanks(std::string_view text) {
+  std::string out;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(out),
+               [](unsigned char c) { return !std::isspace(c); });
+  return out;
+}
+
 FileKind zip_kind(std::string_view head) {
   constexpr std::size_t kNameSize = 26;
   constexpr std::size_t kName = 30;
   const std::size_t size = byte(head, kNameSize) + 256u * byte(head, kNameSize + 1);
   const auto name = head.substr(std::min(kName, head.size()), size);
   const bool ours = name == "meta.json";
-  if (const auto known = first_in(ours ? head : name, kZip)) return *known;
+  if (const auto known = first_in(ours ? without_blanks(head) : std::string(name), kZip)) return *known;
   return {fmt::format("a ZIP archive whose first entry is \"{}\"", geom::excerpt(name, 40)), "",
           kUnpack};
 }
@@ -205,13 +212,6 @@ bool is_tlog(std::string_view head) {
 // A fence in Mission Planner's words: items of the commands 5000 to 5004.
 bool is_fence(std::string_view head) {
   return head.starts_with("QGC WPL") && head.find("\t500") != head.npos;
-}
-
-std::string without_blanks(std::string_view text) {
-  std::string out;
-  std::copy_if(text.begin(), text.end(), std::back_inserter(out),
-               [](unsigned char c) { return !std::isspace(c); });
-  return out;
 }
 
 std::optional<FileKind> text_kind(std::string_view head) {
