@@ -81,7 +81,7 @@ TEST(Check, SaysNoYesToWhatIsNotANumber) {
     EXPECT_EQ(check_path(scene, path).reason, "coordinates") << wrong;
     EXPECT_EQ(check_path(scene, std::span(path).last(1)).reason, "coordinates") << wrong;
   }
-  for (const double duration : {nan, 0.0, -1.0, INFINITY}) {
+  for (const double duration : {nan, 0.0, -1.0, HUGE_VAL}) {
     Trajectory t = line;
     t.segments[0].duration = duration;
     EXPECT_FALSE(check(scene, t, Limits{}).ok) << duration;
