@@ -296,8 +296,9 @@ std::string settled_history(const Cloud& points, const Options& options,
   const std::string report = options.placement.report();
   if (!report.empty()) common.warn(name + ": " + report);
   if (options.format == "las" && points.says_nothing() && !options.placement.units_given()) {
-    common.warn(name + ": the file does not say what its units are: taken as metres (--units says "
-                       "otherwise)");
+    common.warn(name +
+                ": the file does not say what its units are: taken as metres (--units says "
+                "otherwise)");
   }
   return Report::array({step}).dump();
 }
@@ -335,9 +336,9 @@ int main(int argc, char** argv) {
     if (sharding.asked()) {
       const geom::ColumnGrid columns = stream(points, options, sharding.shard(), report);
       const geom::MakeMapOptions map = options.map.make();
-      cli::write_shard(sharding, output, columns, options.columns,
-                       {options.placement.frame(),
-                        settled_history(points, options, map, name, common), map});
+      cli::write_shard(
+          sharding, output, columns, options.columns,
+          {options.placement.frame(), settled_history(points, options, map, name, common), map});
       common.write_stats(std::move(report));
       return cli::Exit::yes;
     }

@@ -78,8 +78,11 @@ std::string detected(std::string_view head, const std::string& source) {
 Source read_fcnd(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {
   geom::FcndTable fcnd = geom::read_fcnd_csv(in, name);
   if (!map.floor) map.floor = 0;
-  return {std::move(fcnd.table), {geom::Axes::neu, fcnd.origin, ""}, fcnd.flat,
-          fcnd.largest_change, std::move(fcnd.skipped)};
+  return {std::move(fcnd.table),
+          {geom::Axes::neu, fcnd.origin, ""},
+          fcnd.flat,
+          fcnd.largest_change,
+          std::move(fcnd.skipped)};
 }
 
 Source read_block_text(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {

@@ -21,7 +21,7 @@ using Surface = std::vector<std::vector<Vec3>>;  // an outer ring, then holes
 
 constexpr double kWall = 1e-6;  // m2 in plan: below it a surface stands upright
 // What lies on the ground: without a geometry, nothing of it is known to be in the air.
-const std::set<std::string> kLevel = {"TINRelief", "LandUse",  "WaterBody",      "Waterway",
+const std::set<std::string> kLevel = {"TINRelief", "LandUse", "WaterBody",      "Waterway",
                                       "Road",      "Railway", "TransportSquare"};
 const std::set<std::string> kGround = {"TINRelief", "LandUse", "WaterBody", "Waterway"};
 
@@ -115,7 +115,8 @@ class Reader {
       const bool parent = object.contains("children") && object["children"].is_array() &&
                           !object["children"].empty();
       if (other_ > 0 || !(parent || kLevel.contains(type) || type == "CityObjectGroup")) {
-        out_.skipped.add(fmt::format("{} without surfaces", type.substr(0, 40)), name.substr(0, 60));
+        out_.skipped.add(fmt::format("{} without surfaces", type.substr(0, 40)),
+                         name.substr(0, 60));
       }
       return;
     }

@@ -47,8 +47,9 @@ char CsvRecords::read_field(int first) {
   }
   while (is_blank(c)) c = get();
   if (c != ',' && c != '\n' && c != kEnd) {
-    refuse("expected a comma or the end of the line after a closing quote, and a quote within a "
-           "field to be doubled");
+    refuse(
+        "expected a comma or the end of the line after a closing quote, and a quote within a "
+        "field to be doubled");
   }
   return c == ',' ? ',' : '\n';
 }

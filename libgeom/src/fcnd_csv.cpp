@@ -90,8 +90,8 @@ void add_box(const TextLines& lines, const Columns& columns, std::size_t width, 
   }
   for (std::size_t i = width; i < fields.size(); ++i) {
     if (fields[i].empty()) continue;
-    out.skipped.add("field without a column", fmt::format("line {}: {}", lines.number(),
-                                                          fields[i].substr(0, 40)));
+    out.skipped.add("field without a column",
+                    fmt::format("line {}: {}", lines.number(), fields[i].substr(0, 40)));
   }
   std::array<double, 6> v;
   for (std::size_t i = 0; i < v.size(); ++i) {

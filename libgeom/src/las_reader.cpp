@@ -21,14 +21,14 @@ constexpr std::size_t kRecord[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
 struct Header {
   std::size_t size = 0;
-  std::uint32_t records = 0;          // variable length records before the points
-  std::uint64_t later_records = 0;    // where those after the points start; 0: none
+  std::uint32_t records = 0;        // variable length records before the points
+  std::uint64_t later_records = 0;  // where those after the points start; 0: none
   std::uint32_t later_count = 0;
-  std::uint64_t waveforms = 0;  // where they start; 0: not in this file
-  bool well_known_text = false;       // is what describes the coordinates, not the keys
-  std::uint32_t data = 0;  // where the points start
-  std::size_t record = 0;  // bytes a point
-  bool modern = false;     // formats 6 to 10 keep their class elsewhere
+  std::uint64_t waveforms = 0;   // where they start; 0: not in this file
+  bool well_known_text = false;  // is what describes the coordinates, not the keys
+  std::uint32_t data = 0;        // where the points start
+  std::size_t record = 0;        // bytes a point
+  bool modern = false;           // formats 6 to 10 keep their class elsewhere
   std::uint64_t points = 0;
   Vec3 scale;
   Vec3 offset;
@@ -142,9 +142,9 @@ class References {
     if (!directory_.empty()) of_keys = reference_of_geo_keys(directory_, doubles_);
     if (text_.empty()) return of_keys;
     if (directory_.empty()) return of_text;
-    const bool same_plane = of_text.kind == of_keys.kind &&
-                            (!of_text.plane || !of_keys.plane ||
-                             std::abs(*of_text.plane - *of_keys.plane) < 1e-9);
+    const bool same_plane =
+        of_text.kind == of_keys.kind &&
+        (!of_text.plane || !of_keys.plane || std::abs(*of_text.plane - *of_keys.plane) < 1e-9);
     if (!same_plane) {
       refuse(source_, fmt::format("its well-known text ({}) and its GeoTIFF keys ({}) contradict "
                                   "each other",
@@ -255,9 +255,10 @@ CloudCounts read_las(std::istream& in, std::string_view source, const PointSink&
   }
   require_no_more(in, h, source);
   if (described_later(in, h, source) && told.kind == CoordinateReference::Kind::none) {
-    refuse(source,
-           "what its coordinates mean stands after its points, where it is not read: write the file "
-           "anew, for example with `pdal translate in.las out.las`");
+    refuse(
+        source,
+        "what its coordinates mean stands after its points, where it is not read: write the file "
+        "anew, for example with `pdal translate in.las out.las`");
   }
   return chunks.finish();
 }

@@ -72,11 +72,11 @@ void require_near_origin(const BoxTable& table, const Frame& frame, std::string_
   const Vec3 nearest = Vec3::Zero().cwiseMax(all.min).cwiseMin(all.max);
   const double away = nearest.head<2>().norm();
   if (away <= kFurthestFromOrigin) return;
-  throw InputError(source, fmt::format("its coordinates begin {:.0f} km from the origin, latitude {}, "
-                                       "longitude {}: are they those of a projection, which count "
-                                       "from another place?",
-                                       away / 1000, frame.origin->latitude,
-                                       frame.origin->longitude));
+  throw InputError(source,
+                   fmt::format("its coordinates begin {:.0f} km from the origin, latitude {}, "
+                               "longitude {}: are they those of a projection, which count "
+                               "from another place?",
+                               away / 1000, frame.origin->latitude, frame.origin->longitude));
 }
 
 }  // namespace
@@ -105,11 +105,11 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
   if (!(spec.bounds.min.array() < spec.bounds.max.array()).all() ||
       !(spec.bounds.min.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate) ||
       !(spec.bounds.max.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate)) {
-    throw InputError(source,
-                     fmt::format("the bounds must be finite and have min < max on every axis, found "
-                                 "[{}, {}, {}] to [{}, {}, {}]",
-                                 spec.bounds.min[0], spec.bounds.min[1], spec.bounds.min[2],
-                                 spec.bounds.max[0], spec.bounds.max[1], spec.bounds.max[2]));
+    throw InputError(
+        source, fmt::format("the bounds must be finite and have min < max on every axis, found "
+                            "[{}, {}, {}] to [{}, {}, {}]",
+                            spec.bounds.min[0], spec.bounds.min[1], spec.bounds.min[2],
+                            spec.bounds.max[0], spec.bounds.max[1], spec.bounds.max[2]));
   }
   const std::size_t sealed = seal_to_floor(table, spec.bounds.min.z(), options.seal);
   std::size_t beyond = 0;

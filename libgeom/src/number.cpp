@@ -37,7 +37,8 @@ std::from_chars_result read_number(const char* first, const char* last, double& 
   const std::from_chars_result read = std::from_chars(first, last, value);
   if (read.ec != std::errc::result_out_of_range) return read;
   const bool negative = *first == '-';
-  const std::string_view text(first + negative, static_cast<std::size_t>(read.ptr - first) - negative);
+  const std::string_view text(first + negative,
+                              static_cast<std::size_t>(read.ptr - first) - negative);
   const bool decimal = std::all_of(text.begin(), text.end(), [](char c) {
     return is_digit(c) || c == '.' || c == 'e' || c == 'E' || c == '+' || c == '-';
   });

@@ -40,8 +40,7 @@ class PlyReader {
       read_element(element);
       points |= element.name == "vertex";
       if (is_surface(element.name) && element.count > 0) {
-        skipped.add("surface of a mesh",
-                    fmt::format("element {} {}", element.name, element.count));
+        skipped.add("surface of a mesh", fmt::format("element {} {}", element.name, element.count));
       }
     }
     if (in_ >> std::ws && in_.peek() != std::char_traits<char>::eof()) {

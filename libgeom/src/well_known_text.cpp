@@ -161,11 +161,12 @@ CoordinateReference reference_of(const Node& node) {
     return std::find(list.begin(), list.end(), word) != list.end();
   };
   CoordinateReference out;
-  if (is(node.keyword, {"PROJCS", "PROJCRS", "PROJECTEDCRS", "LOCAL_CS", "ENGCRS",
-                        "ENGINEERINGCRS"})) {
+  if (is(node.keyword,
+         {"PROJCS", "PROJCRS", "PROJECTEDCRS", "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"})) {
     return lengths(node);
   }
-  if (is(node.keyword, {"GEOGCS", "GEOCCS", "GEOGCRS", "GEODCRS", "GEOGRAPHICCRS", "GEODETICCRS"})) {
+  if (is(node.keyword,
+         {"GEOGCS", "GEOCCS", "GEOGCRS", "GEODCRS", "GEOGRAPHICCRS", "GEODETICCRS"})) {
     out.kind = Kind::no_plane;
     return out;
   }
@@ -199,8 +200,7 @@ CoordinateReference reference_of_wkt(std::string_view text) {
   if (node) out = reference_of(*node);
   if (!node) out.kind = Kind::not_known;
   out.name = node && !node->values.empty() ? node->values.front() : std::string(text.substr(0, 60));
-  const bool local =
-      node && (node->keyword == "LOCAL_CS" || node->keyword.starts_with("ENG"));
+  const bool local = node && (node->keyword == "LOCAL_CS" || node->keyword.starts_with("ENG"));
   if (!local) out.crs = std::string(trimmed(text));
   return out;
 }

@@ -96,8 +96,9 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
   if (!blocks.is_array() || blocks.empty()) {
     world.refuse("expected at least one block in \"blocks\", found " + shown(blocks));
   }
-  note_unknown(root, {"bounds", "blocks", "start", "goal", "resolution", "margin", "expected_path_length"},
-               "", out);
+  note_unknown(
+      root, {"bounds", "blocks", "start", "goal", "resolution", "margin", "expected_path_length"},
+      "", out);
   out.table.labels = {""};
   std::map<std::string, std::uint32_t> known = {{"", 0}};
   for (std::size_t i = 0; i < blocks.size(); ++i) {

@@ -42,8 +42,8 @@ CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink&
     first = false;
   }
   if (promised && *promised != static_cast<double>(found)) {
-    lines.refuse(fmt::format("expected {} points, as the first line says, found {}", *promised,
-                             found));
+    lines.refuse(
+        fmt::format("expected {} points, as the first line says, found {}", *promised, found));
   }
   return chunks.finish();
 }

@@ -17,7 +17,8 @@ using Kind = CoordinateReference::Kind;
 using support::LasFile;
 
 constexpr const char* kProjected =
-    "PROJCS[\"p\",GEOGCS[\"g\",UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],"
+    "PROJCS[\"p\",GEOGCS[\"g\",UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"Transverse_"
+    "Mercator\"],"
     "UNIT[\"u\",{}]]";
 
 TEST(WellKnownText, TheUnitIsThatOfThePlane) {
@@ -30,8 +31,9 @@ TEST(WellKnownText, TheUnitIsThatOfThePlane) {
 
 TEST(WellKnownText, ACompoundSystemHasAUnitOfHeights) {
   const std::string plane = fmt::format(fmt::runtime(kProjected), "1");
-  const auto both = geom::reference_of_wkt(
-      "COMPD_CS[\"c\"," + plane + ",VERT_CS[\"v\",VERT_DATUM[\"d\",2005],UNIT[\"ft\",0.3048006096]]]");
+  const auto both =
+      geom::reference_of_wkt("COMPD_CS[\"c\"," + plane +
+                             ",VERT_CS[\"v\",VERT_DATUM[\"d\",2005],UNIT[\"ft\",0.3048006096]]]");
   EXPECT_EQ(both.plane, 1.0);
   EXPECT_EQ(both.up, 0.3048006096);
   const auto open = geom::reference_of_wkt("COMPD_CS[\"c\"," + plane + ",VERT_CS[\"v\"]]");
@@ -40,8 +42,10 @@ TEST(WellKnownText, ACompoundSystemHasAUnitOfHeights) {
 
 TEST(WellKnownText, Wkt2HasUnitsOfAxes) {
   const auto iso = geom::reference_of_wkt(
-      "PROJCRS[\"p\",BASEGEOGCRS[\"b\",DATUM[\"d\",ELLIPSOID[\"e\",6378137,298.25,LENGTHUNIT[\"metre\",1]]]],"
-      "CONVERSION[\"c\",METHOD[\"Transverse Mercator\"],PARAMETER[\"False easting\",5,LENGTHUNIT[\"metre\",1]]],"
+      "PROJCRS[\"p\",BASEGEOGCRS[\"b\",DATUM[\"d\",ELLIPSOID[\"e\",6378137,298.25,LENGTHUNIT["
+      "\"metre\",1]]]],"
+      "CONVERSION[\"c\",METHOD[\"Transverse Mercator\"],PARAMETER[\"False "
+      "easting\",5,LENGTHUNIT[\"metre\",1]]],"
       "CS[Cartesian,2],AXIS[\"e\",east,LENGTHUNIT[\"US survey foot\",0.304800609601219]],"
       "AXIS[\"n\",north,LENGTHUNIT[\"US survey foot\",0.304800609601219]]]");
   EXPECT_EQ(iso.kind, Kind::metric);
@@ -51,12 +55,14 @@ TEST(WellKnownText, Wkt2HasUnitsOfAxes) {
 TEST(WellKnownText, DegreesAndWorldMercatorAreNoPlane) {
   EXPECT_EQ(geom::reference_of_wkt("GEOGCS[\"g\",UNIT[\"degree\",0.01745]]").kind, Kind::no_plane);
   EXPECT_EQ(geom::reference_of_wkt("GEOCCS[\"g\",UNIT[\"metre\",1]]").kind, Kind::no_plane);
-  EXPECT_EQ(geom::reference_of_wkt("PROJCS[\"w\",PROJECTION[\"Mercator_1SP\"],UNIT[\"metre\",1]]").kind,
-            Kind::no_plane);
+  EXPECT_EQ(
+      geom::reference_of_wkt("PROJCS[\"w\",PROJECTION[\"Mercator_1SP\"],UNIT[\"metre\",1]]").kind,
+      Kind::no_plane);
 }
 
 TEST(WellKnownText, WhatIsNotUnderstoodIsSaidToBe) {
-  for (const char* text : {"", "hello", "PROJCS[\"a\"", "PROJCS[\"a\"]]", "FOO[1]", "PROJCS[\"a,1]"}) {
+  for (const char* text :
+       {"", "hello", "PROJCS[\"a\"", "PROJCS[\"a\"]]", "FOO[1]", "PROJCS[\"a,1]"}) {
     EXPECT_EQ(geom::reference_of_wkt(text).kind, Kind::not_known) << text;
   }
   std::string deep;
@@ -86,7 +92,8 @@ TEST(GeoKeys, UnitsByCodeAndByUtm) {
 CoordinateReference told_by(const LasFile& file) {
   std::istringstream in(file.bytes());
   CoordinateReference out;
-  geom::read_las(in, "t", [](auto) {}, [&](const CoordinateReference& told) { out = told; });
+  geom::read_las(
+      in, "t", [](auto) {}, [&](const CoordinateReference& told) { out = told; });
   return out;
 }
 
@@ -105,8 +112,8 @@ TEST(Las, RefusesPointsThatTheHeaderDoesNotCount) {
   EXPECT_THROW(geom::read_las(in, "t", [](auto) {}), geom::InputError);
 }
 
-// Ten thousand files in some unit, told by keys, by text, or by both: the unit comes out, or nothing
-// does and then the file named none.
+// Ten thousand files in some unit, told by keys, by text, or by both: the unit comes out, or
+// nothing does and then the file named none.
 TEST(Las, TellsEveryUnitThatAFileNames) {
   std::mt19937 random(7);
   const std::pair<std::uint16_t, double> units[] = {
@@ -118,10 +125,12 @@ TEST(Las, TellsEveryUnitThatAFileNames) {
     const bool vertical = random() % 2;
     LasFile file;
     file.points = {{double(random() % 1000), 2, 3}};
-    std::vector<std::pair<std::uint16_t, std::uint16_t>> keys = {{1024, 1}, {3072, 2992}, {3076, code}};
+    std::vector<std::pair<std::uint16_t, std::uint16_t>> keys = {
+        {1024, 1}, {3072, 2992}, {3076, code}};
     if (vertical) keys.emplace_back(4099, up_code);
     std::string text = fmt::format(fmt::runtime(kProjected), metres);
-    if (vertical) text = fmt::format("COMPD_CS[\"c\",{},VERT_CS[\"v\",UNIT[\"u\",{}]]]", text, up_metres);
+    if (vertical)
+      text = fmt::format("COMPD_CS[\"c\",{},VERT_CS[\"v\",UNIT[\"u\",{}]]]", text, up_metres);
     if (how & 1) file.records.push_back(LasFile::geo_keys(keys));
     if (how & 2) file.records.push_back(LasFile::text(text));
     if (random() % 2) file.records.push_back({"other", 7, std::string(random() % 50, 'x')});

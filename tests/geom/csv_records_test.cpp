@@ -1,8 +1,7 @@
 #include "geom/io/csv_records.h"
 
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <random>
 #include <sstream>
@@ -29,7 +28,9 @@ TEST(CsvRecords, QuotedFieldsHoldCommasQuotesAndLineBreaks) {
 }
 
 TEST(CsvRecords, OtherFieldsAreTrimmedAndEmptyLinesPassedOver) {
-  EXPECT_EQ(read("\xef\xbb\xbf" " a , b\n\n \r\nc,"), (Rows{{"a", "b"}, {"c", ""}}));
+  EXPECT_EQ(read("\xef\xbb\xbf"
+                 " a , b\n\n \r\nc,"),
+            (Rows{{"a", "b"}, {"c", ""}}));
 }
 
 TEST(CsvRecords, RefusesQuotesThatDoNotClose) {

@@ -31,10 +31,12 @@ std::pair<std::size_t, std::size_t> built_and_skipped(const Read& read, const st
   return {out.table.boxes.size(), out.skipped.count()};
 }
 
-// Ten thousand block texts of which some lines are misspelt: each block is built, refused or counted.
+// Ten thousand block texts of which some lines are misspelt: each block is built, refused or
+// counted.
 TEST(BlockText, NoLineIsLost) {
   std::mt19937 random(3);
-  const std::string wrong[] = {"blok", "Block", "block:", "BLOCK", "blocks", "window", "b", "bl ock"};
+  const std::string wrong[] = {"blok",   "Block",  "block:", "BLOCK",
+                               "blocks", "window", "b",      "bl ock"};
   for (int i = 0; i < 10000; ++i) {
     std::string text = "boundary 0 0 0 9 9 9\nblock 0 0 0 1 1 1\n";
     std::size_t built = 1;
@@ -54,15 +56,17 @@ TEST(WorldJson, KeysThatMayTurnOrAddBlocksAreSkipped) {
            "}]" + more + "}";
   };
   EXPECT_EQ(built_and_skipped(geom::read_world_json, world("", "")).second, 0u);
-  EXPECT_EQ(built_and_skipped(geom::read_world_json, world(",\"start\":[1,1,1]", ",\"colour\":1")).second,
-            0u);
+  EXPECT_EQ(
+      built_and_skipped(geom::read_world_json, world(",\"start\":[1,1,1]", ",\"colour\":1")).second,
+      0u);
   EXPECT_EQ(built_and_skipped(geom::read_world_json, world(",\"spheres\":[]", "")).second, 1u);
   EXPECT_EQ(built_and_skipped(geom::read_world_json, world("", ",\"rotation\":45")).second, 1u);
 }
 
 TEST(FcndCsv, ColumnsThatTurnBoxesAndFieldsWithoutOneAreSkipped) {
   const std::string header = "posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ";
-  EXPECT_EQ(built_and_skipped(geom::read_fcnd_csv, header + ",label\n1,1,1,1,1,1,hut\n").second, 0u);
+  EXPECT_EQ(built_and_skipped(geom::read_fcnd_csv, header + ",label\n1,1,1,1,1,1,hut\n").second,
+            0u);
   EXPECT_EQ(built_and_skipped(geom::read_fcnd_csv, header + ",Yaw\n1,1,1,1,1,1,0.5\n").second, 1u);
   EXPECT_EQ(built_and_skipped(geom::read_fcnd_csv, "1,5,1,5,1,5,2,5\n").second, 2u);
   EXPECT_EQ(built_and_skipped(geom::read_fcnd_csv, "1,5,1,5,1,5,,\n").second, 0u);
@@ -88,10 +92,12 @@ TEST(CityJson, ObjectsWithoutSurfacesAreSkippedUnlessTheirChildrenHaveThem) {
       R"("p":{"type":"BuildingPart","geometry":[{"type":"MultiSurface","lod":"1","boundaries":[[[0,1,2]]]}]})";
   EXPECT_EQ(city(R"("b":{"type":"Building","children":["p"]},)" + part).skipped.count(), 0u);
   EXPECT_EQ(city(R"("b":{"type":"Building"},)" + part).skipped.count(), 1u);
-  EXPECT_EQ(city(R"("b":{"type":"Bridge","geometry":[{"type":"MultiPoint","lod":"1","boundaries":[0]}]},)" +
-                 part)
-                .skipped.count(),
-            1u);
+  EXPECT_EQ(
+      city(
+          R"("b":{"type":"Bridge","geometry":[{"type":"MultiPoint","lod":"1","boundaries":[0]}]},)" +
+          part)
+          .skipped.count(),
+      1u);
   EXPECT_EQ(city(R"("r":{"type":"Road"},)" + part).skipped.count(), 0u);
 }
 

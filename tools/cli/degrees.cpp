@@ -32,8 +32,11 @@ std::string what_stood_there(const geom::Frame& frame, const geom::Vec3& p) {
 bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> points) {
   if (!frame.origin || points.empty()) return false;
   const geom::GeodeticOrigin& at = *frame.origin;
-  const auto all = [&](const auto& read) { return std::all_of(points.begin(), points.end(), read); };
-  if (!all([](const geom::Vec3& p) { return fractional(p.x()) && fractional(p.y()); })) return false;
+  const auto all = [&](const auto& read) {
+    return std::all_of(points.begin(), points.end(), read);
+  };
+  if (!all([](const geom::Vec3& p) { return fractional(p.x()) && fractional(p.y()); }))
+    return false;
   return all([&](const geom::Vec3& p) { return near_place(p.x(), p.y(), at); }) ||
          all([&](const geom::Vec3& p) { return near_place(p.y(), p.x(), at); });
 }

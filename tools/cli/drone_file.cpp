@@ -211,10 +211,11 @@ traj::MissionFrame Placement::mission_frame(const geom::Frame& frame) const {
     geom::Frame placed = frame;
     placed.origin = origin;
     if (!geom::counts_from_origin(placed)) {
-      throw UsageError(fmt::format("the map's coordinates are those of \"{}\": they do not count from "
-                                   "a place, so --origin cannot say where they are; make the map "
-                                   "from data in metres about that place",
-                                   frame.crs.substr(0, 60)));
+      throw UsageError(
+          fmt::format("the map's coordinates are those of \"{}\": they do not count from "
+                      "a place, so --origin cannot say where they are; make the map "
+                      "from data in metres about that place",
+                      frame.crs.substr(0, 60)));
     }
     return {*origin, geoid};
   }

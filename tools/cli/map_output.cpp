@@ -52,9 +52,10 @@ void write_map(const Common& common, const std::string& output, const geom::Made
   const geom::BoxMapSpec& spec = made.map.spec();
   const geom::Vec3 corners[] = {spec.bounds.min, spec.bounds.max};
   if (spec.bounds_from == "option" && look_like_degrees(spec.frame, corners)) {
-    throw UsageError(fmt::format("--bounds [{}, {}] to [{}, {}] look like degrees: give metres from "
-                                 "the map's origin",
-                                 corners[0].x(), corners[0].y(), corners[1].x(), corners[1].y()));
+    throw UsageError(
+        fmt::format("--bounds [{}, {}] to [{}, {}] look like degrees: give metres from "
+                    "the map's origin",
+                    corners[0].x(), corners[0].y(), corners[1].x(), corners[1].y()));
   }
   if (made.beyond > 0) {
     common.warn(fmt::format("{}: {} box(es) wholly outside the bounds", source, made.beyond));

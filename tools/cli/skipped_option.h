@@ -16,8 +16,8 @@ class SkippedOption {
  public:
   void add_to(CLI::App& app);  // --allow-skipped
 
-  // Throws geom::InputError(source, …) where something was skipped and that is not allowed; warns of
-  // it where it is, and notes the count in `step` of the map's history.
+  // Throws geom::InputError(source, …) where something was skipped and that is not allowed; warns
+  // of it where it is, and notes the count in `step` of the map's history.
   void settle(const geom::Skipped& skipped, const std::string& source, const Common& common,
               nlohmann::ordered_json& step) const;
 

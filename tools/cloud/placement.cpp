@@ -17,9 +17,7 @@ using Kind = geom::CoordinateReference::Kind;
 // To more digits than differ between the feet of the world.
 bool same_length(double a, double b) { return std::abs(a - b) <= 1e-9 * b; }
 
-std::string short_name(const geom::CoordinateReference& told) {
-  return told.name.substr(0, 80);
-}
+std::string short_name(const geom::CoordinateReference& told) { return told.name.substr(0, 80); }
 
 [[noreturn]] void contradiction(const std::string& source, const geom::CoordinateReference& told,
                                 double metres, const char* option, const std::string& units) {
@@ -45,8 +43,10 @@ void Placement::add_to(CLI::App& app) {
            if (!v && (v = cli::parse_numbers(text, 2))) v->push_back(0);
            if (!v || std::abs((*v)[0]) > 90 || std::abs((*v)[1]) > 180) {
              throw CLI::ValidationError(
-                 "--origin", "expected LATITUDE,LONGITUDE in degrees, and a height in metres where "
-                             "it is known, found \"" + text + '"');
+                 "--origin",
+                 "expected LATITUDE,LONGITUDE in degrees, and a height in metres where "
+                 "it is known, found \"" +
+                     text + '"');
            }
            origin_ = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
          },
@@ -83,9 +83,10 @@ double Placement::upward_unit(const geom::CoordinateReference& told, double plan
   if (given) return cli::kMetres.at(vertical_units_);
   if (!told.up_unclear) return plane;
   throw geom::InputError(
-      source, fmt::format("its heights have a reference system of their own, whose unit \"{}\" does "
-                          "not say: give --vertical-units m, ft or us-ft",
-                          short_name(told)));
+      source,
+      fmt::format("its heights have a reference system of their own, whose unit \"{}\" does "
+                  "not say: give --vertical-units m, ft or us-ft",
+                  short_name(told)));
 }
 
 void Placement::settle(const geom::CoordinateReference& told, const std::string& source) {
@@ -106,7 +107,8 @@ void Placement::settle(const geom::CoordinateReference& told, const std::string&
   if (!told.crs.empty() && !metric) frame_.crs = "in metres: " + told.crs;
   if (origin_ && !told.crs.empty()) {
     throw cli::UsageError(fmt::format(
-        "--origin says where the cloud's (0, 0, 0) is, and its coordinates count from elsewhere, as "
+        "--origin says where the cloud's (0, 0, 0) is, and its coordinates count from elsewhere, "
+        "as "
         "\"{}\" has it: project the cloud onto metres about that place first, for example with "
         "`pdal translate in.las out.las reprojection --filters.reprojection.out_srs=\"+proj=tmerc "
         "+lat_0={} +lon_0={} +k=1 +ellps=WGS84\"`, and leave its reference system out",

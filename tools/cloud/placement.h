@@ -1,7 +1,7 @@
 #pragma once
 
-// What a cloud's coordinates mean: how long their units are, which reference system they are of, and
-// where on Earth they count from.
+// What a cloud's coordinates mean: how long their units are, which reference system they are of,
+// and where on Earth they count from.
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

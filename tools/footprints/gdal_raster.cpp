@@ -44,10 +44,11 @@ struct Raster {
       out[i] = (out[i] * scale + offset) * metres;
       if (!missing && out[i] > kHighest) {
         throw geom::InputError(
-            name, fmt::format("row {}, column {}: expected a height of at most {} m, found {}: say "
-                              "which value stands for none (`gdal_translate -a_nodata`), or what the "
-                              "unit is (--height-units)",
-                              row, i, kHighest, out[i]));
+            name,
+            fmt::format("row {}, column {}: expected a height of at most {} m, found {}: say "
+                        "which value stands for none (`gdal_translate -a_nodata`), or what the "
+                        "unit is (--height-units)",
+                        row, i, kHighest, out[i]));
       }
       // What is said to lie deeper than any place on Earth is a value for none.
       if (missing || out[i] < -kHighest) out[i] = std::numeric_limits<double>::quiet_NaN();
@@ -102,9 +103,10 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
     throw geom::InputError(name, "expected a raster of heights, and GDAL cannot open it as one");
   }
   if (raster.dataset->GetRasterCount() > 1) {
-    throw geom::InputError(name, fmt::format("expected one band of heights, found {}: choose one, for "
-                                             "example with `gdal_translate -b 1 in.tif out.tif`",
-                                             raster.dataset->GetRasterCount()));
+    throw geom::InputError(name,
+                           fmt::format("expected one band of heights, found {}: choose one, for "
+                                       "example with `gdal_translate -b 1 in.tif out.tif`",
+                                       raster.dataset->GetRasterCount()));
   }
   raster.band = raster.dataset->GetRasterBand(1);
   raster.width = raster.dataset->GetRasterXSize();
@@ -210,9 +212,10 @@ Terrain::Terrain(const std::string& path, const std::string& name, const ReadOpt
     : name_(name) {
   const Raster raster = open_raster(path, name, options);
   if (static_cast<double>(raster.width) * raster.height > kMostTerrain) {
-    throw geom::InputError(name, fmt::format("expected a terrain of at most {} cells, found {} x {}: "
-                                             "cut it to the city, for example with `gdalwarp -te`",
-                                             kMostTerrain, raster.width, raster.height));
+    throw geom::InputError(name,
+                           fmt::format("expected a terrain of at most {} cells, found {} x {}: "
+                                       "cut it to the city, for example with `gdalwarp -te`",
+                                       kMostTerrain, raster.width, raster.height));
   }
   crs_ = raster.crs;
   std::copy(raster.transform, raster.transform + 6, transform_);

@@ -136,9 +136,9 @@ class VectorReader {
     return levels;
   }
 
-  // Corners with heights: a feature whose own differ is a shape in space, each polygon of which stands
-  // on the feature's lowest point. Where they are all the same they may be the ground's, below the
-  // building's height, or the roof's: it stands from the lower to the higher of both.
+  // Corners with heights: a feature whose own differ is a shape in space, each polygon of which
+  // stands on the feature's lowest point. Where they are all the same they may be the ground's,
+  // below the building's height, or the roof's: it stands from the lower to the higher of both.
   void raise(std::size_t first) {
     Levels all = levels_.empty() ? Levels{} : levels_.front();
     for (const Levels& l : levels_) all = {std::min(all.low, l.low), std::max(all.high, l.high)};
@@ -262,8 +262,8 @@ double kilometres(const geom::Vec2& a, const geom::Vec2& b) {  // longitude, lat
 // `at` and `middle`: longitude, latitude.
 void require_near(const geom::Vec2& at, const geom::Vec2& middle, const std::string& name,
                   Source::Warnings& warnings) {
-  constexpr double kFar = 200;       // km
-  constexpr double kTooFar = 2000;   // where a plane about the origin means nothing any more
+  constexpr double kFar = 200;      // km
+  constexpr double kTooFar = 2000;  // where a plane about the origin means nothing any more
   const double away = kilometres(at, middle);
   if (away < kFar) return;
   const bool swapped = std::abs(at.x()) <= 90 && kilometres({at.y(), at.x()}, middle) < kFar;

@@ -38,16 +38,16 @@ bool is_building(const osmium::TagList& tags) {
     const std::string_view value = value_of(tags, key);
     if (!value.empty() && value != "no") return true;
   }
-  return is_one_of(value_of(tags, "man_made"),
-                   {"tower", "communications_tower", "water_tower", "cooling_tower", "mast",
-                    "chimney", "crane", "silo", "storage_tank", "gasometer", "lighthouse",
-                    "windmill", "antenna", "obelisk"});
+  return is_one_of(
+      value_of(tags, "man_made"),
+      {"tower", "communications_tower", "water_tower", "cooling_tower", "mast", "chimney", "crane",
+       "silo", "storage_tank", "gasometer", "lighthouse", "windmill", "antenna", "obelisk"});
 }
 
 // Something high that is drawn as a point or a line, whose width nothing tells.
 bool is_high_line(const osmium::TagList& tags) {
-  return is_one_of(value_of(tags, "power"), {"tower", "pole", "line", "minor_line", "portal",
-                                             "catenary_mast"}) ||
+  return is_one_of(value_of(tags, "power"),
+                   {"tower", "pole", "line", "minor_line", "portal", "catenary_mast"}) ||
          value_of(tags, "generator:source") == "wind" || !value_of(tags, "aerialway").empty();
 }
 
@@ -74,8 +74,8 @@ using Locations = osmium::handler::NodeLocationsForWays<Index, Index>;
 
 geom::Vec2 point_of(const osmium::Location& at) { return {at.lon(), at.lat()}; }
 
-// Ways as they are, so that one that crosses itself is there too; relations as osmium assembles them,
-// and what it cannot assemble by number.
+// Ways as they are, so that one that crosses itself is there too; relations as osmium assembles
+// them, and what it cannot assemble by number.
 class BuildingHandler : public osmium::handler::Handler {
  public:
   BuildingHandler(const ReadOptions& options, Source& out) : options_(options), out_(out) {}
@@ -324,9 +324,10 @@ Source read_osm(const std::string& path, const std::string& name, const ReadOpti
   } catch (const std::system_error&) {
     throw;
   } catch (const std::exception& error) {
-    throw geom::InputError(name, fmt::format("expected OpenStreetMap data, sorted as `osmium sort` does: "
-                                             "{}",
-                                             error.what()));
+    throw geom::InputError(name,
+                           fmt::format("expected OpenStreetMap data, sorted as `osmium sort` does: "
+                                       "{}",
+                                       error.what()));
   }
   return out;
 }

@@ -17,8 +17,8 @@ void project(std::vector<geom::Footprint>& footprints, const Projector& projecto
 // the footprints. Counts those without ground under them.
 void lift(Source& source, const Terrain& terrain, const std::string& crs);
 
-// What is ground is solid: down to the lowest of all footprints, and to the floor of the map (in the
-// footprints' own units) where that is lower. Before keep_shard().
+// What is ground is solid: down to the lowest of all footprints, and to the floor of the map (in
+// the footprints' own units) where that is lower. Before keep_shard().
 void sink_ground(std::vector<geom::Footprint>& footprints, std::optional<double> floor);
 
 // Leaves the shard's features, each with all its footprints, which stand together.

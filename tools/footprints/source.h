@@ -28,7 +28,7 @@ struct Source {
 
 struct ReadOptions {
   geom::HeightOptions height;
-  std::string where;         // OGR SQL on attributes; empty: all features
+  std::string where;                  // OGR SQL on attributes; empty: all features
   std::optional<double> height_unit;  // metres in one of the heights that name no unit
   double height_step = 0.5;  // metres: surface models are rounded up to multiples of it; 0: not
 };
@@ -55,14 +55,15 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
 // Whether GDAL reads the file as a raster.
 bool is_raster(const std::string& path);
 
-// A surface or terrain model of one band: rectangles of cells of equal height, from the lowest cell up. Where
-// there is a CRS their sides have all corners of cells, since straight lines bend when projected.
+// A surface or terrain model of one band: rectangles of cells of equal height, from the lowest cell
+// up. Where there is a CRS their sides have all corners of cells, since straight lines bend when
+// projected.
 Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options);
 
 // OpenStreetMap data: ways and multipolygons that are buildings, building parts, or towers, masts,
-// chimneys, silos and the like; multipolygons assembled. Those that are points or lines are skipped,
-// and so are outlines of which a part is not in the file. Trees, lamps, poles, walls, fences and
-// bridges are not read.
+// chimneys, silos and the like; multipolygons assembled. Those that are points or lines are
+// skipped, and so are outlines of which a part is not in the file. Trees, lamps, poles, walls,
+// fences and bridges are not read.
 Source read_osm(const std::string& path, const std::string& name, const ReadOptions& options);
 
 // The ground under a place, from a terrain model.
@@ -93,7 +94,8 @@ class Projector {
   // Without a CRS coordinates are metres already and stay; `origin` is then where (0, 0) is.
   // `origin`: latitude, longitude; else the middle of the footprints. Throws geom::InputError(name,
   // …) for a CRS that PROJ does not know, for an origin too far from the footprints (and warns of
-  // one that is far), and, unless `metres` insists, for numbers without a CRS that look like degrees.
+  // one that is far), and, unless `metres` insists, for numbers without a CRS that look like
+  // degrees.
   Projector(Source& source, const std::string& name, const std::optional<geom::Vec2>& origin,
             bool metres);
   ~Projector();

@@ -159,10 +159,11 @@ void refuse_long_stairs(const geom::Polygon& polygon, double slack, const std::s
   std::for_each(polygon.holes.begin(), polygon.holes.end(), look_at);
   if (longest <= kMostSteps * slack) return;
   throw geom::InputError(
-      name, fmt::format("feature {}: expected sloping sides of at most {:.6g} m (1e4 times --slack), "
-                        "found one of {:.6g} m: give --slack {:.3g} or more, or cut the volume to the "
-                        "map",
-                        feature, kMostSteps * slack, longest, std::ceil(longest / kMostSteps)));
+      name,
+      fmt::format("feature {}: expected sloping sides of at most {:.6g} m (1e4 times --slack), "
+                  "found one of {:.6g} m: give --slack {:.3g} or more, or cut the volume to the "
+                  "map",
+                  feature, kMostSteps * slack, longest, std::ceil(longest / kMostSteps)));
 }
 
 BoxTable keep_out_boxes(const Changes& changes, const geom::BoxMapSpec& spec) {

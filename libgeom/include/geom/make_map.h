@@ -29,9 +29,9 @@ struct MadeMap {
   std::size_t beyond = 0;  // obstacles wholly outside the bounds (kept)
 };
 
-// `table` has at least one box. Throws InputError(source, …) when the bounds are empty or not finite,
-// when scale or growth take a box beyond kLargestCoordinate, and when all boxes are more than 200 km
-// from an origin on Earth that they should count from.
+// `table` has at least one box. Throws InputError(source, …) when the bounds are empty or not
+// finite, when scale or growth take a box beyond kLargestCoordinate, and when all boxes are more
+// than 200 km from an origin on Earth that they should count from.
 MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_view source,
                  const MakeMapOptions& options);
 

@@ -7,8 +7,8 @@
 
 namespace geom {
 
-// In quotes, its own doubled, where it has a comma, a quote, a line's end, or a blank at either end;
-// else as it is.
+// In quotes, its own doubled, where it has a comma, a quote, a line's end, or a blank at either
+// end; else as it is.
 inline std::string csv_field(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
   const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos &&

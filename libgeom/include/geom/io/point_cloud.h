@@ -32,9 +32,9 @@ struct CloudCounts {
 };
 
 // Each throws InputError(source, …) for a header that is wrong or of a kind not known, for data
-// that end before the points that the header promises or hold more, for a word where a number should
-// be, and for coordinates beyond kLargestCoordinate. Memory does not grow with the file, but for compressed
-// PCD, which is unpacked whole.
+// that end before the points that the header promises or hold more, for a word where a number
+// should be, and for coordinates beyond kLargestCoordinate. Memory does not grow with the file, but
+// for compressed PCD, which is unpacked whole.
 CloudCounts read_pcd(std::istream& in, std::string_view source, const PointSink& sink);
 CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink& sink);
 

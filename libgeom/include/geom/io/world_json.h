@@ -16,8 +16,8 @@ struct WorldJson {
   BoxTable table;  // ids count the blocks from 0; a colour becomes the label "R G B"
   Aabb bounds;
   std::vector<std::string> names;  // keys that are not known and by their name no geometry
-  Skipped skipped;       // other keys: they may mean obstacles, or turn blocks
-  std::size_t flat = 0;  // blocks without extent along one or two axes: kept
+  Skipped skipped;                 // other keys: they may mean obstacles, or turn blocks
+  std::size_t flat = 0;            // blocks without extent along one or two axes: kept
 };
 
 // The keys of a course (start, goal, resolution, margin, expected_path_length) are no obstacles.
