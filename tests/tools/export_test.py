@@ -224,7 +224,7 @@ class FakeTello:
 def check_tello(record, heading):
     out = folder / "tello.txt"
     run("skyway-export", folder / "enu", folder / "flight.enu", "--format", "tello", "--heading", heading,
-        "--speed", "0.8", "-o", out)
+        "--speed", "0.8", "-o", out, "--python", folder / "tello.py", "--table", folder / "tello.csv")
     script = out.read_text().splitlines()
     assert script[:2] == ["command", "takeoff"] and script[-1] == "land"
     at = numpy.array([position(record, 0)[0], position(record, 0)[1], 1.0])

@@ -12,10 +12,14 @@
 namespace exporting {
 namespace {
 
-constexpr int kAttempts = 10;       // of tolerances, halved each time
-constexpr double kRounding = 0.03;  // m: more than centimetres, 1e-7 degrees and what a vehicle
-                                    // makes of those move a point by
-constexpr double kEndGap = 0.02;    // m: how well straight legs must meet the ends
+constexpr int kAttempts = 10;     // of tolerances, halved each time
+constexpr double kEndGap = 0.02;  // m: how well straight legs must meet the ends
+
+// m: more than centimetres and 1e-7 degrees round a point by, and what vehicles make of those
+// degrees.
+double rounding_of(const std::string& format) {
+  return format == "wpl" || format == "qgc-plan" ? 0.03 : 0.012;
+}
 
 // What the bytes make the drone fly, judged.
 traj::CheckResult judge(const geom::CollisionScene& scene, const Task& task,
@@ -62,7 +66,7 @@ std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& s
   for (int i = 0; i < kAttempts; ++i, tolerance /= 2) {
     const geom::Polyline legs = traj::straight_legs(task.enu, tolerance);
     if (attempt(legs)) break;
-    if (attempt(pushed_legs(scene, task, legs, tolerance + kRounding))) break;
+    if (attempt(pushed_legs(scene, task, legs, tolerance + rounding_of(task.format)))) break;
   }
   return made;
 }
