@@ -149,10 +149,12 @@ TEST(QgcPlan, BadFilesAreRefused) {
       "m.plan: mission.items[0].AltitudeMode must be 1 or 2 (above home or sea level) as its frame "
       "3 says, found 3");
   EXPECT_EQ(plan_refusal("\"params\": [\n     0.0,", "\"params\": ["),
-            "m.plan: mission.items[0].params must be a list of 7, found [0.0,0.0,null,37.7964487,-122.4010293,18.0]");
+            "m.plan: mission.items[0].params must be a list of 7, found "
+            "[0.0,0.0,null,37.7964487,-122.4010293,18.0]");
   EXPECT_EQ(plan_refusal("\"command\": 22", "\"command\": \"takeoff\""),
             "m.plan: mission.items[0].command must be a finite number, found \"takeoff\"");
-  EXPECT_EQ(plan_refusal("{", "["), "m.plan:2: column 12: this is no JSON: expected , or ], found :");
+  EXPECT_EQ(plan_refusal("{", "["),
+            "m.plan:2: column 12: this is no JSON: expected , or ], found :");
 }
 
 TEST(GeoLine, ComesBackToATenthOfAMillimetre) {
@@ -249,10 +251,12 @@ TEST(GeoLine, RefusalsSayWhereAndWhat) {
             "be flown: remove it");
   EXPECT_EQ(json("{\n\"type\":"),
             "f:2: column 8: this is no JSON: expected a value, found the end");
-  EXPECT_EQ(json("{}\n{}"), "f:2: column 1: this is no JSON: expected nothing after the value, found {");
+  EXPECT_EQ(json("{}\n{}"),
+            "f:2: column 1: this is no JSON: expected nothing after the value, found {");
   EXPECT_EQ(json(R"({"type":"Feature","type":"Point"})"),
             "f:1: column 19: expected each key once, found \"type\" again");
-  EXPECT_EQ(json(std::string(200000, '[')), "f:1: column 101: expected lists and objects nested at most 100 deep, found more");
+  EXPECT_EQ(json(std::string(200000, '[')),
+            "f:1: column 101: expected lists and objects nested at most 100 deep, found more");
 }
 
 TEST(GeoLine, BadFilesAreRefused) {
