@@ -57,8 +57,7 @@ solving::Solved answer_to(const geom::PathRecord& path, const std::string& sourc
   if (path.status != "found") {
     const auto vehicle =
         scenes.profile() ? std::optional(scenes.profile()->vehicle) : path.provenance.vehicle;
-    const geom::Limits held = vehicle ? vehicle->limits : geom::Limits{};
-    return solving::without_path(path, geom::limits_that_hold({options.limits.limits(), {}, held}));
+    return solving::without_path(path, options.limits_for(vehicle.value_or(geom::Vehicle{})));
   }
   const geom::CollisionScene& scene = scenes.scene_for(path.provenance, source, line);
   return solving::solve(scene, path, options.task(scene.vehicle()));

@@ -59,6 +59,13 @@ void Options::add_to(CLI::App& app) {
 
 void Options::choose_solver() { cli::choose_solver(solver, times, solve); }
 
+geom::Limits Options::limits_for(const geom::Vehicle& vehicle) const {
+  const geom::Limits asked = limits.limits();
+  geom::Limits held = geom::limits_that_hold({asked, {}, vehicle.limits});
+  yaw_options(yaw, asked.yaw_rate.has_value(), held);
+  return held;
+}
+
 Task Options::task(const geom::Vehicle& vehicle) const {
   const geom::Limits asked = limits.limits();
   Task task{solve, std::nullopt};

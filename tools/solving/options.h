@@ -31,6 +31,9 @@ struct Options {
   // Once parsed: what --solver and --times say together; throws cli::UsageError.
   void choose_solver();
 
+  // What a trajectory of that vehicle would be held to; throws cli::UsageError for a wrong yaw.
+  geom::Limits limits_for(const geom::Vehicle& vehicle) const;
+
   // For a path of that vehicle. Throws cli::UsageError for limits as cli::limits_to_solve does, and
   // for a wrong yaw.
   Task task(const geom::Vehicle& vehicle) const;
