@@ -4,11 +4,13 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <new>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 namespace geom {
 namespace {
@@ -117,19 +119,36 @@ RTCError make_scene_apart(RTCDevice device, const Parts& parts, EmbreeScene& out
   return error;
 }
 
+// A scene whose build failed is kept to the end of the process: releasing it ends the process where
+// tasks of the build were left behind.
+struct HalfBuilt {
+  EmbreeScene scene;
+  HalfBuilt* next = nullptr;
+};
+
+void keep(std::unique_ptr<HalfBuilt> scene) noexcept {
+  static std::atomic<HalfBuilt*> all = nullptr;
+  HalfBuilt* const node = scene.release();
+  node->next = all.load();
+  while (!all.compare_exchange_weak(node->next, node)) {
+  }
+}
+
 // Where memory runs out inside a build, what Embree keeps of its thread may refer to memory that is
 // gone, and the thread's next build would write there. So from the first failure in a process on,
 // each build has a thread of its own.
 EmbreeScene made_scene(RTCDevice device, const Parts& parts) {
   static std::atomic<bool> any_failed = false;
-  EmbreeScene scene;
+  auto out = std::make_unique<HalfBuilt>();  // while there is memory
+  EmbreeScene& scene = out->scene;
   RTCError error = RTC_ERROR_OUT_OF_MEMORY;
   try {
     error = (any_failed ? make_scene_apart : make_scene)(device, parts, scene);
   } catch (const std::bad_alloc&) {
   }
-  if (error == RTC_ERROR_NONE && scene) return scene;
+  if (error == RTC_ERROR_NONE && scene) return std::move(scene);
   any_failed = true;
+  keep(std::move(out));
   throw_error(error);
 }
 

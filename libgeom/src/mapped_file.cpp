@@ -11,6 +11,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "geom/error.h"
 
@@ -33,6 +34,7 @@ struct Mappings {
   std::mutex mutex;  // guards every change
   std::atomic<Mapping*> first = nullptr;
   std::size_t total = 0;
+  std::string changed;  // a file that was no more as it had been when it was closed
 };
 
 Mappings& mappings() {
@@ -118,6 +120,7 @@ MappedFile::~MappedFile() {
   const std::lock_guard lock(mappings().mutex);
   for (Mapping* node = mappings().first; node; node = node->next) {
     if (node->at != bytes_.data()) continue;
+    if (!is_as_it_was(*node)) mappings().changed.swap(node->path);
     node->at = nullptr;
     close(node->file);
   }
@@ -136,11 +139,11 @@ const char* mapped_file_at(const void* address) noexcept {
 
 void require_mapped_files_unchanged() {
   const std::lock_guard lock(mappings().mutex);
+  std::string changed = std::exchange(mappings().changed, {});
   for (const Mapping* node = mappings().first; node; node = node->next) {
-    if (node->at && !is_as_it_was(*node)) {
-      throw std::runtime_error(node->path + " was changed while it was read");
-    }
+    if (node->at && !is_as_it_was(*node)) changed = node->path;
   }
+  if (!changed.empty()) throw std::runtime_error(changed + " was changed while it was read");
 }
 
 void trim_mapped_files(std::size_t most) {

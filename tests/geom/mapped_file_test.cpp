@@ -107,9 +107,13 @@ TEST_F(MappedFileTest, IsSeenToHaveChanged) {
     std::filesystem::rename(folder_ / "new", path_);  // a new file of the name: the old one stays
     EXPECT_NO_THROW(require_mapped_files_unchanged());
   }
-  const MappedFile file(path_);
-  ASSERT_EQ(truncate(path_.c_str(), 3), 0);
-  EXPECT_THROW(require_mapped_files_unchanged(), std::runtime_error);
+  {
+    const MappedFile file(path_);
+    ASSERT_EQ(truncate(path_.c_str(), 3), 0);
+    EXPECT_THROW(require_mapped_files_unchanged(), std::runtime_error);
+  }
+  EXPECT_THROW(require_mapped_files_unchanged(), std::runtime_error);  // closed in the meantime
+  EXPECT_NO_THROW(require_mapped_files_unchanged());
 }
 
 TEST_F(MappedFileTest, RefusesWhatCannotBeMapped) {

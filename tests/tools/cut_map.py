@@ -8,7 +8,7 @@ import sys
 import tempfile
 import time
 
-tools = pathlib.Path(sys.argv[1])
+tools = pathlib.Path(sys.argv[1]).resolve()
 VEHICLE = ["--vehicle", "sphere:0.5"]
 QUERY = b'{"id":"q","from":[10,10,50],"to":[500,500,50]}\n'
 PATH = (b'{"type":"path","id":"p","status":"found","points":[[10,10,150],[500,500,150]]}\n')
@@ -67,7 +67,8 @@ def main():
             "plan": (["skyway-plan", "city.boxmap", "--queries", "-", *VEHICLE, "-o", "out"],
                      QUERY),
             "plan on threads": (["skyway-plan", "city.boxmap", "--queries", "-", *VEHICLE,
-                                 "--threads", "3", "-o", "out"], QUERY * 9),
+                                 "--threads", "3", "-o", "out"],
+                                b"".join(QUERY.replace(b'"q"', b'"q%d"' % i) for i in range(9))),
             "check": (["skyway-check", *common, "-o", "out"], PATH),
             "traj in processes": (["skyway-traj", *common, "--threads", "2", "--vmax", "9",
                                    "--amax", "4", "-o", "out"],

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-tools = pathlib.Path(sys.argv[1])
+tools = pathlib.Path(sys.argv[1]).resolve()
 size = sys.argv[2] if len(sys.argv) > 2 else "1700"
 limits = int(sys.argv[3]) if len(sys.argv) > 3 else 12
 

@@ -128,7 +128,13 @@ PictureScene::PictureScene(const geom::BoxMap& map, std::span<const Tubes> tubes
     }
   }
   rtcCommitScene(embree_->scene);
-  throw_on_error(embree_->device);
+  try {
+    throw_on_error(embree_->device);
+  } catch (...) {
+    // Releasing what is half built would end the process where tasks were left behind.
+    static_cast<void>(embree_.release());
+    throw;
+  }
 }
 
 PictureScene::~PictureScene() = default;

@@ -43,9 +43,9 @@ class MappedFile {
 // it neither locks nor allocates. The path is good as long as the file is mapped.
 const char* mapped_file_at(const void* address) noexcept;
 
-// Throws std::runtime_error where a file that is mapped is no more as it was when it was opened
-// (its length, or when it was written): what was read of it may be of both. SIGBUS tells only of
-// whole pages that are gone.
+// Throws std::runtime_error where a file that is mapped, or was closed since the last call, is not
+// as it was when it was opened (its length, or when it was written): what was read of it may be of
+// both. SIGBUS tells only of whole pages that are gone.
 void require_mapped_files_unchanged();
 
 inline constexpr std::size_t kMappedKept = std::size_t{1} << 25;  // 32 MB
