@@ -1,6 +1,8 @@
 // The collision structure: batches of queries on NumPy arrays as they stand, without the GIL.
 
 #include <limits>
+#include <string>
+#include <variant>
 
 #include "geom/parallel.h"
 #include "pybind_arrays.h"
@@ -117,16 +119,16 @@ void bind_vehicle(py::module_& module) {
 
 void bind_scene(py::module_& module) {
   bind_vehicle(module);
-  const auto scene_of = [](const geom::BoxMap& map, const geom::Vehicle& vehicle, double margin) {
-    if (!(margin >= 0 && margin <= 1e6)) {
-      throw py::value_error("margin: must be within 0 to 1e6 m");
-    }
-    return Scene{geom::CollisionScene(map, vehicle, margin)};
-  };
+  using NamedOrMade = std::variant<geom::Vehicle, std::string>;
   py::class_<Scene>(module, "CollisionScene")
-      .def(py::init(scene_of), py::arg("map"), py::arg("vehicle"), py::arg("margin") = 0.0)
-      .def(py::init([scene_of](const geom::BoxMap& map, const std::string& vehicle, double margin) {
-             return scene_of(map, cli::parse_vehicle(vehicle).vehicle, margin);
+      .def(py::init([](const geom::BoxMap& map, const NamedOrMade& vehicle, double margin) {
+             if (!(margin >= 0 && margin <= 1e6)) {
+               throw py::value_error("margin: must be within 0 to 1e6 m");
+             }
+             const auto* const word = std::get_if<std::string>(&vehicle);
+             return Scene{geom::CollisionScene(
+                 map, word ? cli::parse_vehicle(*word).vehicle : std::get<geom::Vehicle>(vehicle),
+                 margin)};
            }),
            py::arg("map"), py::arg("vehicle"), py::arg("margin") = 0.0)
       .def_property_readonly("map", [](const Scene& s) { return s.scene.map(); })
