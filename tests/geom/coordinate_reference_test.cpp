@@ -8,6 +8,7 @@
 
 #include "geom/error.h"
 #include "geom/io/point_cloud.h"
+#include "support/cases.h"
 #include "support/las_file.h"
 
 namespace {
@@ -118,7 +119,7 @@ TEST(Las, TellsEveryUnitThatAFileNames) {
   std::mt19937 random(7);
   const std::pair<std::uint16_t, double> units[] = {
       {9001, 1.0}, {9002, 0.3048}, {9003, 1200.0 / 3937}, {9036, 1000.0}};
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < support::cases(10000); ++i) {
     const auto& [code, metres] = units[random() % 4];
     const auto& [up_code, up_metres] = units[random() % 3];
     const unsigned how = random() % 4;

@@ -22,6 +22,7 @@
 #include "geom/error.h"
 #include "geom/io/array_archive.h"
 #include "geom/io/box_map_file.h"
+#include "support/cases.h"
 #include "support/failing_memory.h"
 #include "support/random_city.h"
 
@@ -210,7 +211,7 @@ TEST_P(FailedAllocation, NeverChangesAnAnswer) {
   int failures = 0;
   for (const Query& query : kQueries) {
     support::Random random(31);
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < support::cases(6); ++i) {
       failures += fail_each_allocation(query, many, place(random), GetParam());
       if (HasFailure()) return;
       const CollisionScene one(map, kVehicle, kMargin, kOneGroup);  // is built once

@@ -8,6 +8,7 @@
 
 #include "geom/io/json_fields.h"
 #include "geom/io/record.h"
+#include "support/cases.h"
 #include "support/refusal.h"
 
 namespace geom {
@@ -121,7 +122,7 @@ std::optional<double> oracle(const LimitSources& sources, const LimitField& fiel
 TEST(Limits, HoldWhateverSaysThem) {
   constexpr std::uint64_t kSeed = 15;
   RandomLimits random(kSeed);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < support::cases(20000); ++i) {
     PathRecord record{"q1", "found", {{0, 0, 0}}, {}, {}, {}, {}, {}, {}};
     record.provenance.vehicle = {"v", {1, 1, 1}, random.next()};
     const LimitSources sources{random.next(), random.next(),

@@ -11,6 +11,7 @@
 #include "geom/io/city_json.h"
 #include "geom/io/fcnd_csv.h"
 #include "geom/io/world_json.h"
+#include "support/cases.h"
 
 namespace {
 
@@ -37,7 +38,7 @@ TEST(BlockText, NoLineIsLost) {
   std::mt19937 random(3);
   const std::string wrong[] = {"blok",   "Block",  "block:", "BLOCK",
                                "blocks", "window", "b",      "bl ock"};
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < support::cases(10000); ++i) {
     std::string text = "boundary 0 0 0 9 9 9\nblock 0 0 0 1 1 1\n";
     std::size_t built = 1;
     std::size_t odd = 0;

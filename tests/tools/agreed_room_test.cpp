@@ -9,6 +9,7 @@
 #include "cli/run.h"
 #include "cli/vehicle_profile.h"
 #include "geom/error.h"
+#include "support/cases.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 
@@ -104,7 +105,7 @@ TEST(AgreedRoom, NeverHasLessRoomOrLooserLimitsThanEither) {
   const auto some = [&] { return 1 + static_cast<double>(random() % 3); };
   const auto limits = [&] { return random() % 2 ? vmax(some()) : Limits{}; };
   int passed = 0;
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < support::cases(10000); ++i) {
     const Vehicle had = quad(limits(), some());
     const AskedRoom asked{quad(limits(), some()),
                           random() % 2 ? std::optional(some()) : std::nullopt};

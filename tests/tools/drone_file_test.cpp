@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "geom/error.h"
+#include "support/cases.h"
 #include "traj/export/crazyflie.h"
 #include "traj/export/geo_line.h"
 #include "traj/export/gltf_line.h"
@@ -235,7 +236,7 @@ std::string file_of(const std::string& format, Random& random, const Lines& line
 TEST(DroneFile, IsNotAcceptedWhereOnlyALaterPartHits) {
   const geom::CollisionScene scene = tower();
   Random random(2);
-  for (int i = 0; i < 12000; ++i) {
+  for (int i = 0; i < support::cases(12000); ++i) {
     const std::string format = kFormats[i % std::size(kFormats)];
     Lines lines;
     for (int k = static_cast<int>(random.number(1, 6)); k > 0; --k) {

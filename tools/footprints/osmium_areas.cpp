@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <osmium/area/assembler.hpp>
 #include <osmium/area/multipolygon_manager.hpp>
 #include <osmium/handler.hpp>
@@ -322,6 +323,8 @@ Source read_osm(const std::string& path, const std::string& name, const ReadOpti
     reader.close();
     add_hulls(file, locations, buildings, out);
   } catch (const std::system_error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
     throw geom::InputError(name,
