@@ -73,7 +73,7 @@ class Browser:
         """The value of a JavaScript function body."""
         return self._in_session("POST", "/execute/sync", {"script": script, "args": list(arguments)})
 
-    def until(self, script, seconds=60):
+    def until(self, script, seconds=180):
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             if self.run(f"return Boolean({script})"):
