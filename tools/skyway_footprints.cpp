@@ -105,12 +105,6 @@ nlohmann::ordered_json counts_of(const footprints::Source& source, const std::st
     common.warn(fmt::format("{}: footprints: {}{}", name, source.footprints.size(), report));
   }
   for (const std::string& warning : source.warnings) common.warn(name + ": " + warning);
-  if (!source.not_read.empty()) {
-    std::string kinds;
-    for (const auto& [kind, n] : source.not_read) kinds += fmt::format("; {}: {}", kind, n);
-    common.warn(fmt::format("{}: not read, whatever stands there counts as free{}", name, kinds));
-    counts["not_read"] = source.not_read;
-  }
   if (!source.skipped.empty()) counts["skipped"] = source.skipped.count();
   return counts;
 }
@@ -174,7 +168,6 @@ int main(int argc, char** argv) {
     nlohmann::ordered_json stats = counts_of(city.source, format, file.name(), common);
     nlohmann::ordered_json step = step_of(hashed.hash(), options, format, map);
     options.skipped.settle(city.source.skipped, file.name(), common, step);
-    if (!city.source.not_read.empty()) step["not_read"] = city.source.not_read;
     const std::string history = nlohmann::ordered_json::array({step}).dump();
     geom::BoxTable table =
         geom::boxes_of(city.source.footprints, options.slack, common.execution("footprints"));

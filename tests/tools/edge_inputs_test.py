@@ -79,10 +79,10 @@ def skipped(kind, case, tool, file, *options):
     expect(kind, (case, file, "allowed"), done.returncode == 0 and int(info("s.boxmap").get("skipped_obstacles", 0)) > 0, done)
 
 
-def osm(nodes, ways):
+def osm(nodes, ways, relations=""):
     text = "".join(f'<node id="{i}" lat="{60.17 + y / 111000}" lon="{24.94 + x / 55000}">{tags}</node>' for i, x, y, tags in nodes)
     text += "".join(f'<way id="{i}">' + "".join(f'<nd ref="{r}"/>' for r in refs) + f"{tags}</way>" for i, refs, tags in ways)
-    pathlib.Path("o.osm").write_text(f'<osm version="0.6">{text}</osm>')
+    pathlib.Path("o.osm").write_text(f'<osm version="0.6">{text}{relations}</osm>')
 
 
 BUILDING = '<tag k="building" v="yes"/><tag k="height" v="30"/>'
@@ -101,6 +101,16 @@ def obstacles():
         tag = random.choice(['k="building" v="hut"', 'k="man_made" v="mast"', 'k="power" v="tower"'])
         osm(corners + [(7, 60, 60, f"<tag {tag}/>")], [(9, refs, BUILDING)])
         skipped("OSM point", case, "skyway-footprints", "o.osm")
+        # What stands there and nothing measures: as a point, a line, an area.
+        tag = random.choice(['k="natural" v="tree"', 'k="highway" v="street_lamp"', 'k="barrier" v="wall"',
+                             'k="bridge" v="yes"', 'k="landuse" v="forest"', 'k="man_made" v="bridge"'])
+        more = {"node": ([(7, 60, 60, f"<tag {tag}/>")], [], ""),
+                "way": ([(7, 60, 60, ""), (8, 90, 60, "")], [(10, [7, 8], f"<tag {tag}/>")], ""),
+                "relation": ([], [], f'<relation id="1"><member type="way" ref="9" role="outer"/>'
+                                     f'<tag k="type" v="multipolygon"/><tag {tag}/></relation>')}
+        nodes, ways, relations = more[random.choice(list(more))]
+        osm(corners + nodes, [(9, refs, BUILDING)] + ways, relations)
+        skipped("OSM other", case, "skyway-footprints", "o.osm")
         # New corners of an editor have negative numbers: they are read like all others.
         new = [(-i if random.random() < 0.5 else i, x, y, t) for i, x, y, t in corners]
         osm(sorted(new), [(-9, [n[0] for n in new] + [new[0][0]], BUILDING)])

@@ -52,8 +52,8 @@ bool is_high_line(const osmium::TagList& tags) {
          value_of(tags, "generator:source") == "wind" || !value_of(tags, "aerialway").empty();
 }
 
-// The tag of what is not read; empty for what is no obstacle in the air.
-std::string kind_not_read(const osmium::TagList& tags) {
+// The tag of another obstacle, whose place or height nothing tells; empty for what is none.
+std::string other_obstacle(const osmium::TagList& tags) {
   static const std::pair<const char*, std::vector<std::string_view>> kinds[] = {
       {"natural", {"tree", "tree_row", "wood"}},
       {"landuse", {"forest"}},
@@ -86,7 +86,7 @@ class BuildingHandler : public osmium::handler::Handler {
     if ((is_building(node.tags()) && !entrance) || is_high_line(node.tags())) {
       out_.skipped.add("building or mast that is a point", fmt::format("node {}", node.id()));
     } else {
-      note_not_read(node.tags());
+      skip_other(node.tags(), "node", node.id());
     }
   }
 
@@ -96,7 +96,7 @@ class BuildingHandler : public osmium::handler::Handler {
       if (is_high_line(way.tags())) {
         out_.skipped.add("line in the air", which);
       } else {
-        note_not_read(way.tags());
+        skip_other(way.tags(), "way", way.id());
       }
       return;
     }
@@ -111,6 +111,10 @@ class BuildingHandler : public osmium::handler::Handler {
     if (f.polygon.outer.empty()) return;
     if (!way.is_closed()) ++out_.counts["ways_not_closed"];
     add(way, osmium::item_type::way, std::move(f));
+  }
+
+  void relation(const osmium::Relation& relation) {
+    if (!is_building(relation.tags())) skip_other(relation.tags(), "relation", relation.id());
   }
 
   void area(const osmium::Area& area) {
@@ -136,10 +140,10 @@ class BuildingHandler : public osmium::handler::Handler {
   bool is_assembled(osmium::object_id_type relation) const { return assembled_.contains(relation); }
 
  private:
-  void note_not_read(const osmium::TagList& tags) {
+  void skip_other(const osmium::TagList& tags, const char* type, osmium::object_id_type id) {
     if (tags.empty()) return;
-    const std::string kind = kind_not_read(tags);
-    if (!kind.empty()) ++out_.not_read[kind];
+    const std::string kind = other_obstacle(tags);
+    if (!kind.empty()) out_.skipped.add(kind, fmt::format("{} {}", type, id));
   }
 
   geom::BuildingHeight count(const osmium::OSMObject& object) {

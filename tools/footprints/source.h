@@ -23,7 +23,6 @@ struct Source {
   std::map<std::string, std::size_t> counts;  // for the report: "heights from levels", …
   geom::Skipped skipped;                      // what is or may be an obstacle and is no footprint
   Warnings warnings;
-  std::map<std::string, std::size_t> not_read;  // of kinds that are never read: trees, lamps, …
 };
 
 struct ReadOptions {
