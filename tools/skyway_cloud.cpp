@@ -15,9 +15,9 @@
 #include "cli/skipped_option.h"
 #include "cloud/pcl_filters.h"
 #include "cloud/placement.h"
-#include "geom/column_grid.h"
-#include "geom/error.h"
-#include "geom/io/point_cloud.h"
+#include "geom/base/error.h"
+#include "geom/cloud/point_cloud.h"
+#include "geom/map/column_grid.h"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include "cli/vehicle_option.h"
 #include "export/prove.h"
 #include "export/writer.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "traj/export/crazyflie.h"
 #include "traj/export/straight_legs.h"
 #include "traj/io/trajectory_record.h"

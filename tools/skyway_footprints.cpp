@@ -12,7 +12,7 @@
 #include "cli/units.h"
 #include "footprints/formats.h"
 #include "footprints/place.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace {
 

@@ -12,14 +12,14 @@
 #include "cli/run.h"
 #include "cli/skipped_option.h"
 #include "cli/units.h"
-#include "geom/error.h"
-#include "geom/io/block_text.h"
-#include "geom/io/box_csv.h"
-#include "geom/io/fcnd_csv.h"
-#include "geom/io/octomap.h"
-#include "geom/io/voxel_3dmap.h"
-#include "geom/io/world_json.h"
-#include "geom/make_map.h"
+#include "geom/base/error.h"
+#include "geom/import/block_text.h"
+#include "geom/import/box_csv.h"
+#include "geom/import/fcnd_csv.h"
+#include "geom/import/octomap.h"
+#include "geom/import/voxel_3dmap.h"
+#include "geom/import/world_json.h"
+#include "geom/map/make_map.h"
 
 namespace {
 

@@ -12,10 +12,10 @@
 #include "cli/recognise.h"
 #include "cli/run.h"
 #include "cli/sharding.h"
-#include "geom/error.h"
-#include "geom/io/box_map_file.h"
-#include "geom/io/json_fields.h"
-#include "geom/io/parse_json.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
+#include "geom/text/parse_json.h"
 #include "plan/io/lattice_file.h"
 #include "plan/io/roadmap_file.h"
 
@@ -141,7 +141,9 @@ int main(int argc, char** argv) {
   bool verify = false;
   app.add_option("file", input, "any of Skyway's files, or another; - for stdin")->required();
   app.add_flag("--json", json, "as one JSON object");
-  app.add_flag("--verify", verify, "check every checksum, and a map's boxes and hash, as well; looks again even where that was done");
+  app.add_flag("--verify", verify,
+               "check every checksum, and a map's boxes and hash, as well; looks again even where "
+               "that was done");
   return cli::run_tool(app, argc, argv, [&] {
     const Json out = describe_file(input, verify);
     cli::OutputFile print("-", cli::OutputKind::text);

@@ -7,7 +7,7 @@
 #include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/sharding.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/io/lattice_file.h"
 #include "plan/io/part_file.h"
 #include "plan/io/roadmap_file.h"

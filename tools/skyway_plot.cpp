@@ -10,7 +10,7 @@
 #include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plot/clearance.h"
 #include "plot/comparison.h"
 #include "plot/motion_profile.h"

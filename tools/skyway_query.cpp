@@ -11,9 +11,9 @@
 #include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
-#include "geom/error.h"
-#include "geom/io/json_fields.h"
-#include "geom/parallel.h"
+#include "geom/base/error.h"
+#include "geom/base/parallel.h"
+#include "geom/text/json_fields.h"
 
 namespace {
 

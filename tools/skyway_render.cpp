@@ -5,7 +5,7 @@
 #include "cli/contents.h"
 #include "cli/files.h"
 #include "cli/run.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "render/options.h"
 #include "render/shoot.h"
 

@@ -12,7 +12,7 @@
 #include "cli/quality_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
 #include "plan/io/replanned_record.h"
 #include "plan/replan.h"
 

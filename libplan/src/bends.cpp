@@ -6,8 +6,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "geom/error.h"
-#include "geom/parallel.h"
+#include "geom/base/error.h"
+#include "geom/base/parallel.h"
 
 namespace plan {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "geom/error.h"
-#include "geom/parallel.h"
+#include "geom/base/error.h"
+#include "geom/base/parallel.h"
 
 namespace plan {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "geom/execution.h"
-#include "geom/shard.h"
+#include "geom/base/execution.h"
+#include "geom/base/shard.h"
 #include "plan/lattice.h"
 #include "plan/lattice_part.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "block_store.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/lattice_part.h"
 
 namespace plan {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace plan {
 namespace {

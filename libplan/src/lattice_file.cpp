@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "block_store.h"
-#include "geom/error.h"
-#include "geom/io/json_fields.h"
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
 
 namespace plan {
 namespace {

@@ -2,7 +2,7 @@
 #include <array>
 #include <iterator>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/patch.h"
 
 namespace plan {

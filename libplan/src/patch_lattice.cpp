@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "block_store.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/build_lattice.h"
 #include "plan/patch.h"
 #include "require_made_for.h"

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "bends.h"
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
 #include "plan/build_lattice.h"
 #include "plan/patch.h"
 #include "plan/roadmap_part.h"

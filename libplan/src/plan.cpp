@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "geom/error.h"
-#include "geom/precondition.h"
+#include "geom/base/error.h"
+#include "geom/base/precondition.h"
 #include "lattice_level.h"
 #include "plan/build_lattice.h"
 #include "plan/shortcut.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace plan {
 

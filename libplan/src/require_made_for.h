@@ -2,8 +2,8 @@
 
 // Whether an artefact of an older map can be patched for a scene.
 
-#include "geom/collision.h"
-#include "geom/io/record.h"
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
 
 namespace plan {
 

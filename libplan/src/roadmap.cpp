@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "bends.h"
-#include "geom/error.h"
-#include "geom/parallel.h"
+#include "geom/base/error.h"
+#include "geom/base/parallel.h"
 #include "heap.h"
 #include "plan/build_lattice.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geom/io/array_archive.h"
-#include "geom/io/json_fields.h"
+#include "geom/archive/array_archive.h"
+#include "geom/text/json_fields.h"
 #include "plan/roadmap.h"
 
 namespace plan {

@@ -4,8 +4,8 @@
 
 #include <ostream>
 
-#include "geom/error.h"
-#include "geom/io/json_fields.h"
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
 #include "plan/io/lattice_file.h"
 #include "roadmap_arrays.h"
 

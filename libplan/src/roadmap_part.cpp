@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "bends.h"
-#include "geom/error.h"
-#include "geom/mapped_file.h"
-#include "geom/parallel.h"
+#include "geom/base/error.h"
+#include "geom/base/mapped_file.h"
+#include "geom/base/parallel.h"
 
 namespace plan {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "point_index.h"
 #include "rrt_star.h"
 #include "sampling_search.h"

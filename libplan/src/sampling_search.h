@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "geom/random.h"
+#include "geom/base/random.h"
 #include "plan/rrt.h"
 
 namespace plan {

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "geom/aabb.h"
-#include "geom/error.h"
-#include "geom/io/bytes.h"
-#include "geom/io/glb.h"
+#include "geom/archive/bytes.h"
+#include "geom/base/error.h"
+#include "geom/mesh/glb.h"
+#include "geom/shape/aabb.h"
 #include "plan/io/search_tree.h"
 
 namespace plan {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "geom/error.h"
-#include "geom/io/json_fields.h"
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
 #include "plan/io/search_tree.h"
 
 namespace plan {

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "bound_planes.h"
-#include "geom/empty_box.h"
+#include "geom/shape/empty_box.h"
 #include "traj/corridor.h"
 
 namespace traj {

@@ -10,7 +10,7 @@
 #include "check_limits.h"
 #include "check_place.h"
 #include "curve_piece.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "least_clearance.h"
 #include "traj/continuity.h"
 #include "traj/domain.h"

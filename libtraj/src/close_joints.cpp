@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace traj {
 namespace {

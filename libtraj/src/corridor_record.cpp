@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "geom/io/json_fields.h"
-#include "geom/polytope.h"
+#include "geom/shape/polytope.h"
+#include "geom/text/json_fields.h"
 
 namespace traj {
 namespace {

@@ -13,8 +13,8 @@
 #include <string>
 
 #include "curve_piece.h"
-#include "geom/error.h"
-#include "geom/io/record.h"
+#include "geom/base/error.h"
+#include "geom/record/record.h"
 
 namespace traj {
 namespace {

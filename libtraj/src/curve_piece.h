@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/aabb.h"
+#include "geom/shape/aabb.h"
 #include "traj/trajectory.h"
 
 namespace traj {

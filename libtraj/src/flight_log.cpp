@@ -8,10 +8,10 @@
 #include <ostream>
 #include <set>
 
-#include "geom/error.h"
-#include "geom/io/csv_field.h"
-#include "geom/io/record.h"
-#include "geom/io/text_table.h"
+#include "geom/base/error.h"
+#include "geom/record/record.h"
+#include "geom/text/csv_field.h"
+#include "geom/text/text_table.h"
 
 namespace traj {
 namespace {

@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "geom/error.h"
-#include "geom/io/markup.h"
-#include "geom/io/parse_json.h"
-#include "geom/io/record.h"
+#include "geom/base/error.h"
+#include "geom/record/record.h"
+#include "geom/text/markup.h"
+#include "geom/text/parse_json.h"
 #include "xml_element.h"
 
 namespace traj {

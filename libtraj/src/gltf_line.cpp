@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "geom/error.h"
-#include "geom/io/bytes.h"
-#include "geom/io/glb.h"
-#include "geom/io/parse_json.h"
+#include "geom/archive/bytes.h"
+#include "geom/base/error.h"
+#include "geom/mesh/glb.h"
+#include "geom/text/parse_json.h"
 
 namespace traj {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "geom/io/record.h"
+#include "geom/record/record.h"
 
 namespace traj {
 

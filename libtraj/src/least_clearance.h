@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "curve_piece.h"
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "traj/check.h"
 
 namespace traj {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace traj {
 namespace {

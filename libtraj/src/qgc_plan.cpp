@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "geom/error.h"
-#include "geom/io/parse_json.h"
+#include "geom/base/error.h"
+#include "geom/text/parse_json.h"
 
 namespace traj {
 namespace {

@@ -11,8 +11,8 @@
 #include <ostream>
 #include <string>
 
-#include "geom/error.h"
-#include "geom/io/record.h"
+#include "geom/base/error.h"
+#include "geom/record/record.h"
 #include "traj/yaw.h"
 
 namespace traj {

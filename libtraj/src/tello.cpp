@@ -11,7 +11,7 @@
 #include <optional>
 #include <ostream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace traj {
 namespace {

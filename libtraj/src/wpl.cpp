@@ -7,8 +7,8 @@
 #include <istream>
 #include <ostream>
 
-#include "geom/error.h"
-#include "geom/io/record.h"
+#include "geom/base/error.h"
+#include "geom/record/record.h"
 
 namespace traj {
 namespace {

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cstdint>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace traj {
 namespace {

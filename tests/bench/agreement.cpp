@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "geom/collision.h"
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
+#include "geom/collision/collision.h"
 #include "plan/build_lattice.h"
 #include "plan/plan.h"
 #include "support/city.h"

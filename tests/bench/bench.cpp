@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "plan/astar.h"
 #include "plan/build_lattice.h"
 #include "plan/plan.h"

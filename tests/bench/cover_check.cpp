@@ -13,9 +13,9 @@
 
 #include "footprints/place.h"
 #include "footprints/source.h"
-#include "geom/cover.h"
-#include "geom/io/city_json.h"
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
+#include "geom/import/city_json.h"
+#include "geom/shape/cover.h"
 #include "support/cover_oracle.h"
 #include "support/exact_cover.h"
 #include "support/random_city.h"

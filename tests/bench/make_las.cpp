@@ -6,7 +6,7 @@
 #include <fstream>
 #include <vector>
 
-#include "geom/io/fcnd_csv.h"
+#include "geom/import/fcnd_csv.h"
 #include "support/random_city.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "geom/io/box_map_file.h"
+#include "geom/archive/box_map_file.h"
 #include "plan/astar.h"
 #include "plan/build_lattice.h"
 

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <vector>
 
-#include "geom/collision.h"
-#include "geom/io/box_map_file.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/collision/collision.h"
 
 int main(int argc, char** argv) {
   if (argc != 5) return 2;

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <map>
 
-#include "geom/io/box_map_file.h"
-#include "geom/io/record.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/record/record.h"
 #include "traj/check.h"
 #include "traj/solve.h"
 

@@ -1,6 +1,6 @@
 // A program outside the project: plans, solves and proves with the installed libraries.
 
-#include <geom/collision.h>
+#include <geom/collision/collision.h>
 #include <plan/plan.h>
 #include <traj/solve.h>
 

@@ -1,4 +1,4 @@
-#include "geom/io/box_map_file.h"
+#include "geom/archive/box_map_file.h"
 #include "plan/io/lattice_file.h"
 #include "plan/io/roadmap_file.h"
 #include "readers.h"

@@ -1,4 +1,4 @@
-#include "geom/io/block_text.h"
+#include "geom/import/block_text.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

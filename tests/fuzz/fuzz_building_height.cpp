@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "geom/io/building_height.h"
+#include "geom/import/building_height.h"
 #include "readers.h"
 
 // The text as every attribute in turn, and as all at once: what comes out is always a height.

@@ -1,4 +1,4 @@
-#include "geom/io/fcnd_csv.h"
+#include "geom/import/fcnd_csv.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "geom/io/keep_out.h"
+#include "geom/import/keep_out.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

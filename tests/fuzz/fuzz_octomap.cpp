@@ -1,4 +1,4 @@
-#include "geom/io/octomap.h"
+#include "geom/import/octomap.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "geom/io/path_csv.h"
+#include "geom/record/path_csv.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "geom/io/query_record.h"
+#include "geom/record/query_record.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

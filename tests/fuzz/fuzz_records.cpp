@@ -1,4 +1,4 @@
-#include "geom/io/record.h"
+#include "geom/record/record.h"
 #include "plan/io/search_tree.h"
 #include "readers.h"
 #include "traj/io/corridor_record.h"

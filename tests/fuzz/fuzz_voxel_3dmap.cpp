@@ -1,4 +1,4 @@
-#include "geom/io/voxel_3dmap.h"
+#include "geom/import/voxel_3dmap.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

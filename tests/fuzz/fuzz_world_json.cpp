@@ -1,4 +1,4 @@
-#include "geom/io/world_json.h"
+#include "geom/import/world_json.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "geom/io/point_cloud.h"
+#include "geom/cloud/point_cloud.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

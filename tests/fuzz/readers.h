@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 template <class Read>
 int refuses_or_reads(const std::uint8_t* data, std::size_t size, const Read& read) {

@@ -1,4 +1,4 @@
-#include "geom/aabb.h"
+#include "geom/shape/aabb.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/io/array_archive.h"
+#include "geom/archive/array_archive.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <numeric>
 #include <sstream>
 
-#include "geom/error.h"
-#include "geom/io/bytes.h"
+#include "geom/archive/bytes.h"
+#include "geom/base/error.h"
 #include "support/edited_map.h"
 #include "support/refusal.h"
 

@@ -1,11 +1,11 @@
-#include "geom/box_map.h"
+#include "geom/map/box_map.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "geom/error.h"
-#include "geom/io/box_map_file.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/base/error.h"
 #include "support/edited_map.h"
 #include "support/random_city.h"
 

@@ -1,4 +1,4 @@
-#include "geom/io/building_height.h"
+#include "geom/import/building_height.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
 

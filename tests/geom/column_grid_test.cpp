@@ -1,11 +1,11 @@
-#include "geom/column_grid.h"
+#include "geom/map/column_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/random_city.h"
 
 namespace geom {

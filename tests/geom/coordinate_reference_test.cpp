@@ -1,4 +1,4 @@
-#include "geom/io/coordinate_reference.h"
+#include "geom/cloud/coordinate_reference.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <random>
 #include <sstream>
 
-#include "geom/error.h"
-#include "geom/io/point_cloud.h"
+#include "geom/base/error.h"
+#include "geom/cloud/point_cloud.h"
 #include "support/cases.h"
 #include "support/las_file.h"
 

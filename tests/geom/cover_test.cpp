@@ -1,4 +1,4 @@
-#include "geom/cover.h"
+#include "geom/shape/cover.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/io/csv_records.h"
+#include "geom/text/csv_records.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 #include <random>
 #include <sstream>
 
-#include "geom/error.h"
-#include "geom/io/box_csv.h"
-#include "geom/io/csv_field.h"
+#include "geom/base/error.h"
+#include "geom/import/box_csv.h"
+#include "geom/text/csv_field.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "geom/empty_box.h"
+#include "geom/shape/empty_box.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/excerpt.h"
+#include "geom/text/excerpt.h"
 
 #include <gtest/gtest.h>
 

@@ -16,12 +16,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "embree_groups.h"
-#include "embree_queries.h"
-#include "geom/collision.h"
-#include "geom/error.h"
-#include "geom/io/array_archive.h"
-#include "geom/io/box_map_file.h"
+#include "collision/embree_groups.h"
+#include "collision/embree_queries.h"
+#include "geom/archive/array_archive.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/base/error.h"
+#include "geom/collision/collision.h"
 #include "support/cases.h"
 #include "support/failing_memory.h"
 #include "support/random_city.h"

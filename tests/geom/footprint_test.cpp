@@ -1,10 +1,10 @@
-#include "geom/footprint.h"
+#include "geom/map/footprint.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "geom/io/city_json.h"
+#include "geom/import/city_json.h"
 
 namespace geom {
 namespace {

@@ -1,12 +1,12 @@
-#include "geom/join.h"
+#include "geom/map/join.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "geom/geographic_frame.h"
-#include "geom/error.h"
-#include "geom/io/keep_out.h"
+#include "geom/base/error.h"
+#include "geom/import/keep_out.h"
+#include "geom/map/geographic_frame.h"
 #include "support/random_city.h"
 
 namespace geom {

@@ -1,4 +1,4 @@
-#include "geom/limits.h"
+#include "geom/vehicle/limits.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "geom/io/json_fields.h"
-#include "geom/io/record.h"
+#include "geom/record/record.h"
+#include "geom/text/json_fields.h"
 #include "support/cases.h"
 #include "support/refusal.h"
 

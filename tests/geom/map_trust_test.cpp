@@ -7,10 +7,10 @@
 #include <numeric>
 #include <thread>
 
-#include "geom/box_map.h"
-#include "geom/collision.h"
-#include "geom/error.h"
-#include "geom/sha256.h"
+#include "geom/base/error.h"
+#include "geom/base/sha256.h"
+#include "geom/collision/collision.h"
+#include "geom/map/box_map.h"
 #include "support/cases.h"
 #include "support/edited_map.h"
 #include "support/random_city.h"

@@ -1,4 +1,4 @@
-#include "geom/mapped_file.h"
+#include "geom/base/mapped_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/temporary_folder.h"
 
 namespace geom {

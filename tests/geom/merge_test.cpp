@@ -1,4 +1,4 @@
-#include "geom/merge.h"
+#include "geom/map/merge.h"
 
 #include <gtest/gtest.h>
 

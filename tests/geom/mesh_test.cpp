@@ -1,4 +1,4 @@
-#include "geom/io/mesh.h"
+#include "geom/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/random_city.h"
 
 namespace geom {

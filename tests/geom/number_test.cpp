@@ -1,4 +1,4 @@
-#include "geom/io/number.h"
+#include "geom/text/number.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "geom/io/text_table.h"
+#include "geom/text/text_table.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/io/parse_json.h"
+#include "geom/text/parse_json.h"
 
 #include <gtest/gtest.h>
 
@@ -6,15 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "geom/collision.h"
-#include "geom/error.h"
-#include "geom/frame.h"
-#include "geom/io/city_json.h"
-#include "geom/io/json_fields.h"
-#include "geom/io/keep_out.h"
-#include "geom/io/query_record.h"
-#include "geom/io/record.h"
-#include "geom/io/world_json.h"
+#include "geom/base/error.h"
+#include "geom/collision/collision.h"
+#include "geom/import/city_json.h"
+#include "geom/import/keep_out.h"
+#include "geom/import/world_json.h"
+#include "geom/map/frame.h"
+#include "geom/record/query_record.h"
+#include "geom/record/record.h"
+#include "geom/text/json_fields.h"
 
 namespace geom {
 namespace {

@@ -1,10 +1,10 @@
-#include "geom/io/path_csv.h"
+#include "geom/record/path_csv.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace geom {
 namespace {

@@ -1,4 +1,4 @@
-#include "geom/io/point_cloud.h"
+#include "geom/cloud/point_cloud.h"
 
 #include <gtest/gtest.h>
 #include <liblzf/lzf.h>
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace geom {
 namespace {

@@ -1,4 +1,4 @@
-#include "geom/polytope.h"
+#include "geom/shape/polytope.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // What public functions of the library do with arguments that are none: they say so, or the answer
 // is right all the same.
 
-#include "geom/precondition.h"
+#include "geom/base/precondition.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <limits>
 #include <optional>
 
-#include "geom/box_index.h"
-#include "geom/collision.h"
-#include "geom/column_grid.h"
-#include "geom/cover.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
+#include "geom/collision/collision.h"
+#include "geom/map/box_index.h"
+#include "geom/map/column_grid.h"
+#include "geom/shape/cover.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
 

@@ -1,4 +1,4 @@
-#include "geom/random.h"
+#include "geom/base/random.h"
 
 #include <gtest/gtest.h>
 

@@ -4,12 +4,12 @@
 
 #include <sstream>
 
-#include "geom/error.h"
-#include "geom/io/block_text.h"
-#include "geom/io/box_csv.h"
-#include "geom/io/fcnd_csv.h"
-#include "geom/io/query_record.h"
-#include "geom/synth_city.h"
+#include "geom/base/error.h"
+#include "geom/import/block_text.h"
+#include "geom/import/box_csv.h"
+#include "geom/import/fcnd_csv.h"
+#include "geom/map/synth_city.h"
+#include "geom/record/query_record.h"
 
 namespace geom {
 namespace {

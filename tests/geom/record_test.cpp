@@ -1,10 +1,10 @@
-#include "geom/io/record.h"
+#include "geom/record/record.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace geom {
 namespace {

@@ -1,4 +1,4 @@
-#include "geom/shard.h"
+#include "geom/base/shard.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "geom/simplify.h"
+#include "geom/map/simplify.h"
 
 #include <gtest/gtest.h>
 
-#include "geom/merge.h"
+#include "geom/map/merge.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
 

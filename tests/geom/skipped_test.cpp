@@ -1,4 +1,4 @@
-#include "geom/io/skipped.h"
+#include "geom/import/skipped.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,11 +6,11 @@
 #include <random>
 #include <sstream>
 
-#include "geom/error.h"
-#include "geom/io/block_text.h"
-#include "geom/io/city_json.h"
-#include "geom/io/fcnd_csv.h"
-#include "geom/io/world_json.h"
+#include "geom/base/error.h"
+#include "geom/import/block_text.h"
+#include "geom/import/city_json.h"
+#include "geom/import/fcnd_csv.h"
+#include "geom/import/world_json.h"
 #include "support/cases.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/scenes.h"
 #include "support/exact_oracle.h"
 

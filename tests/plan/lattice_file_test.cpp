@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/build_lattice.h"
 #include "plan/scenes.h"
 #include "support/refusal.h"

@@ -5,7 +5,7 @@
 #include <bit>
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/build_lattice.h"
 #include "plan/io/lattice_file.h"
 #include "support/exact_oracle.h"

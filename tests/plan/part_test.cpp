@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/build_lattice.h"
 #include "plan/file_bytes.h"
 #include "plan/io/lattice_file.h"

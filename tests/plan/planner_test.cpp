@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "geom/error.h"
-#include "geom/parallel.h"
+#include "geom/base/error.h"
+#include "geom/base/parallel.h"
 #include "plan/build_lattice.h"
 #include "plan/plan.h"
 #include "plan/scenes.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/io/roadmap_file.h"
 #include "plan/plan.h"
 #include "plan/taut.h"

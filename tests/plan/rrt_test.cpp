@@ -8,8 +8,8 @@
 #include <numbers>
 #include <span>
 
-#include "geom/error.h"
-#include "geom/sha256.h"
+#include "geom/base/error.h"
+#include "geom/base/sha256.h"
 #include "plan/scenes.h"
 #include "spheroid.h"
 #include "support/exact_oracle.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "support/random_city.h"
 
 namespace plan {

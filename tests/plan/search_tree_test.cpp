@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plan/rrt.h"
 #include "plan/scenes.h"
 #include "support/refusal.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "support/city.h"
 #include "support/random_city.h"
 

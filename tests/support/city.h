@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "geom/io/fcnd_csv.h"
-#include "geom/make_map.h"
+#include "geom/import/fcnd_csv.h"
+#include "geom/map/make_map.h"
 
 namespace support {
 

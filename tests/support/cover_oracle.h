@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "geom/cover.h"
+#include "geom/shape/cover.h"
 
 namespace oracle {
 

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <vector>
 
-#include "geom/box_map.h"
-#include "geom/io/array_archive.h"
-#include "geom/io/box_map_file.h"
+#include "geom/archive/array_archive.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/map/box_map.h"
 
 namespace support {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geom/cover.h"
+#include "geom/shape/cover.h"
 #include "support/exact_oracle.h"
 
 namespace oracle {

@@ -4,7 +4,7 @@
 
 #include <CGAL/Gmpq.h>
 
-#include "geom/aabb.h"
+#include "geom/shape/aabb.h"
 
 namespace oracle {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/vec3.h"
+#include "geom/shape/vec3.h"
 
 namespace support {
 

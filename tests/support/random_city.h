@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "geom/box_map.h"
+#include "geom/map/box_map.h"
 
 namespace support {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace support {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "support/random_city.h"
 #include "traj/trajectory.h"
 

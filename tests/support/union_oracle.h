@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geom/box_index.h"
+#include "geom/map/box_index.h"
 
 namespace oracle {
 

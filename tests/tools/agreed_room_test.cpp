@@ -8,7 +8,7 @@
 #include "cli/limit_options.h"
 #include "cli/run.h"
 #include "cli/vehicle_profile.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/cases.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include "bench/measure.h"
 #include "bench/query_set.h"
 #include "bench/report.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/random_city.h"
 
 namespace bench {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "render/motion.h"
 #include "render/view.h"
 #include "support/random_city.h"

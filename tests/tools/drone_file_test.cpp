@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/cases.h"
 #include "traj/export/crazyflie.h"
 #include "traj/export/geo_line.h"

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "cli/run.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "render/camera_poses.h"
 #include "render/frame_output.h"
 #include "render/png_image.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "plot/clearance.h"
 #include "plot/comparison.h"
 #include "plot/figure.h"

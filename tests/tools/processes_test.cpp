@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/temporary_folder.h"
 
 namespace cli {

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "cli/files.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/edited_map.h"
 #include "support/random_city.h"
 #include "support/temporary_folder.h"

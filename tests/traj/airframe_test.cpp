@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/refusal.h"
 #include "traj/io/airframe_record.h"
 #include "traj/io/gains_record.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "scenes.h"
 #include "support/random_city.h"
 #include "traj/clearance.h"

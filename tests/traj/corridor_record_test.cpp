@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/refusal.h"
 
 namespace traj {

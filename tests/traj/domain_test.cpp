@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/random_city.h"
 #include "traj/check.h"
 #include "traj/exact_check.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/refusal.h"
 #include "traj/export/crazyflie.h"
 #include "traj/export/setpoints.h"

@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "geom/error.h"
-#include "geom/random.h"
+#include "geom/base/error.h"
+#include "geom/base/random.h"
 #include "support/refusal.h"
 
 namespace traj {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "traj/close_joints.h"
 #include "traj/export/tello.h"
 #include "traj/scenes.h"

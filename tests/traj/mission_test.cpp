@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/refusal.h"
 #include "traj/export/geo_line.h"
 #include "traj/export/gltf_line.h"

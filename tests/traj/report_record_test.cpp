@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "support/refusal.h"
 #include "traj/scenes.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "traj/trajectory.h"
 
 namespace traj::testing {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench/trial.h"
-#include "geom/execution.h"
-#include "geom/io/record.h"
+#include "geom/base/execution.h"
+#include "geom/record/record.h"
 
 namespace bench {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bench/trial.h"
-#include "geom/execution.h"
+#include "geom/base/execution.h"
 #include "plan/build_lattice.h"
 #include "plan/plan.h"
 

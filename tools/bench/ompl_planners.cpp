@@ -10,7 +10,7 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "bench/cpu_clock.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace bench {
 namespace {

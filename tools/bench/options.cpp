@@ -9,7 +9,7 @@
 #include "cli/output_option.h"
 #include "cli/quality_option.h"
 #include "cli/run.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace bench {
 namespace {

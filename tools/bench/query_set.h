@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "geom/collision.h"
-#include "geom/io/query_record.h"
+#include "geom/collision/collision.h"
+#include "geom/record/query_record.h"
 
 namespace bench {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/collision.h"
-#include "geom/io/query_record.h"
-#include "geom/polyline.h"
+#include "geom/collision/collision.h"
+#include "geom/record/query_record.h"
+#include "geom/shape/polyline.h"
 
 namespace bench {
 

@@ -2,7 +2,7 @@
 
 #include "cli/limit_options.h"
 #include "cli/run.h"
-#include "geom/io/json_fields.h"
+#include "geom/text/json_fields.h"
 #include "traj/check.h"
 #include "traj/clearance.h"
 #include "traj/exact_check.h"

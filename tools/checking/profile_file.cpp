@@ -4,8 +4,8 @@
 
 #include "cli/output_option.h"
 #include "cli/run.h"
-#include "geom/io/csv_field.h"
-#include "geom/io/record.h"
+#include "geom/record/record.h"
+#include "geom/text/csv_field.h"
 
 namespace checking {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "geom/io/record.h"
-#include "geom/vehicle.h"
+#include "geom/record/record.h"
+#include "geom/vehicle/vehicle.h"
 
 namespace cli {
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "cli/files.h"
-#include "geom/error.h"
-#include "geom/io/box_map_file.h"
-#include "geom/io/json_fields.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
 #include "plan/io/lattice_file.h"
 
 namespace cli {

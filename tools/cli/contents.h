@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geom/box_map.h"
-#include "geom/io/record.h"
+#include "geom/map/box_map.h"
+#include "geom/record/record.h"
 #include "plan/io/search_tree.h"
 #include "plan/lattice.h"
 #include "traj/io/corridor_record.h"

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "geom/mapped_file.h"
+#include "geom/base/mapped_file.h"
 #include "run.h"
 
 namespace cli {

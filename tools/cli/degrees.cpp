@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cli/run.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace cli {
 namespace {

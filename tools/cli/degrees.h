@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "geom/frame.h"
+#include "geom/map/frame.h"
 
 namespace cli {
 

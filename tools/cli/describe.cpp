@@ -1,7 +1,7 @@
 #include "describe.h"
 
-#include "geom/excerpt.h"
-#include "geom/io/parse_json.h"
+#include "geom/text/excerpt.h"
+#include "geom/text/parse_json.h"
 #include "skipped_option.h"
 
 namespace cli {

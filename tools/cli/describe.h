@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "geom/box_map.h"
+#include "geom/map/box_map.h"
 
 namespace cli {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "geom/error.h"
-#include "geom/io/path_csv.h"
+#include "geom/base/error.h"
+#include "geom/record/path_csv.h"
 #include "numbers_option.h"
 #include "run.h"
 #include "traj/export/crazyflie.h"

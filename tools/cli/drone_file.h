@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/frame.h"
+#include "geom/map/frame.h"
 #include "traj/export/mission.h"
 #include "traj/export/tello.h"
 #include "traj/flown.h"

@@ -11,9 +11,9 @@
 #include <string>
 #include <string_view>
 
-#include "geom/box_map.h"
-#include "geom/execution.h"
-#include "geom/io/array_archive.h"
+#include "geom/archive/array_archive.h"
+#include "geom/base/execution.h"
+#include "geom/map/box_map.h"
 
 namespace cli {
 

@@ -3,7 +3,7 @@
 #include <streambuf>
 #include <vector>
 
-#include "geom/sha256.h"
+#include "geom/base/sha256.h"
 
 namespace cli {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "files.h"
-#include "geom/error.h"
-#include "geom/io/box_map_file.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/base/error.h"
 #include "run.h"
 #include "run_files.h"
 #include "verified_mark.h"

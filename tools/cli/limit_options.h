@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "geom/vehicle.h"
+#include "geom/vehicle/vehicle.h"
 #include "traj/limits.h"
 
 namespace cli {

@@ -5,7 +5,7 @@
 #include "cli/degrees.h"
 #include "cli/files.h"
 #include "cli/numbers_option.h"
-#include "geom/io/box_map_file.h"
+#include "geom/archive/box_map_file.h"
 
 namespace cli {
 

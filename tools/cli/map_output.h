@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cli/run.h"
-#include "geom/make_map.h"
+#include "geom/map/make_map.h"
 
 namespace cli {
 

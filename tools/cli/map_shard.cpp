@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "geom/error.h"
-#include "geom/io/json_fields.h"
-#include "geom/io/parse_json.h"
-#include "geom/join.h"
+#include "geom/base/error.h"
+#include "geom/map/join.h"
+#include "geom/text/json_fields.h"
+#include "geom/text/parse_json.h"
 
 namespace cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cli/sharding.h"
-#include "geom/column_grid.h"
-#include "geom/make_map.h"
+#include "geom/map/column_grid.h"
+#include "geom/map/make_map.h"
 
 namespace cli {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geom/io/number.h"
+#include "geom/text/number.h"
 
 namespace cli {
 

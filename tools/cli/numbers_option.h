@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/aabb.h"
+#include "geom/shape/aabb.h"
 
 namespace cli {
 

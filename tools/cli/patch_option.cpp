@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "files.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace cli {
 

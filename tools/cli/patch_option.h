@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/vehicle_option.h"
-#include "geom/io/array_archive.h"
+#include "geom/archive/array_archive.h"
 #include "plan/patch.h"
 
 namespace cli {

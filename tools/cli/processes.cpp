@@ -15,7 +15,7 @@
 #include <system_error>
 #include <vector>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "run.h"
 
 namespace cli {

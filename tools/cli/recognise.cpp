@@ -10,7 +10,7 @@
 #include <cctype>
 #include <cstdint>
 
-#include "geom/excerpt.h"
+#include "geom/text/excerpt.h"
 #include "run_files.h"
 
 namespace cli {
@@ -198,7 +198,8 @@ FileKind zip_kind(std::string_view head) {
   const std::size_t size = byte(head, kNameSize) + 256u * byte(head, kNameSize + 1);
   const auto name = head.substr(std::min(kName, head.size()), size);
   const bool ours = name == "meta.json";
-  if (const auto known = first_in(ours ? without_blanks(head) : std::string(name), kZip)) return *known;
+  if (const auto known = first_in(ours ? without_blanks(head) : std::string(name), kZip))
+    return *known;
   return {fmt::format("a ZIP archive whose first entry is \"{}\"", geom::excerpt(name, 40)), "",
           kUnpack};
 }

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "geom/execution.h"
+#include "geom/base/execution.h"
 
 namespace cli {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "cli/files.h"
-#include "geom/error.h"
-#include "geom/io/parse_json.h"
+#include "geom/base/error.h"
+#include "geom/text/parse_json.h"
 
 namespace cli {
 namespace {

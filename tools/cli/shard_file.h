@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/run.h"
-#include "geom/io/array_archive.h"
-#include "geom/shard.h"
+#include "geom/archive/array_archive.h"
+#include "geom/base/shard.h"
 
 namespace cli {
 

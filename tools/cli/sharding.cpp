@@ -8,9 +8,9 @@
 #include <filesystem>
 
 #include "cli/hashed_input.h"
-#include "geom/error.h"
-#include "geom/io/parse_json.h"
-#include "geom/sha256.h"
+#include "geom/base/error.h"
+#include "geom/base/sha256.h"
+#include "geom/text/parse_json.h"
 
 namespace cli {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "geom/error.h"
-#include "geom/io/parse_json.h"
+#include "geom/base/error.h"
+#include "geom/text/parse_json.h"
 
 namespace cli {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cli/run.h"
-#include "geom/box_map.h"
-#include "geom/io/skipped.h"
+#include "geom/import/skipped.h"
+#include "geom/map/box_map.h"
 
 namespace cli {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "agreed_room.h"
-#include "geom/collision.h"
-#include "geom/io/record.h"
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
 #include "vehicle_profile.h"
 
 namespace cli {

@@ -8,8 +8,8 @@
 
 #include "built_in_vehicles.h"
 #include "files.h"
-#include "geom/io/json_fields.h"
-#include "geom/io/parse_json.h"
+#include "geom/text/json_fields.h"
+#include "geom/text/parse_json.h"
 #include "numbers_option.h"
 #include "run.h"
 #include "traj/io/airframe_record.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "geom/vehicle.h"
+#include "geom/vehicle/vehicle.h"
 #include "traj/airframe.h"
 
 namespace cli {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string>
 
-#include "geom/box_map.h"
-#include "geom/mapped_file.h"
+#include "geom/base/mapped_file.h"
+#include "geom/map/box_map.h"
 
 namespace cli {
 

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace cloud {
 namespace {

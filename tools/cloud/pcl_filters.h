@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/io/point_cloud.h"
+#include "geom/cloud/point_cloud.h"
 
 namespace cloud {
 

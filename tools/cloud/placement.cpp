@@ -7,7 +7,7 @@
 #include "cli/numbers_option.h"
 #include "cli/run.h"
 #include "cli/units.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace cloud {
 namespace {

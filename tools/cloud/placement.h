@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "geom/frame.h"
-#include "geom/io/coordinate_reference.h"
+#include "geom/cloud/coordinate_reference.h"
+#include "geom/map/frame.h"
 
 namespace cloud {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "traj/export/straight_legs.h"
 #include "traj/flown.h"
 #include "traj/to_enu.h"

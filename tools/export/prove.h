@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "export/writer.h"
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "traj/check.h"
 
 namespace exporting {

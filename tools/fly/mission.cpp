@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "cli/run.h"
-#include "geom/error.h"
-#include "geom/parallel.h"
+#include "geom/base/error.h"
+#include "geom/base/parallel.h"
 #include "traj/to_enu.h"
 
 namespace fly {

@@ -1,8 +1,8 @@
 #include "footprints/formats.h"
 
 #include "cli/files.h"
-#include "geom/error.h"
-#include "geom/io/city_json.h"
+#include "geom/base/error.h"
+#include "geom/import/city_json.h"
 
 namespace footprints {
 namespace {

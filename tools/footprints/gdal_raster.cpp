@@ -5,7 +5,7 @@
 
 #include "footprints/gdal_reference.h"
 #include "footprints/source.h"
-#include "geom/row_merge.h"
+#include "geom/shape/row_merge.h"
 
 namespace footprints {
 namespace {

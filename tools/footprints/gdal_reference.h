@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace footprints {
 

@@ -17,7 +17,7 @@
 #include <string_view>
 
 #include "footprints/source.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace footprints {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "footprints/source.h"
-#include "geom/shard.h"
+#include "geom/base/shard.h"
 
 namespace footprints {
 

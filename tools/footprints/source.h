@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "geom/footprint.h"
-#include "geom/io/building_height.h"
-#include "geom/io/skipped.h"
+#include "geom/import/building_height.h"
+#include "geom/import/skipped.h"
+#include "geom/map/footprint.h"
 
 namespace footprints {
 

@@ -11,12 +11,12 @@
 
 #include "cli/files.h"
 #include "cli/output_option.h"
-#include "geom/cover.h"
-#include "geom/error.h"
-#include "geom/io/box_csv.h"
-#include "geom/io/keep_out.h"
-#include "geom/io/record.h"
-#include "geom/join.h"
+#include "geom/base/error.h"
+#include "geom/import/box_csv.h"
+#include "geom/import/keep_out.h"
+#include "geom/map/join.h"
+#include "geom/record/record.h"
+#include "geom/shape/cover.h"
 #include "map/verbs.h"
 
 namespace verbs {

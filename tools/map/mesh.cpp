@@ -1,6 +1,6 @@
 // Maps and what was planned in them as meshes: to-ply, to-gltf.
 
-#include "geom/io/mesh.h"
+#include "geom/mesh/mesh.h"
 
 #include <algorithm>
 #include <array>

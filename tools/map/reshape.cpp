@@ -10,12 +10,12 @@
 #include "cli/numbers_option.h"
 #include "cli/output_option.h"
 #include "cli/skipped_option.h"
-#include "geom/error.h"
-#include "geom/io/box_map_file.h"
-#include "geom/io/parse_json.h"
-#include "geom/join.h"
-#include "geom/merge.h"
-#include "geom/simplify.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/base/error.h"
+#include "geom/map/join.h"
+#include "geom/map/merge.h"
+#include "geom/map/simplify.h"
+#include "geom/text/parse_json.h"
 #include "map/verbs.h"
 
 namespace verbs {

@@ -2,9 +2,9 @@
 
 #include "cli/describe.h"
 #include "cli/files.h"
-#include "geom/io/box_csv.h"
-#include "geom/join.h"
-#include "geom/map_statistics.h"
+#include "geom/import/box_csv.h"
+#include "geom/map/join.h"
+#include "geom/map/statistics.h"
 #include "map/verbs.h"
 
 namespace verbs {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/run.h"
-#include "geom/box_map.h"
+#include "geom/map/box_map.h"
 
 namespace verbs {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/io/json_fields.h"
+#include "geom/text/json_fields.h"
 
 namespace plot {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "geom/box_map.h"
-#include "geom/polyline.h"
+#include "geom/map/box_map.h"
+#include "geom/shape/polyline.h"
 
 namespace plot {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "geom/io/markup.h"
+#include "geom/text/markup.h"
 #include "plot/ticks.h"
 
 namespace plot {

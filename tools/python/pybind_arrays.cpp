@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace binding {
 namespace {

@@ -1,7 +1,7 @@
 // Box maps, lattices and roadmaps as NumPy arrays over the mapped files.
 
 #include "cli/files.h"
-#include "geom/io/box_map_file.h"
+#include "geom/archive/box_map_file.h"
 #include "plan/io/lattice_file.h"
 #include "plan/io/roadmap_file.h"
 #include "pybind_arrays.h"

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "cli/run.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace binding {
 

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "cli/vehicle_option.h"
-#include "geom/collision.h"
-#include "geom/execution.h"
-#include "geom/io/record.h"
+#include "geom/base/execution.h"
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
 #include "traj/limits.h"
 
 namespace binding {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
 #include "plan/io/path_record.h"
 #include "plan/plan.h"
 #include "pybind_arrays.h"

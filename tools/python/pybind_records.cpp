@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "cli/files.h"
-#include "geom/io/query_record.h"
+#include "geom/record/query_record.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 #include "traj/io/trajectory_record.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 

@@ -9,7 +9,7 @@
 #include "cli/limit_options.h"
 #include "cli/run.h"
 #include "cli/solver_words.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 #include "traj/check.h"

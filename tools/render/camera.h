@@ -2,7 +2,7 @@
 
 // A camera on a vehicle: a pinhole without distortion, and where it sits.
 
-#include "geom/io/json_fields.h"
+#include "geom/text/json_fields.h"
 #include "render/view.h"
 
 namespace render {

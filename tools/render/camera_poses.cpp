@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "geom/io/text_table.h"
+#include "geom/text/text_table.h"
 
 namespace render {
 namespace {

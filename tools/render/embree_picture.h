@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/box_map.h"
+#include "geom/map/box_map.h"
 #include "render/view.h"
 
 namespace render {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/frame.h"
+#include "geom/map/frame.h"
 #include "render/camera.h"
 #include "traj/io/flight_log.h"
 #include "traj/trajectory.h"

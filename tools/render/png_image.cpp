@@ -11,7 +11,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 
 namespace render {
 namespace {

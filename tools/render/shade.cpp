@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geom/label_colour.h"
+#include "geom/map/label_colour.h"
 
 namespace render {
 namespace {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
 #include "render/camera_poses.h"
 #include "render/frame_output.h"
 #include "render/image_file.h"

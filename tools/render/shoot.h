@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "geom/execution.h"
+#include "geom/base/execution.h"
 #include "render/film.h"
 #include "render/options.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
 
 namespace render {
 namespace {

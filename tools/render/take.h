@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/execution.h"
+#include "geom/base/execution.h"
 #include "render/picture.h"
 #include "render/shade.h"
 

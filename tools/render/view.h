@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "geom/aabb.h"
+#include "geom/shape/aabb.h"
 
 namespace render {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "geom/collision.h"
-#include "geom/io/record.h"
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
 #include "solving/options.h"
 #include "traj/io/trajectory_record.h"
 

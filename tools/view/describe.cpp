@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "view/layers.h"
 
 namespace view {

@@ -6,7 +6,7 @@
 
 #include "cli/files.h"
 #include "cli/run.h"
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "render/frame_output.h"
 #include "view/webp_frame.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "render/motion.h"
 #include "view/layers.h"
 

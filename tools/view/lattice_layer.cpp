@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "geom/error.h"
+#include "geom/base/error.h"
 #include "view/layers.h"
 
 namespace view {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "geom/frame.h"
+#include "geom/map/frame.h"
 
 namespace view {
 

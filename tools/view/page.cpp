@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "geom/io/markup.h"
+#include "geom/text/markup.h"
 
 namespace view {
 namespace {

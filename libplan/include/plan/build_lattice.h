@@ -2,8 +2,8 @@
 
 // Lattices of a map: the grown boxes put onto a grid, at once or where they are looked at.
 
-#include "geom/collision.h"
-#include "geom/execution.h"
+#include "geom/base/execution.h"
+#include "geom/collision/collision.h"
 #include "plan/lattice.h"
 
 namespace plan {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "geom/io/record.h"
+#include "geom/record/record.h"
 
 namespace plan {
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <span>
 
-#include "geom/collision.h"
-#include "geom/execution.h"
-#include "geom/shard.h"
+#include "geom/base/execution.h"
+#include "geom/base/shard.h"
+#include "geom/collision/collision.h"
 #include "plan/lattice.h"
 
 namespace plan {

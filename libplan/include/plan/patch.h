@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "geom/collision.h"
-#include "geom/execution.h"
+#include "geom/base/execution.h"
+#include "geom/collision/collision.h"
 #include "plan/lattice.h"
 #include "plan/roadmap.h"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "plan/astar.h"
 #include "plan/lattice.h"
 #include "plan/roadmap.h"

@@ -2,8 +2,8 @@
 
 // Paths of an older map made good on a newer one: what is still free is kept, the rest mended.
 
-#include "geom/collision.h"
-#include "geom/io/record.h"
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
 #include "plan/plan.h"
 
 namespace plan {

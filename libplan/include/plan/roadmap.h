@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "geom/collision.h"
-#include "geom/execution.h"
-#include "geom/io/record.h"
-#include "geom/polyline.h"
+#include "geom/base/execution.h"
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
+#include "geom/shape/polyline.h"
 #include "plan/lattice.h"
 
 namespace plan {

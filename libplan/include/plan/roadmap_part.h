@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "geom/collision.h"
-#include "geom/execution.h"
-#include "geom/shard.h"
+#include "geom/base/execution.h"
+#include "geom/base/shard.h"
+#include "geom/collision/collision.h"
 #include "plan/lattice_part.h"
 #include "plan/roadmap.h"
 

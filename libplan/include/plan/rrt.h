@@ -7,8 +7,8 @@
 #include <functional>
 #include <string_view>
 
-#include "geom/collision.h"
-#include "geom/polyline.h"
+#include "geom/collision/collision.h"
+#include "geom/shape/polyline.h"
 #include "plan/search_tree.h"
 
 namespace plan {

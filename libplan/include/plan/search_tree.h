@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geom/vec3.h"
+#include "geom/shape/vec3.h"
 
 namespace plan {
 

@@ -2,8 +2,8 @@
 
 // Shortening a path by the straight lines between its own points.
 
-#include "geom/collision.h"
-#include "geom/polyline.h"
+#include "geom/collision/collision.h"
+#include "geom/shape/polyline.h"
 
 namespace plan {
 

@@ -2,8 +2,8 @@
 
 // Pulling a path taut over the boxes that it bends around.
 
-#include "geom/collision.h"
-#include "geom/polyline.h"
+#include "geom/collision/collision.h"
+#include "geom/shape/polyline.h"
 
 namespace plan {
 

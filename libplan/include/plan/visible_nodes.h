@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "plan/astar.h"
 #include "plan/lattice.h"
 

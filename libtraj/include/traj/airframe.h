@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "geom/vec3.h"
+#include "geom/shape/vec3.h"
 #include "traj/flight/gains.h"
 
 namespace traj {

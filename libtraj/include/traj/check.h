@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "traj/limits.h"
 #include "traj/trajectory.h"
 

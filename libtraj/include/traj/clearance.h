@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "traj/trajectory.h"
 
 namespace traj {

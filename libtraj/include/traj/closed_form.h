@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "traj/limits.h"
 #include "traj/min_snap.h"
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "geom/collision.h"
-#include "geom/polyline.h"
-#include "geom/separation.h"
+#include "geom/collision/collision.h"
+#include "geom/shape/polyline.h"
+#include "geom/shape/separation.h"
 #include "traj/trajectory.h"
 
 namespace traj {

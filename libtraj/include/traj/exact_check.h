@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "geom/box_map.h"
-#include "geom/vehicle.h"
+#include "geom/map/box_map.h"
+#include "geom/vehicle/vehicle.h"
 #include "traj/limits.h"
 #include "traj/trajectory.h"
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "geom/frame.h"
+#include "geom/map/frame.h"
 #include "traj/to_enu.h"
 #include "traj/trajectory.h"
 #include "traj/yaw.h"

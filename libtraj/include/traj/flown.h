@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "geom/polyline.h"
+#include "geom/shape/polyline.h"
 #include "traj/check.h"
 #include "traj/export/setpoints.h"
 #include "traj/vertical_ends.h"

@@ -2,7 +2,7 @@
 
 // The limits of a flight, by the names that this library uses: they are those of geom::Vehicle.
 
-#include "geom/limits.h"
+#include "geom/vehicle/limits.h"
 
 namespace traj {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "geom/collision.h"
-#include "geom/polyline.h"
+#include "geom/collision/collision.h"
+#include "geom/shape/polyline.h"
 #include "traj/closed_form.h"
 #include "traj/corridor.h"
 #include "traj/limits.h"

@@ -3,8 +3,8 @@
 // From a map's axes to east-north-up, in which vehicles fly, drone files are written and read, and
 // pictures are drawn, and back.
 
-#include "geom/frame.h"
-#include "geom/polyline.h"
+#include "geom/map/frame.h"
+#include "geom/shape/polyline.h"
 #include "traj/trajectory.h"
 
 namespace traj {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "geom/vec3.h"
+#include "geom/shape/vec3.h"
 
 namespace traj {
 

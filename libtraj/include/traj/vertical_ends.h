@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 
 namespace traj {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "geom/parallel.h"
-#include "geom/random.h"
+#include "geom/base/parallel.h"
+#include "geom/base/random.h"
 
 namespace traj {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "geom/parallel.h"
+#include "geom/base/parallel.h"
 
 namespace traj {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/io/array_archive.h"
-#include "geom/io/json_fields.h"
+#include "geom/archive/array_archive.h"
+#include "geom/text/json_fields.h"
 #include "plan/lattice.h"
 #include "plan/lattice_part.h"
 

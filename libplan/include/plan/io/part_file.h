@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/io/array_archive.h"
+#include "geom/archive/array_archive.h"
 #include "plan/lattice_part.h"
 #include "plan/roadmap_part.h"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "geom/collision.h"
-#include "geom/io/record.h"
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
 #include "plan/plan.h"
 
 namespace plan {

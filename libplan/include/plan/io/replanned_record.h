@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "geom/collision.h"
-#include "geom/io/record.h"
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
 #include "plan/replan.h"
 
 namespace plan {

@@ -4,7 +4,7 @@
 
 #include <iosfwd>
 
-#include "geom/io/array_archive.h"
+#include "geom/archive/array_archive.h"
 #include "plan/roadmap.h"
 
 namespace plan {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "geom/frame.h"
-#include "geom/io/record.h"
+#include "geom/map/frame.h"
+#include "geom/record/record.h"
 #include "plan/search_tree.h"
 
 namespace plan {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/geographic_frame.h"
+#include "geom/map/geographic_frame.h"
 
 namespace traj {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/polyline.h"
+#include "geom/shape/polyline.h"
 
 namespace traj {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/geographic_frame.h"
-#include "geom/polyline.h"
+#include "geom/map/geographic_frame.h"
+#include "geom/shape/polyline.h"
 #include "traj/trajectory.h"
 #include "traj/vertical_ends.h"
 

@@ -2,8 +2,8 @@
 
 // A trajectory as the few straight legs that a mission of waypoints can say.
 
-#include "geom/collision.h"
-#include "geom/polyline.h"
+#include "geom/collision/collision.h"
+#include "geom/shape/polyline.h"
 #include "traj/trajectory.h"
 
 namespace traj {

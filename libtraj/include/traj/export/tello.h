@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/polyline.h"
+#include "geom/shape/polyline.h"
 #include "traj/trajectory.h"
 #include "traj/vertical_ends.h"
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "geom/vec3.h"
+#include "geom/shape/vec3.h"
 
 namespace traj {
 

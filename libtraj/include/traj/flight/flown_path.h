@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "geom/collision.h"
+#include "geom/collision/collision.h"
 #include "traj/flight/simulate.h"
 
 namespace traj {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "geom/execution.h"
-#include "geom/shard.h"
+#include "geom/base/execution.h"
+#include "geom/base/shard.h"
 #include "traj/flight/tracking.h"
 
 namespace traj {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "geom/random.h"
-#include "geom/vec3.h"
+#include "geom/base/random.h"
+#include "geom/shape/vec3.h"
 
 namespace traj {
 

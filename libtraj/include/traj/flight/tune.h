@@ -2,7 +2,7 @@
 
 // Gains found by trying: the velocity loop first, then the position loop around it.
 
-#include "geom/execution.h"
+#include "geom/base/execution.h"
 #include "traj/flight/tracking.h"
 
 namespace traj {

@@ -2,7 +2,7 @@
 
 // The airframe in a vehicle profile.
 
-#include "geom/io/json_fields.h"
+#include "geom/text/json_fields.h"
 #include "traj/airframe.h"
 
 namespace traj {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/io/record.h"
+#include "geom/record/record.h"
 #include "traj/exact_check.h"
 
 namespace traj {

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/io/record.h"
+#include "geom/record/record.h"
 #include "traj/corridor.h"
 
 namespace traj {
 
 // Ends with a newline. Each piece with its planes, and the vertices and faces of the region behind
-// them (geom/polytope.h) within `reach` metres of the piece's bounding box.
+// them (geom/shape/polytope.h) within `reach` metres of the piece's bounding box.
 std::string to_json_line(const std::string& id, const geom::Provenance& provenance,
                          const Corridor& corridor, double reach);
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/vec3.h"
+#include "geom/shape/vec3.h"
 
 namespace traj {
 

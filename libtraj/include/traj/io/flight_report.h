@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "geom/box_map.h"
-#include "geom/io/record.h"
+#include "geom/map/box_map.h"
+#include "geom/record/record.h"
 #include "traj/airframe.h"
 #include "traj/flight/flown_path.h"
 #include "traj/flight/monte_carlo.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "geom/io/json_fields.h"
+#include "geom/text/json_fields.h"
 #include "traj/flight/gains.h"
 
 namespace traj {

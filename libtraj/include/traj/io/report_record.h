@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/box_map.h"
-#include "geom/io/record.h"
+#include "geom/map/box_map.h"
+#include "geom/record/record.h"
 #include "traj/check.h"
 #include "traj/exact_check.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geom/collision.h"
-#include "geom/io/record.h"
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
 #include "traj/io/trajectory_record.h"
 #include "traj/min_snap.h"
 #include "traj/solve.h"

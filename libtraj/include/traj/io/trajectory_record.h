@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "geom/io/json_fields.h"
-#include "geom/io/record.h"
+#include "geom/record/record.h"
+#include "geom/text/json_fields.h"
 #include "traj/limits.h"
 #include "traj/trajectory.h"
 

@@ -1,0 +1,100 @@
+#pragma once
+
+// An uncompressed ZIP (Zip64 where needed) of NumPy arrays and one meta.json, made to be mapped.
+
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "geom/base/execution.h"
+#include "geom/base/mapped_file.h"
+
+namespace geom {
+
+// NumPy's word for a type, little endian: "<f8", "<i4", "|u1", …
+template <class T>
+constexpr std::string_view dtype_of() {
+  static_assert(std::is_arithmetic_v<T>);
+  if constexpr (std::is_floating_point_v<T>) {
+    return sizeof(T) == 8 ? "<f8" : "<f4";
+  } else if constexpr (std::is_signed_v<T>) {
+    return sizeof(T) == 8 ? "<i8" : sizeof(T) == 4 ? "<i4" : sizeof(T) == 2 ? "<i2" : "|i1";
+  } else {
+    return sizeof(T) == 8 ? "<u8" : sizeof(T) == 4 ? "<u4" : sizeof(T) == 2 ? "<u2" : "|u1";
+  }
+}
+
+struct NamedArray {
+  std::string name;  // without ".npy"
+  std::string dtype;
+  std::vector<std::size_t> shape;                  // C order
+  std::vector<std::span<const std::byte>> pieces;  // one after the other
+};
+
+// One row an entry, or `columns` entries a row where that is not 0.
+template <class T>
+NamedArray named_array(std::string name, std::span<const T> values, std::size_t columns = 0) {
+  std::vector<std::size_t> shape = {values.size()};
+  if (columns) shape = {values.size() / columns, columns};
+  return {std::move(name), std::string(dtype_of<T>()), std::move(shape), {std::as_bytes(values)}};
+}
+
+// Writes without seeking. The data of every array starts at a multiple of 64 bytes, the ZIP's clock
+// stands at 1980-01-01, and equal content gives equal bytes.
+void write_array_archive(std::ostream& out, std::string_view meta_json,
+                         std::span<const NamedArray> arrays);
+
+// An opened archive; cheap to copy, and what it holds stays valid while any copy or keep_alive()
+// does. Opening checks the directory, the headers, shapes and sizes against the bytes that are
+// there, and refuses compression, encryption, duplicates and overlaps; every failure is an
+// InputError that names the file. Values and checksums are not looked at.
+class ArrayArchive {
+ public:
+  struct Entry {
+    std::string name;  // in the ZIP, "boxes.npy"
+    std::string dtype;
+    std::vector<std::size_t> shape;
+    std::span<const std::byte> bytes;   // the array's data alone
+    std::span<const std::byte> stored;  // the whole ZIP entry
+    std::uint32_t crc = 0;
+  };
+
+  static ArrayArchive map(const std::string& path);  // read-only, not copied
+  static ArrayArchive from_bytes(std::span<const std::byte> bytes, std::string name);
+
+  const std::string& name() const;  // for messages
+  std::string_view meta() const;    // meta.json
+  std::span<const Entry> arrays() const;
+  bool has(std::string_view array) const;
+
+  // A view of an array of this type with rows of `columns` (0: one dimension). InputError when it
+  // is missing or of another type or shape.
+  template <class T>
+  std::span<const T> array(std::string_view array, std::size_t columns = 0) const {
+    const Entry& entry = find(array, dtype_of<T>(), columns);
+    return {reinterpret_cast<const T*>(entry.bytes.data()), entry.bytes.size() / sizeof(T)};
+  }
+
+  // Every checksum; InputError at the first that differs.
+  void verify(const Execution& run = {}) const;
+
+  std::optional<FileState> file() const;  // where it is mapped: as it was opened
+  std::shared_ptr<const void> keep_alive() const;
+
+ private:
+  struct Data;
+  explicit ArrayArchive(std::shared_ptr<const Data> data);
+  const Entry& find(std::string_view array, std::string_view dtype, std::size_t columns) const;
+  static ArrayArchive open(std::shared_ptr<Data> data);
+
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace geom

@@ -1,0 +1,22 @@
+#pragma once
+
+// `.boxmap`: a box map as a ZIP of NumPy arrays (docs/formats.md).
+
+#include <iosfwd>
+
+#include "geom/archive/array_archive.h"
+#include "geom/map/box_map.h"
+
+namespace geom {
+
+void write_box_map(std::ostream& out, const BoxMap& map);
+
+// Views the archive's arrays, without copying the boxes. Checks the directory, shapes, types and
+// tile ranges; throws InputError otherwise. The rest is verified when BoxMap says, but for what the
+// caller knows of this very state of the file.
+BoxMap read_box_map(const ArrayArchive& archive, Verified known = Verified::nothing);
+
+// Whether the archive says that it is a box map.
+bool is_box_map(const ArrayArchive& archive);
+
+}  // namespace geom

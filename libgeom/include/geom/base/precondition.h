@@ -1,0 +1,42 @@
+#pragma once
+
+// What public functions need of their arguments, and say where it is missing.
+
+#include <cmath>
+#include <string_view>
+
+#include "geom/shape/vec3.h"
+
+namespace geom {
+
+// How far out a point may be asked about, in metres: past every map (kLargestCoordinate) and
+// whatever is grown around it, and near enough that no difference or square overflows.
+inline constexpr double kFarthest = 10 * kLargestCoordinate;
+
+[[noreturn]] void refuse_point(std::string_view what, const Vec3& p);
+[[noreturn]] void refuse_length(std::string_view what, double value, double most);
+
+// Each throws InputError("`what`", …) and else costs a few comparisons. None passes what is not a
+// number.
+
+// Finite coordinates within kFarthest.
+inline void require_point(std::string_view what, const Vec3& p) {
+  if (std::abs(p[0]) <= kFarthest && std::abs(p[1]) <= kFarthest && std::abs(p[2]) <= kFarthest) {
+    return;
+  }
+  refuse_point(what, p);
+}
+
+// Both of them, in few operations where they are near.
+inline void require_points(std::string_view what, const Vec3& a, const Vec3& b) {
+  if (a.lpNorm<1>() + b.lpNorm<1>() <= kFarthest) return;
+  require_point(what, a);
+  require_point(what, b);
+}
+
+// Metres, from 0 to `most`.
+inline void require_length(std::string_view what, double value, double most) {
+  if (!(value >= 0 && value <= most)) refuse_length(what, value, most);
+}
+
+}  // namespace geom

@@ -1,0 +1,51 @@
+#pragma once
+
+// Point clouds, read as they stream: PCD, PLY, LAS and XYZ.
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <span>
+#include <string_view>
+
+#include "geom/cloud/coordinate_reference.h"
+#include "geom/import/skipped.h"
+#include "geom/shape/vec3.h"
+
+namespace geom {
+
+struct CloudPoint {
+  Vec3 position;         // as the file gives it, in double: nothing is lost of large coordinates
+  std::uint8_t cls = 0;  // LAS classification; 0 elsewhere
+};
+
+// Is given the points chunk by chunk, in the file's order.
+using PointSink = std::function<void(std::span<const CloudPoint>)>;
+
+// Is told what a file says of its coordinates, before the first point.
+using ReferenceSink = std::function<void(const CoordinateReference&)>;
+
+struct CloudCounts {
+  std::size_t read = 0;        // points in the file
+  std::size_t not_finite = 0;  // of these, left out: a coordinate is NaN or infinite
+  Skipped skipped;             // what is no point and may be an obstacle: faces of a mesh
+};
+
+// Each throws InputError(source, …) for a header that is wrong or of a kind not known, for data
+// that end before the points that the header promises or hold more, for a word where a number
+// should be, and for coordinates beyond kLargestCoordinate. Memory does not grow with the file, but
+// for compressed PCD, which is unpacked whole.
+CloudCounts read_pcd(std::istream& in, std::string_view source, const PointSink& sink);
+CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink& sink);
+
+// LAS 1.0 to 1.4, point formats 0 to 10. LAZ and COPC are refused with the command that converts
+// them. The reference is what its GeoTIFF keys and its well-known text say, read where they stand
+// before the points; two that differ, and one that stands after the points alone, throw.
+CloudCounts read_las(std::istream& in, std::string_view source, const PointSink& sink,
+                     const ReferenceSink& reference = {});
+
+// Three numbers a line, then anything; fields by white space, comma or semicolon; `#` and `//`
+// start comments, and a first line that starts with a word or is a number alone is a header.
+CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink& sink);
+
+}  // namespace geom

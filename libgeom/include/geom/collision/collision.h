@@ -1,0 +1,116 @@
+#pragma once
+
+// The collision structure: exact queries of a box map for one vehicle and margin, by Embree.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geom/base/execution.h"
+#include "geom/map/box_map.h"
+#include "geom/shape/aabb.h"
+#include "geom/shape/empty_box.h"
+#include "geom/shape/separation.h"
+#include "geom/vehicle/vehicle.h"
+
+namespace geom {
+
+// The nearest obstacle and how far it is.
+struct Nearest {
+  std::size_t box = 0;  // index into BoxMap::boxes()
+  double distance = 0;  // metres from the point to that obstacle grown by the vehicle, without
+                        // the margin; 0 inside or on it
+};
+
+struct CollisionOptions {
+  std::size_t budget = std::size_t{1} << 29;  // bytes that groups of tiles may take
+  std::size_t boxes_per_group = 4096;         // about, > 0; a map of up to twice as many is one
+};
+
+// Holds the map, grown by vehicle and margin (geom::grow). Groups of neighbouring tiles are built
+// on first touch, once, whatever the threads, and given up, the oldest first, once all together
+// take more than the budget. All queries are const and may run from several threads at once.
+// Answers are exact for the grown boxes, and ties break on the lowest index.
+//
+// A query answers only where nothing went wrong in it. It throws InputError where a tile of a
+// mapped file that it touches holds a wrong value, and std::bad_alloc where there is no memory for
+// a group; asked again, it builds the group anew. Points must be within kFarthest
+// (geom/base/precondition.h), lengths >= 0, regions have min <= max, and what is not a number is
+// never answered: InputError too. Regions and radii may be infinite.
+class CollisionScene {
+ public:
+  // `margin` in metres is added to each half size. InputError where it, a half size (both 0 to
+  // kLargestCoordinate) or the map's extent is none.
+  CollisionScene(BoxMap map, Vehicle vehicle, double margin, const CollisionOptions& options = {});
+  ~CollisionScene();
+  CollisionScene(CollisionScene&&) noexcept;
+  CollisionScene& operator=(CollisionScene&&) noexcept;
+
+  const BoxMap& map() const;
+  const Vehicle& vehicle() const;
+  double margin() const;
+  Vec3 half() const;  // vehicle half sizes plus margin, rounded up
+
+  // Where the reference point may be (geom::shrink of the map's bounds); nothing when the vehicle
+  // does not fit.
+  const std::optional<Aabb>& free_bounds() const;
+  bool inside_bounds(const Vec3& p) const;  // of any point; of what is none, too: false
+
+  // Whether the closed segment (or point, a == b) meets a grown box. Bounds are not looked at.
+  bool hits(const Vec3& a, const Vec3& b) const;
+  bool hits(const Vec3& p) const { return hits(p, p); }
+
+  // Inside the bounds at both ends and free of every grown box. False of points outside, how far
+  // away whatsoever.
+  bool free(const Vec3& a, const Vec3& b) const;
+  bool free(const Vec3& p) const { return free(p, p); }
+
+  // Whether the closed box of half sizes `half` (in place of vehicle and margin), moved along the
+  // segment, meets an obstacle grown by it (geom::grow).
+  bool sweep_hits(const Vec3& a, const Vec3& b, const Vec3& half) const;
+
+  // hits() of many segments, 1 where it is true.
+  std::vector<std::uint8_t> hits(std::span<const std::pair<Vec3, Vec3>> segments,
+                                 const Execution& run) const;
+
+  // The nearest obstacle within `radius` metres (closed; below 0 holds none), or nothing.
+  std::optional<Nearest> nearest(const Vec3& p, double radius) const;
+
+  // The `count` nearest obstacles within `radius`, nearest first; fewer where there are no more.
+  std::vector<Nearest> nearest(const Vec3& p, double radius, std::size_t count) const;
+
+  // The same into memory of the caller's: as many as there is room for. Returns how many.
+  std::size_t nearest(const Vec3& p, double radius, std::span<Nearest> room) const;
+
+  // Indices, ascending, of the boxes that once grown meet the closed region.
+  std::vector<std::size_t> boxes_meeting(const Aabb& region) const;
+
+  // The same, or nothing where there are more than `most`; costs no more than finding those.
+  std::optional<std::vector<std::size_t>> boxes_meeting(const Aabb& region, std::size_t most) const;
+
+  // Planes to the grown boxes within `reach` metres of the segment, nearest first (ties: the lower
+  // index). Each separates the whole segment from its box where its gap is > 0.
+  struct Separated {
+    std::size_t box = 0;
+    Separation separation;
+  };
+  std::vector<Separated> separating_planes(const Vec3& a, const Vec3& b, double reach) const;
+
+  // The largest box around the segment, within `reach` metres of its bounding box and inside the
+  // bounds, that the reference point may use: see geom::empty_box.
+  std::optional<EmptyBox> empty_box(const Vec3& a, const Vec3& b, double reach) const;
+
+  // grow(map().box(i), half()).
+  Aabb grown(std::size_t i) const;
+
+  struct Impl;  // of the files embree_* alone
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace geom

@@ -1,0 +1,39 @@
+#pragma once
+
+// FCND tables (`colliders.csv`): a latitude and longitude line, then centre and half sizes.
+
+#include <iosfwd>
+#include <optional>
+#include <string_view>
+
+#include "geom/import/skipped.h"
+#include "geom/map/box_map.h"
+
+namespace geom {
+
+struct FcndTable {
+  BoxTable table;  // ids are line numbers of the source
+  std::optional<GeodeticOrigin> origin;
+  std::size_t flat = 0;       // boxes with one or two zero half sizes: kept
+  Skipped skipped;            // columns and fields that may turn or move a box
+  double largest_change = 0;  // metres that rounding outward moved a face by, at most
+};
+
+// Reads `lat0 A, lon0 B`, bare `A,B`, or the three-line form, all of them optional; then the header
+// posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ (any order) or none. Further columns
+// are ignored unless their name speaks of a turn (yaw, rotation, …); those, and fields beyond the
+// columns, are `skipped`.
+// Throws InputError(source, line, …) for a missing column, a field that is not a finite number, a
+// negative half size, a box with three zero half sizes (likely a latitude and longitude read as a
+// box), and a table without boxes.
+FcndTable read_fcnd_csv(std::istream& in, std::string_view source);
+
+struct CenteredBox {
+  Vec3 center;
+  Vec3 half;
+};
+
+void write_fcnd_csv(std::ostream& out, const GeodeticOrigin& origin,
+                    std::span<const CenteredBox> boxes);
+
+}  // namespace geom

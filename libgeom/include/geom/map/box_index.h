@@ -1,0 +1,43 @@
+#pragma once
+
+// Which boxes are near: hashes of square cells in plan, for algorithms on tables of boxes.
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "geom/shape/aabb.h"
+
+namespace geom {
+
+// Refers to boxes by their index; they may change as long as those asked for were added. A hash a
+// size of boxes, each twice that of the one before, so that few large boxes among many small ones
+// cost no more than others.
+class BoxIndex {
+ public:
+  // `cell`: metres, about the size of a box and its surroundings. InputError where it is not from
+  // 1e-6 to kLargestCoordinate, and below, where a coordinate is beyond kFarthest or none.
+  explicit BoxIndex(double cell);
+
+  void add(std::size_t i, const Aabb& box);
+
+  // Indices, ascending, of boxes added whose cells the region touches: all that meet it, and more.
+  std::vector<std::size_t> near(const Aabb& region) const;
+
+ private:
+  struct Level {
+    double cell;
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> hash;
+  };
+
+  double cell_;
+  std::map<int, Level>
+      levels_;  // a box of level n is at most cell_ * 2^n wide: in 4 cells or fewer
+};
+
+// A cell size for a table: the mean side of its boxes in plan, at least 1 m.
+double index_cell(std::span<const Aabb> boxes);
+
+}  // namespace geom

@@ -1,0 +1,91 @@
+#pragma once
+
+// A city as boxes: what every later stage starts from.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/base/execution.h"
+#include "geom/map/frame.h"
+#include "geom/shape/aabb.h"
+
+namespace geom {
+
+// Boxes before they are a map: what importers produce and a table holds.
+struct BoxTable {
+  std::vector<Aabb> boxes;           // in the order of the source
+  std::vector<std::uint64_t> ids;    // source row or feature, one a box
+  std::vector<std::uint32_t> label;  // index into `labels`, one a box
+  std::vector<std::string> labels;   // labels[0] is "" (no label)
+};
+
+struct Tile {
+  std::int32_t ix = 0;  // the square [ix s, (ix + 1) s) x [iy s, (iy + 1) s), s the tile size
+  std::int32_t iy = 0;
+  bool large = false;  // boxes that cover more than 4 tiles; ix = iy = 0, and it comes first
+  Aabb extent;         // the true bounding box of the contents
+  std::size_t first = 0;
+  std::size_t count = 0;  // boxes [first, first + count), at least one
+};
+
+struct BoxMapSpec {
+  Frame frame;
+  Aabb bounds;              // closed; the whole vehicle stays inside
+  std::string bounds_from;  // "source", "obstacles" or "option": who set the bounds
+  double tile_size = 100;   // metres, > 0
+  std::string history;      // one JSON array: a line of options and input hashes per step
+};
+
+// How much of what a map's file says of itself was held against what it holds (docs/formats.md,
+// "Trust"). Each includes those before it.
+enum class Verified : std::uint8_t {
+  nothing,  // the directory, shapes, types and ranges, as reading does
+  extents,  // every box is finite, has min <= max and lies in its tile's extent; its label exists
+  contents  // every checksum; each box is in its tile, in order; the hash is that of the map
+};
+
+// Immutable and cheap to copy: the arrays are shared (mapped from a file, or owned). Boxes are
+// ordered by tile (large first, then by iy, ix), in a tile by (min, max, id), so equal content
+// gives equal bytes. Threads may read one at once.
+//
+// A map from a file is believed no further than it was verified: tiles(), boxes(), boxes_of() and
+// label() verify the extents first, whoever asks, and throw InputError where one is wrong. What
+// decides for good (a proof, a map made of this one) calls require(Verified::contents).
+class BoxMap {
+ public:
+  // Sorts `table` into tiles. No box may be inverted or not finite (precondition).
+  BoxMap(BoxMapSpec spec, const BoxTable& table);
+
+  const BoxMapSpec& spec() const;
+  std::size_t size() const;        // how many boxes
+  std::size_t tile_count() const;  // how many tiles
+  std::span<const Aabb> boxes() const;
+  std::span<const Aabb> boxes_of(std::size_t tile) const;
+  const Aabb& box(std::size_t i) const;  // precondition: the extents are verified
+  std::span<const std::uint64_t> ids() const;
+  std::span<const std::uint32_t> label() const;
+  const std::vector<std::string>& labels() const;
+  std::span<const Tile> tiles() const;
+
+  // "sha256:" and 64 hexadecimal digits: SHA-256 of frame, bounds and the sorted boxes. A claim of
+  // the file's until its contents are verified.
+  const std::string& hash() const;
+
+  // Verifies what is not yet: reads all boxes for the extents, all bytes for the contents. Throws
+  // InputError at the first that is wrong, whatever the threads. Once for all copies; threads may
+  // call it at once. A map that was made here is verified.
+  void require(Verified level, const Execution& run = {}) const;
+  Verified verified() const;
+
+  struct Data;  // box_map.cpp, box_map_file.cpp and verify_map.cpp only
+  explicit BoxMap(std::shared_ptr<const Data> data);
+  const Data& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace geom

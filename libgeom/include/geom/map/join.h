@@ -1,0 +1,25 @@
+#pragma once
+
+// One map of several.
+
+#include <span>
+#include <string_view>
+
+#include "geom/map/box_map.h"
+
+namespace geom {
+
+// The boxes of `other` in the coordinates of `frame`. As they are where the frames are equal; where
+// both have an origin and count metres east and north of it (no CRS, or a transverse Mercator
+// projection about the origin), the origins bring them together: each box becomes the box around
+// its moved corners, and a little more for the bulge of its edges. Throws InputError(source, …)
+// where neither holds: it says what differs.
+BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view source);
+
+// `b` after `a`, labels united.
+void append(BoxTable& a, const BoxTable& b);
+
+// A table of the map's boxes; with `region`, of those that meet it.
+BoxTable table_of(const BoxMap& map, const Aabb* region = nullptr);
+
+}  // namespace geom

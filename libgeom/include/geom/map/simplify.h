@@ -1,0 +1,23 @@
+#pragma once
+
+// Fewer boxes that reach a little further.
+
+#include "geom/base/execution.h"
+#include "geom/map/box_map.h"
+
+namespace geom {
+
+struct Simplified {
+  BoxTable table;
+  std::size_t rounds = 0;  // of pairing
+  std::size_t tried = 0;   // pairs looked at
+};
+
+// Joins near boxes of one label into their hull where every point of the hull is within `slack`
+// metres (>= 0, Euclidean) of an input box: so each input box lies in one output box, and no output
+// box reaches further than the slack from the input, in real arithmetic. Greedy: in each round
+// every box looks for the neighbour that adds least volume and fits, and the best pairs are joined,
+// until there is none. After and before merge(). Deterministic, for any number of threads.
+Simplified simplify(BoxTable table, double slack, const Execution& run = {});
+
+}  // namespace geom

@@ -1,0 +1,20 @@
+#pragma once
+
+// Paths as a table of points.
+
+#include <iosfwd>
+#include <string_view>
+#include <vector>
+
+#include "geom/record/record.h"
+
+namespace geom {
+
+// A point a row in the map's axes, metres: columns id,x,y,z, or x,y,z for one path of the id
+// "path". A header naming them is optional, and its names may end in _m. Rows of an id stand
+// together. The records are found paths without provenance. Throws InputError(source, line, …) for
+// other columns, a coordinate that is no finite number within 1e8 m, an id that comes again later,
+// an empty table, and a last line without its end, which may have lost digits.
+std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source);
+
+}  // namespace geom

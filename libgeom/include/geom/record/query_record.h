@@ -1,0 +1,35 @@
+#pragma once
+
+// Planning queries: JSON Lines, or CSV with a header.
+
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/shape/vec3.h"
+
+namespace geom {
+
+struct PlanQuery {
+  std::string id;
+  Vec3 from;
+  Vec3 to;
+  std::optional<double> best_known;  // metres: the length of the best path known
+  std::size_t line = 0;              // of the source; 0: none
+};
+
+// `{"id":"q1","from":[x,y,z],"to":[x,y,z]}` a line (without id: "q" and the line number), or CSV
+// with columns id,from_x,…,to_z in any order and others ignored; with a column `set` the id is
+// SET-ID. The key "best_known", or the column best_known_m (a field may be empty), must be > 0.
+// Throws InputError(source, line, …) at the first malformed line, for an id that comes
+// twice, and for a stream without queries.
+std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view source);
+
+// Lengths by id, of CSV with columns id,length and, as above, `set`. Throws InputError as above and
+// for a length that is not > 0.
+std::map<std::string, double> read_reference_lengths(std::istream& in, std::string_view source);
+
+}  // namespace geom

@@ -1,0 +1,73 @@
+#pragma once
+
+// The JSON Lines records that pipes carry, and what every one of them says of its origin.
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/map/frame.h"
+#include "geom/shape/polyline.h"
+#include "geom/vehicle/vehicle.h"
+
+namespace geom {
+
+// What was asked, as it travels: absent where a record does not say.
+struct Provenance {
+  std::optional<std::string> map;  // BoxMap::hash()
+  std::optional<Axes> frame;
+  std::optional<Vehicle> vehicle;
+  std::optional<double> margin;  // metres
+};
+
+class CollisionScene;
+Provenance provenance_of(const CollisionScene& scene);  // of what is made with it
+
+// Legs of a path from points[first] to points[last], first < last.
+struct LegRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+
+  friend bool operator==(const LegRange&, const LegRange&) = default;
+};
+
+// Where the legs of a replanned path come from. Together the ranges are the whole path, each once.
+struct PathOrigin {
+  std::vector<LegRange> kept;    // of the old path, bit for bit
+  std::vector<LegRange> mended;  // new
+};
+
+struct PathRecord {
+  std::string id;
+  std::string status;  // "found", or why not
+  Polyline points;     // empty unless found
+  Provenance provenance;
+  std::string message;               // why there is no path, in words; may be empty
+  std::string search;                // the planner's own report: a JSON object, or empty
+  std::optional<PathOrigin> origin;  // of a replanned path
+  std::vector<double> hold;          // seconds to stand still at each point, >= 0; empty: nowhere
+  std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
+};
+
+// Appends numbers (shortest round trip; not finite: null) and strings (escaped) to a line of JSON.
+void append_json(std::string& out, double value);
+void append_json(std::string& out, std::string_view text);
+void append_json(std::string& out, const Vec3& v);  // [x,y,z]
+
+// `"map":…,"frame":…,"vehicle":…,"margin":…` of what is present, each followed by a comma.
+void append_json(std::string& out, const Provenance& provenance);
+
+// `"limits":{…},` of what is present, or nothing.
+void append_json(std::string& out, const Limits& limits);
+
+std::string to_json_line(const PathRecord& record);  // ends with a newline
+
+// Throws InputError(source, line, …) for anything that is not a path record: malformed JSON, a
+// missing key, a number that is not finite, holds or velocities that are not one a point, a
+// velocity other than zero where the path holds.
+PathRecord parse_path_record(std::string_view json, std::string_view source, std::size_t line);
+
+}  // namespace geom

@@ -1,0 +1,51 @@
+#pragma once
+
+// Axis-aligned boxes: the one obstacle shape the rest of the toolkit sees.
+
+#include <optional>
+#include <span>
+
+#include "geom/shape/vec3.h"
+
+namespace geom {
+
+// A closed box. Regular value: copy freely. `min(i) <= max(i)` on every axis.
+struct Aabb {
+  Vec3 min;
+  Vec3 max;
+
+  friend bool operator==(const Aabb& a, const Aabb& b) { return a.min == b.min && a.max == b.max; }
+};
+
+// The shortest distance from `p` to `box`, in metres; 0 inside or on the face. Not a number where a
+// coordinate of `p` is none.
+double distance(const Vec3& p, const Aabb& box);
+
+// Whether the closed box holds `p`. Exact.
+bool contains(const Aabb& box, const Vec3& p);
+
+// Whether two closed boxes share a point. Exact; touching counts.
+bool overlap(const Aabb& a, const Aabb& b);
+
+// Whether the closed segment from `a` to `b` meets the closed box. Exact for the doubles given:
+// the separating-axis test with filtered orientation predicates, which fall back on exact numbers.
+// A zero-length segment is a point. Finite coordinates of any size are decided right; a segment
+// with one that is not a number is taken to meet all that its other coordinates do not keep it
+// from.
+bool segment_hits(const Vec3& a, const Vec3& b, const Aabb& box);
+
+// The smallest box around two boxes, and around `points` (nothing when there are none).
+Aabb merged(const Aabb& a, const Aabb& b);
+std::optional<Aabb> bounds(std::span<const Vec3> points);
+
+// `obstacle` grown by a vehicle of half sizes `half` (metres, >= 0): where the vehicle's reference
+// point collides. This is the only growth in the toolkit. It is rounded outward, and reaches
+// max(5e-10 m, 2 ulp of the largest coordinate) beyond the real sum, so that whatever
+// is within rounding of touching counts as touching.
+Aabb grow(const Aabb& obstacle, const Vec3& half);
+
+// Where the reference point of a vehicle of half sizes `half` may be while the whole vehicle is
+// inside the closed `bounds`. Rounded inward; nothing when the vehicle does not fit.
+std::optional<Aabb> shrink(const Aabb& bounds, const Vec3& half);
+
+}  // namespace geom

@@ -1,0 +1,25 @@
+#pragma once
+
+// Polygons as few axis-aligned rectangles.
+
+#include <vector>
+
+#include "geom/shape/polygon.h"
+
+namespace geom {
+
+struct Rectangle {  // closed; min <= max on both axes
+  Vec2 min;
+  Vec2 max;
+};
+
+// Rectangles that contain every point of the closed polygon, none of them reaching further than
+// `slack` metres (> 0, Euclidean) outside it. Slabs along one axis, each as wide as the slack
+// allows; along the axis that needs fewer. An axis-aligned rectangle gives one, a polygon of one
+// point or line rectangles without extent. Rectangles are rounded outward by 1e-9 m and 4 units in
+// the last place, which the slack includes; it must be at least 1e-6 m and 1e-9 of the coordinates
+// (InputError otherwise).
+// No point at all gives none. Cost: the number of slabs times that of the edges near each.
+std::vector<Rectangle> cover(const Polygon& polygon, double slack);
+
+}  // namespace geom

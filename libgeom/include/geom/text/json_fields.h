@@ -1,0 +1,47 @@
+#pragma once
+
+// Typed access to one JSON record, with errors that name source, line, key and what stood there.
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/record/record.h"
+
+namespace geom {
+
+// Every accessor throws InputError(source, line, …) when the key is missing (and no fallback is
+// given) or has another type. Numbers must be finite, and coordinates at most kLargestCoordinate.
+class JsonFields {
+ public:
+  JsonFields(std::string_view json, std::string_view source, std::size_t line);
+
+  const nlohmann::json& object() const { return object_; }
+  bool has(const char* key) const { return object_.contains(key) && !object_[key].is_null(); }
+  void require_type(std::string_view type) const;  // the value of "type"
+
+  std::string text(const char* key) const;
+  std::string text(const char* key, std::string_view fallback) const;
+  std::optional<double> number(const char* key) const;
+  Vec3 point(const char* key) const;
+  std::vector<Vec3> points(const char* key) const;
+  Provenance provenance() const;
+  Limits limits() const;  // the value of "limits"; none without it
+
+  double number(const nlohmann::json& value, std::string_view what) const;
+  Vec3 point(const nlohmann::json& value, std::string_view what) const;
+  // Each > 0, the tilt below a right angle, the thrust above kGravity. Throws for a limit that is
+  // not known: what was meant as one must not be passed over.
+  Limits limits(const nlohmann::json& value, std::string_view what) const;
+  [[noreturn]] void refuse(std::string_view message) const;
+
+ private:
+  nlohmann::json object_;
+  std::string source_;
+  std::size_t line_;
+};
+
+}  // namespace geom

@@ -1,0 +1,205 @@
+#include "geom/archive/box_map_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "geom/base/error.h"
+#include "geom/record/record.h"
+#include "geom/text/json_fields.h"
+#include "geom/text/parse_json.h"
+#include "map/box_map_data.h"
+
+namespace geom {
+namespace {
+
+constexpr int kVersion = 1;
+using Json = nlohmann::json;
+
+std::string meta_of(const BoxMap& map) {
+  const BoxMapSpec& spec = map.spec();
+  std::string meta = fmt::format(R"({{"format":"skyway-boxmap","version":{},"hash":)", kVersion);
+  append_json(meta, std::string_view(map.hash()));
+  meta += ",\"frame\":";
+  append_json(meta, name(spec.frame.axes));
+  if (spec.frame.origin) {
+    meta += ",\"origin\":";
+    append_json(meta, Vec3(spec.frame.origin->latitude, spec.frame.origin->longitude,
+                           spec.frame.origin->height));
+  }
+  meta += ",\"crs\":";
+  append_json(meta, std::string_view(spec.frame.crs));
+  meta += ",\"bounds\":[";
+  append_json(meta, spec.bounds.min);
+  meta += ',';
+  append_json(meta, spec.bounds.max);
+  meta += "],\"bounds_from\":";
+  append_json(meta, std::string_view(spec.bounds_from));
+  meta += ",\"tile_size\":";
+  append_json(meta, spec.tile_size);
+  meta += ",\"boxes\":" + std::to_string(map.boxes().size()) + ",\"labels\":[";
+  for (std::size_t i = 0; i < map.labels().size(); ++i) {
+    if (i) meta += ',';
+    append_json(meta, std::string_view(map.labels()[i]));
+  }
+  meta += "],\"history\":" + (spec.history.empty() ? "[]" : spec.history) + "}\n";
+  return meta;
+}
+
+[[noreturn]] void refuse(const ArrayArchive& archive, std::string_view message) {
+  throw InputError(archive.name(), message);
+}
+
+JsonFields meta_fields(const ArrayArchive& archive) {
+  return {archive.meta(), archive.name() + ": meta.json", 0};
+}
+
+void require_box_map(const JsonFields& meta) {
+  const auto found = [&](const char* key) {
+    return meta.has(key) ? shown(meta.object()[key]) : std::string("none");
+  };
+  if (found("format") != "\"skyway-boxmap\"") {
+    meta.refuse(fmt::format("expected a box map (format \"skyway-boxmap\"), found format {}",
+                            found("format")));
+  }
+  if (found("version") != std::to_string(kVersion)) {
+    meta.refuse(fmt::format("expected box map version {}, found {}", kVersion, found("version")));
+  }
+}
+
+std::vector<std::string> labels_of(const JsonFields& meta) {
+  std::vector<std::string> labels;
+  const Json listed = meta.has("labels") ? meta.object()["labels"] : Json();
+  if (!listed.is_array()) meta.refuse("labels must be a list, found " + shown(listed));
+  for (const Json& label : listed) {
+    if (!label.is_string()) meta.refuse("a label must be a string, found " + shown(label));
+    labels.push_back(label.get<std::string>());
+  }
+  if (labels.empty() || !labels.front().empty()) {
+    meta.refuse("the first of labels must be \"\", of boxes without one");
+  }
+  return labels;
+}
+
+BoxMapSpec spec_of(const JsonFields& meta) {
+  BoxMapSpec spec;
+  const auto axes = axes_from_name(meta.text("frame"));
+  if (!axes) {
+    meta.refuse("frame must be \"enu\" or \"neu\", found " + shown(meta.object()["frame"]));
+  }
+  spec.frame.axes = *axes;
+  if (meta.has("origin")) {
+    const Vec3 origin = meta.point("origin");
+    spec.frame.origin = GeodeticOrigin{origin[0], origin[1], origin[2]};
+  }
+  spec.frame.crs = meta.text("crs");
+  const std::vector<Vec3> corners = meta.points("bounds");
+  if (corners.size() != 2 || (corners[0].array() > corners[1].array()).any()) {
+    meta.refuse("bounds must be two corners, min <= max, found " + shown(meta.object()["bounds"]));
+  }
+  spec.bounds = {corners[0], corners[1]};
+  spec.bounds_from = meta.text("bounds_from");
+  spec.tile_size = meta.number("tile_size").value_or(0);
+  if (!(spec.tile_size >= 1 && spec.tile_size <= kLargestCoordinate)) {
+    meta.refuse(fmt::format("tile_size must be from 1 m to 1e8 m, found {}", spec.tile_size));
+  }
+  const Json steps = meta.has("history") ? meta.object()["history"] : Json();
+  if (!steps.is_array()) meta.refuse("history must be a list, found " + shown(steps));
+  spec.history = steps.dump();
+  return spec;
+}
+
+void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
+  const auto index = archive.array<std::int32_t>("tile_index", 2);
+  const auto large = archive.array<std::uint8_t>("tile_large");
+  const auto extent = archive.array<double>("tile_extent", 6);
+  const auto range = archive.array<std::uint64_t>("tile_range", 2);
+  const std::size_t n = large.size();
+  if (index.size() != 2 * n || extent.size() != 6 * n || range.size() != 2 * n) {
+    refuse(archive, "the tile arrays must have one row a tile, and their lengths differ");
+  }
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < n; ++t) {
+    Tile tile{index[2 * t], index[2 * t + 1], large[t] != 0, {}, range[2 * t], range[2 * t + 1]};
+    const double* const e = &extent[6 * t];
+    tile.extent = {{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+    const bool finite = (tile.extent.min.array() >= -kLargestCoordinate).all() &&
+                        (tile.extent.max.array() <= kLargestCoordinate).all() &&
+                        (tile.extent.min.array() <= tile.extent.max.array()).all();
+    const bool in_order = tile.first == next && tile.count > 0 &&
+                          tile.count <= data.boxes.size() - next && (!tile.large || t == 0);
+    const auto key = [](const Tile& x) { return std::tuple(!x.large, x.iy, x.ix); };
+    const bool sorted = t == 0 || key(data.tiles.back()) < key(tile);
+    if (!finite || !in_order || !sorted) {
+      refuse(archive, fmt::format("tile {} is out of order, empty, or beyond the boxes", t));
+    }
+    next += tile.count;
+    data.tiles.push_back(tile);
+  }
+  if (next != data.boxes.size()) {
+    refuse(archive,
+           fmt::format("the tiles must hold all {} boxes, and hold {}", data.boxes.size(), next));
+  }
+}
+
+}  // namespace
+
+void write_box_map(std::ostream& out, const BoxMap& map) {
+  std::vector<std::int32_t> index;
+  std::vector<std::uint8_t> large;
+  std::vector<double> extent;
+  std::vector<std::uint64_t> range;
+  for (const Tile& tile : map.tiles()) {
+    index.insert(index.end(), {tile.ix, tile.iy});
+    large.push_back(tile.large);
+    extent.insert(extent.end(), tile.extent.min.begin(), tile.extent.min.end());
+    extent.insert(extent.end(), tile.extent.max.begin(), tile.extent.max.end());
+    range.insert(range.end(), {tile.first, tile.count});
+  }
+  const std::span<const double> boxes(reinterpret_cast<const double*>(map.boxes().data()),
+                                      6 * map.boxes().size());
+  const NamedArray arrays[] = {
+      named_array<double>("boxes", boxes, 6),
+      named_array<std::uint64_t>("ids", map.ids()),
+      named_array<std::uint32_t>("label", map.label()),
+      named_array<std::int32_t>("tile_index", index, 2),
+      named_array<std::uint8_t>("tile_large", large),
+      named_array<double>("tile_extent", extent, 6),
+      named_array<std::uint64_t>("tile_range", range, 2),
+  };
+  write_array_archive(out, meta_of(map), arrays);
+}
+
+bool is_box_map(const ArrayArchive& archive) {
+  const JsonFields meta = meta_fields(archive);
+  return meta.text("format", "") == "skyway-boxmap";
+}
+
+BoxMap read_box_map(const ArrayArchive& archive, Verified known) {
+  auto data = std::make_shared<BoxMap::Data>();
+  const JsonFields meta = meta_fields(archive);
+  require_box_map(meta);
+  data->spec = spec_of(meta);
+  data->labels = labels_of(meta);
+  data->hash = meta.text("hash");
+  const auto boxes = archive.array<double>("boxes", 6);
+  data->boxes = {reinterpret_cast<const Aabb*>(boxes.data()), boxes.size() / 6};
+  data->ids = archive.array<std::uint64_t>("ids");
+  data->label = archive.array<std::uint32_t>("label");
+  if (meta.number("boxes") != static_cast<double>(data->boxes.size())) {
+    meta.refuse(fmt::format("boxes must be {}, as there are, found {}", data->boxes.size(),
+                            meta.number("boxes").value_or(0)));
+  }
+  if (data->ids.size() != data->boxes.size() || data->label.size() != data->boxes.size()) {
+    refuse(archive, fmt::format("ids and label must have {} entries, one a box, and have {} and {}",
+                                data->boxes.size(), data->ids.size(), data->label.size()));
+  }
+  read_tiles(archive, *data);
+  data->archive = archive;
+  data->verified = known;
+  return BoxMap(data);
+}
+
+}  // namespace geom

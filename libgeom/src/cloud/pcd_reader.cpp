@@ -1,0 +1,244 @@
+#include <fmt/format.h>
+#include <liblzf/lzf.h>
+
+#include <iterator>
+#include <sstream>
+
+#include "geom/cloud/point_cloud.h"
+#include "geom/text/text_table.h"
+#include "point_chunks.h"
+
+// The Point Cloud Library's PCD 0.7.
+
+namespace geom {
+namespace {
+
+constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 32;
+constexpr std::uint64_t kLargestRecord = 1 << 20;  // bytes a point
+
+struct Field {
+  std::string name;
+  Scalar scalar;
+  std::uint64_t count = 1;
+  std::uint64_t offset = 0;  // in a point's record
+
+  std::uint64_t bytes() const { return static_cast<std::uint64_t>(scalar.size) * count; }
+};
+
+class PcdReader {
+ public:
+  PcdReader(std::istream& in, std::string_view source, const PointSink& sink)
+      : in_(in), source_(source), chunks_(source, sink) {}
+
+  CloudCounts read() {
+    const std::string data = read_header();
+    if (data == "ascii") {
+      read_ascii();
+    } else if (data == "binary") {
+      read_binary();
+    } else if (data == "binary_compressed") {
+      read_compressed();
+    } else {
+      refuse("expected DATA ascii, binary or binary_compressed, found \"" + data.substr(0, 40) +
+             "\"");
+    }
+    return chunks_.finish();
+  }
+
+ private:
+  [[noreturn]] void refuse(std::string_view message) const {
+    throw InputError(source_, line_, message);
+  }
+
+  std::string read_header() {
+    std::vector<std::string> names;
+    std::vector<std::string> sizes;
+    std::vector<std::string> types;
+    std::vector<std::string> counts;
+    std::string text;
+    while (line_ < 1000 && std::getline(in_, text)) {
+      ++line_;
+      std::istringstream words(text);
+      std::string key;
+      words >> key;
+      const std::vector<std::string> values{std::istream_iterator<std::string>(words), {}};
+      if (key == "FIELDS" || key == "COLUMNS") names = values;
+      if (key == "SIZE") sizes = values;
+      if (key == "TYPE") types = values;
+      if (key == "COUNT") counts = values;
+      if (key == "WIDTH") width_ = whole(values, key);
+      if (key == "HEIGHT") height_ = whole(values, key);
+      if (key == "POINTS") points_ = whole(values, key);
+      if (key != "DATA") continue;
+      make_fields(names, sizes, types, counts);
+      return values.empty() ? "" : values[0];
+    }
+    refuse("expected a PCD header with FIELDS, SIZE, TYPE and DATA, and it is cut short");
+  }
+
+  std::uint64_t whole(const std::vector<std::string>& values, const std::string& key) const {
+    const auto value = values.size() == 1 ? parse_number(values[0]) : std::nullopt;
+    if (!value || !(*value >= 0 && *value < 0x1p40) || *value != std::floor(*value)) {
+      refuse(fmt::format("{} must be a whole number, found \"{}\"", key,
+                         values.empty() ? "" : values[0].substr(0, 40)));
+    }
+    return static_cast<std::uint64_t>(*value);
+  }
+
+  void make_fields(const std::vector<std::string>& names, const std::vector<std::string>& sizes,
+                   const std::vector<std::string>& types, const std::vector<std::string>& counts) {
+    if (names.empty() || sizes.size() != names.size() || types.size() != names.size() ||
+        (!counts.empty() && counts.size() != names.size())) {
+      refuse("FIELDS, SIZE, TYPE and COUNT must have the same number of entries, at least one");
+    }
+    if (names.size() > 1000) refuse("expected at most 1000 fields");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      Field field;
+      field.name = names[i];
+      field.scalar = {types[i][0], static_cast<int>(whole({sizes[i]}, "SIZE"))};
+      field.count = counts.empty() ? 1 : whole({counts[i]}, "COUNT");
+      field.offset = record_;
+      if (!field.scalar.valid() || field.count > 1000000) {
+        refuse(fmt::format("field {}: expected TYPE F, I or U of 1, 2, 4 or 8 bytes, found {} {}",
+                           names[i].substr(0, 40), types[i].substr(0, 4), sizes[i].substr(0, 8)));
+      }
+      record_ += field.bytes();
+      if (record_ > kLargestRecord) {
+        refuse(fmt::format("expected at most {} bytes a point, found {} up to field {}",
+                           kLargestRecord, record_, names[i].substr(0, 40)));
+      }
+      fields_.push_back(std::move(field));
+      const std::string& name = fields_.back().name;
+      const char letter = static_cast<char>(name[0] | 0x20);  // some write X, Y, Z
+      if (name.size() == 1 && letter >= 'x' && letter <= 'z') axis_[letter - 'x'] = i;
+    }
+    for (int k = 0; k < 3; ++k) {
+      if (axis_[k] >= fields_.size() || fields_[axis_[k]].count != 1) {
+        refuse("expected the fields x, y and z");
+      }
+    }
+    const std::uint64_t grid = width_ * height_;
+    if (points_ == 0) points_ = grid;
+    if (grid != 0 && grid != points_) {
+      refuse(fmt::format("POINTS must be WIDTH times HEIGHT, found {} and {} x {}", points_, width_,
+                         height_));
+    }
+  }
+
+  void ended(std::uint64_t found) const {
+    if (found < points_) {
+      refuse(fmt::format("expected {} points, and the file ends after {}", points_, found));
+    }
+  }
+
+  void read_ascii() {
+    std::string text;
+    std::uint64_t found = 0;
+    while (found < points_ && std::getline(in_, text)) {
+      ++line_;
+      std::istringstream words(text);
+      Vec3 p;
+      std::string word;
+      bool any = false;
+      for (std::size_t i = 0; i < fields_.size(); ++i) {
+        for (std::uint64_t k = 0; k < fields_[i].count; ++k) {
+          if (!(words >> word)) {
+            if (!any) break;
+            refuse(fmt::format("expected {} fields, found fewer", fields_.size()));
+          }
+          any = true;
+          for (int axis = 0; axis < 3; ++axis) {
+            if (axis_[axis] == i) p[axis] = number(word);
+          }
+        }
+        if (!any) break;
+      }
+      if (!any) continue;  // an empty line
+      chunks_.add(p);
+      ++found;
+    }
+    ended(found);
+    if (in_ >> text) more();
+  }
+
+  [[noreturn]] void more() const {
+    refuse(fmt::format("expected {} points, and the file holds more", points_));
+  }
+
+  double number(const std::string& word) const {
+    const auto value = parse_number(word);
+    if (!value) refuse("expected a number, found \"" + word.substr(0, 40) + "\"");
+    return *value;
+  }
+
+  void read_binary() {
+    ended(for_each_record(in_, record_, points_, [&](const unsigned char* record) {
+      Vec3 p;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Field& field = fields_[axis_[axis]];
+        p[axis] = field.scalar.at(record + field.offset);
+      }
+      chunks_.add(p);
+    }));
+    in_.ignore(static_cast<std::streamsize>(record_));
+    if (static_cast<std::uint64_t>(in_.gcount()) == record_) more();
+  }
+
+  // Sizes, then LZF of the fields one after the other, each with all points.
+  void read_compressed() {
+    unsigned char sizes[8];
+    in_.read(reinterpret_cast<char*>(sizes), 8);
+    if (in_.gcount() < 8) refuse("the compressed data are cut short");
+    const std::uint64_t packed = number_at<std::uint32_t>(sizes);
+    const std::uint64_t unpacked = number_at<std::uint32_t>(sizes + 4);
+    if (points_ > kMostUnpacked / record_ || unpacked != points_ * record_) {
+      refuse(fmt::format("expected {} points of {} bytes, found {} bytes", points_, record_,
+                         unpacked));
+    }
+    // LZF packs to no less than a 1/264th: what promises more lies, before memory is taken.
+    if (unpacked > 264 * packed + 264) refuse("the compressed data are too short for their points");
+    std::string from;
+    constexpr std::uint64_t kStep = 1 << 20;
+    while (from.size() < packed) {
+      const std::size_t at = from.size();
+      from.resize(std::min(packed, at + kStep));
+      in_.read(from.data() + at, static_cast<std::streamsize>(from.size() - at));
+      if (static_cast<std::size_t>(in_.gcount()) < from.size() - at) {
+        refuse("the compressed data are cut short");
+      }
+    }
+    std::vector<unsigned char> to(unpacked);
+    if (lzf_decompress(from.data(), static_cast<unsigned>(packed), to.data(),
+                       static_cast<unsigned>(unpacked)) != unpacked &&
+        unpacked > 0) {
+      refuse("the compressed data are damaged");
+    }
+    for (std::uint64_t i = 0; i < points_; ++i) {
+      Vec3 p;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Field& field = fields_[axis_[axis]];
+        p[axis] = field.scalar.at(&to[field.offset * points_ + i * field.bytes()]);
+      }
+      chunks_.add(p);
+    }
+  }
+
+  std::istream& in_;
+  std::string source_;
+  PointChunks chunks_;
+  std::size_t line_ = 0;
+  std::uint64_t width_ = 0;
+  std::uint64_t height_ = 1;
+  std::uint64_t points_ = 0;
+  std::uint64_t record_ = 0;  // bytes a point
+  std::vector<Field> fields_;
+  std::size_t axis_[3] = {SIZE_MAX, SIZE_MAX, SIZE_MAX};
+};
+
+}  // namespace
+
+CloudCounts read_pcd(std::istream& in, std::string_view source, const PointSink& sink) {
+  return PcdReader(in, source, sink).read();
+}
+
+}  // namespace geom

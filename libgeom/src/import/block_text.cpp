@@ -1,0 +1,89 @@
+#include "geom/import/block_text.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+
+#include "geom/text/text_table.h"
+
+namespace geom {
+namespace {
+
+std::vector<std::string_view> words(std::string_view line) {
+  std::vector<std::string_view> out;
+  line = line.substr(0, line.find('#'));
+  for (std::size_t at = 0; (at = line.find_first_not_of(" \t\r", at)) != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
+    out.push_back(line.substr(at, end - at));
+    at = end;
+  }
+  return out;
+}
+
+Aabb parse_box(const TextLines& lines, const std::vector<std::string_view>& fields) {
+  if (fields.size() != 7 && fields.size() != 10) {
+    lines.refuse(
+        fmt::format("{} must have 6 or 9 numbers, found {}", fields[0], fields.size() - 1));
+  }
+  double v[6];
+  for (int i = 0; i < 6; ++i) {
+    v[i] = coordinate(lines, fmt::format("number {} of {}", i + 1, fields[0]), fields[i + 1]);
+  }
+  const Aabb box{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+  for (int i = 0; i < 3; ++i) {
+    if (box.min[i] > box.max[i]) {
+      lines.refuse(fmt::format("the lower corner must be <= the upper one, found \"{}\" and \"{}\"",
+                               fields[i + 1], fields[i + 4]));
+    }
+  }
+  return box;
+}
+
+std::string colour_of(const TextLines& lines, const std::vector<std::string_view>& fields) {
+  if (fields.size() != 10) return "";
+  std::string label;
+  for (int i = 7; i < 10; ++i) {
+    label += fmt::format("{}{}", i > 7 ? " " : "", coordinate(lines, "colour", fields[i]));
+  }
+  return label;
+}
+
+}  // namespace
+
+BlockText read_block_text(std::istream& in, std::string_view source) {
+  TextLines lines(in, source);
+  BlockText out;
+  out.table.labels = {""};
+  std::map<std::string, std::uint32_t> known = {{"", 0}};
+  std::optional<Aabb> boundary;
+  while (lines.next()) {
+    const auto fields = words(lines.line());
+    if (fields.empty()) continue;
+    if (fields[0] == "boundary") {
+      if (boundary) lines.refuse("expected one boundary, found another");
+      boundary = parse_box(lines, fields);
+    } else if (fields[0] == "block") {
+      const Aabb box = parse_box(lines, fields);
+      const int zeros = static_cast<int>((box.min.array() == box.max.array()).count());
+      if (zeros == 3) lines.refuse("a block must have some extent, found a point");
+      out.flat += zeros > 0;
+      const std::string colour = colour_of(lines, fields);
+      const auto [label, fresh] =
+          known.try_emplace(colour, static_cast<std::uint32_t>(out.table.labels.size()));
+      if (fresh) out.table.labels.push_back(colour);
+      out.table.boxes.push_back(box);
+      out.table.ids.push_back(lines.number());
+      out.table.label.push_back(label->second);
+    } else {
+      out.skipped.add("unknown keyword",
+                      fmt::format("line {}: {}", lines.number(), fields[0].substr(0, 40)));
+    }
+  }
+  if (!boundary) lines.refuse("expected a boundary line, found none");
+  if (out.table.boxes.empty()) lines.refuse("expected at least one block, found none");
+  out.boundary = *boundary;
+  return out;
+}
+
+}  // namespace geom

@@ -1,0 +1,86 @@
+#include "geom/import/box_csv.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <ostream>
+
+#include "geom/record/record.h"
+#include "geom/text/csv_field.h"
+#include "geom/text/csv_records.h"
+#include "geom/text/text_table.h"
+
+namespace geom {
+namespace {
+
+constexpr std::string_view kHeader = "min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label";
+constexpr const char* kNames[] = {"min x", "min y", "min z", "max x", "max y", "max z"};
+
+std::string joined(const std::vector<std::string>& fields) {
+  std::string out;
+  for (std::size_t i = 0; i < fields.size(); ++i) out += (i ? "," : "") + fields[i];
+  return out;
+}
+
+double coordinate_of(const CsvRecords& records, const char* name, const std::string& field) {
+  const auto value = parse_number(field);
+  if (!value || !(std::abs(*value) <= kLargestCoordinate)) {
+    records.refuse(fmt::format("{} must be a finite number within 1e8 m, found \"{}\"", name,
+                               field.substr(0, 40)));
+  }
+  return *value;
+}
+
+}  // namespace
+
+BoxTable read_box_csv(std::istream& in, std::string_view source) {
+  CsvRecords records(in, source);
+  BoxTable table;
+  table.labels = {""};
+  std::map<std::string, std::uint32_t> known = {{"", 0}};
+  if (!records.next() || joined(records.fields()) != kHeader) {
+    records.refuse(fmt::format("expected the header {}, found \"{}\"", kHeader,
+                               joined(records.fields()).substr(0, 80)));
+  }
+  while (records.next()) {
+    const std::vector<std::string>& fields = records.fields();
+    if (fields.size() != 7) {
+      records.refuse(fmt::format("expected 7 fields, found {}: \"{}\"", fields.size(),
+                                 joined(fields).substr(0, 80)));
+    }
+    double v[6];
+    for (int i = 0; i < 6; ++i) v[i] = coordinate_of(records, kNames[i], fields[i]);
+    for (int i = 0; i < 3; ++i) {
+      if (v[i] > v[i + 3]) {
+        records.refuse(fmt::format("{} must be <= {}, found \"{}\" and \"{}\"", kNames[i],
+                                   kNames[i + 3], fields[i], fields[i + 3]));
+      }
+    }
+    const auto [label, fresh] =
+        known.try_emplace(fields[6], static_cast<std::uint32_t>(table.labels.size()));
+    if (fresh) table.labels.push_back(fields[6]);
+    table.boxes.push_back({{v[0], v[1], v[2]}, {v[3], v[4], v[5]}});
+    table.ids.push_back(records.number());
+    table.label.push_back(label->second);
+  }
+  if (table.boxes.empty()) records.refuse("expected at least one box after the header, found none");
+  return table;
+}
+
+void write_box_csv(std::ostream& out, const BoxTable& table) {
+  std::string text(kHeader);
+  text += '\n';
+  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
+    for (const Vec3* corner : {&table.boxes[i].min, &table.boxes[i].max}) {
+      for (const double v : *corner) {
+        append_json(text, v);
+        text += ',';
+      }
+    }
+    text += csv_field(table.labels[table.label[i]]) + '\n';
+  }
+  out << text;
+}
+
+}  // namespace geom

@@ -1,0 +1,172 @@
+#include "geom/import/fcnd_csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <ostream>
+
+#include "geom/record/record.h"
+#include "geom/text/text_table.h"
+
+namespace geom {
+namespace {
+
+constexpr std::array<const char*, 6> kColumns = {"posX",      "posY",      "posZ",
+                                                 "halfSizeX", "halfSizeY", "halfSizeZ"};
+constexpr std::array<const char*, 6> kNames = {"position x",  "position y",  "position z",
+                                               "half size x", "half size y", "half size z"};
+constexpr std::array<const char*, 8> kTurns = {"rot",  "yaw",  "pitch", "roll",
+                                               "quat", "head", "angle", "orient"};
+using Columns = std::array<std::size_t, 6>;  // which field holds what
+
+bool starts_with_number(std::string_view line) {
+  return parse_number(split_fields(line).front()).has_value();
+}
+
+// "lat0 37.79, lon0 -122.39" and "37.79,-122.39,,,," give the two numbers; other lines nothing.
+std::optional<GeodeticOrigin> parse_origin(const TextLines& lines) {
+  std::vector<std::string> fields = split_fields(lines.line());
+  while (!fields.empty() && fields.back().empty()) fields.pop_back();
+  if (fields.size() != 2) return std::nullopt;
+  const auto number_after = [](std::string_view field, std::string_view word) {
+    if (field.starts_with(word)) field = trimmed(field.substr(word.size()));
+    return parse_number(field);
+  };
+  const auto latitude = number_after(fields[0], "lat0");
+  const auto longitude = number_after(fields[1], "lon0");
+  if (!latitude || !longitude) return std::nullopt;
+  if (!(std::abs(*latitude) <= 90 && std::abs(*longitude) <= 360)) {
+    lines.refuse(
+        fmt::format("latitude must be within 90 and longitude within 360 degrees, found "
+                    "\"{}\"",
+                    lines.line()));
+  }
+  return GeodeticOrigin{*latitude, *longitude, 0};
+}
+
+// Whether a column's name speaks of a turned box, which this table cannot hold.
+bool turns(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::any_of(kTurns.begin(), kTurns.end(),
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+Columns parse_header(const TextLines& lines, FcndTable& out) {
+  const auto fields = split_fields(lines.line());
+  for (const std::string& field : fields) {
+    if (turns(field)) out.skipped.add("column of turned boxes", field.substr(0, 40));
+  }
+  Columns columns{};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto at = std::find(fields.begin(), fields.end(), kColumns[i]);
+    if (at == fields.end()) {
+      lines.refuse(fmt::format("expected a column {}, found \"{}\"", kColumns[i],
+                               lines.line().substr(0, 80)));
+    }
+    columns[i] = static_cast<std::size_t>(at - fields.begin());
+  }
+  return columns;
+}
+
+// sum = a + b rounded away in the direction of `sign`, past the real sum.
+double add_outward(double a, double b, double sign) {
+  const double sum = a + b;
+  const double part = sum - a;
+  const double error = (a - (sum - part)) + (b - part);
+  if (error * sign <= 0) return sum;
+  return std::nextafter(sum, sign * std::numeric_limits<double>::infinity());
+}
+
+void add_box(const TextLines& lines, const Columns& columns, std::size_t width, FcndTable& out) {
+  const auto fields = split_fields(lines.line());
+  const std::size_t needed = *std::max_element(columns.begin(), columns.end()) + 1;
+  if (fields.size() < needed) {
+    lines.refuse(fmt::format("expected {} fields, found {}: \"{}\"", needed, fields.size(),
+                             lines.line().substr(0, 80)));
+  }
+  for (std::size_t i = width; i < fields.size(); ++i) {
+    if (fields[i].empty()) continue;
+    out.skipped.add("field without a column",
+                    fmt::format("line {}: {}", lines.number(), fields[i].substr(0, 40)));
+  }
+  std::array<double, 6> v;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    v[i] = coordinate(lines, kNames[i], fields[columns[i]]);
+    if (i >= 3 && v[i] < 0) {
+      lines.refuse(fmt::format("{} must be >= 0, found \"{}\"", kNames[i], fields[columns[i]]));
+    }
+  }
+  const auto zeros = std::count(v.begin() + 3, v.end(), 0.0);
+  if (zeros == 3) {
+    lines.refuse(
+        fmt::format("expected a half size > 0, found three zeros (is this a latitude and "
+                    "longitude line?): \"{}\"",
+                    lines.line().substr(0, 80)));
+  }
+  out.flat += zeros > 0;
+  Aabb box;
+  for (int i = 0; i < 3; ++i) {
+    box.min[i] = add_outward(v[i], -v[i + 3], -1);
+    box.max[i] = add_outward(v[i], v[i + 3], 1);
+    const double ulp = std::nextafter(std::abs(box.max[i]) + std::abs(box.min[i]), HUGE_VAL) -
+                       (std::abs(box.max[i]) + std::abs(box.min[i]));
+    out.largest_change = std::max(out.largest_change, ulp);
+  }
+  out.table.boxes.push_back(box);
+  out.table.ids.push_back(lines.number());
+  out.table.label.push_back(0);
+}
+
+}  // namespace
+
+FcndTable read_fcnd_csv(std::istream& in, std::string_view source) {
+  TextLines lines(in, source);
+  FcndTable out;
+  out.table.labels = {""};
+  Columns columns = {0, 1, 2, 3, 4, 5};
+  std::size_t width = columns.size();
+  bool header = false;
+  while (lines.next()) {
+    if (lines.line().empty()) continue;
+    const bool preamble = !header && out.table.boxes.empty();
+    if (preamble && !out.origin && (out.origin = parse_origin(lines))) continue;
+    if (preamble && !starts_with_number(lines.line())) {
+      // The three-line form names the two columns of its next line first.
+      if (split_fields(lines.line()) == std::vector<std::string>{"lat0", "lon0"}) continue;
+      columns = parse_header(lines, out);
+      width = split_fields(lines.line()).size();
+      header = true;
+      continue;
+    }
+    add_box(lines, columns, width, out);
+  }
+  if (out.table.boxes.empty()) {
+    lines.refuse(lines.number() ? "expected at least one box after the header, found none"
+                                : "expected an FCND table, found an empty file");
+  }
+  return out;
+}
+
+void write_fcnd_csv(std::ostream& out, const GeodeticOrigin& origin,
+                    std::span<const CenteredBox> boxes) {
+  std::string text = "lat0 ";
+  append_json(text, origin.latitude);
+  text += ", lon0 ";
+  append_json(text, origin.longitude);
+  text += "\nposX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n";
+  for (const CenteredBox& box : boxes) {
+    for (const double v : {box.center[0], box.center[1], box.center[2], box.half[0], box.half[1]}) {
+      append_json(text, v);
+      text += ',';
+    }
+    append_json(text, box.half[2]);
+    text += '\n';
+  }
+  out << text;
+}
+
+}  // namespace geom

@@ -1,0 +1,166 @@
+#include "geom/import/keep_out.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <istream>
+#include <nlohmann/json.hpp>
+
+#include "geom/base/error.h"
+#include "geom/map/geographic_frame.h"
+#include "geom/text/parse_json.h"
+
+namespace geom {
+namespace {
+
+using Json = nlohmann::json;
+
+class Reader {
+ public:
+  Reader(std::string_view source, const Frame& frame, const KeepOutOptions& options)
+      : source_(source), frame_(frame), options_(options) {
+    if (!options.local && !counts_from_origin(frame)) {
+      refuse(
+          "longitudes and latitudes need a map whose frame has an origin (or local coordinates)");
+    }
+    if (!options.local) geographic_ = std::make_unique<GeographicFrame>(*frame.origin);
+  }
+
+  KeepOut read(std::istream& in) {
+    const Json root = parse_json(in, source_);
+    if (!root.is_object()) refuse("expected a GeoJSON object");
+    const std::string type = root.value("type", Json()).dump();
+    if (type == "\"FeatureCollection\"") {
+      const Json features = root.value("features", Json());
+      if (!features.is_array()) refuse("expected \"features\" to be an array");
+      for (const Json& feature : features) read_feature(feature);
+    } else {
+      read_feature(type == "\"Feature\"" ? root : Json{{"geometry", root}});
+    }
+    if (out_.volumes.empty()) refuse("expected at least one polygon, found none");
+    return std::move(out_);
+  }
+
+ private:
+  [[noreturn]] void refuse(std::string_view message) const {
+    throw InputError(source_, fmt::format("feature {}: {}", feature_, message));
+  }
+
+  void read_feature(const Json& feature) {
+    const Json properties =
+        feature.is_object() ? feature.value("properties", Json::object()) : Json();
+    const Json geometry = feature.is_object() ? feature.value("geometry", Json()) : Json();
+    if (!geometry.is_object()) refuse("expected a geometry");
+    Footprint volume;
+    volume.id = feature_;
+    volume.bottom = altitude(properties, {"lower", "lower_altitude_m"}, options_.floor);
+    volume.top = altitude(properties, {"upper", "upper_altitude_m"}, options_.ceiling);
+    if (volume.bottom > volume.top) {
+      refuse(fmt::format("the lower altitude must be <= the upper one, found {} and {}",
+                         volume.bottom, volume.top));
+    }
+    const Json name = properties.is_object() ? properties.value("name", Json()) : Json();
+    label_ = "keep-out" + (name.is_string() ? ": " + name.get<std::string>() : std::string());
+    const std::string type = geometry.value("type", Json()).dump();
+    const Json coordinates = geometry.value("coordinates", Json());
+    if (type == "\"Polygon\"") {
+      add(coordinates, volume);
+    } else if (type == "\"MultiPolygon\"" && coordinates.is_array()) {
+      for (const Json& polygon : coordinates) add(polygon, volume);
+    } else {
+      refuse("expected a Polygon or a MultiPolygon, found " + type.substr(0, 40));
+    }
+    ++feature_;
+  }
+
+  double altitude(const Json& properties, std::initializer_list<const char*> keys,
+                  double fallback) const {
+    for (const char* key : keys) {
+      if (!properties.is_object() || !properties.contains(key) || properties[key].is_null())
+        continue;
+      const Json& value = properties[key];
+      if (!value.is_number() || !(std::abs(value.get<double>()) <= kLargestCoordinate)) {
+        refuse(fmt::format("{} must be metres, found {}", key, shown(value)));
+      }
+      return value.get<double>();
+    }
+    return fallback;
+  }
+
+  void add(const Json& rings, Footprint volume) {
+    if (!rings.is_array() || rings.empty()) refuse("a polygon must have rings");
+    double bulge = 0;
+    volume.polygon.outer = ring(rings[0], bulge);
+    for (std::size_t i = 1; i < rings.size(); ++i) {
+      volume.polygon.holes.push_back(ring(rings[i], bulge));
+    }
+    out_.volumes.push_back(std::move(volume));
+    out_.labels.push_back(label_);
+    out_.bulge.push_back(bulge);
+  }
+
+  std::vector<Vec2> ring(const Json& positions, double& bulge) const {
+    if (!positions.is_array() || positions.size() < 4) {
+      refuse("a ring must have at least 4 positions");
+    }
+    std::vector<Vec2> given;
+    for (const Json& position : positions) {
+      if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
+          !position[1].is_number()) {
+        refuse("a position must be two numbers, found " + shown(position));
+      }
+      given.push_back(checked(position[0].get<double>(), position[1].get<double>()));
+    }
+    if (options_.local) return given;
+    std::vector<Vec2> out;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      follow(given[i], given[(i + 1) % given.size()], out, bulge);
+    }
+    return out;
+  }
+
+  // Appends the edge from `a` to `b` (degrees) in metres, without its end.
+  void follow(const Vec2& a, const Vec2& b, std::vector<Vec2>& out, double& bulge) const {
+    const double length = (local(b) - local(a)).norm();
+    const double pieces = std::clamp(std::ceil(length / 200), 1.0, 1000.0);
+    for (double i = 0; i < pieces; ++i) out.push_back(local(a + (b - a) * (i / pieces)));
+    // A chord of a curve bent by k a metre leaves out k length^2 / 8. Parallels are bent most.
+    const double steepest = std::min(89.0, std::max(std::abs(a.y()), std::abs(b.y())));
+    const double bent = (1 + std::tan(steepest * (M_PI / 180))) / 6.3e6;
+    bulge = std::max(bulge, bent * (length / pieces) * (length / pieces) / 8);
+  }
+
+  Vec2 checked(double x, double y) const {
+    const double most = options_.local ? kLargestCoordinate : 180;
+    if (!(std::abs(x) <= most && std::abs(y) <= (options_.local ? most : 90))) {
+      refuse(fmt::format("a position must be {}, found [{}, {}]",
+                         options_.local ? "metres within 1e8" : "degrees [longitude, latitude]", x,
+                         y));
+    }
+    return {x, y};
+  }
+
+  Vec2 local(const Vec2& degrees) const {
+    Vec3 enu = Vec3::Zero();
+    geographic_->from_geodetic(degrees.y(), degrees.x(), enu.x(), enu.y());
+    return to_enu(frame_.axes, enu).head<2>();
+  }
+
+  std::string source_;
+  const Frame& frame_;
+  KeepOutOptions options_;
+  std::unique_ptr<GeographicFrame> geographic_;  // unless local
+  std::size_t feature_ = 0;
+  std::string label_;
+  KeepOut out_;
+};
+
+}  // namespace
+
+KeepOut read_keep_out(std::istream& in, std::string_view source, const Frame& frame,
+                      const KeepOutOptions& options) {
+  return Reader(source, frame, options).read(in);
+}
+
+}  // namespace geom

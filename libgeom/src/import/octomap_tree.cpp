@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+#include <octomap/OcTree.h>
+
+#include <cmath>
+#include <iterator>
+#include <sstream>
+
+#include "geom/base/error.h"
+#include "geom/import/octomap.h"
+#include "geom/text/text_table.h"
+
+namespace geom {
+namespace {
+
+constexpr int kDepth = 16;
+
+[[noreturn]] void refuse(std::string_view source, std::string_view message) {
+  throw InputError(source, message);
+}
+
+struct Header {
+  double resolution = 0;
+  std::size_t data = 0;  // where the tree starts
+};
+
+Header read_header(const std::string& bytes, std::string_view source) {
+  if (!bytes.starts_with("# Octomap OcTree binary file")) {
+    refuse(source, fmt::format("expected \"# Octomap OcTree binary file\", found \"{}\"",
+                               bytes.substr(0, std::min<std::size_t>(40, bytes.find('\n')))));
+  }
+  Header header;
+  std::string id;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t end = bytes.find('\n', at);
+    if (end == std::string::npos) break;
+    const std::string_view line = trimmed(std::string_view(bytes).substr(at, end - at));
+    at = end + 1;
+    if (line.starts_with("id ")) id = trimmed(line.substr(3));
+    if (line.starts_with("res ")) {
+      const auto value = parse_number(trimmed(line.substr(4)));
+      // 2^15 cells to each side of the origin must stay within readable coordinates.
+      if (!value || !(*value > 1e-6 && *value <= kLargestCoordinate / 32768)) {
+        refuse(source, fmt::format("res must be a number in (1e-6, {}], found \"{}\"",
+                                   kLargestCoordinate / 32768, line.substr(4, 40)));
+      }
+      header.resolution = *value;
+    }
+    if (line == "data") {
+      header.data = at;
+      break;
+    }
+  }
+  if (id != "OcTree") {
+    refuse(source, fmt::format("expected a tree of id OcTree, found \"{}\"", id.substr(0, 40)));
+  }
+  if (header.resolution == 0 || header.data == 0) {
+    refuse(source, "expected a header with res and data, and one is missing");
+  }
+  return header;
+}
+
+// liboctomap recurses as deep as the bytes ask it to, so they are walked here first: two bytes an
+// inner node, two bits a child, 11 being an inner node again.
+void walk(const std::string& bytes, std::size_t& at, int level, std::string_view source) {
+  if (level > kDepth) refuse(source, fmt::format("the tree is deeper than {} levels", kDepth));
+  if (bytes.size() - at < 2) refuse(source, "the tree is cut short");
+  const unsigned bits = static_cast<unsigned char>(bytes[at]) |
+                        static_cast<unsigned>(static_cast<unsigned char>(bytes[at + 1])) << 8;
+  at += 2;
+  for (int child = 0; child < 8; ++child) {
+    if ((bits >> (2 * child) & 3) == 3) walk(bytes, at, level + 1, source);
+  }
+}
+
+class Reader {
+ public:
+  Reader(const octomap::OcTree& tree, const OctomapOptions& options, Octomap& out)
+      : tree_(tree), options_(options), out_(out) {}
+
+  void read() {
+    out_.table.labels = {"", "unknown"};
+    visit_seen(tree_.getRoot(), root());
+    if (out_.occupied + out_.free > 0) visit_unknown(tree_.getRoot(), root());
+  }
+
+ private:
+  using Node = octomap::OcTreeNode;
+
+  struct Cube {
+    Eigen::Vector3i low;  // in smallest cells
+    int size;
+  };
+
+  static Cube root() { return {Eigen::Vector3i::Constant(-32768), 65536}; }
+
+  static Cube child(const Cube& cube, unsigned i) {
+    const int half = cube.size / 2;
+    return {cube.low + half * Eigen::Vector3i(i & 1, i >> 1 & 1, i >> 2 & 1), half};
+  }
+
+  Aabb box(const Cube& cube) const {
+    return {cube.low.cast<double>() * out_.resolution,
+            (cube.low.array() + cube.size).matrix().cast<double>() * out_.resolution};
+  }
+
+  void add(const Aabb& box, std::uint32_t label) {
+    out_.table.ids.push_back(out_.table.boxes.size());
+    out_.table.boxes.push_back(box);
+    out_.table.label.push_back(label);
+  }
+
+  void visit_seen(const Node* node, const Cube& cube) {
+    if (tree_.nodeHasChildren(node)) {
+      for (unsigned i = 0; i < 8; ++i) {
+        if (tree_.nodeChildExists(node, i)) visit_seen(tree_.getNodeChild(node, i), child(cube, i));
+      }
+      return;
+    }
+    const Aabb cell = box(cube);
+    out_.bounds = out_.occupied + out_.free == 0 ? cell : merged(out_.bounds, cell);
+    if (tree_.isNodeOccupied(node)) {
+      ++out_.occupied;
+      add(cell, 0);
+    } else {
+      ++out_.free;
+    }
+  }
+
+  void visit_unknown(const Node* node, const Cube& cube) {
+    if (node && !tree_.nodeHasChildren(node)) return;
+    for (unsigned i = 0; node && i < 8; ++i) {
+      const bool seen = tree_.nodeChildExists(node, i);
+      visit_unknown(seen ? tree_.getNodeChild(node, i) : nullptr, child(cube, i));
+    }
+    if (node) return;
+    Aabb cell = box(cube);
+    cell = {cell.min.cwiseMax(out_.bounds.min), cell.max.cwiseMin(out_.bounds.max)};
+    if ((cell.min.array() >= cell.max.array()).any()) return;
+    ++out_.unknown;
+    if (options_.unknown_blocked) add(cell, 1);
+  }
+
+  const octomap::OcTree& tree_;
+  const OctomapOptions& options_;
+  Octomap& out_;
+};
+
+}  // namespace
+
+Octomap read_octomap(std::istream& in, std::string_view source, const OctomapOptions& options) {
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  const Header header = read_header(bytes, source);
+  std::size_t end = header.data;
+  walk(bytes, end, 1, source);
+  if (end != bytes.size()) {
+    refuse(source, fmt::format("expected the tree to end at byte {}, found {} more", end,
+                               bytes.size() - end));
+  }
+  octomap::OcTree tree(header.resolution);
+  std::istringstream data(bytes.substr(header.data));
+  tree.readBinaryData(data);  // readBinary, which reads the header as well, prints
+  if (!data || !tree.getRoot()) refuse(source, "liboctomap cannot read this tree");
+  Octomap out;
+  out.resolution = header.resolution;
+  Reader(tree, options, out).read();
+  if (out.table.boxes.empty()) {
+    refuse(source,
+           fmt::format("expected at least one occupied cell, found none ({} free)", out.free));
+  }
+  return out;
+}
+
+}  // namespace geom

@@ -1,0 +1,44 @@
+#include "geom/import/skipped.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace geom {
+namespace {
+
+constexpr std::size_t kNamed = 3;  // of each kind
+
+}  // namespace
+
+void Skipped::add(const std::string& kind, std::string which) {
+  Kind& known = kinds_[kind];
+  ++known.count;
+  if (known.first.size() < kNamed) known.first.push_back(std::move(which));
+}
+
+void Skipped::add(const Skipped& other) {
+  for (const auto& [name, kind] : other.kinds_) {
+    Kind& known = kinds_[name];
+    known.count += kind.count;
+    for (const std::string& which : kind.first) {
+      if (known.first.size() < kNamed) known.first.push_back(which);
+    }
+  }
+}
+
+std::size_t Skipped::count() const {
+  std::size_t count = 0;
+  for (const auto& [name, kind] : kinds_) count += kind.count;
+  return count;
+}
+
+std::string Skipped::text() const {
+  std::string out;
+  for (const auto& [name, kind] : kinds_) {
+    out += fmt::format("{}{} x {} ({}{})", out.empty() ? "" : ", ", kind.count, name,
+                       fmt::join(kind.first, ", "), kind.count > kind.first.size() ? ", …" : "");
+  }
+  return out;
+}
+
+}  // namespace geom

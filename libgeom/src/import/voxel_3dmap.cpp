@@ -1,0 +1,56 @@
+#include "geom/import/voxel_3dmap.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "geom/text/text_table.h"
+
+namespace geom {
+namespace {
+
+// Exactly three whole numbers in [low, high], separated by white space.
+Eigen::Vector3i whole_numbers(const TextLines& lines, std::string_view text, int low,
+                              const Eigen::Vector3i& high, std::string_view what) {
+  Eigen::Vector3i v;
+  for (int i = 0; i < 3; ++i) {
+    text = trimmed(text);
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), v[i]);
+    if (error != std::errc() || v[i] < low || v[i] > high[i]) {
+      lines.refuse(fmt::format("expected {} as three whole numbers, {} in [{}, {}], found \"{}\"",
+                               what, "xyz"[i], low, high[i], lines.line().substr(0, 60)));
+    }
+    text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
+  }
+  if (!trimmed(text).empty()) {
+    lines.refuse(fmt::format("expected {} and nothing after it, found \"{}\"", what,
+                             lines.line().substr(0, 60)));
+  }
+  return v;
+}
+
+}  // namespace
+
+VoxelMap read_voxel_3dmap(std::istream& in, std::string_view source) {
+  TextLines lines(in, source);
+  if (!lines.next() || !lines.line().starts_with("voxel")) {
+    lines.refuse(fmt::format("expected \"voxel X Y Z\", found \"{}\"", lines.line().substr(0, 60)));
+  }
+  const Eigen::Vector3i size = whole_numbers(lines, lines.line().substr(5), 1,
+                                             Eigen::Vector3i::Constant(1000000), "the grid's size");
+  VoxelMap out;
+  out.bounds = {Vec3::Zero(), size.cast<double>()};
+  out.table.labels = {""};
+  while (lines.next()) {
+    if (lines.line().empty()) continue;
+    const Vec3 low =
+        whole_numbers(lines, lines.line(), 0, size.array() - 1, "a voxel").cast<double>();
+    out.table.boxes.push_back({low, low + Vec3::Ones()});
+    out.table.ids.push_back(lines.number());
+    out.table.label.push_back(0);
+  }
+  if (out.table.boxes.empty()) lines.refuse("expected at least one filled voxel, found none");
+  return out;
+}
+
+}  // namespace geom

@@ -1,0 +1,122 @@
+#include "geom/import/world_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <istream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "geom/base/error.h"
+#include "geom/text/parse_json.h"
+
+namespace geom {
+namespace {
+
+using Json = nlohmann::json;
+
+class World {
+ public:
+  explicit World(std::string_view source) : source_(source) {}
+
+  [[noreturn]] void refuse(std::string_view message) const { throw InputError(source_, message); }
+
+  // `what` says whose extents they are.
+  Aabb extents(const Json& owner, std::string_view what) const {
+    const Json found = owner.is_object() ? owner.value("extents", Json()) : Json();
+    if (!found.is_array() || found.size() != 6) {
+      refuse(fmt::format("{} must have \"extents\":[xmin,xmax,ymin,ymax,zmin,zmax], found {}", what,
+                         shown(found)));
+    }
+    Aabb box;
+    for (int i = 0; i < 3; ++i) {
+      box.min[i] = coordinate(found[2 * i], what);
+      box.max[i] = coordinate(found[2 * i + 1], what);
+      if (box.min[i] > box.max[i]) {
+        refuse(fmt::format("{}: the lower extent must be <= the upper one, found {} and {}", what,
+                           box.min[i], box.max[i]));
+      }
+    }
+    return box;
+  }
+
+  std::string colour(const Json& block, std::string_view what) const {
+    if (!block.contains("color")) return "";
+    const Json& found = block["color"];
+    if (!found.is_array() || found.size() != 3) {
+      refuse(fmt::format("{}: color must be 3 numbers, found {}", what, shown(found)));
+    }
+    std::string label;
+    for (const Json& part : found) {
+      label += fmt::format("{}{}", label.empty() ? "" : " ", coordinate(part, what));
+    }
+    return label;
+  }
+
+ private:
+  double coordinate(const Json& value, std::string_view what) const {
+    const double v = value.is_number() ? value.get<double>() : HUGE_VAL;
+    if (!(std::abs(v) <= kLargestCoordinate)) {
+      refuse(fmt::format("{}: expected a finite number within 1e8, found {}", what, shown(value)));
+    }
+    return v;
+  }
+
+  std::string source_;
+};
+
+constexpr std::array<std::string_view, 6> kNames = {"colour", "name",    "label",
+                                                    "id",     "comment", "description"};
+
+void note_unknown(const Json& object, std::initializer_list<std::string_view> known,
+                  const std::string& where, WorldJson& out) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      const bool name = std::find(kNames.begin(), kNames.end(), key) != kNames.end();
+      if (name) {
+        out.names.push_back(where + key);
+      } else {
+        out.skipped.add("unknown key", where + key.substr(0, 40));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+WorldJson read_world_json(std::istream& in, std::string_view source) {
+  const World world(source);
+  const Json root = parse_json(in, source);
+  if (!root.is_object()) world.refuse("expected a JSON object with \"bounds\" and \"blocks\"");
+  WorldJson out;
+  out.bounds = world.extents(root.value("bounds", Json()), "bounds");
+  const Json blocks = root.value("blocks", Json());
+  if (!blocks.is_array() || blocks.empty()) {
+    world.refuse("expected at least one block in \"blocks\", found " + shown(blocks));
+  }
+  note_unknown(
+      root, {"bounds", "blocks", "start", "goal", "resolution", "margin", "expected_path_length"},
+      "", out);
+  out.table.labels = {""};
+  std::map<std::string, std::uint32_t> known = {{"", 0}};
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const std::string what = fmt::format("block {}", i);
+    const Aabb box = world.extents(blocks[i], what);
+    const auto zeros = (box.min.array() == box.max.array()).count();
+    if (zeros == 3) world.refuse(what + " must have some extent, found a point");
+    out.flat += zeros > 0;
+    note_unknown(blocks[i], {"extents", "color"}, what + ": ", out);
+    const std::string colour = world.colour(blocks[i], what);
+    const auto [label, fresh] =
+        known.try_emplace(colour, static_cast<std::uint32_t>(out.table.labels.size()));
+    if (fresh) out.table.labels.push_back(colour);
+    out.table.boxes.push_back(box);
+    out.table.ids.push_back(i);
+    out.table.label.push_back(label->second);
+  }
+  return out;
+}
+
+}  // namespace geom

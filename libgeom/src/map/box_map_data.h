@@ -1,0 +1,38 @@
+#pragma once
+
+// What a BoxMap shares: views of arrays that it owns or that a mapped file holds.
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geom/archive/array_archive.h"
+#include "geom/map/box_map.h"
+
+namespace geom {
+
+struct BoxMap::Data {
+  struct Owned {
+    std::vector<Aabb> boxes;
+    std::vector<std::uint64_t> ids;
+    std::vector<std::uint32_t> label;
+  };
+
+  BoxMapSpec spec;
+  std::vector<std::string> labels;
+  std::vector<Tile> tiles;
+  std::string hash;
+  std::span<const Aabb> boxes;
+  std::span<const std::uint64_t> ids;
+  std::span<const std::uint32_t> label;
+  std::shared_ptr<const Owned> owned;   // what the spans point into, or
+  std::optional<ArrayArchive> archive;  // the file that does, and that is to be verified
+
+  mutable std::mutex verifying;
+  mutable std::atomic<Verified> verified = Verified::contents;
+};
+
+}  // namespace geom

@@ -1,0 +1,267 @@
+#include "geom/map/column_grid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "geom/base/error.h"
+#include "geom/base/precondition.h"
+#include "geom/shape/row_merge.h"
+
+namespace geom {
+namespace {
+
+// Near enough that the index of a cell or step beside it fits 31 bits, too.
+double checked(double v, double size) {
+  const double k = v / size;
+  if (std::abs(k) < 0x1p31 - 2) return k;
+  throw InputError("column",
+                   fmt::format("expected a coordinate within 2^31 cells or steps of {} m, "
+                               "found {}",
+                               size, v));
+}
+
+void require_size(const char* what, double size) {
+  if (size > 0 && std::isfinite(size)) return;
+  throw InputError(what, fmt::format("expected metres > 0, found {}", size));
+}
+
+// The k with k * size <= v < (k + 1) * size as doubles multiply: division may be one off.
+std::int32_t floor_index(double v, double size) {
+  auto k = static_cast<std::int32_t>(std::floor(checked(v, size)));
+  while (k * size > v) --k;
+  while ((k + 1) * size <= v) ++k;
+  return k;
+}
+
+std::int32_t ceil_index(double v, double size) {
+  auto k = static_cast<std::int32_t>(std::ceil(checked(v, size)));
+  while (k * size < v) ++k;
+  while ((k - 1) * size >= v) --k;
+  return k;
+}
+
+std::int32_t tile_of(std::int32_t cell, int side) {
+  return cell >= 0 ? cell / side : -1 - (-1 - cell) / side;
+}
+
+}  // namespace
+
+ColumnGrid::ColumnGrid(const ColumnSpec& spec) : spec_(spec) {
+  require_size("cell", spec.cell);
+  require_size("step", spec.step);
+  require_length("gap", spec.gap, kLargestCoordinate);
+}
+
+GroundGrid::GroundGrid(const GroundSpec& spec) : spec_(spec) {
+  require_size("ground cell", spec.cell);
+  require_length("ground slope", spec.slope, kLargestCoordinate);
+  require_length("ground height", spec.height, kLargestCoordinate);
+}
+
+ColumnGrid::Column& ColumnGrid::column(std::int32_t x, std::int32_t y) {
+  const std::pair key(tile_of(y, kSide), tile_of(x, kSide));
+  if (!last_ || key != last_key_) {
+    last_ = &tiles_[key];
+    last_key_ = key;
+    if (last_->empty()) last_->resize(kSide * kSide);
+  }
+  return (
+      *last_)[static_cast<std::size_t>((y - key.first * kSide) * kSide + (x - key.second * kSide))];
+}
+
+void ColumnGrid::add(const Vec3& p) {
+  Span span{floor_index(p.z(), spec_.step), ceil_index(p.z(), spec_.step)};
+  if (span.low == span.high) ++span.high;  // on a step: some height, so that boxes join
+  add_span(floor_index(p.x(), spec_.cell), floor_index(p.y(), spec_.cell), span.low, span.high);
+}
+
+std::vector<std::int32_t> ColumnGrid::spans() const {
+  std::vector<std::int32_t> rows;
+  for (const auto& [key, tile] : tiles_) {
+    for (int i = 0; i < kSide * kSide; ++i) {
+      for (const Span& span : tile[static_cast<std::size_t>(i)]) {
+        rows.insert(rows.end(), {key.second * kSide + i % kSide, key.first * kSide + i / kSide,
+                                 span.low, span.high});
+      }
+    }
+  }
+  return rows;
+}
+
+void ColumnGrid::add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high) {
+  const Span span{low, high};
+  Column& spans = column(x, y);
+  const auto gap = static_cast<std::int64_t>(std::floor(spec_.gap / spec_.step));
+  const auto near = [&](const Span& s) {
+    return static_cast<std::int64_t>(s.low) - span.high <= gap &&
+           static_cast<std::int64_t>(span.low) - s.high <= gap;
+  };
+  // What is near is consecutive; it and the new one become one, which may reach no others: those
+  // are further from it than the gap, or would be near themselves.
+  auto first = std::find_if(spans.begin(), spans.end(), near);
+  if (first == spans.end()) {
+    spans.insert(
+        std::find_if(spans.begin(), spans.end(), [&](const Span& s) { return s.low > span.high; }),
+        span);
+    return;
+  }
+  const auto last = std::find_if_not(first, spans.end(), near);
+  first->low = std::min(first->low, span.low);
+  first->high = std::max((last - 1)->high, span.high);
+  spans.erase(first + 1, last);
+}
+
+std::vector<ColumnGrid::Labelled> ColumnGrid::labelled(const Column& column,
+                                                       const Span& heights) const {
+  std::vector<Labelled> out;
+  std::int32_t reached = heights.low;
+  for (const Span& span : column) {
+    if (spec_.unknown_blocked && span.low > reached) out.push_back({{reached, span.low}, 1});
+    out.push_back({span, 0});
+    reached = span.high;
+  }
+  if (spec_.unknown_blocked && column.empty()) out.push_back({heights, 1});
+  return out;
+}
+
+std::size_t ColumnGrid::cells() const {
+  std::size_t count = 0;
+  for (const auto& [key, tile] : tiles_) {
+    count += static_cast<std::size_t>(
+        std::count_if(tile.begin(), tile.end(), [](const Column& c) { return !c.empty(); }));
+  }
+  return count;
+}
+
+ColumnGrid::Extent ColumnGrid::extent() const {
+  Extent e;
+  for (const auto& [key, tile] : tiles_) {
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const Column& c = tile[static_cast<std::size_t>(i)];
+      if (c.empty()) continue;
+      e.heights = {std::min(e.heights.low, c.front().low), std::max(e.heights.high, c.back().high)};
+      e.x0 = std::min(e.x0, key.second * kSide + i % kSide);
+      e.x1 = std::max(e.x1, key.second * kSide + i % kSide);
+      e.y0 = std::min(e.y0, key.first * kSide + i / kSide);
+      e.y1 = std::max(e.y1, key.first * kSide + i / kSide);
+    }
+  }
+  return e;
+}
+
+template <class Visit>
+void ColumnGrid::visit_row(Tiles::const_iterator tile, Tiles::const_iterator end, std::int32_t y,
+                           const Extent& e, const Visit& visit) const {
+  const Column none;
+  std::int32_t x = e.x0;  // the next cell
+  const auto visit_to = [&](std::int32_t to) {
+    for (; spec_.unknown_blocked && x < to; ++x) visit(y, x, none);
+    x = std::max(x, to);
+  };
+  for (; tile != end; ++tile) {
+    const std::int32_t left = tile->first.second * kSide;
+    const std::int32_t row = (y - tile->first.first * kSide) * kSide;
+    visit_to(std::clamp(left, e.x0, e.x1 + 1));
+    for (; x < left + kSide && x <= e.x1; ++x) {
+      const Column& c = tile->second[static_cast<std::size_t>(row + (x - left))];
+      if (!c.empty() || spec_.unknown_blocked) visit(y, x, c);
+    }
+  }
+  visit_to(e.x1 + 1);
+}
+
+template <class Visit>
+void ColumnGrid::visit_cells(const Extent& e, const Visit& visit) const {
+  std::int32_t y = e.y0;  // the next row
+  for (auto tile = tiles_.begin(); tile != tiles_.end();) {
+    const std::int32_t ty = tile->first.first;
+    const auto end = std::find_if(tile, tiles_.end(),
+                                  [&](const auto& entry) { return entry.first.first != ty; });
+    // Rows between those of tiles hold nothing.
+    for (; spec_.unknown_blocked && y < ty * kSide; ++y) visit_row(end, end, y, e, visit);
+    y = std::max(y, ty * kSide);
+    for (; y <= std::min(e.y1, ty * kSide + kSide - 1); ++y) visit_row(tile, end, y, e, visit);
+    tile = end;
+  }
+}
+
+BoxTable ColumnGrid::boxes(std::string_view source) const {
+  BoxTable table;
+  table.labels = {"", "unknown"};
+  const Extent e = extent();
+  if (e.x0 > e.x1) return table;
+  const double cells =
+      (static_cast<double>(e.x1) - e.x0 + 1) * (static_cast<double>(e.y1) - e.y0 + 1);
+  if (spec_.unknown_blocked && cells > 2e8) {
+    throw InputError(source, fmt::format("expected at most 2e8 cells in the rectangle around the "
+                                         "points, found {}: use larger cells",
+                                         cells));
+  }
+  const auto emit = [&](const CellRectangle<std::vector<Labelled>>& r) {
+    for (const Labelled& l : r.value) {
+      table.boxes.push_back(
+          {{static_cast<double>(r.first_column) * spec_.cell,
+            static_cast<double>(r.first_row) * spec_.cell, l.span.low * spec_.step},
+           {static_cast<double>(r.last_column) * spec_.cell,
+            static_cast<double>(r.last_row) * spec_.cell, l.span.high * spec_.step}});
+      table.ids.push_back(table.ids.size());
+      table.label.push_back(l.label);
+    }
+  };
+  RowMerge<std::vector<Labelled>, decltype(emit)> merge(emit);
+  visit_cells(e, [&](std::int32_t y, std::int32_t x, const Column& column) {
+    merge.add(y, x, labelled(column, e.heights));
+  });
+  merge.finish();
+  return table;
+}
+
+GroundGrid::Key GroundGrid::key(const Vec3& p) const {
+  return {floor_index(p.y(), spec_.cell), floor_index(p.x(), spec_.cell)};
+}
+
+void GroundGrid::add(const Vec3& p) {
+  const auto [at, fresh] = lowest_.try_emplace(key(p), p.z());
+  if (!fresh) at->second = std::min(at->second, p.z());
+}
+
+// Dijkstra's order: the lowest cell first, so each is lowered once.
+void GroundGrid::finish() {
+  using Entry = std::pair<double, Key>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  for (const auto& [key, z] : lowest_) open.push({z, key});
+  while (!open.empty()) {
+    const auto [z, at] = open.top();
+    open.pop();
+    if (z > lowest_[at]) continue;
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const auto next = lowest_.find({at.first + dy, at.second + dx});
+        if (next == lowest_.end()) continue;
+        const double allowed = z + spec_.slope * spec_.cell * std::hypot(dx, dy);
+        if (allowed >= next->second) continue;
+        next->second = allowed;
+        open.push({allowed, next->first});
+      }
+    }
+  }
+}
+
+// Within its cell the ground may rise as it does to the neighbours.
+bool GroundGrid::is_ground(const Vec3& p) const {
+  const Key at = key(p);
+  const auto here = lowest_.find(at);
+  if (here == lowest_.end()) return false;
+  double rise = 0;
+  for (const auto& [dy, dx] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+    const auto next = lowest_.find({at.first + dy, at.second + dx});
+    if (next != lowest_.end()) rise = std::max(rise, std::abs(next->second - here->second));
+  }
+  return p.z() <= here->second + rise + spec_.height;
+}
+
+}  // namespace geom

@@ -1,0 +1,144 @@
+#include "geom/map/footprint.h"
+
+#include <algorithm>
+#include <array>
+
+#include "geom/base/parallel.h"
+#include "geom/shape/cover.h"
+
+namespace geom {
+namespace {
+
+// The part [t0, t1] of the segment in the rectangle; false where there is none.
+bool clip(const Vec2& a, const Vec2& b, const Aabb& box, double& t0, double& t1) {
+  t0 = 0;
+  t1 = 1;
+  for (int i = 0; i < 2; ++i) {
+    const double d = b[i] - a[i];
+    if (d == 0) {
+      if (a[i] < box.min[i] || a[i] > box.max[i]) return false;
+      continue;
+    }
+    const double u = (box.min[i] - a[i]) / d;
+    const double v = (box.max[i] - a[i]) / d;
+    t0 = std::max(t0, std::min(u, v));
+    t1 = std::min(t1, std::max(u, v));
+  }
+  return t0 <= t1;
+}
+
+// Whether the wall over the segment lies within the boxes. Rounding may say no, never a wrong yes
+// by more than the 1e-9 m that cover() rounds outward.
+bool wall_covered(const Vec2& a, const Vec2& b, const Footprint& f, std::span<const Aabb> boxes) {
+  std::vector<std::pair<double, double>> parts;
+  for (const Aabb& box : boxes) {
+    double t0;
+    double t1;
+    if (box.min.z() > f.bottom || box.max.z() < f.top || !clip(a, b, box, t0, t1)) continue;
+    parts.emplace_back(t0, t1);
+  }
+  std::sort(parts.begin(), parts.end());
+  double reached = 0;
+  for (const auto& [t0, t1] : parts) {
+    if (t0 > reached) return false;
+    reached = std::max(reached, t1);
+  }
+  return !parts.empty() && reached >= 1;
+}
+
+constexpr std::size_t kMostGapBoxes = 1000;
+
+// Whether the polygon, whose edges lie within the boxes, holds a place that none of them does. The
+// boxes' sides cut the plane into cells; no edge enters one that no box covers, so it lies inside
+// the polygon as a whole or outside as a whole.
+bool encloses_gap(const Footprint& f, std::span<const Aabb> boxes) {
+  Vec2 low = f.polygon.outer.front();
+  Vec2 high = low;
+  for (const Vec2& p : f.polygon.outer) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  std::vector<Aabb> near;
+  for (const Aabb& box : boxes) {
+    if (box.min.z() <= f.bottom && box.max.z() >= f.top && box.min.x() <= high.x() &&
+        box.max.x() >= low.x() && box.min.y() <= high.y() && box.max.y() >= low.y()) {
+      near.push_back(box);
+    }
+  }
+  if (near.size() > kMostGapBoxes) return true;  // not worth looking: it gets boxes of its own
+  std::array<std::vector<double>, 2> sides;
+  for (int i = 0; i < 2; ++i) {
+    auto& side = sides[static_cast<std::size_t>(i)];
+    side = {low[i], high[i]};
+    for (const Aabb& box : near) {
+      side.push_back(box.min[i]);
+      side.push_back(box.max[i]);
+    }
+    std::sort(side.begin(), side.end());
+    side.erase(std::unique(side.begin(), side.end()), side.end());
+  }
+  const std::vector<double>& xs = sides[0];
+  const std::vector<double>& ys = sides[1];
+  for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
+    std::vector<int> depth(xs.size());
+    const auto column = [&](double x) {
+      return static_cast<std::size_t>(std::lower_bound(xs.begin(), xs.end(), x) - xs.begin());
+    };
+    for (const Aabb& box : near) {
+      if (box.min.y() > ys[j] || box.max.y() < ys[j + 1]) continue;
+      ++depth[column(box.min.x())];
+      --depth[column(box.max.x())];
+    }
+    int over = 0;
+    for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+      over += depth[i];
+      const Vec2 middle(0.5 * (xs[i] + xs[i + 1]), 0.5 * (ys[j] + ys[j + 1]));
+      if (over == 0 && contains(f.polygon, middle)) return true;
+    }
+  }
+  return false;
+}
+
+bool covered(const Footprint& f, std::span<const Aabb> boxes) {
+  const auto ring_covered = [&](const std::vector<Vec2>& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (!wall_covered(ring[i], ring[(i + 1) % ring.size()], f, boxes)) return false;
+    }
+    return true;
+  };
+  return ring_covered(f.polygon.outer) &&
+         std::all_of(f.polygon.holes.begin(), f.polygon.holes.end(), ring_covered) &&
+         !encloses_gap(f, boxes);
+}
+
+}  // namespace
+
+BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const Execution& run) {
+  std::vector<std::size_t> first;  // of each feature
+  for (std::size_t i = 0; i < footprints.size(); ++i) {
+    if (i == 0 || footprints[i].id != footprints[i - 1].id) first.push_back(i);
+  }
+  std::vector<std::vector<Aabb>> made(first.size());
+  parallel_for(first.size(), run, [&](std::size_t k) {
+    const std::size_t end = k + 1 < first.size() ? first[k + 1] : footprints.size();
+    for (const bool likely : {false, true}) {
+      for (std::size_t i = first[k]; i < end; ++i) {
+        const Footprint& f = footprints[i];
+        if (f.likely_covered != likely || (likely && covered(f, made[k]))) continue;
+        for (const Rectangle& r : cover(f.polygon, slack)) {
+          made[k].push_back({{r.min.x(), r.min.y(), f.bottom}, {r.max.x(), r.max.y(), f.top}});
+        }
+      }
+    }
+  });
+  BoxTable table;
+  table.labels = {""};
+  for (std::size_t k = 0; k < made.size(); ++k) {
+    table.boxes.insert(table.boxes.end(), made[k].begin(), made[k].end());
+    table.ids.resize(table.boxes.size(), footprints[first[k]].id);
+  }
+  table.label.resize(table.boxes.size(), 0);
+  return table;
+}
+
+}  // namespace geom

@@ -1,0 +1,104 @@
+#include "geom/map/join.h"
+
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "geom/base/error.h"
+#include "geom/map/geographic_frame.h"
+
+namespace geom {
+namespace {
+
+constexpr double kRadius = 6.3e6;  // metres, less than any of the Earth's: bounds the bulge
+
+class Mover {
+ public:
+  Mover(const Frame& to, const Frame& from)
+      : axes_(to.axes),
+        to_(*to.origin),
+        from_(*from.origin),
+        up_(from.origin->height - to.origin->height) {}
+
+  Aabb moved(const Aabb& box) const {
+    std::optional<Aabb> out;
+    for (const double x : {box.min.x(), box.max.x()}) {
+      for (const double y : {box.min.y(), box.max.y()}) {
+        const Vec3 p = moved(Vec3(x, y, 0));
+        out = out ? merged(*out, {p, p}) : Aabb{p, p};
+      }
+    }
+    const double side = (box.max - box.min).head<2>().norm();
+    out = grow(*out, Vec3(1, 1, 0) * (side * side / (8 * kRadius) + 1e-6));
+    out->min.z() = std::nextafter(box.min.z() + up_, -HUGE_VAL);
+    out->max.z() = std::nextafter(box.max.z() + up_, HUGE_VAL);
+    return *out;
+  }
+
+ private:
+  Vec3 moved(const Vec3& p) const {
+    const Vec3 enu = to_enu(axes_, p);
+    double latitude;
+    double longitude;
+    Vec3 out = enu;
+    from_.to_geodetic(enu.x(), enu.y(), latitude, longitude);
+    to_.from_geodetic(latitude, longitude, out.x(), out.y());
+    return to_enu(axes_, out);
+  }
+
+  Axes axes_;
+  GeographicFrame to_;
+  GeographicFrame from_;
+  double up_;
+};
+
+}  // namespace
+
+BoxTable table_of(const BoxMap& map, const Aabb* region) {
+  BoxTable table;
+  table.labels = map.labels();
+  const auto boxes = map.boxes();
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (region && !overlap(boxes[i], *region)) continue;
+    table.boxes.push_back(boxes[i]);
+    table.ids.push_back(map.ids()[i]);
+    table.label.push_back(map.label()[i]);
+  }
+  return table;
+}
+
+BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view source) {
+  BoxTable table = table_of(other);
+  const Frame& from = other.spec().frame;
+  if (from == frame) return table;
+  if (from.axes != frame.axes) {
+    throw InputError(source, "expected axes " + std::string(name(frame.axes)) +
+                                 " as of the first map, found " + std::string(name(from.axes)));
+  }
+  if (!counts_from_origin(frame) || !counts_from_origin(from)) {
+    throw InputError(source, "expected the frame of the first map (crs \"" + frame.crs +
+                                 "\"), or origins that bring both together; found crs \"" +
+                                 from.crs + "\"" + (from.origin ? "" : " and no origin"));
+  }
+  const Mover mover(frame, from);
+  for (Aabb& box : table.boxes) box = mover.moved(box);
+  return table;
+}
+
+void append(BoxTable& a, const BoxTable& b) {
+  std::map<std::string, std::uint32_t> known;
+  for (std::size_t i = 0; i < a.labels.size(); ++i) {
+    known.emplace(a.labels[i], static_cast<std::uint32_t>(i));
+  }
+  std::vector<std::uint32_t> label_of;
+  for (const std::string& label : b.labels) {
+    const auto [at, fresh] = known.try_emplace(label, static_cast<std::uint32_t>(a.labels.size()));
+    if (fresh) a.labels.push_back(label);
+    label_of.push_back(at->second);
+  }
+  a.boxes.insert(a.boxes.end(), b.boxes.begin(), b.boxes.end());
+  a.ids.insert(a.ids.end(), b.ids.begin(), b.ids.end());
+  for (const std::uint32_t label : b.label) a.label.push_back(label_of[label]);
+}
+
+}  // namespace geom

@@ -1,0 +1,120 @@
+#include "geom/map/make_map.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "geom/base/error.h"
+
+namespace geom {
+namespace {
+
+constexpr double kFurthestFromOrigin = 2e5;  // metres
+
+Aabb bounding_box(const BoxTable& table) {
+  Aabb all = table.boxes.front();
+  for (const Aabb& box : table.boxes) all = merged(all, box);
+  return all;
+}
+
+// a * b, not above (sign -1) or not below (sign 1) the real product.
+double multiply_outward(double a, double b, double sign) {
+  const double product = a * b;
+  const double error = std::fma(a, b, -product);
+  if (error * sign <= 0) return product;
+  return std::nextafter(product, sign * std::numeric_limits<double>::infinity());
+}
+
+Aabb scaled(const Aabb& box, double factor) {
+  Aabb out;
+  for (int i = 0; i < 3; ++i) {
+    out.min[i] = multiply_outward(box.min[i], factor, -1);
+    out.max[i] = multiply_outward(box.max[i], factor, 1);
+  }
+  return out;
+}
+
+void resize(BoxTable& table, std::string_view source, const MakeMapOptions& options) {
+  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
+    Aabb& box = table.boxes[i];
+    if (options.scale != 1) box = scaled(box, options.scale);
+    if (options.bloat_percent > 0) {
+      box = grow(box, (box.max - box.min) * (options.bloat_percent / 200));
+    }
+    if (options.inflate > 0) box = grow(box, Vec3::Constant(options.inflate));
+    if (!(box.min.cwiseAbs().maxCoeff() <= kLargestCoordinate &&
+          box.max.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
+      throw InputError(source, fmt::format("box of source id {} reaches beyond 1e8 m once scaled "
+                                           "and grown: [{}, {}, {}] to [{}, {}, {}]",
+                                           table.ids[i], box.min[0], box.min[1], box.min[2],
+                                           box.max[0], box.max[1], box.max[2]));
+    }
+  }
+}
+
+std::size_t seal_to_floor(BoxTable& table, double floor, double seal) {
+  std::size_t sealed = 0;
+  for (Aabb& box : table.boxes) {
+    if (box.min.z() > floor && box.min.z() - floor < seal) {
+      box.min.z() = floor;
+      ++sealed;
+    }
+  }
+  return sealed;
+}
+
+// Numbers that count from an origin on Earth count from near it: those of a country's projection
+// would put the map, and home, into another country.
+void require_near_origin(const BoxTable& table, const Frame& frame, std::string_view source) {
+  if (!frame.origin || !frame.crs.empty()) return;
+  const Aabb all = bounding_box(table);
+  const Vec3 nearest = Vec3::Zero().cwiseMax(all.min).cwiseMin(all.max);
+  const double away = nearest.head<2>().norm();
+  if (away <= kFurthestFromOrigin) return;
+  throw InputError(source,
+                   fmt::format("its coordinates begin {:.0f} km from the origin, latitude {}, "
+                               "longitude {}: are they those of a projection, which count "
+                               "from another place?",
+                               away / 1000, frame.origin->latitude, frame.origin->longitude));
+}
+
+}  // namespace
+
+MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_view source,
+                 const MakeMapOptions& options) {
+  resize(table, source, options);
+  require_near_origin(table, frame, source);
+  BoxMapSpec spec;
+  spec.frame = std::move(frame);
+  spec.history = std::move(history);
+  spec.tile_size = options.tile_size;
+  const bool given = options.bounds || options.source_bounds;
+  if (given) {
+    spec.bounds = options.bounds ? *options.bounds : scaled(*options.source_bounds, options.scale);
+  } else {
+    spec.bounds = bounding_box(table);
+    const Vec3 low(options.pad, options.pad, 0);
+    spec.bounds.min -= low;
+    spec.bounds.max += Vec3::Constant(options.pad);
+  }
+  if (!options.bounds && options.floor) spec.bounds.min.z() = *options.floor;
+  if (!options.bounds && options.ceiling) spec.bounds.max.z() = *options.ceiling;
+  spec.bounds_from = options.bounds ? "option" : options.source_bounds ? "source" : "obstacles";
+  // By its negation, which refuses NaN as well.
+  if (!(spec.bounds.min.array() < spec.bounds.max.array()).all() ||
+      !(spec.bounds.min.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate) ||
+      !(spec.bounds.max.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate)) {
+    throw InputError(
+        source, fmt::format("the bounds must be finite and have min < max on every axis, found "
+                            "[{}, {}, {}] to [{}, {}, {}]",
+                            spec.bounds.min[0], spec.bounds.min[1], spec.bounds.min[2],
+                            spec.bounds.max[0], spec.bounds.max[1], spec.bounds.max[2]));
+  }
+  const std::size_t sealed = seal_to_floor(table, spec.bounds.min.z(), options.seal);
+  std::size_t beyond = 0;
+  for (const Aabb& box : table.boxes) beyond += !overlap(box, spec.bounds);
+  return {BoxMap(std::move(spec), table), sealed, beyond};
+}
+
+}  // namespace geom

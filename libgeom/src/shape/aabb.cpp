@@ -1,0 +1,125 @@
+#include "geom/shape/aabb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "orientation.h"
+
+namespace geom {
+namespace {
+
+constexpr double kUp = std::numeric_limits<double>::infinity();
+
+// a + b, rounded towards +infinity: TwoSum (Knuth) gives the sign of the rounding error.
+double add_up(double a, double b) {
+  const double sum = a + b;
+  const double b_part = sum - a;
+  const double error = (a - (sum - b_part)) + (b - b_part);
+  return error > 0 ? std::nextafter(sum, kUp) : sum;
+}
+
+double add_down(double a, double b) { return -add_up(-a, -b); }
+
+double ulp(double x) { return std::nextafter(std::abs(x), kUp) - std::abs(x); }
+
+// How far grow() reaches beyond the real sum.
+double growth_slack(double coordinate) { return std::max(5e-10, 2 * ulp(coordinate)); }
+
+// Whether the line through a and b (not one point) passes strictly beside the rectangle.
+bool line_misses(double ax, double ay, double bx, double by, double lx, double ly, double hx,
+                 double hy) {
+  // The two corners furthest to each side depend on the signs of the direction only.
+  const bool rising = (bx >= ax) == (by >= ay);
+  const int one = orientation(ax, ay, bx, by, lx, rising ? hy : ly);
+  if (one == 0) return false;
+  return one == orientation(ax, ay, bx, by, hx, rising ? ly : hy);
+}
+
+// Where squares overflow; infinite only where the distance itself is beyond doubles.
+double far_distance(const Vec3& p, const Aabb& box) {
+  const auto off = [&](int i) { return std::max({box.min[i] - p[i], p[i] - box.max[i], 0.0}); };
+  return std::hypot(std::hypot(off(0), off(1)), off(2));  // of three, it gives NaN of infinite ones
+}
+
+}  // namespace
+
+int orientation(double ax, double ay, double bx, double by, double cx, double cy) {
+  const double left = (bx - ax) * (cy - ay);
+  const double right = (by - ay) * (cx - ax);
+  const double det = left - right;
+  // Shewchuk 1997, ccwerrboundA = (3 + 16 eps) eps; the constant below covers underflow.
+  const double bound = 3.3306690738754716e-16 * (std::abs(left) + std::abs(right)) + 1e-290;
+  if (det > bound) return 1;
+  if (det < -bound) return -1;
+  return exact_orientation(ax, ay, bx, by, cx, cy);
+}
+
+double distance(const Vec3& p, const Aabb& box) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double d = std::max({box.min[i] - p[i], p[i] - box.max[i], 0.0});
+    sum += d * d;
+  }
+  if (std::isinf(sum)) return far_distance(p, box);
+  return std::sqrt(sum);
+}
+
+bool contains(const Aabb& box, const Vec3& p) {
+  return p[0] >= box.min[0] && p[0] <= box.max[0] && p[1] >= box.min[1] && p[1] <= box.max[1] &&
+         p[2] >= box.min[2] && p[2] <= box.max[2];
+}
+
+bool overlap(const Aabb& a, const Aabb& b) {
+  return a.min[0] <= b.max[0] && b.min[0] <= a.max[0] && a.min[1] <= b.max[1] &&
+         b.min[1] <= a.max[1] && a.min[2] <= b.max[2] && b.min[2] <= a.max[2];
+}
+
+bool segment_hits(const Vec3& a, const Vec3& b, const Aabb& box) {
+  for (int i = 0; i < 3; ++i) {
+    // Both, one after the other: so that what is not a number is on neither side.
+    if (a[i] < box.min[i] && b[i] < box.min[i]) return false;
+    if (a[i] > box.max[i] && b[i] > box.max[i]) return false;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    // Without extent along one axis the face normals above have already decided this plane.
+    if (a[i] == b[i] || a[j] == b[j]) continue;
+    if (line_misses(a[i], a[j], b[i], b[j], box.min[i], box.min[j], box.max[i], box.max[j])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Aabb merged(const Aabb& a, const Aabb& b) { return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)}; }
+
+std::optional<Aabb> bounds(std::span<const Vec3> points) {
+  if (points.empty()) return std::nullopt;
+  Aabb box{points.front(), points.front()};
+  for (const Vec3& p : points) box = merged(box, {p, p});
+  return box;
+}
+
+Aabb grow(const Aabb& obstacle, const Vec3& half) {
+  Aabb grown;
+  for (int i = 0; i < 3; ++i) {
+    const double low = add_down(obstacle.min[i], -half[i]);
+    const double high = add_up(obstacle.max[i], half[i]);
+    grown.min[i] = add_down(low, -growth_slack(low));
+    grown.max[i] = add_up(high, growth_slack(high));
+  }
+  return grown;
+}
+
+std::optional<Aabb> shrink(const Aabb& bounds, const Vec3& half) {
+  Aabb inner;
+  for (int i = 0; i < 3; ++i) {
+    inner.min[i] = add_up(bounds.min[i], half[i]);
+    inner.max[i] = add_down(bounds.max[i], -half[i]);
+    if (inner.min[i] > inner.max[i]) return std::nullopt;
+  }
+  return inner;
+}
+
+}  // namespace geom

@@ -1,0 +1,84 @@
+#include "geom/text/csv_records.h"
+
+#include <cerrno>
+#include <system_error>
+
+#include "geom/base/error.h"
+#include "geom/text/text_table.h"
+
+namespace geom {
+namespace {
+
+constexpr int kEnd = std::char_traits<char>::eof();
+
+bool is_blank(int c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+}  // namespace
+
+void CsvRecords::refuse(std::string_view message) const {
+  throw InputError(source_, number_, message);
+}
+
+int CsvRecords::get() {
+  const int c = in_.get();
+  if (c == kEnd && in_.bad()) {
+    throw std::system_error(EIO, std::generic_category(), "cannot read " + source_);
+  }
+  line_ += c == '\n';
+  return c;
+}
+
+// Appends the field that begins with `first`; returns what ends it: a comma, or a line feed for the
+// end of the record.
+char CsvRecords::read_field(int first) {
+  std::string& field = fields_.emplace_back();
+  int c = first;
+  while (is_blank(c)) c = get();
+  if (c != '"') {
+    for (; c != ',' && c != '\n' && c != kEnd; c = get()) field += static_cast<char>(c);
+    field = std::string(trimmed(field));
+    return c == ',' ? ',' : '\n';
+  }
+  while (true) {
+    c = get();
+    if (c == kEnd) refuse("a quote is opened and not closed before the file ends");
+    if (c == '"' && (c = get()) != '"') break;
+    field += static_cast<char>(c);
+  }
+  while (is_blank(c)) c = get();
+  if (c != ',' && c != '\n' && c != kEnd) {
+    refuse(
+        "expected a comma or the end of the line after a closing quote, and a quote within a "
+        "field to be doubled");
+  }
+  return c == ',' ? ',' : '\n';
+}
+
+bool CsvRecords::read_record() {
+  fields_.clear();
+  number_ = line_;
+  int first = get();
+  if (first == kEnd) return false;
+  while (read_field(first) == ',') first = get();
+  return true;
+}
+
+bool CsvRecords::next() {
+  if (!begun_) {
+    begun_ = true;
+    if (in_.peek() == 0xef) {
+      for (const int expected : {0xef, 0xbb, 0xbf}) {
+        if (get() != expected) {
+          number_ = 1;
+          refuse("expected text in UTF-8, found other bytes at the start");
+        }
+      }
+    }
+  }
+  do {
+    if (!read_record()) return false;
+  } while (fields_.size() == 1 && fields_[0].empty());
+  return true;
+}
+
+}  // namespace geom

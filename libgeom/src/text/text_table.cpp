@@ -1,0 +1,77 @@
+#include "geom/text/text_table.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <system_error>
+
+#include "geom/base/error.h"
+#include "geom/shape/vec3.h"
+#include "geom/text/number.h"
+
+namespace geom {
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+bool TextLines::next() {
+  if (!std::getline(in_, buffer_)) {
+    if (in_.bad()) throw std::system_error(EIO, std::generic_category(), "cannot read " + source_);
+    return false;
+  }
+  line_ = buffer_;
+  if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.remove_prefix(3);
+  line_ = trimmed(line_);
+  return true;
+}
+
+void TextLines::refuse(std::string_view message) const {
+  throw InputError(source_, number_, message);
+}
+
+std::vector<std::string> split_fields(std::string_view line, bool quoted) {
+  const char separator = !quoted && line.find(';') != std::string_view::npos ? ';' : ',';
+  std::vector<std::string> fields(1);
+  bool inside = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quoted && c == '"') {
+      if (inside && i + 1 < line.size() && line[i + 1] == '"') {
+        fields.back() += '"';
+        ++i;
+      } else {
+        inside = !inside;
+      }
+    } else if (c == separator && !inside) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  for (std::string& field : fields) field = std::string(trimmed(field));
+  return fields;
+}
+
+std::optional<double> parse_number(std::string_view field) {
+  if (field.starts_with('+')) field.remove_prefix(1);
+  double value = 0;
+  const auto [rest, error] = read_number(field.data(), field.data() + field.size(), value);
+  if (rest != field.data() + field.size() || field.empty()) return std::nullopt;
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+double coordinate(const TextLines& lines, std::string_view what, std::string_view field) {
+  const auto value = parse_number(field);
+  if (!value || !(std::abs(*value) <= kLargestCoordinate)) {
+    lines.refuse(fmt::format("{} must be a finite number within 1e8 m, found \"{}\"", what,
+                             field.substr(0, 40)));
+  }
+  return *value;
+}
+
+}  // namespace geom
