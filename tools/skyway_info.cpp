@@ -16,8 +16,8 @@
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/roadmap_file.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/roadmap/roadmap_file.h"
 
 namespace {
 

@@ -8,9 +8,9 @@
 #include "cli/run.h"
 #include "cli/sharding.h"
 #include "geom/base/error.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/part_file.h"
-#include "plan/io/roadmap_file.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/lattice/part_file.h"
+#include "plan/roadmap/roadmap_file.h"
 
 namespace {
 

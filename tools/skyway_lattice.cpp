@@ -9,9 +9,9 @@
 #include "cli/run.h"
 #include "cli/sharding.h"
 #include "cli/vehicle_option.h"
-#include "plan/build_lattice.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/part_file.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/lattice/part_file.h"
 
 namespace {
 

@@ -18,8 +18,8 @@
 #include "geom/base/mapped_file.h"
 #include "geom/base/parallel.h"
 #include "geom/record/query_record.h"
-#include "plan/io/path_record.h"
-#include "plan/io/search_tree.h"
+#include "plan/planner/path_record.h"
+#include "plan/sampling/search_tree_file.h"
 #include "planning/search_options.h"
 
 namespace {

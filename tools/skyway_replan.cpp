@@ -13,8 +13,8 @@
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
 #include "geom/base/parallel.h"
-#include "plan/io/replanned_record.h"
-#include "plan/replan.h"
+#include "plan/planner/replan.h"
+#include "plan/planner/replanned_record.h"
 
 namespace {
 

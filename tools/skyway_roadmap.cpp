@@ -9,8 +9,8 @@
 #include "cli/run.h"
 #include "cli/sharding.h"
 #include "cli/vehicle_option.h"
-#include "plan/io/part_file.h"
-#include "plan/io/roadmap_file.h"
+#include "plan/lattice/part_file.h"
+#include "plan/roadmap/roadmap_file.h"
 
 namespace {
 

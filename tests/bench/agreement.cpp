@@ -10,8 +10,8 @@
 
 #include "geom/base/parallel.h"
 #include "geom/collision/collision.h"
-#include "plan/build_lattice.h"
-#include "plan/plan.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/planner/plan.h"
 #include "support/city.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "geom/collision/collision.h"
-#include "plan/astar.h"
-#include "plan/build_lattice.h"
-#include "plan/plan.h"
+#include "plan/lattice/astar.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/planner/plan.h"
 #include "support/bench_scene.h"
 #include "traj/check.h"
 #include "traj/min_snap.h"

@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "geom/archive/box_map_file.h"
-#include "plan/astar.h"
-#include "plan/build_lattice.h"
+#include "plan/lattice/astar.h"
+#include "plan/lattice/build_lattice.h"
 
 namespace {
 

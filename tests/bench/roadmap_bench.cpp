@@ -10,7 +10,7 @@
 #include <map>
 #include <sstream>
 
-#include "plan/plan.h"
+#include "plan/planner/plan.h"
 #include "support/bench_scene.h"
 
 namespace {

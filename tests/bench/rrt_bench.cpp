@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "plan/rrt.h"
+#include "plan/sampling/rrt.h"
 #include "support/bench_scene.h"
 
 namespace {

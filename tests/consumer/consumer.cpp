@@ -1,7 +1,7 @@
 // A program outside the project: plans, solves and proves with the installed libraries.
 
 #include <geom/collision/collision.h>
-#include <plan/plan.h>
+#include <plan/planner/plan.h>
 #include <traj/solve.h>
 
 int main() {

@@ -1,6 +1,6 @@
 #include "geom/archive/box_map_file.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/roadmap_file.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/roadmap/roadmap_file.h"
 #include "readers.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

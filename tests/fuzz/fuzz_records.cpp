@@ -1,5 +1,5 @@
 #include "geom/record/record.h"
-#include "plan/io/search_tree.h"
+#include "plan/sampling/search_tree_file.h"
 #include "readers.h"
 #include "traj/io/corridor_record.h"
 #include "traj/io/report_record.h"

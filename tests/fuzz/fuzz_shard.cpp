@@ -1,8 +1,8 @@
 #include "cli/map_shard.h"
 #include "cli/run_shard.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/part_file.h"
-#include "plan/io/roadmap_file.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/lattice/part_file.h"
+#include "plan/roadmap/roadmap_file.h"
 #include "readers.h"
 
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "plan/astar.h"
-#include "plan/build_lattice.h"
+#include "plan/lattice/astar.h"
+#include "plan/lattice/build_lattice.h"
 #include "plan/scenes.h"
 #include "support/dijkstra.h"
 

@@ -1,4 +1,4 @@
-#include "plan/astar.h"
+#include "plan/lattice/astar.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <queue>
 
-#include "plan/build_lattice.h"
+#include "plan/lattice/build_lattice.h"
 #include "support/random_city.h"
 
 namespace plan {

@@ -1,4 +1,4 @@
-#include "plan/build_lattice.h"
+#include "plan/lattice/build_lattice.h"
 
 #include <gtest/gtest.h>
 

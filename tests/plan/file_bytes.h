@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "plan/io/lattice_file.h"
-#include "plan/io/roadmap_file.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/roadmap/roadmap_file.h"
 
 namespace plan {
 

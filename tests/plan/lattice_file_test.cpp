@@ -1,4 +1,4 @@
-#include "plan/io/lattice_file.h"
+#include "plan/lattice/lattice_file.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "plan/build_lattice.h"
+#include "plan/lattice/build_lattice.h"
 #include "plan/scenes.h"
 #include "support/refusal.h"
 

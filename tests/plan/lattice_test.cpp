@@ -1,4 +1,4 @@
-#include "plan/lattice.h"
+#include "plan/lattice/lattice.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "plan/build_lattice.h"
-#include "plan/io/lattice_file.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/lattice/lattice_file.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
 

@@ -3,13 +3,13 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "plan/build_lattice.h"
 #include "plan/file_bytes.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/part_file.h"
-#include "plan/io/roadmap_file.h"
-#include "plan/lattice_part.h"
-#include "plan/roadmap_part.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/lattice/lattice_part.h"
+#include "plan/lattice/part_file.h"
+#include "plan/roadmap/roadmap_file.h"
+#include "plan/roadmap/roadmap_part.h"
 #include "plan/scenes.h"
 
 namespace plan {

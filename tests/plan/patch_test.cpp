@@ -1,14 +1,14 @@
-#include "plan/patch.h"
+#include "plan/planner/patch.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "plan/build_lattice.h"
 #include "plan/file_bytes.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/roadmap_file.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/roadmap/roadmap_file.h"
 #include "plan/scenes.h"
 
 namespace plan {

@@ -1,9 +1,9 @@
-#include "plan/plan.h"
+#include "plan/planner/plan.h"
 
 #include <gtest/gtest.h>
 
-#include "plan/shortcut.h"
-#include "plan/snap_end.h"
+#include "plan/planner/shortcut.h"
+#include "plan/planner/snap_end.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
 

@@ -4,8 +4,8 @@
 
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
-#include "plan/build_lattice.h"
-#include "plan/plan.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/planner/plan.h"
 #include "plan/scenes.h"
 
 namespace plan {

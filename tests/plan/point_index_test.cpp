@@ -1,4 +1,4 @@
-#include "point_index.h"
+#include "roadmap/point_index.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "plan/replan.h"
+#include "plan/planner/replan.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "plan/io/replanned_record.h"
+#include "plan/planner/replanned_record.h"
 #include "plan/scenes.h"
 #include "support/exact_oracle.h"
 

@@ -1,4 +1,4 @@
-#include "plan/roadmap.h"
+#include "plan/roadmap/roadmap.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "plan/io/roadmap_file.h"
-#include "plan/plan.h"
-#include "plan/taut.h"
+#include "plan/planner/plan.h"
+#include "plan/planner/taut.h"
+#include "plan/roadmap/roadmap_file.h"
 #include "support/random_city.h"
 
 namespace plan {

@@ -1,4 +1,4 @@
-#include "plan/rrt.h"
+#include "plan/sampling/rrt.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "geom/base/error.h"
 #include "geom/base/sha256.h"
 #include "plan/scenes.h"
-#include "spheroid.h"
+#include "sampling/spheroid.h"
 #include "support/exact_oracle.h"
 
 namespace plan {

@@ -1,5 +1,3 @@
-#include "plan/io/search_tree.h"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -7,7 +5,8 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "plan/rrt.h"
+#include "plan/sampling/rrt.h"
+#include "plan/sampling/search_tree_file.h"
 #include "plan/scenes.h"
 #include "support/refusal.h"
 

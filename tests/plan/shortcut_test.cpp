@@ -1,9 +1,9 @@
-#include "plan/shortcut.h"
+#include "plan/planner/shortcut.h"
 
 #include <gtest/gtest.h>
 
-#include "plan/build_lattice.h"
-#include "plan/plan.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/planner/plan.h"
 #include "plan/scenes.h"
 
 namespace plan {

@@ -1,4 +1,4 @@
-#include "plan/snap_end.h"
+#include "plan/planner/snap_end.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "plan/visible_nodes.h"
+#include "plan/lattice/visible_nodes.h"
 
 #include <gtest/gtest.h>
 
-#include "plan/build_lattice.h"
+#include "plan/lattice/build_lattice.h"
 #include "plan/scenes.h"
 
 namespace plan {

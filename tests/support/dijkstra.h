@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "plan/astar.h"
-#include "plan/lattice.h"
+#include "plan/lattice/astar.h"
+#include "plan/lattice/lattice.h"
 
 namespace oracle {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <memory>
 
-#include "plan/visible_nodes.h"
+#include "plan/lattice/visible_nodes.h"
 #ifdef SKYWAY_OMPL
 #include "bench/ompl_planners.h"
 #endif

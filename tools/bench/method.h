@@ -9,8 +9,8 @@
 
 #include "bench/trial.h"
 #include "geom/base/execution.h"
-#include "plan/build_lattice.h"
-#include "plan/plan.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/planner/plan.h"
 
 namespace bench {
 

@@ -1,8 +1,8 @@
 #include "artefacts.h"
 
 #include "files.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/roadmap_file.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/roadmap/roadmap_file.h"
 #include "vehicle_option.h"
 
 namespace cli {

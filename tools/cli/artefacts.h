@@ -7,7 +7,7 @@
 #include <string>
 
 #include "geom/collision/collision.h"
-#include "plan/plan.h"
+#include "plan/planner/plan.h"
 
 namespace cli {
 

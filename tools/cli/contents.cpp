@@ -8,7 +8,7 @@
 #include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
-#include "plan/io/lattice_file.h"
+#include "plan/lattice/lattice_file.h"
 
 namespace cli {
 namespace {

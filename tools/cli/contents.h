@@ -9,8 +9,8 @@
 
 #include "geom/map/box_map.h"
 #include "geom/record/record.h"
-#include "plan/io/search_tree.h"
-#include "plan/lattice.h"
+#include "plan/lattice/lattice.h"
+#include "plan/sampling/search_tree_file.h"
 #include "traj/io/corridor_record.h"
 #include "traj/io/flight_log.h"
 #include "traj/io/report_record.h"

@@ -8,7 +8,7 @@
 
 #include "cli/vehicle_option.h"
 #include "geom/archive/array_archive.h"
-#include "plan/patch.h"
+#include "plan/planner/patch.h"
 
 namespace cli {
 

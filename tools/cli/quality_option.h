@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "plan/plan.h"
+#include "plan/planner/plan.h"
 
 namespace cli {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cli/artefacts.h"
-#include "plan/build_lattice.h"
-#include "plan/plan.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/planner/plan.h"
 
 namespace planning {
 

@@ -2,8 +2,8 @@
 
 #include "cli/files.h"
 #include "geom/archive/box_map_file.h"
-#include "plan/io/lattice_file.h"
-#include "plan/io/roadmap_file.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/roadmap/roadmap_file.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 

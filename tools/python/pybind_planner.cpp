@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "geom/base/parallel.h"
-#include "plan/io/path_record.h"
-#include "plan/plan.h"
+#include "plan/planner/path_record.h"
+#include "plan/planner/plan.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 

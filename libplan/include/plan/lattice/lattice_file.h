@@ -1,0 +1,51 @@
+#pragma once
+
+// `.lattice`: a lattice as a ZIP of NumPy arrays in sparse 8x8x8 blocks (docs/formats.md).
+
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/archive/array_archive.h"
+#include "geom/text/json_fields.h"
+#include "plan/lattice/lattice.h"
+#include "plan/lattice/lattice_part.h"
+
+namespace plan {
+
+// Of a lattice that was built or read, not of one worked out where it is looked at.
+void write_lattice(std::ostream& out, const Lattice& lattice);
+
+// Of join_lattice(parts), whose masks are not copied for it. Throws as that does.
+void write_lattice(std::ostream& out, std::span<const LatticePart> parts);
+
+// Opened lazily: shapes, sizes and numbers of blocks are checked, the masks when they are read. An
+// edge to a blocked node, out of the lattice, or of another connectivity is refused with InputError
+// then.
+Lattice read_lattice(const geom::ArrayArchive& archive);
+
+// What is in the file, for an archive that holds more: meta.json and the arrays, which stay valid
+// while the lattice lives.
+std::string lattice_meta(const Lattice& lattice);
+std::vector<geom::NamedArray> lattice_arrays(const Lattice& lattice);
+Lattice read_lattice(const geom::ArrayArchive& archive, std::string_view meta_json);
+
+bool is_lattice(const geom::ArrayArchive& archive);  // whether the archive says so
+
+// The same of a lattice whose masks stand elsewhere; what of it is in meta.json.
+struct LatticeMeta {
+  LatticeGrid grid;
+  LatticeCounts counts;
+  geom::Provenance made_for;
+};
+std::string lattice_meta(const LatticeMeta& lattice);
+LatticeMeta read_lattice_meta(const geom::JsonFields& fields);
+
+// As written down where it is; counted where not.
+LatticeCounts stored_counts(const Lattice& lattice);
+
+void verify_lattice(const Lattice& lattice);  // every bit; InputError where one is wrong
+
+}  // namespace plan

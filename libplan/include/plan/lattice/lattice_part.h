@@ -1,0 +1,39 @@
+#pragma once
+
+// A shard of a lattice: what one of several processes builds.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "geom/base/execution.h"
+#include "geom/base/shard.h"
+#include "geom/collision/collision.h"
+#include "plan/lattice/lattice.h"
+
+namespace plan {
+
+// The masks of a run of tiles, which are columns of 4 x 4 blocks.
+struct LatticePart {
+  LatticeGrid grid;  // of the whole lattice
+  geom::Provenance made_for;
+  geom::Shard shard;
+  LatticeCounts counts;                    // of the shard
+  std::span<const std::uint32_t> record;   // of its blocks, in the order of its tiles
+  std::span<const std::byte> records;      // see docs/formats.md
+  std::shared_ptr<const void> keep_alive;  // of the spans
+};
+
+// The shard's part of what build_lattice() gives; only the boxes near its tiles are looked at.
+// Throws as build_lattice() does.
+LatticePart build_lattice_part(const geom::CollisionScene& scene, const LatticeSpec& spec,
+                               const geom::Shard& shard, const geom::Execution& run = {},
+                               const std::optional<geom::Aabb>& within = std::nullopt);
+
+// The lattice of all its parts, in the order of their shards: bit for bit what build_lattice()
+// gives. One part alone is not copied. Throws geom::InputError where they are not the parts of one
+// lattice.
+Lattice join_lattice(std::span<const LatticePart> parts);
+
+}  // namespace plan

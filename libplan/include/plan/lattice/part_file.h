@@ -1,0 +1,33 @@
+#pragma once
+
+// Shards of lattices and roadmaps as JSON and NumPy arrays, for an archive that says what they are
+// shards of (docs/formats.md).
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/archive/array_archive.h"
+#include "plan/lattice/lattice_part.h"
+#include "plan/roadmap/roadmap_part.h"
+
+namespace plan {
+
+// A part as one JSON object and arrays that own their bytes or refer to the part's.
+struct PartArrays {
+  std::string meta;
+  std::vector<geom::NamedArray> arrays;
+  std::shared_ptr<const void> keep_alive;  // of those that are not the part's
+};
+
+PartArrays arrays_of(const LatticePart& part);
+PartArrays arrays_of(const RoadmapPart& part);
+
+// `meta_json` is that of PartArrays; the lattice refers to the archive's bytes. Throws
+// geom::InputError where arrays don't fit each other.
+LatticePart read_lattice_part(const geom::ArrayArchive& archive, std::string_view meta_json,
+                              const geom::Shard& shard);
+RoadmapPart read_roadmap_part(const geom::ArrayArchive& archive, std::string_view meta_json,
+                              const geom::Shard& shard);
+
+}  // namespace plan

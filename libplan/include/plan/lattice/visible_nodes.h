@@ -1,0 +1,22 @@
+#pragma once
+
+// Joining the end of a query to a lattice.
+
+#include <vector>
+
+#include "geom/collision/collision.h"
+#include "plan/lattice/astar.h"
+#include "plan/lattice/lattice.h"
+
+namespace plan {
+
+enum class Rings { nearest, all };
+
+// Free nodes that see `p`, with their distances as costs, in the 5 rings of nodes around it: those
+// of the nearest ring that has any, or of all. The innermost ring is the corners of the cell around
+// `p`. None where `p` is not free. `search` is one on the lattice: what it has read is not read
+// anew.
+std::vector<Terminal> visible_nodes(const geom::CollisionScene& scene, const Lattice& lattice,
+                                    AstarSearch& search, const Vec3& p, Rings rings);
+
+}  // namespace plan

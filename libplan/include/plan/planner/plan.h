@@ -1,0 +1,125 @@
+#pragma once
+
+// From a query to a path: the default recipe.
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/collision/collision.h"
+#include "plan/lattice/astar.h"
+#include "plan/lattice/lattice.h"
+#include "plan/roadmap/roadmap.h"
+#include "plan/sampling/rrt.h"
+
+namespace plan {
+
+enum class PlanStatus {
+  found,
+  unreachable,
+  start_blocked,
+  goal_blocked,
+  start_outside,
+  goal_outside,
+  stopped  // gave up: there may be a path
+};
+
+std::string_view name(PlanStatus status);  // as records say it
+
+enum class Quality {
+  fast,    // not pulled taut
+  normal,  // pulled taut
+  best     // the best of up to 4 paths of a roadmap, each pulled taut, and bends closer together
+};
+
+enum class Method {
+  automatic,  // as Planner says
+  astar,      // on the first lattice alone
+  rrt,        // and the other sampling planners: see plan/sampling/rrt.h
+  rrt_connect,
+  rrt_star,
+  informed_rrt_star
+};
+
+std::string_view name(Method method);  // as on a command line: "auto", "rrt-connect"
+
+struct PlanOptions {
+  Method method = Method::automatic;
+  SamplingOptions sampling;
+  bool keep_tree = false;  // of a sampling planner
+  Quality quality = Quality::normal;
+  bool raw = false;      // the search's own path, not shortened
+  double resample = 0;   // metres; 0: not
+  double snap_ends = 0;  // metres a blocked or outside end may move; 0: not at all
+};
+
+// What is left of a path after a step: "search", "shortcut", "taut", "resample".
+struct PathStep {
+  std::string_view name;
+  std::size_t points = 0;
+  double length = 0;  // metres
+};
+
+struct PlanResult {
+  PlanStatus status = PlanStatus::unreachable;
+  geom::Polyline path;    // start to goal, every leg free; empty unless found
+  std::string message;    // why not, in words
+  std::string method;     // "straight", "roadmap", "corridor" or "lattice"; empty unless searched
+  double resolution = 0;  // spacing of the path's lattice, or of the last searched; 0: none was
+  std::size_t expanded = 0;           // nodes, on that lattice
+  std::vector<PathStep> steps;        // from the search to the path
+  SearchTree tree;                    // where it was to be kept
+  std::optional<Vec3> snapped_start;  // where an end was moved to
+  std::optional<Vec3> snapped_goal;
+};
+
+// The straight line first; then the roadmap, where one is given, to 20,000 bends, or 4,000 where
+// its lattice does not say that there is a way, or none where that says that there is none on it.
+// Where that found nothing, A* on a lattice joined to both ends by checked segments and shortened
+// by shortcut(), then a search over the bends around boxes within 40 m of that path (80 m for
+// `best`), by A* with a weight of 1.02, or 1.04 between ends more than 1 km apart. Then taut().
+// Without a lattice of its own it searches 26-connected ones of 10, 5 and 2.5 m (finer on maps too
+// small for these) until one finds a path, each worked out where the search goes. A shortened path
+// of more than 1.2 times the straight line is compared with the next lattice's. Where a lattice has
+// too many nodes to look at, ones of 4 and 16 times the first spacing are tried. An edge of a given
+// lattice or roadmap that is blocked on this map throws geom::InputError. The scene and the roadmap
+// must outlive it. Threads may plan at once; no answer depends on another.
+class Planner {
+ public:
+  Planner(const geom::CollisionScene& scene, const Lattice* lattice,
+          const Roadmap* roadmap = nullptr);
+  ~Planner();
+
+  PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options);
+
+ private:
+  class Level;
+
+  PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  std::uint32_t component(const Vec3& p) const;
+  RoadmapLimits first_limits(const Vec3& from, const Vec3& to) const;
+  bool improve(RoadmapSearch& search, const Vec3& from, const Vec3& to, const PlanOptions& options,
+               RoadmapLimits limits, PlanResult& result);
+  bool search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                      const RoadmapLimits& limits, PlanResult& result);
+  void search_closely(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                      PlanResult& result);
+  bool search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                       PlanResult& result);
+  PlanResult search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  bool search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result);
+  PlanResult search_as_asked(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  void refine(const PlanOptions& options, PlanResult& result) const;
+
+  const geom::CollisionScene& scene_;
+  const Roadmap* roadmap_;
+  std::mutex mutex_;  // guards the workspaces
+  std::vector<std::unique_ptr<RoadmapSearch>> idle_;
+  std::vector<std::unique_ptr<Level>> levels_;         // from the first to try to finer ones
+  std::vector<std::unique_ptr<Level>> coarse_levels_;  // for where the first are too large
+};
+
+}  // namespace plan

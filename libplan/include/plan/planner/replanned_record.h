@@ -1,0 +1,24 @@
+#pragma once
+
+// Path records of what was replanned, with what the old record said of the points that are left.
+
+#include <cstddef>
+#include <vector>
+
+#include "geom/collision/collision.h"
+#include "geom/record/record.h"
+#include "plan/planner/replan.h"
+
+namespace plan {
+
+struct ReplannedRecord {
+  geom::PathRecord record;
+  std::vector<std::size_t> lost;  // points of the old path whose hold or velocity could not be kept
+};
+
+// A hold stays where its point does. A velocity stays where the legs on both sides do (at the ends
+// of the path the one), for a mended leg sets off in another direction.
+ReplannedRecord replanned_record(const geom::CollisionScene& scene, const geom::PathRecord& old,
+                                 const ReplanResult& result);
+
+}  // namespace plan

@@ -1,0 +1,75 @@
+#pragma once
+
+// The textbook sampling planners, for points in three dimensions.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+#include "geom/collision/collision.h"
+#include "geom/shape/polyline.h"
+#include "plan/sampling/search_tree.h"
+
+namespace plan {
+
+// rrt: LaValle, "Rapidly-Exploring Random Trees: A New Tool for Path Planning", 1998.
+// rrt_connect: Kuffner and LaValle, "RRT-Connect: An Efficient Approach to Single-Query Path
+//   Planning", ICRA 2000: two trees, the greedy CONNECT (figures 2 and 5).
+// rrt_star: Karaman and Frazzoli, "Sampling-based Algorithms for Optimal Motion Planning", IJRR
+//   30(7), 2011: algorithm 6; lengths of descendants follow every rewiring at once.
+// informed_rrt_star: Gammell, Srinivasa and Barfoot, "Informed RRT*", IROS 2014: algorithms 1 and
+//   2. Once a path is known, samples come from the prolate spheroid of what could shorten it.
+enum class SamplingMethod { rrt, rrt_connect, rrt_star, informed_rrt_star };
+
+std::string_view name(SamplingMethod method);  // as on a command line: "rrt-connect"
+
+struct SamplingOptions {
+  double step = 15;         // metres, > 0: the longest edge grown towards a sample
+  double goal_bias = 0.05;  // how often the goal is the sample, until it is reached; in [0, 1].
+                            // rrt_connect does without
+  std::size_t iterations = 20000;  // edges tried towards samples; the star methods use all of them
+  double radius = 30;              // metres, >= 0: the star methods' largest neighbourhood
+  std::uint64_t seed = 0;
+  bool straight_first = true;  // whether a free straight line is the answer, and no tree grown
+
+  // The star methods end after so many iterations that in all shortened the path by less than
+  // 0.1%; 0: they do not.
+  std::size_t patience = 0;
+
+  // Asked before every 16th iteration; true ends the search with what it has. May be empty. Where
+  // it looks at a clock, results depend on the machine.
+  std::function<bool()> stop;
+};
+
+struct SamplingResult {
+  bool found = false;
+  geom::Polyline path;  // start to goal, every leg free; empty unless found
+  SearchTree tree;      // every edge, and first edge, free; node 0 is the start; empty where the
+                        // start or the goal is not free
+  std::size_t iterations = 0;   // used
+  std::size_t first_found = 0;  // iterations used when the first path was known
+  double first_length = 0;      // metres, of the first path; 0 unless found
+  bool stopped = false;         // by options.stop
+};
+
+// A path from `from` to `to`. scene.free() alone decides on edges, so nothing is sampled along
+// them. Samples come evenly from scene.free_bounds(). Unreachable goals end after the iterations
+// given. Not found, and no tree, where an end is not free (as when it is NaN); two points and no
+// iterations where the ends are equal. Throws geom::InputError for an option that is NaN or out of
+// its range.
+//
+// The neighbourhood of the star methods is min(radius, 2 (V ln n / (pi n))^(1/3)) for n nodes and V
+// the volume of the free bounds: gamma (ln n / n)^(1/d) of the 2011 paper with its
+// gamma = 2 (1 + 1/d)^(1/d) (V / zeta_d)^(1/d) and d = 3; V stands for the volume of the free
+// space, which is less. For informed_rrt_star that knows a path, V is at most that of the spheroid,
+// and n the nodes in it. Where bounds are flat it is `radius`.
+//
+// The same scene, options and seed give the same bytes, whatever the machine: the numbers come from
+// geom::SplitMix64, the arithmetic is +, -, *, / and square roots. Cost: a logarithmic search for
+// the nearest node and an edge test an iteration; the star methods test a few edges more.
+// Threads may call it at once.
+SamplingResult sample_path(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
+                           SamplingMethod method, const SamplingOptions& options = {});
+
+}  // namespace plan

@@ -1,0 +1,354 @@
+#include "plan/lattice/astar.h"
+
+#include <algorithm>
+#include <bit>
+#include <bitset>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include "heap.h"
+
+namespace plan {
+namespace {
+
+// 2^27 edges in a row still fit into 64 bits, and a lattice has at most 2^31 nodes.
+constexpr double kOne = 0x1p36;
+constexpr std::uint64_t kAxis = 1ull << 36;
+constexpr std::uint64_t kSqrt2 = 97184015999;   // round(2^36 sqrt 2)
+constexpr std::uint64_t kSqrt3 = 119025625176;  // round(2^36 sqrt 3)
+constexpr std::size_t kFewGoals = 16;  // beyond, the least of all their distances costs too much
+constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
+
+constexpr int kPageBits = 22;  // of a handle
+constexpr std::uint64_t kPageMask = (1u << kPageBits) - 1;
+constexpr std::size_t kMostPages = std::size_t{1} << 14;  // that a search may add
+constexpr std::size_t kQuiet = 1000;  // nodes expanded before the goals are flooded
+constexpr std::uint32_t kUnknown = 0xffffffff;
+
+// The length of the shortest way over x, y, z nodes along the axes, without obstacles.
+std::uint64_t unobstructed(Connectivity connectivity, std::uint64_t x, std::uint64_t y,
+                           std::uint64_t z) {
+  if (connectivity == Connectivity::six) return (x + y + z) * kAxis;
+  if (x < y) std::swap(x, y);
+  if (y < z) std::swap(y, z);
+  if (x < y) std::swap(x, y);
+  if (connectivity == Connectivity::twenty_six) {
+    return (x - y) * kAxis + (y - z) * kSqrt2 + z * kSqrt3;
+  }
+  if (x >= y + z) return (x - y - z) * kAxis + (y + z) * kSqrt2;
+  return (x + y + z) / 2 * kSqrt2 + (x + y + z) % 2 * kAxis;
+}
+
+}  // namespace
+
+inline bool AstarSearch::earlier(const Open& a, const Open& b) {
+  if (a.bound != b.bound) return a.bound < b.bound;
+  return a.cost != b.cost ? a.cost > b.cost : a.node < b.node;
+}
+
+// A block of the lattice and what searches wrote there.
+struct AstarSearch::Page {
+  Lattice::Block masks;
+  std::array<Visit, LatticeGrid::kBlock> visits{};
+  std::uint64_t block = 0;
+  Place low{};
+  std::array<std::uint32_t, 27> near;  // pages around it, x fastest
+  std::uint32_t flood_stamp = 0;
+  std::bitset<LatticeGrid::kBlock> flooded;
+};
+
+AstarSearch::AstarSearch(const Lattice& lattice)
+    : lattice_(&lattice), blocks_(lattice.grid().blocks()) {
+  constexpr std::uint64_t kLengths[] = {0, kAxis, kSqrt2, kSqrt3};
+  for (int d = 0; d < kDirections; ++d) {
+    const auto& [dx, dy, dz] = kDirection[d];
+    step_[d] = kLengths[std::abs(dx) + std::abs(dy) + std::abs(dz)];
+  }
+}
+
+AstarSearch::~AstarSearch() = default;
+AstarSearch::AstarSearch(AstarSearch&&) noexcept = default;
+AstarSearch& AstarSearch::operator=(AstarSearch&&) noexcept = default;
+
+std::uint32_t AstarSearch::page_at(std::uint64_t block) {
+  const auto [at, is_new] =
+      page_of_block_.try_emplace(block, static_cast<std::uint32_t>(pages_.size()));
+  if (!is_new) return at->second;
+  try {
+    auto page = std::make_unique<Page>();
+    lattice_->read(block, page->masks);
+    const Index3 low = lattice_->grid().block_low(block);
+    page->low = {static_cast<std::int32_t>(low[0]), static_cast<std::int32_t>(low[1]),
+                 static_cast<std::int32_t>(low[2])};
+    page->block = block;
+    page->near.fill(kUnknown);
+    pages_.push_back(std::move(page));
+  } catch (...) {
+    page_of_block_.erase(block);
+    throw;
+  }
+  return static_cast<std::uint32_t>(pages_.size() - 1);
+}
+
+AstarSearch::Page& AstarSearch::page_of(Handle node) { return *pages_[node & kPageMask]; }
+
+AstarSearch::Handle AstarSearch::handle(const Index3& node) {
+  constexpr std::int64_t kSide = LatticeGrid::kSide;
+  const auto block = static_cast<std::uint64_t>(
+      node[0] / kSide + blocks_[0] * (node[1] / kSide + blocks_[1] * (node[2] / kSide)));
+  const auto local = static_cast<std::uint64_t>(
+      node[0] % kSide + kSide * (node[1] % kSide + kSide * (node[2] % kSide)));
+  return (block * LatticeGrid::kBlock + local) << kPageBits | page_at(block);
+}
+
+bool AstarSearch::free(const Index3& node) {
+  const Handle at = handle(node);
+  return (page_of(at).masks[at >> kPageBits & (LatticeGrid::kBlock - 1)] & Lattice::kNode) != 0;
+}
+
+// The node that an edge leads to: so it is inside the lattice.
+AstarSearch::Handle AstarSearch::neighbour(Handle from, Page& page, const Place& place,
+                                           int direction) {
+  const auto& [dx, dy, dz] = kDirection[static_cast<std::size_t>(direction)];
+  const int x = place.x + dx;
+  const int y = place.y + dy;
+  const int z = place.z + dz;
+  constexpr int kSide = LatticeGrid::kSide;
+  if (((x | y | z) & ~(kSide - 1)) == 0) {
+    const std::int64_t by = dx + kSide * (dy + kSide * dz);
+    return from + (static_cast<Handle>(by) << kPageBits);
+  }
+  const int sx = x >> 3;  // -1, 0 or 1
+  const int sy = y >> 3;
+  const int sz = z >> 3;
+  std::uint32_t& near = page.near[static_cast<std::size_t>(sx + 1 + 3 * (sy + 1 + 3 * (sz + 1)))];
+  if (near == kUnknown) {
+    near = page_at(static_cast<std::uint64_t>(static_cast<std::int64_t>(page.block) + sx +
+                                              blocks_[0] * (sy + blocks_[1] * sz)));
+  }
+  const auto local = static_cast<Handle>((x & 7) + kSide * ((y & 7) + kSide * (z & 7)));
+  return (pages_[near]->block * LatticeGrid::kBlock + local) << kPageBits | near;
+}
+
+AstarSearch::Units AstarSearch::units(double metres) const {
+  const double steps = metres / lattice_->spec().spacing;
+  assert(steps >= 0 && steps < 0x1p20);
+  return static_cast<Units>(std::llround(steps * kOne));
+}
+
+AstarSearch::Units AstarSearch::to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  if (goals_.size() > kFewGoals) return to_box(x, y, z);
+  const Connectivity connectivity = lattice_->spec().connectivity;
+  Units best = kNone;
+  for (const Goal& goal : goals_) {
+    const auto apart = [](std::int32_t a, std::int32_t b) {
+      return static_cast<std::uint64_t>(std::abs(a - b));
+    };
+    const Units way =
+        unobstructed(connectivity, apart(x, goal.x), apart(y, goal.y), apart(z, goal.z));
+    best = std::min(best, way + goal.cost);
+  }
+  return best;
+}
+
+// Clamping moves no coordinate further than the step does, so this is consistent too.
+AstarSearch::Units AstarSearch::to_box(std::int32_t x, std::int32_t y, std::int32_t z) const {
+  const auto apart = [](std::int32_t v, std::int32_t low, std::int32_t high) {
+    return static_cast<std::uint64_t>(std::max({low - v, v - high, 0}));
+  };
+  return lowest_.cost + unobstructed(lattice_->spec().connectivity, apart(x, lowest_.x, highest_.x),
+                                     apart(y, lowest_.y, highest_.y),
+                                     apart(z, lowest_.z, highest_.z));
+}
+
+const AstarSearch::Goal* AstarSearch::goal_at(Handle node) const {
+  const auto by_node = [](const Goal& goal, Handle n) { return goal.node < n; };
+  const auto at = std::lower_bound(goals_.begin(), goals_.end(), node, by_node);
+  return at != goals_.end() && at->node == node ? &*at : nullptr;
+}
+
+void AstarSearch::add(const Open& entry) {
+  heap_push(open_, entry, [](const Open& a, const Open& b) { return earlier(a, b); });
+}
+
+// The earliest entry is kept beside the heap while nothing else is taken: a search that runs
+// straight on takes what it has just put in.
+void AstarSearch::insert(const Open& entry) {
+  if (!has_next_ && (open_.empty() || earlier(entry, open_.front()))) {
+    next_ = entry;
+    has_next_ = true;
+    return;
+  }
+  if (has_next_ && earlier(entry, next_)) {
+    add(std::exchange(next_, entry));
+    return;
+  }
+  add(entry);
+}
+
+AstarSearch::Open AstarSearch::take_first() {
+  if (!has_next_)
+    return heap_pop(open_, [](const Open& a, const Open& b) { return earlier(a, b); });
+  has_next_ = false;
+  return next_;
+}
+
+void AstarSearch::push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y,
+                       std::int32_t z) {
+  Visit& visit = page_of(node).visits[node >> kPageBits & (LatticeGrid::kBlock - 1)];
+  if (visit.stamp == stamp_ && (visit.settled || visit.cost <= cost)) return;
+  visit = {cost, stamp_, static_cast<std::int8_t>(direction), false};
+  insert({cost + to_goal(x, y, z), cost, node});
+}
+
+void AstarSearch::expand(const Open& from) {
+  Page& page = page_of(from.node);
+  const auto local = static_cast<std::int32_t>(from.node >> kPageBits & (LatticeGrid::kBlock - 1));
+  const Place place = {local & 7, local >> 3 & 7, local >> 6};
+  std::uint32_t mask = page.masks[static_cast<std::size_t>(local)] & ~Lattice::kNode;
+  for (; mask; mask &= mask - 1) {
+    const int d = std::countr_zero(mask);
+    const auto& [dx, dy, dz] = kDirection[static_cast<std::size_t>(d)];
+    push(neighbour(from.node, page, place, d), from.cost + step_[d], d, page.low.x + place.x + dx,
+         page.low.y + place.y + dy, page.low.z + place.z + dz);
+  }
+}
+
+// Marks a node as reached from the goals; where the search has been too, the goals are in reach.
+void AstarSearch::flood(Handle node) {
+  Page& page = page_of(node);
+  const std::size_t local = node >> kPageBits & (LatticeGrid::kBlock - 1);
+  if (page.visits[local].stamp == stamp_) {
+    flooding_ = false;
+    return;
+  }
+  if (page.flood_stamp != stamp_) {
+    page.flood_stamp = stamp_;
+    page.flooded.reset();
+  }
+  if (page.flooded[local]) return;
+  page.flooded[local] = true;
+  flooded_.push_back(node);
+}
+
+void AstarSearch::flood_next() {
+  const Handle from = flooded_[flood_next_++];
+  Page& page = page_of(from);
+  const auto local = static_cast<std::int32_t>(from >> kPageBits & (LatticeGrid::kBlock - 1));
+  const Place place = {local & 7, local >> 3 & 7, local >> 6};
+  std::uint32_t mask = page.masks[static_cast<std::size_t>(local)] & ~Lattice::kNode;
+  for (; mask && flooding_; mask &= mask - 1) {
+    flood(neighbour(from, page, place, std::countr_zero(mask)));
+  }
+}
+
+void AstarSearch::start(std::span<const Terminal> sources, std::span<const Terminal> goals) {
+  open_.clear();
+  has_next_ = false;
+  goals_.clear();
+  flooded_.clear();
+  flood_next_ = 0;
+  flooding_ = false;
+  if (++stamp_ == 0 || pages_.size() > kMostPages) {
+    pages_.clear();
+    page_of_block_.clear();
+    stamp_ = 1;
+  }
+  const auto at = [&](const Index3& i, std::size_t k) { return static_cast<std::int32_t>(i[k]); };
+  for (const Terminal& goal : goals) {
+    const Index3 i = lattice_->index(goal.node);
+    goals_.push_back({at(i, 0), at(i, 1), at(i, 2), handle(i), units(goal.cost), goal.cost});
+  }
+  if (goals_.empty()) return;
+  std::sort(goals_.begin(), goals_.end(), [](const Goal& a, const Goal& b) {
+    return a.node != b.node ? a.node < b.node : a.metres < b.metres;
+  });
+  lowest_ = highest_ = goals_.front();
+  for (const Goal& goal : goals_) {
+    lowest_.x = std::min(lowest_.x, goal.x);
+    lowest_.y = std::min(lowest_.y, goal.y);
+    lowest_.z = std::min(lowest_.z, goal.z);
+    lowest_.cost = std::min(lowest_.cost, goal.cost);
+    highest_.x = std::max(highest_.x, goal.x);
+    highest_.y = std::max(highest_.y, goal.y);
+    highest_.z = std::max(highest_.z, goal.z);
+  }
+  for (const Terminal& source : sources) {
+    const Index3 i = lattice_->index(source.node);
+    push(handle(i), units(source.cost), -1, at(i, 0), at(i, 1), at(i, 2));
+  }
+}
+
+std::vector<std::size_t> AstarSearch::trace(Handle node) {
+  const Page& page = page_of(node);
+  const auto local = static_cast<std::int64_t>(node >> kPageBits & (LatticeGrid::kBlock - 1));
+  Index3 i = {page.low.x + (local & 7), page.low.y + (local >> 3 & 7), page.low.z + (local >> 6)};
+  std::vector<std::size_t> nodes;
+  while (true) {
+    nodes.push_back(lattice_->node(i).value());
+    const Handle at = handle(i);
+    const int d = page_of(at).visits[at >> kPageBits & (LatticeGrid::kBlock - 1)].arrived_by;
+    if (d < 0) break;
+    for (std::size_t k = 0; k < 3; ++k) i[k] -= kDirection[static_cast<std::size_t>(d)][k];
+  }
+  std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+double AstarSearch::metres(std::span<const std::size_t> nodes) const {
+  double sum = 0;
+  for (std::size_t n = 1; n < nodes.size(); ++n) {
+    const Index3 a = lattice_->index(nodes[n - 1]);
+    const Index3 b = lattice_->index(nodes[n]);
+    std::int64_t axes = 0;
+    for (std::size_t k = 0; k < 3; ++k) axes += std::abs(b[k] - a[k]);
+    sum += lattice_->spec().spacing * std::sqrt(static_cast<double>(axes));
+  }
+  return sum;
+}
+
+SearchResult AstarSearch::search(std::span<const Terminal> sources,
+                                 std::span<const Terminal> goals) {
+  SearchResult result;
+  start(sources, goals);
+  const std::size_t before = pages_.size();
+  Units best = kNone;
+  const Goal* reached = nullptr;
+  while ((has_next_ || !open_.empty()) && (has_next_ ? next_ : open_.front()).bound < best) {
+    const Open top = take_first();
+    Visit& visit = page_of(top.node).visits[top.node >> kPageBits & (LatticeGrid::kBlock - 1)];
+    if (visit.settled) continue;
+    visit.settled = true;
+    if (++result.expanded == kQuiet && !reached) {
+      flooding_ = true;
+      for (const Goal& goal : goals_) flood(goal.node);
+    }
+    if (flooding_ && flood_next_ < flooded_.size()) flood_next();
+    if (goals_cut_off()) return result;
+    if (pages_.size() > before + kMostPages) {
+      result.gave_up = true;
+      return result;
+    }
+    const Goal* goal = goal_at(top.node);
+    if (goal && top.cost + goal->cost < best) {
+      best = top.cost + goal->cost;
+      reached = goal;
+      flooding_ = false;
+    }
+    if (best > top.bound) expand(top);
+  }
+  if (!reached) return result;
+  result.found = true;
+  result.nodes = trace(reached->node);
+  double joined = std::numeric_limits<double>::infinity();
+  for (const Terminal& source : sources) {
+    if (source.node == result.nodes.front()) joined = std::min(joined, source.cost);
+  }
+  result.cost = joined + metres(result.nodes) + reached->metres;
+  return result;
+}
+
+}  // namespace plan

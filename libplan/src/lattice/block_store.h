@@ -1,0 +1,106 @@
+#pragma once
+
+// Masks of a lattice in blocks of 8 x 8 x 8 nodes; those that are all free or all blocked take no
+// room.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/base/execution.h"
+#include "geom/base/shard.h"
+#include "plan/lattice/lattice.h"
+#include "plan/lattice/lattice_part.h"
+
+namespace plan {
+
+class BlockStore final : public MaskSource {
+ public:
+  static constexpr std::uint32_t kBlocked = 0xffffffff;  // in place of a record's number
+  static constexpr std::uint32_t kFree = 0xfffffffe;
+
+  // Bytes of the record of a block: 4 bits a node (6 neighbours) or 16, x fastest, little endian.
+  // The lower bits are the half directions, the next one (bit 3 or 13) is that the node is free.
+  static std::size_t record_bytes(Connectivity connectivity) {
+    return connectivity == Connectivity::six ? LatticeGrid::kBlock / 2 : LatticeGrid::kBlock * 2;
+  }
+
+  // The spans must stay valid while `keep_alive` lives. Throws InputError(name, …) where numbers of
+  // records are not each below their count, or not as many as there are.
+  BlockStore(const LatticeGrid& grid, LatticeCounts counts, std::span<const std::uint32_t> record,
+             std::span<const std::byte> records, std::shared_ptr<const void> keep_alive,
+             std::string name);
+
+  // Throws InputError where a record has a bit that cannot be.
+  void read(const Index3& low, const Index3& count, std::uint32_t* masks) const override;
+
+  // The bytes of the record of a block; none where it is all free or all blocked.
+  std::span<const std::byte> bytes_of(std::size_t block) const;
+
+  std::string_view name() const override { return name_; }
+
+  void check() const;  // what read() does not see: bits beyond the lattice
+
+  LatticeCounts counts() const { return counts_; }
+  std::span<const std::uint32_t> record() const { return record_; }  // of each block
+  std::span<const std::byte> records() const { return records_; }
+
+ private:
+  std::uint32_t stored(std::uint32_t record, std::size_t local) const;
+  [[noreturn]] void refuse(const std::string& message) const;
+
+  LatticeGrid grid_;
+  LatticeCounts counts_;
+  std::span<const std::uint32_t> record_;
+  std::span<const std::byte> records_;
+  std::shared_ptr<const void> keep_alive_;
+  std::string name_;
+};
+
+// What need not be read: blocks of an older store of the same grid that did not change.
+struct OldBlocks {
+  const BlockStore& store;
+  std::vector<char> changed;  // of each block
+};
+
+// What is stored of a run of tiles, which are columns of 4 x 4 blocks, numbered x fastest: for each
+// of their blocks, tile after tile and in a tile x fastest, the number of its record among
+// `records`, or kFree or kBlocked. Records are numbered in that order.
+struct StoredTiles {
+  LatticeCounts counts;
+  std::span<const std::uint32_t> record;
+  std::span<const std::byte> records;
+  std::shared_ptr<const void> keep_alive;  // of the spans
+};
+
+// Masks of the shard's tiles, read block by block; those of `old` that did not change copied.
+StoredTiles store_tiles(const LatticeGrid& grid, const MaskSource& source,
+                        const geom::Execution& run, const geom::Shard& shard,
+                        const OldBlocks* old = nullptr);
+
+// Of each part, which are of one lattice or InputError("lattice", …) is thrown.
+std::vector<StoredTiles> tiles_of(std::span<const LatticePart> parts);
+
+// All tiles, of all shards in their order. The records of a shard follow those of the shards before
+// it, and are not copied.
+struct JoinedTiles {
+  LatticeCounts counts;
+  std::vector<std::uint32_t> record;                // of each block
+  std::vector<std::span<const std::byte>> records;  // of each shard
+};
+
+// Throws InputError("lattice", …) where they don't fit.
+JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredTiles> shards);
+
+// One alone is not copied.
+std::shared_ptr<const BlockStore> store_joined(const LatticeGrid& grid,
+                                               std::span<const StoredTiles> shards);
+
+// All masks of a source.
+std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
+                                               const geom::Execution& run,
+                                               const OldBlocks* old = nullptr);
+
+}  // namespace plan

@@ -1,0 +1,148 @@
+#include "plan/lattice/lattice_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ostream>
+#include <stdexcept>
+
+#include "block_store.h"
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
+
+namespace plan {
+namespace {
+
+constexpr int kVersion = 2;
+
+}  // namespace
+
+LatticeMeta read_lattice_meta(const geom::JsonFields& fields) {
+  if (fields.text("format", "") != "skyway-lattice") {
+    fields.refuse(fmt::format("expected a lattice (format \"skyway-lattice\"), found format \"{}\"",
+                              fields.text("format", "")));
+  }
+  if (fields.number("version") != kVersion) {
+    fields.refuse(fmt::format("expected lattice version {}, found {}", kVersion,
+                              fields.number("version").value_or(0)));
+  }
+  LatticeMeta meta;
+  meta.made_for = fields.provenance();
+  meta.grid.spec.spacing = fields.number("spacing").value_or(0);
+  if (!(meta.grid.spec.spacing > 0)) fields.refuse("spacing must be > 0");
+  meta.grid.spec.origin = fields.point("origin");
+  const double connectivity = fields.number("connectivity").value_or(0);
+  if (connectivity != 6 && connectivity != 18 && connectivity != 26) {
+    fields.refuse(fmt::format("connectivity must be 6, 18 or 26, found {}", connectivity));
+  }
+  meta.grid.spec.connectivity = static_cast<Connectivity>(static_cast<int>(connectivity));
+  Vec3 first;  // not a point: with a small spacing the indices are larger than any coordinate
+  const auto listed = fields.object().value("first", nlohmann::json());
+  if (!listed.is_array() || listed.size() != 3) fields.refuse("first must be three whole numbers");
+  for (int k = 0; k < 3; ++k) first[k] = fields.number(listed[k], "first");
+  const Vec3 dims = fields.point("dims");
+  for (int k = 0; k < 3; ++k) {
+    if (first[k] != std::floor(first[k]) || dims[k] != std::floor(dims[k]) ||
+        std::abs(first[k]) > 0x1p52) {
+      fields.refuse("first and dims must be whole numbers");
+    }
+    meta.grid.first[k] = static_cast<std::int64_t>(first[k]);
+    meta.grid.dims[k] = static_cast<std::int64_t>(dims[k]);
+  }
+  if (dims.minCoeff() < 1 || dims.x() * dims.y() * dims.z() > 0x1p40) {
+    fields.refuse("dims must be >= 1 and make at most 2^40 nodes");
+  }
+  const auto count = [&](const char* key) {
+    const double value = fields.number(key).value_or(-1);
+    if (!(value >= 0 && value <= 0x1p50)) fields.refuse(fmt::format("{} must be a count", key));
+    return static_cast<std::size_t>(value);
+  };
+  meta.counts = {count("nodes"), count("edges")};
+  return meta;
+}
+
+std::string lattice_meta(const LatticeMeta& lattice) {
+  const auto& [grid, counts, made_for] = lattice;
+  const auto indices = [](const Index3& v) { return fmt::format("[{},{},{}]", v[0], v[1], v[2]); };
+  std::string meta = fmt::format(R"({{"format":"skyway-lattice","version":{},)", kVersion);
+  geom::append_json(meta, made_for);
+  meta += "\"spacing\":";
+  geom::append_json(meta, grid.spec.spacing);
+  meta += ",\"origin\":";
+  geom::append_json(meta, grid.spec.origin);
+  return meta +
+         fmt::format(",\"connectivity\":{},\"first\":{},\"dims\":{},\"nodes\":{},\"edges\":{}}}",
+                     static_cast<int>(grid.spec.connectivity), indices(grid.first),
+                     indices(grid.dims), counts.nodes, counts.edges);
+}
+
+std::string lattice_meta(const Lattice& lattice) {
+  return lattice_meta({lattice.grid(), stored_counts(lattice), lattice.made_for()});
+}
+
+std::vector<geom::NamedArray> lattice_arrays(const Lattice& lattice) {
+  const auto* store = dynamic_cast<const BlockStore*>(&lattice.source());
+  if (!store) throw std::logic_error("only a lattice that was built can be written");
+  const std::size_t columns = BlockStore::record_bytes(lattice.spec().connectivity);
+  return {
+      geom::named_array<std::uint32_t>("block_record", store->record()),
+      {"records", "|u1", {store->records().size() / columns, columns}, {store->records()}},
+  };
+}
+
+void write_lattice(std::ostream& out, const Lattice& lattice) {
+  geom::write_array_archive(out, lattice_meta(lattice) + '\n', lattice_arrays(lattice));
+}
+
+void write_lattice(std::ostream& out, std::span<const LatticePart> parts) {
+  const LatticeGrid& grid = parts.front().grid;
+  JoinedTiles joined = join_tiles(grid, tiles_of(parts));
+  std::size_t bytes = 0;
+  for (const auto& records : joined.records) bytes += records.size();
+  const std::size_t columns = BlockStore::record_bytes(grid.spec.connectivity);
+  const geom::NamedArray arrays[] = {
+      geom::named_array<std::uint32_t>("block_record", joined.record),
+      {"records", "|u1", {bytes / columns, columns}, std::move(joined.records)},
+  };
+  const std::string meta = lattice_meta({grid, joined.counts, parts.front().made_for});
+  geom::write_array_archive(out, meta + '\n', arrays);
+}
+
+bool is_lattice(const geom::ArrayArchive& archive) {
+  const geom::JsonFields fields(archive.meta(), archive.name(), 0);
+  return fields.text("format", "") == "skyway-lattice";
+}
+
+Lattice read_lattice(const geom::ArrayArchive& archive) {
+  return read_lattice(archive, archive.meta());
+}
+
+Lattice read_lattice(const geom::ArrayArchive& archive, std::string_view meta_json) {
+  const LatticeMeta meta = read_lattice_meta(geom::JsonFields(meta_json, archive.name(), 0));
+  const std::size_t columns = BlockStore::record_bytes(meta.grid.spec.connectivity);
+  return Lattice(meta.grid, meta.made_for,
+                 std::make_shared<const BlockStore>(
+                     meta.grid, meta.counts, archive.array<std::uint32_t>("block_record"),
+                     std::as_bytes(archive.array<std::uint8_t>("records", columns)),
+                     archive.keep_alive(), archive.name()));
+}
+
+LatticeCounts stored_counts(const Lattice& lattice) {
+  const auto* store = dynamic_cast<const BlockStore*>(&lattice.source());
+  return store ? store->counts() : lattice.counts();
+}
+
+void verify_lattice(const Lattice& lattice) {
+  const auto* store = dynamic_cast<const BlockStore*>(&lattice.source());
+  if (!store) return;
+  store->check();
+  const LatticeCounts counts = lattice.counts();
+  if (counts.nodes != store->counts().nodes || counts.edges != store->counts().edges) {
+    throw geom::InputError(
+        store->name(),
+        fmt::format("expected {} nodes and {} edges, found {} and {}", store->counts().nodes,
+                    store->counts().edges, counts.nodes, counts.edges));
+  }
+}
+
+}  // namespace plan

@@ -1,0 +1,75 @@
+#pragma once
+
+// Bends around boxes, and which of them are joined: what building, patching and searching a roadmap
+// share.
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "plan/roadmap/roadmap.h"
+
+namespace plan {
+
+// The direction across the box edge of a bend, with outward signs: the box is where both are
+// negative.
+struct Across {
+  double x;
+  double y;
+
+  // Boxes in a row are flush to the last digit only: what misses by less than a millimetre passes.
+  bool tangent() const { return x * y <= 0 || std::min(std::abs(x), std::abs(y)) < 1e-3; }
+  bool second_side() const { return x > y; }
+  double ratio() const {
+    const double sum = std::abs(x) + std::abs(y);
+    return sum > 0 ? std::abs(y) / sum : 0;
+  }
+};
+
+inline Across across(const Bend& bend, const Vec3& direction) {
+  return {direction[(bend.axis + 1) % 3] * bend.outward[0],
+          direction[(bend.axis + 2) % 3] * bend.outward[1]};
+}
+
+// The grown boxes that bends are made around: all, or those that meet the region.
+std::vector<geom::Aabb> boxes_of(const geom::CollisionScene& scene,
+                                 const std::optional<geom::Aabb>& region);
+
+// In the order of the boxes: those of each, or all.
+std::vector<std::vector<Bend>> bends_of_each(const geom::CollisionScene& scene,
+                                             const RoadmapSpec& spec,
+                                             std::span<const geom::Aabb> boxes,
+                                             const geom::Execution& run);
+std::vector<Bend> make_bends(const geom::CollisionScene& scene, const RoadmapSpec& spec,
+                             const std::vector<geom::Aabb>& boxes, const geom::Execution& run);
+
+// Whether two bends are within reach and the line between them is tangent to both boxes.
+inline bool aligned(const Bend& a, const Bend& b, double reach) {
+  const Vec3 d = b.position - a.position;
+  return d.squaredNorm() <= reach * reach && across(a, d).tangent() && across(b, -d).tangent();
+}
+
+// aligned(), and nothing is in between: there is an edge.
+inline bool linked(const geom::CollisionScene& scene, const Bend& a, const Bend& b, double reach) {
+  return aligned(a, b, reach) && !scene.hits(a.position, b.position);
+}
+
+// Where an edge stands among those of its bend: see Roadmap.
+struct EdgeKey {
+  bool second;
+  double ratio;
+  std::uint32_t to;
+
+  friend bool operator<(const EdgeKey& a, const EdgeKey& b);
+};
+
+EdgeKey edge_key(const std::vector<Bend>& bends, std::size_t from, std::uint32_t to);
+
+// Throws geom::InputError where so many, counted from both ends, are too many for a roadmap.
+void require_edges_fit(std::uint64_t edges);
+
+// The lattice of a roadmap on this map, before it is labelled.
+LatticeSpec coarse_spec(const geom::CollisionScene& scene);
+
+}  // namespace plan
