@@ -5,7 +5,7 @@
 #include "cli/option_check.h"
 #include "cli/output_option.h"
 #include "cli/run.h"
-#include "traj/io/certificate_record.h"
+#include "traj/record/certificate_record.h"
 
 namespace {
 

@@ -15,10 +15,10 @@
 #include "export/prove.h"
 #include "export/writer.h"
 #include "geom/base/error.h"
-#include "traj/export/crazyflie.h"
-#include "traj/export/straight_legs.h"
-#include "traj/io/trajectory_record.h"
-#include "traj/to_enu.h"
+#include "traj/curve/to_enu.h"
+#include "traj/drone_file/crazyflie.h"
+#include "traj/drone_file/straight_legs.h"
+#include "traj/record/trajectory_record.h"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include "cli/run.h"
 #include "fly/mission.h"
 #include "fly/options.h"
-#include "traj/io/gains_record.h"
+#include "traj/record/gains_record.h"
 
 namespace {
 

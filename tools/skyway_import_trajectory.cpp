@@ -8,8 +8,8 @@
 #include "cli/output_option.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
-#include "traj/close_joints.h"
-#include "traj/io/trajectory_record.h"
+#include "traj/record/trajectory_record.h"
+#include "traj/solve/close_joints.h"
 
 namespace {
 

@@ -15,8 +15,8 @@
 #include "support/city.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
-#include "traj/check.h"
-#include "traj/solve.h"
+#include "traj/proof/check.h"
+#include "traj/solve/solve.h"
 
 namespace {
 

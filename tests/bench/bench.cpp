@@ -9,10 +9,10 @@
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/plan.h"
 #include "support/bench_scene.h"
-#include "traj/check.h"
-#include "traj/min_snap.h"
-#include "traj/solve.h"
-#include "traj/stop_and_go.h"
+#include "traj/proof/check.h"
+#include "traj/solve/min_snap.h"
+#include "traj/solve/solve.h"
+#include "traj/solve/stop_and_go.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "support/touch_case.h"
-#include "traj/check.h"
-#include "traj/exact_check.h"
+#include "traj/proof/check.h"
+#include "traj/proof/exact/exact_check.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 
 #include "support/bench_scene.h"
 #include "support/min_snap_equations.h"
-#include "traj/bernstein.h"
-#include "traj/min_snap.h"
+#include "traj/curve/bernstein.h"
+#include "traj/solve/min_snap.h"
 
 namespace {
 

@@ -12,8 +12,8 @@
 
 #include "geom/archive/box_map_file.h"
 #include "geom/record/record.h"
-#include "traj/check.h"
-#include "traj/solve.h"
+#include "traj/proof/check.h"
+#include "traj/solve/solve.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <geom/collision/collision.h>
 #include <plan/planner/plan.h>
-#include <traj/solve.h>
+#include <traj/solve/solve.h>
 
 int main() {
   geom::BoxTable table{{{{4, 0, 0}, {5, 8, 8}}}, {1}, {0}, {""}};

@@ -1,7 +1,7 @@
 #include <iterator>
 
 #include "readers.h"
-#include "traj/io/airframe_record.h"
+#include "traj/record/airframe_record.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [](std::istream& in) {

@@ -1,5 +1,5 @@
 #include "readers.h"
-#include "traj/export/qgc_plan.h"
+#include "traj/drone_file/qgc_plan.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [](std::istream& in) {

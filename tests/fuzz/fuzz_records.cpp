@@ -1,9 +1,9 @@
 #include "geom/record/record.h"
 #include "plan/sampling/search_tree_file.h"
 #include "readers.h"
-#include "traj/io/corridor_record.h"
-#include "traj/io/report_record.h"
-#include "traj/io/trajectory_record.h"
+#include "traj/record/corridor_record.h"
+#include "traj/record/report_record.h"
+#include "traj/record/trajectory_record.h"
 
 namespace {
 

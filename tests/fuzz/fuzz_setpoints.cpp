@@ -1,5 +1,5 @@
 #include "readers.h"
-#include "traj/export/setpoints.h"
+#include "traj/drone_file/setpoints.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [](std::istream& in) {

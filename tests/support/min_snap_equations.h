@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "traj/trajectory.h"
+#include "traj/curve/trajectory.h"
 
 namespace support {
 

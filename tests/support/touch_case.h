@@ -6,7 +6,7 @@
 
 #include "geom/collision/collision.h"
 #include "support/random_city.h"
-#include "traj/trajectory.h"
+#include "traj/curve/trajectory.h"
 
 namespace support {
 

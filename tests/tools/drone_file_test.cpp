@@ -6,11 +6,11 @@
 
 #include "geom/base/error.h"
 #include "support/cases.h"
-#include "traj/export/crazyflie.h"
-#include "traj/export/geo_line.h"
-#include "traj/export/gltf_line.h"
-#include "traj/export/qgc_plan.h"
-#include "traj/export/wpl.h"
+#include "traj/drone_file/crazyflie.h"
+#include "traj/drone_file/geo_line.h"
+#include "traj/drone_file/gltf_line.h"
+#include "traj/drone_file/qgc_plan.h"
+#include "traj/drone_file/wpl.h"
 #include "traj/scenes.h"
 
 namespace cli {

@@ -1,4 +1,4 @@
-#include "traj/airframe.h"
+#include "traj/flight/airframe.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 
 #include "geom/base/error.h"
 #include "support/refusal.h"
-#include "traj/io/airframe_record.h"
-#include "traj/io/gains_record.h"
+#include "traj/record/airframe_record.h"
+#include "traj/record/gains_record.h"
 
 namespace traj {
 namespace {

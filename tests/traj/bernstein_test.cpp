@@ -1,4 +1,4 @@
-#include "traj/bernstein.h"
+#include "traj/curve/bernstein.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "support/random_city.h"
-#include "traj/check.h"
+#include "traj/proof/check.h"
 
 namespace traj {
 namespace {

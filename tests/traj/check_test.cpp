@@ -1,4 +1,4 @@
-#include "traj/check.h"
+#include "traj/proof/check.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include "geom/base/error.h"
 #include "scenes.h"
 #include "support/random_city.h"
-#include "traj/clearance.h"
-#include "traj/io/trajectory_record.h"
-#include "traj/solve.h"
-#include "traj/stop_and_go.h"
+#include "traj/proof/clearance.h"
+#include "traj/record/trajectory_record.h"
+#include "traj/solve/solve.h"
+#include "traj/solve/stop_and_go.h"
 
 namespace traj {
 namespace {

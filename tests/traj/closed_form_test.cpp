@@ -1,11 +1,11 @@
-#include "traj/closed_form.h"
+#include "traj/solve/closed_form.h"
 
 #include <gtest/gtest.h>
 
 #include "scenes.h"
-#include "traj/continuity.h"
-#include "traj/solve.h"
-#include "traj/time_scaling.h"
+#include "traj/curve/continuity.h"
+#include "traj/solve/solve.h"
+#include "traj/solve/time_scaling.h"
 
 namespace traj {
 namespace {

@@ -8,7 +8,7 @@
 #include "support/example_quadrotor.h"
 #include "traj/flight/attitude.h"
 #include "traj/flight/motor_mixer.h"
-#include "traj/limits.h"
+#include "traj/proof/limits.h"
 
 namespace traj {
 namespace {

@@ -1,4 +1,4 @@
-#include "traj/io/corridor_record.h"
+#include "traj/record/corridor_record.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "traj/corridor.h"
+#include "traj/solve/corridor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "traj/domain.h"
+#include "traj/proof/domain.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 
 #include "geom/base/error.h"
 #include "support/random_city.h"
-#include "traj/check.h"
-#include "traj/exact_check.h"
+#include "traj/proof/check.h"
+#include "traj/proof/exact/exact_check.h"
 
 namespace traj {
 namespace {

@@ -1,13 +1,13 @@
-#include "traj/exact_check.h"
+#include "traj/proof/exact/exact_check.h"
 
 #include <gtest/gtest.h>
 
-#include "gmp_bernstein.h"
+#include "proof/exact/gmp_bernstein.h"
 #include "support/random_city.h"
 #include "support/touch_case.h"
-#include "traj/check.h"
-#include "traj/io/certificate_record.h"
-#include "traj/stop_and_go.h"
+#include "traj/proof/check.h"
+#include "traj/record/certificate_record.h"
+#include "traj/solve/stop_and_go.h"
 
 namespace traj {
 namespace {

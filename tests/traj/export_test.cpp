@@ -7,11 +7,11 @@
 
 #include "geom/base/error.h"
 #include "support/refusal.h"
-#include "traj/export/crazyflie.h"
-#include "traj/export/setpoints.h"
-#include "traj/export/straight_legs.h"
+#include "traj/curve/to_enu.h"
+#include "traj/drone_file/crazyflie.h"
+#include "traj/drone_file/setpoints.h"
+#include "traj/drone_file/straight_legs.h"
 #include "traj/scenes.h"
-#include "traj/to_enu.h"
 
 namespace traj {
 namespace {

@@ -1,12 +1,12 @@
-#include "traj/flatness.h"
+#include "traj/curve/flatness.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "support/random_city.h"
-#include "traj/limits.h"
-#include "traj/yaw.h"
+#include "traj/curve/yaw.h"
+#include "traj/proof/limits.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "traj/io/flight_log.h"
+#include "traj/record/flight_log.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "traj/flown.h"
+#include "traj/proof/flown.h"
 
 #include <gtest/gtest.h>
 
 #include "geom/base/error.h"
-#include "traj/close_joints.h"
-#include "traj/export/tello.h"
+#include "traj/drone_file/tello.h"
 #include "traj/scenes.h"
+#include "traj/solve/close_joints.h"
 
 namespace traj {
 namespace {

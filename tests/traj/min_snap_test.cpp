@@ -1,4 +1,4 @@
-#include "traj/min_snap.h"
+#include "traj/solve/min_snap.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 
 #include "scenes.h"
 #include "support/min_snap_equations.h"
-#include "traj/bernstein.h"
-#include "traj/continuity.h"
+#include "traj/curve/bernstein.h"
+#include "traj/curve/continuity.h"
 
 namespace traj {
 namespace {

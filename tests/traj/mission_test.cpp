@@ -1,4 +1,4 @@
-#include "traj/export/mission.h"
+#include "traj/drone_file/mission.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 
 #include "geom/base/error.h"
 #include "support/refusal.h"
-#include "traj/export/geo_line.h"
-#include "traj/export/gltf_line.h"
-#include "traj/export/qgc_plan.h"
-#include "traj/export/wpl.h"
+#include "traj/drone_file/geo_line.h"
+#include "traj/drone_file/gltf_line.h"
+#include "traj/drone_file/qgc_plan.h"
+#include "traj/drone_file/wpl.h"
 
 namespace traj {
 namespace {

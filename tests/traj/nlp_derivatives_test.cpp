@@ -5,8 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "nlp.h"
 #include "scenes.h"
+#include "solve/nlp.h"
 
 namespace traj {
 namespace {

@@ -1,11 +1,11 @@
-#include "traj/optimize.h"
+#include "traj/solve/optimize.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
 #include "scenes.h"
-#include "traj/bernstein.h"
+#include "traj/curve/bernstein.h"
 
 namespace traj {
 namespace {

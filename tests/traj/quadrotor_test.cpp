@@ -6,7 +6,7 @@
 
 #include "scenes.h"
 #include "support/example_quadrotor.h"
-#include "traj/limits.h"
+#include "traj/proof/limits.h"
 
 namespace traj {
 namespace {

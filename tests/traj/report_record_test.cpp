@@ -1,4 +1,4 @@
-#include "traj/io/report_record.h"
+#include "traj/record/report_record.h"
 
 #include <gtest/gtest.h>
 

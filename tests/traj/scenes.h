@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geom/collision/collision.h"
-#include "traj/trajectory.h"
+#include "traj/curve/trajectory.h"
 
 namespace traj::testing {
 

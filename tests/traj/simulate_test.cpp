@@ -6,12 +6,12 @@
 #include <set>
 
 #include "scenes.h"
+#include "traj/curve/to_enu.h"
+#include "traj/curve/yaw.h"
 #include "traj/flight/flown_path.h"
 #include "traj/flight/monte_carlo.h"
 #include "traj/flight/tune.h"
-#include "traj/limits.h"
-#include "traj/to_enu.h"
-#include "traj/yaw.h"
+#include "traj/proof/limits.h"
 
 namespace traj {
 namespace {

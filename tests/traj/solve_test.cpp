@@ -1,9 +1,9 @@
-#include "traj/solve.h"
+#include "traj/solve/solve.h"
 
 #include <gtest/gtest.h>
 
 #include "scenes.h"
-#include "traj/check.h"
+#include "traj/proof/check.h"
 
 namespace traj {
 namespace {

@@ -1,11 +1,11 @@
-#include "traj/stop_and_go.h"
+#include "traj/solve/stop_and_go.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "scenes.h"
-#include "traj/check.h"
+#include "traj/proof/check.h"
 
 namespace traj {
 namespace {

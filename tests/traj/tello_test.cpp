@@ -1,4 +1,4 @@
-#include "traj/export/tello.h"
+#include "traj/drone_file/tello.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "traj/time_allocation.h"
+#include "traj/solve/time_allocation.h"
 
 #include <gtest/gtest.h>
 

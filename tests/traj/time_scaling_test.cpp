@@ -1,11 +1,11 @@
-#include "traj/time_scaling.h"
+#include "traj/solve/time_scaling.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "scenes.h"
-#include "traj/check.h"
+#include "traj/proof/check.h"
 
 namespace traj {
 namespace {

@@ -1,4 +1,4 @@
-#include "traj/trajectory.h"
+#include "traj/curve/trajectory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "traj/yaw.h"
+#include "traj/curve/yaw.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "../../libtraj/src/portable_math.h"
 #include "scenes.h"
-#include "traj/bernstein.h"
+#include "traj/curve/bernstein.h"
 
 namespace traj {
 namespace {

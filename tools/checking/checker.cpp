@@ -3,11 +3,11 @@
 #include "cli/limit_options.h"
 #include "cli/run.h"
 #include "geom/text/json_fields.h"
-#include "traj/check.h"
-#include "traj/clearance.h"
-#include "traj/exact_check.h"
-#include "traj/flown.h"
-#include "traj/io/trajectory_record.h"
+#include "traj/proof/check.h"
+#include "traj/proof/clearance.h"
+#include "traj/proof/exact/exact_check.h"
+#include "traj/proof/flown.h"
+#include "traj/record/trajectory_record.h"
 
 namespace checking {
 namespace {

@@ -11,8 +11,8 @@
 #include "cli/files.h"
 #include "cli/run.h"
 #include "cli/vehicle_option.h"
-#include "traj/io/report_record.h"
-#include "traj/io/trajectory_record.h"
+#include "traj/record/report_record.h"
+#include "traj/record/trajectory_record.h"
 
 namespace checking {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/record_output.h"
-#include "traj/clearance.h"
+#include "traj/proof/clearance.h"
 
 namespace checking {
 

@@ -11,10 +11,10 @@
 #include "geom/record/record.h"
 #include "plan/lattice/lattice.h"
 #include "plan/sampling/search_tree_file.h"
-#include "traj/io/corridor_record.h"
-#include "traj/io/flight_log.h"
-#include "traj/io/report_record.h"
-#include "traj/io/trajectory_record.h"
+#include "traj/record/corridor_record.h"
+#include "traj/record/flight_log.h"
+#include "traj/record/report_record.h"
+#include "traj/record/trajectory_record.h"
 
 namespace cli {
 

@@ -10,12 +10,12 @@
 #include "geom/record/path_csv.h"
 #include "numbers_option.h"
 #include "run.h"
-#include "traj/export/crazyflie.h"
-#include "traj/export/geo_line.h"
-#include "traj/export/gltf_line.h"
-#include "traj/export/qgc_plan.h"
-#include "traj/export/wpl.h"
-#include "traj/to_enu.h"
+#include "traj/curve/to_enu.h"
+#include "traj/drone_file/crazyflie.h"
+#include "traj/drone_file/geo_line.h"
+#include "traj/drone_file/gltf_line.h"
+#include "traj/drone_file/qgc_plan.h"
+#include "traj/drone_file/wpl.h"
 
 namespace cli {
 namespace {

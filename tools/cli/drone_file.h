@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "geom/map/frame.h"
-#include "traj/export/mission.h"
-#include "traj/export/tello.h"
-#include "traj/flown.h"
+#include "traj/drone_file/mission.h"
+#include "traj/drone_file/tello.h"
+#include "traj/proof/flown.h"
 
 namespace cli {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "geom/vehicle/vehicle.h"
-#include "traj/limits.h"
+#include "traj/proof/limits.h"
 
 namespace cli {
 

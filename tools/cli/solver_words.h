@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "traj/solve.h"
+#include "traj/solve/solve.h"
 
 namespace cli {
 

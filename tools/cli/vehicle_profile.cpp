@@ -12,7 +12,7 @@
 #include "geom/text/parse_json.h"
 #include "numbers_option.h"
 #include "run.h"
-#include "traj/io/airframe_record.h"
+#include "traj/record/airframe_record.h"
 
 namespace cli {
 namespace {

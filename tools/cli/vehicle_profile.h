@@ -6,7 +6,7 @@
 #include <string>
 
 #include "geom/vehicle/vehicle.h"
-#include "traj/airframe.h"
+#include "traj/flight/airframe.h"
 
 namespace cli {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "geom/base/error.h"
-#include "traj/export/straight_legs.h"
-#include "traj/flown.h"
-#include "traj/to_enu.h"
+#include "traj/curve/to_enu.h"
+#include "traj/drone_file/straight_legs.h"
+#include "traj/proof/flown.h"
 
 namespace exporting {
 namespace {

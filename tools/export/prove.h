@@ -7,7 +7,7 @@
 
 #include "export/writer.h"
 #include "geom/collision/collision.h"
-#include "traj/check.h"
+#include "traj/proof/check.h"
 
 namespace exporting {
 

@@ -8,13 +8,13 @@
 #include <sstream>
 
 #include "cli/run.h"
-#include "traj/export/crazyflie.h"
-#include "traj/export/geo_line.h"
-#include "traj/export/gltf_line.h"
-#include "traj/export/qgc_plan.h"
-#include "traj/export/setpoints.h"
-#include "traj/export/tello.h"
-#include "traj/export/wpl.h"
+#include "traj/drone_file/crazyflie.h"
+#include "traj/drone_file/geo_line.h"
+#include "traj/drone_file/gltf_line.h"
+#include "traj/drone_file/qgc_plan.h"
+#include "traj/drone_file/setpoints.h"
+#include "traj/drone_file/tello.h"
+#include "traj/drone_file/wpl.h"
 
 namespace exporting {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/drone_file.h"
-#include "traj/limits.h"
-#include "traj/trajectory.h"
+#include "traj/curve/trajectory.h"
+#include "traj/proof/limits.h"
 
 namespace exporting {
 

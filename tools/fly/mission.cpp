@@ -9,7 +9,7 @@
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
-#include "traj/to_enu.h"
+#include "traj/curve/to_enu.h"
 
 namespace fly {
 namespace {

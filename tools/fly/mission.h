@@ -11,8 +11,8 @@
 #include "cli/record_output.h"
 #include "cli/run_shard.h"
 #include "fly/options.h"
-#include "traj/io/flight_report.h"
-#include "traj/io/trajectory_record.h"
+#include "traj/record/flight_report.h"
+#include "traj/record/trajectory_record.h"
 
 namespace fly {
 

@@ -8,7 +8,7 @@
 #include "cli/files.h"
 #include "cli/numbers_option.h"
 #include "cli/run.h"
-#include "traj/io/gains_record.h"
+#include "traj/record/gains_record.h"
 
 namespace fly {
 namespace {

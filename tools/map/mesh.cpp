@@ -10,7 +10,7 @@
 #include "cli/contents.h"
 #include "cli/files.h"
 #include "map/verbs.h"
-#include "traj/to_enu.h"
+#include "traj/curve/to_enu.h"
 
 namespace verbs {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "traj/clearance.h"
+#include "traj/proof/clearance.h"
 
 namespace plot {
 

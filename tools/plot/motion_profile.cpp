@@ -7,7 +7,7 @@
 
 #include "plot/figure.h"
 #include "plot/palette.h"
-#include "traj/flatness.h"
+#include "traj/curve/flatness.h"
 
 namespace plot {
 namespace {

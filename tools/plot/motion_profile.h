@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "traj/io/trajectory_record.h"
+#include "traj/record/trajectory_record.h"
 
 namespace plot {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "traj/io/flight_log.h"
+#include "traj/record/flight_log.h"
 
 namespace plot {
 

@@ -12,7 +12,7 @@
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"
 #include "geom/record/record.h"
-#include "traj/limits.h"
+#include "traj/proof/limits.h"
 
 namespace binding {
 

@@ -7,7 +7,7 @@
 #include "geom/record/query_record.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
-#include "traj/io/trajectory_record.h"
+#include "traj/record/trajectory_record.h"
 
 namespace binding {
 namespace {

@@ -12,11 +12,11 @@
 #include "geom/base/error.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
-#include "traj/check.h"
-#include "traj/exact_check.h"
-#include "traj/io/report_record.h"
-#include "traj/io/solved_record.h"
-#include "traj/yaw.h"
+#include "traj/curve/yaw.h"
+#include "traj/proof/check.h"
+#include "traj/proof/exact/exact_check.h"
+#include "traj/record/report_record.h"
+#include "traj/record/solved_record.h"
 
 namespace binding {
 namespace {

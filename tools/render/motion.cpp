@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "traj/flatness.h"
-#include "traj/yaw.h"
+#include "traj/curve/flatness.h"
+#include "traj/curve/yaw.h"
 
 namespace render {
 namespace {

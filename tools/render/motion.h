@@ -7,8 +7,8 @@
 
 #include "geom/map/frame.h"
 #include "render/camera.h"
-#include "traj/io/flight_log.h"
-#include "traj/trajectory.h"
+#include "traj/curve/trajectory.h"
+#include "traj/record/flight_log.h"
 
 namespace render {
 

@@ -1,7 +1,7 @@
 #include "solving/answer.h"
 
-#include "traj/io/corridor_record.h"
-#include "traj/io/solved_record.h"
+#include "traj/record/corridor_record.h"
+#include "traj/record/solved_record.h"
 
 namespace solving {
 namespace {

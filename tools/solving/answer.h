@@ -8,7 +8,7 @@
 #include "geom/collision/collision.h"
 #include "geom/record/record.h"
 #include "solving/options.h"
-#include "traj/io/trajectory_record.h"
+#include "traj/record/trajectory_record.h"
 
 namespace solving {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cli/limit_options.h"
-#include "traj/solve.h"
-#include "traj/yaw.h"
+#include "traj/curve/yaw.h"
+#include "traj/solve/solve.h"
 
 namespace solving {
 

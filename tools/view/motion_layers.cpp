@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "traj/clearance.h"
-#include "traj/yaw.h"
+#include "traj/curve/yaw.h"
+#include "traj/proof/clearance.h"
 #include "view/layers.h"
 
 namespace view {

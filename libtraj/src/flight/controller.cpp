@@ -5,7 +5,7 @@
 
 #include "traj/flight/attitude.h"
 #include "traj/flight/motor_mixer.h"
-#include "traj/limits.h"
+#include "traj/proof/limits.h"
 
 namespace traj {
 namespace {

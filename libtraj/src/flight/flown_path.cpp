@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "traj/bernstein.h"
+#include "traj/curve/bernstein.h"
 
 namespace traj {
 namespace {

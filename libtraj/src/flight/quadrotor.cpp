@@ -1,6 +1,6 @@
 #include "traj/flight/quadrotor.h"
 
-#include "traj/limits.h"
+#include "traj/proof/limits.h"
 
 namespace traj {
 namespace {

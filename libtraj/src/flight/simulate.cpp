@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "traj/flight/geometric_controller.h"
-#include "traj/limits.h"
+#include "traj/proof/limits.h"
 
 namespace traj {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "traj/trajectory.h"
+#include "traj/curve/trajectory.h"
 
 namespace traj {
 

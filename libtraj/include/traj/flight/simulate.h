@@ -8,7 +8,7 @@
 #include "traj/flight/controller.h"
 #include "traj/flight/setpoint.h"
 #include "traj/flight/wind.h"
-#include "traj/io/flight_log.h"
+#include "traj/record/flight_log.h"
 
 namespace traj {
 

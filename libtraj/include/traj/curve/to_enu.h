@@ -1,0 +1,17 @@
+#pragma once
+
+// From a map's axes to east-north-up, in which vehicles fly, drone files are written and read, and
+// pictures are drawn, and back.
+
+#include "geom/map/frame.h"
+#include "geom/shape/polyline.h"
+#include "traj/curve/trajectory.h"
+
+namespace traj {
+
+// Each is its own inverse; of yaw to an ulp of pi/2, else exact.
+State to_enu(geom::Axes axes, const State& state);
+Trajectory to_enu(geom::Axes axes, Trajectory trajectory);
+geom::Polyline to_enu(geom::Axes axes, geom::Polyline path);
+
+}  // namespace traj

@@ -1,0 +1,96 @@
+#pragma once
+
+// The proof: whether a whole trajectory is free of collision and inside its limits.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/collision/collision.h"
+#include "traj/curve/trajectory.h"
+#include "traj/proof/limits.h"
+
+namespace traj {
+
+// How far what is flown may be from a segment at any instant, beside what the segment says: from
+// rounding that the vehicle does itself.
+struct Stray {
+  Vec3 position = Vec3::Zero();  // m along each axis
+  double velocity = 0;           // m/s, m/s2, m/s3: of the norms
+  double acceleration = 0;
+  double jerk = 0;
+  double yaw_rate = 0;  // rad/s
+};
+
+struct CheckOptions {
+  Limits limits;
+  // Of each segment, and then the curve with all that is so near to it must be clear and inside the
+  // limits; empty: none. Must outlive the check.
+  std::span<const Stray> stray;
+  // How far neighbouring segments may miss each other at a joint. The straight step between
+  // them is tested for collision as well.
+  double position_gap = 1e-9;      // metres
+  double velocity_gap = 1e-6;      // m/s
+  double acceleration_gap = 1e-4;  // m/s2
+  double yaw_gap = 1e-9;           // radians
+  double yaw_rate_gap = 1e-6;      // rad/s
+  double limit_slack = 0;          // relative, on every limit
+};
+
+struct Extreme {
+  double value = 0;
+  double time = 0;  // seconds from the start of the trajectory
+};
+
+struct CheckResult {
+  bool ok = false;
+  // "" when ok, else the first that holds: "duration", "coordinates", "limits" (outside domain.h:
+  // nothing was measured), "discontinuous", "bounds", "collision", "speed", "acceleration", "jerk",
+  // "tilt", "horizontal_speed", "vertical_speed", "thrust", "body_rate", "yaw_rate".
+  std::string reason;
+  double time = 0;                 // of the worst violation, seconds
+  Vec3 place = Vec3::Zero();       // where that is, metres
+  std::optional<std::size_t> box;  // the obstacle hit: an index into BoxMap::boxes()
+  double worst = 0;  // how bad: penetration or way out of bounds or gap in metres, else the value
+
+  std::size_t looked_at = 0;  // obstacles near the pieces it was cut into: what the place cost
+
+  double duration = 0;               // seconds
+  std::optional<Extreme> clearance;  // metres to the obstacles grown by the vehicle without its
+                                     // margin, the least, to 1 mm; absent without obstacles
+  // The largest of what was measured, to a relative 1e-4; absent: not measured, as of a path, which
+  // has no times, and of a yaw that no segment says.
+  std::optional<Extreme> speed;  // m/s
+  std::optional<Extreme> acceleration;
+  std::optional<Extreme> jerk;
+  std::optional<Extreme> tilt;  // radians
+  std::optional<Extreme> horizontal_speed;
+  std::optional<Extreme> vertical_speed;
+  std::optional<Extreme> thrust;
+  std::optional<Extreme> body_rate;            // rad/s
+  std::optional<Extreme> yaw_rate;             // rad/s
+  std::optional<std::array<double, 7>> jumps;  // at joints, see continuity.h
+};
+
+// Decides by control points: a piece whose control points' box meets no grown obstacle is clear
+// (the curve lies in their convex hull), others are halved. Sound in floating point: rounding is
+// added to every box, so "ok" holds in real arithmetic, and what is refused comes within 1e-9 m of
+// an obstacle or 1e-12 (relative) of a limit. A segment whose control points all equal one end
+// or the other is the straight line between, and is decided exactly.
+CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                  const CheckOptions& options);
+CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                  const Limits& limits);
+
+// The same for a path: bounds and collision of every leg, exact, or of all that is within its
+// `stray`, metres along each axis, one a leg (empty: none). `time` is then the index of the leg.
+CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points,
+                       std::span<const Vec3> stray = {});
+
+// A limit that was asked for and is not measured in a result, by the name of what it bounds:
+// "speed", "acceleration", …, in the order of CheckResult.
+std::vector<std::string> not_measured(const CheckResult& result, const Limits& limits);
+
+}  // namespace traj

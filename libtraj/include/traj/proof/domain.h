@@ -1,0 +1,36 @@
+#pragma once
+
+// What can be judged at all: the numbers for which neither the check nor the exact check overflows,
+// divides by about nothing, or compares what is not a number. Both refuse everything else alike.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "traj/curve/trajectory.h"
+#include "traj/proof/limits.h"
+
+namespace traj {
+
+inline constexpr double kShortestSegment = 1e-9;   // seconds
+inline constexpr double kLongestTrajectory = 1e9;  // seconds, of all segments together
+inline constexpr double kLeastLimit = 1e-9;        // of any limit, in its unit
+inline constexpr double kLargestLimit = 1e9;
+
+// Why something cannot be judged.
+struct OutsideDomain {
+  std::string_view reason;  // "duration", "coordinates" or "limits"
+  double value = 0;         // what stood there
+  double time = 0;          // of the segment, seconds; of a path the index of the point
+};
+
+// Nothing when each duration is within kShortestSegment and kLongestTrajectory, and their sum; each
+// control point and yaw within geom::kLargestCoordinate; each limit within kLeastLimit and
+// kLargestLimit, the tilt below pi/2, the thrust above kGravity. "duration" also when there is no
+// segment. NaN is never within.
+std::optional<OutsideDomain> outside_domain(const Trajectory& trajectory, const Limits& limits);
+
+// The same for the points of a path.
+std::optional<OutsideDomain> outside_domain(std::span<const Vec3> points);
+
+}  // namespace traj

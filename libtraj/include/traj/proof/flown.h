@@ -1,0 +1,53 @@
+#pragma once
+
+// What a file makes a vehicle fly, and whether that is clear of the map and within limits.
+
+#include <optional>
+#include <vector>
+
+#include "geom/shape/polyline.h"
+#include "traj/curve/vertical_ends.h"
+#include "traj/drone_file/setpoints.h"
+#include "traj/proof/check.h"
+
+namespace traj {
+
+// One of the two: a trajectory, or a path of straight legs with a rest at each point.
+struct Flown {
+  Trajectory trajectory;
+  std::vector<Stray> stray;         // of its segments, from the drone's own rounding; may be empty
+  std::vector<Setpoint> setpoints;  // what the trajectory was drawn through: their limits count
+
+  geom::Polyline path;
+  std::vector<double> hold;  // s at each point of the path; may be empty
+  VerticalEnds ends;
+  Vec3 path_stray = Vec3::Zero();  // m that what is flown may be from the path, along each axis
+  std::optional<double> speed;     // m/s along the legs
+  bool returns = false;            // it goes on to a return to home, by a way that is not said
+  std::optional<FlightEnvelope> envelope;
+  double airborne = 0;  // s, for the envelope
+};
+
+// A path with the ascent before and the descent after it, from 1 mm above where the vehicle stands:
+// what check_flown looks at. Nothing for a take-off from above the path's beginning.
+std::optional<geom::Polyline> whole_way(const geom::CollisionScene& scene, const Flown& flown);
+
+// Single precision and six decimals: how far a file's segments may miss each other.
+CheckOptions file_tolerance(const Limits& limits);
+
+// traj::check of a trajectory, with file_tolerance: joints may miss by 1 mm, 1 cm/s, 0.1 m/s2,
+// limits by 0.1%.
+// Setpoints: a client that goes straight from position to position, and interpolates velocity and
+// acceleration in between, sent in single precision. Collision and bounds of the straight ways;
+// limits of each setpoint and of the changes from one to the next: the speed of the way, the
+// acceleration that changes the velocity, the jerk and the turning of the thrust as the
+// acceleration changes, the yaw rate. So what a file says in one column and denies in another is
+// found out. A path: check_path of its legs, with the ascent before and the descent after, from 1
+// mm above where the vehicle stands; then "speed", "horizontal_speed" and "vertical_speed" of its
+// legs where the speed is known, "ceiling", "range", "endurance", and "return" where it ends by a
+// way that is not said. How a vehicle speeds up and slows down along legs is its own affair, and
+// not measured. Times of a path count legs from 0, the ascent being one.
+CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown,
+                        const Limits& limits);
+
+}  // namespace traj

@@ -1,0 +1,13 @@
+#pragma once
+
+// The airframe in a vehicle profile.
+
+#include "geom/text/json_fields.h"
+#include "traj/flight/airframe.h"
+
+namespace traj {
+
+// Throws InputError where a key that is there has a value that cannot be.
+Airframe parse_airframe(const geom::JsonFields& fields);
+
+}  // namespace traj

@@ -1,0 +1,28 @@
+#pragma once
+
+// Why a trajectory or path is clear and within its limits, as a JSON Lines record.
+
+#include <string>
+#include <vector>
+
+#include "geom/record/record.h"
+#include "traj/proof/exact/exact_check.h"
+
+namespace traj {
+
+struct CertificateRecord {
+  std::string id;
+  std::string of;     // "trajectory" or "path"
+  ExactResult proof;  // with ok
+  geom::Aabb bounds;  // the map's
+  geom::Provenance provenance;
+  Limits limits;
+  std::vector<std::string> overridden;  // as of the report
+};
+
+// `"overridden":["vmax",…],`, or nothing.
+void append_overridden(std::string& out, const std::vector<std::string>& names);
+
+std::string to_json_line(const CertificateRecord& record);  // ends with a newline
+
+}  // namespace traj

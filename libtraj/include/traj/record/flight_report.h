@@ -1,0 +1,41 @@
+#pragma once
+
+// What a flight came to, as a JSON Lines record.
+
+#include <optional>
+#include <string>
+
+#include "geom/map/box_map.h"
+#include "geom/record/record.h"
+#include "traj/flight/airframe.h"
+#include "traj/flight/flown_path.h"
+#include "traj/flight/monte_carlo.h"
+
+namespace traj {
+
+struct FlightReport {
+  std::string id;
+  std::string status = "solved";  // of the trajectory; another is not flown
+  double duration = 0;            // s, of the trajectory
+  FlightOptions options;
+  std::optional<double> lost;        // s
+  std::optional<Tracking> tracking;  // of a flight that was not lost
+  double saturated = 0;
+  double tilt = 0;  // rad, the largest
+  double hover_seconds = 0;
+  std::optional<FlownCheck> check;          // where there is a map
+  std::optional<MonteCarloOptions> spread;  // where many were flown
+  TrackingTube tube;
+  std::optional<FlownCheck> tube_check;
+  geom::Provenance provenance;
+};
+
+// Flown, not lost, and clear as far as that was asked.
+bool accepted(const FlightReport& report);
+
+// Ends with a newline. `map`, where there is one, gives obstacles' ids in their source. Of the
+// airframe: battery and endurance, where known, for energy and its share of the battery.
+std::string to_json_line(const FlightReport& report, const Airframe& airframe,
+                         const geom::BoxMap* map);
+
+}  // namespace traj

@@ -1,0 +1,61 @@
+#pragma once
+
+// What the check found, as a JSON Lines record.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/map/box_map.h"
+#include "geom/record/record.h"
+#include "traj/proof/check.h"
+#include "traj/proof/exact/exact_check.h"
+
+namespace traj {
+
+struct ReportRecord {
+  std::string id;
+  std::string checked;  // "trajectory" or "path"
+  CheckResult result;   // a record that holds nothing to check has only `reason`
+  geom::Provenance provenance;
+  Limits limits;                        // those it was held to
+  std::optional<ExactResult> exact;     // where it was asked for
+  std::vector<std::string> overridden;  // limits, and "vehicle" for its room, that were loosened
+};
+
+// Whether every check that was made accepts it.
+bool accepted(const ReportRecord& record);
+
+// Ends with a newline. `map` gives the source id of the obstacle that was hit.
+std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map);
+
+// A report of skyway-check or skyway-fly, as it reads without the map.
+struct ReportSummary {
+  struct Named {
+    std::string name;  // as in the record: "clearance", "speed", "acceleration", "rms", …
+    double value = 0;
+    std::optional<double> time;  // seconds
+  };
+
+  std::string id;
+  std::string checked;  // "trajectory", "path" or "flight"; may be empty
+  bool ok = false;
+  std::string reason;  // empty when ok
+  std::optional<double> time;
+  std::optional<Vec3> place;
+  std::optional<double> worst;
+  std::optional<std::uint64_t> box;  // its id in the source
+  std::optional<double> duration;
+  std::vector<Named> extremes;   // of what was measured
+  std::optional<bool> exact_ok;  // where the exact check was asked for
+  geom::Provenance provenance;
+  Limits limits;
+};
+
+// Throws InputError(source, line, …) for anything that is not such a record: malformed JSON, no
+// "ok", a refusal without a reason, a number that is not finite.
+ReportSummary parse_report_record(std::string_view json, std::string_view source, std::size_t line);
+
+}  // namespace traj

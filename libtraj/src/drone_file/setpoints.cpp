@@ -1,0 +1,160 @@
+#include "traj/drone_file/setpoints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <istream>
+#include <numbers>
+#include <ostream>
+#include <string>
+
+#include "geom/base/error.h"
+#include "geom/record/record.h"
+#include "traj/curve/yaw.h"
+
+namespace traj {
+namespace {
+
+constexpr std::string_view kEnuHeader =
+    "t_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,ax_m_s2,ay_m_s2,az_m_s2,yaw_rad,yaw_rate_rad_s";
+constexpr std::string_view kNedHeader =
+    "t_s,n_m,e_m,d_m,vn_m_s,ve_m_s,vd_m_s,an_m_s2,ae_m_s2,ad_m_s2,yaw_rad,yaw_rate_rad_s";
+constexpr std::size_t kColumns = 12;
+using Row = std::array<double, kColumns>;
+
+// East, north, up as north, east, down; its own inverse. A yaw likewise.
+Vec3 swapped(const Vec3& v) { return {v.y(), v.x(), -v.z()}; }
+
+Setpoint swapped(Setpoint s) {
+  for (Vec3* v : {&s.state.position, &s.state.velocity, &s.state.acceleration}) *v = swapped(*v);
+  s.yaw = std::numbers::pi / 2 - s.yaw;
+  s.yaw_rate = -s.yaw_rate;
+  return s;
+}
+
+Row row_of(const Setpoint& s) {
+  const Vec3& p = s.state.position;
+  const Vec3& v = s.state.velocity;
+  const Vec3& a = s.state.acceleration;
+  return {s.time, p[0], p[1], p[2], v[0], v[1], v[2], a[0], a[1], a[2], s.yaw, s.yaw_rate};
+}
+
+Setpoint setpoint_of(const Row& row) {
+  Setpoint s;
+  s.time = row[0];
+  s.state.position = {row[1], row[2], row[3]};
+  s.state.velocity = {row[4], row[5], row[6]};
+  s.state.acceleration = {row[7], row[8], row[9]};
+  s.yaw = row[10];
+  s.yaw_rate = row[11];
+  return s;
+}
+
+Row parse_row(std::string_view text, std::string_view source, std::size_t line) {
+  Row row;
+  std::size_t count = 0;
+  for (std::size_t at = 0; at <= text.size(); ++count) {
+    const std::size_t stop = std::min(text.find(',', at), text.size());
+    double value = 0;
+    const auto [rest, error] = std::from_chars(text.data() + at, text.data() + stop, value);
+    if (error != std::errc() || rest != text.data() + stop ||
+        !(std::abs(value) <= geom::kLargestCoordinate)) {
+      throw geom::InputError(source, line,
+                             fmt::format("column {} must be a number within 1e8, found \"{}\"",
+                                         count + 1, text.substr(at, stop - at)));
+    }
+    if (count < kColumns) row[count] = value;
+    at = stop + 1;
+  }
+  if (count != kColumns) {
+    throw geom::InputError(source, line,
+                           fmt::format("expected {} columns, found {}", kColumns, count));
+  }
+  return row;
+}
+
+SetpointAxes axes_of_header(std::string_view text, std::string_view source) {
+  if (text == kEnuHeader) return SetpointAxes::enu;
+  if (text == kNedHeader) return SetpointAxes::ned;
+  throw geom::InputError(
+      source, 1,
+      fmt::format("expected the header {} or {}, found \"{}\"", kEnuHeader, kNedHeader, text));
+}
+
+}  // namespace
+
+std::vector<Setpoint> setpoints(const Trajectory& enu, double rate) {
+  std::vector<Setpoint> made;
+  const double end = duration(enu);
+  std::size_t segment = 0;
+  double begin = 0;
+  const auto add = [&](double t) {
+    while (segment + 1 < enu.segments.size() && t >= begin + enu.segments[segment].duration) {
+      begin += enu.segments[segment++].duration;
+    }
+    const Segment& s = enu.segments[segment];
+    const double in = std::min(t - begin, s.duration);
+    made.push_back({t, evaluate(s, in), 0, 0});
+    const auto looks = heading(s, in / s.duration).value_or(Heading{});
+    made.back().yaw = looks.yaw;
+    made.back().yaw_rate = looks.rate;
+  };
+  for (double k = 0; k / rate < end; ++k) add(k / rate);
+  add(end);
+  return made;
+}
+
+void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, SetpointAxes axes) {
+  std::string text(axes == SetpointAxes::enu ? kEnuHeader : kNedHeader);
+  for (const Setpoint& s : setpoints) {
+    const char* separator = "\n";
+    for (const double value : row_of(axes == SetpointAxes::enu ? s : swapped(s))) {
+      text += separator;
+      geom::append_json(text, value == 0 ? 0.0 : value);  // no "-0"
+      separator = ",";
+    }
+  }
+  out << text << '\n';
+}
+
+std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source) {
+  std::vector<Setpoint> read;
+  SetpointAxes axes = SetpointAxes::enu;
+  std::string text;
+  for (std::size_t line = 1; std::getline(in, text); ++line) {
+    if (in.eof()) {
+      throw geom::InputError(source, line,
+                             "expected a line that ends with LF, found none: the "
+                             "file may be cut");
+    }
+    if (text.ends_with('\r')) text.pop_back();
+    if (line == 1) {
+      axes = axes_of_header(text, source);
+      continue;
+    }
+    Setpoint s = setpoint_of(parse_row(text, source, line));
+    if (axes == SetpointAxes::ned) s = swapped(s);
+    if (!read.empty() && !(s.time > read.back().time)) {
+      throw geom::InputError(source, line, fmt::format("t_s must grow, found {}", s.time));
+    }
+    read.push_back(s);
+  }
+  if (read.size() < 2) throw geom::InputError(source, "expected a header and at least two rows");
+  return read;
+}
+
+Trajectory straight_between(const std::vector<Setpoint>& setpoints) {
+  Trajectory trajectory;
+  for (std::size_t i = 1; i < setpoints.size(); ++i) {
+    const Vec3& a = setpoints[i - 1].state.position;
+    const Vec3& b = setpoints[i].state.position;
+    trajectory.segments.push_back(
+        {setpoints[i].time - setpoints[i - 1].time, {a, a, a, a, b, b, b, b}, {}});
+  }
+  return trajectory;
+}
+
+}  // namespace traj

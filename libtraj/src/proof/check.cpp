@@ -1,0 +1,155 @@
+#include "traj/proof/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "check_limits.h"
+#include "check_place.h"
+#include "curve/curve_piece.h"
+#include "geom/base/error.h"
+#include "least_clearance.h"
+#include "traj/curve/continuity.h"
+#include "traj/proof/domain.h"
+
+namespace traj {
+namespace {
+
+// A comparison with what is not a number holds whatever it is compared with.
+void require_numbers(const CheckOptions& options) {
+  const auto require = [](const char* what, double value) {
+    if (value >= 0) return;
+    throw geom::InputError(what, fmt::format("expected a number >= 0, found {}", value));
+  };
+  require("limit_slack", options.limit_slack);
+  require("position_gap", options.position_gap);
+  require("velocity_gap", options.velocity_gap);
+  require("acceleration_gap", options.acceleration_gap);
+  require("yaw_gap", options.yaw_gap);
+  require("yaw_rate_gap", options.yaw_rate_gap);
+}
+
+// Of the yaw (order 0) or its rate at a joint; one without yaw goes with any.
+double yaw_jump(const Segment& s, const Segment& next, int order) {
+  if (!s.yaw || !next.yaw) return 0;
+  const auto& a = *s.yaw;
+  const auto& b = *next.yaw;
+  if (order == 0) return std::abs(b[0] - a[kDegree]);
+  return kDegree *
+         std::abs((b[1] - b[0]) / next.duration - (a[kDegree] - a[kDegree - 1]) / s.duration);
+}
+
+void check_joints(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                  const CheckOptions& options, CheckResult& result) {
+  double t = 0;
+  for (std::size_t i = 0; i + 1 < trajectory.segments.size(); ++i) {
+    const Segment& s = trajectory.segments[i];
+    const Segment& next = trajectory.segments[i + 1];
+    t += s.duration;
+    const State a = evaluate(s, s.duration);
+    const State b = evaluate(next, 0);
+    const double gap = (next.point[0] - s.point[kDegree]).norm();
+    // Written so that what is not a number is refused.
+    if (!(gap <= options.position_gap)) {
+      note(result, "discontinuous", {gap, t, s.point[kDegree]});
+    } else if (const double dv = (b.velocity - a.velocity).norm(); !(dv <= options.velocity_gap)) {
+      note(result, "discontinuous", {dv, t, s.point[kDegree]});
+    } else if (const double da = (b.acceleration - a.acceleration).norm();
+               !(da <= options.acceleration_gap)) {
+      note(result, "discontinuous", {da, t, s.point[kDegree]});
+    } else if (const double dy = yaw_jump(s, next, 0); !(dy <= options.yaw_gap)) {
+      note(result, "discontinuous", {dy, t, s.point[kDegree]});
+    } else if (const double dr = yaw_jump(s, next, 1); !(dr <= options.yaw_rate_gap)) {
+      note(result, "discontinuous", {dr, t, s.point[kDegree]});
+    } else if (gap > 0 && scene.hits(s.point[kDegree], next.point[0])) {
+      note(result, "collision", {gap, t, s.point[kDegree]});
+    } else {
+      continue;
+    }
+    return;
+  }
+}
+
+// The segments with what may be beside them, and where neighbours miss each other, the steps.
+std::vector<Piece> strayed_pieces(const Trajectory& trajectory, std::span<const Stray> stray) {
+  std::vector<Piece> pieces = pieces_of(trajectory);
+  if (stray.empty()) return pieces;
+  assert(stray.size() == trajectory.segments.size());
+  const std::size_t count = pieces.size();
+  for (std::size_t i = 0; i < count; ++i) pieces[i].stray = stray[i].position;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const Vec3& a = pieces[i].q[kDegree];
+    const Vec3& b = pieces[i + 1].q[0];
+    if (a == b) continue;
+    const Vec3 both = pieces[i].stray.cwiseMax(pieces[i + 1].stray);
+    pieces.push_back({{a, a, a, a, b, b, b, b}, pieces[i].end, pieces[i].end, both});
+  }
+  return pieces;
+}
+
+}  // namespace
+
+CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                  const CheckOptions& options) {
+  require_numbers(options);
+  CheckResult result;
+  if (const auto outside = outside_domain(trajectory, options.limits)) {
+    note(result, outside->reason, {outside->value, outside->time, Vec3::Zero()});
+    return result;
+  }
+  result.duration = duration(trajectory);
+  const std::vector<Piece> pieces = strayed_pieces(trajectory, options.stray);
+  check_joints(scene, trajectory, options, result);
+  if (result.reason.empty()) check_place(scene, pieces, result);
+  check_limits(trajectory, options, result);
+  result.jumps = largest_jumps(trajectory);
+  result.clearance = least_clearance(scene, pieces);
+  result.ok = result.reason.empty();
+  return result;
+}
+
+CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                  const Limits& limits) {
+  CheckOptions options;
+  options.limits = limits;
+  return check(scene, trajectory, options);
+}
+
+CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points,
+                       std::span<const Vec3> stray) {
+  CheckResult result;
+  if (const auto outside = outside_domain(points)) {
+    note(result, outside->reason, {outside->value, outside->time, Vec3::Zero()});
+    return result;
+  }
+  std::vector<Piece> pieces;
+  const auto add = [&](const Vec3& a, const Vec3& b) {
+    const std::size_t i = pieces.size();
+    const auto index = static_cast<double>(i);
+    const Vec3 beside = stray.empty() ? Vec3(Vec3::Zero()) : stray[i];
+    pieces.push_back({{a, a, a, a, b, b, b, b}, index, index + 1, beside});  // exact without it
+  };
+  for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
+  if (points.size() == 1) add(points[0], points[0]);
+  if (pieces.empty()) {
+    result.reason = "no_path";
+    return result;
+  }
+  check_place(scene, pieces, result);
+  result.clearance = least_clearance(scene, pieces);
+  result.ok = result.reason.empty();
+  return result;
+}
+
+std::vector<std::string> not_measured(const CheckResult& result, const Limits& limits) {
+  std::vector<std::string> missing;
+  for (const LimitKind& kind : kLimitKinds) {
+    if (limits.*kind.limit && !(result.*kind.extreme)) missing.emplace_back(kind.reason);
+  }
+  return missing;
+}
+
+}  // namespace traj

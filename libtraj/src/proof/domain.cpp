@@ -1,0 +1,67 @@
+#include "traj/proof/domain.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace traj {
+namespace {
+
+// Written so that NaN is outside.
+bool within(double value, double least, double most) { return value >= least && value <= most; }
+
+bool is_coordinate(double value) { return std::abs(value) <= geom::kLargestCoordinate; }
+
+// The first coordinate of the points, or value of the yaw, that is none.
+std::optional<double> odd_coordinate(const Segment& segment) {
+  for (const Vec3& p : segment.point) {
+    for (const double value : p) {
+      if (!is_coordinate(value)) return value;
+    }
+  }
+  if (!segment.yaw) return std::nullopt;
+  for (const double value : *segment.yaw) {
+    if (!is_coordinate(value)) return value;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> odd_limit(const Limits& limits) {
+  for (const LimitField& field : kLimitFields) {
+    const std::optional<double>& limit = limits.*field.member;
+    if (limit && !within(*limit, kLeastLimit, kLargestLimit)) return *limit;
+  }
+  if (limits.tilt && *limits.tilt >= std::numbers::pi / 2) return *limits.tilt;
+  if (limits.thrust && *limits.thrust <= kGravity) return *limits.thrust;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<OutsideDomain> outside_domain(const Trajectory& trajectory, const Limits& limits) {
+  if (trajectory.segments.empty()) return OutsideDomain{"duration"};
+  double time = 0;
+  for (const Segment& segment : trajectory.segments) {
+    const double end = time + segment.duration;
+    if (!within(segment.duration, kShortestSegment, kLongestTrajectory) ||
+        end > kLongestTrajectory) {
+      return OutsideDomain{"duration", segment.duration, time};
+    }
+    if (const auto value = odd_coordinate(segment)) {
+      return OutsideDomain{"coordinates", *value, time};
+    }
+    time = end;
+  }
+  if (const auto limit = odd_limit(limits)) return OutsideDomain{"limits", *limit};
+  return std::nullopt;
+}
+
+std::optional<OutsideDomain> outside_domain(std::span<const Vec3> points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const double value : points[i]) {
+      if (!is_coordinate(value)) return OutsideDomain{"coordinates", value, static_cast<double>(i)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace traj

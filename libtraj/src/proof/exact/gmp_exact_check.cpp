@@ -1,0 +1,326 @@
+#include <algorithm>
+#include <cmath>
+
+#include "gmp_conditions.h"
+#include "gmp_judge.h"
+#include "traj/proof/domain.h"
+#include "traj/proof/exact/exact_check.h"
+
+namespace traj {
+namespace {
+
+using exact::Box;
+using exact::Conditions;
+using exact::Curve;
+using exact::Point;
+using exact::Polynomial;
+using exact::Verdict;
+using exact::Whole;
+using exact::whole;
+
+constexpr unsigned kDeepest = 60;  // halvings, as deep as the fast check goes
+
+// Where a cover stopped.
+struct Stop {
+  double part = 0;  // of the curve
+  bool undecided = false;
+};
+
+// Halves `piece` until judge(piece, cover) holds on every part and fills the cover; stops at the
+// first part where it does not.
+template <class Piece, class Judge>
+std::optional<Stop> fill(const Piece& piece, unsigned depth, double begin, Judge& judge,
+                         Cover& cover) {
+  const double length = std::ldexp(1.0, -static_cast<int>(depth));
+  const Verdict verdict = judge(piece, cover.size());
+  if (verdict == Verdict::holds) {
+    cover.push_back(static_cast<std::uint8_t>(depth));
+    return std::nullopt;
+  }
+  if (verdict == Verdict::fails_at_begin) return Stop{begin, false};
+  if (verdict == Verdict::fails_at_end) return Stop{begin + length, false};
+  if (depth == kDeepest) return Stop{begin, true};
+  const auto [left, right] = halves(piece);
+  if (const auto stop = fill(left, depth + 1, begin, judge, cover)) return stop;
+  return fill(right, depth + 1, begin + length / 2, judge, cover);
+}
+
+// A derivative at the end or the beginning of a segment, in SI units.
+std::array<mpq_class, 3> derivative_at(const Segment& s, int order, bool end) {
+  std::array<mpq_class, 3> out;
+  const mpq_class duration(s.duration);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Polynomial q = exact::derivative(s, axis, order);
+    out[axis] = mpq_class(end ? q.back() : q.front(), Whole(1) << exact::kUnit);
+    out[axis].canonicalize();
+    for (int r = 0; r < order; ++r) out[axis] /= duration;
+  }
+  return out;
+}
+
+// All steps in the order of their reasons; each returns false once it has refused.
+class Proof {
+ public:
+  explicit Proof(const ExactTask& task) : task_(task) {
+    if (!has_sound_vehicle()) return;
+    const geom::Aabb& bounds = task.map.spec().bounds;
+    bounds_ = {whole(bounds.min), whole(bounds.max), 0};
+    for (int axis = 0; axis < 3; ++axis) {
+      grown_by_[axis] = whole(task.vehicle.half[axis]) + whole(task.margin);
+      bounds_.low[axis] += grown_by_[axis];
+      bounds_.high[axis] -= grown_by_[axis];
+    }
+  }
+
+  ExactResult of(const Trajectory& trajectory) {
+    if (!has_sound_vehicle()) return result_;
+    if (const auto outside = outside_domain(trajectory, task_.limits)) {
+      refuse(outside->reason, outside->time, Vec3::Zero());
+      return result_;
+    }
+    const auto& segments = trajectory.segments;
+    result_.segments.resize(segments.size());
+    double t = 0;
+    for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
+      t += segments[i].duration;
+      if (!joint(segments[i], segments[i + 1], t)) return result_;
+    }
+    const auto each = [&](const auto& step) {
+      double begin = 0;
+      for (std::size_t i = 0; i < segments.size(); begin += segments[i++].duration) {
+        const Timing timing{begin, segments[i].duration};
+        if (!step(segments[i], timing, result_.segments[i])) return false;
+      }
+      return true;
+    };
+    const Limits& limits = task_.limits;
+    const std::array all{0, 1, 2};
+    const std::array level{0, 1};
+    const std::array upright{2};
+    const auto limited = [&](const char* reason, const std::optional<double>& limit, int order,
+                             Cover SegmentProof::*cover, std::span<const int> axes) {
+      return !limit || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+        return within(s, exact::norm_condition(s, order, *limit, axes), timing, reason,
+                      proof.*cover);
+      });
+    };
+    result_.ok =
+        each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+          return inside(s.point, timing, proof.bounds);
+        }) &&
+        each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+          return clear(s.point, timing, proof.clear);
+        }) &&
+        gaps(trajectory) && limited("speed", limits.vmax, 1, &SegmentProof::speed, all) &&
+        limited("acceleration", limits.amax, 2, &SegmentProof::acceleration, all) &&
+        limited("jerk", limits.jmax, 3, &SegmentProof::jerk, all) &&
+        (!limits.tilt || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+          return within(s, exact::tilt_condition(s, *limits.tilt), timing, "tilt", proof.tilt);
+        })) &&
+        limited("horizontal_speed", limits.vmax_h, 1, &SegmentProof::horizontal_speed, level) &&
+        limited("vertical_speed", limits.vmax_v, 1, &SegmentProof::vertical_speed, upright) &&
+        (!limits.thrust || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+          return within(s, exact::thrust_condition(s, *limits.thrust), timing, "thrust",
+                        proof.thrust);
+        })) &&
+        (!limits.body_rate || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+          return within(s, exact::body_rate_condition(s, *limits.body_rate), timing, "body_rate",
+                        proof.body_rate);
+        })) &&
+        (!limits.yaw_rate || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+          return !s.yaw || within(s, exact::yaw_rate_condition(s, *limits.yaw_rate), timing,
+                                  "yaw_rate", proof.yaw_rate);
+        }));
+    return result_;
+  }
+
+  ExactResult of(std::span<const Vec3> points) {
+    if (points.empty()) {
+      result_.reason = "no_path";
+      return result_;
+    }
+    if (!has_sound_vehicle()) return result_;
+    if (const auto outside = outside_domain(points)) {
+      refuse(outside->reason, outside->time, Vec3::Zero());
+      return result_;
+    }
+    const std::size_t legs = std::max<std::size_t>(points.size() - 1, 1);
+    result_.segments.resize(legs);
+    const auto leg = [&](std::size_t i) {
+      return std::array{points[i], points[std::min(i + 1, points.size() - 1)]};
+    };
+    for (std::size_t i = 0; i < legs; ++i) {
+      const Timing timing{static_cast<double>(i), 1};
+      if (!inside(leg(i), timing, result_.segments[i].bounds)) return result_;
+    }
+    for (std::size_t i = 0; i < legs; ++i) {
+      const Timing timing{static_cast<double>(i), 1};
+      if (!clear(leg(i), timing, result_.segments[i].clear)) return result_;
+    }
+    result_.ok = true;
+    return result_;
+  }
+
+ private:
+  struct Timing {
+    double begin;
+    double duration;
+  };
+
+  static Curve curve_through(std::span<const Vec3> points) {
+    Curve curve;
+    for (const Vec3& p : points) curve.points.push_back(whole(p));
+    return curve;
+  }
+
+  bool refuse(std::string_view reason, double time, const Vec3& place) {
+    result_.reason = reason;
+    result_.time = time;
+    result_.place = place;
+    return false;
+  }
+
+  // Of a curve of any degree: de Casteljau in doubles, for the report only.
+  static Vec3 place_at(std::vector<Vec3> q, double part) {
+    for (; q.size() > 1; q.pop_back()) {
+      for (std::size_t i = 0; i + 1 < q.size(); ++i) q[i] += part * (q[i + 1] - q[i]);
+    }
+    return q[0];
+  }
+
+  bool refuse(const char* reason, const Stop& stop, Timing timing, std::span<const Vec3> points) {
+    result_.undecided = stop.undecided;
+    return refuse(reason, timing.begin + stop.part * timing.duration,
+                  place_at({points.begin(), points.end()}, stop.part));
+  }
+
+  // Half sizes and margin that the boxes around a curve are looked for by.
+  bool has_sound_vehicle() {
+    const auto sound = [](double size) { return size >= 0 && size <= geom::kLargestCoordinate; };
+    const Vec3& half = task_.vehicle.half;
+    return (std::all_of(half.begin(), half.end(), sound) && sound(task_.margin)) ||
+           refuse("vehicle", 0, Vec3::Zero());
+  }
+
+  bool joint(const Segment& before, const Segment& after, double time) {
+    const double most[] = {1e-9, 1e-6, 1e-4};  // CheckOptions
+    bool ok = true;
+    for (int order = 0; order < 4; ++order) {
+      const auto a = derivative_at(before, order, true);
+      const auto b = derivative_at(after, order, false);
+      mpq_class square = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const mpq_class step = b[axis] - a[axis];
+        square += step * step;
+        worst_[order] = std::max(worst_[order], mpq_class(abs(step)));
+      }
+      result_.joints[order] = worst_[order].get_str();
+      if (order == 3) continue;
+      const mpq_class limit = mpq_class(most[order]) * mpq_class(1001, 1000);
+      ok = ok && square <= limit * limit;
+    }
+    ok = ok && yaw_joins(before, after);
+    return ok || refuse("discontinuous", time, before.point[kDegree]);
+  }
+
+  static bool yaw_joins(const Segment& before, const Segment& after) {
+    if (!before.yaw || !after.yaw) return true;
+    const auto& a = *before.yaw;
+    const auto& b = *after.yaw;
+    const auto exact_step = [](double from, double to) -> mpq_class {
+      return mpq_class(to) - mpq_class(from);
+    };
+    const mpq_class rate_step =
+        kDegree * exact_step(b[0], b[1]) / mpq_class(after.duration) -
+        kDegree * exact_step(a[kDegree - 1], a[kDegree]) / mpq_class(before.duration);
+    const mpq_class more(1001, 1000);
+    return abs(exact_step(a[kDegree], b[0])) <= mpq_class(1e-9) * more &&
+           abs(rate_step) <= mpq_class(1e-6) * more;
+  }
+
+  // The boxes that may meet the bounding box of the points. In doubles, with room for rounding:
+  // coordinates are within 1e8 m (geom::kLargestCoordinate), where doubles are 1.5e-8 m apart.
+  std::vector<Box> boxes_around(std::span<const Vec3> points) const {
+    Vec3 low = points[0];
+    Vec3 high = points[0];
+    for (const Vec3& p : points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    const Vec3 reach = task_.vehicle.half.array() + (task_.margin + 1e-6);
+    std::vector<Box> out;
+    const auto boxes = task_.map.boxes();
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const auto& box = boxes[i];
+      const bool beyond = ((box.min - reach).array() > high.array()).any();
+      const bool before = ((box.max + reach).array() < low.array()).any();
+      if (beyond || before) continue;
+      Box grown{whole(box.min), whole(box.max), i};
+      for (int axis = 0; axis < 3; ++axis) {
+        grown.low[axis] -= grown_by_[axis];
+        grown.high[axis] += grown_by_[axis];
+      }
+      out.push_back(std::move(grown));
+    }
+    return out;
+  }
+
+  bool clear(std::span<const Vec3> points, Timing timing, ClearCover& cover) {
+    const std::vector<Box> boxes = boxes_around(points);
+    std::vector<const Box*> near;
+    for (const Box& box : boxes) near.push_back(&box);
+    exact::JudgeClear judge(cover.planes);
+    auto stop = fill(exact::exposed(curve_through(points), near), 0, 0, judge, cover.pieces);
+    if (!stop) return true;
+    result_.box = judge.culprit;
+    // The planes of a straight piece leave nothing out: halving it only looks for the place.
+    const bool straight = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+      return p == points.front() || p == points.back();
+    });
+    if (straight) stop->undecided = false;
+    return refuse("collision", *stop, timing, points);
+  }
+
+  bool gaps(const Trajectory& trajectory) {
+    double t = 0;
+    for (std::size_t i = 0; i + 1 < trajectory.segments.size(); ++i) {
+      const Segment& s = trajectory.segments[i];
+      t += s.duration;
+      const std::array ends{s.point[kDegree], trajectory.segments[i + 1].point[0]};
+      if (ends[0] == ends[1]) continue;
+      if (!clear(ends, {t, 0}, result_.segments[i].gap.emplace())) return false;
+    }
+    return true;
+  }
+
+  bool inside(std::span<const Vec3> points, Timing timing, Cover& cover) {
+    exact::JudgeInside judge{bounds_};
+    const auto stop = fill(curve_through(points), 0, 0, judge, cover);
+    return !stop || refuse("bounds", *stop, timing, points);
+  }
+
+  bool within(const Segment& s, const Conditions& conditions, Timing timing, const char* reason,
+              Cover& cover) {
+    auto judge = exact::not_negative;
+    const auto stop = fill(conditions, 0, 0, judge, cover);
+    return !stop || refuse(reason, *stop, timing, s.point);
+  }
+
+  const ExactTask& task_;
+  Point grown_by_;
+  Box bounds_;
+  std::array<mpq_class, 4> worst_;
+  ExactResult result_;
+};
+
+}  // namespace
+
+ExactResult check_exactly(const ExactTask& task, const Trajectory& trajectory) {
+  return Proof(task).of(trajectory);
+}
+
+ExactResult check_exactly(const ExactTask& task, std::span<const Vec3> points) {
+  return Proof(task).of(points);
+}
+
+}  // namespace traj

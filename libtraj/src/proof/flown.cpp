@@ -1,0 +1,263 @@
+#include "traj/proof/flown.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "check_limits.h"
+#include "curve/curve_piece.h"
+#include "curve/portable_math.h"
+
+namespace traj {
+namespace {
+
+constexpr double kStanding = 1e-3;  // m: what stands touches, so the check begins above
+constexpr double kSlack = 1e-3;     // relative, on limits
+
+void refuse(CheckResult& result, std::string_view reason, double time, const Vec3& place,
+            double worst) {
+  if (!result.reason.empty()) return;
+  result.ok = false;
+  result.reason = reason;
+  result.time = time;
+  result.place = place;
+  result.worst = worst;
+}
+
+// --- setpoints ------------------------------------------------------------------------------
+
+double across(const Vec3& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); }
+
+// The fastest that a force turns on its straight way from `a` to `b` in `dt` seconds: |a x b| is as
+// large all along, and the force is least where it is nearest to nothing.
+double turn_rate(const Vec3& a, const Vec3& b, double dt) {
+  const Vec3 way = b - a;
+  const double squared = way.squaredNorm();
+  const double s = squared > 0 ? std::clamp(-a.dot(way) / squared, 0.0, 1.0) : 0;
+  const double least = (a + s * way).squaredNorm();
+  const double turned = a.cross(b).norm();
+  if (turned == 0 && least > 0) return 0;
+  return least > 0 ? turned / (least * dt) : kInfinity;
+}
+
+class SetpointCheck {
+ public:
+  SetpointCheck(const Limits& limits, CheckResult& result) : limits_(limits), result_(result) {}
+
+  void at(const Setpoint& s) {
+    time_ = s.time;
+    place_ = s.state.position;
+    noise_ = 0;
+    hold_velocity(s.state.velocity);
+    hold_acceleration(s.state.acceleration);
+    hold(kYawRate, std::abs(s.yaw_rate));
+  }
+
+  // What leads from one setpoint to the next.
+  void between(const Setpoint& s, const Setpoint& next) {
+    const double dt = next.time - s.time;
+    const auto slope = [&](const Vec3& from, const Vec3& to) { return Vec3((to - from) / dt); };
+    time_ = s.time;
+    place_ = s.state.position;
+    const double most = largest(s.state) + largest(next.state);
+    noise_ = 64 * std::numeric_limits<double>::epsilon() * most / dt;
+    hold_velocity(slope(s.state.position, next.state.position));
+    hold_acceleration(slope(s.state.velocity, next.state.velocity));
+    hold(kJerk, slope(s.state.acceleration, next.state.acceleration).norm());
+    hold(kBodyRate, turn_rate(force(s.state.acceleration), force(next.state.acceleration), dt));
+    hold(kYawRate, std::abs(std::remainder(next.yaw - s.yaw, 2 * kPi)) / dt);
+  }
+
+ private:
+  // Places in kLimitKinds.
+  enum Kind {
+    kSpeed,
+    kAcceleration,
+    kJerk,
+    kTilt,
+    kHorizontalSpeed,
+    kVerticalSpeed,
+    kThrust,
+    kBodyRate,
+    kYawRate
+  };
+
+  static double largest(const State& s) {
+    return s.position.norm() + s.velocity.norm() + s.acceleration.norm();
+  }
+  static Vec3 force(const Vec3& acceleration) { return acceleration + Vec3(0, 0, kGravity); }
+
+  void hold_velocity(const Vec3& v) {
+    hold(kSpeed, v.norm());
+    hold(kHorizontalSpeed, across(v));
+    hold(kVerticalSpeed, std::abs(v.z()));
+  }
+
+  void hold_acceleration(const Vec3& a) {
+    const Vec3 f = force(a);
+    hold(kAcceleration, a.norm());
+    hold(kTilt, f.isZero(0) ? kPi : angle_of(f.z(), across(f)));
+    hold(kThrust, f.norm());
+  }
+
+  void hold(Kind which, double value) {
+    const LimitKind& kind = kLimitKinds[which];
+    std::optional<Extreme>& extreme = result_.*kind.extreme;
+    const double sure = std::max(0.0, value - noise_);  // the file's digits show no more
+    if (!extreme || sure > extreme->value) extreme = {sure, time_};
+    const std::optional<double>& limit = limits_.*kind.limit;
+    if (limit && sure > *limit * (1 + kSlack)) refuse(result_, kind.reason, time_, place_, sure);
+  }
+
+  const Limits& limits_;
+  CheckResult& result_;
+  double time_ = 0;
+  double noise_ = 0;  // what rounding of numbers so large may do to a slope
+  Vec3 place_ = Vec3::Zero();
+};
+
+// How far single precision moves the way between two setpoints.
+Vec3 rounding_between(const Vec3& a, const Vec3& b) {
+  constexpr double kHalfUnit = 0x1p-24;
+  return a.cwiseAbs().cwiseMax(b.cwiseAbs()) * kHalfUnit;
+}
+
+// The time at a leg's index and the part of it.
+double time_at(const std::vector<Setpoint>& setpoints, double leg) {
+  const auto i = std::min(static_cast<std::size_t>(leg), setpoints.size() - 2);
+  const double begin = setpoints[i].time;
+  return begin + (leg - static_cast<double>(i)) * (setpoints[i + 1].time - begin);
+}
+
+CheckResult check_setpoints(const geom::CollisionScene& scene, const Flown& flown,
+                            const Limits& limits) {
+  const auto& setpoints = flown.setpoints;
+  geom::Polyline way;
+  std::vector<Vec3> stray;
+  for (const Setpoint& s : setpoints) {
+    if (!way.empty()) stray.push_back(rounding_between(way.back(), s.state.position));
+    way.push_back(s.state.position);
+  }
+  CheckResult result = check_path(scene, way, stray);
+  result.time = time_at(setpoints, result.time);
+  if (result.clearance) result.clearance->time = time_at(setpoints, result.clearance->time);
+  result.duration = setpoints.back().time - setpoints.front().time;
+  SetpointCheck hold(limits, result);
+  for (std::size_t i = 0; i < setpoints.size(); ++i) {
+    hold.at(setpoints[i]);
+    if (i + 1 < setpoints.size()) hold.between(setpoints[i], setpoints[i + 1]);
+  }
+  return result;
+}
+
+// --- paths ----------------------------------------------------------------------------------
+
+void check_legs(const geom::Polyline& way, double speed, const Limits& limits,
+                CheckResult& result) {
+  result.speed = result.horizontal_speed = result.vertical_speed = Extreme{};
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vec3 leg = way[i] - way[i - 1];
+    if (leg.isZero(0)) continue;
+    const Vec3 v = leg * (speed / leg.norm());
+    const auto index = static_cast<double>(i - 1);
+    const auto hold = [&](const std::optional<double>& limit, std::string_view why, double value,
+                          std::optional<Extreme>& extreme) {
+      if (value > extreme->value) extreme = {value, index};
+      if (limit && value > *limit * (1 + kSlack)) refuse(result, why, index, way[i - 1], value);
+    };
+    hold(limits.vmax, "speed", speed, result.speed);
+    hold(limits.vmax_h, "horizontal_speed", across(v), result.horizontal_speed);
+    hold(limits.vmax_v, "vertical_speed", std::abs(v.z()), result.vertical_speed);
+  }
+}
+
+void check_envelope(const Flown& flown, CheckResult& result) {
+  const FlightEnvelope& envelope = *flown.envelope;
+  const Vec3& first = flown.path.front();
+  const Vec3 home(first.x(), first.y(), flown.ends.takeoff_from.value_or(first.z()));
+  const std::size_t ascent = flown.ends.takeoff_from ? 1 : 0;
+  for (std::size_t i = 0; i < flown.path.size(); ++i) {
+    const Vec3& p = flown.path[i];
+    const double leg = static_cast<double>(i + ascent) - 1;
+    const double height = p.z() - home.z();
+    const double away = (p - home).norm();
+    if (height > envelope.ceiling) refuse(result, "ceiling", std::max(leg, 0.0), p, height);
+    if (away > envelope.range) refuse(result, "range", std::max(leg, 0.0), p, away);
+  }
+  if (flown.airborne > envelope.endurance) {
+    refuse(result, "endurance", static_cast<double>(flown.path.size() - 1 + ascent),
+           flown.path.back(), flown.airborne);
+  }
+}
+
+// Of each leg of the whole way. Where a vehicle stands is known, so its height above that is not
+// blurred by the rounding of others.
+std::vector<Vec3> strays(const Flown& flown, std::size_t points) {
+  if (flown.path_stray.isZero(0)) return {};
+  std::vector<Vec3> stray(std::max<std::size_t>(points - 1, 1), flown.path_stray);
+  const std::size_t ascent = flown.ends.takeoff_from ? 1 : 0;
+  if (ascent) stray.front().z() = 0;
+  if (flown.path.size() + ascent < points) stray.back().z() = 0;
+  return stray;
+}
+
+CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits) {
+  const auto way = whole_way(scene, flown);
+  if (!way) {
+    CheckResult result;
+    const double room = flown.path.front().z() - *flown.ends.takeoff_from;
+    refuse(result, "takeoff", 0, flown.path.front(), room);
+    return result;
+  }
+  CheckResult result = check_path(scene, *way, strays(flown, way->size()));
+  if (flown.speed) check_legs(*way, *flown.speed, limits, result);
+  if (flown.envelope) check_envelope(flown, result);
+  if (flown.returns) {
+    refuse(result, "return", static_cast<double>(way->size()) - 1, way->back(), 0);
+  }
+  result.duration = flown.airborne;
+  return result;
+}
+
+}  // namespace
+
+std::optional<geom::Polyline> whole_way(const geom::CollisionScene& scene, const Flown& flown) {
+  geom::Polyline way = flown.path;
+  const auto above = [&](const Vec3& p, double ground) {
+    return Vec3(p.x(), p.y(), ground + scene.half().z() + kStanding);
+  };
+  if (flown.ends.takeoff_from) {
+    const Vec3 foot = above(way.front(), *flown.ends.takeoff_from);
+    if (foot.z() > way.front().z()) return std::nullopt;
+    way.insert(way.begin(), foot);
+  }
+  if (flown.ends.landing_on) {
+    const Vec3 foot = above(way.back(), *flown.ends.landing_on);
+    if (foot.z() < way.back().z()) way.push_back(foot);
+  }
+  return way;
+}
+
+CheckOptions file_tolerance(const Limits& limits) {
+  CheckOptions options;
+  options.limits = limits;
+  options.position_gap = 1e-3;
+  options.velocity_gap = 1e-2;
+  options.acceleration_gap = 1e-1;
+  options.yaw_gap = 1e-3;
+  options.yaw_rate_gap = 1e-2;
+  options.limit_slack = kSlack;
+  return options;
+}
+
+CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown,
+                        const Limits& limits) {
+  if (!flown.path.empty()) return check_way(scene, flown, limits);
+  if (!flown.setpoints.empty()) return check_setpoints(scene, flown, limits);
+  CheckOptions options = file_tolerance(limits);
+  options.stray = flown.stray;
+  return check(scene, flown.trajectory, options);
+}
+
+}  // namespace traj

@@ -1,0 +1,123 @@
+#include "traj/record/corridor_record.h"
+
+#include <fmt/format.h>
+
+#include "geom/shape/polytope.h"
+#include "geom/text/json_fields.h"
+
+namespace traj {
+namespace {
+
+void append_planes(std::string& out, const std::vector<Plane>& planes) {
+  out += ",\"planes\":[";
+  for (const Plane& plane : planes) {
+    out += '[';
+    for (const double value : {plane.normal.x(), plane.normal.y(), plane.normal.z()}) {
+      geom::append_json(out, value);
+      out += ',';
+    }
+    geom::append_json(out, plane.offset);
+    out += "],";
+  }
+  if (!planes.empty()) out.pop_back();
+  out += ']';
+}
+
+std::vector<Plane> cut_off(const CorridorPiece& piece, double reach) {
+  std::vector<Plane> planes = piece.planes;
+  const Vec3 low = piece.from.cwiseMin(piece.to).array() - reach;
+  const Vec3 high = piece.from.cwiseMax(piece.to).array() + reach;
+  for (int i = 0; i < 3; ++i) {
+    planes.push_back({Vec3::Unit(i), high[i]});
+    planes.push_back({-Vec3::Unit(i), -low[i]});
+  }
+  return planes;
+}
+
+void append_region(std::string& out, const geom::Polytope& region) {
+  out += ",\"vertices\":[";
+  for (const Vec3& v : region.vertices) {
+    geom::append_json(out, v);
+    out += ',';
+  }
+  if (!region.vertices.empty()) out.pop_back();
+  out += "],\"faces\":[";
+  for (const auto& face : region.faces) out += fmt::format("[{}],", fmt::join(face, ","));
+  if (!region.faces.empty()) out.pop_back();
+  out += ']';
+}
+
+std::vector<std::uint32_t> parse_face(const geom::JsonFields& fields, const nlohmann::json& face,
+                                      std::size_t vertices, const std::string& where) {
+  if (!face.is_array() || face.size() < 3) {
+    fields.refuse(fmt::format("{} must be a list of at least 3 vertices, found {}", where,
+                              face.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
+  }
+  std::vector<std::uint32_t> out;
+  for (const nlohmann::json& vertex : face) {
+    if (!vertex.is_number_unsigned() || vertex.get<std::uint64_t>() >= vertices) {
+      fields.refuse(
+          fmt::format("{} must name vertices from 0 to below {}, found {}", where, vertices,
+                      vertex.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
+    }
+    out.push_back(vertex.get<std::uint32_t>());
+  }
+  return out;
+}
+
+const nlohmann::json& list_of(const geom::JsonFields& fields, const nlohmann::json& object,
+                              const char* key, const std::string& what) {
+  if (!object.is_object() || !object.contains(key) || !object[key].is_array()) {
+    fields.refuse(what + " must be a list, found none");
+  }
+  return object[key];
+}
+
+CorridorShape::Piece parse_piece(const geom::JsonFields& fields, const nlohmann::json& piece,
+                                 const std::string& where) {
+  CorridorShape::Piece out;
+  for (const auto& vertex : list_of(fields, piece, "vertices", where + ".vertices")) {
+    out.vertices.push_back(fields.point(vertex, where + ".vertices"));
+  }
+  for (const auto& face : list_of(fields, piece, "faces", where + ".faces")) {
+    out.faces.push_back(parse_face(fields, face, out.vertices.size(), where + ".faces"));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string to_json_line(const std::string& id, const geom::Provenance& provenance,
+                         const Corridor& corridor, double reach) {
+  std::string line = "{\"type\":\"corridor\",\"id\":";
+  geom::append_json(line, std::string_view(id));
+  line += ',';
+  geom::append_json(line, provenance);
+  line += "\"pieces\":[";
+  for (const CorridorPiece& piece : corridor) {
+    line += "{\"from\":";
+    geom::append_json(line, piece.from);
+    line += ",\"to\":";
+    geom::append_json(line, piece.to);
+    append_planes(line, piece.planes);
+    append_region(line, geom::polytope(cut_off(piece, reach)));
+    line += "},";
+  }
+  if (!corridor.empty()) line.pop_back();
+  line += "]}\n";
+  return line;
+}
+
+CorridorShape parse_corridor_record(std::string_view json, std::string_view source,
+                                    std::size_t line) {
+  const geom::JsonFields fields(json, source, line);
+  fields.require_type("corridor");
+  CorridorShape shape{fields.text("id"), fields.provenance(), {}};
+  for (const auto& piece : list_of(fields, fields.object(), "pieces", "pieces")) {
+    shape.pieces.push_back(
+        parse_piece(fields, piece, fmt::format("pieces[{}]", shape.pieces.size())));
+  }
+  return shape;
+}
+
+}  // namespace traj

@@ -1,0 +1,192 @@
+#include "traj/record/flight_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <istream>
+#include <ostream>
+#include <set>
+
+#include "geom/base/error.h"
+#include "geom/record/record.h"
+#include "geom/text/csv_field.h"
+#include "geom/text/text_table.h"
+
+namespace traj {
+namespace {
+
+constexpr std::array<std::string_view, 27> kColumns = {"id",
+                                                       "t_s",
+                                                       "x_m",
+                                                       "y_m",
+                                                       "z_m",
+                                                       "vx_mps",
+                                                       "vy_mps",
+                                                       "vz_mps",
+                                                       "qw",
+                                                       "qx",
+                                                       "qy",
+                                                       "qz",
+                                                       "p_radps",
+                                                       "q_radps",
+                                                       "r_radps",
+                                                       "setpoint_x_m",
+                                                       "setpoint_y_m",
+                                                       "setpoint_z_m",
+                                                       "setpoint_vx_mps",
+                                                       "setpoint_vy_mps",
+                                                       "setpoint_vz_mps",
+                                                       "setpoint_yaw_rad",
+                                                       "motor1",
+                                                       "motor2",
+                                                       "motor3",
+                                                       "motor4",
+                                                       "saturated"};
+
+std::string header() { return fmt::format("{}", fmt::join(kColumns, ",")); }
+
+// An id as a field that comes back.
+std::string field(const std::string& id) {
+  const auto at_end = [](char c) { return c == ' ' || c == '\t'; };
+  if (id.find_first_of("\r\n") != std::string::npos || id.starts_with("\xef\xbb\xbf") ||
+      (!id.empty() && (at_end(id.front()) || at_end(id.back())))) {
+    throw geom::InputError(
+        "flight log",
+        fmt::format("an id must have no line break and no white space at its ends, found \"{}\"",
+                    id));
+  }
+  return geom::csv_field(id);
+}
+
+void append_row(std::string& text, const std::string& id, const FlightSample& s) {
+  text += id;
+  const auto append = [&](double value) {
+    text += ',';
+    geom::append_json(text, value);
+  };
+  append(s.time);
+  for (const geom::Vec3* v : {&s.position, &s.velocity})
+    std::for_each(v->begin(), v->end(), append);
+  for (const double q : {s.attitude.w(), s.attitude.x(), s.attitude.y(), s.attitude.z()}) append(q);
+  for (const geom::Vec3* v : {&s.body_rates, &s.setpoint_position, &s.setpoint_velocity}) {
+    std::for_each(v->begin(), v->end(), append);
+  }
+  append(s.setpoint_yaw);
+  std::for_each(s.motors.begin(), s.motors.end(), append);
+  text += s.saturated ? ",1\n" : ",0\n";
+}
+
+// The fields of one row, taken in order.
+class Row {
+ public:
+  explicit Row(const geom::TextLines& lines)
+      : lines_(lines), fields_(geom::split_fields(lines.line(), true)) {
+    if (fields_.size() != kColumns.size()) {
+      lines.refuse(fmt::format("expected {} columns, found {}", kColumns.size(), fields_.size()));
+    }
+  }
+
+  const std::string& id() const { return fields_[0]; }
+
+  double number(double least, double most) {
+    const auto value = geom::parse_number(fields_[at_]);
+    if (!value || !(*value >= least && *value <= most)) {
+      lines_.refuse(fmt::format("{} must be a number from {} to {}, found \"{}\"", kColumns[at_],
+                                least, most, fields_[at_].substr(0, 40)));
+    }
+    ++at_;
+    return *value;
+  }
+
+  geom::Vec3 vector() {
+    constexpr double most = geom::kLargestCoordinate;
+    const double x = number(-most, most);
+    const double y = number(-most, most);
+    return {x, y, number(-most, most)};
+  }
+
+ private:
+  const geom::TextLines& lines_;
+  std::vector<std::string> fields_;
+  std::size_t at_ = 1;
+};
+
+FlightSample parse(Row& row, const geom::TextLines& lines) {
+  FlightSample s;
+  s.time = row.number(0, 1e9);
+  s.position = row.vector();
+  s.velocity = row.vector();
+  for (double* q : {&s.attitude.w(), &s.attitude.x(), &s.attitude.y(), &s.attitude.z()}) {
+    *q = row.number(-1.1, 1.1);
+  }
+  if (std::abs(s.attitude.norm() - 1) > 1e-6) {
+    lines.refuse(fmt::format("qw, qx, qy, qz must be a quaternion of length 1, found length {}",
+                             s.attitude.norm()));
+  }
+  s.body_rates = row.vector();
+  s.setpoint_position = row.vector();
+  s.setpoint_velocity = row.vector();
+  s.setpoint_yaw = row.number(-geom::kLargestCoordinate, geom::kLargestCoordinate);
+  for (double& motor : s.motors) motor = row.number(0, 1);
+  const double saturated = row.number(0, 1);
+  if (saturated != 0 && saturated != 1) {
+    lines.refuse(fmt::format("saturated must be 0 or 1, found {}", saturated));
+  }
+  s.saturated = saturated == 1;
+  return s;
+}
+
+}  // namespace
+
+void write_flight_log_header(std::ostream& out) { out << header() << '\n'; }
+
+void write_flight(std::ostream& out, const FlightLog& log) {
+  const std::string id = field(log.id);
+  std::string text;
+  for (const FlightSample& sample : log.samples) {
+    append_row(text, id, sample);
+    if (text.size() > 1u << 16) {
+      out << text;
+      text.clear();
+    }
+  }
+  out << text;
+}
+
+void write_flight_log(std::ostream& out, std::span<const FlightLog> logs) {
+  write_flight_log_header(out);
+  for (const FlightLog& log : logs) write_flight(out, log);
+}
+
+std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) {
+  geom::TextLines lines(in, name);
+  if (!lines.next() || lines.line() != header()) {
+    lines.refuse(
+        fmt::format("expected the header {}, found \"{}\"", header(), lines.line().substr(0, 80)));
+  }
+  std::vector<FlightLog> logs;
+  std::set<std::string> known;
+  while (lines.next()) {
+    if (lines.line().empty()) continue;
+    Row row(lines);
+    if (logs.empty() || logs.back().id != row.id()) {
+      if (!known.insert(row.id()).second) {
+        lines.refuse(fmt::format("the rows of a flight must stand together; \"{}\" was left before",
+                                 row.id()));
+      }
+      logs.push_back({row.id(), {}});
+    }
+    std::vector<FlightSample>& samples = logs.back().samples;
+    const FlightSample sample = parse(row, lines);
+    if (!samples.empty() && sample.time <= samples.back().time) {
+      lines.refuse(
+          fmt::format("t_s must grow, found {} after {}", sample.time, samples.back().time));
+    }
+    samples.push_back(sample);
+  }
+  if (logs.empty()) lines.refuse("expected at least one row after the header, found none");
+  return logs;
+}
+
+}  // namespace traj

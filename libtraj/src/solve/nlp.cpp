@@ -1,0 +1,423 @@
+#include "nlp.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "curve/hermite_form.h"
+
+namespace traj {
+namespace {
+
+constexpr double kUnbounded = 1e20;  // beyond Ipopt's nlp_upper_bound_inf
+constexpr double kJointReach = 10;   // metres a joint may move
+constexpr int kTime = 12;            // local index of the duration
+constexpr std::array<StateTable<8>, 4> padded_tables() {
+  std::array<StateTable<8>, 4> out{};
+  const auto copy = [&](int order, const auto& table) {
+    for (std::size_t k = 0; k < table.size(); ++k) {
+      for (int m = 0; m < kStates; ++m) out[order][k][m] = table[k][m] / kPositionUnit;
+    }
+  };
+  copy(0, derivative_table<0>());
+  copy(1, derivative_table<1>());
+  copy(2, derivative_table<2>());
+  copy(3, derivative_table<3>());
+  return out;
+}
+constexpr std::array<StateTable<8>, 4> kTables = padded_tables();  // [order][point][state]
+
+constexpr int power_of(int state) { return state % 4; }
+constexpr int local_of(int state, int axis) { return 3 * state + axis + (state >= 4 ? 1 : 0); }
+
+// duration^e for e = -8..3.
+struct Powers {
+  explicit Powers(double t) {
+    value[8] = 1;
+    for (int e = 1; e <= 3; ++e) value[8 + e] = value[7 + e] * t;
+    for (int e = 1; e <= 8; ++e) value[8 - e] = value[9 - e] / t;
+  }
+  double operator()(int e) const { return value[static_cast<std::size_t>(e + 8)]; }
+  std::array<double, 12> value;
+};
+
+// A Bernstein point of a derivative, sum of weight[m] state[m], and its own derivatives in time.
+struct Point {
+  Vec3 value = Vec3::Zero();
+  Vec3 dt = Vec3::Zero();
+  Vec3 dtt = Vec3::Zero();
+  std::array<double, kStates> weight{};
+  std::array<double, kStates> weight_dt{};
+};
+
+}  // namespace
+
+struct Nlp::Piece {
+  std::array<Vec3, kStates> state;
+  double time;
+  Powers power;
+
+  Point point(int order, int index) const {
+    Point p;
+    for (int m = 0; m < kStates; ++m) {
+      const double c = kTables[order][index][m];
+      if (c == 0) continue;
+      const int e = power_of(m) - order;
+      const double dt = c * e * power(e - 1);
+      p.weight[m] = c * power(e);
+      p.weight_dt[m] = dt;
+      p.value += p.weight[m] * state[m];
+      p.dt += dt * state[m];
+      p.dtt += (c * e * (e - 1) * power(e - 2)) * state[m];
+    }
+    return p;
+  }
+};
+
+Nlp::Nlp(NlpSpec spec) : spec_(std::move(spec)) {
+  assert(spec_.corridor.size() >= 1 && spec_.state.size() == spec_.corridor.size() + 1);
+  add_variables();
+  add_rows();
+  add_hessian_entries();
+}
+
+double Nlp::scale(std::size_t piece, int local) const {
+  if (local == kTime) return 1;
+  const bool later = local > kTime;
+  const int q = (later ? local - 13 : local) / 3;
+  return spec_.scale[piece + (later ? 1 : 0)][static_cast<std::size_t>(q)];
+}
+
+int Nlp::global(std::size_t piece, int local) const {
+  if (piece == 0 && local < kTime) return -1;
+  if (piece + 1 == spec_.corridor.size() && local > kTime) return -1;
+  return 13 * static_cast<int>(piece) - 12 + local;
+}
+
+void Nlp::add_variables() {
+  const std::size_t n = spec_.corridor.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double t = spec_.time[k];
+    start_.push_back(t);
+    lower_.push_back(std::min(0.05, t / 2));
+    upper_.push_back(10 * t);
+    if (k + 1 == n) break;
+    const State& s = spec_.state[k + 1];
+    for (int i = 0; i < 12; ++i) {
+      const bool position = i < 3;
+      const std::array<const Vec3*, 4> parts{&s.position, &s.velocity, &s.acceleration, &s.jerk};
+      start_.push_back(
+          position ? 0 : (*parts[static_cast<std::size_t>(i / 3)])[i % 3] / scale(k + 1, i));
+      lower_.push_back(position ? -kJointReach : -kUnbounded);
+      upper_.push_back(position ? kJointReach : kUnbounded);
+    }
+  }
+}
+
+// Whether a point depends on any variable, and is not another piece's too: the first point of a
+// derivative is the last of the piece before.
+bool Nlp::moves(std::size_t piece, int order, int point) const {
+  if (order > 0 && point == 0) return false;
+  for (int m = 0; m < kStates; ++m) {
+    if (kTables[order][point][m] != 0 && global(piece, local_of(m, 0)) >= 0) return true;
+  }
+  // At rest, what hangs on the duration alone stands still.
+  return false;
+}
+
+template <class F>
+void Nlp::for_each_local(const Row& row, const F& f) const {
+  for (int m = 0; m < kStates; ++m) {
+    if (kTables[row.order][row.point][m] == 0 || global(row.piece, local_of(m, 0)) < 0) continue;
+    for (int i = 0; i < 3; ++i) {
+      if (row.order > 0 || row.normal[i] != 0) f(m, i);
+    }
+  }
+}
+
+void Nlp::add_row(Row row) {
+  row.on_time = false;
+  for (int m = 0; m < kStates; ++m) {
+    if (kTables[row.order][row.point][m] != 0 && power_of(m) != row.order) row.on_time = true;
+  }
+  row.first_entry = jacobian_entries_.size();
+  const int index = static_cast<int>(rows_.size());
+  for_each_local(row, [&](int m, int i) {
+    jacobian_entries_.push_back({index, global(row.piece, local_of(m, i))});
+  });
+  if (row.on_time) jacobian_entries_.push_back({index, global(row.piece, kTime)});
+  rows_.push_back(row);
+}
+
+void Nlp::add_rows() {
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    first_row_.push_back(rows_.size());
+    for (int point = 0; point < 8; ++point) {
+      if (!moves(k, 0, point)) continue;
+      for (const Plane& plane : spec_.corridor[k].planes) {
+        add_row({k, 0, point, plane.normal, 0, false, 0});
+        bound_.push_back(plane.offset);
+      }
+    }
+    for (std::size_t l = 0; l < spec_.limits.size(); ++l) {
+      const QuadraticLimit& limit = spec_.limits[l];
+      for (int point = 0; point < 8 - limit.order; ++point) {
+        if (!moves(k, limit.order, point)) continue;
+        add_row({k, limit.order, point, Vec3::Zero(), l, false, 0});
+        bound_.push_back(limit.bound);
+      }
+    }
+  }
+  first_row_.push_back(rows_.size());
+}
+
+void Nlp::add_hessian_entries() {
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    for (int i = 0; i < kLocal; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        const int row = global(k, i);
+        const int column = global(k, j);
+        if (row >= 0 && column >= 0) hessian_entries_.push_back({row, column});
+      }
+    }
+  }
+}
+
+State Nlp::state(std::size_t joint, std::span<const double> x) const {
+  State s = spec_.state[joint];
+  if (joint == 0 || joint == spec_.corridor.size()) return s;
+  const double* y = &x[13 * joint - 12];
+  const auto part = [&](int q) { return Vec3(y[3 * q], y[3 * q + 1], y[3 * q + 2]); };
+  s.position += part(0);
+  s.velocity = part(1) * spec_.scale[joint][1];
+  s.acceleration = part(2) * spec_.scale[joint][2];
+  s.jerk = part(3) * spec_.scale[joint][3];
+  return s;
+}
+
+Nlp::Piece Nlp::piece(std::size_t index, std::span<const double> x) const {
+  const State a = state(index, x);
+  const State b = state(index + 1, x);
+  const double t = x[13 * index];
+  return {{a.position, a.velocity, a.acceleration, a.jerk, b.position, b.velocity, b.acceleration,
+           b.jerk},
+          t,
+          Powers(t)};
+}
+
+double Nlp::objective(std::span<const double> x) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    Piece p = piece(k, x);
+    // The form does not see a common shift; without it large coordinates cancel badly.
+    p.state[4] -= p.state[0];
+    p.state[0].setZero();
+    double snap = 0;
+    for (int m = 1; m < kStates; ++m) {
+      for (int n = 1; n < kStates; ++n) {
+        const int e = power_of(m) + power_of(n) - 7;
+        snap += kSnapForm[m][n] * p.power(e) * p.state[m].dot(p.state[n]);
+      }
+    }
+    sum += p.time + spec_.rho * snap;
+  }
+  return sum;
+}
+
+std::vector<double> Nlp::gradient(std::span<const double> x) const {
+  std::vector<double> out(x.size(), 0.0);
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    Piece p = piece(k, x);
+    p.state[4] -= p.state[0];
+    p.state[0].setZero();
+    double in_time = 1;
+    for (int m = 0; m < kStates; ++m) {
+      Vec3 pull = Vec3::Zero();
+      for (int n = 0; n < kStates; ++n) {
+        const int e = power_of(m) + power_of(n) - 7;
+        pull += (kSnapForm[m][n] * p.power(e)) * p.state[n];
+        in_time += spec_.rho * kSnapForm[m][n] * e * p.power(e - 1) * p.state[m].dot(p.state[n]);
+      }
+      for (int i = 0; i < 3; ++i) {
+        const int local = local_of(m, i);
+        if (const int g = global(k, local); g >= 0) {
+          out[static_cast<std::size_t>(g)] += 2 * spec_.rho * pull[i] * scale(k, local);
+        }
+      }
+    }
+    out[13 * k] += in_time;
+  }
+  return out;
+}
+
+std::vector<double> Nlp::constraint_values(std::span<const double> x) const {
+  std::vector<double> out;
+  out.reserve(rows_.size());
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    const Piece p = piece(k, x);
+    for (std::size_t r = first_row_[k]; r < first_row_[k + 1]; ++r) {
+      const Row& row = rows_[r];
+      const Vec3 z = p.point(row.order, row.point).value;
+      if (row.order == 0) {
+        out.push_back(row.normal.dot(z));
+        continue;
+      }
+      const QuadraticLimit& limit = spec_.limits[row.limit];
+      out.push_back(limit.weight.dot((z + limit.shift).cwiseAbs2()));
+    }
+  }
+  return out;
+}
+
+std::vector<double> Nlp::jacobian(std::span<const double> x) const {
+  std::vector<double> out;
+  out.reserve(jacobian_entries_.size());
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    const Piece p = piece(k, x);
+    for (std::size_t r = first_row_[k]; r < first_row_[k + 1]; ++r) {
+      const Row& row = rows_[r];
+      const Point z = p.point(row.order, row.point);
+      Vec3 outer = row.normal;
+      if (row.order > 0) {
+        const QuadraticLimit& limit = spec_.limits[row.limit];
+        outer = 2 * limit.weight.cwiseProduct(z.value + limit.shift);
+      }
+      for_each_local(row, [&](int m, int i) {
+        out.push_back(outer[i] * z.weight[static_cast<std::size_t>(m)] * scale(k, local_of(m, i)));
+      });
+      if (row.on_time) out.push_back(outer.dot(z.dt));
+    }
+  }
+  return out;
+}
+
+namespace {
+
+// Adds factor * (rho * snap)'s second derivatives, lower triangle.
+void add_snap(const std::array<Vec3, kStates>& absolute, const Powers& power, double factor,
+              Nlp::Block& h) {
+  std::array<Vec3, kStates> state = absolute;
+  state[4] -= state[0];
+  state[0].setZero();
+  for (int m = 0; m < kStates; ++m) {
+    Vec3 in_time = Vec3::Zero();
+    for (int n = 0; n < kStates; ++n) {
+      const int e = power_of(m) + power_of(n) - 7;
+      const double c = factor * kSnapForm[m][n];
+      for (int i = 0; i < 3; ++i) h(local_of(m, i), local_of(n, i)) += 2 * c * power(e);
+      in_time += (2 * c * e * power(e - 1)) * state[n];
+      h(kTime, kTime) += c * e * (e - 1) / power(2) * power(e) * state[m].dot(state[n]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      h(local_of(m, i), kTime) += in_time[i];
+      h(kTime, local_of(m, i)) += in_time[i];
+    }
+  }
+}
+
+// `pull`: the sum of multiplier * normal over the planes of this point.
+void add_plane(const Point& z, const Vec3& pull, Nlp::Block& h) {
+  for (int m = 0; m < kStates; ++m) {
+    for (int i = 0; i < 3; ++i) {
+      const double d = pull[i] * z.weight_dt[static_cast<std::size_t>(m)];
+      h(local_of(m, i), kTime) += d;
+      h(kTime, local_of(m, i)) += d;
+    }
+  }
+  h(kTime, kTime) += pull.dot(z.dtt);
+}
+
+void add_square(const Point& z, const QuadraticLimit& limit, double factor, Nlp::Block& h) {
+  const Vec3 twice = 2 * factor * limit.weight;
+  const Vec3 pull = twice.cwiseProduct(z.value + limit.shift);
+  for (int m = 0; m < kStates; ++m) {
+    const double w = z.weight[static_cast<std::size_t>(m)];
+    const double dw = z.weight_dt[static_cast<std::size_t>(m)];
+    for (int n = 0; n < kStates; ++n) {
+      const double d = w * z.weight[static_cast<std::size_t>(n)];
+      for (int i = 0; i < 3; ++i) h(local_of(m, i), local_of(n, i)) += twice[i] * d;
+    }
+    for (int i = 0; i < 3; ++i) {
+      const double d = twice[i] * w * z.dt[i] + dw * pull[i];
+      h(local_of(m, i), kTime) += d;
+      h(kTime, local_of(m, i)) += d;
+    }
+  }
+  h(kTime, kTime) += twice.dot(z.dt.cwiseAbs2()) + pull.dot(z.dtt);
+}
+
+// The block with its eigenvalues' signs dropped. Most are positive definite already, and Cholesky
+// tells at a fraction of the cost.
+Nlp::Block made_positive(const Nlp::Block& h, const std::array<bool, Nlp::kLocal>& fixed) {
+  Nlp::Block definite = h;
+  for (int i = 0; i < Nlp::kLocal; ++i) {
+    if (fixed[static_cast<std::size_t>(i)]) definite(i, i) = 1;
+  }
+  if (Eigen::LLT<Nlp::Block>(definite).info() == Eigen::Success) return h;
+  const Eigen::SelfAdjointEigenSolver<Nlp::Block> eigen(h);
+  const Nlp::Block& q = eigen.eigenvectors();
+  return q * eigen.eigenvalues().cwiseAbs().asDiagonal() * q.transpose();
+}
+
+}  // namespace
+
+Nlp::Block Nlp::hessian_block(std::size_t index, std::span<const double> x, double factor,
+                              std::span<const double> multipliers) const {
+  const Piece p = piece(index, x);
+  Block h = Block::Zero();
+  add_snap(p.state, p.power, factor * spec_.rho, h);
+  std::array<Vec3, 8> pull;
+  pull.fill(Vec3::Zero());
+  for (std::size_t r = first_row_[index]; r < first_row_[index + 1]; ++r) {
+    const Row& row = rows_[r];
+    if (row.order == 0) {
+      pull[static_cast<std::size_t>(row.point)] += multipliers[r] * row.normal;
+    } else if (multipliers[r] != 0) {
+      add_square(p.point(row.order, row.point), spec_.limits[row.limit], multipliers[r], h);
+    }
+  }
+  for (int k = 0; k < 8; ++k) {
+    const Vec3& sum = pull[static_cast<std::size_t>(k)];
+    if (!sum.isZero(0)) add_plane(p.point(0, k), sum, h);
+  }
+  for (int i = 0; i < kLocal; ++i) {
+    const double s = global(index, i) < 0 ? 0 : scale(index, i);
+    h.row(i) *= s;
+    h.col(i) *= s;
+  }
+  return h;
+}
+
+std::vector<double> Nlp::hessian(std::span<const double> x, double factor,
+                                 std::span<const double> multipliers) const {
+  std::vector<double> out;
+  out.reserve(hessian_entries_.size());
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    std::array<bool, kLocal> fixed;
+    for (int i = 0; i < kLocal; ++i) fixed[static_cast<std::size_t>(i)] = global(k, i) < 0;
+    const Block h = made_positive(hessian_block(k, x, factor, multipliers), fixed);
+    for (int i = 0; i < kLocal; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        if (!fixed[static_cast<std::size_t>(i)] && !fixed[static_cast<std::size_t>(j)]) {
+          out.push_back(h(i, j));
+        }
+      }
+    }
+  }
+  return out;
+}
+
+Trajectory Nlp::trajectory(std::span<const double> x) const {
+  Trajectory out;
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    out.segments.push_back(hermite(state(k, x), state(k + 1, x), x[13 * k]));
+  }
+  return out;
+}
+
+}  // namespace traj

@@ -1,0 +1,106 @@
+#pragma once
+
+// The optimiser's problem: variables, constraints, and their exact derivatives.
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "traj/curve/trajectory.h"
+#include "traj/solve/corridor.h"
+
+namespace traj {
+
+// A limit on a derivative z of the position: the sum of weight (z + shift)^2 over the axes <=
+// bound.
+struct QuadraticLimit {
+  int order = 1;
+  Vec3 weight;
+  Vec3 shift = Vec3::Zero();
+  double bound = 1;
+};
+
+// What the problem is made of.
+struct NlpSpec {
+  Corridor corridor;
+  std::vector<State> state;  // the guess: one more than pieces; first and last at rest, and fixed
+  std::vector<double> time;  // the guess: one a piece
+  std::vector<QuadraticLimit> limits;
+  double rho = 1e-3;
+  std::vector<std::array<double, 4>> scale;  // of p, v, a, j at each joint; durations have none
+};
+
+// Variables in the order T0, X1, T1, X2, ..., T(n-1): durations, and scaled joint states
+// X = (p - guess, v, a, j), so that a piece depends on at most 25 in a row. Every constraint reads
+// g(x) <= bound.
+class Nlp {
+ public:
+  explicit Nlp(NlpSpec spec);
+
+  struct Entry {  // of a sparse matrix
+    int row;
+    int column;
+  };
+  static constexpr int kLocal = 25;  // state at the start, duration, state at the end
+  using Block = Eigen::Matrix<double, kLocal, kLocal>;
+
+  int variables() const { return static_cast<int>(start_.size()); }
+  int constraints() const { return static_cast<int>(rows_.size()); }
+  const std::vector<double>& start() const { return start_; }
+  const std::vector<double>& lower() const { return lower_; }
+  const std::vector<double>& upper() const { return upper_; }
+  const std::vector<double>& bound() const { return bound_; }
+
+  double objective(std::span<const double> x) const;
+  std::vector<double> gradient(std::span<const double> x) const;
+  std::vector<double> constraint_values(std::span<const double> x) const;
+  const std::vector<Entry>& jacobian_entries() const { return jacobian_entries_; }
+  std::vector<double> jacobian(std::span<const double> x) const;
+
+  // The Lagrangian's Hessian, factor * objective + sum of multiplier * constraint: lower triangle,
+  // one block a piece, so entries repeat and add up. Each block has its eigenvalues made
+  // positive.
+  const std::vector<Entry>& hessian_entries() const { return hessian_entries_; }
+  std::vector<double> hessian(std::span<const double> x, double factor,
+                              std::span<const double> multipliers) const;
+
+  // The exact block of one piece; rows and columns of what is fixed are 0.
+  Block hessian_block(std::size_t piece, std::span<const double> x, double factor,
+                      std::span<const double> multipliers) const;
+  int global(std::size_t piece, int local) const;  // -1 when fixed
+
+  Trajectory trajectory(std::span<const double> x) const;
+
+ private:
+  struct Row {
+    std::size_t piece;
+    int order;  // of the derivative; 0: a plane
+    int point;  // Bernstein index
+    Vec3 normal;
+    std::size_t limit;  // its number; of derivatives only
+    bool on_time;       // whether it depends on the duration
+    std::size_t first_entry;
+  };
+  struct Piece;  // states and duration in metres and seconds, and their derivative points
+
+  State state(std::size_t joint, std::span<const double> x) const;
+  Piece piece(std::size_t index, std::span<const double> x) const;
+  double scale(std::size_t piece, int local) const;
+  bool moves(std::size_t piece, int order, int point) const;
+  void add_variables();
+  void add_rows();
+  void add_row(Row row);
+  void add_hessian_entries();
+  template <class F>
+  void for_each_local(const Row& row, const F& f) const;
+
+  NlpSpec spec_;
+  std::vector<double> start_, lower_, upper_, bound_;
+  std::vector<Row> rows_;
+  std::vector<std::size_t> first_row_;  // of each piece, and one past the end
+  std::vector<Entry> jacobian_entries_;
+  std::vector<Entry> hessian_entries_;
+};
+
+}  // namespace traj

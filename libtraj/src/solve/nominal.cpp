@@ -1,0 +1,44 @@
+#include "traj/solve/nominal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "curve/portable_math.h"
+
+namespace traj {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+SpeedProfile nominal_profile(const Limits& limits, double length) {
+  std::optional<double> amax = limits.amax;
+  if (limits.tilt) {
+    // The largest ball around a = 0 in the cone of allowed a + g: its radius is g sin(tilt).
+    const double t = tangent_below(*limits.tilt);
+    const double ball = kGravity * t / std::sqrt(1 + t * t);
+    amax = std::min(amax.value_or(ball), ball);
+  }
+  if (limits.thrust) {
+    amax = std::min(amax.value_or(kInfinity), *limits.thrust - kGravity);
+  }
+  double vmax = kInfinity;
+  for (const auto& limit : {limits.vmax, limits.vmax_h, limits.vmax_v}) {
+    vmax = std::min(vmax, limit.value_or(kInfinity));
+  }
+  SpeedProfile profile;
+  if (vmax < kInfinity) {
+    profile.vmax = vmax;
+  } else if (amax) {
+    profile.vmax = std::max(1e-3, std::sqrt(*amax * length));
+  } else {
+    profile.vmax = 10;
+  }
+  profile.amax = amax.value_or(profile.vmax);
+  return profile;
+}
+
+}  // namespace traj

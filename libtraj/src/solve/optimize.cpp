@@ -1,0 +1,168 @@
+#include "traj/solve/optimize.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "curve/portable_math.h"
+#include "ipopt_solve.h"
+#include "nlp.h"
+#include "traj/solve/nominal.h"
+#include "traj/solve/time_allocation.h"
+
+namespace traj {
+namespace {
+
+constexpr double kCornerDeviation = 1;  // metres, in the solver's units
+constexpr double kUsual = 20;           // metres: shorter paths are counted in smaller units
+
+std::vector<Vec3> points_of(const Corridor& corridor) {
+  std::vector<Vec3> points{corridor.front().from};
+  for (const CorridorPiece& piece : corridor) points.push_back(piece.to);
+  return points;
+}
+
+double length_of(const Corridor& corridor) {
+  double sum = 0;
+  for (const CorridorPiece& piece : corridor) sum += (piece.to - piece.from).norm();
+  return sum;
+}
+
+Vec3 unit_or_zero(const Vec3& v) {
+  const double n = v.norm();
+  return n > 1e-9 ? Vec3(v / n) : Vec3(Vec3::Zero());
+}
+
+// Rolling along the path at half the acceleration, cutting no corner: near enough to feasible.
+void add_guess(const SpeedProfile& profile, NlpSpec& spec) {
+  const std::vector<Vec3> points = points_of(spec.corridor);
+  const SpeedProfile gentle{profile.vmax, profile.amax / 2};
+  const std::vector<double> speeds =
+      corner_speeds(points, gentle, {profile.amax, kCornerDeviation});
+  spec.time = rolling_times(points, speeds, gentle);
+  for (const Vec3& p : points) spec.state.push_back({p});
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec3 in = unit_or_zero(points[i] - points[i - 1]);
+    const Vec3 out = unit_or_zero(points[i + 1] - points[i]);
+    spec.state[i].velocity = speeds[i] * unit_or_zero(in + out);
+  }
+}
+
+// What moves a Bernstein point of the shorter neighbour by about a metre, within the limits.
+void add_scales(const SpeedProfile& profile, NlpSpec& spec) {
+  const std::size_t n = spec.time.size();
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double t = std::min(spec.time[i == 0 ? 0 : i - 1], spec.time[std::min(i, n - 1)]);
+    spec.scale.push_back({1, std::min(profile.vmax, 7 / t), std::min(profile.amax, 42 / (t * t)),
+                          std::min(20.0, 210 / (t * t * t))});
+  }
+}
+
+std::vector<QuadraticLimit> quadratic(const Limits& limits) {
+  std::vector<QuadraticLimit> out;
+  const auto add = [&](int order, const std::optional<double>& limit, const Vec3& axes,
+                       const Vec3& shift) {
+    if (limit) out.push_back({order, axes / (*limit * *limit), shift, 1});
+  };
+  const Vec3 gravity(0, 0, kGravity);
+  add(1, limits.vmax, Vec3::Ones(), Vec3::Zero());
+  add(1, limits.vmax_h, {1, 1, 0}, Vec3::Zero());
+  add(1, limits.vmax_v, {0, 0, 1}, Vec3::Zero());
+  add(2, limits.amax, Vec3::Ones(), Vec3::Zero());
+  add(2, limits.thrust, Vec3::Ones(), gravity);
+  add(3, limits.jmax, Vec3::Ones(), Vec3::Zero());
+  if (limits.tilt) {
+    // (|a_xy| / tan)^2 <= (a_z + g)^2, in units of g: the cone, and its mirror image below, which
+    // the start is far from.
+    const double tangent = tangent_below(*limits.tilt);
+    out.push_back(
+        {2, Vec3(1 / (tangent * tangent), 1 / (tangent * tangent), -1) / (kGravity * kGravity),
+         gravity, 0});
+  }
+  return out;
+}
+
+NlpSpec problem(const Corridor& corridor, const OptimizeOptions& options) {
+  NlpSpec spec;
+  spec.corridor = corridor;
+  spec.rho = options.rho;
+  const SpeedProfile profile = nominal_profile(options.limits, length_of(corridor));
+  spec.limits = quadratic(options.limits);
+  add_guess(profile, spec);
+  add_scales(profile, spec);
+  return spec;
+}
+
+// What the solver counts in: its tolerances and steps are made for paths of a city. Times go with
+// the root of lengths, so accelerations, gravity among them, stay what they are.
+struct Units {
+  double length = 1;  // metres
+  double time = 1;    // seconds
+};
+
+Units units_for(const Corridor& corridor) {
+  const double length = std::min(1.0, length_of(corridor) / kUsual);
+  return {length, std::sqrt(length)};
+}
+
+// Numbers stay small, and the same wherever the path lies, when it is counted from here.
+Vec3 origin_of(const Corridor& corridor) {
+  return 0.5 * (corridor.front().from + corridor.back().to);
+}
+
+Corridor in_units(Corridor corridor, const Units& units) {
+  const Vec3 o = origin_of(corridor);
+  for (CorridorPiece& piece : corridor) {
+    for (Plane& plane : piece.planes)
+      plane.offset = (plane.offset - plane.normal.dot(o)) / units.length;
+    piece.from = (piece.from - o) / units.length;
+    piece.to = (piece.to - o) / units.length;
+  }
+  return corridor;
+}
+
+OptimizeOptions in_units(OptimizeOptions options, const Units& units) {
+  const double speed = units.length / units.time;
+  const auto divide = [](std::optional<double>& limit, double unit) {
+    if (limit) *limit /= unit;
+  };
+  divide(options.limits.vmax, speed);
+  divide(options.limits.vmax_h, speed);
+  divide(options.limits.vmax_v, speed);
+  divide(options.limits.jmax, 1 / units.time);
+  return options;  // rho is one of these units: see OptimizeOptions
+}
+
+// Back again; the rests at the ends exactly where they were asked for.
+Trajectory in_metres(Trajectory trajectory, const Units& units, const Corridor& given) {
+  for (Segment& s : trajectory.segments) {
+    s.duration *= units.time;
+    for (Vec3& p : s.point) p = p * units.length + origin_of(given);
+  }
+  std::fill_n(trajectory.segments.front().point.begin(), 4, given.front().from);
+  std::fill_n(trajectory.segments.back().point.begin() + 4, 4, given.back().to);
+  return trajectory;
+}
+
+}  // namespace
+
+OptimizeResult optimize(const Corridor& given, const OptimizeOptions& asked) {
+  assert(given.size() >= 2);
+  const Units units = units_for(given);
+  const Corridor corridor = in_units(given, units);
+  const OptimizeOptions options = in_units(asked, units);
+  const Nlp nlp(problem(corridor, options));
+  const IpoptOutcome outcome = ipopt_solve(nlp, options.max_iterations);
+  OptimizeResult result;
+  result.trajectory = in_metres(nlp.trajectory(outcome.x), units, given);
+  result.status = outcome.status;
+  result.iterations = outcome.iterations;
+  result.objective = units.time * nlp.objective(outcome.x);
+  const std::vector<double> values = nlp.constraint_values(outcome.x);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    result.max_violation = std::max(result.max_violation, values[i] - nlp.bound()[i]);
+  }
+  return result;
+}
+
+}  // namespace traj

@@ -1,0 +1,238 @@
+#include "traj/solve/solve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "traj/curve/bernstein.h"
+#include "traj/proof/check.h"
+#include "traj/solve/closed_form.h"
+#include "traj/solve/corridor.h"
+#include "traj/solve/min_snap.h"
+#include "traj/solve/nominal.h"
+#include "traj/solve/optimize.h"
+#include "traj/solve/stop_and_go.h"
+#include "traj/solve/time_allocation.h"
+#include "traj/solve/time_scaling.h"
+
+namespace traj {
+namespace {
+
+// How much slower than the trapezoid along the path a proved closed form may be before the
+// optimiser is worth its time.
+constexpr double kNearlyAsFast = 1.1;
+constexpr double kReach = 10;  // metres: obstacles further off get a plane only when met
+constexpr int kRounds = 5;
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+constexpr const char* kNotRun = "was not run";
+
+// About the least time along the path, corners left out: a trapezoid of the mean of the speeds
+// allowed along its legs.
+double fastest(const geom::Polyline& path, const Limits& limits) {
+  const double length = geom::length(path);
+  if (length == 0) return 0;
+  const double most = std::numeric_limits<double>::infinity();
+  SpeedProfile profile = nominal_profile(limits, length);
+  double time = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec3 leg = path[i] - path[i - 1];
+    time += std::max({leg.norm() / limits.vmax.value_or(most),
+                      leg.head<2>().norm() / limits.vmax_h.value_or(most),
+                      std::abs(leg.z()) / limits.vmax_v.value_or(most)});
+  }
+  if (time > 0) profile.vmax = length / time;
+  return leg_time(length, 0, 0, profile);
+}
+
+std::string words(const CheckResult& verdict) {
+  return verdict.reason + " at " + std::to_string(verdict.time) + " s";
+}
+
+// Counts the proof, and notes the reason where it fails.
+bool proved(const geom::CollisionScene& scene, const Trajectory& trajectory, const Limits& limits,
+            SolveResult& result) {
+  ++result.proofs;
+  const CheckResult verdict = check(scene, trajectory, limits);
+  if (!verdict.ok) result.reason = words(verdict);
+  return verdict.ok;
+}
+
+void accept(const Trajectory& trajectory, const std::string& rung, SolveResult& result) {
+  result.status = SolveStatus::solved;
+  result.reason.clear();
+  result.trajectory = trajectory;
+  result.rung = rung;
+  result.snap = snap_cost(trajectory);
+}
+
+// Optimises until the result is proved, adding planes for what it ran into. The start is the same
+// each round: from the last result it would stay beside the obstacle it had just hit.
+std::optional<Trajectory> optimised_in(Corridor corridor, const geom::CollisionScene& scene,
+                                       const SolveOptions& options, SolveResult& result) {
+  if (corridor.empty()) return std::nullopt;
+  const int most = result.rounds + kRounds;
+  while (true) {
+    ++result.rounds;
+    result.corridor = corridor;
+    const OptimizeResult round =
+        optimize(corridor, {options.limits, options.rho, options.max_iterations});
+    result.solver_status = round.status;
+    result.iterations += round.iterations;
+    result.objective = round.objective;
+    result.max_violation = round.max_violation;
+    const Trajectory curve =
+        slowed(round.trajectory, smallest_factor(round.trajectory, options.limits));
+    if (proved(scene, curve, options.limits, result)) return curve;
+    if (result.rounds == most || add_planes_met(scene, curve, corridor) == 0) {
+      return std::nullopt;
+    }
+  }
+}
+
+Corridor corridor_of(CorridorKind kind, const geom::CollisionScene& scene,
+                     const geom::Polyline& path) {
+  if (kind == CorridorKind::boxes) return box_corridor(scene, path, kReach);
+  Corridor corridor = pieces_between(joints(path));
+  add_planes(scene, kReach, corridor);
+  return corridor;
+}
+
+// In the corridor asked for, else in one of the other kind, which may leave more room. Cut off by
+// the iterations, a result may be proved and yet take longer than `most` seconds.
+std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
+                                    const SolveOptions& options, double most, SolveResult& result) {
+  const bool boxes = options.corridor == CorridorKind::boxes;
+  const auto other = boxes ? CorridorKind::planes : CorridorKind::boxes;
+  for (const CorridorKind kind : {options.corridor, other}) {
+    auto curve = optimised_in(corridor_of(kind, scene, path), scene, options, result);
+    if (curve && duration(*curve) <= most) return curve;
+  }
+  return std::nullopt;
+}
+
+// The first rung that is proved, from what is left. The waypoints hold nowhere.
+void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoints,
+           const SolveOptions& options, SolveResult& result) {
+  geom::Polyline path;
+  bool given = false;
+  for (const Waypoint& w : waypoints) {
+    path.push_back(w.position);
+    given = given || w.velocity;
+  }
+  const bool all = options.solver == Solver::automatic;
+  std::optional<Trajectory> closed;  // not known to fail; proved only where it would be taken
+  if (all || options.solver == Solver::closed) {
+    closed = closed_form(scene, waypoints, options.limits, options.times.value_or(Times::stops));
+    if (!closed) result.reason = "no leg times hold the limits at the velocities given";
+    const bool asked = !all || options.times || given;
+    const double most = asked ? kNoEnd : kNearlyAsFast * fastest(path, options.limits);
+    if (closed && duration(*closed) <= most) {
+      if (proved(scene, *closed, options.limits, result)) return accept(*closed, "closed", result);
+      closed.reset();
+    }
+  }
+  if (given) {
+    if (result.reason.empty()) result.reason = "only the closed form keeps given velocities";
+    return;
+  }
+  if (all || options.solver == Solver::ipopt) {
+    const double most = all ? duration(stop_and_go(path, options.limits)) : kNoEnd;
+    const auto curve = optimised(scene, path, options, most, result);
+    if (curve) return accept(*curve, "ipopt", result);
+  }
+  if (all || options.solver == Solver::stop_and_go) {
+    const Trajectory curve = stop_and_go(path, options.limits);
+    if (closed && duration(*closed) <= duration(curve) &&
+        proved(scene, *closed, options.limits, result)) {
+      return accept(*closed, "closed", result);
+    }
+    if (proved(scene, curve, options.limits, result)) accept(curve, "stop_and_go", result);
+  }
+}
+
+int rank(const std::string& rung) {
+  if (rung == "stop_and_go") return 2;
+  return rung == "ipopt" ? 1 : 0;
+}
+
+// Flies `part` after what `whole` has already.
+void append(const SolveResult& part, SolveResult& whole) {
+  if (part.solver_status != kNotRun) whole.solver_status = part.solver_status;
+  whole.iterations += part.iterations;
+  whole.rounds += part.rounds;
+  whole.proofs += part.proofs;
+  whole.objective = std::max(whole.objective, part.objective);
+  whole.max_violation = std::max(whole.max_violation, part.max_violation);
+  if (whole.rung.empty() || rank(part.rung) > rank(whole.rung)) whole.rung = part.rung;
+  whole.corridor.insert(whole.corridor.end(), part.corridor.begin(), part.corridor.end());
+  auto& segments = whole.trajectory.segments;
+  segments.insert(segments.end(), part.trajectory.segments.begin(), part.trajectory.segments.end());
+}
+
+SolveResult solve_part(const geom::CollisionScene& scene, std::span<const Waypoint> part,
+                       const SolveOptions& options) {
+  SolveResult result;
+  result.solver_status = kNotRun;
+  climb(scene, part, options, result);
+  return result;
+}
+
+SolveResult solve_with_holds(const geom::CollisionScene& scene, std::vector<Waypoint> waypoints,
+                             const SolveOptions& options) {
+  SolveResult whole;
+  whole.solver_status = kNotRun;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    const double hold = std::exchange(waypoints[i].hold, 0);
+    if (hold == 0 && i + 1 < waypoints.size()) continue;
+    if (i > first) {
+      const SolveResult part =
+          solve_part(scene, std::span(waypoints).subspan(first, i + 1 - first), options);
+      if (part.status != SolveStatus::solved) return part;
+      append(part, whole);
+    }
+    if (hold > 0) {
+      const State here{waypoints[i].position};
+      whole.trajectory.segments.push_back(hermite(here, here, hold));
+    }
+    first = i;
+  }
+  if (whole.rung.empty()) whole.rung = "closed";
+  if (proved(scene, whole.trajectory, options.limits, whole)) {
+    accept(Trajectory(whole.trajectory), std::string(whole.rung), whole);
+  } else {
+    whole.trajectory = {};
+    whole.rung.clear();
+  }
+  return whole;
+}
+
+}  // namespace
+
+SolveResult solve(const geom::CollisionScene& scene, std::span<const Waypoint> waypoints,
+                  const SolveOptions& options) {
+  SolveResult result;
+  result.solver_status = kNotRun;
+  if (waypoints.empty()) {
+    result.reason = "the path has no point";
+    return result;
+  }
+  const std::vector<double> no_time(waypoints.size() - 1, 0.0);
+  const std::vector<Waypoint> places = without_repeats(waypoints, no_time).waypoints;
+  const auto holds = [](const Waypoint& w) { return w.hold > 0; };
+  if (std::any_of(places.begin(), places.end(), holds)) {
+    return solve_with_holds(scene, places, options);
+  }
+  return solve_part(scene, places, options);
+}
+
+SolveResult solve(const geom::CollisionScene& scene, const geom::Polyline& path,
+                  const SolveOptions& options) {
+  return solve(scene, waypoints_at(path), options);
+}
+
+}  // namespace traj
