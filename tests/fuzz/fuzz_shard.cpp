@@ -1,5 +1,5 @@
-#include "cli/map_shard.h"
-#include "cli/run_shard.h"
+#include "cli/shard/map_shard.h"
+#include "cli/shard/run_shard.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
 #include "plan/roadmap/roadmap_file.h"

@@ -1,4 +1,4 @@
-#include "bench/command.h"
+#include "command.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/trial.h"
 #include "geom/base/execution.h"
 #include "geom/record/record.h"
+#include "trial.h"
 
 namespace bench {
 

@@ -1,4 +1,4 @@
-#include "bench/cpu_clock.h"
+#include "cpu_clock.h"
 
 #include <ctime>
 

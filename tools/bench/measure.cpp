@@ -1,10 +1,10 @@
-#include "bench/measure.h"
+#include "measure.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "bench/cpu_clock.h"
-#include "bench/peak_memory.h"
+#include "cpu_clock.h"
+#include "peak_memory.h"
 
 namespace bench {
 namespace {

@@ -2,8 +2,8 @@
 
 // Running one method over a set of queries, against the clock.
 
-#include "bench/method.h"
-#include "bench/query_set.h"
+#include "method.h"
+#include "query_set.h"
 
 namespace bench {
 

@@ -1,4 +1,4 @@
-#include "bench/method.h"
+#include "method.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,7 +6,7 @@
 
 #include "plan/lattice/visible_nodes.h"
 #ifdef SKYWAY_OMPL
-#include "bench/ompl_planners.h"
+#include "ompl_planners.h"
 #endif
 
 namespace bench {

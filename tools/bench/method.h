@@ -7,10 +7,10 @@
 #include <span>
 #include <string>
 
-#include "bench/trial.h"
 #include "geom/base/execution.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/plan.h"
+#include "trial.h"
 
 namespace bench {
 

@@ -1,4 +1,4 @@
-#include "bench/ompl_planners.h"
+#include "ompl_planners.h"
 
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/ScopedState.h>
@@ -9,7 +9,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "bench/cpu_clock.h"
+#include "cpu_clock.h"
 #include "geom/base/error.h"
 
 namespace bench {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "bench/trial.h"
+#include "trial.h"
 
 namespace bench {
 

@@ -1,13 +1,13 @@
-#include "bench/options.h"
+#include "options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <map>
 
-#include "cli/files.h"
-#include "cli/output_option.h"
-#include "cli/quality_option.h"
+#include "cli/file/files.h"
+#include "cli/option/output_option.h"
+#include "cli/option/quality_option.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
 

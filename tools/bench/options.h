@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/measure.h"
-#include "bench/method.h"
-#include "bench/query_set.h"
-#include "cli/artefacts.h"
+#include "cli/file/artefacts.h"
+#include "measure.h"
+#include "method.h"
+#include "query_set.h"
 
 namespace bench {
 

@@ -1,4 +1,4 @@
-#include "bench/query_set.h"
+#include "query_set.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
-#include "bench/report.h"
+#include "report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bench/measure.h"
+#include "measure.h"
 
 namespace bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "bench/trial.h"
+#include "trial.h"
 
 namespace bench {
 

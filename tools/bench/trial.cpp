@@ -1,4 +1,4 @@
-#include "bench/trial.h"
+#include "trial.h"
 
 #include <algorithm>
 

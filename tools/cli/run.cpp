@@ -8,17 +8,17 @@
 #include <sstream>
 #include <thread>
 
-#include "completion.h"
-#include "cut_file.h"
-#include "files.h"
+#include "cli/file/cut_file.h"
+#include "cli/file/files.h"
+#include "cli/file/recognise.h"
+#include "cli/file/run_files.h"
+#include "cli/file/standard_streams.h"
+#include "cli/option/completion.h"
+#include "cli/option/option_check.h"
+#include "cli/option/output_option.h"
 #include "geom/base/error.h"
 #include "geom/base/mapped_file.h"
 #include "geom/text/excerpt.h"
-#include "option_check.h"
-#include "output_option.h"
-#include "recognise.h"
-#include "run_files.h"
-#include "standard_streams.h"
 
 namespace cli {
 namespace {

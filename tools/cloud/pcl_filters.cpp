@@ -1,4 +1,4 @@
-#include "cloud/pcl_filters.h"
+#include "pcl_filters.h"
 
 #include <fmt/format.h>
 #include <pcl/filters/statistical_outlier_removal.h>

@@ -1,12 +1,12 @@
-#include "cloud/placement.h"
+#include "placement.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "cli/numbers_option.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/units.h"
 #include "cli/run.h"
-#include "cli/units.h"
 #include "geom/base/error.h"
 
 namespace cloud {

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "export/writer.h"
 #include "geom/collision/collision.h"
 #include "traj/proof/check.h"
+#include "writer.h"
 
 namespace exporting {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/drone_file.h"
+#include "cli/file/drone_file.h"
 #include "traj/curve/trajectory.h"
 #include "traj/proof/limits.h"
 

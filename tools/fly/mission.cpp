@@ -1,4 +1,4 @@
-#include "fly/mission.h"
+#include "mission.h"
 
 #include <fmt/format.h>
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/files.h"
-#include "cli/record_output.h"
-#include "cli/run_shard.h"
-#include "fly/options.h"
+#include "cli/file/files.h"
+#include "cli/file/record_output.h"
+#include "cli/shard/run_shard.h"
+#include "options.h"
 #include "traj/record/flight_report.h"
 #include "traj/record/trajectory_record.h"
 

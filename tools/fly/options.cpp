@@ -1,12 +1,12 @@
-#include "fly/options.h"
+#include "options.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "cli/files.h"
-#include "cli/numbers_option.h"
+#include "cli/file/files.h"
+#include "cli/option/numbers_option.h"
 #include "cli/run.h"
 #include "traj/record/gains_record.h"
 

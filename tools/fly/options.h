@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "cli/vehicle_option.h"
+#include "cli/option/vehicle_option.h"
 #include "traj/flight/monte_carlo.h"
 #include "traj/flight/tune.h"
 

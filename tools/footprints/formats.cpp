@@ -1,6 +1,6 @@
-#include "footprints/formats.h"
+#include "formats.h"
 
-#include "cli/files.h"
+#include "cli/file/files.h"
 #include "geom/base/error.h"
 #include "geom/import/city_json.h"
 

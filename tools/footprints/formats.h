@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "footprints/source.h"
+#include "source.h"
 
 namespace footprints {
 

@@ -3,9 +3,9 @@
 #include <limits>
 #include <map>
 
-#include "footprints/gdal_reference.h"
-#include "footprints/source.h"
+#include "gdal_reference.h"
 #include "geom/shape/row_merge.h"
+#include "source.h"
 
 namespace footprints {
 namespace {

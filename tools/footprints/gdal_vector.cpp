@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "footprints/gdal_reference.h"
-#include "footprints/source.h"
+#include "gdal_reference.h"
+#include "source.h"
 
 namespace footprints {
 namespace {

@@ -16,8 +16,8 @@
 #include <set>
 #include <string_view>
 
-#include "footprints/source.h"
 #include "geom/base/error.h"
+#include "source.h"
 
 namespace footprints {
 namespace {

@@ -1,4 +1,4 @@
-#include "footprints/place.h"
+#include "place.h"
 
 #include <fmt/format.h>
 

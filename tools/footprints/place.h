@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "footprints/source.h"
 #include "geom/base/shard.h"
+#include "source.h"
 
 namespace footprints {
 

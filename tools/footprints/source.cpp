@@ -1,4 +1,4 @@
-#include "footprints/source.h"
+#include "source.h"
 
 namespace footprints {
 

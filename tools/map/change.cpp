@@ -9,15 +9,15 @@
 #include <iterator>
 #include <set>
 
-#include "cli/files.h"
-#include "cli/output_option.h"
+#include "cli/file/files.h"
+#include "cli/option/output_option.h"
 #include "geom/base/error.h"
 #include "geom/import/box_csv.h"
 #include "geom/import/keep_out.h"
 #include "geom/map/join.h"
 #include "geom/record/record.h"
 #include "geom/shape/cover.h"
-#include "map/verbs.h"
+#include "verbs.h"
 
 namespace verbs {
 namespace {

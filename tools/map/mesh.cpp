@@ -7,10 +7,10 @@
 #include <cmath>
 #include <memory>
 
-#include "cli/contents.h"
-#include "cli/files.h"
-#include "map/verbs.h"
+#include "cli/file/contents.h"
+#include "cli/file/files.h"
 #include "traj/curve/to_enu.h"
+#include "verbs.h"
 
 namespace verbs {
 namespace {

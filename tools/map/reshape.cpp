@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/degrees.h"
-#include "cli/files.h"
-#include "cli/numbers_option.h"
-#include "cli/output_option.h"
-#include "cli/skipped_option.h"
+#include "cli/file/files.h"
+#include "cli/option/degrees.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/output_option.h"
+#include "cli/option/skipped_option.h"
 #include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
 #include "geom/map/join.h"
 #include "geom/map/merge.h"
 #include "geom/map/simplify.h"
 #include "geom/text/parse_json.h"
-#include "map/verbs.h"
+#include "verbs.h"
 
 namespace verbs {
 namespace {

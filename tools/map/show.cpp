@@ -1,11 +1,11 @@
 // Looking at maps: info, to-csv.
 
-#include "cli/describe.h"
-#include "cli/files.h"
+#include "cli/file/describe.h"
+#include "cli/file/files.h"
 #include "geom/import/box_csv.h"
 #include "geom/map/join.h"
 #include "geom/map/statistics.h"
-#include "map/verbs.h"
+#include "verbs.h"
 
 namespace verbs {
 namespace {

@@ -1,11 +1,11 @@
-#include "plot/clearance.h"
+#include "clearance.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "plot/figure.h"
-#include "plot/palette.h"
+#include "figure.h"
+#include "palette.h"
 
 namespace plot {
 namespace {

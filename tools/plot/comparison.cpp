@@ -1,13 +1,13 @@
-#include "plot/comparison.h"
+#include "comparison.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "plot/palette.h"
-#include "plot/svg.h"
-#include "plot/ticks.h"
+#include "palette.h"
+#include "svg.h"
+#include "ticks.h"
 
 namespace plot {
 namespace {

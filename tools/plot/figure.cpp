@@ -1,11 +1,11 @@
-#include "plot/figure.h"
+#include "figure.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "plot/palette.h"
+#include "palette.h"
 
 namespace plot {
 namespace {

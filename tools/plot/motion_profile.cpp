@@ -1,12 +1,12 @@
-#include "plot/motion_profile.h"
+#include "motion_profile.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <functional>
 
-#include "plot/figure.h"
-#include "plot/palette.h"
+#include "figure.h"
+#include "palette.h"
 #include "traj/curve/flatness.h"
 
 namespace plot {

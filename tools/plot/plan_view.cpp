@@ -6,8 +6,8 @@
 #include <array>
 #include <numeric>
 
-#include "plot/palette.h"
-#include "plot/svg.h"
+#include "palette.h"
+#include "svg.h"
 
 namespace plot {
 namespace {

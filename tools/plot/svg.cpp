@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "geom/text/markup.h"
-#include "plot/ticks.h"
+#include "ticks.h"
 
 namespace plot {
 namespace {

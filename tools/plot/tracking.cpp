@@ -1,4 +1,4 @@
-#include "plot/tracking.h"
+#include "tracking.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "plot/figure.h"
-#include "plot/palette.h"
+#include "figure.h"
+#include "palette.h"
 
 namespace plot {
 namespace {

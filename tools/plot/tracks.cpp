@@ -1,4 +1,4 @@
-#include "plot/tracks.h"
+#include "tracks.h"
 
 #include <algorithm>
 #include <cmath>

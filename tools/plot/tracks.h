@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/contents.h"
-#include "plot/clearance.h"
-#include "plot/plan_view.h"
+#include "clearance.h"
+#include "cli/file/contents.h"
+#include "plan_view.h"
 
 namespace plot {
 

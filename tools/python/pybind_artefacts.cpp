@@ -1,6 +1,6 @@
 // Box maps, lattices and roadmaps as NumPy arrays over the mapped files.
 
-#include "cli/files.h"
+#include "cli/file/files.h"
 #include "geom/archive/box_map_file.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/roadmap/roadmap_file.h"

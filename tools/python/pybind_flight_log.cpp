@@ -1,6 +1,6 @@
 // Flight logs, a column of the table at a time.
 
-#include "cli/files.h"
+#include "cli/file/files.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 #include "traj/record/flight_log.h"

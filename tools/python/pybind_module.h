@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/vehicle_option.h"
+#include "cli/option/vehicle_option.h"
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"
 #include "geom/record/record.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cli/files.h"
+#include "cli/file/files.h"
 #include "geom/record/query_record.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "cli/agreed_room.h"
-#include "cli/limit_options.h"
+#include "cli/option/agreed_room.h"
+#include "cli/option/limit_options.h"
+#include "cli/option/solver_words.h"
 #include "cli/run.h"
-#include "cli/solver_words.h"
 #include "geom/base/error.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"

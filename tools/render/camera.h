@@ -3,7 +3,7 @@
 // A camera on a vehicle: a pinhole without distortion, and where it sits.
 
 #include "geom/text/json_fields.h"
-#include "render/view.h"
+#include "view.h"
 
 namespace render {
 

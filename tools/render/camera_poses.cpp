@@ -1,4 +1,4 @@
-#include "render/camera_poses.h"
+#include "camera_poses.h"
 
 #include <fmt/format.h>
 

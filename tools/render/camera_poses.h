@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/view.h"
+#include "view.h"
 
 namespace render {
 

@@ -1,10 +1,10 @@
-#include "render/canvas.h"
+#include "canvas.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "render/font.h"
+#include "font.h"
 
 namespace render {
 namespace {

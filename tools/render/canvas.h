@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/picture.h"
+#include "picture.h"
 
 namespace render {
 

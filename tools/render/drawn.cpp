@@ -1,4 +1,4 @@
-#include "render/drawn.h"
+#include "drawn.h"
 
 #include <cmath>
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "cli/contents.h"
-#include "render/canvas.h"
-#include "render/embree_picture.h"
-#include "render/motion.h"
+#include "canvas.h"
+#include "cli/file/contents.h"
+#include "embree_picture.h"
+#include "motion.h"
 
 namespace render {
 

@@ -1,4 +1,4 @@
-#include "render/embree_picture.h"
+#include "embree_picture.h"
 
 #include <embree3/rtcore.h>
 

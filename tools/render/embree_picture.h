@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geom/map/box_map.h"
-#include "render/view.h"
+#include "view.h"
 
 namespace render {
 

@@ -1,4 +1,4 @@
-#include "render/film.h"
+#include "film.h"
 
 #include <algorithm>
 

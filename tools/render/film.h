@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "render/drawn.h"
-#include "render/strip_chart.h"
-#include "render/take.h"
+#include "drawn.h"
+#include "strip_chart.h"
+#include "take.h"
 
 namespace render {
 

@@ -1,4 +1,4 @@
-#include "render/font.h"
+#include "font.h"
 
 #include <array>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "render/frame_output.h"
+#include "frame_output.h"
 
 #include <fmt/format.h>
 

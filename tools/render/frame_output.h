@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "cli/files.h"
+#include "cli/file/files.h"
 
 namespace render {
 

@@ -1,4 +1,4 @@
-#include "render/image_file.h"
+#include "image_file.h"
 
 #include <fmt/format.h>
 

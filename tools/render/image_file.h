@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "render/picture.h"
+#include "picture.h"
 
 namespace render {
 

@@ -1,4 +1,4 @@
-#include "render/motion.h"
+#include "motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "camera.h"
 #include "geom/map/frame.h"
-#include "render/camera.h"
 #include "traj/curve/trajectory.h"
 #include "traj/record/flight_log.h"
 

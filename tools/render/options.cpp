@@ -1,16 +1,16 @@
-#include "render/options.h"
+#include "options.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "cli/files.h"
-#include "cli/numbers_option.h"
-#include "cli/option_check.h"
-#include "cli/output_option.h"
+#include "cli/file/files.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/option_check.h"
+#include "cli/option/output_option.h"
 #include "cli/run.h"
-#include "render/frame_output.h"
+#include "frame_output.h"
 
 namespace render {
 namespace {

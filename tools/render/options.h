@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "render/film.h"
+#include "film.h"
 
 namespace render {
 

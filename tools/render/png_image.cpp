@@ -1,4 +1,4 @@
-#include "render/png_image.h"
+#include "png_image.h"
 
 #include <fmt/format.h>
 #include <png.h>

@@ -1,4 +1,4 @@
-#include "render/shade.h"
+#include "shade.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

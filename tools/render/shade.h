@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "render/embree_picture.h"
-#include "render/picture.h"
+#include "embree_picture.h"
+#include "picture.h"
 
 namespace render {
 

@@ -1,14 +1,14 @@
-#include "render/shoot.h"
+#include "shoot.h"
 
 #include <algorithm>
 #include <chrono>
 #include <ctime>
 
+#include "camera_poses.h"
+#include "frame_output.h"
 #include "geom/base/parallel.h"
-#include "render/camera_poses.h"
-#include "render/frame_output.h"
-#include "render/image_file.h"
-#include "render/png_image.h"
+#include "image_file.h"
+#include "png_image.h"
 
 namespace render {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "film.h"
 #include "geom/base/execution.h"
-#include "render/film.h"
-#include "render/options.h"
+#include "options.h"
 
 namespace render {
 

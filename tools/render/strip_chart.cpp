@@ -1,12 +1,12 @@
-#include "render/strip_chart.h"
+#include "strip_chart.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
+#include "canvas.h"
 #include "plot/ticks.h"
-#include "render/canvas.h"
 
 namespace render {
 namespace {

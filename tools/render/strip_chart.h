@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/picture.h"
+#include "picture.h"
 
 namespace render {
 

@@ -1,4 +1,4 @@
-#include "render/take.h"
+#include "take.h"
 
 #include <algorithm>
 

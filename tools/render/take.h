@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geom/base/execution.h"
-#include "render/picture.h"
-#include "render/shade.h"
+#include "picture.h"
+#include "shade.h"
 
 namespace render {
 

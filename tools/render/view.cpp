@@ -1,4 +1,4 @@
-#include "render/view.h"
+#include "view.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "view/bundle.h"
+#include "bundle.h"
 
 #include <bit>
 

@@ -1,4 +1,4 @@
-#include "view/layers.h"
+#include "layers.h"
 
 namespace view {
 

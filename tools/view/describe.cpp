@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "geom/base/error.h"
-#include "view/layers.h"
+#include "layers.h"
 
 namespace view {
 namespace {

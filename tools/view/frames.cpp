@@ -1,14 +1,14 @@
-#include "view/frames.h"
+#include "frames.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "cli/files.h"
+#include "cli/file/files.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "render/frame_output.h"
-#include "view/webp_frame.h"
+#include "webp_frame.h"
 
 namespace view {
 namespace {

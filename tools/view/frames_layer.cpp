@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "geom/base/error.h"
+#include "layers.h"
 #include "render/motion.h"
-#include "view/layers.h"
 
 namespace view {
 namespace {

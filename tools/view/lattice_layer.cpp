@@ -3,7 +3,7 @@
 #include <array>
 
 #include "geom/base/error.h"
-#include "view/layers.h"
+#include "layers.h"
 
 namespace view {
 namespace {

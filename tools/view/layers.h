@@ -2,11 +2,11 @@
 
 // What the page shows of each kind of artefact: its numbers in JSON, its arrays in a bundle.
 
-#include "cli/contents.h"
-#include "cli/vehicle_option.h"
-#include "view/bundle.h"
-#include "view/frames.h"
-#include "view/local_frame.h"
+#include "bundle.h"
+#include "cli/file/contents.h"
+#include "cli/option/vehicle_option.h"
+#include "frames.h"
+#include "local_frame.h"
 
 namespace view {
 

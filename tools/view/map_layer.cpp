@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "view/layers.h"
+#include "layers.h"
 
 namespace view {
 namespace {

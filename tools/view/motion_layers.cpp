@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layers.h"
 #include "traj/curve/yaw.h"
 #include "traj/proof/clearance.h"
-#include "view/layers.h"
 
 namespace view {
 namespace {

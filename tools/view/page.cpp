@@ -1,4 +1,4 @@
-#include "view/page.h"
+#include "page.h"
 
 #include <array>
 #include <utility>

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "view/bundle.h"
+#include "bundle.h"
 
 namespace view {
 

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "view/layers.h"
+#include "layers.h"
 
 namespace view {
 

@@ -1,4 +1,4 @@
-#include "view/webp_frame.h"
+#include "webp_frame.h"
 
 #include <fmt/format.h>
 #include <webp/encode.h>

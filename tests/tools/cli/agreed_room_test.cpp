@@ -1,0 +1,227 @@
+#include "cli/option/agreed_room.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+
+#include "cli/option/limit_options.h"
+#include "cli/option/vehicle_profile.h"
+#include "cli/run.h"
+#include "geom/base/error.h"
+#include "support/cases.h"
+#include "support/refusal.h"
+#include "support/temporary_folder.h"
+
+namespace cli {
+namespace {
+
+using geom::Limits;
+using geom::Vec3;
+using geom::Vehicle;
+
+Limits vmax(double value) {
+  Limits out;
+  out.vmax = value;
+  return out;
+}
+
+Vehicle quad(const Limits& limits = {}, double half = 1) {
+  return {"quad", Vec3::Constant(half), limits};
+}
+
+geom::Provenance record_of(const std::optional<Vehicle>& vehicle,
+                           const std::optional<double>& margin = {}) {
+  return {{}, {}, vehicle, margin};
+}
+
+Room agreed(const geom::Provenance& record, const AskedRoom& asked, Differences differences) {
+  return agreed_room(record, asked, differences, "paths.jsonl", 7);
+}
+
+std::string refusal(const geom::Provenance& record, const AskedRoom& asked,
+                    Differences differences = Differences::refused) {
+  return support::refusal_of([&] { agreed(record, asked, differences); });
+}
+
+TEST(AgreedRoom, IsTheRecordsWhereTheOptionsSayNothing) {
+  const Room room = agreed(record_of(quad(vmax(12)), 0.5), {}, Differences::refused);
+  EXPECT_EQ(room.vehicle, quad(vmax(12)));
+  EXPECT_EQ(room.margin, 0.5);
+  EXPECT_THROW(agreed(record_of({}), {}, Differences::refused), UsageError);
+}
+
+TEST(AgreedRoom, IsTheOptionsWhereTheRecordSaysNothing) {
+  const Room room = agreed(record_of({}), {quad(vmax(12)), 0.5}, Differences::refused);
+  EXPECT_EQ(room.vehicle, quad(vmax(12)));
+  EXPECT_EQ(room.margin, 0.5);
+  // A record from before vehicles had limits, and a box that says none.
+  EXPECT_EQ(agreed(record_of(quad()), {quad(vmax(12)), {}}, Differences::refused).vehicle.limits,
+            vmax(12));
+  EXPECT_EQ(agreed(record_of(quad(vmax(12))), {quad(), {}}, Differences::refused).vehicle.limits,
+            vmax(12));
+}
+
+TEST(AgreedRoom, RefusesOtherLimitsAndNamesBoth) {
+  const std::string said = refusal(record_of(quad(vmax(8))), {quad(vmax(12)), {}});
+  EXPECT_NE(
+      said.find("paths.jsonl:7: expected vehicle quad with vmax 12 m/s, as asked, found 8 m/s"),
+      std::string::npos)
+      << said;
+  Limits other;
+  other.amax = 5;
+  EXPECT_NE(refusal(record_of(quad(vmax(8))), {quad(other), {}}).find("vmax unlimited"),
+            std::string::npos);
+}
+
+TEST(AgreedRoom, HoldsTheStricterLimitsOfBothInACheck) {
+  const auto stricter = Differences::stricter_allowed;
+  for (const double asked : {8.0, 12.0}) {
+    EXPECT_EQ(
+        agreed(record_of(quad(vmax(20 - asked))), {quad(vmax(asked)), {}}, stricter).vehicle.limits,
+        vmax(8));
+  }
+  EXPECT_EQ(agreed(record_of(quad(vmax(8))), {quad({}, 2), {}}, stricter).vehicle.limits, vmax(8));
+}
+
+TEST(AgreedRoom, OverriddenIsTheOptions) {
+  const Room room =
+      agreed(record_of(quad(vmax(8), 2), 1), {quad(vmax(12)), 0}, Differences::allowed);
+  EXPECT_EQ(room.vehicle, quad(vmax(12)));
+  EXPECT_EQ(room.margin, 0);
+  EXPECT_TRUE(smaller_than_asked(room, record_of(quad(vmax(8), 2), 1)));
+  EXPECT_FALSE(smaller_than_asked(room, record_of(quad())));
+}
+
+TEST(AgreedRoom, KeepsTheMarginOfARecordThatNamesNoVehicle) {
+  EXPECT_NE(refusal(record_of({}, 0.5), {quad(), 0.1}).find("with margin 0.5"), std::string::npos);
+  EXPECT_NE(refusal(record_of({}, 0.5), {quad(), 0.1}, Differences::stricter_allowed), "");
+  EXPECT_EQ(agreed(record_of({}, 0.5), {quad(), {}}, Differences::refused).margin, 0.5);
+}
+
+TEST(AgreedRoom, NeverHasLessRoomOrLooserLimitsThanEither) {
+  constexpr std::uint64_t kSeed = 15;
+  std::mt19937_64 random(kSeed);
+  const auto some = [&] { return 1 + static_cast<double>(random() % 3); };
+  const auto limits = [&] { return random() % 2 ? vmax(some()) : Limits{}; };
+  int passed = 0;
+  for (int i = 0; i < support::cases(10000); ++i) {
+    const Vehicle had = quad(limits(), some());
+    const AskedRoom asked{quad(limits(), some()),
+                          random() % 2 ? std::optional(some()) : std::nullopt};
+    const double margin = some();
+    Room room;
+    try {
+      room = agreed(record_of(had, margin), asked, Differences::stricter_allowed);
+    } catch (const geom::InputError&) {
+      continue;
+    }
+    ++passed;
+    ASSERT_GE(room.vehicle.half.x() + room.margin, had.half.x() + margin) << "case " << i;
+    ASSERT_GE(room.vehicle.half.x(), asked.vehicle->half.x()) << "case " << i;
+    ASSERT_EQ(geom::first_looser(room.vehicle.limits, had.limits), nullptr) << "case " << i;
+    ASSERT_EQ(geom::first_looser(room.vehicle.limits, asked.vehicle->limits), nullptr);
+  }
+  EXPECT_GT(passed, 3000);
+}
+
+// --- profiles -----------------------------------------------------------------------------------
+
+class Profiles : public ::testing::Test {
+ protected:
+  VehicleProfile parsed(const std::string& json) {
+    const std::string path = folder_ / "v.json";
+    std::ofstream(path) << json;
+    return parse_vehicle(path);
+  }
+  std::string refused(const std::string& json) {
+    return support::refusal_of([&] { parsed(json); });
+  }
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(Profiles, HaveTheLimitsTheyStateAndThoseOfTheirMotors) {
+  const VehicleProfile profile =
+      parsed(R"({"body":[1,1,0.5],"tilt_max_deg":35,"limits":{"vmax":12,"vmax_v":4},"mass_kg":2,)"
+             R"("thrust_n":[0,30],"body_rate_max_rad_s":[3,4,2]})");
+  const Limits& limits = profile.vehicle.limits;
+  EXPECT_EQ(limits.vmax, 12);
+  EXPECT_EQ(limits.vmax_v, 4);
+  EXPECT_NEAR(*limits.tilt, 0.6108652381980153, 1e-15);
+  EXPECT_EQ(limits.thrust, 15);
+  EXPECT_EQ(limits.body_rate, 3);
+  EXPECT_EQ(limits.yaw_rate, 2);
+  EXPECT_EQ(profile.vehicle.half, geom::attitude_half_sizes({1, 1, 0.5}, *limits.tilt));
+}
+
+TEST_F(Profiles, MayStateTighterLimitsThanTheirMotors) {
+  const auto profile =
+      parsed(R"({"body":[1,1,1],"limits":{"thrust":12,"tilt":0.5},"tilt_max_deg":35,"mass_kg":1,)"
+             R"("thrust_n":[0,30]})");
+  EXPECT_EQ(profile.vehicle.limits.thrust, 12);
+  EXPECT_EQ(profile.vehicle.limits.tilt, 0.5);
+  EXPECT_EQ(profile.vehicle.half, geom::attitude_half_sizes({1, 1, 1}, 0.5));
+}
+
+TEST_F(Profiles, WithoutATiltHaveABoxThatHoldsEveryAttitude) {
+  const Vehicle vehicle = parsed(R"({"body":[0.3,0.4,0.2]})").vehicle;
+  EXPECT_EQ(vehicle.limits, Limits{});
+  const double reach = std::sqrt(0.09 + 0.16 + 0.04);
+  EXPECT_GE(vehicle.half.x(), reach);
+  EXPECT_GE(vehicle.half.z(), reach);
+  EXPECT_NEAR(vehicle.half.z(), reach, 1e-12);
+}
+
+TEST_F(Profiles, AreRefusedWhereALimitWouldBePassedOver) {
+  EXPECT_NE(refused(R"({"body":[1,1,1],"limit":{"vmax":3}})").find("\"limit\" is no key"),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"body":[1,1,1],"vmax":3})").find("\"vmax\" is no key"), std::string::npos);
+  EXPECT_NE(refused(R"({"body":[1,1,1],"limits":{"climb":3}})").find("\"climb\""),
+            std::string::npos);
+  EXPECT_NE(refused(R"({"body":[1,1,1],"tilt_max_deg":0})").find("above 0 and at most 80, found 0"),
+            std::string::npos);
+}
+
+TEST(Profile, IsTheSameByNameAndByFile) {
+  for (const std::string name : {"tello", "crazyflie"}) {
+    const auto file = std::string(SKYWAY_SOURCE_DIR) + "/data/vehicles/" + name + ".json";
+    EXPECT_EQ(parse_vehicle(name).vehicle, parse_vehicle(file).vehicle) << name;
+  }
+}
+
+TEST(Profile, OfABoxOrSphereLimitsNothing) {
+  EXPECT_EQ(parse_vehicle("box:1,2,3").vehicle.limits, Limits{});
+  EXPECT_EQ(parse_vehicle("sphere:1").vehicle.limits, Limits{});
+}
+
+// --- what is solved and checked for -------------------------------------------------------------
+
+TEST(LimitsToSolve, RefuseMoreThanTheVehicleMayDoAndNameBoth) {
+  Limits asked = vmax(30);
+  asked.amax = 6;
+  std::string said;
+  try {
+    limits_to_solve(asked, quad(vmax(12)));
+  } catch (const UsageError& error) {
+    said = error.what();
+  }
+  EXPECT_NE(said.find("vmax: asked for 30 m/s, but the vehicle quad may do at most 12 m/s"),
+            std::string::npos)
+      << said;
+  asked.vmax = 8;
+  EXPECT_EQ(limits_to_solve(asked, quad(vmax(12))).vmax, 8);
+  asked.vmax.reset();
+  EXPECT_EQ(limits_to_solve(asked, quad(vmax(12))).vmax, 12);
+}
+
+TEST(LimitsToCheck, RefuseToTiltBeyondTheBox) {
+  Limits asked;
+  Limits held;
+  asked.tilt = 1;
+  held.tilt = 0.5;
+  EXPECT_THROW(limits_to_check({asked, {}, held, true}, "quad"), UsageError);
+  EXPECT_EQ(limits_to_check({asked, {}, held, false}, "quad").tilt, 0.5);
+}
+
+}  // namespace
+}  // namespace cli

@@ -1,0 +1,159 @@
+// skyway-bench: planners compared on the same queries, each path judged by proof.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "cli/file/artefacts.h"
+#include "cli/file/files.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "command.h"
+#include "options.h"
+#include "peak_memory.h"
+#include "report.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json describe(const geom::CollisionScene& scene) {
+  const geom::Vec3& half = scene.vehicle().half;
+  return {{"type", "benchmark"},
+          {"map", scene.map().hash()},
+          {"frame", geom::name(scene.map().spec().frame.axes)},
+          {"vehicle", {{"name", scene.vehicle().name}, {"half", {half[0], half[1], half[2]}}}},
+          {"margin", scene.margin()}};
+}
+
+Json describe(const bench::QuerySet& queries, const bench::Files& files,
+              const bench::Options& options) {
+  if (queries.size()) return {{"queries", files.queries}, {"count", *queries.size()}};
+  Json out = {{"name", options.set}};
+  if (options.random.length) out["length"] = options.length;
+  out["seed"] = options.random.seed;
+  out["rejected"] = {{"outside", queries.rejected().outside},
+                     {"blocked", queries.rejected().blocked},
+                     {"line_free", queries.rejected().line_free}};
+  return out;
+}
+
+// A record may say for what it was made; then it must be this.
+void require_ours(const geom::PathRecord& record, const geom::CollisionScene& scene,
+                  std::size_t line) {
+  geom::Provenance said = geom::provenance_of(scene);
+  if (record.provenance.map) said.map = record.provenance.map;
+  if (record.provenance.frame) said.frame = record.provenance.frame;
+  if (record.provenance.vehicle) said.vehicle = record.provenance.vehicle;
+  if (record.provenance.margin) said.margin = record.provenance.margin;
+  cli::require_same(said, scene, fmt::format("planner-cmd:{}", line), "path");
+}
+
+bench::Run run_method(const std::string& name, const geom::CollisionScene& scene,
+                      bench::QuerySet& queries, const bench::Options& options,
+                      const cli::Common& common) {
+  const auto known = bench::known_methods();
+  const auto method =
+      std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.name == name; });
+  bench::reset_peak_memory();
+  return bench::measure(name, method->make(scene, options.method), scene, queries, options.rule,
+                        common.execution(name));
+}
+
+// The queries that the longest run before it had, or the fewest trials.
+std::vector<geom::PlanQuery> for_command(bench::QuerySet& queries, const bench::Options& options,
+                                         const std::vector<bench::Run>& before) {
+  std::size_t count = queries.size().value_or(std::min(options.rule.least, options.rule.most));
+  for (const bench::Run& run : before) count = std::max(count, run.trials.size());
+  std::vector<geom::PlanQuery> out;
+  for (std::size_t i = 0; i < count; ++i) out.push_back(queries.at(i));
+  return out;
+}
+
+bench::Run run_command(const std::string& command, const geom::CollisionScene& scene,
+                       const std::vector<geom::PlanQuery>& queries, const cli::Common& common) {
+  const bench::CommandOutput output = bench::run_command(
+      command, bench::to_json_lines(queries), queries.size(), common.execution("planner-cmd"));
+  if (output.status > 1) {
+    common.warn(
+        fmt::format("the planner command ended with status {}: {}", output.status, command));
+  }
+  return bench::judge_command(
+      command, output, scene, queries,
+      [&](const geom::PathRecord& record, std::size_t line) { require_ours(record, scene, line); });
+}
+
+std::vector<bench::Run> run_all(const geom::CollisionScene& scene, bench::QuerySet& queries,
+                                const bench::Options& options, const cli::Common& common) {
+  std::vector<bench::Run> runs;
+  for (const std::string& name : options.methods) {
+    runs.push_back(run_method(name, scene, queries, options, common));
+  }
+  if (options.commands.empty()) return runs;
+  const auto asked = for_command(queries, options, runs);
+  for (const std::string& command : options.commands) {
+    runs.push_back(run_command(command, scene, asked, common));
+  }
+  return runs;
+}
+
+bool sound(const bench::Run& run) {
+  return bench::count(run, bench::Verdict::invalid) == 0 && !run.missing && !run.extra;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Compare planners on the same queries; each path is judged by proof.",
+               "skyway-bench"};
+  cli::Common common(app, true);
+  cli::VehicleOptions vehicle;
+  bench::Files files;
+  bench::Options options;
+  bench::add_options(app, files, options);
+  vehicle.add_to(app);
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({files.map, files.artefacts.lattice, files.artefacts.roadmap,
+                            files.queries, files.reference});
+    cli::Scenes scenes(
+        cli::open_map(files.map, geom::Verified::extents, common.execution("verify")), vehicle,
+        cli::Scenes::Differences::refused);
+    const geom::CollisionScene& scene = scenes.scene();
+    const cli::Artefacts artefacts(files.artefacts);
+    artefacts.require_made_for(scene);
+    options.method.lattice = artefacts.lattice();
+    options.method.roadmap = artefacts.roadmap();
+    bool all_sound = true;
+    Json report = describe(scene);
+    Json stats;
+    for (bench::Options& part : bench::parts_of(options)) {
+      bench::complete(part, scene.map());
+      part.method.build = common.execution("layers");
+      bench::QuerySet queries = files.queries.empty() ? bench::QuerySet(scene, part.random)
+                                                      : bench::QuerySet(bench::read_queries(files));
+      const std::vector<bench::Run> runs = run_all(scene, queries, part, common);
+      Json set = describe(queries, files, part);
+      Json all = {{"set", set}};
+      Json counts = {{"set", set}};
+      for (const bench::Run& run : runs) {
+        all["methods"].push_back(bench::report(run, runs.front()));
+        counts["methods"].push_back(bench::counts(run));
+        all_sound = all_sound && sound(run);
+      }
+      common.note(bench::table(runs));
+      if (options.older_protocol) {
+        report["parts"].push_back(all);
+        stats["parts"].push_back(counts);
+      } else {
+        report.update(all);
+        stats = counts;
+      }
+    }
+    cli::OutputFile out(files.output, cli::OutputKind::text);
+    out.stream() << report.dump(2) << '\n';
+    out.commit();
+    common.write_stats(stats);
+    return all_sound ? cli::Exit::yes : cli::Exit::no;
+  });
+}

@@ -1,0 +1,151 @@
+#include "checker.h"
+
+#include "cli/option/limit_options.h"
+#include "cli/run.h"
+#include "geom/text/json_fields.h"
+#include "traj/proof/check.h"
+#include "traj/proof/clearance.h"
+#include "traj/proof/exact/exact_check.h"
+#include "traj/proof/flown.h"
+#include "traj/record/trajectory_record.h"
+
+namespace checking {
+namespace {
+
+// The scene says only what vehicle it is for; the exact check looks at the map itself.
+traj::ExactTask exact_task(const geom::CollisionScene& scene, const traj::Limits& limits) {
+  return {scene.map(), scene.vehicle(), scene.margin(), limits};
+}
+
+// Only --override allows it.
+bool has_less_room(const geom::CollisionScene& scene, const geom::Provenance& record) {
+  return cli::smaller_than_asked({scene.vehicle(), scene.margin()}, record);
+}
+
+}  // namespace
+
+traj::Limits Checker::limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const {
+  return cli::limits_to_check({rules_.limits, record, vehicle.limits, rules_.override_record},
+                              vehicle.name);
+}
+
+// The limits that --override loosens.
+std::vector<std::string> Checker::loosened(const traj::TrajectoryRecord& record,
+                                           const geom::Vehicle& vehicle,
+                                           const traj::Limits& held) const {
+  const geom::Limits strict =
+      geom::limits_that_hold({rules_.limits, traj::limits_of(record), vehicle.limits});
+  std::vector<std::string> out;
+  for (const auto& [name, limit] : geom::kLimitFields) {
+    if (held.*limit != strict.*limit) out.emplace_back(name);
+  }
+  return out;
+}
+
+// A limit that an option asks for is held or refused. One that only the vehicle's profile has, and
+// that nothing in a path or a mission commands, is the vehicle's own to keep; the report names it.
+void Checker::refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& report) const {
+  const auto missing = traj::not_measured(report.result, rules_.limits);
+  if (missing.empty() || !report.result.ok) return;
+  report.result.ok = false;
+  report.result.reason = missing.front() + "_not_measured";
+  report.result.place = place;
+}
+
+traj::ReportRecord Checker::trajectory(const std::string& text, const std::string& source,
+                                       std::size_t line) const {
+  const auto record = traj::parse_trajectory_record(text, source, line);
+  traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}, {}, {}};
+  if (record.status != "solved") {
+    report.result.reason = record.status;
+    return report;
+  }
+  const auto& scene = scenes_.scene_for(record.provenance, source, line);
+  report.limits = limits_for(record.limits, scene.vehicle());
+  report.overridden = loosened(record, scene.vehicle(), report.limits);
+  if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
+  report.provenance = geom::provenance_of(scene);
+  report.result = traj::check(scene, record.trajectory, report.limits);
+  if (rules_.exact) {
+    report.exact = traj::check_exactly(exact_task(scene, report.limits), record.trajectory);
+  }
+  if (profile_.is_open() && report.result.duration > 0) {
+    profile_.require_room(report.result.duration);
+    profile_.add(record.id, traj::clearance_profile(scene, record.trajectory, profile_.step()));
+  }
+  return report;
+}
+
+traj::ReportRecord Checker::path(const std::string& text, const std::string& source,
+                                 std::size_t line) const {
+  const auto record = geom::parse_path_record(text, source, line);
+  traj::ReportRecord report{record.id, "path", {}, record.provenance, {}, {}, {}};
+  if (record.status != "found") {
+    report.result.reason = "no_path";
+    return report;
+  }
+  const auto& scene = scenes_.scene_for(record.provenance, source, line);
+  if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
+  report.provenance = geom::provenance_of(scene);
+  report.result = traj::check_path(scene, record.points);
+  report.limits = rules_.limits;
+  refuse_unmeasured(record.points.front(), report);
+  if (rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), record.points);
+  if (profile_.is_open()) {
+    profile_.require_room(geom::length(record.points));
+    profile_.add(record.id, traj::clearance_profile(scene, record.points, profile_.step()));
+  }
+  return report;
+}
+
+// What a drone makes of a file.
+traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
+  const auto& scene = scenes_.scene();
+  const bool path = !file.flown.path.empty();
+  if (rules_.exact && !path) {
+    throw cli::UsageError("--exact takes paths and records, not files of trajectories");
+  }
+  traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}, {}, {}};
+  report.limits = limits_for({}, scene.vehicle());
+  report.overridden = loosened({}, scene.vehicle(), report.limits);
+  report.provenance = geom::provenance_of(scene);
+  report.result = traj::check_flown(scene, file.flown, report.limits);
+  if (path) refuse_unmeasured(file.flown.path.front(), report);
+  const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
+  if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
+  if (!profile_.is_open()) return report;
+  if (way) profile_.require_room(geom::length(*way));
+  if (way) profile_.add(file.id, traj::clearance_profile(scene, *way, profile_.step()));
+  if (!path && report.result.duration > 0) {
+    profile_.require_room(report.result.duration);
+    profile_.add(file.id, traj::clearance_profile(scene, file.flown.trajectory, profile_.step()));
+  }
+  return report;
+}
+
+traj::ReportRecord Checker::record(const std::string& text, const std::string& source,
+                                   std::size_t line) const {
+  const geom::JsonFields fields(text, source, line);
+  return fields.text("type") == "path" ? path(text, source, line) : trajectory(text, source, line);
+}
+
+std::size_t Checker::each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
+                          const geom::Shard& shard, const Answer& answer) const {
+  std::size_t total = 0;
+  if (drone_file.format.empty()) {
+    file.for_each_line([&](const std::string& line, std::size_t number) {
+      if (shard.takes(total++)) answer(record(line, file.name(), number));
+    });
+    return total;
+  }
+  const geom::Frame& frame = scenes_.map().spec().frame;
+  const std::string text = file.read_all();
+  for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
+    if (!shard.takes(total++)) continue;
+    for (const std::string& note : one.notes) common_.warn(one.id + ": " + note);
+    answer(flown(one));
+  }
+  return total;
+}
+
+}  // namespace checking

@@ -1,0 +1,55 @@
+#pragma once
+
+// Records and drone files held against a map and their limits.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/file/drone_file.h"
+#include "cli/file/files.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "profile_file.h"
+#include "traj/record/report_record.h"
+#include "traj/record/trajectory_record.h"
+
+namespace checking {
+
+struct Rules {
+  traj::Limits limits;           // by the options
+  bool override_record = false;  // the options may be looser than what a record carries
+  bool exact = false;            // check once more in exact numbers
+};
+
+class Checker {
+ public:
+  // All must outlive this. The profile takes the clearance of what is checked, where it is open.
+  Checker(const cli::Common& common, cli::Scenes& scenes, ProfileFile& profile, const Rules& rules)
+      : common_(common), scenes_(scenes), profile_(profile), rules_(rules) {}
+
+  using Answer = std::function<void(const traj::ReportRecord&)>;
+  // Answers what the shard takes of the file, in order. Returns how much is in the file.
+  std::size_t each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
+                   const geom::Shard& shard, const Answer& answer) const;
+
+ private:
+  traj::ReportRecord record(const std::string& text, const std::string& source,
+                            std::size_t line) const;
+  traj::ReportRecord trajectory(const std::string& text, const std::string& source,
+                                std::size_t line) const;
+  traj::ReportRecord path(const std::string& text, const std::string& source,
+                          std::size_t line) const;
+  traj::ReportRecord flown(const cli::DroneFile& file) const;
+  traj::Limits limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const;
+  std::vector<std::string> loosened(const traj::TrajectoryRecord& record,
+                                    const geom::Vehicle& vehicle, const traj::Limits& held) const;
+  void refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& report) const;
+
+  const cli::Common& common_;
+  cli::Scenes& scenes_;
+  ProfileFile& profile_;
+  Rules rules_;
+};
+
+}  // namespace checking

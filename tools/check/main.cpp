@@ -1,0 +1,134 @@
+// skyway-check: prove that trajectories and paths are clear of a map and inside their limits.
+
+#include "checker.h"
+#include "cli/option/limit_options.h"
+#include "cli/option/option_check.h"
+#include "cli/option/output_option.h"
+#include "cli/run.h"
+#include "traj/record/certificate_record.h"
+
+namespace {
+
+struct Options {
+  std::string map;
+  std::string input = "-";
+  std::string output = "-";
+  std::string certificate;
+  checking::ProfileFile profile;
+  cli::VehicleOptions vehicle;
+  cli::LimitOptions limits;
+  bool override_record = false;
+  bool exact = false;
+  cli::DroneFileOptions drone_file;
+
+  void add_to(CLI::App& app);
+  void refuse_idle(const CLI::App& app) const;
+  checking::Rules rules() const {
+    return {limits.limits(), override_record, exact || !certificate.empty()};
+  }
+};
+
+void Options::add_to(CLI::App& app) {
+  app.add_option("map", map, "box map; - for stdin")->required();
+  app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
+  cli::add_output(app, "-o,--output", output, "reports (default: stdout)");
+  vehicle.add_to(app);
+  limits.add_to(app);
+  app.add_flag("--override", override_record,
+               "let the options be looser than what the records carry");
+  app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
+  profile.add_to(app);
+  cli::add_output(app, "--certificate", certificate,
+                  "write why each accepted record is clear, JSON Lines; implies --exact");
+  drone_file.add_to(app);
+}
+
+void Options::refuse_idle(const CLI::App& app) const {
+  cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
+  cli::only_for(app, !drone_file.format.empty(),
+                {"--start", "--origin", "--geoid", "--ground", "--takeoff-height", "--heading"},
+                "drone files (--file-format)");
+}
+
+// Writes what each record came to, and counts.
+class Reports {
+ public:
+  // All must outlive this.
+  Reports(Options& options, const cli::Sharding& sharding, const geom::BoxMap& map)
+      : map_(map), profile_(options.profile), out_(options.output, "output", sharding) {
+    if (!options.certificate.empty())
+      certificates_.emplace(options.certificate, "certificate", sharding);
+    profile_.open(sharding);
+  }
+
+  void add(const traj::ReportRecord& report) {
+    const bool ok = traj::accepted(report);
+    failed_ += !ok;
+    ++count_;
+    if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
+    profile_.finish_record();
+    out_.add(traj::to_json_line(report, map_));
+    out_.flush();
+  }
+
+  // `total`: how many records all shards have.
+  cli::Exit commit(std::size_t total) {
+    const cli::Exit exit = failed_ ? cli::Exit::no : cli::Exit::yes;
+    out_.commit(total, exit);
+    if (certificates_) certificates_->commit(total, exit);
+    profile_.commit(total, exit);
+    return exit;
+  }
+
+  std::size_t count() const { return count_; }
+  std::size_t failed() const { return failed_; }
+
+ private:
+  std::string certificate(const traj::ReportRecord& report) const {
+    return to_json_line(traj::CertificateRecord{report.id, report.checked, *report.exact,
+                                                map_.spec().bounds, report.provenance,
+                                                report.limits, report.overridden});
+  }
+
+  const geom::BoxMap& map_;
+  checking::ProfileFile& profile_;
+  cli::RecordOutput out_;
+  std::optional<cli::RecordOutput> certificates_;
+  std::size_t count_ = 0;
+  std::size_t failed_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Prove trajectories and paths free of collision and inside their limits.",
+               "skyway-check"};
+  cli::Common common(app);
+  Options options;
+  options.add_to(app);
+  cli::Sharding sharding;
+  sharding.add_to(app);
+  return cli::run_tool(app, argc, argv, [&] {
+    options.refuse_idle(app);
+    cli::at_most_one_stdin({options.map, options.input});
+    sharding.begin(app, {{"map", options.map}, {"file", options.input}},
+                   {{"output", options.output},
+                    {"certificate", options.certificate},
+                    {"profile", options.profile.file()}});
+    const geom::BoxMap map = cli::open_map(options.map, geom::Verified::contents);
+    if (const auto done = sharding.finished(common)) return *done;
+    using Differences = cli::Scenes::Differences;
+    cli::Scenes scenes(
+        map, options.vehicle,
+        options.override_record ? Differences::allowed : Differences::stricter_allowed);
+    const checking::Checker checker(common, scenes, options.profile, options.rules());
+    cli::InputFile file(options.input);
+    Reports reports(options, sharding, scenes.map());
+    const std::size_t total =
+        checker.each(file, options.drone_file, sharding.shard(),
+                     [&](const traj::ReportRecord& report) { reports.add(report); });
+    const cli::Exit exit = reports.commit(total);
+    common.write_stats({{"records", reports.count()}, {"failed", reports.failed()}});
+    return exit;
+  });
+}

@@ -1,0 +1,59 @@
+#include "profile_file.h"
+
+#include <fmt/format.h>
+
+#include "cli/option/output_option.h"
+#include "cli/run.h"
+#include "geom/record/record.h"
+#include "geom/text/csv_field.h"
+
+namespace checking {
+namespace {
+
+constexpr double kMostParts = 1e6;  // of one way: 40 MB of text
+
+}  // namespace
+
+void ProfileFile::add_to(CLI::App& app) {
+  cli::add_output(app, "--profile", file_,
+                  "write the least clearance of each part of the way, CSV");
+  app.add_option("--profile-step", step_,
+                 "length of those parts: seconds, or metres along a path (default 0.1)")
+      ->check(CLI::Range(1e-4, 1e6));
+}
+
+void ProfileFile::open(const cli::Sharding& sharding) {
+  if (file_.empty()) return;
+  out_.emplace(file_, "profile", sharding);
+  out_->head("id,begin,end,clearance_m\n");
+}
+
+void ProfileFile::require_room(double extent) const {
+  if (extent / step_ <= kMostParts) return;
+  throw cli::UsageError(
+      fmt::format("--profile-step: expected at most {:g} parts of a way, found {:.0f} of {} each; "
+                  "--profile-step {:g} or more fits",
+                  kMostParts, extent / step_, step_, extent / kMostParts));
+}
+
+void ProfileFile::add(const std::string& id, std::span<const traj::ClearanceSpan> spans) {
+  for (const traj::ClearanceSpan& span : spans) {
+    lines_ += geom::csv_field(id);
+    for (const double value : {span.begin, span.end, span.clearance}) {
+      lines_ += ',';
+      geom::append_json(lines_, value);
+    }
+    lines_ += '\n';
+  }
+}
+
+void ProfileFile::finish_record() {
+  if (out_) out_->add(lines_);
+  lines_.clear();
+}
+
+void ProfileFile::commit(std::size_t total, cli::Exit exit) {
+  if (out_) out_->commit(total, exit);
+}
+
+}  // namespace checking

@@ -1,0 +1,165 @@
+#include "contents.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "files.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
+#include "plan/lattice/lattice_file.h"
+
+namespace cli {
+namespace {
+
+void add_archive(const geom::ArrayArchive& archive, Contents& out) {
+  const std::string& name = archive.name();
+  if (geom::is_box_map(archive)) {
+    if (out.map) {
+      throw geom::InputError(name, fmt::format("expected one map, found another beside {}: join "
+                                               "them with skyway-map join",
+                                               out.map->source));
+    }
+    out.map = {open_map(archive, geom::Verified::extents), name, 0};
+  } else if (plan::is_lattice(archive)) {
+    out.lattices.push_back({plan::read_lattice(archive), name, 0});
+  } else {
+    throw geom::InputError(name, "expected a box map or a lattice, found another archive");
+  }
+}
+
+// Sorts the lines of one stream into the contents.
+class Records {
+ public:
+  Records(const std::string& source, const ContentKinds& kinds, Contents& out)
+      : source_(source), kinds_(kinds), out_(out) {}
+
+  void add(const std::string& text, std::size_t line) {
+    if (tree_ && !tree_->complete()) {
+      tree_->add(text, source_, line);
+    } else {
+      finish_tree(line);
+      add_record(text, line);
+    }
+  }
+
+  void finish_tree(std::size_t line) {
+    if (!tree_) return;
+    out_.trees.push_back({std::move(*tree_).finish(source_, line), source_, tree_line_});
+    tree_.reset();
+  }
+
+ private:
+  void add_record(const std::string& text, std::size_t line) {
+    const geom::JsonFields fields(text, source_, line);
+    const std::string type = fields.text("type", "query");
+    if (type == "tree") {
+      tree_.emplace(text, source_, line);
+      tree_line_ = line;
+    } else if (type == "path") {
+      out_.paths.push_back({geom::parse_path_record(text, source_, line), source_, line});
+    } else if (type == "trajectory") {
+      out_.trajectories.push_back(
+          {traj::parse_trajectory_record(text, source_, line), source_, line});
+    } else if (type == "corridor" && kinds_.corridors) {
+      out_.corridors.push_back({traj::parse_corridor_record(text, source_, line), source_, line});
+    } else if ((type == "report" || type == "flight") && kinds_.reports) {
+      out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
+    } else {
+      fields.refuse(fmt::format(fmt::runtime(kinds_.refusal), type));
+    }
+  }
+
+  const std::string& source_;
+  const ContentKinds& kinds_;
+  Contents& out_;
+  std::optional<plan::SearchTreeReader> tree_;
+  std::size_t tree_line_ = 0;
+};
+
+void add_records(InputFile& file, const ContentKinds& kinds, Contents& out) {
+  Records records(file.name(), kinds, out);
+  std::size_t last = 0;
+  file.for_each_line([&](const std::string& text, std::size_t line) {
+    records.add(text, line);
+    last = line;
+  });
+  records.finish_tree(last);
+}
+
+void add_flights(InputFile& file, Contents& out) {
+  for (traj::FlightLog& log : traj::read_flight_log(file.stream(), file.name())) {
+    out.flights.push_back({std::move(log), file.name(), 0});
+  }
+}
+
+void add_input(const std::string& path, const ContentKinds& kinds, Contents& out) {
+  InputFile file(path);
+  const int first = file.stream().peek();
+  if (first == std::char_traits<char>::eof()) {
+    throw geom::InputError(file.name(), "expected records or a flight log, found an empty file");
+  }
+  if (first == 'P' && kinds.archives) return add_archive(open_archive(path), out);
+  if (first == '{' || std::isspace(first)) return add_records(file, kinds, out);
+  add_flights(file, out);
+}
+
+// Compares what records say of their map with the map, or with the first that says anything.
+class SameMap {
+ public:
+  explicit SameMap(const geom::BoxMap* map) {
+    if (!map) return;
+    hash_ = map->hash();
+    axes_ = map->spec().frame.axes;
+  }
+
+  void require(const geom::Provenance& made_for, const std::string& source, std::size_t line) {
+    if (!hash_) hash_ = made_for.map;
+    if (made_for.map && *made_for.map != *hash_) {
+      throw geom::InputError(
+          source, line,
+          fmt::format("made for another map: expected {}, found {}", *hash_, *made_for.map));
+    }
+    if (axes_ && made_for.frame && *made_for.frame != *axes_) {
+      throw geom::InputError(source, line,
+                             fmt::format("expected frame {}, as the map has, found {}",
+                                         geom::name(*axes_), geom::name(*made_for.frame)));
+    }
+  }
+
+ private:
+  std::optional<std::string> hash_;
+  std::optional<geom::Axes> axes_;
+};
+
+}  // namespace
+
+Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds) {
+  Contents out;
+  for (const std::string& path : inputs) add_input(path, kinds, out);
+  return out;
+}
+
+void require_same_map(const Contents& contents, const geom::BoxMap* map) {
+  SameMap same(map);
+  for (const auto& [lattice, source, line] : contents.lattices) {
+    same.require(lattice.made_for(), source, line);
+  }
+  const auto all = [&](const auto& list) {
+    for (const auto& [record, source, line] : list) same.require(record.provenance, source, line);
+  };
+  all(contents.trees);
+  all(contents.paths);
+  all(contents.trajectories);
+  all(contents.corridors);
+  all(contents.reports);
+}
+
+std::size_t drop_failed(Contents& contents) {
+  return std::erase_if(contents.paths, [](const auto& p) { return p.record.status != "found"; }) +
+         std::erase_if(contents.trajectories,
+                       [](const auto& t) { return t.record.status != "solved"; });
+}
+
+}  // namespace cli

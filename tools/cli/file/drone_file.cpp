@@ -1,0 +1,272 @@
+#include "drone_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <numbers>
+#include <sstream>
+
+#include "cli/option/numbers_option.h"
+#include "cli/run.h"
+#include "geom/base/error.h"
+#include "geom/record/path_csv.h"
+#include "traj/curve/to_enu.h"
+#include "traj/drone_file/crazyflie.h"
+#include "traj/drone_file/geo_line.h"
+#include "traj/drone_file/gltf_line.h"
+#include "traj/drone_file/qgc_plan.h"
+#include "traj/drone_file/wpl.h"
+
+namespace cli {
+namespace {
+
+constexpr double kGeodesy = 1e-8;  // m: what a projection may be off by
+
+// What a text is, by how it begins.
+std::string detected(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with("QGC WPL")) return "wpl";
+  if (text.starts_with("{")) {
+    const bool geojson =
+        text.find("\"fileType\"") == text.npos && text.find("\"coordinates\"") != text.npos;
+    return geojson ? "geojson" : "qgc-plan";
+  }
+  if (text.starts_with("glTF")) return "gltf";
+  if (text.starts_with("<")) return "kml";
+  if (text.starts_with("command") || text.starts_with("takeoff")) return "tello";
+  if (text.starts_with("duration") || text.starts_with("Duration")) return "crazyflie";
+  if (text.starts_with("t_s,")) return "setpoints";
+  return "paths-csv";
+}
+
+using Notes = std::vector<std::string>;
+
+traj::Flown flown_tello(std::istream& in, const std::string& source,
+                        const DroneFileOptions& options, geom::Axes axes, Notes& notes) {
+  if (!options.start) {
+    throw UsageError("a Tello script says no place: give --start x,y,z, where it stands");
+  }
+  const traj::TelloFlight flight = traj::read_tello(in, source);
+  if (!flight.lands) notes.emplace_back("it ends without landing: it hovers, or the file was cut");
+  const auto start = options.placement.tello_start(geom::to_enu(axes, *options.start));
+  traj::Flown flown;
+  flown.path = traj::tello_path(flight, start);
+  flown.ends.takeoff_from = start.ground.z();
+  flown.envelope = traj::kTelloEnvelope;
+  flown.airborne = traj::tello_times(flight, start).back();
+  for (const traj::TelloLeg& leg : flight.legs) {
+    flown.speed = std::max(flown.speed.value_or(0), 0.01 * leg.speed);
+  }
+  return flown;
+}
+
+traj::Flown flown_mission(const traj::Mission& mission, const std::string& source,
+                          const DroneFileOptions& options, const geom::Frame& frame, Notes& notes) {
+  traj::FlownMission read = traj::flown_mission(mission, options.placement.mission_frame(frame),
+                                                options.placement.ground, source);
+  if (read.returns) {
+    notes.emplace_back("the return to home is left out: its height is a setting of the vehicle");
+  }
+  if (!read.ended) {
+    notes.emplace_back("it ends without a landing: it hovers, or the file was cut");
+  }
+  if (read.cuts_corners) {
+    notes.emplace_back(
+        "a waypoint without a rest: the vehicle may cut its corner, by as much as "
+        "its settings allow");
+  }
+  if (read.takeoff_from_home > 0) {
+    notes.push_back(
+        fmt::format("the take-off is {:.3g} m from home: it is taken to climb at home "
+                    "and go there, which not every autopilot does",
+                    read.takeoff_from_home));
+  }
+  traj::Flown flown;
+  flown.path = std::move(read.path);
+  flown.hold = std::move(read.hold);
+  flown.ends = read.ends;
+  flown.speed = read.speed;
+  flown.returns = read.returns;
+  flown.path_stray = traj::kMissionStray;
+  return flown;
+}
+
+geom::Polyline on_map(const traj::GeoPoints& places, const traj::MissionFrame& frame, double geoid,
+                      std::string_view source) {
+  const geom::GeographicFrame earth(frame.origin);
+  geom::Polyline path;
+  for (geom::GeodeticPlace place : places) {
+    if (!traj::is_near(frame.origin, place.latitude, place.longitude)) {
+      throw geom::InputError(
+          source, fmt::format("expected a place near the origin, latitude {} longitude {}, found "
+                              "latitude {} longitude {}",
+                              frame.origin.latitude, frame.origin.longitude, place.latitude,
+                              place.longitude));
+    }
+    place.height += geoid;
+    path.push_back(earth.enu(place));
+  }
+  return path;
+}
+
+std::vector<traj::Flown> on_map(const std::vector<traj::GeoPoints>& lines,
+                                const traj::MissionFrame& frame, double geoid,
+                                std::string_view source) {
+  std::vector<traj::Flown> flown(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    flown[i].path = on_map(lines[i], frame, geoid, source);
+    flown[i].path_stray = geom::Vec3(kGeodesy, kGeodesy, 0);
+  }
+  return flown;
+}
+
+// In ENU.
+std::vector<traj::Flown> read_flown(std::istream& in, const std::string& source,
+                                    const std::string& format, const DroneFileOptions& options,
+                                    const geom::Frame& frame, Notes& notes) {
+  const auto over = [&] { return options.placement.mission_frame(frame); };
+  if (format == "kml") return on_map(traj::read_kml(in, source), over(), over().geoid, source);
+  if (format == "geojson") return on_map(traj::read_geojson(in, source), over(), 0, source);
+  if (format == "gltf") {
+    std::vector<traj::Flown> flown;
+    for (geom::Polyline& line : traj::read_gltf_lines(in, source)) {
+      flown.emplace_back().path = std::move(line);
+    }
+    return flown;
+  }
+  traj::Flown flown;
+  if (format == "crazyflie") {
+    traj::CrazyflieFlight flight = traj::read_crazyflie(in, source);
+    flown.trajectory = std::move(flight.trajectory);
+    flown.stray = std::move(flight.stray);
+  } else if (format == "setpoints") {
+    flown.setpoints = traj::read_setpoints(in, source);
+    flown.trajectory = traj::straight_between(flown.setpoints);
+  } else if (format == "tello") {
+    flown = flown_tello(in, source, options, frame.axes, notes);
+  } else if (format == "wpl") {
+    flown = flown_mission(traj::read_wpl(in, source), source, options, frame, notes);
+  } else {
+    flown = flown_mission(traj::read_qgc_plan(in, source), source, options, frame, notes);
+  }
+  return {flown};
+}
+
+traj::Flown in_map_axes(traj::Flown flown, geom::Axes axes) {
+  flown.trajectory = traj::to_enu(axes, std::move(flown.trajectory));
+  flown.path = traj::to_enu(axes, std::move(flown.path));
+  flown.path_stray = geom::to_enu(axes, flown.path_stray);
+  for (traj::Stray& stray : flown.stray) stray.position = geom::to_enu(axes, stray.position);
+  for (traj::Setpoint& s : flown.setpoints) {
+    s.yaw = geom::yaw_to_enu(axes, s.yaw);
+    if (axes != geom::Axes::enu) s.yaw_rate = -s.yaw_rate;
+    for (geom::Vec3* v : {&s.state.position, &s.state.velocity, &s.state.acceleration}) {
+      *v = geom::to_enu(axes, *v);
+    }
+  }
+  return flown;
+}
+
+std::vector<DroneFile> read_paths(std::istream& in, const std::string& source) {
+  std::vector<DroneFile> files;
+  for (geom::PathRecord& record : geom::read_path_csv(in, source)) {
+    files.push_back({std::move(record.id), "paths-csv", {}, {}});
+    files.back().flown.path = std::move(record.points);
+  }
+  return files;
+}
+
+}  // namespace
+
+void Placement::add_to(CLI::App& app) {
+  app.add_option_function<std::string>(
+         "--origin",
+         [this](const std::string& text) {
+           const auto v = parse_numbers(text, 3);
+           if (!v || std::abs((*v)[0]) > 90 || std::abs((*v)[1]) > 180) {
+             throw CLI::ValidationError(
+                 "--origin", "expected latitude,longitude,height, found \"" + text + '"');
+           }
+           origin = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
+         },
+         "of the map's coordinates: degrees and metres above the ellipsoid (default: the map's)")
+      ->type_name("LAT,LON,HEIGHT");
+  app.add_option("--geoid", geoid,
+                 "metres from the ellipsoid up to the sea level there, for heights above the sea "
+                 "(default 0)")
+      ->check(CLI::Range(-200.0, 200.0));
+  app.add_option("--ground", ground, "height of the ground at the take-off, in the map's z")
+      ->check(CLI::Range(-1e6, 1e6));
+  app.add_option("--takeoff-height", takeoff_height,
+                 "metres above the ground to which a Tello rises on take-off (default 1)")
+      ->check(CLI::Range(0.2, 10.0));
+  app.add_option("--heading", heading,
+                 "of a Tello's nose on the ground, degrees clockwise from north")
+      ->check(CLI::Range(-360.0, 360.0));
+}
+
+traj::MissionFrame Placement::mission_frame(const geom::Frame& frame) const {
+  if (origin) {
+    geom::Frame placed = frame;
+    placed.origin = origin;
+    if (!geom::counts_from_origin(placed)) {
+      throw UsageError(
+          fmt::format("the map's coordinates are those of \"{}\": they do not count from "
+                      "a place, so --origin cannot say where they are; make the map "
+                      "from data in metres about that place",
+                      frame.crs.substr(0, 60)));
+    }
+    return {*origin, geoid};
+  }
+  if (!geom::counts_from_origin(frame)) {
+    throw UsageError("the map knows no origin on Earth: give --origin latitude,longitude,height");
+  }
+  return {*frame.origin, geoid};
+}
+
+void require_near_origin(const geom::Polyline& enu, const geom::GeodeticOrigin& origin,
+                         const std::string& id) {
+  constexpr double kFurthest = 2e5;  // metres
+  for (const geom::Vec3& p : enu) {
+    if (p.head<2>().norm() <= kFurthest) continue;
+    throw geom::InputError(
+        id, fmt::format("expected a flight within 200 km of the origin, latitude {}, longitude {}, "
+                        "found [{}, {}]: do the coordinates of the map count from another place?",
+                        origin.latitude, origin.longitude, p.x(), p.y()));
+  }
+}
+
+traj::TelloStart Placement::tello_start(const geom::Vec3& enu_ground) const {
+  return {enu_ground, heading.value_or(0) * std::numbers::pi / 180, takeoff_height};
+}
+
+void DroneFileOptions::add_to(CLI::App& app) {
+  app.add_option("--file-format", format,
+                 "FILE is a drone file, to be checked as it is flown; auto: as it begins")
+      ->check(CLI::IsMember({"auto", "crazyflie", "setpoints", "tello", "wpl", "qgc-plan", "kml",
+                             "geojson", "gltf", "paths-csv"}));
+  app.add_flag_callback(
+      "--paths-csv", [this] { format = "paths-csv"; },
+      "FILE is a table of paths with columns id,x,y,z");
+  add_point(app, "--start", start, "where a Tello stands before it takes off");
+  placement.add_to(app);
+}
+
+std::vector<DroneFile> read_drone_file(const std::string& text, const std::string& source,
+                                       const DroneFileOptions& options, const geom::Frame& frame) {
+  std::istringstream in(text);
+  const std::string format = options.format == "auto" ? detected(text) : options.format;
+  if (format == "paths-csv") return read_paths(in, source);
+  Notes notes;
+  auto read = read_flown(in, source, format, options, frame, notes);
+  const std::string name = std::filesystem::path(source).stem().string();
+  std::vector<DroneFile> files;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const std::string id = read.size() == 1 ? name : fmt::format("{}-{}", name, i + 1);
+    files.push_back({id, format, in_map_axes(std::move(read[i]), frame.axes), notes});
+  }
+  return files;
+}
+
+}  // namespace cli

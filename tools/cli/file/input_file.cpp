@@ -1,0 +1,168 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <iterator>
+#include <streambuf>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "cli/run.h"
+#include "files.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/base/error.h"
+#include "run_files.h"
+#include "verified_mark.h"
+
+namespace cli {
+namespace {
+
+[[noreturn]] void fail(int error, const std::string& name) {
+  throw std::system_error(error, std::generic_category(), "cannot read " + name);
+}
+
+void note_input(const std::string& path) {
+  if (RunFiles* const files = RunFiles::current()) files->add_input(path);
+}
+
+bool is_blank(const std::string& line) {
+  return line.find_first_not_of(" \t\r") == std::string::npos;
+}
+
+// Reads a file descriptor, and throws std::system_error with the reason when that fails: an input
+// that breaks off never looks like one that ends.
+class DescriptorInput : public std::streambuf {
+ public:
+  DescriptorInput(int descriptor, std::string name)
+      : descriptor_(descriptor), name_(std::move(name)), buffer_(1 << 16) {}
+
+ private:
+  int_type underflow() override {
+    if (gptr() < egptr()) return traits_type::to_int_type(*gptr());
+    ssize_t n = -1;
+    do {
+      n = ::read(descriptor_, buffer_.data(), buffer_.size());
+    } while (n < 0 && errno == EINTR);
+    if (n < 0) fail(errno, name_);
+    setg(buffer_.data(), buffer_.data(), buffer_.data() + n);
+    if (n == 0) return traits_type::eof();
+    note_head();
+    return traits_type::to_int_type(*gptr());
+  }
+
+  void note_head() {
+    RunFiles* const files = RunFiles::current();
+    if (!first_ || descriptor_ != STDIN_FILENO || !files) return;
+    first_ = false;
+    files->note_stdin({eback(), std::min<std::size_t>(4096, egptr() - eback())});
+  }
+
+  int descriptor_;
+  std::string name_;
+  std::vector<char> buffer_;
+  bool first_ = true;
+};
+
+}  // namespace
+
+struct InputFile::Source {
+  DescriptorInput buffer;
+  std::istream stream{&buffer};
+
+  Source(int descriptor, const std::string& name) : buffer(descriptor, name) {
+    stream.exceptions(std::ios::badbit);  // so that what failed is thrown on with its reason
+  }
+};
+
+InputFile::InputFile(const std::string& path) : name_(path == "-" ? "stdin" : path) {
+  note_input(path);
+  if (path == "-") {
+    // One buffer for whoever reads it next.
+    static const auto standard = std::make_shared<Source>(STDIN_FILENO, name_);
+    source_ = standard;
+    return;
+  }
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(errno, path);
+  source_ = std::shared_ptr<Source>(new Source(descriptor, path), [descriptor](Source* source) {
+    delete source;
+    ::close(descriptor);
+  });
+  struct stat info {};
+  if (fstat(descriptor, &info) == 0 && S_ISDIR(info.st_mode)) fail(EISDIR, path);
+}
+
+std::istream& InputFile::stream() { return source_->stream; }
+
+void InputFile::for_each_line(const std::function<void(const std::string&, std::size_t)>& f) {
+  std::string line;
+  std::size_t number = 0;
+  bool any = false;
+  while (std::getline(stream(), line)) {
+    ++number;
+    if (is_blank(line)) continue;
+    if (!any && line.starts_with("PK\x03\x04")) {
+      throw geom::InputError(name_,
+                             "expected JSON Lines, found an archive (skyway-info says more)");
+    }
+    any = true;
+    f(line, number);
+  }
+  if (!any) throw geom::InputError(name_, "expected at least one record, found an empty stream");
+}
+
+std::string InputFile::read_all() { return {std::istreambuf_iterator<char>(stream()), {}}; }
+
+geom::ArrayArchive open_archive(const std::string& path) {
+  if (path != "-") {
+    if (access(path.c_str(), R_OK) != 0) fail(errno, path);
+    note_input(path);
+    return geom::ArrayArchive::map(path);
+  }
+  const std::string text = InputFile(path).read_all();
+  return geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "stdin");
+}
+
+geom::Execution all_cores() { return {std::max(1u, std::thread::hardware_concurrency()), {}}; }
+
+geom::BoxMap open_map(const std::string& path, geom::Verified level, const geom::Execution& run) {
+  return open_map(open_archive(path), level, run);
+}
+
+geom::BoxMap open_map(const geom::ArrayArchive& archive, geom::Verified level,
+                      const geom::Execution& run) {
+  const auto file = archive.file();
+  if (!file) {  // it was read from a stream
+    geom::BoxMap map = geom::read_box_map(archive);
+    map.require(level, run);
+    return map;
+  }
+  geom::BoxMap map = geom::read_box_map(archive, marked(*file));
+  if (map.verified() < level) {
+    map.require(level, run);
+    mark(archive.name(), *file, level, clock_now());
+  }
+  return map;
+}
+
+namespace {
+
+void at_most_one(std::ptrdiff_t count) {
+  if (count > 1) throw UsageError("at most one input may be \"-\"");
+}
+
+}  // namespace
+
+void at_most_one_stdin(std::initializer_list<std::string_view> inputs) {
+  at_most_one(std::count(inputs.begin(), inputs.end(), "-"));
+}
+
+void at_most_one_stdin(std::string_view first, std::span<const std::string> others) {
+  at_most_one((first == "-") + std::count(others.begin(), others.end(), "-"));
+}
+
+}  // namespace cli

@@ -1,0 +1,80 @@
+#include "agreed_room.h"
+
+#include <fmt/format.h>
+
+#include "cli/run.h"
+#include "geom/base/error.h"
+#include "limit_options.h"
+
+namespace cli {
+namespace {
+
+using geom::Vec3;
+
+std::string in_words(const Room& room) {
+  const Vec3& half = room.vehicle.half;
+  return fmt::format("{} [{}, {}, {}] with margin {}", room.vehicle.name, half[0], half[1], half[2],
+                     room.margin);
+}
+
+// What a record asks for; where it says nothing, what is asked for now.
+Room recorded(const geom::Provenance& record, const Room& now) {
+  Room room = now;
+  if (record.vehicle) room = {*record.vehicle, 0};
+  if (record.margin) room.margin = *record.margin;
+  return room;
+}
+
+bool holds(const Room& room, const Room& other) {
+  const Vec3 ours = room.vehicle.half.array() + room.margin;
+  const Vec3 theirs = other.vehicle.half.array() + other.margin;
+  return (ours.array() >= theirs.array()).all();
+}
+
+// In words, the first limit in which two vehicles differ.
+std::string difference(const geom::Limits& asked, const geom::Limits& found) {
+  for (const auto& field : geom::kLimitFields) {
+    const auto& a = asked.*field.member;
+    const auto& b = found.*field.member;
+    if (a == b) continue;
+    return fmt::format("{} {}, as asked, found {}", field.name, a ? shown(field, *a) : "unlimited",
+                       b ? shown(field, *b) : "unlimited");
+  }
+  return {};
+}
+
+}  // namespace
+
+Room agreed_room(const geom::Provenance& record, const AskedRoom& asked, Differences differences,
+                 std::string_view source, std::size_t line) {
+  if (!asked.vehicle && !record.vehicle) {
+    throw UsageError("no vehicle: the record names none, so give --vehicle");
+  }
+  Room room;
+  room.vehicle = asked.vehicle ? *asked.vehicle : *record.vehicle;
+  room.margin = asked.margin ? *asked.margin : record.margin.value_or(0);
+  if (differences == Differences::allowed) return room;
+  const Room had = recorded(record, room);
+  const bool same = room.vehicle.half == had.vehicle.half && room.margin == had.margin;
+  if (!same && !(differences == Differences::stricter_allowed && holds(room, had))) {
+    throw geom::InputError(
+        source, line,
+        fmt::format("expected vehicle {}, as asked, found {}", in_words(room), in_words(had)));
+  }
+  const geom::Limits& ours = room.vehicle.limits;
+  const geom::Limits& theirs = had.vehicle.limits;
+  if (theirs == geom::Limits{} || ours == theirs) return room;
+  if (differences == Differences::refused && ours != geom::Limits{}) {
+    throw geom::InputError(source, line,
+                           fmt::format("expected vehicle {} with {} of {}", room.vehicle.name,
+                                       difference(ours, theirs), had.vehicle.name));
+  }
+  room.vehicle.limits = geom::stricter(ours, theirs);
+  return room;
+}
+
+bool smaller_than_asked(const Room& room, const geom::Provenance& record) {
+  return !holds(room, recorded(record, room));
+}
+
+}  // namespace cli

@@ -1,0 +1,62 @@
+#include "degrees.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/run.h"
+#include "geom/base/error.h"
+
+namespace cli {
+namespace {
+
+constexpr double kNear = 0.5;  // degrees
+
+bool near_place(double latitude, double longitude, const geom::GeodeticOrigin& origin) {
+  return std::abs(latitude - origin.latitude) <= kNear &&
+         std::abs(longitude - origin.longitude) <= kNear;
+}
+
+bool fractional(double v) { return v != std::floor(v); }
+
+std::string what_stood_there(const geom::Frame& frame, const geom::Vec3& p) {
+  return fmt::format(
+      "[{}, {}] look like degrees: the map's origin is at latitude {}, longitude {}, and its "
+      "coordinates are metres from there; give metres, or insist with --metres",
+      p.x(), p.y(), frame.origin->latitude, frame.origin->longitude);
+}
+
+}  // namespace
+
+bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> points) {
+  if (!frame.origin || points.empty()) return false;
+  const geom::GeodeticOrigin& at = *frame.origin;
+  const auto all = [&](const auto& read) {
+    return std::all_of(points.begin(), points.end(), read);
+  };
+  if (!all([](const geom::Vec3& p) { return fractional(p.x()) && fractional(p.y()); }))
+    return false;
+  return all([&](const geom::Vec3& p) { return near_place(p.x(), p.y(), at); }) ||
+         all([&](const geom::Vec3& p) { return near_place(p.y(), p.x(), at); });
+}
+
+void MetresOption::add_to(CLI::App& app) {
+  app.add_flag("--metres", insisted_,
+               "coordinates are metres even if they look like the latitude and longitude of the "
+               "map's origin");
+}
+
+void MetresOption::check_option(const geom::Frame& frame, std::span<const geom::Vec3> points,
+                                const std::string& option) const {
+  if (insisted_ || !look_like_degrees(frame, points)) return;
+  throw UsageError(option + ": " + what_stood_there(frame, points.front()));
+}
+
+void MetresOption::check_input(const geom::Frame& frame, std::span<const geom::Vec3> points,
+                               const std::string& source, std::size_t line) const {
+  if (insisted_ || !look_like_degrees(frame, points)) return;
+  throw geom::InputError(source, line, what_stood_there(frame, points.front()));
+}
+
+}  // namespace cli

@@ -1,0 +1,42 @@
+#include "patch_option.h"
+
+#include <fmt/format.h>
+
+#include "cli/file/files.h"
+#include "geom/base/error.h"
+
+namespace cli {
+
+void PatchOptions::add_to(CLI::App& app, const std::string& kind,
+                          std::initializer_list<CLI::Option*> excluded) {
+  auto* patch = app.add_option("--patch", artefact,
+                               fmt::format("{} of an older map: only what changed is worked out "
+                                           "anew; as that one in all else",
+                                           kind));
+  auto* map = app.add_option("--old-map", old_map, "the map it was made for");
+  patch->needs(map);
+  map->needs(patch);
+  for (CLI::Option* option : excluded) patch->excludes(option);
+}
+
+geom::ArrayArchive PatchOptions::open(const geom::Execution& run) const {
+  geom::ArrayArchive archive = open_archive(artefact);
+  archive.verify(run);
+  return archive;
+}
+
+const geom::CollisionScene& PatchOptions::scene(Scenes& scenes, geom::Provenance made_for) const {
+  made_for.map.reset();  // the old one
+  return scenes.scene_for(made_for, artefact, 0);
+}
+
+plan::MapChange PatchOptions::change(const geom::Provenance& made_for,
+                                     const geom::CollisionScene& scene) const {
+  const geom::BoxMap old = open_map(old_map, geom::Verified::contents);
+  if (made_for.map != old.hash()) {
+    throw geom::InputError(artefact, fmt::format("was made for another map than {}", old_map));
+  }
+  return plan::change_since(old, scene);
+}
+
+}  // namespace cli

@@ -1,0 +1,158 @@
+#include "sharding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+
+#include "cli/file/hashed_input.h"
+#include "geom/base/error.h"
+#include "geom/base/sha256.h"
+#include "geom/text/parse_json.h"
+
+namespace cli {
+namespace {
+
+// Options that change no byte of what a shard holds, but where it goes and how long it takes.
+constexpr std::array<std::string_view, 8> kIdle = {"output", "report", "threads", "progress",
+                                                   "stats",  "quiet",  "shard",   "join"};
+
+geom::Shard parse_shard(const std::string& word) {
+  geom::Shard shard;
+  std::size_t number = 0;
+  const char* const end = word.data() + word.size();
+  const auto first = std::from_chars(word.data(), end, number);
+  const bool slash = first.ec == std::errc() && first.ptr < end && *first.ptr == '/';
+  const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
+  if (!slash || second.ec != std::errc() || second.ptr != end || number < 1 ||
+      number > shard.count || shard.count > kMostShards) {
+    throw UsageError(fmt::format("--shard: expected K/N with 1 <= K <= N <= {}, found \"{}\"",
+                                 kMostShards, word));
+  }
+  shard.index = number - 1;
+  return shard;
+}
+
+// Of an archive: of what its directory says, checksums included, so that big ones cost nothing.
+std::string hash_of_archive(const std::string& file) {
+  const geom::ArrayArchive archive = open_archive(file);
+  std::string text(archive.meta());
+  for (const auto& entry : archive.arrays()) {
+    text += fmt::format("{} {} {:08x}", entry.name, entry.dtype, entry.crc);
+    for (const std::size_t n : entry.shape) text += fmt::format(" {}", n);
+    text += '\n';
+  }
+  geom::Sha256 sum;
+  sum.update(std::as_bytes(std::span(text)));
+  return "sha256:" + sum.hex();
+}
+
+std::string hash_of(const std::string& file) {
+  InputFile input(file);
+  HashedInput hashed(input);
+  return hashed.head().starts_with("PK") ? hash_of_archive(file) : hashed.hash();
+}
+
+nlohmann::json to_json(const Work& work) {
+  return {{"tool", work.tool},
+          {"release", work.release},
+          {"options", work.options},
+          {"inputs", work.inputs}};
+}
+
+}  // namespace
+
+CLI::Option* Sharding::add_to(CLI::App& app) {
+  return app.add_option("--shard", word_,
+                        "K/N: do only the K-th of N shares, and write a shard for skyway-join");
+}
+
+CLI::Option* Sharding::add_join_to(CLI::App& app, const std::string& what) {
+  return app.add_option("--join", join_, what)->type_name("SHARD")->excludes("--shard");
+}
+
+void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outputs) {
+  if (!asked() && join_.empty()) return;
+  if (asked()) shard_ = parse_shard(word_);
+  work_ = {app.get_name(), SKYWAY_VERSION, nlohmann::json::object(), nlohmann::json::object()};
+  for (const auto& [name, file] : inputs) {
+    if (file == "-") {
+      throw UsageError(fmt::format("{} reads its inputs from files: {} is stdin",
+                                   asked() ? "--shard" : "--join", name));
+    }
+    if (!file.empty()) work_.inputs[name] = hash_of(file);
+  }
+  outputs_ = outputs;
+  for (const auto& [name, file] : outputs) {
+    const bool beside = asked() && !file.empty() && name != "output";
+    if (beside) work_.options[name] = true;  // that, not where
+  }
+  const auto is_input = [&](const std::string& value) {
+    return std::any_of(inputs.begin(), inputs.end(),
+                       [&](const auto& input) { return input.second == value; });
+  };
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name();
+    const auto values = option->results();
+    const bool idle = std::find(kIdle.begin(), kIdle.end(), name) != kIdle.end();
+    if (values.empty() || idle || work_.options.contains(name)) continue;
+    if (std::all_of(values.begin(), values.end(), is_input)) continue;
+    if (values.size() == 1 && std::filesystem::is_regular_file(values[0])) {  // of a vehicle, say
+      work_.inputs[name] = hash_of(values[0]);
+    } else {
+      work_.options[name] = values;
+    }
+  }
+}
+
+std::vector<ShardFile> Sharding::shards() const {
+  if (join_.empty()) return {};
+  std::vector<ShardFile> shards = open_shards(join_);
+  const std::string why = difference(work_, shards.front().work);
+  if (!why.empty()) {
+    throw geom::InputError(shards.front().archive.name(),
+                           fmt::format("expected a shard of this command, found {}", why));
+  }
+  return shards;
+}
+
+std::optional<Exit> Sharding::finished(const Common& common) const {
+  if (!asked()) return std::nullopt;
+  Exit worst = Exit::yes;
+  for (const auto& [name, file] : outputs_) {
+    if (file.empty()) continue;
+    if (file == "-" || !std::filesystem::is_regular_file(file)) return std::nullopt;
+    try {
+      const ShardFile there = read_shard(geom::ArrayArchive::map(file));  // no input of the run
+      const bool same = there.work == work_ && there.shard == shard_ && there.output == name;
+      if (!same) return std::nullopt;
+      there.archive.verify();
+      worst = std::max(worst, there.exit);
+    } catch (const geom::InputError&) {
+      return std::nullopt;  // something else, or damaged: it will be written anew
+    }
+    common.note(fmt::format("{}: {} is this shard already\n", work_.tool, file));
+  }
+  common.write_stats({{"skipped", true}});
+  return worst;
+}
+
+void Sharding::write(const std::string& file, const std::string& output, const std::string& kind,
+                     const std::string& content, std::span<const geom::NamedArray> arrays,
+                     Exit exit) const {
+  nlohmann::json meta = to_json(work_);
+  meta.update({{"format", "skyway-shard"},
+               {"version", kShardVersion},
+               {"shard", {shard_.index + 1, shard_.count}},
+               {"output", output},
+               {"kind", kind},
+               {"content", geom::parse_json(content, file)},
+               {"exit", static_cast<int>(exit)}});
+  OutputFile out(file, OutputKind::artefact);
+  geom::write_array_archive(out.stream(), meta.dump() + '\n', arrays);
+  out.commit();
+}
+
+}  // namespace cli

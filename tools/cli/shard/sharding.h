@@ -1,0 +1,51 @@
+#pragma once
+
+// --shard K/N: a process's share of a run, written to files that say what they are shares of, for
+// skyway-join or the tool's own --join.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/file/files.h"
+#include "cli/run.h"
+#include "shard_file.h"
+
+namespace cli {
+
+class Sharding {
+ public:
+  CLI::Option* add_to(CLI::App& app);
+  CLI::Option* add_join_to(CLI::App& app, const std::string& what);  // after add_to()
+  bool asked() const { return !word_.empty(); }
+  geom::Shard shard() const { return shard_; }
+
+  // The shards to join, empty without --join. Throws geom::InputError where they are not all of
+  // them, or not those of this very command.
+  std::vector<ShardFile> shards() const;
+
+  using Files = std::vector<std::pair<std::string, std::string>>;  // by option; empty: not given
+
+  // Call first: notes what is asked, and hashes the inputs. Throws UsageError where one is stdin.
+  // Outputs are those of a shard.
+  void begin(const CLI::App& app, const Files& inputs, const Files& outputs);
+
+  // The exit code of an earlier run where all outputs are this very shard already, undamaged.
+  std::optional<Exit> finished(const Common& common) const;
+
+  // `output` is the option that names it, `content` JSON.
+  void write(const std::string& file, const std::string& output, const std::string& kind,
+             const std::string& content, std::span<const geom::NamedArray> arrays, Exit exit) const;
+
+ private:
+  std::string word_;
+  std::vector<std::string> join_;
+  geom::Shard shard_;
+  Work work_;
+  Files outputs_;
+};
+
+}  // namespace cli

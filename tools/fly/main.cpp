@@ -1,0 +1,137 @@
+// skyway-fly: how a quadrotor follows trajectories, in wind and with which gains.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "cli/file/files.h"
+#include "cli/option/option_check.h"
+#include "cli/option/output_option.h"
+#include "cli/run.h"
+#include "mission.h"
+#include "options.h"
+#include "traj/record/gains_record.h"
+
+namespace {
+
+// One file alone is the map where it is a box map (a ZIP), else the trajectories.
+struct Inputs {
+  std::string map;  // may be empty
+  std::string trajectories = "-";
+};
+
+Inputs inputs_of(const std::vector<std::string>& files) {
+  if (files.empty()) return {};
+  if (files.size() == 2) return {files[0], files[1]};
+  if (files[0] == "-") return {};
+  if (!std::filesystem::is_regular_file(files[0])) return {"", files[0]};  // no map comes by a pipe
+  cli::InputFile file(files[0]);
+  const bool zip = file.stream().get() == 'P' && file.stream().get() == 'K';
+  return zip ? Inputs{files[0], "-"} : Inputs{"", files[0]};
+}
+
+// What must not be asked together.
+void check_usage(const fly::Options& options, const Inputs& inputs, const cli::Sharding& sharding,
+                 const std::string& report) {
+  cli::at_most_one_stdin({inputs.map, inputs.trajectories});
+  if (options.tube && (options.runs == 0 || inputs.map.empty())) {
+    throw cli::UsageError("--tube needs a map and --runs");
+  }
+  if (options.tune && (options.runs > 0 || !report.empty())) {
+    throw cli::UsageError("--tune writes gains: it takes neither --runs nor --report");
+  }
+  if (options.runs > 0 && sharding.asked() && !report.empty()) {
+    throw cli::UsageError("a shard of --runs goes to -o alone: give --report with --join");
+  }
+  if (options.runs > 0 && std::abs(options.mass_error) >= 1) {
+    throw cli::UsageError("--mass-error must be below 1 with --runs");
+  }
+}
+
+void write_gains(const cli::Common& common, const fly::Mission& mission,
+                 const std::string& output) {
+  cli::OutputFile out(output, cli::OutputKind::text);
+  const traj::TuneResult tuned = mission.tune(common.execution("flights"));
+  out.stream() << traj::to_json(tuned.gains);
+  out.commit();
+  common.write_stats(
+      {{"flights", tuned.flights}, {"velocity_cost", tuned.velocity_cost}, {"cost", tuned.cost}});
+}
+
+// The runs of a share, for --join.
+void write_runs(const cli::Common& common, const fly::Mission& mission,
+                const cli::Sharding& sharding, int runs, const std::string& output) {
+  const auto flown = mission.fly_runs(sharding.shard(), common.execution("trajectories"));
+  cli::write_shard(sharding, output, flown, runs);
+  common.write_stats({{"trajectories", flown.size()}});
+}
+
+// `total`: how many trajectories all shards have.
+cli::Exit write_flights(const cli::Common& common, fly::Mission& mission,
+                        const cli::Sharding& sharding, std::size_t total, const std::string& output,
+                        const std::string& report) {
+  cli::RecordOutput out(output, "output", sharding);
+  std::optional<cli::RecordOutput> told;
+  if (!report.empty()) told.emplace(report, "report", sharding);
+  const fly::Tally tally = mission.fly(common.execution("flights"), out, told ? &*told : nullptr);
+  const cli::Exit exit = tally.failed ? cli::Exit::no : cli::Exit::yes;
+  out.commit(total, exit);
+  if (told) told->commit(total, exit);
+  common.write_stats({{"records", tally.records},
+                      {"failed", tally.failed},
+                      {"flown_s", tally.flown},
+                      {"cpu_s", tally.cpu},
+                      {"times_real_time", tally.cpu > 0 ? tally.flown / tally.cpu : 0}});
+  return exit;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Fly trajectories with a simulated quadrotor.", "skyway-fly"};
+  cli::Common common(app, true);
+  cli::VehicleOptions vehicle;
+  fly::Options options;
+  std::vector<std::string> files;
+  std::string output = "-";
+  std::string report;
+  app.add_option("map_and_file", files,
+                 "box map, then trajectories (default: stdin); without a map, trajectories alone")
+      ->expected(0, 2);
+  cli::add_output(app, "-o,--output", output,
+                  "flight log, CSV; with --tune gains (default: stdout)");
+  cli::add_output(app, "--report", report, "how it went, JSON Lines");
+  vehicle.add_to(app);
+  options.add_to(app);
+  cli::Sharding sharding;
+  sharding.add_to(app)->excludes("--tune");
+  sharding.add_join_to(app, "all shards of the runs, which then are not flown")
+      ->needs("--runs")
+      ->expected(1, -1);
+  return cli::run_tool(app, argc, argv, [&] {
+    const Inputs inputs = inputs_of(files);
+    check_usage(options, inputs, sharding, report);
+    cli::only_for(app, options.tune, {"--cost"}, "--tune");
+    if (vehicle.word.empty()) throw cli::UsageError("no vehicle: give --vehicle FILE.json");
+    sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
+                   {{"output", output}, {"report", report}});
+    std::optional<geom::BoxMap> map;
+    if (!inputs.map.empty()) {
+      map = cli::open_map(inputs.map, geom::Verified::contents, common.execution("verify"));
+    }
+    if (const auto done = sharding.finished(common)) return *done;
+    std::vector<cli::ShardFile> shards = sharding.shards();
+    const bool runs_only = sharding.asked() && options.runs > 0;
+    fly::Mission mission(options, vehicle, map);
+    cli::InputFile file(inputs.trajectories);
+    const std::size_t total = mission.read(file, runs_only ? geom::Shard() : sharding.shard());
+    if (!shards.empty()) mission.take(cli::JoinedRuns(std::move(shards)));
+    if (!options.tune && !runs_only) {
+      return write_flights(common, mission, sharding, total, output, report);
+    }
+    if (options.tune) write_gains(common, mission, output);
+    if (runs_only) write_runs(common, mission, sharding, options.runs, output);
+    return cli::Exit::yes;
+  });
+}

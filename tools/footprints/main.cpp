@@ -1,0 +1,184 @@
+// skyway-footprints: building footprints, city models and height models become box maps.
+
+#include <fmt/format.h>
+
+#include "cli/file/hashed_input.h"
+#include "cli/file/map_output.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/output_option.h"
+#include "cli/option/skipped_option.h"
+#include "cli/option/units.h"
+#include "cli/run.h"
+#include "cli/shard/map_shard.h"
+#include "formats.h"
+#include "geom/base/error.h"
+#include "place.h"
+
+namespace {
+
+struct Options {
+  std::string input;
+  std::string output = "-";
+  std::string format = "auto";
+  footprints::ReadOptions read;
+  double slack = 0.5;  // metres
+  std::string terrain;
+  std::string origin;
+  std::string height_units;
+  bool metres = false;
+  cli::SkippedOption skipped;
+  cli::MapOptions map;
+
+  void add_to(CLI::App& app);
+  std::optional<geom::Vec2> place() const;  // latitude, longitude of the origin, where given
+};
+
+void Options::add_to(CLI::App& app) {
+  app.add_option("file", input,
+                 "GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OSM .pbf, CityJSON or a GeoTIFF of "
+                 "heights")
+      ->required();
+  cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
+  app.add_option("--format", format, "what the file is (default: auto)")
+      ->check(CLI::IsMember({"auto", "vector", "osm", "cityjson", "raster"}));
+  app.add_option("--slack", slack,
+                 "how far boxes may reach outside a footprint, metres (default 0.5)")
+      ->check(CLI::Range(0.01, 100.0));
+  app.add_option("--height-attribute", read.height.attribute,
+                 "attribute that holds heights, before the usual ones");
+  app.add_option("--storey", read.height.storey, "height of a storey, metres (default 3)")
+      ->check(CLI::Range(1.0, 20.0));
+  app.add_option("--default-height", read.height.default_height,
+                 "height of buildings that tell none, metres (default 10)")
+      ->check(CLI::Range(0.1, 2000.0));
+  app.add_option("--where", read.where, "only features for which this OGR SQL is true");
+  app.add_option("--height-step", read.height_step,
+                 "round the cells of a height model up to multiples of this, metres (default 0.5)")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--terrain", terrain, "GeoTIFF of the ground that footprints stand on");
+  app.add_option("--origin", origin,
+                 "LATITUDE,LONGITUDE of the map's origin (default: the middle)");
+  app.add_option("--height-units", height_units,
+                 "unit of heights that name none (default: what the coordinate reference system "
+                 "says, else m)")
+      ->check(CLI::IsMember(cli::kMetres));
+  app.add_flag("--metres", metres,
+               "numbers without a coordinate reference system are metres even if they look like "
+               "degrees");
+  skipped.add_to(app);
+  map.add_to(app);
+}
+
+std::optional<geom::Vec2> Options::place() const {
+  if (origin.empty()) return std::nullopt;
+  const auto numbers = cli::parse_numbers(origin, 2);
+  if (!numbers || std::abs((*numbers)[0]) > 90 || std::abs((*numbers)[1]) > 180) {
+    throw cli::UsageError("--origin must be LATITUDE,LONGITUDE in degrees, found \"" + origin +
+                          "\"");
+  }
+  return geom::Vec2((*numbers)[0], (*numbers)[1]);
+}
+
+nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
+                               const std::string& format, const geom::MakeMapOptions& map) {
+  nlohmann::ordered_json step = {{"tool", "skyway-footprints"},
+                                 {"input", hash},
+                                 {"format", format},
+                                 {"slack", options.slack},
+                                 {"storey", options.read.height.storey},
+                                 {"default_height", options.read.height.default_height}};
+  if (options.read.height_unit) step["height_units_m"] = *options.read.height_unit;
+  step.update(cli::history_of(map));
+  return step;
+}
+
+// What was read, in numbers; warns of what is worth knowing.
+nlohmann::ordered_json counts_of(const footprints::Source& source, const std::string& format,
+                                 const std::string& name, const cli::Common& common) {
+  nlohmann::ordered_json counts = {{"format", format}, {"footprints", source.footprints.size()}};
+  std::string report;
+  for (const auto& [what, n] : source.counts) {
+    counts[what] = n;
+    report += fmt::format("; {}: {}", what, n);
+  }
+  if (!report.empty()) {
+    common.warn(fmt::format("{}: footprints: {}{}", name, source.footprints.size(), report));
+  }
+  for (const std::string& warning : source.warnings) common.warn(name + ": " + warning);
+  if (!source.skipped.empty()) counts["skipped"] = source.skipped.count();
+  return counts;
+}
+
+// A source in the coordinates of the map.
+struct City {
+  footprints::Source source;
+  geom::Frame frame;
+};
+
+// The shard's part of the source, on the ground where there is a terrain.
+City city_of(footprints::Source source, const Options& options,
+             const std::optional<geom::Vec2>& origin, const std::string& name,
+             const cli::Sharding& sharding) {
+  const footprints::Projector projector(source, name, origin, options.metres);
+  const geom::MakeMapOptions map = options.map.make();
+  std::optional<double> floor = map.floor;
+  if (map.bounds) floor = map.bounds->min.z();
+  if (floor) *floor /= map.scale;
+  footprints::sink_ground(source.footprints, floor);
+  if (sharding.asked()) footprints::keep_shard(source.footprints, sharding.shard());
+  footprints::project(source.footprints, projector);
+  if (!options.terrain.empty()) {
+    const footprints::Terrain terrain(options.terrain, options.terrain, options.read);
+    footprints::lift(source, terrain, projector.frame().crs);
+  }
+  footprints::check_sizes(source, options.slack, name);
+  return {std::move(source), projector.frame()};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Convert building footprints, city models and height models to a box map.",
+               "skyway-footprints"};
+  cli::Common common(app, true);
+  Options options;
+  options.add_to(app);
+  cli::Sharding sharding;
+  sharding.add_to(app);
+  return cli::run_tool(app, argc, argv, [&] {
+    const std::optional<geom::Vec2> origin = options.place();
+    if (!options.height_units.empty()) {
+      options.read.height_unit = cli::kMetres.at(options.height_units);
+    }
+    if (options.input == "-")
+      throw cli::UsageError("footprints are read from a file, not from stdin");
+    sharding.begin(app, {{"file", options.input}, {"terrain", options.terrain}},
+                   {{"output", options.output}});
+    if (const auto done = sharding.finished(common)) return *done;
+    cli::InputFile file(options.input);
+    cli::HashedInput hashed(file);
+    if (hashed.head().empty()) throw geom::InputError(file.name(), "the file is empty");
+    const std::string format = options.format == "auto"
+                                   ? footprints::detect(hashed.head(), options.input)
+                                   : options.format;
+    const City city =
+        city_of(footprints::read(format, options.input, file.name(), hashed.stream(), options.read),
+                options, origin, file.name(), sharding);
+    const geom::MakeMapOptions map = options.map.make();
+    nlohmann::ordered_json stats = counts_of(city.source, format, file.name(), common);
+    nlohmann::ordered_json step = step_of(hashed.hash(), options, format, map);
+    options.skipped.settle(city.source.skipped, file.name(), common, step);
+    const std::string history = nlohmann::ordered_json::array({step}).dump();
+    geom::BoxTable table =
+        geom::boxes_of(city.source.footprints, options.slack, common.execution("footprints"));
+    if (sharding.asked()) {
+      cli::write_shard(sharding, options.output, table, {city.frame, history, map});
+      common.write_stats(std::move(stats));
+      return cli::Exit::yes;
+    }
+    const geom::MadeMap made =
+        geom::make_map(std::move(table), city.frame, history, file.name(), map);
+    cli::write_map(common, options.output, made, file.name(), stats);
+    return cli::Exit::yes;
+  });
+}

@@ -1,0 +1,128 @@
+// skyway-import-trajectory: other people's missions as trajectories and paths.
+
+#include <fmt/format.h>
+
+#include "cli/file/drone_file.h"
+#include "cli/file/files.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/output_option.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "traj/record/trajectory_record.h"
+#include "traj/solve/close_joints.h"
+
+namespace {
+
+struct Importer {
+  const cli::Common& common;
+  std::string source;
+  double gap;  // m
+  geom::Provenance provenance;
+
+  std::string trajectory_line(const cli::DroneFile& file) const {
+    const traj::ClosedJoints closed = traj::close_joints(file.flown.trajectory, gap, source);
+    if (closed.largest_gap > 0) {
+      common.warn(fmt::format("{}: closed gaps of up to {:.2g} m between segments", file.id,
+                              closed.largest_gap));
+    }
+    traj::TrajectoryRecord record;
+    record.id = file.id;
+    record.status = "solved";
+    record.trajectory = closed.trajectory;
+    record.provenance = provenance;
+    return to_json_line(record);
+  }
+
+  std::string path_line(const cli::DroneFile& file) const {
+    if (file.flown.speed) {
+      common.warn(fmt::format(
+          "{}: the file's speed, {} m/s, is left out: a path has none; give skyway-traj --vmax",
+          file.id, *file.flown.speed));
+    }
+    geom::PathRecord record;
+    record.id = file.id;
+    record.status = "found";
+    record.points = file.flown.path;
+    record.hold = file.flown.hold;
+    record.provenance = provenance;
+    return to_json_line(record);
+  }
+
+  std::string line(const cli::DroneFile& file) const {
+    for (const std::string& note : file.notes) common.warn(file.id + ": " + note);
+    return file.flown.path.empty() ? trajectory_line(file) : path_line(file);
+  }
+};
+
+// The frame that the options name, or the map's.
+geom::Frame frame_of(const std::string& map, const std::string& axes,
+                     geom::Provenance& provenance) {
+  geom::Frame frame;
+  if (!map.empty()) {
+    const geom::BoxMap opened = cli::open_map(map, geom::Verified::contents);
+    frame = opened.spec().frame;
+    provenance.map = opened.hash();
+  } else if (!axes.empty()) {
+    frame.axes = *geom::axes_from_name(axes);
+  }
+  provenance.frame = frame.axes;
+  return frame;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Read a drone file as a trajectory or a path.", "skyway-import-trajectory"};
+  cli::Common common(app);
+  cli::DroneFileOptions options{"auto", {}, {}};
+  cli::VehicleOptions vehicle;
+  std::string input;
+  std::string output = "-";
+  std::string map;
+  std::string axes;
+  std::string id;
+  double gap = 1e-3;
+  app.add_option("file", input, "Crazyflie CSV, WPL, QGroundControl plan, … ; - for stdin")
+      ->required();
+  app.add_option("--format", options.format, "what the file is (default: as it begins)")
+      ->check(CLI::IsMember({"auto", "crazyflie", "wpl", "qgc-plan", "tello", "kml", "geojson",
+                             "gltf", "paths-csv"}));
+  CLI::Option* const map_option =
+      app.add_option("--map", map, "box map it is for: gives the axes and the origin");
+  app.add_option("--frame", axes, "axes to write in: enu or neu (default enu)")
+      ->check(CLI::IsMember({"enu", "neu"}))
+      ->excludes(map_option);
+  vehicle.add_to(app);
+  options.placement.add_to(app);
+  cli::add_point(app, "--start", options.start, "where a Tello stands before it takes off");
+  app.add_option(
+         "--gap", gap,
+         "metres by which segments of a trajectory may miss each other (default 0.001); ten "
+         "times as many m/s and a hundred times as many m/s2")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--id", id, "of the record (default: the file's name)");
+  cli::add_output(app, "-o,--output", output,
+                  "trajectories or paths, JSON Lines (default: stdout)");
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({input, map});
+    cli::InputFile file(input);
+    Importer importer{common, file.name(), gap, {}};
+    const geom::Frame frame = frame_of(map, axes, importer.provenance);
+    const cli::AskedRoom room = vehicle.asked(vehicle.profile());
+    importer.provenance.vehicle = room.vehicle;
+    importer.provenance.margin = room.margin;
+    auto read = cli::read_drone_file(file.read_all(), file.name(), options, frame);
+    if (!id.empty() && read.size() > 1) throw cli::UsageError("--id names one record, found more");
+    if (!id.empty()) read.front().id = id;
+    cli::OutputFile out(output, cli::OutputKind::text);
+    for (const cli::DroneFile& one : read) {
+      if (one.format == "setpoints") {
+        throw cli::UsageError("setpoints are no trajectory: skyway-check reads them");
+      }
+      out.stream() << importer.line(one);
+    }
+    out.commit();
+    common.write_stats({{"records", read.size()}, {"format", read.front().format}});
+    return cli::Exit::yes;
+  });
+}

@@ -1,0 +1,154 @@
+// skyway-info: what is in a map, a lattice, or a stream of records.
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <map>
+#include <sstream>
+
+#include "cli/file/describe.h"
+#include "cli/file/files.h"
+#include "cli/file/hashed_input.h"
+#include "cli/file/recognise.h"
+#include "cli/run.h"
+#include "cli/shard/sharding.h"
+#include "geom/archive/box_map_file.h"
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
+#include "geom/text/parse_json.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/roadmap/roadmap_file.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json describe_lattice(const geom::ArrayArchive& archive, bool verify) {
+  const plan::Lattice lattice = plan::read_lattice(archive);
+  if (verify) plan::verify_lattice(lattice);
+  Json out = geom::parse_ordered_json(archive.meta(), archive.name());
+  out.erase("format");
+  out.erase("version");
+  Json described = {{"type", "lattice"}};
+  described.update(out);
+  return described;
+}
+
+Json describe_roadmap(const geom::ArrayArchive& archive, bool verify) {
+  const plan::Roadmap roadmap = plan::read_roadmap(archive);
+  if (verify) plan::verify_roadmap(roadmap);
+  Json out = geom::parse_ordered_json(archive.meta(), archive.name());
+  out.erase("format");
+  out.erase("version");
+  Json described = {{"type", "roadmap"}};
+  described.update(out);
+  described["bends"] = roadmap.bends.size();
+  described["edges"] = roadmap.to.size() / 2;
+  return described;
+}
+
+Json describe_shard(const geom::ArrayArchive& archive) {
+  const cli::ShardFile shard = cli::read_shard(archive);
+  return {{"type", "shard"},
+          {"shard", fmt::format("{}/{}", shard.shard.index + 1, shard.shard.count)},
+          {"tool", shard.work.tool},
+          {"release", shard.work.release},
+          {"options", shard.work.options},
+          {"inputs", shard.work.inputs},
+          {"output", shard.output},
+          {"kind", shard.kind},
+          {"exit", static_cast<int>(shard.exit)}};
+}
+
+Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
+  if (verify) archive.verify(cli::all_cores());
+  Json out;
+  if (geom::is_box_map(archive)) {
+    const geom::BoxMap map = geom::read_box_map(archive);
+    out = cli::describe(map);
+    if (verify) map.require(geom::Verified::contents, cli::all_cores());
+  } else if (plan::is_lattice(archive)) {
+    out = describe_lattice(archive, verify);
+  } else if (plan::is_roadmap(archive)) {
+    out = describe_roadmap(archive, verify);
+  } else if (cli::is_shard(archive)) {
+    out = describe_shard(archive);
+  } else {
+    throw geom::InputError(
+        archive.name(),
+        "expected a box map, a lattice, a roadmap or a shard, found another archive");
+  }
+  if (verify) out["verified"] = true;
+  return out;
+}
+
+Json describe_records(const std::string& text, const std::string& name) {
+  std::istringstream in(text);
+  std::map<std::string, std::size_t> counts;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const geom::JsonFields fields(line, name, number);
+    std::string kind = fields.text("type", "query");
+    if (fields.has("status")) kind += " " + fields.text("status");
+    if (fields.has("ok")) kind += fields.object()["ok"] == true ? " ok" : " failed";
+    ++counts[kind];
+  }
+  if (counts.empty()) throw geom::InputError(name, "expected records, found an empty stream");
+  Json out;
+  for (const auto& [kind, count] : counts) out[kind] = count;
+  return out;
+}
+
+// Of a file that no tool of ours wrote, or that is another tool's to read.
+Json describe_foreign(const cli::FileKind& kind) {
+  Json out = {{"type", kind.what}};
+  if (!kind.tools.empty()) out["read_by"] = kind.tools;
+  if (!kind.otherwise.empty()) out["advice"] = kind.otherwise;
+  return out;
+}
+
+bool is_ours(const cli::FileKind& kind) {
+  return kind.tools.find("skyway-info") != kind.tools.npos;
+}
+
+Json describe_file(const std::string& input, bool verify) {
+  cli::InputFile file(input);
+  cli::HashedInput in(file);
+  const auto kind = cli::recognise(in.head());
+  const bool archive = in.head().starts_with("PK");
+  if (verify && !archive) {
+    throw geom::InputError(file.name(),
+                           "expected a map, a lattice, a roadmap or a shard, which "
+                           "alone have checksums to verify, found another file");
+  }
+  if (kind && !is_ours(*kind) && !verify) return describe_foreign(*kind);
+  if (archive && input != "-") return describe_archive(cli::open_archive(input), verify);
+  const std::string text(std::istreambuf_iterator<char>(in.stream()), {});
+  if (!archive) return describe_records(text, file.name());
+  return describe_archive(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "stdin"),
+                          verify);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Say what is in a box map, a lattice, or a stream of records.", "skyway-info"};
+  cli::Common common(app);
+  std::string input;
+  bool json = false;
+  bool verify = false;
+  app.add_option("file", input, "any of Skyway's files, or another; - for stdin")->required();
+  app.add_flag("--json", json, "as one JSON object");
+  app.add_flag("--verify", verify,
+               "check every checksum, and a map's boxes and hash, as well; looks again even where "
+               "that was done");
+  return cli::run_tool(app, argc, argv, [&] {
+    const Json out = describe_file(input, verify);
+    cli::OutputFile print("-", cli::OutputKind::text);
+    print.stream() << (json ? out.dump() + '\n' : cli::as_lines(out));
+    print.commit();
+    return cli::Exit::yes;
+  });
+}

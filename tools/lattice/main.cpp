@@ -1,0 +1,90 @@
+// skyway-lattice: the lattice graph of a box map for one vehicle and margin.
+
+#include <fmt/format.h>
+
+#include "cli/file/files.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/output_option.h"
+#include "cli/option/patch_option.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "cli/shard/sharding.h"
+#include "plan/lattice/build_lattice.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/lattice/part_file.h"
+
+namespace {
+
+plan::Lattice built(const geom::CollisionScene& scene, plan::LatticeSpec spec,
+                    const std::optional<geom::Vec3>& origin, const geom::Execution& run) {
+  spec.origin = origin.value_or(scene.map().spec().bounds.min);
+  return plan::build_lattice(scene, spec, run);
+}
+
+plan::LatticeCounts write_shard(const cli::Sharding& sharding, const std::string& output,
+                                const geom::CollisionScene& scene, plan::LatticeSpec spec,
+                                const std::optional<geom::Vec3>& origin,
+                                const geom::Execution& run) {
+  spec.origin = origin.value_or(scene.map().spec().bounds.min);
+  const plan::LatticePart part = plan::build_lattice_part(scene, spec, sharding.shard(), run);
+  const plan::PartArrays written = plan::arrays_of(part);
+  sharding.write(output, "output", "lattice", written.meta, written.arrays, cli::Exit::yes);
+  return part.counts;
+}
+
+plan::Lattice patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
+                      const geom::Execution& run) {
+  const plan::Lattice old = plan::read_lattice(patch.open(run));
+  const geom::CollisionScene& scene = patch.scene(scenes, old.made_for());
+  return plan::patch_lattice(old, scene, patch.change(old.made_for(), scene), run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Build a lattice graph of a box map.", "skyway-lattice"};
+  cli::Common common(app, true);
+  cli::VehicleOptions vehicle;
+  std::string map_file;
+  std::string output = "-";
+  plan::LatticeSpec spec;
+  int connect = 6;
+  std::optional<geom::Vec3> origin;
+  cli::PatchOptions patch;
+  cli::Sharding sharding;
+  app.add_option("map", map_file, "box map; - for stdin")->required();
+  cli::add_output(app, "-o,--output", output, "lattice to write (default: stdout)");
+  auto* spacing = app.add_option("--spacing", spec.spacing,
+                                 "distance of neighbouring nodes, metres (default 25)")
+                      ->check(CLI::Range(1e-3, 1e6));
+  auto* connectivity =
+      app.add_option("--connect", connect, "neighbours of a node: 6, 18 or 26 (default 6)")
+          ->check(CLI::IsMember({6, 18, 26}));
+  auto* node =
+      cli::add_point(app, "--origin", origin, "a node (default: the lower corner of the bounds)");
+  patch.add_to(app, "a lattice", {spacing, connectivity, node});
+  vehicle.add_to(app);
+  sharding.add_to(app)->excludes("--patch");
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
+    sharding.begin(app, {{"map", map_file}}, {{"output", output}});
+    if (const auto done = sharding.finished(common)) return *done;
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::refused);
+    spec.connectivity = static_cast<plan::Connectivity>(connect);
+    const geom::Execution run = common.execution("layers");
+    if (sharding.asked()) {
+      const auto counts = write_shard(sharding, output, scenes.scene(), spec, origin, run);
+      common.write_stats({{"nodes", counts.nodes}, {"edges", counts.edges}});
+      return cli::Exit::yes;
+    }
+    const plan::Lattice lattice =
+        patch.asked() ? patched(scenes, patch, run) : built(scenes.scene(), spec, origin, run);
+    cli::OutputFile out(output, cli::OutputKind::artefact, patch.artefact);
+    plan::write_lattice(out.stream(), lattice);
+    out.commit();
+    const plan::LatticeCounts counts = plan::stored_counts(lattice);
+    common.write_stats({{"nodes", counts.nodes}, {"edges", counts.edges}});
+    return cli::Exit::yes;
+  });
+}

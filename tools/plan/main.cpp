@@ -1,0 +1,165 @@
+// skyway-plan: collision-free paths through a box map, one per query.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "cli/file/artefacts.h"
+#include "cli/file/files.h"
+#include "cli/file/record_output.h"
+#include "cli/option/degrees.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/output_option.h"
+#include "cli/option/quality_option.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "geom/base/mapped_file.h"
+#include "geom/base/parallel.h"
+#include "geom/record/query_record.h"
+#include "plan/planner/path_record.h"
+#include "plan/sampling/search_tree_file.h"
+#include "search_options.h"
+
+namespace {
+
+// The one query of the options, or those of a file.
+struct Asked {
+  std::optional<geom::Vec3> from;
+  std::optional<geom::Vec3> to;
+  std::string file;
+  cli::MetresOption metres;
+
+  CLI::Option* add_to(CLI::App& app) {
+    auto* queries = app.add_option("--queries", file, "JSON Lines or CSV; - for stdin");
+    auto* start = cli::add_point(app, "--from", from, "start, metres");
+    auto* goal = cli::add_point(app, "--to", to, "goal, metres");
+    start->needs(goal)->excludes(queries);
+    goal->needs(start)->excludes(queries);
+    metres.add_to(app);
+    return queries;
+  }
+  std::vector<geom::PlanQuery> queries(const geom::Frame& frame) const {
+    if (from) {
+      metres.check_option(frame, std::array{*from, *to}, "--from and --to");
+      return {{"q1", *from, *to, {}, 0}};
+    }
+    cli::InputFile input(file);
+    auto queries = geom::read_plan_queries(input.stream(), input.name());
+    for (const geom::PlanQuery& q : queries) {
+      metres.check_input(frame, std::array{q.from, q.to}, input.name(), q.line);
+    }
+    return queries;
+  }
+};
+
+struct Planned {
+  std::size_t records = 0;
+  std::size_t found = 0;
+  geom::PathRecord last;
+  plan::SearchTree tree;  // of the last query, where it is to be written
+};
+
+// Paths are written block by block, for the next tool of a pipe.
+Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
+                  const std::vector<geom::PlanQuery>& queries, const geom::Shard& shard,
+                  const planning::SearchOptions& search, const geom::Execution& run,
+                  cli::RecordOutput& out) {
+  constexpr std::size_t kBlock = 1024;
+  const std::vector<std::size_t> chosen = shard.items(queries.size());
+  Planned planned;
+  for (std::size_t begin = 0; begin < chosen.size(); begin += kBlock) {
+    std::vector<geom::PathRecord> records(std::min(kBlock, chosen.size() - begin));
+    const auto progress = [&](std::size_t done, std::size_t) {
+      if (run.progress) run.progress(begin + done, chosen.size());
+    };
+    geom::parallel_for(records.size(), {run.threads, progress}, [&](std::size_t i) {
+      const geom::PlanQuery& query = queries[chosen[begin + i]];
+      plan::PlanResult result = planner.plan(query.from, query.to, search.started());
+      records[i] = plan::path_record(scene, query.id, result);
+      if (!search.tree_file.empty()) planned.tree = std::move(result.tree);
+      geom::trim_mapped_files();
+    });
+    for (const geom::PathRecord& record : records) {
+      planned.found += record.status == "found";
+      out.add(geom::to_json_line(record));
+    }
+    out.flush();
+    planned.records += records.size();
+    planned.last = std::move(records.back());
+  }
+  return planned;
+}
+
+void write_tree(const std::string& path, const plan::SearchTree& tree,
+                const geom::PathRecord& record, geom::Axes axes) {
+  const bool is_text = !path.ends_with(".ply") && !path.ends_with(".glb");
+  cli::OutputFile out(path, is_text ? cli::OutputKind::text : cli::OutputKind::artefact);
+  if (path.ends_with(".ply")) {
+    plan::write_ply(out.stream(), tree, axes);
+  } else if (path.ends_with(".glb")) {
+    plan::write_glb(out.stream(), tree, axes);
+  } else {
+    plan::write_jsonl(out.stream(), tree, record.id, record.provenance);
+  }
+  out.commit();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Plan collision-free paths through a box map.", "skyway-plan"};
+  cli::Common common(app, true);
+  cli::VehicleOptions vehicle;
+  cli::ArtefactFiles prepared;
+  planning::SearchOptions search;
+  Asked asked;
+  std::string map_file;
+  std::string output = "-";
+  cli::Sharding sharding;
+  app.add_option("map", map_file, "box map; - for stdin")->required();
+  prepared.add_to(app);
+  cli::add_quality(app, search.plan.quality);
+  CLI::Option* queries_option = asked.add_to(app);
+  cli::add_output(app, "-o,--output", output, "paths (default: stdout)");
+  search.add_to(app);
+  vehicle.add_to(app);
+  sharding.add_to(app)->needs(queries_option)->excludes("--tree");
+  return cli::run_tool(app, argc, argv, [&] {
+    if (asked.file.empty() && !asked.from) {
+      throw cli::UsageError("give --from and --to, or --queries");
+    }
+    search.refuse_idle(app, prepared);
+    cli::at_most_one_stdin({map_file, prepared.lattice, prepared.roadmap, asked.file});
+    sharding.begin(app,
+                   {{"map", map_file},
+                    {"lattice", prepared.lattice},
+                    {"roadmap", prepared.roadmap},
+                    {"queries", asked.file}},
+                   {{"output", output}});
+    if (const auto done = sharding.finished(common)) return *done;
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::refused);
+    const geom::CollisionScene& scene = scenes.scene();
+    const cli::Artefacts artefacts(prepared);
+    artefacts.require_made_for(scene);
+    const auto named = artefacts.lattice() ? std::nullopt : search.named_lattice(scene);
+    const std::vector<geom::PlanQuery> queries = asked.queries(scene.map().spec().frame);
+    search.check(queries.size());
+    plan::Planner planner(scene, named ? &*named : artefacts.lattice(), artefacts.roadmap());
+    cli::RecordOutput out(output, "output", sharding);
+    const Planned planned = plan_each(planner, scene, queries, sharding.shard(), search,
+                                      common.execution("paths"), out);
+    const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;
+    out.commit(queries.size(), exit);
+    if (!search.tree_file.empty()) {
+      write_tree(search.tree_file, planned.tree, planned.last, scene.map().spec().frame.axes);
+    }
+    common.write_stats({{"queries", planned.records}, {"found", planned.found}});
+    if (queries.size() == 1 && !planned.found) {
+      cli::complain("skyway-plan", planned.last.message);
+    }
+    return exit;
+  });
+}

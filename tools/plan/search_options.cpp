@@ -1,0 +1,114 @@
+#include "search_options.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <map>
+
+#include "cli/option/option_check.h"
+#include "cli/option/output_option.h"
+#include "cli/run.h"
+
+namespace planning {
+namespace {
+
+const std::map<std::string, plan::Method> kMethod = [] {
+  std::map<std::string, plan::Method> out;
+  using plan::Method;
+  for (const Method method : {Method::automatic, Method::astar, Method::rrt, Method::rrt_connect,
+                              Method::rrt_star, Method::informed_rrt_star}) {
+    out.emplace(plan::name(method), method);
+  }
+  return out;
+}();
+
+void add_path_options(CLI::App& app, plan::PlanOptions& options) {
+  app.add_flag("--raw", options.raw, "the search's own path, not shortened");
+  app.add_option("--resample", options.resample, "cut the path into parts of at most this, metres")
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--snap-ends", options.snap_ends,
+                 "move a blocked or outside end to a free place within this, metres")
+      ->check(CLI::Range(0.0, 1e4));
+}
+
+void add_sampling_options(CLI::App& app, plan::SamplingOptions& sampling) {
+  app.add_option("--step", sampling.step, "rrt…: longest edge, metres (default 15)")
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--goal-bias", sampling.goal_bias,
+                 "rrt…: how often the goal is the sample (default 0.05)")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--iterations", sampling.iterations, "rrt…: at most (default 20000)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
+  app.add_option("--radius", sampling.radius,
+                 "rrt-star…: largest neighbourhood, metres (default 30)")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--patience", sampling.patience,
+                 "rrt-star…: end after this many iterations that shorten the path by less than "
+                 "0.1 % (default: use all)");
+}
+
+}  // namespace
+
+void SearchOptions::add_to(CLI::App& app) {
+  add_path_options(app, plan);
+  app.add_option("--method", plan.method,
+                 "auto (default), astar, rrt, rrt-connect, rrt-star or informed-rrt-star")
+      ->transform(CLI::CheckedTransformer(kMethod));
+  app.add_option("--spacing", lattice.spacing,
+                 "astar without --lattice: distance of neighbouring nodes, metres (default 10)")
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--connect", connect,
+                 "astar without --lattice: neighbours of a node: 6, 18 or 26 (default 26)")
+      ->check(CLI::IsMember({6, 18, 26}));
+  add_sampling_options(app, plan.sampling);
+  app.add_option("--seconds", seconds,
+                 "rrt…: end a search after this time; results then depend on the machine")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--seed", plan.sampling.seed, "rrt…: of the random numbers (default 0)");
+  cli::add_output(app, "--tree", tree_file,
+                  "rrt…: write the tree of the one query: .ply, .glb, else JSON Lines");
+}
+
+void SearchOptions::refuse_idle(const CLI::App& app, const cli::ArtefactFiles& files) const {
+  using plan::Method;
+  const bool star = plan.method == Method::rrt_star || plan.method == Method::informed_rrt_star;
+  const bool astar = plan.method == Method::astar;
+  const bool sampling = !astar && plan.method != Method::automatic;
+  cli::only_for(app, sampling, {"--step", "--goal-bias", "--iterations", "--seconds", "--seed"},
+                "the rrt methods");
+  cli::only_for(app, star, {"--radius", "--patience"}, "rrt-star and informed-rrt-star");
+  cli::only_for(app, astar && files.lattice.empty(), {"--spacing", "--connect"},
+                "--method astar without --lattice");
+  cli::only_for(app, !sampling, {"--lattice", "--roadmap"}, "the methods auto and astar");
+}
+
+void SearchOptions::check(std::size_t queries) const {
+  if (tree_file.empty()) return;
+  if (plan.method == plan::Method::automatic || plan.method == plan::Method::astar) {
+    throw cli::UsageError("--tree needs one of the rrt methods: the others grow no tree");
+  }
+  if (queries != 1) {
+    throw cli::UsageError(fmt::format("--tree needs one query, found {}", queries));
+  }
+}
+
+plan::PlanOptions SearchOptions::started() const {
+  plan::PlanOptions options = plan;
+  options.keep_tree = !tree_file.empty();
+  if (seconds <= 0) return options;
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                      std::chrono::duration<double>(seconds));
+  options.sampling.stop = [end] { return Clock::now() >= end; };
+  return options;
+}
+
+std::optional<plan::Lattice> SearchOptions::named_lattice(const geom::CollisionScene& scene) const {
+  if (plan.method != plan::Method::astar || !scene.free_bounds()) return std::nullopt;
+  plan::LatticeSpec spec = lattice;
+  spec.connectivity = static_cast<plan::Connectivity>(connect);
+  spec.origin = scene.free_bounds()->min;
+  return plan::lazy_lattice(scene, spec);
+}
+
+}  // namespace planning

@@ -1,0 +1,160 @@
+// skyway-plot: SVG pictures of maps with paths, of motion, and of benchmarks.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "clearance.h"
+#include "cli/file/contents.h"
+#include "cli/file/files.h"
+#include "cli/option/output_option.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "comparison.h"
+#include "geom/base/error.h"
+#include "motion_profile.h"
+#include "plan_view.h"
+#include "tracking.h"
+#include "tracks.h"
+
+namespace {
+
+struct Options {
+  std::string map;
+  std::vector<std::string> inputs;
+  std::string output = "-";
+  std::string id;
+  cli::VehicleOptions vehicle;
+};
+
+// What there is to draw of the inputs, all made for `map` where one is given.
+cli::Contents read(const Options& options, const geom::BoxMap* map) {
+  cli::Contents contents = cli::read_contents(options.inputs);
+  if (map) cli::require_same_map(contents, map);
+  cli::drop_failed(contents);
+  const auto other = [&](const auto& read) {
+    return !options.id.empty() && read.record.id != options.id;
+  };
+  std::erase_if(contents.paths, other);
+  std::erase_if(contents.trajectories, other);
+  std::erase_if(contents.flights, other);
+  return contents;
+}
+
+template <class List>
+const auto& first_of(const List& list, const Options& options, const char* what) {
+  if (list.empty()) {
+    throw geom::InputError(options.inputs[0] == "-" ? "stdin" : options.inputs[0],
+                           fmt::format("expected {}, found none", what));
+  }
+  return list.front();
+}
+
+std::string plan(const Options& options) {
+  const geom::BoxMap map = cli::open_map(options.map, geom::Verified::extents);
+  const cli::Contents contents = read(options, &map);
+  const geom::Axes axes = map.spec().frame.axes;
+  return plot::plan_view(map, plot::plan_trees(contents, axes), plot::plan_lines(contents, axes));
+}
+
+std::string profile(const Options& options) {
+  return plot::motion_profile(
+      first_of(read(options, nullptr).trajectories, options, "a solved trajectory").record);
+}
+
+std::string tracking(const Options& options) {
+  return plot::tracking(first_of(read(options, nullptr).flights, options, "a flight log").record);
+}
+
+std::string clearance(const Options& options) {
+  cli::Scenes scenes(cli::open_map(options.map, geom::Verified::extents), options.vehicle,
+                     cli::Scenes::Differences::allowed);
+  const cli::Contents contents = read(options, &scenes.map());
+  if (scenes.map().size() == 0) {
+    throw geom::InputError(options.map, "expected a map with obstacles, found none");
+  }
+  if (contents.paths.empty() && contents.trajectories.empty()) {
+    first_of(contents.flights, options, "a path, a trajectory or a flight");
+  }
+  const geom::CollisionScene& scene =
+      scenes.scene_for(plot::provenance_of(contents), options.inputs[0], 0);
+  const plot::Tracks tracks = plot::tracks_of(contents, scene);
+  first_of(tracks.list, options, "a path, a trajectory or a flight of some length");
+  return plot::clearance(scene, tracks.list, tracks.x_label);
+}
+
+std::string bench(const Options& options) {
+  std::vector<plot::Comparison> reports;
+  for (const std::string& input : options.inputs) {
+    cli::InputFile file(input);
+    const geom::JsonFields fields(file.read_all(), file.name(), 0);
+    reports.push_back(
+        plot::parse_comparison(fields, std::filesystem::path(file.name()).stem().string()));
+  }
+  return plot::comparison(reports);
+}
+
+struct Verb {
+  CLI::App* app;
+  std::string (*draw)(const Options&);
+};
+
+CLI::App* add_verb(CLI::App& app, Options& options, const char* name, const char* what) {
+  CLI::App* verb = app.add_subcommand(name, what);
+  verb->fallthrough();
+  cli::add_output(*verb, "-o,--output", options.output, "SVG to write (default: stdout)");
+  return verb;
+}
+
+std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
+  const auto add = [&](const char* name, const char* what) {
+    return add_verb(app, options, name, what);
+  };
+  CLI::App* plan_verb =
+      add("plan", "a map from above, with paths, trajectories, flights and trees");
+  CLI::App* profile_verb = add("profile", "position, speed, acceleration, jerk, thrust and tilt");
+  CLI::App* tracking_verb = add("tracking", "a flight beside its setpoints");
+  CLI::App* clearance_verb = add("clearance", "distance to the obstacles along the way");
+  CLI::App* bench_verb = add("bench", "times and lengths of planners");
+  for (CLI::App* verb : {plan_verb, clearance_verb}) {
+    verb->add_option("map", options.map, "box map; - for stdin")->required();
+  }
+  plan_verb->add_option("files", options.inputs, "what to draw on it; - for stdin");
+  profile_verb->add_option("file", options.inputs, "trajectories; the first solved one is drawn")
+      ->required();
+  tracking_verb->add_option("file", options.inputs, "flight log; the first flight is drawn")
+      ->required();
+  clearance_verb->add_option("files", options.inputs, "paths, or trajectories and flights")
+      ->required();
+  bench_verb->add_option("reports", options.inputs, "reports of skyway-bench")->required();
+  for (CLI::App* verb : {plan_verb, profile_verb, tracking_verb, clearance_verb}) {
+    verb->add_option("--id", options.id, "only this one");
+  }
+  options.vehicle.add_to(*clearance_verb);
+  return {{plan_verb, plan},
+          {profile_verb, profile},
+          {tracking_verb, tracking},
+          {clearance_verb, clearance},
+          {bench_verb, bench}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Draw maps, motion and benchmarks as SVG.", "skyway-plot"};
+  cli::Common common(app);
+  Options options;
+  const std::vector<Verb> verbs = add_verbs(app, options);
+  app.require_subcommand(1);
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin(options.map, options.inputs);
+    const auto asked =
+        std::find_if(verbs.begin(), verbs.end(), [](const Verb& v) { return v.app->parsed(); });
+    const std::string svg = asked->draw(options);
+    cli::OutputFile out(options.output, cli::OutputKind::text);
+    out.stream() << svg;
+    out.commit();
+    return cli::Exit::yes;
+  });
+}

@@ -1,0 +1,234 @@
+// skyway-query: hits, clearance and nearest boxes of points, segments and boxes.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "cli/file/files.h"
+#include "cli/option/degrees.h"
+#include "cli/option/output_option.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "geom/base/error.h"
+#include "geom/base/parallel.h"
+#include "geom/text/json_fields.h"
+
+namespace {
+
+using geom::JsonFields;
+using geom::Vec3;
+
+constexpr std::size_t kBatch = 4096;  // records answered at once, in order
+
+// What the record's key says, or nothing; a whole number in [1, 1000].
+std::optional<std::size_t> whole(const JsonFields& fields, const char* key) {
+  const auto value = fields.number(key);
+  if (!value) return std::nullopt;
+  if (!(*value >= 1 && *value <= 1000) || *value != std::floor(*value)) {
+    fields.refuse(fmt::format("{} must be a whole number from 1 to 1000, found {}", key, *value));
+  }
+  return static_cast<std::size_t>(*value);
+}
+
+std::optional<double> metres(const JsonFields& fields, const char* key) {
+  const auto value = fields.number(key);
+  if (value && !(*value >= 0 && *value <= 1000)) {
+    fields.refuse(fmt::format("{} must be metres from 0 to 1000, found {}", key, *value));
+  }
+  return value;
+}
+
+std::pair<Vec3, Vec3> two_points(const JsonFields& fields, const char* key) {
+  const auto points = fields.points(key);
+  if (points.size() != 2) {
+    fields.refuse(fmt::format("{} must be two points, found {}", key, points.size()));
+  }
+  return {points[0], points[1]};
+}
+
+std::string list_of(const auto& items, const auto& write) {
+  std::string out = "[";
+  for (const auto& item : items) {
+    if (out.size() > 1) out += ',';
+    write(out, item);
+  }
+  return out + ']';
+}
+
+// The points of a batch's records, as far as they are records.
+std::vector<Vec3> points_of(const std::vector<std::pair<std::string, std::size_t>>& batch,
+                            const std::string& source) {
+  std::vector<Vec3> out;
+  try {
+    for (const auto& [text, line] : batch) {
+      const JsonFields fields(text, source, line);
+      if (fields.has("point")) out.push_back(fields.point("point"));
+      for (const char* key : {"segment", "box", "sweep"}) {
+        if (!fields.has(key)) continue;
+        for (const Vec3& p : fields.points(key)) out.push_back(p);
+      }
+    }
+  } catch (const geom::InputError&) {  // is told when the record's turn comes
+  }
+  return out;
+}
+
+class Answers {
+ public:
+  explicit Answers(const geom::CollisionScene& scene) : scene_(scene) {}
+
+  std::string answer(const std::string& text, const std::string& source, std::size_t line) const {
+    const JsonFields fields(text, source, line);
+    std::string out = "{\"type\":\"answer\",\"id\":";
+    geom::append_json(out, std::string_view(fields.text("id", fmt::format("q{}", line))));
+    out += ',';
+    if (fields.has("point")) {
+      out += point(fields);
+    } else if (fields.has("segment")) {
+      out += segment(fields);
+    } else if (fields.has("box")) {
+      out += box(fields);
+    } else if (fields.has("sweep")) {
+      out += sweep(fields);
+    } else {
+      fields.refuse(
+          "expected one of the keys \"point\", \"segment\", \"box\" and \"sweep\", found "
+          "none");
+    }
+    return out + "}\n";
+  }
+
+ private:
+  std::uint64_t id(std::size_t box) const { return scene_.map().ids()[box]; }
+
+  std::string point(const JsonFields& fields) const {
+    const Vec3 p = fields.point("point");
+    std::string out =
+        fmt::format(R"("hit":{},"inside_bounds":{})", scene_.hits(p), scene_.inside_bounds(p));
+    const auto k = whole(fields, "k");
+    const auto near = scene_.nearest(p, std::numeric_limits<double>::infinity(), k.value_or(1));
+    if (near.empty()) return out;
+    out += ",\"clearance\":";
+    geom::append_json(out, near.front().distance);
+    if (!k) return out + fmt::format(",\"nearest\":{}", id(near.front().box));
+    return out + ",\"nearest\":" + list_of(near, [&](std::string& to, const geom::Nearest& n) {
+             to += fmt::format("{{\"box\":{},\"distance\":", id(n.box));
+             geom::append_json(to, n.distance);
+             to += '}';
+           });
+  }
+
+  std::string segment(const JsonFields& fields) const {
+    const auto [a, b] = two_points(fields, "segment");
+    std::string out = fmt::format(R"("hit":{},"inside_bounds":{})", scene_.hits(a, b),
+                                  scene_.inside_bounds(a) && scene_.inside_bounds(b));
+    using Separated = geom::CollisionScene::Separated;
+    if (const auto reach = metres(fields, "planes")) {
+      const auto planes = scene_.separating_planes(a, b, *reach);
+      out += ",\"planes\":" + list_of(planes, [&](std::string& to, const Separated& s) {
+               to += fmt::format("{{\"box\":{},\"normal\":", id(s.box));
+               geom::append_json(to, s.separation.plane.normal);
+               to += ",\"offset\":";
+               geom::append_json(to, s.separation.plane.offset);
+               to += ",\"gap\":";
+               geom::append_json(to, s.separation.gap);
+               to += '}';
+             });
+    }
+    if (const auto reach = metres(fields, "empty_box")) {
+      out += ",\"empty_box\":";
+      const auto found = scene_.empty_box(a, b, *reach);
+      if (!found) return out + "null";
+      out += '[';
+      geom::append_json(out, found->box.min);
+      out += ',';
+      geom::append_json(out, found->box.max);
+      out += fmt::format("],\"largest\":{}", found->largest);
+    }
+    return out;
+  }
+
+  std::string box(const JsonFields& fields) const {
+    const auto [low, high] = two_points(fields, "box");
+    if ((low.array() > high.array()).any()) fields.refuse("box must have min <= max on every axis");
+    const auto found = scene_.boxes_meeting({low, high});
+    return fmt::format(R"("hit":{},"boxes":)", !found.empty()) +
+           list_of(found, [&](std::string& to, std::size_t i) { to += fmt::format("{}", id(i)); });
+  }
+
+  std::string sweep(const JsonFields& fields) const {
+    const auto [a, b] = two_points(fields, "sweep");
+    const Vec3 half = fields.point("half");
+    if (half.minCoeff() < 0) fields.refuse("half must have half sizes >= 0");
+    return fmt::format(R"("hit":{})", scene_.sweep_hits(a, b, half));
+  }
+
+  const geom::CollisionScene& scene_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Ask the collision structure of a box map (JSON Lines in, JSON Lines out).",
+               "skyway-query"};
+  cli::Common common(app, true);
+  cli::VehicleOptions vehicle;
+  std::string map_file;
+  std::string input = "-";
+  std::string output = "-";
+  cli::MetresOption metres;
+  app.add_option("map", map_file, "box map; - for stdin")->required();
+  app.add_option("file", input,
+                 "records with \"point\":[x,y,z] (\"k\":N nearest boxes), \"segment\":[[…],[…]] "
+                 "(\"planes\":REACH, \"empty_box\":REACH), \"box\":[[min],[max]] or "
+                 "\"sweep\":[[…],[…]] with \"half\":[x,y,z] (default: stdin)");
+  cli::add_output(app, "-o,--output", output, "answers (default: stdout)");
+  metres.add_to(app);
+  vehicle.add_to(app);
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({map_file, input});
+    // Questions may jump all over the map.
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::refused, geom::CollisionOptions().budget);
+    const geom::CollisionScene& scene = scenes.scene();
+    cli::InputFile file(input);
+    cli::OutputFile out(output, cli::OutputKind::text);
+    const Answers answers(scene);
+    const geom::Execution run{common.execution("queries").threads, {}};
+    std::vector<std::pair<std::string, std::size_t>> batch;
+    bool first = true;
+    const auto answer_batch = [&] {
+      if (std::exchange(first, false) && !batch.empty()) {
+        metres.check_input(scene.map().spec().frame, points_of(batch, file.name()), file.name(),
+                           batch.front().second);
+      }
+      std::vector<std::string> lines(batch.size());
+      const auto write = [&] {
+        for (const std::string& line : lines) {
+          if (line.empty()) break;  // the malformed record
+          out.stream() << line;
+        }
+      };
+      try {
+        geom::parallel_for(batch.size(), run, [&](std::size_t i) {
+          lines[i] = answers.answer(batch[i].first, file.name(), batch[i].second);
+        });
+      } catch (const geom::InputError&) {
+        write();
+        out.flush();
+        throw;
+      }
+      write();
+      batch.clear();
+    };
+    file.for_each_line([&](const std::string& line, std::size_t number) {
+      batch.emplace_back(line, number);
+      if (batch.size() == kBatch) answer_batch();
+    });
+    answer_batch();
+    out.commit();
+    return cli::Exit::yes;
+  });
+}

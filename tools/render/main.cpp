@@ -1,0 +1,96 @@
+// skyway-render: what a camera on the vehicle sees, and pictures of maps.
+
+#include <fmt/format.h>
+
+#include "cli/file/contents.h"
+#include "cli/file/files.h"
+#include "cli/run.h"
+#include "geom/base/error.h"
+#include "options.h"
+#include "shoot.h"
+
+namespace {
+
+std::vector<render::Motion> motions_of(const cli::Contents& contents, geom::Axes axes) {
+  std::vector<render::Motion> out;
+  for (const auto& [record, source, line] : contents.trajectories) {
+    out.emplace_back(record.id, record.trajectory, axes);
+  }
+  for (const auto& [flight, source, line] : contents.flights) out.emplace_back(flight);
+  return out;
+}
+
+// A flight is rather flown than the trajectory that it follows.
+const render::Motion* flown(const std::vector<render::Motion>& motions,
+                            const render::Options& options) {
+  const render::Motion* best = nullptr;
+  for (const render::Motion& motion : motions) {
+    if (!options.id.empty() && motion.id() != options.id) continue;
+    if (!best || (motion.is_flight() && !best->is_flight())) best = &motion;
+  }
+  if (!best && !options.id.empty()) {
+    throw cli::UsageError(fmt::format("--id: no solved trajectory or flight \"{}\"", options.id));
+  }
+  if (!best && (options.has_eye() || options.at || options.is_moving())) {
+    throw geom::InputError(options.inputs.empty() ? "skyway-render" : options.inputs[0],
+                           "expected a solved trajectory or a flight to fly along, found none");
+  }
+  return best;
+}
+
+constexpr double kMostFrames = 1e7;
+constexpr std::size_t kMostIds = 0xffffff;  // of three bytes; 0 is no box
+
+render::Times times_of(const render::Options& options, const render::Motion* motion) {
+  if (options.at) {
+    if (*options.at < motion->begin() || *options.at > motion->end()) {
+      throw cli::UsageError(fmt::format("--at: expected a time from {} to {} s, found {}",
+                                        motion->begin(), motion->end(), *options.at));
+    }
+    return {*options.at};
+  }
+  if (!options.is_moving()) return {std::nullopt};
+  const double frames = (motion->end() - motion->begin()) * options.rate;
+  if (frames > kMostFrames) {
+    throw cli::UsageError(fmt::format("--rate: expected at most {:g} frames in all, found {:.0f}",
+                                      kMostFrames, frames));
+  }
+  render::Times out;
+  for (double k = 0; motion->begin() + k / options.rate <= motion->end(); ++k) {
+    out.push_back(motion->begin() + k / options.rate);
+  }
+  return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Draw what a camera on the vehicle sees, and pictures of maps.", "skyway-render"};
+  cli::Common common(app, true);
+  render::Options options;
+  options.add_to(app);
+  return cli::run_tool(app, argc, argv, [&] {
+    options.refuse_idle(app);
+    options.settle();
+    cli::at_most_one_stdin(options.map, options.inputs);
+    const geom::BoxMap map =
+        cli::open_map(options.map, geom::Verified::extents, common.execution("verify"));
+    if (!options.ids.empty() && map.size() > kMostIds) {
+      throw cli::UsageError(
+          fmt::format("--ids: expected a map of at most {} boxes, found {}", kMostIds, map.size()));
+    }
+    cli::Contents contents = cli::read_contents(options.inputs);
+    cli::require_same_map(contents, &map);
+    if (const std::size_t failed = cli::drop_failed(contents)) {
+      common.warn(fmt::format("{} records hold no path or trajectory", failed));
+    }
+    const geom::Axes axes = map.spec().frame.axes;
+    const auto motions = motions_of(contents, axes);
+    const render::Motion* motion = flown(motions, options);
+    const geom::Execution run = common.execution("frames");
+    const render::Film film(map, render::lines_of(contents, motions, axes), motion, options.film,
+                            run);
+    common.write_stats(render::shoot(film, times_of(options, motion), options, run));
+    return cli::Exit::yes;
+  });
+}

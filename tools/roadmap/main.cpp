@@ -1,0 +1,102 @@
+// skyway-roadmap: the taut visibility roadmap of a box map for one vehicle and margin.
+
+#include <fmt/format.h>
+
+#include "cli/file/files.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/output_option.h"
+#include "cli/option/patch_option.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "cli/shard/sharding.h"
+#include "plan/lattice/part_file.h"
+#include "plan/roadmap/roadmap_file.h"
+
+namespace {
+
+constexpr std::size_t kManyBoxes = 100000;  // beyond, a region must be named
+
+// About: 9 bends a box, and for each a neighbour a metre of reach, as made-up cities have.
+std::string estimate(std::size_t boxes, double reach) {
+  const double bends = 9 * static_cast<double>(boxes);
+  const double edges = 0.5 * bends * reach;
+  return fmt::format("about {:.0f} million bends, {:.0f} million edges and {:.1f} GB", bends / 1e6,
+                     edges / 1e6, (bends * 46 + edges * 8) / 1e9);
+}
+
+plan::Roadmap patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
+                      const geom::Execution& run) {
+  const plan::Roadmap old = plan::read_roadmap(patch.open(run));
+  const geom::CollisionScene& scene = patch.scene(scenes, old.made_for);
+  return plan::patch_roadmap(old, scene, patch.change(old.made_for, scene), run);
+}
+
+void write_shard(const cli::Sharding& sharding, const cli::Common& common,
+                 const std::string& output, const geom::CollisionScene& scene,
+                 const plan::RoadmapSpec& spec) {
+  const plan::RoadmapPart part =
+      plan::build_roadmap_part(scene, spec, sharding.shard(), common.execution("bends"));
+  const plan::PartArrays written = plan::arrays_of(part);
+  sharding.write(output, "output", "roadmap", written.meta, written.arrays, cli::Exit::yes);
+  common.write_stats({{"bends", part.bends.size()}, {"edges", part.edges.to.size()}});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Build a taut visibility roadmap of a box map.", "skyway-roadmap"};
+  cli::Common common(app, true);
+  cli::VehicleOptions vehicle;
+  std::string map_file;
+  std::string output = "-";
+  plan::RoadmapSpec spec;
+  cli::PatchOptions patch;
+  cli::Sharding sharding;
+  app.add_option("map", map_file, "box map; - for stdin")->required();
+  cli::add_output(app, "-o,--output", output, "roadmap to write (default: stdout)");
+  auto* reach =
+      app.add_option("--reach,--within", spec.reach,
+                     "longest edge, metres (default 500; to be named on maps of more than "
+                     "100,000 boxes)")
+          ->check(CLI::Range(1.0, 1e5));
+  auto* part = app.add_option("--part", spec.part,
+                              "box edges are cut into parts of at most this, metres (default 10)")
+                   ->check(CLI::Range(0.1, 1e4));
+  auto* region =
+      cli::add_box(app, "--region", spec.region, "bend only around boxes that meet this region");
+  patch.add_to(app, "a roadmap", {reach, part, region});
+  vehicle.add_to(app);
+  sharding.add_to(app)->excludes("--patch");
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
+    sharding.begin(app, {{"map", map_file}}, {{"output", output}});
+    if (const auto done = sharding.finished(common)) return *done;
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Scenes::Differences::refused);
+    const geom::Execution run = common.execution("bends");
+    const auto checked_size = [&](const geom::CollisionScene& scene) {
+      const std::size_t boxes =
+          spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
+      if (boxes > kManyBoxes) {
+        const std::string size = estimate(boxes, spec.reach);
+        if (reach->empty()) {
+          throw cli::UsageError(fmt::format(
+              "a roadmap of {} boxes: {}; name a shorter --within or a --region", boxes, size));
+        }
+        common.warn(fmt::format("{}: {} boxes, {}", map_file, boxes, size));
+      }
+    };
+    if (!patch.asked()) checked_size(scenes.scene());
+    if (sharding.asked()) {
+      write_shard(sharding, common, output, scenes.scene(), spec);
+      return cli::Exit::yes;
+    }
+    const plan::Roadmap roadmap = patch.asked() ? patched(scenes, patch, run)
+                                                : plan::build_roadmap(scenes.scene(), spec, run);
+    cli::OutputFile out(output, cli::OutputKind::artefact, patch.artefact);
+    plan::write_roadmap(out.stream(), roadmap);
+    out.commit();
+    common.write_stats({{"bends", roadmap.bends.size()}, {"edges", roadmap.to.size() / 2}});
+    return cli::Exit::yes;
+  });
+}

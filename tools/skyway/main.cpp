@@ -1,0 +1,94 @@
+// skyway: runs skyway-VERB, and lists the verbs.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "cli/file/standard_streams.h"
+#include "cli/option/completion.h"
+#include "cli/run.h"
+
+namespace {
+
+constexpr std::pair<const char*, const char*> kVerbs[] = {
+    {"synth", "make up a city"},
+    {"import", "city tables, block texts, voxels and octrees to box maps"},
+    {"import-trajectory", "drone files and missions to trajectories and paths"},
+    {"footprints", "building footprints, city and height models to box maps"},
+    {"cloud", "point clouds to box maps"},
+    {"map", "look at, join, merge, patch and convert box maps"},
+    {"query", "hits, clearance, nearest boxes, planes, room"},
+    {"lattice", "build a lattice graph of a map"},
+    {"roadmap", "build a taut visibility roadmap of a map"},
+    {"plan", "plan collision-free paths"},
+    {"replan", "paths of an older map, kept or mended on a newer one"},
+    {"traj", "minimum-snap trajectories along paths"},
+    {"check", "prove trajectories and paths"},
+    {"fly", "fly trajectories with a simulated quadrotor"},
+    {"join", "join the shards of a run"},
+    {"export", "write drone files"},
+    {"bench", "compare planners, each path proved"},
+    {"render", "draw what the vehicle sees, and pictures of maps"},
+    {"plot", "draw maps, motion and benchmarks as SVG"},
+    {"view", "show anything in one page for a browser"},
+    {"info", "say what is in a file"},
+};
+
+std::string usage() {
+  std::string text = "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n";
+  for (const auto& [verb, what] : kVerbs) text += fmt::format("  {:<17} {}\n", verb, what);
+  return text;
+}
+
+int answer(std::string_view text) {
+  try {
+    cli::print(text);
+    return 0;
+  } catch (const std::system_error& error) {
+    cli::complain("skyway", error.what());
+    return 4;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  cli::prepare_standard_streams();
+  const std::string verb = argc > 1 ? argv[1] : "";
+  if (verb == "help" || verb == "--help" || verb == "-h") {
+    return answer(usage());
+  }
+  if (verb == "--version") {
+    return answer("skyway " SKYWAY_VERSION "\n");
+  }
+  if (const auto shell =
+          verb == "--completion" && argc == 3 ? cli::shell_from(argv[2]) : std::nullopt) {
+    return answer(cli::completion("skyway", kVerbs, *shell));
+  }
+  for (const auto& [known, what] : kVerbs) {
+    if (verb != known) continue;
+    const std::string tool = "skyway-" + verb;
+    std::error_code error;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::string beside = (self.parent_path() / tool).string();
+    std::vector<char*> arguments(argv + 1, argv + argc);
+    std::string name = tool;
+    arguments[0] = name.data();
+    arguments.push_back(nullptr);
+    if (!error) execv(beside.c_str(), arguments.data());
+    execvp(tool.c_str(), arguments.data());
+    cli::complain("skyway", fmt::format("cannot run {}: {}", tool, std::strerror(errno)));
+    return 4;
+  }
+  if (!verb.empty()) cli::complain("skyway", fmt::format("unknown verb \"{}\"", verb));
+  cli::say(usage());
+  return 2;
+}

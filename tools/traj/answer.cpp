@@ -1,0 +1,49 @@
+#include "answer.h"
+
+#include "traj/record/corridor_record.h"
+#include "traj/record/solved_record.h"
+
+namespace solving {
+namespace {
+
+constexpr double kDrawnReach = 10;  // metres: how far a corridor is drawn from its piece
+
+}  // namespace
+
+Solved solve(const geom::CollisionScene& scene, const geom::PathRecord& path, const Task& task) {
+  const traj::SolveResult result = traj::solve(scene, traj::waypoints_of(path), task.options);
+  traj::TrajectoryRecord record =
+      traj::trajectory_record(scene, path.id, result, task.options.limits);
+  if (task.yaw && !record.trajectory.segments.empty()) {
+    traj::add_yaw(*task.yaw, record.trajectory);
+  }
+  return {std::move(record), result.corridor};
+}
+
+Solved without_path(const geom::PathRecord& path, const traj::Limits& limits) {
+  traj::TrajectoryRecord record;
+  record.id = path.id;
+  record.status = "no_path";
+  record.provenance = path.provenance;
+  record.limits = limits;
+  record.message = path.message.empty() ? path.status : path.message;
+  return {std::move(record)};
+}
+
+std::string to_text(const Solved& solved, bool with_corridor) {
+  const traj::TrajectoryRecord& record = solved.record;
+  std::string out = record.status == "solved" ? record.rung : record.status;
+  out += '\n' + traj::to_json_line(record);
+  if (with_corridor) {
+    out += traj::to_json_line(record.id, record.provenance, solved.corridor, kDrawnReach);
+  }
+  return out;
+}
+
+Answer parse_answer(std::string_view text) {
+  const std::size_t first = text.find('\n') + 1;
+  const std::size_t second = text.find('\n', first) + 1;
+  return {text.substr(0, first - 1), text.substr(first, second - first), text.substr(second)};
+}
+
+}  // namespace solving

@@ -1,0 +1,124 @@
+// skyway-traj: minimum-snap trajectories along paths, each proved before it is written.
+
+#include <map>
+#include <optional>
+
+#include "answer.h"
+#include "cli/file/files.h"
+#include "cli/file/record_output.h"
+#include "cli/option/output_option.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "cli/shard/processes.h"
+#include "options.h"
+
+namespace {
+
+struct Line {
+  std::string text;
+  std::size_t number = 0;
+};
+
+// What a shard takes of the paths.
+struct Share {
+  std::string source;
+  std::vector<Line> lines;
+  std::size_t total = 0;  // of all shards
+};
+
+Share read_share(const std::string& path, const geom::Shard& shard) {
+  cli::InputFile file(path);
+  Share share{file.name(), {}, 0};
+  file.for_each_line([&](const std::string& line, std::size_t number) {
+    if (shard.takes(share.total++)) share.lines.push_back({line, number});
+  });
+  return share;
+}
+
+struct Outputs {
+  cli::RecordOutput trajectories;
+  std::optional<cli::RecordOutput> corridors;
+
+  void add(const solving::Answer& answer) {
+    trajectories.add(answer.trajectory);
+    trajectories.flush();
+    if (corridors) corridors->add(answer.corridor);
+  }
+  void commit(std::size_t total, cli::Exit exit) {
+    trajectories.commit(total, exit);
+    if (corridors) corridors->commit(total, exit);
+  }
+};
+
+using Counts = std::map<std::string, std::size_t, std::less<>>;  // by rung or status
+
+solving::Solved answer_to(const geom::PathRecord& path, const std::string& source, std::size_t line,
+                          const solving::Options& options, cli::Scenes& scenes) {
+  if (path.status != "found") {
+    const auto vehicle =
+        scenes.profile() ? std::optional(scenes.profile()->vehicle) : path.provenance.vehicle;
+    return solving::without_path(path, options.limits_for(vehicle.value_or(geom::Vehicle{})));
+  }
+  const geom::CollisionScene& scene = scenes.scene_for(path.provenance, source, line);
+  return solving::solve(scene, path, options.task(scene.vehicle()));
+}
+
+// A process an optimisation: MUMPS is not thread safe.
+Counts solve_each(const Share& share, const solving::Options& options, cli::Scenes& scenes,
+                  const geom::Execution& run, Outputs& out) {
+  const auto work = [&](std::size_t i) {
+    const auto& [line, number] = share.lines[i];
+    const geom::PathRecord path = geom::parse_path_record(line, share.source, number);
+    return solving::to_text(answer_to(path, share.source, number, options, scenes),
+                            out.corridors.has_value());
+  };
+  Counts counts;
+  const auto take = [&](std::size_t i, const std::string& text) {
+    const solving::Answer answer = solving::parse_answer(text);
+    ++counts[std::string(answer.found)];
+    if (run.progress) run.progress(i + 1, share.lines.size());
+    out.add(answer);
+  };
+  cli::in_processes(share.lines.size(), run.threads, work, take);
+  return counts;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Solve minimum-snap trajectories along paths, and prove them.", "skyway-traj"};
+  cli::Common common(app, true);
+  cli::VehicleOptions vehicle;
+  solving::Options options;
+  std::string map_file;
+  std::string input = "-";
+  std::string output = "-";
+  cli::Sharding sharding;
+  app.add_option("map", map_file, "box map; - for stdin")->required();
+  app.add_option("paths", input, "paths, JSON Lines (default: stdin)");
+  cli::add_output(app, "-o,--output", output, "trajectories (default: stdout)");
+  vehicle.add_to(app);
+  options.add_to(app);
+  sharding.add_to(app);
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({map_file, input});
+    options.choose_solver();
+    sharding.begin(app, {{"map", map_file}, {"paths", input}},
+                   {{"output", output}, {"corridor-file", options.corridor_file}});
+    if (const auto done = sharding.finished(common)) return *done;
+    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
+                       vehicle, cli::Differences::refused);
+    if (scenes.profile()) options.task(scenes.profile()->vehicle);  // refuses before it reads
+    const Share share = read_share(input, sharding.shard());
+    Outputs out{{output, "output", sharding}, std::nullopt};
+    if (!options.corridor_file.empty()) {
+      out.corridors.emplace(options.corridor_file, "corridor-file", sharding);
+    }
+    const Counts counts = solve_each(share, options, scenes, common.execution("trajectories"), out);
+    const bool no = counts.contains("no_path") || counts.contains("infeasible");
+    const cli::Exit exit = no ? cli::Exit::no : cli::Exit::yes;
+    out.commit(share.total, exit);
+    common.write_stats({{"records", counts}});
+    return exit;
+  });
+}

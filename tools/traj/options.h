@@ -1,0 +1,42 @@
+#pragma once
+
+// The options of skyway-traj that say what to solve for, and how.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/option/limit_options.h"
+#include "traj/curve/yaw.h"
+#include "traj/solve/solve.h"
+
+namespace solving {
+
+// What is asked of a path.
+struct Task {
+  traj::SolveOptions options;
+  std::optional<traj::YawOptions> yaw;
+};
+
+struct Options {
+  traj::SolveOptions solve;
+  std::string solver = "auto";
+  std::string times;          // empty: the solver's own
+  std::string corridor_file;  // empty: none
+  std::string yaw;            // along, degrees or X,Y; empty: none
+  cli::LimitOptions limits;
+
+  void add_to(CLI::App& app);
+
+  // Once parsed: what --solver and --times say together; throws cli::UsageError.
+  void choose_solver();
+
+  // What a trajectory of that vehicle would be held to; throws cli::UsageError for a wrong yaw.
+  geom::Limits limits_for(const geom::Vehicle& vehicle) const;
+
+  // For a path of that vehicle. Throws cli::UsageError for limits as cli::limits_to_solve does, and
+  // for a wrong yaw.
+  Task task(const geom::Vehicle& vehicle) const;
+};
+
+}  // namespace solving

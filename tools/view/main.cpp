@@ -1,0 +1,93 @@
+// skyway-view: everything in one HTML page that opens in any browser, without a server or network.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/file/contents.h"
+#include "cli/file/files.h"
+#include "cli/option/output_option.h"
+#include "cli/option/vehicle_option.h"
+#include "cli/run.h"
+#include "layers.h"
+#include "page.h"
+
+namespace {
+
+void require_one_stdin(const std::vector<std::string>& files, const std::string& poses) {
+  if (std::count(files.begin(), files.end(), "-") + (poses == "-") > 1) {
+    throw cli::UsageError("only one input may be -");
+  }
+}
+
+const cli::ContentKinds kKinds{
+    .archives = true,
+    .corridors = true,
+    .reports = true,
+    .refusal = "expected a path, a trajectory, a tree, a corridor or a report, found a {}"};
+
+cli::Contents read(const std::vector<std::string>& files) {
+  cli::Contents contents = cli::read_contents(files, kKinds);
+  cli::require_same_map(contents, contents.map ? &contents.map->record : nullptr);
+  return contents;
+}
+
+constexpr std::size_t kLargeFrames = 3000000;  // bytes
+
+void warn_if_large(const cli::Common& common, const view::Frames& frames) {
+  const std::size_t bytes = frames.bytes();
+  if (bytes <= kLargeFrames) return;
+  common.warn(fmt::format(
+      "{} frames of {} x {} pixels make the page {:.1f} MB larger: a camera of "
+      "320 x 240 at --rate 2 keeps it small",
+      frames.list.size(), frames.width, frames.height, 4e-6 / 3 * static_cast<double>(bytes)));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Show maps, lattices, search trees, paths, trajectories, flights and reports in one "
+      "HTML page.",
+      "skyway-view"};
+  cli::Common common(app);
+  cli::VehicleOptions vehicle;
+  std::vector<std::string> files;
+  std::string title = "Skyway";
+  std::string output = "-";
+  view::FrameFiles pictures;
+  app.add_option("files", files,
+                 "box map, lattices, records (JSON Lines) and flight logs (CSV); - for stdin")
+      ->required();
+  cli::add_output(app, "-o,--output", output, "HTML page to write (default: stdout)");
+  app.add_option("--title", title, "what the page is called");
+  CLI::Option* frames_option =
+      app.add_option("--frames", pictures.names,
+                     "frames of skyway-render to show beside the plots, as f-%05d.png");
+  CLI::Option* poses_option =
+      app.add_option("--poses", pictures.poses, "what skyway-render --poses wrote with them");
+  frames_option->needs(poses_option);
+  poses_option->needs(frames_option);
+  vehicle.add_to(app);
+  return cli::run_tool(app, argc, argv, [&] {
+    require_one_stdin(files, pictures.poses);
+    const cli::Contents contents = read(files);
+    std::optional<view::Frames> frames;
+    if (!pictures.names.empty()) frames = view::read_frames(pictures);
+    view::Bundle bundle;
+    const view::Json meta = view::describe(contents, frames, vehicle, bundle);
+    const std::string page = view::page(title, meta, bundle);
+    cli::OutputFile out(output, cli::OutputKind::artefact);
+    out.stream() << page;
+    out.commit();
+    if (frames) warn_if_large(common, *frames);
+    common.write_stats({{"boxes", contents.map ? contents.map->record.size() : 0},
+                        {"trees", contents.trees.size()},
+                        {"paths", contents.paths.size()},
+                        {"motions", meta["motions"].size()},
+                        {"reports", contents.reports.size()},
+                        {"frames", frames ? frames->list.size() : 0},
+                        {"bytes", page.size()}});
+    return cli::Exit::yes;
+  });
+}
