@@ -26,7 +26,7 @@ double thread_seconds() {
 }
 
 struct Flown {
-  std::optional<traj::SetpointTrack> track;
+  std::optional<traj::ReferenceTrack> track;
   traj::Flight flight;
   double cpu = 0;
 };
@@ -74,8 +74,8 @@ geom::Axes Mission::axes(const Entry& entry) const {
   return scenes_ ? scenes_->map().spec().frame.axes : geom::Axes::enu;
 }
 
-traj::SetpointTrack Mission::track_of(const Entry& entry) const {
-  return traj::SetpointTrack(traj::to_enu(axes(entry), entry.record.trajectory));
+traj::ReferenceTrack Mission::track_of(const Entry& entry) const {
+  return traj::ReferenceTrack(traj::to_enu(axes(entry), entry.record.trajectory));
 }
 
 std::size_t Mission::read(cli::InputFile& file, const geom::Shard& shard) {
@@ -118,10 +118,10 @@ void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::Flight
       return geom::attitude_half_sizes(body, std::min(tilt, 1.5707963267948966));
     };
   }
-  report.check = traj::check_flown(scene, traj::true_vehicle(flight_), tilted, flight);
+  report.check = traj::check_flight_path(scene, traj::true_vehicle(flight_), tilted, flight);
 }
 
-traj::FlightReport Mission::report_of(const Entry& entry, const traj::SetpointTrack* track,
+traj::FlightReport Mission::report_of(const Entry& entry, const traj::ReferenceTrack* track,
                                       const traj::Flight& flight) {
   traj::FlightReport report;
   report.id = entry.record.id;
@@ -188,7 +188,7 @@ Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::Reco
     });
     for (std::size_t i = 0; i < flown.size(); ++i) {
       const Entry& entry = entries_[first + i];
-      const traj::SetpointTrack* track = flown[i].track ? &*flown[i].track : nullptr;
+      const traj::ReferenceTrack* track = flown[i].track ? &*flown[i].track : nullptr;
       auto told = report_of(entry, track, flown[i].flight);
       if (track && options_.runs > 0) {
         add_runs(entry,
@@ -216,7 +216,7 @@ Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::Reco
 }
 
 traj::TuneResult Mission::tune(const geom::Execution& run) const {
-  std::vector<traj::SetpointTrack> tracks;
+  std::vector<traj::ReferenceTrack> tracks;
   for (const Entry& entry : entries_) {
     if (entry.record.status != "solved") continue;
     tracks.push_back(track_of(entry));

@@ -53,8 +53,8 @@ class Mission {
   [[noreturn]] void refuse_size(const geom::Vehicle& made_for, std::size_t line) const;
   void require_vehicle(const Entry& entry) const;
   const geom::CollisionScene& scene_for(const Entry& entry);
-  traj::SetpointTrack track_of(const Entry& entry) const;
-  traj::FlightReport report_of(const Entry& entry, const traj::SetpointTrack* track,
+  traj::ReferenceTrack track_of(const Entry& entry) const;
+  traj::FlightReport report_of(const Entry& entry, const traj::ReferenceTrack* track,
                                const traj::Flight& flight);
   void add_runs(const Entry& entry, std::span<const traj::RunOutcome> runs,
                 traj::FlightReport& report);

@@ -26,21 +26,21 @@ CascadeController::CascadeController(const Quadrotor& model, const Gains& gains,
       velocity_(gains.velocity, periods.position * 1e-3, kVelocityFilter),
       rates_(gains.rates, 1e-3, kRateFilter) {}
 
-Motors CascadeController::command(long step, const Setpoint& setpoint, const Measured& measured) {
-  if (step % periods_.position == 0) follow(setpoint, measured);
-  if (step % periods_.attitude == 0) orient(setpoint, measured);
+Motors CascadeController::command(long step, const Reference& reference, const Measured& measured) {
+  if (step % periods_.position == 0) follow(reference, measured);
+  if (step % periods_.attitude == 0) orient(reference, measured);
   return turn(measured);
 }
 
 bool CascadeController::take_saturated() { return std::exchange(saturated_, false); }
 
 // Position and velocity: what thrust over mass is wanted.
-void CascadeController::follow(const Setpoint& setpoint, const Measured& measured) {
+void CascadeController::follow(const Reference& reference, const Measured& measured) {
   const Vec3 wanted =
-      position_.update(setpoint.position - measured.position,
-                       gains_.feed_forward.velocity * setpoint.velocity, lost_velocity_);
+      position_.update(reference.position - measured.position,
+                       gains_.feed_forward.velocity * reference.velocity, lost_velocity_);
   const Vec3 acceleration = velocity_.update(
-      wanted - measured.velocity, gains_.feed_forward.acceleration * setpoint.acceleration,
+      wanted - measured.velocity, gains_.feed_forward.acceleration * reference.acceleration,
       lost_acceleration_);
   lift_ = limited_lift(acceleration);
   lost_acceleration_ = acceleration + kGravity * Vec3::UnitZ() - lift_;
@@ -62,21 +62,21 @@ Vec3 CascadeController::limited_lift(const Vec3& acceleration) {
 }
 
 // Attitude: what body rates are wanted.
-void CascadeController::orient(const Setpoint& setpoint, const Measured& measured) {
-  const Eigen::Quaterniond wanted = attitude_along(lift_, setpoint.yaw);
+void CascadeController::orient(const Reference& reference, const Measured& measured) {
+  const Eigen::Quaterniond wanted = attitude_along(lift_, reference.yaw);
   const Vec3 error = attitude_error(measured.attitude, wanted, kYawWeight);
-  const Vec3 forward = body_rates_along(wanted, lift_.norm(), setpoint.jerk, setpoint.yaw_rate);
+  const Vec3 forward = body_rates_along(wanted, lift_.norm(), reference.jerk, reference.yaw_rate);
   const Vec3 rates = gains_.attitude.cwiseProduct(error) + gains_.feed_forward.body_rates * forward;
-  rate_setpoint_ = rates.cwiseMax(-model_.body_rate_max).cwiseMin(model_.body_rate_max);
-  saturated_ |= rate_setpoint_ != rates;
+  rate_reference_ = rates.cwiseMax(-model_.body_rate_max).cwiseMin(model_.body_rate_max);
+  saturated_ |= rate_reference_ != rates;
 }
 
 // Body rates: what torques, and so what motors.
 Motors CascadeController::turn(const Measured& measured) {
   const Vec3& w = measured.body_rates;
-  const Vec3 slope = (last_rates_ - w) / 1e-3;  // of the error, the setpoint's left out
+  const Vec3 slope = (last_rates_ - w) / 1e-3;  // of the error, the reference's left out
   last_rates_ = w;
-  const Vec3 spin_up = rates_.update(rate_setpoint_ - w, slope, Vec3::Zero(), lost_turn_);
+  const Vec3 spin_up = rates_.update(rate_reference_ - w, slope, Vec3::Zero(), lost_turn_);
   const Vec3 torque =
       model_.inertia.cwiseProduct(spin_up) + w.cross(model_.inertia.cwiseProduct(w));
   const Mixed mixed = mix(model_, model_.mass * lift_.norm(), torque);

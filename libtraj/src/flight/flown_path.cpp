@@ -32,9 +32,9 @@ class Sweep {
   Vec3 extra_;
 };
 
-FlownCheck verdict(const geom::CollisionScene& scene, std::string reason, double time,
+FlightPathCheck verdict(const geom::CollisionScene& scene, std::string reason, double time,
                    const Vec3& place) {
-  FlownCheck out;
+  FlightPathCheck out;
   out.reason = std::move(reason);
   out.time = time;
   out.place = place;
@@ -47,7 +47,7 @@ FlownCheck verdict(const geom::CollisionScene& scene, std::string reason, double
 
 }  // namespace
 
-FlownCheck check_flown(const geom::CollisionScene& scene, const Quadrotor& quadrotor,
+FlightPathCheck check_flight_path(const geom::CollisionScene& scene, const Quadrotor& quadrotor,
                        const TiltedVehicle& vehicle, const Flight& flight) {
   const geom::Axes axes = scene.map().spec().frame.axes;
   // Between the samples of the air's speed gusts change it by less than 1 m/s, the vehicle by what
@@ -59,7 +59,7 @@ FlownCheck check_flown(const geom::CollisionScene& scene, const Quadrotor& quadr
   const double coarse = most * chord * chord / 8;
   const double fine = most * kStep * kStep / 8;
   const auto at = [&](std::size_t i) { return geom::to_enu(axes, flight.path[i]); };
-  FlownCheck out;
+  FlightPathCheck out;
   for (std::size_t i = 0; i + 1 < flight.path.size() || i == 0; i += kStepsPerSample) {
     const std::size_t end = std::min(i + kStepsPerSample, flight.path.size() - 1);
     const std::size_t k = i / kStepsPerSample;  // tilts are of the samples at both ends
@@ -90,7 +90,7 @@ FlownCheck check_flown(const geom::CollisionScene& scene, const Quadrotor& quadr
   return out;
 }
 
-FlownCheck check_tube(const geom::CollisionScene& scene, const Trajectory& trajectory,
+FlightPathCheck check_tube(const geom::CollisionScene& scene, const Trajectory& trajectory,
                       std::span<const double> radius, double period) {
   double begin = 0;
   for (const Segment& segment : trajectory.segments) {
@@ -119,7 +119,7 @@ FlownCheck check_tube(const geom::CollisionScene& scene, const Trajectory& traje
     }
     begin += segment.duration;
   }
-  FlownCheck out;
+  FlightPathCheck out;
   out.clear = true;
   return out;
 }

@@ -46,7 +46,7 @@ FlightOptions drawn(const FlightOptions& base, const MonteCarloOptions& options,
   return out;
 }
 
-std::vector<RunOutcome> fly_runs(const SetpointTrack& track, const FlightOptions& base,
+std::vector<RunOutcome> fly_runs(const ReferenceTrack& track, const FlightOptions& base,
                                  const MonteCarloOptions& options, const geom::Shard& shard,
                                  const geom::Execution& run) {
   const auto taken = shard.items(static_cast<std::size_t>(options.runs));

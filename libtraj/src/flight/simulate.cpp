@@ -13,10 +13,10 @@ namespace {
 constexpr double kLostDistance = 100;  // m
 constexpr double kLostRate = 100;      // rad/s
 
-QuadrotorState start_state(const SetpointTrack& track, const FlightOptions& options,
+QuadrotorState start_state(const ReferenceTrack& track, const FlightOptions& options,
                            const Quadrotor& vehicle) {
   std::size_t cursor = 0;
-  const Setpoint first = track.at(options.hover > 0 ? -1 : 0, cursor);
+  const Reference first = track.at(options.hover > 0 ? -1 : 0, cursor);
   QuadrotorState state;
   state.position = first.position;
   state.velocity = first.velocity;
@@ -29,7 +29,7 @@ QuadrotorState start_state(const SetpointTrack& track, const FlightOptions& opti
 template <class Controller>
 class Simulation {
  public:
-  Simulation(const SetpointTrack& track, const FlightOptions& options, const FlightKeep& keep)
+  Simulation(const ReferenceTrack& track, const FlightOptions& options, const FlightKeep& keep)
       : track_(track),
         options_(options),
         keep_(keep),
@@ -55,7 +55,7 @@ class Simulation {
     if (velocity_samples_ > 0) {
       flight_.velocity_error = std::sqrt(velocity_squares_ / velocity_samples_);
     }
-    flight_.final_distance = (state_.position - setpoint_.position).norm();
+    flight_.final_distance = (state_.position - reference_.position).norm();
     return std::move(flight_);
   }
 
@@ -72,12 +72,12 @@ class Simulation {
     const LoopPeriods& periods = options_.periods;
     if (since_start % periods.position == 0 || since_start % periods.attitude == 0 ||
         n % kStepsPerSample == 0) {
-      setpoint_ = track_.at(static_cast<double>(n) * kStep, cursor_);
+      reference_ = track_.at(static_cast<double>(n) * kStep, cursor_);
     }
     if (since_start % kStepsPerSample == 0) {
       input_.wind = wind_.step(state_.position, state_.velocity, kSamplePeriod);
     }
-    input_.command = controller_.command(since_start, setpoint_, sensors_.read(state_));
+    input_.command = controller_.command(since_start, reference_, sensors_.read(state_));
     if (n >= 0) observe(n);
     if (n < steps_) state_ = integrate(vehicle_, state_, input_, kStep);
   }
@@ -91,7 +91,7 @@ class Simulation {
   }
 
   void sample(long n) {
-    const double error = (state_.position - setpoint_.position).norm();
+    const double error = (state_.position - reference_.position).norm();
     // Written so that what is not finite is lost too.
     if (!(error <= kLostDistance && state_.body_rates.norm() <= kLostRate)) {
       flight_.lost = static_cast<double>(n) * kStep;
@@ -101,7 +101,7 @@ class Simulation {
     flight_.tilt.push_back(std::acos(std::clamp(upright_, -1.0, 1.0)));
     upright_ = 1;
     if (n <= during_) {
-      velocity_squares_ += (state_.velocity - setpoint_.velocity).squaredNorm();
+      velocity_squares_ += (state_.velocity - reference_.velocity).squaredNorm();
       ++velocity_samples_;
     }
     flight_.fastest_air = std::max(flight_.fastest_air, (state_.velocity - input_.wind).norm());
@@ -119,15 +119,15 @@ class Simulation {
     s.velocity = state_.velocity;
     s.attitude = state_.attitude;
     s.body_rates = state_.body_rates;
-    s.setpoint_position = setpoint_.position;
-    s.setpoint_velocity = setpoint_.velocity;
-    s.setpoint_yaw = setpoint_.yaw;
+    s.setpoint_position = reference_.position;
+    s.setpoint_velocity = reference_.velocity;
+    s.setpoint_yaw = reference_.yaw;
     for (int i = 0; i < 4; ++i) s.motors[i] = input_.command[i] / vehicle_.motor_most;
     s.saturated = std::exchange(log_saturated_, false);
     flight_.samples.push_back(s);
   }
 
-  const SetpointTrack& track_;
+  const ReferenceTrack& track_;
   const FlightOptions& options_;
   FlightKeep keep_;
   Quadrotor vehicle_;
@@ -139,7 +139,7 @@ class Simulation {
   long during_;  // along the trajectory,
   long steps_;   // and from the start to the very end
   QuadrotorInput input_;
-  Setpoint setpoint_;
+  Reference reference_;
   std::size_t cursor_ = 0;
   double upright_ = 1;  // cosine of the largest tilt since the last sample
   double velocity_squares_ = 0;
@@ -156,7 +156,7 @@ Quadrotor true_vehicle(const FlightOptions& options) {
   return out;
 }
 
-Flight simulate(const SetpointTrack& track, const FlightOptions& options, const FlightKeep& keep) {
+Flight simulate(const ReferenceTrack& track, const FlightOptions& options, const FlightKeep& keep) {
   if (options.law == ControlLaw::geometric) {
     return Simulation<GeometricController>(track, options, keep).run();
   }

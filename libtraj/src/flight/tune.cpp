@@ -17,13 +17,13 @@ constexpr double kLost = 1e9;  // the cost of a lost flight
 
 using Parameters = std::vector<double>;  // > 0
 using Apply = std::function<void(const Parameters&, Gains&)>;
-using Judge = std::function<double(const Flight&, const SetpointTrack&)>;
+using Judge = std::function<double(const Flight&, const ReferenceTrack&)>;
 
 void set_xy(Vec3& gain, double xy, double z) { gain = Vec3(xy, xy, z); }
 
 class Search {
  public:
-  Search(std::span<const SetpointTrack> tracks, const FlightOptions& base,
+  Search(std::span<const ReferenceTrack> tracks, const FlightOptions& base,
          const geom::Execution& run)
       : tracks_(tracks), base_(base), run_(run) {}
 
@@ -60,7 +60,7 @@ class Search {
     geom::parallel_for(each.size(), run_, [&](std::size_t i) {
       FlightOptions options = base_;
       apply(points[i / tracks_.size()], options.gains);
-      const SetpointTrack& track = tracks_[i % tracks_.size()];
+      const ReferenceTrack& track = tracks_[i % tracks_.size()];
       const Flight flight = simulate(track, options, {});
       each[i] = flight.lost ? kLost : judge(flight, track);
     });
@@ -72,7 +72,7 @@ class Search {
     return out;
   }
 
-  std::span<const SetpointTrack> tracks_;
+  std::span<const ReferenceTrack> tracks_;
   FlightOptions base_;
   geom::Execution run_;
   std::size_t flights_ = 0;
@@ -109,7 +109,7 @@ Parameters position_start(ControlLaw law, const Gains& gains) {
                        0.1);
 }
 
-double weighed(const FlightCost& cost, const Flight& flight, const SetpointTrack& track) {
+double weighed(const FlightCost& cost, const Flight& flight, const ReferenceTrack& track) {
   const Tracking t = tracking(flight, track.duration());
   return cost.mean * t.mean + cost.rms * t.rms + cost.p99 * t.p99 + cost.largest * t.largest +
          cost.final_distance * t.final_distance + cost.saturated * flight.saturated;
@@ -117,7 +117,7 @@ double weighed(const FlightCost& cost, const Flight& flight, const SetpointTrack
 
 }  // namespace
 
-TuneResult tune(std::span<const SetpointTrack> tracks, const FlightOptions& base,
+TuneResult tune(std::span<const ReferenceTrack> tracks, const FlightOptions& base,
                 const FlightCost& cost, const geom::Execution& run) {
   const ControlLaw law = base.law;
   FlightOptions open = base;
@@ -129,14 +129,14 @@ TuneResult tune(std::span<const SetpointTrack> tracks, const FlightOptions& base
   TuneResult out;
   out.velocity_cost = inner.improve(
       velocity, set_velocity,
-      [](const Flight& flight, const SetpointTrack&) { return flight.velocity_error; });
+      [](const Flight& flight, const ReferenceTrack&) { return flight.velocity_error; });
   FlightOptions closed = base;
   set_velocity(velocity, closed.gains);
   Search outer(tracks, closed, run);
   Parameters position = position_start(law, base.gains);
   const auto set_position = [&](const Parameters& p, Gains& g) { apply_position(law, p, g); };
   out.cost =
-      outer.improve(position, set_position, [&](const Flight& flight, const SetpointTrack& track) {
+      outer.improve(position, set_position, [&](const Flight& flight, const ReferenceTrack& track) {
         return weighed(cost, flight, track);
       });
   out.gains = closed.gains;

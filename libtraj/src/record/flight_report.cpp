@@ -15,7 +15,7 @@ void append_text(std::string& out, std::string_view key, std::string_view value)
 }
 
 // `"reason":…` and where, of what is not clear.
-void append_violation(std::string& out, const FlownCheck& check, const geom::BoxMap* map) {
+void append_violation(std::string& out, const FlightPathCheck& check, const geom::BoxMap* map) {
   append_text(out, "reason", check.reason);
   append_number(out, "time", check.time);
   out += ",\"place\":";

@@ -170,7 +170,7 @@ TEST(CascadeController, NeverAsksForMoreTiltThanItMay) {
   const Quadrotor q = example_quadrotor();
   Gains gains = nominal_gains(q, 0.3);
   CascadeController controller(q, gains, {});
-  Setpoint far;
+  Reference far;
   far.position = {1000, 0, 0};
   QuadrotorState state;
   state.thrust = Motors::Constant(q.mass * kGravity / 4);

@@ -39,7 +39,7 @@ TEST(Simulate, HoversExactlyWithoutWind) {
   FlightOptions options = example();
   State there;
   there.position = {1, 2, 3};
-  const SetpointTrack track({{hermite(there, there, 5)}});
+  const ReferenceTrack track({{hermite(there, there, 5)}});
   for (const ControlLaw law : {ControlLaw::cascade, ControlLaw::geometric}) {
     options.law = law;
     const Flight flight = simulate(track, options, {10, true});
@@ -54,7 +54,7 @@ TEST(Simulate, HoversExactlyWithoutWind) {
 
 TEST(Simulate, FollowsALineAndStaysAtItsEnd) {
   FlightOptions options = example();
-  const SetpointTrack track(line({10, 5, 3}, 6));
+  const ReferenceTrack track(line({10, 5, 3}, 6));
   for (const ControlLaw law : {ControlLaw::cascade, ControlLaw::geometric}) {
     options.law = law;
     const Flight flight = simulate(track, options, {});
@@ -71,7 +71,7 @@ TEST(Simulate, FollowsALineAndStaysAtItsEnd) {
 TEST(Simulate, LooksWhereTheTrajectorySays) {
   Trajectory trajectory = line({20, 20, 0}, 12);
   add_yaw({YawOptions::Kind::fixed, 2.0}, trajectory);
-  const Flight flight = simulate(SetpointTrack(trajectory), example(), {10, false});
+  const Flight flight = simulate(ReferenceTrack(trajectory), example(), {10, false});
   const Vec3 ahead = flight.samples.back().attitude * Vec3::UnitX();
   EXPECT_NEAR(std::atan2(ahead.y(), ahead.x()), 2.0, 1e-3);
   EXPECT_NEAR(flight.samples[100].setpoint_yaw, 2.0, 1e-12);
@@ -85,7 +85,7 @@ TEST(Simulate, IsTheSameFromEitherAxes) {
     for (Vec3& p : s.point) p = geom::to_enu(geom::Axes::neu, p);
   }
   const auto log = [](geom::Axes axes, const Trajectory& t) {
-    return simulate(SetpointTrack(to_enu(axes, t)), example(), {10, false}).samples;
+    return simulate(ReferenceTrack(to_enu(axes, t)), example(), {10, false}).samples;
   };
   const auto a = log(geom::Axes::enu, enu);
   const auto b = log(geom::Axes::neu, neu);
@@ -100,7 +100,7 @@ TEST(Simulate, RepeatsItselfAndListensToTheSeed) {
   FlightOptions options = example();
   options.wind = {Vec3(3, 1, 0), 3};
   options.sensors = {0.02, 0.05, 0.01, 0.02, 0.02};
-  const SetpointTrack track(line({10, 5, 3}, 6));
+  const ReferenceTrack track(line({10, 5, 3}, 6));
   const Flight once = simulate(track, options, {});
   EXPECT_EQ(once.error, simulate(track, options, {}).error);
   options.seed = 1;
@@ -112,7 +112,7 @@ TEST(Simulate, HeavierThanBelievedItSagsAndRecovers) {
   options.mass_error = 0.3;
   options.hover = 0;
   State there;
-  const SetpointTrack track({{hermite(there, there, 20)}});
+  const ReferenceTrack track({{hermite(there, there, 20)}});
   const Flight flight = simulate(track, options, {});
   EXPECT_GT(*std::max_element(flight.error.begin(), flight.error.end()), 0.05);
   EXPECT_LT(flight.error.back(), 0.01);  // the velocity loop's integral carries the weight
@@ -124,7 +124,7 @@ TEST(Simulate, KnowsTheTrueVehicle) {
   options.mass_error = -0.5;
   EXPECT_EQ(true_vehicle(options).mass, 0.5);
   EXPECT_EQ(true_vehicle(options).motor_most, options.quadrotor.motor_most);
-  const SetpointTrack track(line({10, 0, 0}, 3));
+  const ReferenceTrack track(line({10, 0, 0}, 3));
   const Flight flight = simulate(track, options, {0, true});
   const double most = acceleration_bound(true_vehicle(options), flight.fastest_air + 1);
   for (std::size_t i = 1; i + 1 < flight.path.size(); ++i) {
@@ -137,7 +137,7 @@ TEST(Simulate, SaysWhenItIsLost) {
   FlightOptions options = example();
   options.gains.attitude *= -1;
   options.wind.mean = {2, 0, 0};
-  const Flight flight = simulate(SetpointTrack(line({10, 0, 0}, 60)), options, {10, true});
+  const Flight flight = simulate(ReferenceTrack(line({10, 0, 0}, 60)), options, {10, true});
   ASSERT_TRUE(flight.lost);
   EXPECT_LT(flight.samples.size(), 6000u);
   for (const FlightSample& s : flight.samples) EXPECT_TRUE(s.position.allFinite());
@@ -145,14 +145,14 @@ TEST(Simulate, SaysWhenItIsLost) {
   EXPECT_EQ(flight.path.size(), (flight.error.size() - 1) * 10 + 1);
 }
 
-TEST(SetpointTrack, IsTheTrajectory) {
+TEST(ReferenceTrack, IsTheTrajectory) {
   Trajectory trajectory = testing::random_trajectory(11);
   add_yaw({}, trajectory);
-  const SetpointTrack track(trajectory);
+  const ReferenceTrack track(trajectory);
   std::size_t cursor = 0;
   for (double t = 0; t < duration(trajectory); t += 0.037) {
     const State exact = evaluate(trajectory, t);
-    const Setpoint s = track.at(t, cursor);
+    const Reference s = track.at(t, cursor);
     EXPECT_LT((s.position - exact.position).norm(), 1e-12);
     EXPECT_LT((s.velocity - exact.velocity).norm(), 1e-11);
     EXPECT_LT((s.acceleration - exact.acceleration).norm(), 1e-10);
@@ -186,19 +186,19 @@ Flight straight(const Vec3& from) {
 
 TEST(FlownPath, IsExactOnItsSteps) {
   const auto scene = testing::scene_of({{Vec3(5.004, -1, 0), Vec3(5.006, 1, 10)}});
-  const FlownCheck hit = check_flown(scene, example().quadrotor, {}, straight({0, 0, 5}));
+  const FlightPathCheck hit = check_flight_path(scene, example().quadrotor, {}, straight({0, 0, 5}));
   EXPECT_FALSE(hit.clear);
   EXPECT_EQ(hit.reason, "collision");
   EXPECT_EQ(hit.time, 0.5);
   EXPECT_EQ(hit.box, 0u);
-  const FlownCheck miss = check_flown(scene, example().quadrotor, {}, straight({0, 1.0001, 5}));
+  const FlightPathCheck miss = check_flight_path(scene, example().quadrotor, {}, straight({0, 1.0001, 5}));
   EXPECT_TRUE(miss.clear);
   const double most = acceleration_bound(example().quadrotor, 1 + 0.01 * (kGravity + 24.1));
   EXPECT_NEAR(miss.between, most * 1e-6 / 8, 1e-15);
   // Nearer than what the path may stray between steps.
-  const FlownCheck near = check_flown(scene, example().quadrotor, {}, straight({0, 1.000001, 5}));
+  const FlightPathCheck near = check_flight_path(scene, example().quadrotor, {}, straight({0, 1.000001, 5}));
   EXPECT_EQ(near.reason, "undecided");
-  EXPECT_EQ(check_flown(scene, example().quadrotor, {}, straight({295.005, 0, 5})).reason,
+  EXPECT_EQ(check_flight_path(scene, example().quadrotor, {}, straight({295.005, 0, 5})).reason,
             "bounds");
 }
 
@@ -206,12 +206,12 @@ TEST(FlownPath, IsWiderWhereItTiltsTooMuch) {
   const auto scene = testing::scene_of({{Vec3(5, -1, 0), Vec3(6, 1, 10)}});
   Flight flight = straight({0, 1.2, 5});
   const TiltedVehicle vehicle{0.5, [](double tilt) { return Vec3::Constant(tilt); }};
-  EXPECT_TRUE(check_flown(scene, example().quadrotor, vehicle, flight).clear);
+  EXPECT_TRUE(check_flight_path(scene, example().quadrotor, vehicle, flight).clear);
   flight.tilt[55] = 0.6;
-  EXPECT_EQ(check_flown(scene, example().quadrotor, vehicle, flight).reason, "collision");
+  EXPECT_EQ(check_flight_path(scene, example().quadrotor, vehicle, flight).reason, "collision");
   flight.tilt[55] = 0;
   flight.tilt[80] = 0.6;  // past the box
-  EXPECT_TRUE(check_flown(scene, example().quadrotor, vehicle, flight).clear);
+  EXPECT_TRUE(check_flight_path(scene, example().quadrotor, vehicle, flight).clear);
 }
 
 TEST(Tube, IsClearExactlyWhileItIsThinnerThanTheWay) {
@@ -246,7 +246,7 @@ TEST(MonteCarlo, DrawsWithinWhatIsAsked) {
 TEST(MonteCarlo, IsTheSameForAnyThreads) {
   FlightOptions base = example();
   base.wind = {Vec3(3, 0, 0), 3};
-  const SetpointTrack track(line({5, 0, 0}, 4));
+  const ReferenceTrack track(line({5, 0, 0}, 4));
   const TrackingTube one = tube_of(fly_runs(track, base, {20, 0.1}, {}, {1, {}}));
   const TrackingTube seven = tube_of(fly_runs(track, base, {20, 0.1}, {}, {7, {}}));
   EXPECT_EQ(one.radius, seven.radius);
@@ -262,7 +262,7 @@ TEST(Tune, FindsBetterGainsAndTheSameForAnyThreads) {
   FlightOptions base = example();
   base.hover = 0.1;
   base.settle = 0.1;
-  const std::vector<SetpointTrack> tracks = {SetpointTrack(line({4, 2, 1}, 3))};
+  const std::vector<ReferenceTrack> tracks = {ReferenceTrack(line({4, 2, 1}, 3))};
   const Tracking before = tracking(simulate(tracks[0], base, {}), 3);
   const TuneResult one = tune(tracks, base, {}, {1, {}});
   const TuneResult two = tune(tracks, base, {}, {2, {}});

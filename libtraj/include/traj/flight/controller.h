@@ -5,7 +5,7 @@
 
 #include "traj/flight/pid.h"
 #include "traj/flight/sensors.h"
-#include "traj/flight/setpoint.h"
+#include "traj/flight/reference.h"
 
 namespace traj {
 
@@ -22,14 +22,14 @@ class CascadeController {
 
   // One call a millisecond, `step` counted from 0: runs the loops whose turn it is and returns what
   // the motors shall give.
-  Motors command(long step, const Setpoint& setpoint, const Measured& measured);
+  Motors command(long step, const Reference& reference, const Measured& measured);
 
   // Whether anything was clipped since this was last asked.
   bool take_saturated();
 
  private:
-  void follow(const Setpoint& setpoint, const Measured& measured);
-  void orient(const Setpoint& setpoint, const Measured& measured);
+  void follow(const Reference& reference, const Measured& measured);
+  void orient(const Reference& reference, const Measured& measured);
   Motors turn(const Measured& measured);
   Vec3 limited_lift(const Vec3& acceleration);
 
@@ -43,7 +43,7 @@ class CascadeController {
   Vec3 lost_acceleration_ = Vec3::Zero();  // m/s2
   Vec3 lost_turn_ = Vec3::Zero();          // rad/s2
   Vec3 lift_ = Vec3(0, 0, 9.80665);        // m/s2: thrust over mass that is asked for
-  Vec3 rate_setpoint_ = Vec3::Zero();
+  Vec3 rate_reference_ = Vec3::Zero();
   Vec3 last_rates_ = Vec3::Zero();
   bool saturated_ = false;
 };

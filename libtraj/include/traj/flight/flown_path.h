@@ -11,7 +11,7 @@
 
 namespace traj {
 
-struct FlownCheck {
+struct FlightPathCheck {
   bool clear = false;
   // "" when clear, else the first of these along the way: "bounds", "collision", or "undecided":
   // the polyline is clear, the path around it perhaps not.
@@ -30,13 +30,13 @@ struct TiltedVehicle {
   double tilt_max = 1.5707963267948966;
   std::function<Vec3(double)> half_at;  // may be empty: the scene's half sizes hold at every tilt
 };
-FlownCheck check_flown(const geom::CollisionScene& scene, const Quadrotor& quadrotor,
+FlightPathCheck check_flight_path(const geom::CollisionScene& scene, const Quadrotor& quadrotor,
                        const TiltedVehicle& vehicle, const Flight& flight);
 
 // Whether the trajectory (in the map's axes) is clear while the vehicle strays from it by up to
 // radius[k] metres during [k, k + 1] * period: the moving box of vehicle, margin, radius and the
 // curve's sagitta, swept along chords of 10 ms.
-FlownCheck check_tube(const geom::CollisionScene& scene, const Trajectory& trajectory,
+FlightPathCheck check_tube(const geom::CollisionScene& scene, const Trajectory& trajectory,
                       std::span<const double> radius, double period);
 
 }  // namespace traj

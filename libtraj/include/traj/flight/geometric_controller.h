@@ -14,7 +14,7 @@ class GeometricController {
  public:
   GeometricController(const Quadrotor& model, const Gains& gains, const LoopPeriods& periods);
 
-  Motors command(long step, const Setpoint& setpoint, const Measured& measured);
+  Motors command(long step, const Reference& reference, const Measured& measured);
   bool take_saturated();
 
  private:

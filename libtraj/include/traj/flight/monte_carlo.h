@@ -35,7 +35,7 @@ struct RunOutcome {
 std::size_t tube_periods(double duration);
 
 // Those runs that the shard takes, ascending: the same for any number of threads.
-std::vector<RunOutcome> fly_runs(const SetpointTrack& track, const FlightOptions& base,
+std::vector<RunOutcome> fly_runs(const ReferenceTrack& track, const FlightOptions& base,
                                  const MonteCarloOptions& options, const geom::Shard& shard,
                                  const geom::Execution& run);
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "traj/flight/controller.h"
-#include "traj/flight/setpoint.h"
+#include "traj/flight/reference.h"
 #include "traj/flight/wind.h"
 #include "traj/record/flight_log.h"
 
@@ -43,7 +43,7 @@ struct FlightKeep {
 // From the trajectory's start on; the hovering before is not told.
 struct Flight {
   std::optional<double> lost;  // s: when the vehicle was out of control, which ends the flight
-  std::vector<double> error;   // m, distance to the setpoint, at k * kSamplePeriod
+  std::vector<double> error;   // m, distance to the reference, at k * kSamplePeriod
   std::vector<double> tilt;    // rad, the largest since the sample before
   double velocity_error = 0;   // m/s, root mean square up to the trajectory's end
   double final_distance = 0;   // m from the last point, at the very end
@@ -56,8 +56,8 @@ struct Flight {
 
 // Starts level and at rest (or with the trajectory's own first velocity where `hover` is 0) with
 // the motors holding the weight. Power goes with thrust to the power 3/2 (momentum theory). Lost:
-// more than 100 m from the setpoint, turning faster than 100 rad/s, or not finite. No allocation in
+// more than 100 m from the reference, turning faster than 100 rad/s, or not finite. No allocation in
 // the loop. Deterministic for a libm.
-Flight simulate(const SetpointTrack& track, const FlightOptions& options, const FlightKeep& keep);
+Flight simulate(const ReferenceTrack& track, const FlightOptions& options, const FlightKeep& keep);
 
 }  // namespace traj

@@ -11,7 +11,7 @@ namespace traj {
 
 inline constexpr double kSettled = 0.05;  // m
 
-// Of the distances to the setpoint at the same instant, every 10 ms.
+// Of the distances to the reference at the same instant, every 10 ms.
 struct Tracking {
   double mean = 0;  // m, these four up to the trajectory's end
   double rms = 0;

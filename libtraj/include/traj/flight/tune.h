@@ -28,7 +28,7 @@ struct TuneResult {
 // flown, the best (ties: the first) is the next point, and the step is halved when none is better.
 // Costs are means over the tracks; a lost flight is worse than any other. The same for any number
 // of threads.
-TuneResult tune(std::span<const SetpointTrack> tracks, const FlightOptions& base,
+TuneResult tune(std::span<const ReferenceTrack> tracks, const FlightOptions& base,
                 const FlightCost& cost, const geom::Execution& run);
 
 }  // namespace traj

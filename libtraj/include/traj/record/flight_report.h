@@ -23,10 +23,10 @@ struct FlightReport {
   double saturated = 0;
   double tilt = 0;  // rad, the largest
   double hover_seconds = 0;
-  std::optional<FlownCheck> check;          // where there is a map
+  std::optional<FlightPathCheck> check;          // where there is a map
   std::optional<MonteCarloOptions> spread;  // where many were flown
   TrackingTube tube;
-  std::optional<FlownCheck> tube_check;
+  std::optional<FlightPathCheck> tube_check;
   geom::Provenance provenance;
 };
 

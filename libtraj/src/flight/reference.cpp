@@ -1,4 +1,4 @@
-#include "traj/flight/setpoint.h"
+#include "traj/flight/reference.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ T value_at(std::array<T, N> q, double u) {
 
 }  // namespace
 
-SetpointTrack::SetpointTrack(const Trajectory& trajectory) {
+ReferenceTrack::ReferenceTrack(const Trajectory& trajectory) {
   pieces_.reserve(trajectory.segments.size());
   for (const Segment& s : trajectory.segments) {
     Piece piece{duration_,
@@ -36,12 +36,12 @@ SetpointTrack::SetpointTrack(const Trajectory& trajectory) {
   }
 }
 
-Setpoint SetpointTrack::at(double t, std::size_t& cursor) const {
+Reference ReferenceTrack::at(double t, std::size_t& cursor) const {
   if (cursor >= pieces_.size() || t < pieces_[cursor].begin) cursor = 0;
   while (cursor + 1 < pieces_.size() && t >= pieces_[cursor + 1].begin) ++cursor;
   const Piece& p = pieces_[cursor];
   const double u = std::clamp((t - p.begin) / p.duration, 0.0, 1.0);
-  Setpoint out;
+  Reference out;
   out.position = value_at(p.position, u);
   out.yaw = value_at(p.yaw, u);
   if (t < 0 || t > duration_) return out;

@@ -8,7 +8,7 @@
 
 namespace traj {
 
-struct Setpoint {
+struct Reference {
   Vec3 position = Vec3::Zero();      // m
   Vec3 velocity = Vec3::Zero();      // m/s
   Vec3 acceleration = Vec3::Zero();  // m/s2
@@ -18,16 +18,16 @@ struct Setpoint {
 };
 
 // A trajectory made ready to be asked often. Immutable: threads may share it.
-class SetpointTrack {
+class ReferenceTrack {
  public:
   // Of a trajectory in ENU axes with at least one segment. Yaw is 0 where it has none.
-  explicit SetpointTrack(const Trajectory& trajectory);
+  explicit ReferenceTrack(const Trajectory& trajectory);
 
   double duration() const { return duration_; }
 
   // At `t` seconds: before the start it hovers there, after the end likewise. `cursor` is where the
   // time before was found (start with 0); times that grow cost O(1).
-  Setpoint at(double t, std::size_t& cursor) const;
+  Reference at(double t, std::size_t& cursor) const;
 
  private:
   struct Piece {
