@@ -150,7 +150,7 @@ std::size_t compare_lattice(const geom::CollisionScene& scene, const Oracle& exa
 std::size_t move_into_touch(const geom::CollisionScene& scene) {
   plan::Planner planner(scene, nullptr);
   support::Random random(5);
-  const traj::Limits limits{8, 6, {}, {}};
+  const traj::Limits limits{{traj::Limit::speed, 8}, {traj::Limit::acceleration, 6}};
   std::size_t originals = 0;
   std::size_t missed = 0;
   while (originals < 1000) {

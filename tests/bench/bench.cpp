@@ -107,7 +107,7 @@ void CheckTrajectory(benchmark::State& state) {
   plan::Planner planner(scene(), nullptr);
   support::Random random(4);
   traj::SolveResult solved;
-  const traj::Limits limits{8, 6, {}, {}};
+  const traj::Limits limits{{traj::Limit::speed, 8}, {traj::Limit::acceleration, 6}};
   while (solved.trajectory.segments.size() < 50) {
     const plan::PlanResult path = planner.plan(random_point(random), random_point(random), {});
     if (path.status != plan::PlanStatus::found || path.path.size() < 8) continue;

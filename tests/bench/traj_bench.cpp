@@ -56,8 +56,8 @@ int main(int argc, char** argv) {
   }
   for (int k = 3; k < argc; ++k) {
     traj::SolveOptions options;
-    options.limits.vmax = 8;
-    options.limits.amax = 6;
+    options.limits[geom::Limit::speed] = 8;
+    options.limits[geom::Limit::acceleration] = 6;
     options.rho = std::stod(argv[k]);
     std::map<std::string, Set> sets;
     for (const geom::PathRecord& path : paths) {

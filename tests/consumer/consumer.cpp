@@ -12,7 +12,7 @@ int main() {
   plan::Planner planner(scene, nullptr);
   const plan::PlanResult path = planner.plan({1, 1, 1}, {9, 1, 1}, {});
   traj::SolveOptions options;
-  options.limits.vmax = 2;
-  options.limits.amax = 2;
+  options.limits[geom::Limit::speed] = 2;
+  options.limits[geom::Limit::acceleration] = 2;
   return traj::solve(scene, path.path, options).status == traj::SolveStatus::solved ? 0 : 1;
 }

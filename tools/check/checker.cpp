@@ -36,8 +36,8 @@ std::vector<std::string> Checker::loosened(const traj::TrajectoryRecord& record,
   const geom::Limits strict =
       geom::limits_that_hold({rules_.limits, traj::limits_of(record), vehicle.limits});
   std::vector<std::string> out;
-  for (const auto& [name, limit] : geom::kLimitFields) {
-    if (held.*limit != strict.*limit) out.emplace_back(name);
+  for (const geom::LimitKind& kind : geom::kLimitKinds) {
+    if (held[kind.limit] != strict[kind.limit]) out.emplace_back(kind.name);
   }
   return out;
 }
@@ -48,7 +48,7 @@ void Checker::refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& rep
   const auto missing = traj::not_measured(report.result, rules_.limits);
   if (missing.empty() || !report.result.ok) return;
   report.result.ok = false;
-  report.result.reason = missing.front() + "_not_measured";
+  report.result.reason = std::string(geom::kind_of(missing.front()).quantity) + "_not_measured";
   report.result.place = place;
 }
 

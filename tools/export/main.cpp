@@ -213,7 +213,10 @@ Written write_unchecked(const Options& options, const TrajectoryRecord& record, 
 // What a file of straight legs does not command, and its check cannot hold.
 void warn_of_unmeasured(const cli::Common& common, const Task& task,
                         const traj::CheckResult& result) {
-  const auto missing = traj::not_measured(result, task.limits);
+  std::vector<std::string_view> missing;
+  for (const traj::Limit limit : traj::not_measured(result, task.limits)) {
+    missing.emplace_back(traj::kind_of(limit).quantity);
+  }
   if (missing.empty()) return;
   common.warn(
       fmt::format("{}: {} does not say the {}: the vehicle's own settings must keep the "

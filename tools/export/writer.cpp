@@ -109,7 +109,8 @@ Written write_line(const Task& task, const geom::Polyline& legs) {
 
 std::optional<double> speed_limit(const traj::Limits& limits) {
   std::optional<double> speed;
-  for (const auto& limit : {limits.vmax, limits.vmax_h, limits.vmax_v}) {
+  for (const auto& limit : {limits[traj::Limit::speed], limits[traj::Limit::horizontal_speed],
+                            limits[traj::Limit::vertical_speed]}) {
     if (limit) speed = std::min(speed.value_or(*limit), *limit);
   }
   return speed;

@@ -111,7 +111,8 @@ void Mission::judge(const Entry& entry, const traj::Flight& flight, traj::Flight
   report.provenance = geom::provenance_of(scene);
   if (flight.path.empty()) return;  // lost at once
   traj::TiltedVehicle tilted;
-  const auto& tilt_max = profile_.vehicle.limits.tilt;  // else the box holds every attitude
+  const auto& tilt_max =
+      profile_.vehicle.limits[geom::Limit::tilt];  // else the box holds every attitude
   if (tilt_max && profile_.body) {
     tilted.tilt_max = *tilt_max;
     tilted.half_at = [body = *profile_.body](double tilt) {

@@ -52,15 +52,17 @@ std::string motion_profile(const traj::TrajectoryRecord& record) {
     const auto part = [i](const traj::State& s) { return s.position[i]; };
     position.series.push_back(of(part, kNames[i], static_cast<std::size_t>(i)));
   }
-  Panel speed{"speed, m/s", {}, level("vmax", limits.vmax)};
+  Panel speed{"speed, m/s", {}, level("vmax", limits[traj::Limit::speed])};
   speed.series.push_back(of([](const traj::State& s) { return s.velocity.norm(); }, "speed", 0));
   const auto sideways = [](const traj::State& s) { return s.velocity.head<2>().norm(); };
   const auto upward = [](const traj::State& s) { return std::abs(s.velocity.z()); };
-  if (limits.vmax_h || limits.vmax_v) {
+  if (limits[traj::Limit::horizontal_speed] || limits[traj::Limit::vertical_speed]) {
     speed.series.push_back(of(sideways, "horizontal", 1));
     speed.series.push_back(of(upward, "vertical", 2));
-    for (const Level& l : level("vmax_h", limits.vmax_h)) speed.levels.push_back(l);
-    for (const Level& l : level("vmax_v", limits.vmax_v)) speed.levels.push_back(l);
+    for (const Level& l : level("vmax_h", limits[traj::Limit::horizontal_speed]))
+      speed.levels.push_back(l);
+    for (const Level& l : level("vmax_v", limits[traj::Limit::vertical_speed]))
+      speed.levels.push_back(l);
   }
   const auto acceleration = [](const traj::State& s) { return s.acceleration.norm(); };
   const auto jerk = [](const traj::State& s) { return s.jerk.norm(); };
@@ -73,16 +75,23 @@ std::string motion_profile(const traj::TrajectoryRecord& record) {
   figure.panels = {
       position,
       speed,
-      {"acceleration, m/s\u00b2", {of(acceleration, "", 0)}, level("amax", limits.amax)},
-      {"jerk, m/s\u00b3", {of(jerk, "", 0)}, level("jmax", limits.jmax)},
-      {"thrust/mass, m/s\u00b2", {of(thrust, "", 0)}, level("thrust", limits.thrust), {}, false},
-      {"tilt, \u00b0", {of(tilt, "", 0)}, level("tilt", limits.tilt, kDegrees)}};
-  if (limits.body_rate) {
+      {"acceleration, m/s\u00b2",
+       {of(acceleration, "", 0)},
+       level("amax", limits[traj::Limit::acceleration])},
+      {"jerk, m/s\u00b3", {of(jerk, "", 0)}, level("jmax", limits[traj::Limit::jerk])},
+      {"thrust/mass, m/s\u00b2",
+       {of(thrust, "", 0)},
+       level("thrust", limits[traj::Limit::thrust]),
+       {},
+       false},
+      {"tilt, \u00b0", {of(tilt, "", 0)}, level("tilt", limits[traj::Limit::tilt], kDegrees)}};
+  if (limits[traj::Limit::body_rate]) {
     const auto rate = [](const traj::State& state) {
       return traj::flat_state(state, {}).body_rate.head<2>().norm();
     };
-    figure.panels.push_back(
-        {"body rate, rad/s", {of(rate, "", 0)}, level("body_rate", limits.body_rate)});
+    figure.panels.push_back({"body rate, rad/s",
+                             {of(rate, "", 0)},
+                             level("body_rate", limits[traj::Limit::body_rate])});
   }
   double t = 0;
   for (const traj::Segment& s : record.trajectory.segments) {

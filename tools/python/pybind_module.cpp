@@ -21,8 +21,8 @@ traj::Limits limits_from(const py::object& object) {
   for (const auto& [key, value] : py::cast<py::dict>(object)) {
     const auto name = key.cast<std::string>();
     bool known = false;
-    for (const traj::LimitField& field : traj::kLimitFields) {
-      if (name != field.name) continue;
+    for (const traj::LimitKind& kind : traj::kLimitKinds) {
+      if (name != kind.name) continue;
       known = true;
       if (value.is_none()) continue;
       const double number = value.cast<double>();
@@ -30,7 +30,7 @@ traj::Limits limits_from(const py::object& object) {
         throw geom::InputError(
             "limits", name + " must be > 0 and finite, found " + std::string(py::str(value)));
       }
-      limits.*field.member = number;
+      limits[kind.limit] = number;
     }
     if (!known) throw geom::InputError("limits", "there is no limit \"" + name + "\"");
   }
@@ -39,8 +39,8 @@ traj::Limits limits_from(const py::object& object) {
 
 py::dict dict_of(const traj::Limits& limits) {
   py::dict out;
-  for (const traj::LimitField& field : traj::kLimitFields) {
-    if (limits.*field.member) out[field.name] = *(limits.*field.member);
+  for (const traj::LimitKind& kind : traj::kLimitKinds) {
+    if (const auto& limit = limits[kind.limit]) out[kind.name] = *limit;
   }
   return out;
 }

@@ -54,9 +54,11 @@ constexpr double kYawRate = std::numbers::pi / 2;  // rad/s, where none is asked
 std::optional<traj::YawOptions> yaw_from(const py::object& object, bool rate_asked,
                                          traj::Limits& limits) {
   if (object.is_none()) return std::nullopt;
-  if (!rate_asked) limits.yaw_rate = std::min(limits.yaw_rate.value_or(kYawRate), kYawRate);
+  if (!rate_asked)
+    limits[traj::Limit::yaw_rate] =
+        std::min(limits[traj::Limit::yaw_rate].value_or(kYawRate), kYawRate);
   traj::YawOptions yaw;
-  yaw.rate = *limits.yaw_rate * (1 - 1e-9);  // room for rounding in the proof
+  yaw.rate = *limits[traj::Limit::yaw_rate] * (1 - 1e-9);  // room for rounding in the proof
   if (py::isinstance<py::str>(object)) {
     if (object.cast<std::string>() == "along") return yaw;
   } else if (py::isinstance<py::float_>(object) || py::isinstance<py::int_>(object)) {
@@ -90,7 +92,7 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   options.corridor = kind->second;
   if (!(rho >= 0 && rho <= 1e3)) throw py::value_error("rho: must be within 0 to 1000");
   options.rho = rho;
-  const auto yaw = yaw_from(yaw_words, asked.yaw_rate.has_value(), options.limits);
+  const auto yaw = yaw_from(yaw_words, asked[traj::Limit::yaw_rate].has_value(), options.limits);
   if (record.status != "found") {
     traj::TrajectoryRecord none;
     none.id = record.id;

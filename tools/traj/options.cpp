@@ -20,9 +20,11 @@ constexpr double kYawRate = std::numbers::pi / 2;  // rad/s, where none is asked
 std::optional<traj::YawOptions> yaw_options(const std::string& text, bool rate_asked,
                                             traj::Limits& limits) {
   if (text.empty()) return std::nullopt;
-  if (!rate_asked) limits.yaw_rate = std::min(limits.yaw_rate.value_or(kYawRate), kYawRate);
+  if (!rate_asked)
+    limits[traj::Limit::yaw_rate] =
+        std::min(limits[traj::Limit::yaw_rate].value_or(kYawRate), kYawRate);
   traj::YawOptions yaw;
-  yaw.rate = *limits.yaw_rate * (1 - 1e-9);  // room for rounding in the proof
+  yaw.rate = *limits[traj::Limit::yaw_rate] * (1 - 1e-9);  // room for rounding in the proof
   if (text == "along") return yaw;
   if (const auto degrees = cli::parse_numbers(text, 1)) {
     yaw.kind = traj::YawOptions::Kind::fixed;
@@ -62,7 +64,7 @@ void Options::choose_solver() { cli::choose_solver(solver, times, solve); }
 geom::Limits Options::limits_for(const geom::Vehicle& vehicle) const {
   const geom::Limits asked = limits.limits();
   geom::Limits held = geom::limits_that_hold({asked, {}, vehicle.limits});
-  yaw_options(yaw, asked.yaw_rate.has_value(), held);
+  yaw_options(yaw, asked[traj::Limit::yaw_rate].has_value(), held);
   return held;
 }
 
@@ -70,7 +72,7 @@ Task Options::task(const geom::Vehicle& vehicle) const {
   const geom::Limits asked = limits.limits();
   Task task{solve, std::nullopt};
   task.options.limits = cli::limits_to_solve(asked, vehicle);
-  task.yaw = yaw_options(yaw, asked.yaw_rate.has_value(), task.options.limits);
+  task.yaw = yaw_options(yaw, asked[traj::Limit::yaw_rate].has_value(), task.options.limits);
   return task;
 }
 

@@ -113,8 +113,8 @@ Json unsolved(const cli::Contents& contents) {
 
 Json as_json(const traj::Limits& limits) {
   Json out = Json::object();
-  for (const auto& [name, member] : traj::kLimitFields) {
-    if (limits.*member) out[name] = *(limits.*member);
+  for (const traj::LimitKind& kind : traj::kLimitKinds) {
+    if (const auto& limit = limits[kind.limit]) out[kind.name] = *limit;
   }
   return out;
 }

@@ -80,10 +80,11 @@ void append_json(std::string& out, const Provenance& provenance) {
 
 void append_json(std::string& out, const Limits& limits) {
   std::string body;
-  for (const auto& [key, limit] : kLimitFields) {
-    if (!(limits.*limit)) continue;
-    body += fmt::format("{}\"{}\":", body.empty() ? "" : ",", key);
-    append_json(body, *(limits.*limit));
+  for (const LimitKind& kind : kLimitKinds) {
+    const auto& limit = limits[kind.limit];
+    if (!limit) continue;
+    body += fmt::format("{}\"{}\":", body.empty() ? "" : ",", kind.name);
+    append_json(body, *limit);
   }
   if (!body.empty()) out += "\"limits\":{" + body + "},";
 }

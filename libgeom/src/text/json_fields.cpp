@@ -92,25 +92,25 @@ Limits JsonFields::limits(const Json& value, std::string_view what) const {
   if (!value.is_object()) refuse(fmt::format("{} must be an object, found {}", what, shown(value)));
   Limits out;
   for (const auto& [key, entry] : value.items()) {
-    const auto field = std::find_if(std::begin(kLimitFields), std::end(kLimitFields),
-                                    [&](const LimitField& f) { return key == f.name; });
-    if (field == std::end(kLimitFields)) {
+    const auto kind = std::find_if(kLimitKinds.begin(), kLimitKinds.end(),
+                                   [&](const LimitKind& k) { return key == k.name; });
+    if (kind == kLimitKinds.end()) {
       std::string names;
-      for (const LimitField& f : kLimitFields) names += fmt::format(" {}", f.name);
+      for (const LimitKind& k : kLimitKinds) names += fmt::format(" {}", k.name);
       refuse(fmt::format("{} has {}, which is no limit; expected some of:{}", what,
                          shown(Json(key)), names));
     }
     const std::string where = fmt::format("{}.{}", what, key);
     const double limit = number(entry, where);
     if (!(limit > 0)) refuse(fmt::format("{} must be > 0, found {}", where, shown(entry)));
-    out.*field->member = limit;
+    out[kind->limit] = limit;
   }
-  if (out.tilt && *out.tilt >= std::numbers::pi / 2) {
-    refuse(fmt::format("{}.tilt must be below a right angle, 1.5707963 rad, found {}", what,
-                       *out.tilt));
+  if (const auto& tilt = out[Limit::tilt]; tilt && *tilt >= std::numbers::pi / 2) {
+    refuse(
+        fmt::format("{}.tilt must be below a right angle, 1.5707963 rad, found {}", what, *tilt));
   }
-  if (out.thrust && *out.thrust <= kGravity) {
-    refuse(fmt::format("{}.thrust must be > {} m/s2, found {}", what, kGravity, *out.thrust));
+  if (const auto& thrust = out[Limit::thrust]; thrust && *thrust <= kGravity) {
+    refuse(fmt::format("{}.thrust must be > {} m/s2, found {}", what, kGravity, *thrust));
   }
   return out;
 }

@@ -5,9 +5,7 @@
 namespace geom {
 namespace {
 
-using Limit = std::optional<double>;
-
-Limit smaller(const Limit& a, const Limit& b) {
+std::optional<double> smaller(const std::optional<double>& a, const std::optional<double>& b) {
   if (!a || !b) return a ? a : b;
   return std::min(*a, *b);
 }
@@ -16,35 +14,36 @@ Limit smaller(const Limit& a, const Limit& b) {
 
 Limits stricter(const Limits& a, const Limits& b) {
   Limits out;
-  for (const auto& [name, limit] : kLimitFields) out.*limit = smaller(a.*limit, b.*limit);
+  for (const LimitKind& kind : kLimitKinds) out[kind.limit] = smaller(a[kind.limit], b[kind.limit]);
   return out;
 }
 
-const LimitField* first_above(const Limits& a, const Limits& b) {
-  for (const LimitField& field : kLimitFields) {
-    const Limit& ours = a.*field.member;
-    const Limit& theirs = b.*field.member;
-    if (ours && theirs && *ours > *theirs) return &field;
+std::optional<Limit> first_above(const Limits& a, const Limits& b) {
+  for (const LimitKind& kind : kLimitKinds) {
+    const auto& ours = a[kind.limit];
+    const auto& theirs = b[kind.limit];
+    if (ours && theirs && *ours > *theirs) return kind.limit;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
-const LimitField* first_looser(const Limits& a, const Limits& b) {
-  for (const LimitField& field : kLimitFields) {
-    const Limit& ours = a.*field.member;
-    const Limit& theirs = b.*field.member;
-    if (theirs && !(ours && *ours <= *theirs)) return &field;
+std::optional<Limit> first_looser(const Limits& a, const Limits& b) {
+  for (const LimitKind& kind : kLimitKinds) {
+    const auto& ours = a[kind.limit];
+    const auto& theirs = b[kind.limit];
+    if (theirs && !(ours && *ours <= *theirs)) return kind.limit;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 Limits limits_that_hold(const LimitSources& sources) {
   Limits out = stricter(sources.record, sources.vehicle);
-  for (const auto& [name, limit] : kLimitFields) {
-    const Limit& asked = sources.options.*limit;
-    if (asked) out.*limit = sources.overridden ? asked : smaller(asked, out.*limit);
+  for (const LimitKind& kind : kLimitKinds) {
+    const auto& asked = sources.options[kind.limit];
+    std::optional<double>& held = out[kind.limit];
+    if (asked) held = sources.overridden ? asked : smaller(asked, held);
   }
-  out.tilt = smaller(out.tilt, sources.vehicle.tilt);
+  out[Limit::tilt] = smaller(out[Limit::tilt], sources.vehicle[Limit::tilt]);
   return out;
 }
 

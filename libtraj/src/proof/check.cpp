@@ -144,10 +144,10 @@ CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> 
   return result;
 }
 
-std::vector<std::string> not_measured(const CheckResult& result, const Limits& limits) {
-  std::vector<std::string> missing;
-  for (const LimitKind& kind : kLimitKinds) {
-    if (limits.*kind.limit && !(result.*kind.extreme)) missing.emplace_back(kind.reason);
+std::vector<Limit> not_measured(const CheckResult& result, const Limits& limits) {
+  std::vector<Limit> missing;
+  for (const Limit limit : kOrderOfLimits) {
+    if (limits[limit] && !result.largest[limit]) missing.push_back(limit);
   }
   return missing;
 }

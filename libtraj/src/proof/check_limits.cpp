@@ -180,9 +180,6 @@ TurnPiece turning(const Points<6>& f, double f_error, const Points<5>& j, double
 double norm(const Vec3& p) { return p.norm(); }
 double up(const Vec3& p) { return std::abs(p.z()); }
 
-// The numbers of kLimitKinds.
-enum { speed_, acceleration_, jerk_, tilt_, across_, up_, thrust_, body_rate_, yaw_rate_, kinds_ };
-
 class LimitCheck {
  public:
   LimitCheck(const CheckOptions& options, CheckResult& result)
@@ -201,26 +198,26 @@ class LimitCheck {
     const double v_error = v_rounded + stray.velocity;
     const double a_error = a_rounded + stray.acceleration;
     const double j_error = j_rounded + stray.jerk;
-    convex(speed_, v, norm, v_error);
-    convex(across_, v, across, v_error);
-    convex(up_, v, up, v_error);
-    convex(acceleration_, a, norm, a_error);
+    convex(Limit::speed, v, norm, v_error);
+    convex(Limit::horizontal_speed, v, across, v_error);
+    convex(Limit::vertical_speed, v, up, v_error);
+    convex(Limit::acceleration, a, norm, a_error);
     const auto f = thrust_points(a);
     const double f_error = a_error + 10 * kEps;
-    convex(thrust_, f, norm, f_error);
-    holds(tilt_, TiltPiece{f, f_error});
-    convex(jerk_, j, norm, j_error);
-    holds(body_rate_, turning(f, f_error, j, j_error));
+    convex(Limit::thrust, f, norm, f_error);
+    holds(Limit::tilt, TiltPiece{f, f_error});
+    convex(Limit::jerk, j, norm, j_error);
+    holds(Limit::body_rate, turning(f, f_error, j, j_error));
     if (s.yaw) add_yaw(s, stray.yaw_rate);
     begin_ += s.duration;
   }
 
   void report(const Trajectory& trajectory) const {
     if (!result_.reason.empty()) return;
-    for (std::size_t k = 0; k < kinds_; ++k) {
-      if (!broken_[k]) continue;
-      const Extreme at = (result_.*kLimitKinds[k].extreme).value_or(Extreme{});
-      result_.reason = kLimitKinds[k].reason;
+    for (const Limit limit : kOrderOfLimits) {
+      if (!broken_[limit]) continue;
+      const Extreme at = result_.largest[limit].value_or(Extreme{});
+      result_.reason = kind_of(limit).quantity;
       result_.worst = at.value;
       result_.time = at.time;
       result_.place = evaluate(trajectory, at.time).position;
@@ -230,18 +227,18 @@ class LimitCheck {
 
  private:
   template <class Quantity>
-  void holds(std::size_t kind, const Quantity& piece) {
-    const auto& limit = options_.limits.*kLimitKinds[kind].limit;
-    const double most = limit ? *limit * (1 + options_.limit_slack) : kInfinity;
-    std::optional<Extreme>& extreme = result_.*kLimitKinds[kind].extreme;
+  void holds(Limit limit, const Quantity& piece) {
+    const auto& allowed = options_.limits[limit];
+    const double most = allowed ? *allowed * (1 + options_.limit_slack) : kInfinity;
+    std::optional<Extreme>& extreme = result_.largest[limit];
     if (!extreme) extreme.emplace();
     Bound bound{most, *extreme};
-    if (!bounded(piece, begin_, begin_ + duration_, 0, bound)) broken_[kind] = true;
+    if (!bounded(piece, begin_, begin_ + duration_, 0, bound)) broken_[limit] = true;
   }
 
   template <std::size_t N, class Value>
-  void convex(std::size_t kind, const Points<N>& q, const Value& value, double slack) {
-    holds(kind, ConvexPiece<N, Value>{q, value, slack});
+  void convex(Limit limit, const Points<N>& q, const Value& value, double slack) {
+    holds(limit, ConvexPiece<N, Value>{q, value, slack});
   }
 
   void add_yaw(const Segment& s, double stray) {
@@ -252,12 +249,12 @@ class LimitCheck {
     double most = 0;
     for (const double y : *s.yaw) most = std::max(most, std::abs(y));
     const double error = 50 * kEps * (largest_norm(rate) + most * kDegree / s.duration) + stray;
-    convex(yaw_rate_, rate, norm, error);
+    convex(Limit::yaw_rate, rate, norm, error);
   }
 
   const CheckOptions& options_;
   CheckResult& result_;
-  std::array<bool, kinds_> broken_{};
+  PerLimit<bool> broken_;
   double begin_ = 0;
   double duration_ = 0;
 };

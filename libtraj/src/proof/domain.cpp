@@ -26,12 +26,13 @@ std::optional<double> odd_coordinate(const Segment& segment) {
 }
 
 std::optional<double> odd_limit(const Limits& limits) {
-  for (const LimitField& field : kLimitFields) {
-    const std::optional<double>& limit = limits.*field.member;
+  for (const std::optional<double>& limit : limits.values) {
     if (limit && !within(*limit, kLeastLimit, kLargestLimit)) return *limit;
   }
-  if (limits.tilt && *limits.tilt >= std::numbers::pi / 2) return *limits.tilt;
-  if (limits.thrust && *limits.thrust <= kGravity) return *limits.thrust;
+  const std::optional<double>& tilt = limits[Limit::tilt];
+  if (tilt && *tilt >= std::numbers::pi / 2) return *tilt;
+  const std::optional<double>& thrust = limits[Limit::thrust];
+  if (thrust && *thrust <= kGravity) return *thrust;
   return std::nullopt;
 }
 

@@ -51,7 +51,7 @@ class SetpointCheck {
     noise_ = 0;
     hold_velocity(s.state.velocity);
     hold_acceleration(s.state.acceleration);
-    hold(kYawRate, std::abs(s.yaw_rate));
+    hold(Limit::yaw_rate, std::abs(s.yaw_rate));
   }
 
   // What leads from one setpoint to the next.
@@ -64,50 +64,39 @@ class SetpointCheck {
     noise_ = 64 * std::numeric_limits<double>::epsilon() * most / dt;
     hold_velocity(slope(s.state.position, next.state.position));
     hold_acceleration(slope(s.state.velocity, next.state.velocity));
-    hold(kJerk, slope(s.state.acceleration, next.state.acceleration).norm());
-    hold(kBodyRate, turn_rate(force(s.state.acceleration), force(next.state.acceleration), dt));
-    hold(kYawRate, std::abs(std::remainder(next.yaw - s.yaw, 2 * kPi)) / dt);
+    hold(Limit::jerk, slope(s.state.acceleration, next.state.acceleration).norm());
+    hold(Limit::body_rate,
+         turn_rate(force(s.state.acceleration), force(next.state.acceleration), dt));
+    hold(Limit::yaw_rate, std::abs(std::remainder(next.yaw - s.yaw, 2 * kPi)) / dt);
   }
 
  private:
-  // Places in kLimitKinds.
-  enum Kind {
-    kSpeed,
-    kAcceleration,
-    kJerk,
-    kTilt,
-    kHorizontalSpeed,
-    kVerticalSpeed,
-    kThrust,
-    kBodyRate,
-    kYawRate
-  };
-
   static double largest(const State& s) {
     return s.position.norm() + s.velocity.norm() + s.acceleration.norm();
   }
   static Vec3 force(const Vec3& acceleration) { return acceleration + Vec3(0, 0, kGravity); }
 
   void hold_velocity(const Vec3& v) {
-    hold(kSpeed, v.norm());
-    hold(kHorizontalSpeed, across(v));
-    hold(kVerticalSpeed, std::abs(v.z()));
+    hold(Limit::speed, v.norm());
+    hold(Limit::horizontal_speed, across(v));
+    hold(Limit::vertical_speed, std::abs(v.z()));
   }
 
   void hold_acceleration(const Vec3& a) {
     const Vec3 f = force(a);
-    hold(kAcceleration, a.norm());
-    hold(kTilt, f.isZero(0) ? kPi : angle_of(f.z(), across(f)));
-    hold(kThrust, f.norm());
+    hold(Limit::acceleration, a.norm());
+    hold(Limit::tilt, f.isZero(0) ? kPi : angle_of(f.z(), across(f)));
+    hold(Limit::thrust, f.norm());
   }
 
-  void hold(Kind which, double value) {
-    const LimitKind& kind = kLimitKinds[which];
-    std::optional<Extreme>& extreme = result_.*kind.extreme;
+  void hold(Limit limit, double value) {
+    std::optional<Extreme>& extreme = result_.largest[limit];
     const double sure = std::max(0.0, value - noise_);  // the file's digits show no more
     if (!extreme || sure > extreme->value) extreme = {sure, time_};
-    const std::optional<double>& limit = limits_.*kind.limit;
-    if (limit && sure > *limit * (1 + kSlack)) refuse(result_, kind.reason, time_, place_, sure);
+    const std::optional<double>& most = limits_[limit];
+    if (most && sure > *most * (1 + kSlack)) {
+      refuse(result_, kind_of(limit).quantity, time_, place_, sure);
+    }
   }
 
   const Limits& limits_;
@@ -155,20 +144,25 @@ CheckResult check_setpoints(const geom::CollisionScene& scene, const Flown& flow
 
 void check_legs(const geom::Polyline& way, double speed, const Limits& limits,
                 CheckResult& result) {
-  result.speed = result.horizontal_speed = result.vertical_speed = Extreme{};
+  for (const Limit limit : {Limit::speed, Limit::horizontal_speed, Limit::vertical_speed}) {
+    result.largest[limit] = Extreme{};
+  }
   for (std::size_t i = 1; i < way.size(); ++i) {
     const Vec3 leg = way[i] - way[i - 1];
     if (leg.isZero(0)) continue;
     const Vec3 v = leg * (speed / leg.norm());
     const auto index = static_cast<double>(i - 1);
-    const auto hold = [&](const std::optional<double>& limit, std::string_view why, double value,
-                          std::optional<Extreme>& extreme) {
+    const auto hold = [&](Limit limit, double value) {
+      std::optional<Extreme>& extreme = result.largest[limit];
       if (value > extreme->value) extreme = {value, index};
-      if (limit && value > *limit * (1 + kSlack)) refuse(result, why, index, way[i - 1], value);
+      const std::optional<double>& most = limits[limit];
+      if (most && value > *most * (1 + kSlack)) {
+        refuse(result, kind_of(limit).quantity, index, way[i - 1], value);
+      }
     };
-    hold(limits.vmax, "speed", speed, result.speed);
-    hold(limits.vmax_h, "horizontal_speed", across(v), result.horizontal_speed);
-    hold(limits.vmax_v, "vertical_speed", std::abs(v.z()), result.vertical_speed);
+    hold(Limit::speed, speed);
+    hold(Limit::horizontal_speed, across(v));
+    hold(Limit::vertical_speed, std::abs(v.z()));
   }
 }
 

@@ -27,15 +27,9 @@ void append_segment(std::string& out, const SegmentProof& proof) {
   out += '{';
   append_clear(out, proof.clear);
   append_cover(out, "bounds", proof.bounds);
-  append_cover(out, "speed", proof.speed);
-  append_cover(out, "acceleration", proof.acceleration);
-  append_cover(out, "jerk", proof.jerk);
-  append_cover(out, "tilt", proof.tilt);
-  append_cover(out, "horizontal_speed", proof.horizontal_speed);
-  append_cover(out, "vertical_speed", proof.vertical_speed);
-  append_cover(out, "thrust", proof.thrust);
-  append_cover(out, "body_rate", proof.body_rate);
-  append_cover(out, "yaw_rate", proof.yaw_rate);
+  for (const Limit limit : kOrderOfLimits) {
+    append_cover(out, kind_of(limit).quantity, proof.limits[limit]);
+  }
   if (proof.gap) {
     out += "\"gap\":{";
     append_clear(out, *proof.gap);

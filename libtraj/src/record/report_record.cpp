@@ -27,11 +27,11 @@ void append_jumps(std::string& out, const CheckResult& result) {
 }
 
 void append_not_measured(std::string& out, const ReportRecord& record) {
-  const std::vector<std::string> missing = not_measured(record.result, record.limits);
+  const std::vector<Limit> missing = not_measured(record.result, record.limits);
   if (missing.empty()) return;
   out += ",\"not_measured\":[";
-  for (const std::string& name : missing) {
-    geom::append_json(out, std::string_view(name));
+  for (const Limit limit : missing) {
+    geom::append_json(out, std::string_view(kind_of(limit).quantity));
     out += ',';
   }
   out.back() = ']';
@@ -50,12 +50,8 @@ void append_violation(std::string& out, const CheckResult& result, const geom::B
 std::size_t pieces(const ExactResult& exact) {
   std::size_t count = 0;
   for (const SegmentProof& proof : exact.segments) {
-    for (const Cover* cover :
-         {&proof.clear.pieces, &proof.bounds, &proof.speed, &proof.acceleration, &proof.jerk,
-          &proof.tilt, &proof.horizontal_speed, &proof.vertical_speed, &proof.thrust,
-          &proof.body_rate, &proof.yaw_rate}) {
-      count += cover->size();
-    }
+    count += proof.clear.pieces.size() + proof.bounds.size();
+    for (const Cover& cover : proof.limits.values) count += cover.size();
     if (proof.gap) count += proof.gap->pieces.size();
   }
   return count;
@@ -106,9 +102,10 @@ std::optional<std::uint64_t> parse_box(const geom::JsonFields& fields) {
 
 std::vector<ReportSummary::Named> parse_extremes(const geom::JsonFields& fields) {
   std::vector<ReportSummary::Named> out;
-  for (const char* name :
-       {"clearance", "speed", "acceleration", "jerk", "tilt", "horizontal_speed", "vertical_speed",
-        "thrust", "body_rate", "yaw_rate", "rms", "p99", "max", "final"}) {
+  std::vector<const char*> names{"clearance"};
+  for (const Limit limit : kOrderOfLimits) names.push_back(kind_of(limit).quantity);
+  names.insert(names.end(), {"rms", "p99", "max", "final"});
+  for (const char* name : names) {
     const auto value = fields.number(name);
     const auto time = fields.number((std::string(name) + "_time").c_str());
     if (value) out.push_back({name, *value, time});
@@ -139,15 +136,9 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   geom::append_json(line, std::string_view(record.checked));
   append_extreme(line, "clearance", result.clearance);
   if (result.duration > 0) append_number(line, "duration", result.duration);
-  append_extreme(line, "speed", result.speed);
-  append_extreme(line, "acceleration", result.acceleration);
-  append_extreme(line, "jerk", result.jerk);
-  append_extreme(line, "tilt", result.tilt);
-  append_extreme(line, "horizontal_speed", result.horizontal_speed);
-  append_extreme(line, "vertical_speed", result.vertical_speed);
-  append_extreme(line, "thrust", result.thrust);
-  append_extreme(line, "body_rate", result.body_rate);
-  append_extreme(line, "yaw_rate", result.yaw_rate);
+  for (const Limit limit : kOrderOfLimits) {
+    append_extreme(line, kind_of(limit).quantity, result.largest[limit]);
+  }
   append_jumps(line, result);
   append_not_measured(line, record);
   if (record.exact) append_exact(line, record, map);

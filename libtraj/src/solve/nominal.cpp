@@ -15,18 +15,19 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 SpeedProfile nominal_profile(const Limits& limits, double length) {
-  std::optional<double> amax = limits.amax;
-  if (limits.tilt) {
+  std::optional<double> amax = limits[Limit::acceleration];
+  if (limits[Limit::tilt]) {
     // The largest ball around a = 0 in the cone of allowed a + g: its radius is g sin(tilt).
-    const double t = tangent_below(*limits.tilt);
+    const double t = tangent_below(*limits[Limit::tilt]);
     const double ball = kGravity * t / std::sqrt(1 + t * t);
     amax = std::min(amax.value_or(ball), ball);
   }
-  if (limits.thrust) {
-    amax = std::min(amax.value_or(kInfinity), *limits.thrust - kGravity);
+  if (limits[Limit::thrust]) {
+    amax = std::min(amax.value_or(kInfinity), *limits[Limit::thrust] - kGravity);
   }
   double vmax = kInfinity;
-  for (const auto& limit : {limits.vmax, limits.vmax_h, limits.vmax_v}) {
+  for (const auto& limit :
+       {limits[Limit::speed], limits[Limit::horizontal_speed], limits[Limit::vertical_speed]}) {
     vmax = std::min(vmax, limit.value_or(kInfinity));
   }
   SpeedProfile profile;

@@ -65,16 +65,16 @@ std::vector<QuadraticLimit> quadratic(const Limits& limits) {
     if (limit) out.push_back({order, axes / (*limit * *limit), shift, 1});
   };
   const Vec3 gravity(0, 0, kGravity);
-  add(1, limits.vmax, Vec3::Ones(), Vec3::Zero());
-  add(1, limits.vmax_h, {1, 1, 0}, Vec3::Zero());
-  add(1, limits.vmax_v, {0, 0, 1}, Vec3::Zero());
-  add(2, limits.amax, Vec3::Ones(), Vec3::Zero());
-  add(2, limits.thrust, Vec3::Ones(), gravity);
-  add(3, limits.jmax, Vec3::Ones(), Vec3::Zero());
-  if (limits.tilt) {
+  add(1, limits[Limit::speed], Vec3::Ones(), Vec3::Zero());
+  add(1, limits[Limit::horizontal_speed], {1, 1, 0}, Vec3::Zero());
+  add(1, limits[Limit::vertical_speed], {0, 0, 1}, Vec3::Zero());
+  add(2, limits[Limit::acceleration], Vec3::Ones(), Vec3::Zero());
+  add(2, limits[Limit::thrust], Vec3::Ones(), gravity);
+  add(3, limits[Limit::jerk], Vec3::Ones(), Vec3::Zero());
+  if (limits[Limit::tilt]) {
     // (|a_xy| / tan)^2 <= (a_z + g)^2, in units of g: the cone, and its mirror image below, which
     // the start is far from.
-    const double tangent = tangent_below(*limits.tilt);
+    const double tangent = tangent_below(*limits[Limit::tilt]);
     out.push_back(
         {2, Vec3(1 / (tangent * tangent), 1 / (tangent * tangent), -1) / (kGravity * kGravity),
          gravity, 0});
@@ -126,10 +126,10 @@ OptimizeOptions in_units(OptimizeOptions options, const Units& units) {
   const auto divide = [](std::optional<double>& limit, double unit) {
     if (limit) *limit /= unit;
   };
-  divide(options.limits.vmax, speed);
-  divide(options.limits.vmax_h, speed);
-  divide(options.limits.vmax_v, speed);
-  divide(options.limits.jmax, 1 / units.time);
+  divide(options.limits[Limit::speed], speed);
+  divide(options.limits[Limit::horizontal_speed], speed);
+  divide(options.limits[Limit::vertical_speed], speed);
+  divide(options.limits[Limit::jerk], 1 / units.time);
   return options;  // rho is one of these units: see OptimizeOptions
 }
 

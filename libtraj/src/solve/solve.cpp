@@ -40,9 +40,9 @@ double fastest(const geom::Polyline& path, const Limits& limits) {
   double time = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Vec3 leg = path[i] - path[i - 1];
-    time += std::max({leg.norm() / limits.vmax.value_or(most),
-                      leg.head<2>().norm() / limits.vmax_h.value_or(most),
-                      std::abs(leg.z()) / limits.vmax_v.value_or(most)});
+    time += std::max({leg.norm() / limits[Limit::speed].value_or(most),
+                      leg.head<2>().norm() / limits[Limit::horizontal_speed].value_or(most),
+                      std::abs(leg.z()) / limits[Limit::vertical_speed].value_or(most)});
   }
   if (time > 0) profile.vmax = length / time;
   return leg_time(length, 0, 0, profile);

@@ -36,18 +36,20 @@ double shortest(const Vec3& step, const Limits& limits) {
   const auto accelerating = [&](double amax) {
     return std::sqrt(kPeakAcceleration * length / amax);
   };
-  if (limits.vmax) t = std::max(t, kPeakSpeed * length / *limits.vmax);
-  if (limits.vmax_h) {
+  if (limits[Limit::speed]) t = std::max(t, kPeakSpeed * length / *limits[Limit::speed]);
+  if (limits[Limit::horizontal_speed]) {
     const double across = std::sqrt(step.x() * step.x() + step.y() * step.y());
-    t = std::max(t, kPeakSpeed * across / *limits.vmax_h);
+    t = std::max(t, kPeakSpeed * across / *limits[Limit::horizontal_speed]);
   }
-  if (limits.vmax_v) t = std::max(t, kPeakSpeed * std::abs(step.z()) / *limits.vmax_v);
-  if (limits.amax) t = std::max(t, accelerating(*limits.amax));
-  if (limits.thrust) {
-    t = std::max(t, accelerating(acceleration_within_thrust(*limits.thrust, step)));
+  if (limits[Limit::vertical_speed])
+    t = std::max(t, kPeakSpeed * std::abs(step.z()) / *limits[Limit::vertical_speed]);
+  if (limits[Limit::acceleration]) t = std::max(t, accelerating(*limits[Limit::acceleration]));
+  if (limits[Limit::thrust]) {
+    t = std::max(t, accelerating(acceleration_within_thrust(*limits[Limit::thrust], step)));
   }
-  if (limits.jmax) t = std::max(t, cube_root(kPeakJerk * length / *limits.jmax));
-  if (limits.tilt) t = std::max(t, accelerating(acceleration_within(*limits.tilt, step)));
+  if (limits[Limit::jerk]) t = std::max(t, cube_root(kPeakJerk * length / *limits[Limit::jerk]));
+  if (limits[Limit::tilt])
+    t = std::max(t, accelerating(acceleration_within(*limits[Limit::tilt], step)));
   return t > 0 ? t * (1 + 1e-9) : 1;
 }
 
@@ -57,9 +59,9 @@ Segment straight(const Vec3& a, const Vec3& b, double duration) {
 
 // Slowed until the thrust turns no faster than it may.
 Segment turning_no_faster(const Segment& segment, const Limits& limits) {
-  if (!limits.body_rate) return segment;
+  if (!limits[Limit::body_rate]) return segment;
   Limits turning;
-  turning.body_rate = limits.body_rate;
+  turning[Limit::body_rate] = limits[Limit::body_rate];
   const Trajectory alone{{segment}};
   return slowed(alone, smallest_factor(alone, turning)).segments.front();
 }

@@ -54,11 +54,11 @@ double upper_peak(const Trajectory& trajectory, const Points& points, const Valu
 double held_turn_rate(const Trajectory& trajectory, double factor, double most) {
   for (int i = 0; i < 60; ++i) {
     CheckOptions options;
-    options.limits.body_rate = most * (1 - kSlack);
+    options.limits[Limit::body_rate] = most * (1 - kSlack);
     CheckResult result;
     check_limits(slowed(trajectory, factor), options, result);
     if (result.reason.empty()) break;
-    const double over = result.body_rate->value / most;
+    const double over = result.largest[Limit::body_rate]->value / most;
     factor *= std::isfinite(over) ? std::clamp(cube_root(over), 1 + 1e-6, 2.0) : 2;
   }
   return factor;
@@ -76,35 +76,39 @@ Trajectory slowed(const Trajectory& trajectory, double factor) {
 
 double smallest_factor(const Trajectory& trajectory, const Limits& limits) {
   double factor = 0;
-  if (limits.vmax) {
-    factor = std::max(factor, upper_peak(trajectory, velocity_points, norm) / *limits.vmax);
+  if (limits[Limit::speed]) {
+    factor =
+        std::max(factor, upper_peak(trajectory, velocity_points, norm) / *limits[Limit::speed]);
   }
-  if (limits.vmax_h) {
+  if (limits[Limit::horizontal_speed]) {
     const auto across = [](const Vec3& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); };
-    factor = std::max(factor, upper_peak(trajectory, velocity_points, across) / *limits.vmax_h);
+    factor = std::max(
+        factor, upper_peak(trajectory, velocity_points, across) / *limits[Limit::horizontal_speed]);
   }
-  if (limits.vmax_v) {
+  if (limits[Limit::vertical_speed]) {
     const auto up = [](const Vec3& v) { return std::abs(v.z()); };
-    factor = std::max(factor, upper_peak(trajectory, velocity_points, up) / *limits.vmax_v);
+    factor = std::max(factor,
+                      upper_peak(trajectory, velocity_points, up) / *limits[Limit::vertical_speed]);
   }
-  if (limits.thrust) {
+  if (limits[Limit::thrust]) {
     // |a / f^2 + g| <= thrust: the least f^2 is the gauge of a ball around -g, so convex.
-    const double room = *limits.thrust * *limits.thrust - kGravity * kGravity;
+    const double room = *limits[Limit::thrust] * *limits[Limit::thrust] - kGravity * kGravity;
     const auto gauge = [&](const Vec3& a) {
       const double up = kGravity * a.z();
       return (up + std::sqrt(up * up + a.squaredNorm() * room)) / room;
     };
     factor = std::max(factor, std::sqrt(upper_peak(trajectory, acceleration_points, gauge)));
   }
-  if (limits.amax) {
+  if (limits[Limit::acceleration]) {
     const double peak = upper_peak(trajectory, acceleration_points, norm);
-    factor = std::max(factor, std::sqrt(peak / *limits.amax));
+    factor = std::max(factor, std::sqrt(peak / *limits[Limit::acceleration]));
   }
-  if (limits.jmax) {
-    factor = std::max(factor, cube_root(upper_peak(trajectory, jerk_points, norm) / *limits.jmax));
+  if (limits[Limit::jerk]) {
+    factor = std::max(factor,
+                      cube_root(upper_peak(trajectory, jerk_points, norm) / *limits[Limit::jerk]));
   }
-  if (limits.tilt) {
-    const double tangent = tangent_below(*limits.tilt);
+  if (limits[Limit::tilt]) {
+    const double tangent = tangent_below(*limits[Limit::tilt]);
     // |a_xy| / f^2 <= tan (a_z / f^2 + g), solved for f^2.
     const auto lean = [&](const Vec3& a) {
       return std::sqrt(a.x() * a.x() + a.y() * a.y()) - tangent * a.z();
@@ -113,7 +117,8 @@ double smallest_factor(const Trajectory& trajectory, const Limits& limits) {
     factor = std::max(factor, std::sqrt(peak / (tangent * kGravity)));
   }
   factor = factor > 0 ? factor * (1 + kSlack) : 1;
-  if (limits.body_rate) factor = held_turn_rate(trajectory, factor, *limits.body_rate);
+  if (limits[Limit::body_rate])
+    factor = held_turn_rate(trajectory, factor, *limits[Limit::body_rate]);
   return factor;
 }
 

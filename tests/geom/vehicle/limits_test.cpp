@@ -17,9 +17,9 @@ namespace {
 // Of each field the k-th number in the list (0: none).
 Limits with(double vmax, double vmax_v, double tilt) {
   Limits out;
-  if (vmax > 0) out.vmax = vmax;
-  if (vmax_v > 0) out.vmax_v = vmax_v;
-  if (tilt > 0) out.tilt = tilt;
+  if (vmax > 0) out[Limit::speed] = vmax;
+  if (vmax_v > 0) out[Limit::vertical_speed] = vmax_v;
+  if (tilt > 0) out[Limit::tilt] = tilt;
   return out;
 }
 
@@ -35,16 +35,17 @@ TEST(Limits, AreLoosenedByOverridingAloneAndOnlyWhereOptionsNameThem) {
 }
 
 TEST(Limits, NeverTiltBeyondWhatTheBoxHolds) {
-  EXPECT_EQ(limits_that_hold({with(0, 0, 1), {}, with(0, 0, 0.6), true}).tilt, 0.6);
-  EXPECT_EQ(limits_that_hold({with(0, 0, 1), {}, {}, true}).tilt, 1);  // it holds every attitude
+  EXPECT_EQ(limits_that_hold({with(0, 0, 1), {}, with(0, 0, 0.6), true})[Limit::tilt], 0.6);
+  EXPECT_EQ(limits_that_hold({with(0, 0, 1), {}, {}, true})[Limit::tilt],
+            1);  // it holds every attitude
 }
 
 TEST(Limits, NameTheFirstThatIsAboveOrLooser) {
-  EXPECT_EQ(first_above(with(8, 0, 0), with(8, 4, 0)), nullptr);
-  EXPECT_STREQ(first_above(with(9, 5, 0), with(8, 4, 0))->name, "vmax");
-  EXPECT_EQ(first_above(with(9, 0, 0), {}), nullptr);
-  EXPECT_EQ(first_looser(with(8, 4, 0), with(8, 4, 0)), nullptr);
-  EXPECT_STREQ(first_looser(with(8, 0, 0), with(8, 4, 0))->name, "vmax_v");
+  EXPECT_EQ(first_above(with(8, 0, 0), with(8, 4, 0)), std::nullopt);
+  EXPECT_EQ(first_above(with(9, 5, 0), with(8, 4, 0)), Limit::speed);
+  EXPECT_EQ(first_above(with(9, 0, 0), {}), std::nullopt);
+  EXPECT_EQ(first_looser(with(8, 4, 0), with(8, 4, 0)), std::nullopt);
+  EXPECT_EQ(first_looser(with(8, 0, 0), with(8, 4, 0)), Limit::vertical_speed);
 }
 
 // --- as they travel -----------------------------------------------------------------------------
@@ -90,10 +91,10 @@ class RandomLimits {
 
   Limits next() {
     Limits out;
-    for (const auto& [name, limit] : kLimitFields) {
-      if (coin()) out.*limit = 0.25 + 0.25 * static_cast<double>(engine_() % 5);
+    for (std::optional<double>& limit : out.values) {
+      if (coin()) limit = 0.25 + 0.25 * static_cast<double>(engine_() % 5);
     }
-    if (out.thrust) *out.thrust += kGravity;
+    if (out[Limit::thrust]) *out[Limit::thrust] += kGravity;
     return out;
   }
   bool coin() { return engine_() % 2; }
@@ -103,17 +104,17 @@ class RandomLimits {
 };
 
 // What the words in limits.h say, a limit at a time.
-std::optional<double> oracle(const LimitSources& sources, const LimitField& field) {
-  const auto& asked = sources.options.*field.member;
+std::optional<double> oracle(const LimitSources& sources, Limit limit) {
+  const auto& asked = sources.options[limit];
   std::vector<double> said;
   if (!asked || !sources.overridden) {
     for (const Limits* who : {&sources.record, &sources.vehicle}) {
-      if (who->*field.member) said.push_back(*(who->*field.member));
+      if ((*who)[limit]) said.push_back(*(*who)[limit]);
     }
   }
   if (asked) said.push_back(*asked);
-  if (std::string_view(field.name) == "tilt" && sources.vehicle.tilt) {
-    said.push_back(*sources.vehicle.tilt);
+  if (limit == Limit::tilt && sources.vehicle[Limit::tilt]) {
+    said.push_back(*sources.vehicle[Limit::tilt]);
   }
   if (said.empty()) return std::nullopt;
   return *std::min_element(said.begin(), said.end());
@@ -129,13 +130,13 @@ TEST(Limits, HoldWhateverSaysThem) {
                                through_a_line(record).provenance.vehicle->limits, random.coin()};
     ASSERT_EQ(sources.vehicle, record.provenance.vehicle->limits);
     const Limits held = limits_that_hold(sources);
-    for (const LimitField& field : kLimitFields) {
-      ASSERT_EQ(held.*field.member, oracle(sources, field))
-          << field.name << ", seed " << kSeed << ", case " << i;
+    for (const LimitKind& kind : kLimitKinds) {
+      ASSERT_EQ(held[kind.limit], oracle(sources, kind.limit))
+          << kind.name << ", seed " << kSeed << ", case " << i;
     }
     if (!sources.overridden) {
       for (const Limits* who : {&sources.options, &sources.record, &sources.vehicle}) {
-        ASSERT_EQ(first_looser(held, *who), nullptr) << "seed " << kSeed << ", case " << i;
+        ASSERT_EQ(first_looser(held, *who), std::nullopt) << "seed " << kSeed << ", case " << i;
       }
     }
   }

@@ -16,13 +16,14 @@
 namespace cli {
 namespace {
 
+using geom::Limit;
 using geom::Limits;
 using geom::Vec3;
 using geom::Vehicle;
 
 Limits vmax(double value) {
   Limits out;
-  out.vmax = value;
+  out[Limit::speed] = value;
   return out;
 }
 
@@ -69,7 +70,7 @@ TEST(AgreedRoom, RefusesOtherLimitsAndNamesBoth) {
       std::string::npos)
       << said;
   Limits other;
-  other.amax = 5;
+  other[Limit::acceleration] = 5;
   EXPECT_NE(refusal(record_of(quad(vmax(8))), {quad(other), {}}).find("vmax unlimited"),
             std::string::npos);
 }
@@ -119,8 +120,8 @@ TEST(AgreedRoom, NeverHasLessRoomOrLooserLimitsThanEither) {
     ++passed;
     ASSERT_GE(room.vehicle.half.x() + room.margin, had.half.x() + margin) << "case " << i;
     ASSERT_GE(room.vehicle.half.x(), asked.vehicle->half.x()) << "case " << i;
-    ASSERT_EQ(geom::first_looser(room.vehicle.limits, had.limits), nullptr) << "case " << i;
-    ASSERT_EQ(geom::first_looser(room.vehicle.limits, asked.vehicle->limits), nullptr);
+    ASSERT_EQ(geom::first_looser(room.vehicle.limits, had.limits), std::nullopt) << "case " << i;
+    ASSERT_EQ(geom::first_looser(room.vehicle.limits, asked.vehicle->limits), std::nullopt);
   }
   EXPECT_GT(passed, 3000);
 }
@@ -145,21 +146,21 @@ TEST_F(Profiles, HaveTheLimitsTheyStateAndThoseOfTheirMotors) {
       parsed(R"({"body":[1,1,0.5],"tilt_max_deg":35,"limits":{"vmax":12,"vmax_v":4},"mass_kg":2,)"
              R"("thrust_n":[0,30],"body_rate_max_rad_s":[3,4,2]})");
   const Limits& limits = profile.vehicle.limits;
-  EXPECT_EQ(limits.vmax, 12);
-  EXPECT_EQ(limits.vmax_v, 4);
-  EXPECT_NEAR(*limits.tilt, 0.6108652381980153, 1e-15);
-  EXPECT_EQ(limits.thrust, 15);
-  EXPECT_EQ(limits.body_rate, 3);
-  EXPECT_EQ(limits.yaw_rate, 2);
-  EXPECT_EQ(profile.vehicle.half, geom::attitude_half_sizes({1, 1, 0.5}, *limits.tilt));
+  EXPECT_EQ(limits[Limit::speed], 12);
+  EXPECT_EQ(limits[Limit::vertical_speed], 4);
+  EXPECT_NEAR(*limits[Limit::tilt], 0.6108652381980153, 1e-15);
+  EXPECT_EQ(limits[Limit::thrust], 15);
+  EXPECT_EQ(limits[Limit::body_rate], 3);
+  EXPECT_EQ(limits[Limit::yaw_rate], 2);
+  EXPECT_EQ(profile.vehicle.half, geom::attitude_half_sizes({1, 1, 0.5}, *limits[Limit::tilt]));
 }
 
 TEST_F(Profiles, MayStateTighterLimitsThanTheirMotors) {
   const auto profile =
       parsed(R"({"body":[1,1,1],"limits":{"thrust":12,"tilt":0.5},"tilt_max_deg":35,"mass_kg":1,)"
              R"("thrust_n":[0,30]})");
-  EXPECT_EQ(profile.vehicle.limits.thrust, 12);
-  EXPECT_EQ(profile.vehicle.limits.tilt, 0.5);
+  EXPECT_EQ(profile.vehicle.limits[Limit::thrust], 12);
+  EXPECT_EQ(profile.vehicle.limits[Limit::tilt], 0.5);
   EXPECT_EQ(profile.vehicle.half, geom::attitude_half_sizes({1, 1, 1}, 0.5));
 }
 
@@ -198,7 +199,7 @@ TEST(Profile, OfABoxOrSphereLimitsNothing) {
 
 TEST(LimitsToSolve, RefuseMoreThanTheVehicleMayDoAndNameBoth) {
   Limits asked = vmax(30);
-  asked.amax = 6;
+  asked[Limit::acceleration] = 6;
   std::string said;
   try {
     limits_to_solve(asked, quad(vmax(12)));
@@ -208,19 +209,19 @@ TEST(LimitsToSolve, RefuseMoreThanTheVehicleMayDoAndNameBoth) {
   EXPECT_NE(said.find("vmax: asked for 30 m/s, but the vehicle quad may do at most 12 m/s"),
             std::string::npos)
       << said;
-  asked.vmax = 8;
-  EXPECT_EQ(limits_to_solve(asked, quad(vmax(12))).vmax, 8);
-  asked.vmax.reset();
-  EXPECT_EQ(limits_to_solve(asked, quad(vmax(12))).vmax, 12);
+  asked[Limit::speed] = 8;
+  EXPECT_EQ(limits_to_solve(asked, quad(vmax(12)))[Limit::speed], 8);
+  asked[Limit::speed].reset();
+  EXPECT_EQ(limits_to_solve(asked, quad(vmax(12)))[Limit::speed], 12);
 }
 
 TEST(LimitsToCheck, RefuseToTiltBeyondTheBox) {
   Limits asked;
   Limits held;
-  asked.tilt = 1;
-  held.tilt = 0.5;
+  asked[Limit::tilt] = 1;
+  held[Limit::tilt] = 0.5;
   EXPECT_THROW(limits_to_check({asked, {}, held, true}, "quad"), UsageError);
-  EXPECT_EQ(limits_to_check({asked, {}, held, false}, "quad").tilt, 0.5);
+  EXPECT_EQ(limits_to_check({asked, {}, held, false}, "quad")[Limit::tilt], 0.5);
 }
 
 }  // namespace

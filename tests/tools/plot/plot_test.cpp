@@ -64,8 +64,8 @@ TEST(MotionProfile, ShowsUnitsAndLimitsOnce) {
   traj::State end;
   end.position = {10, 0, 3};
   record.trajectory.segments = {traj::hermite({}, end, 5)};
-  record.limits.vmax = 8;
-  record.limits.tilt = 0.5;
+  record.limits[geom::Limit::speed] = 8;
+  record.limits[geom::Limit::tilt] = 0.5;
   const std::string svg = plot::motion_profile(record);
   for (const char* words :
        {"position, m", "speed, m/s", "acceleration, m/s\u00b2", "jerk, m/s\u00b3", "thrust/mass",

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "../../libtraj/src/portable_math.h"
-#include "scenes.h"
 #include "traj/curve/bernstein.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {

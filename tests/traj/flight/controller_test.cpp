@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "scenes.h"
 #include "support/example_quadrotor.h"
 #include "traj/flight/attitude.h"
 #include "traj/flight/motor_mixer.h"
 #include "traj/proof/limits.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {

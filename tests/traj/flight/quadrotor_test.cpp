@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "scenes.h"
 #include "support/example_quadrotor.h"
 #include "traj/proof/limits.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <set>
 
-#include "scenes.h"
 #include "traj/curve/to_enu.h"
 #include "traj/curve/yaw.h"
 #include "traj/flight/flown_path.h"
 #include "traj/flight/monte_carlo.h"
 #include "traj/flight/tune.h"
 #include "traj/proof/limits.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
@@ -186,17 +186,20 @@ Flight straight(const Vec3& from) {
 
 TEST(FlownPath, IsExactOnItsSteps) {
   const auto scene = testing::scene_of({{Vec3(5.004, -1, 0), Vec3(5.006, 1, 10)}});
-  const FlightPathCheck hit = check_flight_path(scene, example().quadrotor, {}, straight({0, 0, 5}));
+  const FlightPathCheck hit =
+      check_flight_path(scene, example().quadrotor, {}, straight({0, 0, 5}));
   EXPECT_FALSE(hit.clear);
   EXPECT_EQ(hit.reason, "collision");
   EXPECT_EQ(hit.time, 0.5);
   EXPECT_EQ(hit.box, 0u);
-  const FlightPathCheck miss = check_flight_path(scene, example().quadrotor, {}, straight({0, 1.0001, 5}));
+  const FlightPathCheck miss =
+      check_flight_path(scene, example().quadrotor, {}, straight({0, 1.0001, 5}));
   EXPECT_TRUE(miss.clear);
   const double most = acceleration_bound(example().quadrotor, 1 + 0.01 * (kGravity + 24.1));
   EXPECT_NEAR(miss.between, most * 1e-6 / 8, 1e-15);
   // Nearer than what the path may stray between steps.
-  const FlightPathCheck near = check_flight_path(scene, example().quadrotor, {}, straight({0, 1.000001, 5}));
+  const FlightPathCheck near =
+      check_flight_path(scene, example().quadrotor, {}, straight({0, 1.000001, 5}));
   EXPECT_EQ(near.reason, "undecided");
   EXPECT_EQ(check_flight_path(scene, example().quadrotor, {}, straight({295.005, 0, 5})).reason,
             "bounds");

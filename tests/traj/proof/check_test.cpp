@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "geom/base/error.h"
-#include "scenes.h"
 #include "support/random_city.h"
 #include "traj/proof/clearance.h"
 #include "traj/record/trajectory_record.h"
+#include "traj/scenes.h"
 #include "traj/solve/solve.h"
 #include "traj/solve/stop_and_go.h"
 
@@ -48,18 +48,18 @@ TEST(Check, AcceptsAClearCurveAndMeasuresItsClearance) {
   EXPECT_TRUE(result.ok) << result.reason;
   ASSERT_TRUE(result.clearance);
   EXPECT_NEAR(result.clearance->value, 2.5, 1.1e-3);
-  EXPECT_NEAR(result.speed->value, 20.0 / 8 * 35 / 16, 1e-3);
+  EXPECT_NEAR(result.largest[Limit::speed]->value, 20.0 / 8 * 35 / 16, 1e-3);
 }
 
 TEST(Check, SaysNoYesToWhatIsNotANumber) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const LimitField& field : kLimitFields) {
+  for (const LimitKind& kind : kLimitKinds) {
     for (const double wrong : {nan, -nan, -1.0}) {
       Limits limits;
-      limits.*field.member = wrong;
-      EXPECT_EQ(check(scene, line, limits).reason, "limits") << field.name;
+      limits[kind.limit] = wrong;
+      EXPECT_EQ(check(scene, line, limits).reason, "limits") << kind.name;
     }
   }
   for (double CheckOptions::*member :
@@ -119,29 +119,35 @@ TEST(Check, HoldsEachLimitApart) {
   const Trajectory t = arc({0, 20, 0}, {6, 0, 0});
   const CheckResult free = check(scene, t, Limits{});
   const auto with = [&](Limits limits) { return check(scene, t, limits).reason; };
-  EXPECT_EQ(with({.vmax = free.speed->value * 1.001}), "");
-  EXPECT_EQ(with({.vmax = free.speed->value * 0.999}), "speed");
-  EXPECT_EQ(with({.amax = free.acceleration->value * 0.999}), "acceleration");
-  EXPECT_EQ(with({.jmax = free.jerk->value * 0.999}), "jerk");
-  EXPECT_EQ(with({.tilt = 0.05}), "tilt");
-  EXPECT_EQ(with({.tilt = 1.5}), "");
-  EXPECT_EQ(with({.vmax_h = 0.5}), "horizontal_speed");
-  EXPECT_EQ(with({.vmax_h = free.speed->value * 1.001}), "");
+  EXPECT_EQ(with({{Limit::speed, free.largest[Limit::speed]->value * 1.001}}), "");
+  EXPECT_EQ(with({{Limit::speed, free.largest[Limit::speed]->value * 0.999}}), "speed");
+  EXPECT_EQ(with({{Limit::acceleration, free.largest[Limit::acceleration]->value * 0.999}}),
+            "acceleration");
+  EXPECT_EQ(with({{Limit::jerk, free.largest[Limit::jerk]->value * 0.999}}), "jerk");
+  EXPECT_EQ(with({{Limit::tilt, 0.05}}), "tilt");
+  EXPECT_EQ(with({{Limit::tilt, 1.5}}), "");
+  EXPECT_EQ(with({{Limit::horizontal_speed, 0.5}}), "horizontal_speed");
+  EXPECT_EQ(with({{Limit::horizontal_speed, free.largest[Limit::speed]->value * 1.001}}), "");
   const Trajectory climb = arc({0, 20, 0}, {0, 0, 6});
-  const CheckResult up = check(scene, climb, {.vmax_v = 100, .thrust = 100});
-  EXPECT_GT(up.vertical_speed->value, 0.1);
-  EXPECT_EQ(check(scene, climb, {.vmax_v = up.vertical_speed->value * 0.999}).reason,
+  const CheckResult up = check(scene, climb, {{Limit::vertical_speed, 100}, {Limit::thrust, 100}});
+  EXPECT_GT(up.largest[Limit::vertical_speed]->value, 0.1);
+  EXPECT_EQ(check(scene, climb,
+                  {{Limit::vertical_speed, up.largest[Limit::vertical_speed]->value * 0.999}})
+                .reason,
             "vertical_speed");
-  EXPECT_EQ(check(scene, climb, {.thrust = up.thrust->value * 0.999}).reason, "thrust");
-  EXPECT_EQ(check(scene, climb, {.thrust = up.thrust->value * 1.001}).reason, "");
-  EXPECT_EQ(with({.body_rate = free.body_rate->value * 0.999}), "body_rate");
-  EXPECT_EQ(with({.body_rate = free.body_rate->value * 1.001}), "");
+  EXPECT_EQ(check(scene, climb, {{Limit::thrust, up.largest[Limit::thrust]->value * 0.999}}).reason,
+            "thrust");
+  EXPECT_EQ(check(scene, climb, {{Limit::thrust, up.largest[Limit::thrust]->value * 1.001}}).reason,
+            "");
+  EXPECT_EQ(with({{Limit::body_rate, free.largest[Limit::body_rate]->value * 0.999}}), "body_rate");
+  EXPECT_EQ(with({{Limit::body_rate, free.largest[Limit::body_rate]->value * 1.001}}), "");
   Trajectory turning = t;
   turning.segments[0].yaw = {0, 0, 0, 0, 1, 1, 1, 1};
   turning.segments[1].yaw = {1, 1, 1, 1, 0, 0, 0, 0};
-  EXPECT_NEAR(check(scene, turning, {.yaw_rate = 0.55}).yaw_rate->value, 35.0 / 16 / 4, 1e-4);
-  EXPECT_EQ(check(scene, turning, {.yaw_rate = 0.55}).reason, "");
-  EXPECT_EQ(check(scene, turning, {.yaw_rate = 0.54}).reason, "yaw_rate");
+  EXPECT_NEAR(check(scene, turning, {{Limit::yaw_rate, 0.55}}).largest[Limit::yaw_rate]->value,
+              35.0 / 16 / 4, 1e-4);
+  EXPECT_EQ(check(scene, turning, {{Limit::yaw_rate, 0.55}}).reason, "");
+  EXPECT_EQ(check(scene, turning, {{Limit::yaw_rate, 0.54}}).reason, "yaw_rate");
   turning.segments[1].yaw->front() = 1.1;
   EXPECT_EQ(check(scene, turning, Limits{}).reason, "discontinuous");
 }
@@ -162,12 +168,12 @@ TEST(Check, MeasuresTheLargestThrustTiltAndBodyRate) {
       tilt = std::max(tilt, std::atan2(f.head<2>().norm(), f.z()));
       rate = std::max(rate, f.cross(s.jerk).norm() / f.squaredNorm());
     }
-    EXPECT_LE(thrust, result.thrust->value * (1 + 1e-4) + 1e-9) << seed;
-    EXPECT_NEAR(result.thrust->value, thrust, 2e-3 * thrust) << seed;
-    EXPECT_LE(tilt, result.tilt->value * (1 + 1e-4) + 1e-9) << seed;
-    EXPECT_NEAR(result.tilt->value, tilt, 1e-2) << seed;
-    EXPECT_LE(rate, result.body_rate->value * (1 + 1e-4) + 1e-8) << seed;
-    EXPECT_NEAR(result.body_rate->value, rate, 0.05 * rate) << seed;
+    EXPECT_LE(thrust, result.largest[Limit::thrust]->value * (1 + 1e-4) + 1e-9) << seed;
+    EXPECT_NEAR(result.largest[Limit::thrust]->value, thrust, 2e-3 * thrust) << seed;
+    EXPECT_LE(tilt, result.largest[Limit::tilt]->value * (1 + 1e-4) + 1e-9) << seed;
+    EXPECT_NEAR(result.largest[Limit::tilt]->value, tilt, 1e-2) << seed;
+    EXPECT_LE(rate, result.largest[Limit::body_rate]->value * (1 + 1e-4) + 1e-8) << seed;
+    EXPECT_NEAR(result.largest[Limit::body_rate]->value, rate, 0.05 * rate) << seed;
   }
 }
 
@@ -182,7 +188,7 @@ TEST(Check, FreeFallBreaksOnlyALimitOfBodyRate) {
                                                  -2 * kGravity * k * (k - 1) / 42.0};
     }
     EXPECT_TRUE(check(scene, {{fall}}, Limits{}).ok) << across;
-    EXPECT_EQ(check(scene, {{fall}}, {.body_rate = 5}).reason, "body_rate") << across;
+    EXPECT_EQ(check(scene, {{fall}}, {{Limit::body_rate, 5}}).reason, "body_rate") << across;
   }
 }
 
@@ -260,7 +266,8 @@ TEST(Check, AStraightSegmentOneNanometreClearIsDecidedExactly) {
   const double face = scene.grown(0).max.y();
   const auto along = [&](double y) {
     return check(scene,
-                 stop_and_go(std::vector<Vec3>{{-10, y, 0}, {10, y, 0}}, {.vmax = 5, .amax = 5}),
+                 stop_and_go(std::vector<Vec3>{{-10, y, 0}, {10, y, 0}},
+                             {{Limit::speed, 5}, {Limit::acceleration, 5}}),
                  Limits{})
         .ok;
   };
@@ -289,7 +296,7 @@ TEST(Solve, ProvesEveryFreePathOfARandomCity) {
     bool free = true;
     for (std::size_t k = 1; k < path.size(); ++k) free = free && scene.free(path[k - 1], path[k]);
     if (!free) continue;
-    const Limits limits{.vmax = 8, .amax = 6};
+    const Limits limits{{Limit::speed, 8}, {Limit::acceleration, 6}};
     const SolveResult result = solve(scene, path, {.limits = limits});
     ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
     EXPECT_TRUE(check(scene, result.trajectory, limits).ok);
@@ -299,7 +306,8 @@ TEST(Solve, ProvesEveryFreePathOfARandomCity) {
 
 TEST(TrajectoryRecord, ComesBackBitForBit) {
   TrajectoryRecord record{
-      "a \"b\"", "solved", arc({0.1, 20.3, 0.7}, {3, 0.2, 0}), {}, {.vmax = 8}, "", "ipopt", ""};
+      "a \"b\"", "solved", arc({0.1, 20.3, 0.7}, {3, 0.2, 0}), {}, {{Limit::speed, 8}}, "",
+      "ipopt",   ""};
   record.trajectory.segments[0].yaw = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
   const std::string line = to_json_line(record);
   EXPECT_EQ(to_json_line(parse_trajectory_record(line, "t", 1)), line);

@@ -58,9 +58,10 @@ void expect_refused_by_both(const Trajectory& t, const Limits& limits, const cha
 }
 
 TEST(Domain, HoldsWhatCanBeFlown) {
-  EXPECT_FALSE(outside_domain(crossing(), {.vmax = 8, .tilt = 0.6, .thrust = 20}));
-  EXPECT_TRUE(check(scene(), crossing(), Limits{.vmax = 8}).ok);
-  EXPECT_TRUE(exactly(crossing(), {.vmax = 8}).ok);
+  EXPECT_FALSE(
+      outside_domain(crossing(), {{Limit::speed, 8}, {Limit::tilt, 0.6}, {Limit::thrust, 20}}));
+  EXPECT_TRUE(check(scene(), crossing(), Limits{{Limit::speed, 8}}).ok);
+  EXPECT_TRUE(exactly(crossing(), {{Limit::speed, 8}}).ok);
   EXPECT_TRUE(check(scene(), {{standing(kShortestSegment)}}, Limits{}).ok);
   EXPECT_TRUE(check(scene(), {{standing(kLongestTrajectory)}}, Limits{}).ok);
   EXPECT_TRUE(exactly({{standing(kLongestTrajectory)}}, {}).ok);
@@ -73,7 +74,7 @@ TEST(Domain, RefusesDurationsInBothChecks) {
     expect_refused_by_both({{standing(duration)}}, {}, "duration", what);
     Trajectory t = crossing();
     t.segments[1].duration = duration;
-    expect_refused_by_both(t, {.vmax = 1e9}, "duration", what);
+    expect_refused_by_both(t, {{Limit::speed, 1e9}}, "duration", what);
     t = crossing();
     t.segments.insert(t.segments.begin() + 1, {standing(duration)});
     expect_refused_by_both(t, {}, "duration", what);
@@ -101,20 +102,21 @@ TEST(Domain, RefusesCoordinatesInBothChecks) {
 }
 
 TEST(Domain, RefusesLimitsInBothChecks) {
-  for (const LimitField& field : kLimitFields) {
+  for (const LimitKind& kind : kLimitKinds) {
     for (const double value :
          {0.0, -0.0, -1.0, -1e9, 5e-324, 1e-320, 1e-310, 1e-10, 1e10, 1e300, kInf, -kInf, kNaN}) {
       Limits limits;
-      limits.*field.member = value;
+      limits[kind.limit] = value;
       expect_refused_by_both(crossing(), limits, "limits",
-                             std::string(field.name) + ' ' + std::to_string(value));
+                             std::string(kind.name) + ' ' + std::to_string(value));
     }
   }
   for (const double tilt : {1.5707963267948966, 1.6, 3.141592653589793, 4.0, 100.0}) {
-    expect_refused_by_both(crossing(), {.tilt = tilt}, "limits", "tilt " + std::to_string(tilt));
+    expect_refused_by_both(crossing(), {{Limit::tilt, tilt}}, "limits",
+                           "tilt " + std::to_string(tilt));
   }
   for (const double thrust : {1.0, 9.0, 9.80665}) {
-    expect_refused_by_both(crossing(), {.thrust = thrust}, "limits", std::to_string(thrust));
+    expect_refused_by_both(crossing(), {{Limit::thrust, thrust}}, "limits", std::to_string(thrust));
   }
 }
 
@@ -171,8 +173,7 @@ TEST(DomainProperty, ExtremesAreNeverAccepted) {
           if (s.yaw) (*s.yaw)[at] = any();
           break;
         default:
-          limits.*kLimitFields[random.below(static_cast<int>(std::size(kLimitFields)))].member =
-              any();
+          limits.values[random.below(static_cast<int>(geom::kLimits))] = any();
       }
     }
     const CheckResult fast = check(scene(), t, limits);

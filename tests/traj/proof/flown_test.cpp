@@ -52,15 +52,15 @@ TEST(CheckFlown, KnowsTheSpeedsOfLegs) {
   Flown flown = path({{40, 0, 5}, {40, 30, 45}});
   flown.speed = 5;
   Limits limits;
-  limits.vmax = 5;
+  limits[Limit::speed] = 5;
   EXPECT_TRUE(check_flown(yard(), flown, limits).ok);
-  limits.vmax = 4.9;
+  limits[Limit::speed] = 4.9;
   EXPECT_EQ(check_flown(yard(), flown, limits).reason, "speed");
-  limits.vmax.reset();
-  limits.vmax_v = 3.9;
+  limits[Limit::speed].reset();
+  limits[Limit::vertical_speed] = 3.9;
   EXPECT_EQ(check_flown(yard(), flown, limits).reason, "vertical_speed");
-  limits.vmax_v = 4;
-  limits.vmax_h = 2.9;
+  limits[Limit::vertical_speed] = 4;
+  limits[Limit::horizontal_speed] = 2.9;
   EXPECT_EQ(check_flown(yard(), flown, limits).reason, "horizontal_speed");
 }
 
@@ -85,15 +85,15 @@ TEST(CheckFlown, HoldsSetpointsToTheLimits) {
   flown.setpoints = {{0, a, 0, 0}, {1, b, 0, 0}};
   flown.trajectory = straight_between(flown.setpoints);
   Limits limits;
-  limits.vmax = 5;
+  limits[Limit::speed] = 5;
   EXPECT_TRUE(check_flown(yard(), flown, limits).ok);
-  EXPECT_EQ(check_flown(yard(), flown, limits).speed->value, 5);
-  limits.vmax = 4.9;
+  EXPECT_EQ(check_flown(yard(), flown, limits).largest[Limit::speed]->value, 5);
+  limits[Limit::speed] = 4.9;
   const CheckResult result = check_flown(yard(), flown, limits);
   EXPECT_EQ(result.reason, "speed");
   EXPECT_EQ(result.time, 1);
   limits = {};
-  limits.tilt = 0.2;
+  limits[Limit::tilt] = 0.2;
   EXPECT_EQ(check_flown(yard(), flown, limits).reason, "tilt");
   flown.setpoints[1].state.position = {5, 5, 5};
   flown.trajectory = straight_between(flown.setpoints);
@@ -113,24 +113,27 @@ TEST(CheckFlown, HoldsWhatLeadsFromSetpointToSetpointToTheLimits) {
   const Vec3 none = Vec3::Zero();
   const std::vector<Setpoint> jerky = {{0, {p, none, {3, 0, 0}}, 0, 0},
                                        {0.1, {p, none, {-3, 0, 0}}, 0, 0}};
-  EXPECT_EQ(reason_of(jerky, {.jmax = 59}), "jerk");
-  EXPECT_EQ(reason_of(jerky, {.jmax = 60}), "");
+  EXPECT_EQ(reason_of(jerky, {{Limit::jerk, 59}}), "jerk");
+  EXPECT_EQ(reason_of(jerky, {{Limit::jerk, 60}}), "");
   // |f x f'| / |f|^2 where f is upright: 60 / 9.80665 rad/s.
-  EXPECT_EQ(reason_of(jerky, {.body_rate = 6.1}), "body_rate");
-  EXPECT_EQ(reason_of(jerky, {.body_rate = 6.12}), "");
+  EXPECT_EQ(reason_of(jerky, {{Limit::body_rate, 6.1}}), "body_rate");
+  EXPECT_EQ(reason_of(jerky, {{Limit::body_rate, 6.12}}), "");
   const std::vector<Setpoint> quick = {{0, {p}, 0, 0}, {2, {p + Vec3(3, 0, 4)}, 0, 0}};
-  EXPECT_EQ(reason_of(quick, {.vmax = 2.4}), "speed");
-  EXPECT_EQ(reason_of(quick, {.vmax = 2.5, .vmax_h = 1.5, .vmax_v = 2}), "");
-  EXPECT_EQ(reason_of(quick, {.vmax_h = 1.4}), "horizontal_speed");
-  EXPECT_EQ(reason_of(quick, {.vmax_v = 1.9}), "vertical_speed");
+  EXPECT_EQ(reason_of(quick, {{Limit::speed, 2.4}}), "speed");
+  EXPECT_EQ(
+      reason_of(quick,
+                {{Limit::speed, 2.5}, {Limit::horizontal_speed, 1.5}, {Limit::vertical_speed, 2}}),
+      "");
+  EXPECT_EQ(reason_of(quick, {{Limit::horizontal_speed, 1.4}}), "horizontal_speed");
+  EXPECT_EQ(reason_of(quick, {{Limit::vertical_speed, 1.9}}), "vertical_speed");
   const std::vector<Setpoint> rush = {{0, {p}, 0, 0}, {1, {p, {6, 0, 0}}, 0, 0}};
-  EXPECT_EQ(reason_of(rush, {.amax = 5.9}), "acceleration");
-  EXPECT_EQ(reason_of(rush, {.tilt = 0.5}), "tilt");
-  EXPECT_EQ(reason_of(rush, {.thrust = 11}), "thrust");
-  EXPECT_EQ(reason_of(rush, {.amax = 6}), "");
+  EXPECT_EQ(reason_of(rush, {{Limit::acceleration, 5.9}}), "acceleration");
+  EXPECT_EQ(reason_of(rush, {{Limit::tilt, 0.5}}), "tilt");
+  EXPECT_EQ(reason_of(rush, {{Limit::thrust, 11}}), "thrust");
+  EXPECT_EQ(reason_of(rush, {{Limit::acceleration, 6}}), "");
   const std::vector<Setpoint> turn = {{0, {p}, 3.1, 0}, {1, {p}, -3.1, 0}};
-  EXPECT_EQ(reason_of(turn, {.yaw_rate = 0.08}), "yaw_rate") << "across half a turn: 0.083";
-  EXPECT_EQ(reason_of(turn, {.yaw_rate = 0.09}), "");
+  EXPECT_EQ(reason_of(turn, {{Limit::yaw_rate, 0.08}}), "yaw_rate") << "across half a turn: 0.083";
+  EXPECT_EQ(reason_of(turn, {{Limit::yaw_rate, 0.09}}), "");
 }
 
 TEST(CheckFlown, HoldsNoSampledTrajectoryToMoreThanItsOwnLimits) {
@@ -138,12 +141,12 @@ TEST(CheckFlown, HoldsNoSampledTrajectoryToMoreThanItsOwnLimits) {
     const Trajectory t = testing::random_trajectory(seed);
     const auto far = scene_of({}, {Vec3(-1e4, -1e4, -1e4), Vec3(1e4, 1e4, 1e4)});
     const CheckResult of = check(far, t, Limits{});
-    const Limits limits{.vmax = of.speed->value,
-                        .amax = of.acceleration->value,
-                        .jmax = of.jerk->value,
-                        .vmax_h = of.horizontal_speed->value,
-                        .vmax_v = of.vertical_speed->value,
-                        .thrust = of.thrust->value};
+    const Limits limits{{Limit::speed, of.largest[Limit::speed]->value},
+                        {Limit::acceleration, of.largest[Limit::acceleration]->value},
+                        {Limit::jerk, of.largest[Limit::jerk]->value},
+                        {Limit::horizontal_speed, of.largest[Limit::horizontal_speed]->value},
+                        {Limit::vertical_speed, of.largest[Limit::vertical_speed]->value},
+                        {Limit::thrust, of.largest[Limit::thrust]->value}};
     for (const double rate : {1.0, 7.0, 50.0, 1000.0}) {
       Flown flown;
       flown.setpoints = setpoints(t, rate);
@@ -155,16 +158,18 @@ TEST(CheckFlown, HoldsNoSampledTrajectoryToMoreThanItsOwnLimits) {
 
 TEST(CheckFlown, SaysWhatItDoesNotMeasure) {
   Flown flown = path({{40, 0, 5}, {40, 30, 5}});
-  const Limits limits{.vmax = 5, .amax = 3, .jmax = 9, .tilt = 0.5, .body_rate = 1, .yaw_rate = 1};
+  const Limits limits{{Limit::speed, 5},  {Limit::acceleration, 3}, {Limit::jerk, 9},
+                      {Limit::tilt, 0.5}, {Limit::body_rate, 1},    {Limit::yaw_rate, 1}};
   const CheckResult unsaid = check_flown(yard(), flown, limits);
-  EXPECT_FALSE(unsaid.speed || unsaid.jerk || unsaid.tilt || unsaid.jumps);
-  EXPECT_EQ(
-      not_measured(unsaid, limits),
-      (std::vector<std::string>{"speed", "acceleration", "jerk", "tilt", "body_rate", "yaw_rate"}));
+  EXPECT_FALSE(unsaid.largest[Limit::speed] || unsaid.largest[Limit::jerk] ||
+               unsaid.largest[Limit::tilt] || unsaid.jumps);
+  EXPECT_EQ(not_measured(unsaid, limits),
+            (std::vector<Limit>{Limit::speed, Limit::acceleration, Limit::jerk, Limit::tilt,
+                                Limit::body_rate, Limit::yaw_rate}));
   flown.speed = 5;
   const CheckResult said = check_flown(yard(), flown, limits);
-  EXPECT_EQ(said.speed->value, 5);
-  EXPECT_EQ(not_measured(said, {.vmax = 5}), std::vector<std::string>{});
+  EXPECT_EQ(said.largest[Limit::speed]->value, 5);
+  EXPECT_EQ(not_measured(said, {{Limit::speed, 5}}), std::vector<Limit>{});
   flown.returns = true;
   EXPECT_EQ(check_flown(yard(), flown, {}).reason, "return");
 }

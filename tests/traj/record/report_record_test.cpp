@@ -18,7 +18,7 @@ std::string refusal(const std::string& line) {
 TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}},
                          {{{{1, 1, 1}, {2, 2, 2}}}, {41}, {0}, {""}});
-  ReportRecord record{"q1", "trajectory", {}, {.margin = 0.25}, {.vmax = 8}};
+  ReportRecord record{"q1", "trajectory", {}, {.margin = 0.25}, {{Limit::speed, 8}}};
   record.result.reason = "collision";
   record.result.time = 1.5;
   record.result.place = {1, 2, 3};
@@ -26,7 +26,7 @@ TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   record.result.box = 0;
   record.result.duration = 4;
   record.result.clearance = Extreme{0, 1.25};
-  record.result.speed = {7.5, 2};
+  record.result.largest[Limit::speed] = {7.5, 2};
   const ReportSummary back = parse_report_record(to_json_line(record, map), "r.jsonl", 1);
   EXPECT_EQ(back.id, "q1");
   EXPECT_EQ(back.checked, "trajectory");
@@ -42,7 +42,7 @@ TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   EXPECT_EQ(back.extremes[0].time, 1.25);
   EXPECT_EQ(back.extremes[1].value, 7.5);
   EXPECT_EQ(back.provenance.margin, 0.25);
-  EXPECT_EQ(back.limits.vmax, 8);
+  EXPECT_EQ(back.limits[Limit::speed], 8);
 }
 
 TEST(ReportSummary, SaysNothingOfWhatIsNotFinite) {
@@ -52,8 +52,8 @@ TEST(ReportSummary, SaysNothingOfWhatIsNotFinite) {
   record.result.reason = "body_rate";
   record.result.worst = std::numeric_limits<double>::infinity();
   record.result.duration = 4;
-  record.result.speed = {7.5, 2};
-  record.result.body_rate = {std::numeric_limits<double>::quiet_NaN(), 1};
+  record.result.largest[Limit::speed] = {7.5, 2};
+  record.result.largest[Limit::body_rate] = {std::numeric_limits<double>::quiet_NaN(), 1};
   const ReportSummary back = parse_report_record(to_json_line(record, map), "r.jsonl", 1);
   EXPECT_FALSE(back.worst);
   for (const auto& extreme : back.extremes) EXPECT_NE(extreme.name, std::string("body_rate"));

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes.h"
 #include "traj/curve/continuity.h"
+#include "traj/scenes.h"
 #include "traj/solve/solve.h"
 #include "traj/solve/time_scaling.h"
 
@@ -11,7 +11,7 @@ namespace traj {
 namespace {
 
 const std::vector<Vec3> kPath{Vec3(0, 0, 50), Vec3(20, 0, 50), Vec3(20, 10, 50)};
-const Limits kLimits{.vmax = 5, .amax = 2};
+const Limits kLimits{{Limit::speed, 5}, {Limit::acceleration, 2}};
 
 TEST(LegTimes, FollowTheirAllocation) {
   const auto scene = testing::scene_of({});
@@ -42,7 +42,8 @@ TEST(ClosedForm, JustHoldsTheLimitsAndNeverFliesFasterThanDistanceSays) {
     EXPECT_NEAR(smallest_factor(*curve, kLimits), 1, 1e-5);
   }
   EXPECT_EQ(duration(*closed_form(scene, path, kLimits, Times::distance)), 30);
-  const auto slow = closed_form(scene, path, {.vmax = 5, .amax = 0.1}, Times::distance);
+  const auto slow =
+      closed_form(scene, path, {{Limit::speed, 5}, {Limit::acceleration, 0.1}}, Times::distance);
   EXPECT_GT(duration(*slow), 30);
 }
 

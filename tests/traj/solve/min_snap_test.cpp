@@ -5,10 +5,10 @@
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
 
-#include "scenes.h"
 #include "support/min_snap_equations.h"
 #include "traj/curve/bernstein.h"
 #include "traj/curve/continuity.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "scenes.h"
 #include "solve/nlp.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {

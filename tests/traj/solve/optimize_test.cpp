@@ -4,8 +4,8 @@
 
 #include <thread>
 
-#include "scenes.h"
 #include "traj/curve/bernstein.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
@@ -15,7 +15,7 @@ Corridor straight(double length) {
 }
 
 TEST(Optimize, FliesAStraightLineNearlyAsFastAsTheLimitsAllow) {
-  OptimizeOptions options{{8, 6, {}, {}}, 1e-5, 200};
+  OptimizeOptions options{{{Limit::speed, 8}, {Limit::acceleration, 6}}, 1e-5, 200};
   const OptimizeResult result = optimize(straight(200), options);
   EXPECT_LT(result.max_violation, 1e-4);
   EXPECT_GT(result.iterations, 0);
@@ -28,8 +28,10 @@ TEST(Optimize, FliesAStraightLineNearlyAsFastAsTheLimitsAllow) {
 
 TEST(Optimize, TradesDurationForSnap) {
   const Corridor corridor = straight(100);
-  const auto fast = optimize(corridor, {{8, 6, {}, {}}, 1e-5, 200}).trajectory;
-  const auto smooth = optimize(corridor, {{8, 6, {}, {}}, 1e-1, 200}).trajectory;
+  const auto fast =
+      optimize(corridor, {{{Limit::speed, 8}, {Limit::acceleration, 6}}, 1e-5, 200}).trajectory;
+  const auto smooth =
+      optimize(corridor, {{{Limit::speed, 8}, {Limit::acceleration, 6}}, 1e-1, 200}).trajectory;
   EXPECT_LT(duration(fast), duration(smooth));
   EXPECT_GT(snap_cost(fast), 10 * snap_cost(smooth));
 }
@@ -39,7 +41,8 @@ TEST(Optimize, StaysBehindItsPlanes) {
   Corridor corridor = pieces_between(joints(path));
   for (CorridorPiece& piece : corridor) piece.planes.push_back({Vec3::UnitX(), 30.2});
   for (CorridorPiece& piece : corridor) piece.planes.push_back({-Vec3::UnitY(), 0.2});
-  const OptimizeResult result = optimize(corridor, {{8, 6, 60, {}}, 1e-3, 200});
+  const OptimizeResult result = optimize(
+      corridor, {{{Limit::speed, 8}, {Limit::acceleration, 6}, {Limit::jerk, 60}}, 1e-3, 200});
   EXPECT_LT(result.max_violation, 1e-4);
   for (const Segment& s : result.trajectory.segments) {
     for (const Vec3& p : s.point) {
@@ -54,7 +57,7 @@ TEST(Optimize, StaysBehindItsPlanes) {
 
 TEST(Optimize, GivesTheSameBytesAgainAndFromManyThreadsAtOnce) {
   const Corridor corridor = straight(60);
-  const OptimizeOptions options{{8, 6, {}, {}}, 1e-3, 200};
+  const OptimizeOptions options{{{Limit::speed, 8}, {Limit::acceleration, 6}}, 1e-3, 200};
   const OptimizeResult once = optimize(corridor, options);
   std::vector<OptimizeResult> again(4);
   std::vector<std::thread> threads;
@@ -71,12 +74,13 @@ TEST(Optimize, GivesTheSameBytesAgainAndFromManyThreadsAtOnce) {
 
 TEST(Optimize, PrintsNothing) {
   ::testing::internal::CaptureStdout();
-  optimize(straight(30), {{8, 6, {}, {}}, 1e-3, 50});
+  optimize(straight(30), {{{Limit::speed, 8}, {Limit::acceleration, 6}}, 1e-3, 50});
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
 }
 
 TEST(Optimize, WithoutIterationsReturnsItsGuess) {
-  const OptimizeResult result = optimize(straight(30), {{8, 6, {}, {}}, 1e-3, 0});
+  const OptimizeResult result =
+      optimize(straight(30), {{{Limit::speed, 8}, {Limit::acceleration, 6}}, 1e-3, 0});
   EXPECT_EQ(result.status, "iteration limit");
   EXPECT_EQ(result.trajectory.segments.size(), straight(30).size());
 }

@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes.h"
 #include "traj/proof/check.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
 
 const geom::Aabb kBounds{Vec3(-50, -50, 0), Vec3(150, 150, 60)};
-const Limits kLimits{8, 6, {}, {}};
+const Limits kLimits{{Limit::speed, 8}, {Limit::acceleration, 6}};
 
 geom::CollisionScene block() {
   return testing::scene_of({{Vec3(10, -20, 0), Vec3(30, 20, 40)}}, kBounds);
@@ -142,7 +142,8 @@ TEST(Solve, PathTouchDistanceFromTheBlockIsSolved) {
 
 TEST(Solve, HoldsJerkAndTilt) {
   const geom::CollisionScene scene = block();
-  const Limits limits{8, 6, 20, 0.4};
+  const Limits limits{
+      {Limit::speed, 8}, {Limit::acceleration, 6}, {Limit::jerk, 20}, {Limit::tilt, 0.4}};
   const SolveResult result = solved(scene, kAround, Solver::automatic, limits);
   ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
   EXPECT_EQ(result.rung, "ipopt");
@@ -151,8 +152,8 @@ TEST(Solve, HoldsJerkAndTilt) {
 
 TEST(Solve, WorksWithoutLimitsAndWithOneOnly) {
   const geom::CollisionScene scene = block();
-  for (const Limits& limits :
-       {Limits{}, Limits{5, {}, {}, {}}, Limits{{}, 3, {}, {}}, Limits{{}, {}, 9, {}}}) {
+  for (const Limits& limits : {Limits{}, Limits{{Limit::speed, 5}},
+                               Limits{{Limit::acceleration, 3}}, Limits{{Limit::jerk, 9}}}) {
     const SolveResult result = solved(scene, kAround, Solver::automatic, limits);
     ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
     EXPECT_TRUE(check(scene, result.trajectory, limits).ok);

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "scenes.h"
 #include "traj/proof/check.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
@@ -33,42 +33,45 @@ Peaks sampled(const Segment& s) {
 TEST(StopAndGo, HasControlPointsAtTheEndsOfTheLegOnly) {
   const Vec3 a(0.1, 0.2, 0.3);
   const Vec3 b(10.1, -3.7, 5);
-  const Trajectory t = stop_and_go(std::vector<Vec3>{a, b}, {8, 6, {}, {}});
+  const Trajectory t =
+      stop_and_go(std::vector<Vec3>{a, b}, {{Limit::speed, 8}, {Limit::acceleration, 6}});
   ASSERT_EQ(t.segments.size(), 1u);
   for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(t.segments[0].point[k], k < 4 ? a : b);
 }
 
 TEST(StopAndGo, TakesTheShortestTimeOfEachLimit) {
   const std::vector<Vec3> path{Vec3::Zero(), Vec3(20, 10, 5)};
-  const Peaks speed = sampled(stop_and_go(path, {3, {}, {}, {}}).segments[0]);
+  const Peaks speed = sampled(stop_and_go(path, {{Limit::speed, 3}}).segments[0]);
   EXPECT_NEAR(speed.speed, 3, 1e-6);
-  const Peaks acceleration = sampled(stop_and_go(path, {{}, 2, {}, {}}).segments[0]);
+  const Peaks acceleration = sampled(stop_and_go(path, {{Limit::acceleration, 2}}).segments[0]);
   EXPECT_NEAR(acceleration.acceleration, 2, 1e-5);
-  const Peaks jerk = sampled(stop_and_go(path, {{}, {}, 4, {}}).segments[0]);
+  const Peaks jerk = sampled(stop_and_go(path, {{Limit::jerk, 4}}).segments[0]);
   EXPECT_NEAR(jerk.jerk, 4, 1e-5);
-  const Peaks tilt = sampled(stop_and_go(path, {{}, {}, {}, 0.5}).segments[0]);
+  const Peaks tilt = sampled(stop_and_go(path, {{Limit::tilt, 0.5}}).segments[0]);
   EXPECT_NEAR(tilt.tilt, 0.5, 1e-5);
 }
 
 TEST(StopAndGo, TurnsTheThrustNoFasterThanItMay) {
   Limits limits;
-  limits.amax = 8;
-  limits.body_rate = 2;
+  limits[Limit::acceleration] = 8;
+  limits[Limit::body_rate] = 2;
   const geom::CollisionScene scene = testing::scene_of({});
   for (const double length : {0.01, 0.3, 5.0, 80.0}) {
     const std::vector<Vec3> path{Vec3(0, 0, 5), Vec3(length, 0, 5),
                                  Vec3(length, 0, 5 + length / 2)};
-    EXPECT_LE(check(scene, stop_and_go(path, limits), Limits{}).body_rate->value, 2) << length;
+    EXPECT_LE(check(scene, stop_and_go(path, limits), Limits{}).largest[Limit::body_rate]->value, 2)
+        << length;
   }
 }
 
 TEST(StopAndGo, SkipsLegsOfNoLength) {
   const std::vector<Vec3> path{Vec3::Zero(), Vec3::Zero(), Vec3(1, 0, 0), Vec3(1, 0, 0)};
-  EXPECT_EQ(stop_and_go(path, {8, 6, {}, {}}).segments.size(), 1u);
+  EXPECT_EQ(stop_and_go(path, {{Limit::speed, 8}, {Limit::acceleration, 6}}).segments.size(), 1u);
 }
 
 TEST(StopAndGo, OfOnePlaceRestsForASecond) {
-  const Trajectory t = stop_and_go(std::vector<Vec3>{Vec3(1, 2, 3)}, {8, 6, {}, {}});
+  const Trajectory t =
+      stop_and_go(std::vector<Vec3>{Vec3(1, 2, 3)}, {{Limit::speed, 8}, {Limit::acceleration, 6}});
   ASSERT_EQ(t.segments.size(), 1u);
   EXPECT_EQ(t.segments[0].duration, 1);
   EXPECT_EQ(evaluate(t, 0.5).position, Vec3(1, 2, 3));

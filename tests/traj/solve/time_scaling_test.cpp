@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "scenes.h"
 #include "traj/proof/check.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
@@ -28,9 +28,18 @@ TEST(SmallestFactor, MakesEachLimitJustHold) {
   const geom::CollisionScene empty =
       testing::scene_of({}, {Vec3::Constant(-1e4), Vec3::Constant(1e4)});
   const std::vector<Limits> cases{
-      {5, {}, {}, {}},   {{}, 3, {}, {}}, {{}, {}, 7, {}},
-      {{}, {}, {}, 0.4}, {5, 3, 7, 0.4},  {.vmax_h = 4},
-      {.vmax_v = 2},     {.thrust = 12},  {.tilt = 0.3, .vmax_h = 4, .vmax_v = 1, .thrust = 11}};
+      {{Limit::speed, 5}},
+      {{Limit::acceleration, 3}},
+      {{Limit::jerk, 7}},
+      {{Limit::tilt, 0.4}},
+      {{Limit::speed, 5}, {Limit::acceleration, 3}, {Limit::jerk, 7}, {Limit::tilt, 0.4}},
+      {{Limit::horizontal_speed, 4}},
+      {{Limit::vertical_speed, 2}},
+      {{Limit::thrust, 12}},
+      {{Limit::tilt, 0.3},
+       {Limit::horizontal_speed, 4},
+       {Limit::vertical_speed, 1},
+       {Limit::thrust, 11}}};
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Trajectory t = random_trajectory(seed);
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -47,21 +56,22 @@ TEST(SmallestFactor, HoldsTheRateAtWhichTheThrustTurns) {
       testing::scene_of({}, {Vec3::Constant(-1e4), Vec3::Constant(1e4)});
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Trajectory t = random_trajectory(seed);
-    const Limits limits{.vmax = 5, .body_rate = 0.5};
+    const Limits limits{{Limit::speed, 5}, {Limit::body_rate, 0.5}};
     const double factor = smallest_factor(t, limits);
-    EXPECT_GE(factor, smallest_factor(t, {.vmax = 5}));
+    EXPECT_GE(factor, smallest_factor(t, {{Limit::speed, 5}}));
     EXPECT_TRUE(check(empty, slowed(t, factor), limits).ok) << seed;
   }
 }
 
 TEST(SmallestFactor, SpeedsUpWhatIsTooSlow) {
   const Trajectory slow = slowed(random_trajectory(3), 100);
-  EXPECT_LT(smallest_factor(slow, {5, 3, {}, {}}), 0.5);
+  EXPECT_LT(smallest_factor(slow, {{Limit::speed, 5}, {Limit::acceleration, 3}}), 0.5);
 }
 
 TEST(SmallestFactor, IsOneWithoutLimitsOrMotion) {
   EXPECT_EQ(smallest_factor(random_trajectory(4), {}), 1);
-  EXPECT_EQ(smallest_factor({{hermite({}, {}, 1)}}, {5, 3, {}, {}}), 1);
+  EXPECT_EQ(smallest_factor({{hermite({}, {}, 1)}}, {{Limit::speed, 5}, {Limit::acceleration, 3}}),
+            1);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ std::string in_words(const Room& room) {
                      room.margin);
 }
 
-// What a record asks for; where it says nothing, what is asked for now.
+// What a record asks for; where it says nothing, what this run asks for.
 Room recorded(const geom::Provenance& record, const Room& now) {
   Room room = now;
   if (record.vehicle) room = {*record.vehicle, 0};
@@ -33,12 +33,12 @@ bool holds(const Room& room, const Room& other) {
 
 // In words, the first limit in which two vehicles differ.
 std::string difference(const geom::Limits& asked, const geom::Limits& found) {
-  for (const auto& field : geom::kLimitFields) {
-    const auto& a = asked.*field.member;
-    const auto& b = found.*field.member;
+  for (const geom::LimitKind& kind : geom::kLimitKinds) {
+    const auto& a = asked[kind.limit];
+    const auto& b = found[kind.limit];
     if (a == b) continue;
-    return fmt::format("{} {}, as asked, found {}", field.name, a ? shown(field, *a) : "unlimited",
-                       b ? shown(field, *b) : "unlimited");
+    return fmt::format("{} {}, as asked, found {}", kind.name, a ? shown(kind, *a) : "unlimited",
+                       b ? shown(kind, *b) : "unlimited");
   }
   return {};
 }

@@ -11,21 +11,19 @@
 
 namespace cli {
 
-// Options of their own for what is limited; angles are degrees there and radians here.
+// Options of their own for what is limited; angles are degrees there and radians in what limits()
+// gives.
 class LimitOptions {
  public:
   void add_to(CLI::App& app);
   traj::Limits limits() const;  // those that were given; UsageError for one that is no number
 
  private:
-  traj::Limits given_;
-  std::optional<double> tilt_;
-  std::optional<double> body_rate_;
-  std::optional<double> yaw_rate_;
+  geom::PerLimit<std::optional<double>> given_;  // in the options' units
 };
 
 // A limit as the options take it: "12 m/s", "35 degrees".
-std::string shown(const geom::LimitField& field, double value);
+std::string shown(const geom::LimitKind& kind, double value);
 
 // geom::limits_that_hold for a check. UsageError where --override asks for more tilt than the
 // vehicle's box holds.

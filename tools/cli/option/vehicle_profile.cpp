@@ -60,7 +60,7 @@ Limits stated_limits(const JsonFields& fields) {
     fields.refuse(fmt::format("tilt_max_deg must be above 0 and at most 80, found {}", *degrees));
   }
   Limits tilt;
-  if (degrees) tilt.tilt = *degrees * std::numbers::pi / 180;
+  if (degrees) tilt[geom::Limit::tilt] = *degrees * std::numbers::pi / 180;
   return geom::stricter(limits, tilt);
 }
 
@@ -68,10 +68,11 @@ Limits stated_limits(const JsonFields& fields) {
 // and pitch is within the smaller of both.
 Limits physical_limits(const traj::Airframe& airframe) {
   Limits limits;
-  if (airframe.mass && airframe.thrust_most) limits.thrust = *airframe.thrust_most / *airframe.mass;
+  if (airframe.mass && airframe.thrust_most)
+    limits[geom::Limit::thrust] = *airframe.thrust_most / *airframe.mass;
   if (airframe.body_rate_max) {
-    limits.body_rate = airframe.body_rate_max->head<2>().minCoeff();
-    limits.yaw_rate = airframe.body_rate_max->z();
+    limits[geom::Limit::body_rate] = airframe.body_rate_max->head<2>().minCoeff();
+    limits[geom::Limit::yaw_rate] = airframe.body_rate_max->z();
   }
   return limits;
 }
@@ -87,7 +88,8 @@ VehicleProfile from_profile(const std::string& text, const std::string& source) 
   geom::Vehicle& vehicle = profile.vehicle;
   vehicle.name = fields.text("name", source);
   vehicle.limits = geom::stricter(stated_limits(fields), physical_limits(profile.airframe));
-  vehicle.half = geom::attitude_half_sizes(body, vehicle.limits.tilt.value_or(kEveryTilt));
+  vehicle.half =
+      geom::attitude_half_sizes(body, vehicle.limits[geom::Limit::tilt].value_or(kEveryTilt));
   return profile;
 }
 

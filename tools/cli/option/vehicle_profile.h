@@ -12,8 +12,9 @@ namespace cli {
 
 struct VehicleProfile {
   geom::Vehicle vehicle;
-  traj::Airframe airframe;         // of a profile only
-  std::optional<geom::Vec3> body;  // half sizes, m, that the box holds up to vehicle.limits.tilt
+  traj::Airframe airframe;  // of a profile only
+  std::optional<geom::Vec3>
+      body;  // half sizes, m, that the box holds up to vehicle.limits[geom::Limit::tilt]
 };
 
 // "box:HX,HY,HZ" or "sphere:R", which hold every attitude and limit nothing; or a profile, by a

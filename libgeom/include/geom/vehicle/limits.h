@@ -4,52 +4,102 @@
 // rates by differential flatness (the thrust of a quadrotor is along a + g). And which of them hold
 // where several say some.
 
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <numbers>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace geom {
 
 inline constexpr double kGravity = 9.80665;  // m/s2
 
+enum class Limit {
+  speed,             // m/s, Euclidean norm
+  horizontal_speed,  // m/s, norm of the horizontal velocity
+  vertical_speed,    // m/s, up or down
+  acceleration,      // m/s2, Euclidean norm
+  jerk,              // m/s3, Euclidean norm
+  tilt,              // radians from upright, of the thrust direction a + g; < pi/2
+  thrust,            // m/s2, norm of a + g: thrust over mass; > g
+  body_rate,         // rad/s, how fast the thrust direction turns: the norm of roll and pitch rate
+  yaw_rate           // rad/s, where the trajectory says the yaw
+};
+inline constexpr std::size_t kLimits = 9;
+
+// How a limit is written, everywhere.
+struct LimitKind {
+  Limit limit;
+  const char* name;      // in records and profiles
+  const char* quantity;  // what it bounds: in reports and reasons
+  const char* option;    // of the tools
+  const char* meaning;   // of the option
+  const char* unit;      // of the option, and in messages
+  double in_unit = 1;    // SI of one such unit
+  double least = 0;      // of the option, in its unit; both 0: any number above 0
+  double most = 0;
+};
+inline constexpr double kRadiansPerDegree = std::numbers::pi / 180;  // radians
+inline constexpr std::array<LimitKind, kLimits> kLimitKinds{{
+    {Limit::speed, "vmax", "speed", "--vmax", "largest speed, m/s", "m/s"},
+    {Limit::horizontal_speed, "vmax_h", "horizontal_speed", "--vmax-h",
+     "largest horizontal speed, m/s", "m/s"},
+    {Limit::vertical_speed, "vmax_v", "vertical_speed", "--vmax-v", "largest vertical speed, m/s",
+     "m/s"},
+    {Limit::acceleration, "amax", "acceleration", "--amax", "largest acceleration, m/s2", "m/s2"},
+    {Limit::jerk, "jmax", "jerk", "--jmax", "largest jerk, m/s3", "m/s3"},
+    {Limit::tilt, "tilt", "tilt", "--tilt", "largest tilt of the thrust from upright, degrees",
+     "degrees", kRadiansPerDegree, 1, 80},
+    {Limit::thrust, "thrust", "thrust", "--thrust",
+     "largest thrust over mass, m/s2 (above 9.80665)", "m/s2", 1, 9.81, 1e4},
+    {Limit::body_rate, "body_rate", "body_rate", "--body-rate",
+     "largest rate at which the thrust turns (roll and pitch), degrees/s", "degrees/s",
+     kRadiansPerDegree, 0.1, 1e5},
+    {Limit::yaw_rate, "yaw_rate", "yaw_rate", "--yaw-rate", "largest yaw rate, degrees/s",
+     "degrees/s", kRadiansPerDegree, 0.1, 1e4},
+}};
+constexpr const LimitKind& kind_of(Limit limit) {
+  return kLimitKinds[static_cast<std::size_t>(limit)];
+}
+static_assert([] {
+  for (std::size_t i = 0; i < kLimits; ++i) {
+    if (kLimitKinds[i].limit != static_cast<Limit>(i)) return false;
+  }
+  return true;
+}());
+
+// A value for each limit.
+template <class T>
+struct PerLimit {
+  std::array<T, kLimits> values{};
+
+  T& operator[](Limit limit) { return values[static_cast<std::size_t>(limit)]; }
+  const T& operator[](Limit limit) const { return values[static_cast<std::size_t>(limit)]; }
+  friend bool operator==(const PerLimit&, const PerLimit&) = default;
+};
+
 // Absent = not limited. All are closed: reaching the limit is allowed.
-struct Limits {
-  std::optional<double> vmax;       // m/s, Euclidean norm
-  std::optional<double> amax;       // m/s2, Euclidean norm
-  std::optional<double> jmax;       // m/s3, Euclidean norm
-  std::optional<double> tilt;       // radians from upright, of the thrust direction a + g; < pi/2
-  std::optional<double> vmax_h;     // m/s, norm of the horizontal velocity
-  std::optional<double> vmax_v;     // m/s, up or down
-  std::optional<double> thrust;     // m/s2, norm of a + g: thrust over mass; > g
-  std::optional<double> body_rate;  // rad/s, how fast the thrust direction turns: the norm of roll
-                                    // and pitch rate
-  std::optional<double> yaw_rate;   // rad/s, where the trajectory says the yaw
-
-  friend bool operator==(const Limits&, const Limits&) = default;
-};
-
-// All of them, as records name them.
-struct LimitField {
-  const char* name;
-  std::optional<double> Limits::*member;
-};
-inline constexpr LimitField kLimitFields[] = {
-    {"vmax", &Limits::vmax},     {"vmax_h", &Limits::vmax_h},       {"vmax_v", &Limits::vmax_v},
-    {"amax", &Limits::amax},     {"jmax", &Limits::jmax},           {"tilt", &Limits::tilt},
-    {"thrust", &Limits::thrust}, {"body_rate", &Limits::body_rate}, {"yaw_rate", &Limits::yaw_rate},
+struct Limits : PerLimit<std::optional<double>> {
+  Limits() = default;
+  Limits(std::initializer_list<std::pair<Limit, double>> given) {
+    for (const auto& [limit, value] : given) (*this)[limit] = value;
+  }
 };
 
 // Of each limit the smaller, or the only one.
 Limits stricter(const Limits& a, const Limits& b);
 
-// The first limit (in the order of kLimitFields) that `a` sets above `b`'s, or null. What `a` does
-// not set is not asked.
-const LimitField* first_above(const Limits& a, const Limits& b);
+// The first limit that `a` sets above `b`'s, if any. What `a` does not set is not asked.
+std::optional<Limit> first_above(const Limits& a, const Limits& b);
 
-// The first limit of `b` that `a` exceeds or lacks, or null: whether `a` allows more than `b`.
-const LimitField* first_looser(const Limits& a, const Limits& b);
+// The first limit of `b` that `a` exceeds or lacks, if any: whether `a` allows more than `b`.
+std::optional<Limit> first_looser(const Limits& a, const Limits& b);
 
 // Who says limits of one flight.
 struct LimitSources {
-  Limits options;           // asked for now
+  Limits options;           // of this run
   Limits record;            // asked for when it was made
   Limits vehicle;           // of the vehicle whose box is used: its tilt is what the box holds
   bool overridden = false;  // --override: the options alone decide what they name

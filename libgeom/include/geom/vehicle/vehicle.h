@@ -12,8 +12,8 @@
 namespace geom {
 
 // `half`: half sizes in metres around the reference point, containing the body at every yaw and
-// at every tilt the profile allows. `limits`: what its profile lets it do. `limits.tilt` is the
-// tilt up to which the box holds the body; without one it holds every attitude.
+// at every tilt the profile allows. `limits`: what its profile lets it do. `limits[Limit::tilt]` is
+// the tilt up to which the box holds the body; without one it holds every attitude.
 struct Vehicle {
   std::string name;
   Vec3 half = Vec3::Zero();

@@ -47,8 +47,8 @@ struct Extreme {
 struct CheckResult {
   bool ok = false;
   // "" when ok, else the first that holds: "duration", "coordinates", "limits" (outside domain.h:
-  // nothing was measured), "discontinuous", "bounds", "collision", "speed", "acceleration", "jerk",
-  // "tilt", "horizontal_speed", "vertical_speed", "thrust", "body_rate", "yaw_rate".
+  // nothing was measured), "discontinuous", "bounds", "collision", then the quantity of a limit, in
+  // the order of kOrderOfLimits.
   std::string reason;
   double time = 0;                 // of the worst violation, seconds
   Vec3 place = Vec3::Zero();       // where that is, metres
@@ -62,15 +62,7 @@ struct CheckResult {
                                      // margin, the least, to 1 mm; absent without obstacles
   // The largest of what was measured, to a relative 1e-4; absent: not measured, as of a path, which
   // has no times, and of a yaw that no segment says.
-  std::optional<Extreme> speed;  // m/s
-  std::optional<Extreme> acceleration;
-  std::optional<Extreme> jerk;
-  std::optional<Extreme> tilt;  // radians
-  std::optional<Extreme> horizontal_speed;
-  std::optional<Extreme> vertical_speed;
-  std::optional<Extreme> thrust;
-  std::optional<Extreme> body_rate;            // rad/s
-  std::optional<Extreme> yaw_rate;             // rad/s
+  PerLimit<std::optional<Extreme>> largest;
   std::optional<std::array<double, 7>> jumps;  // at joints, see continuity.h
 };
 
@@ -89,8 +81,7 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
 CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points,
                        std::span<const Vec3> stray = {});
 
-// A limit that was asked for and is not measured in a result, by the name of what it bounds:
-// "speed", "acceleration", …, in the order of CheckResult.
-std::vector<std::string> not_measured(const CheckResult& result, const Limits& limits);
+// The limits that were asked for and are not measured in a result, in the order of kOrderOfLimits.
+std::vector<Limit> not_measured(const CheckResult& result, const Limits& limits);
 
 }  // namespace traj

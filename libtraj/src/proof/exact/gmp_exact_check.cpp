@@ -97,40 +97,45 @@ class Proof {
     const std::array all{0, 1, 2};
     const std::array level{0, 1};
     const std::array upright{2};
-    const auto limited = [&](const char* reason, const std::optional<double>& limit, int order,
-                             Cover SegmentProof::*cover, std::span<const int> axes) {
-      return !limit || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-        return within(s, exact::norm_condition(s, order, *limit, axes), timing, reason,
-                      proof.*cover);
+    // The condition that a segment obeys a limit.
+    const auto condition = [&](const Segment& s, Limit limit) {
+      const double most = *limits[limit];
+      switch (limit) {
+        case Limit::speed:
+          return exact::norm_condition(s, 1, most, all);
+        case Limit::horizontal_speed:
+          return exact::norm_condition(s, 1, most, level);
+        case Limit::vertical_speed:
+          return exact::norm_condition(s, 1, most, upright);
+        case Limit::acceleration:
+          return exact::norm_condition(s, 2, most, all);
+        case Limit::jerk:
+          return exact::norm_condition(s, 3, most, all);
+        case Limit::tilt:
+          return exact::tilt_condition(s, most);
+        case Limit::thrust:
+          return exact::thrust_condition(s, most);
+        case Limit::body_rate:
+          return exact::body_rate_condition(s, most);
+        case Limit::yaw_rate:
+          return exact::yaw_rate_condition(s, most);
+      }
+      throw std::logic_error("no such limit");
+    };
+    const auto holds = [&](Limit limit) {
+      return !limits[limit] || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+        if (limit == Limit::yaw_rate && !s.yaw) return true;
+        return within(s, condition(s, limit), timing, kind_of(limit).quantity, proof.limits[limit]);
       });
     };
-    result_.ok =
-        each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-          return inside(s.point, timing, proof.bounds);
-        }) &&
-        each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-          return clear(s.point, timing, proof.clear);
-        }) &&
-        gaps(trajectory) && limited("speed", limits.vmax, 1, &SegmentProof::speed, all) &&
-        limited("acceleration", limits.amax, 2, &SegmentProof::acceleration, all) &&
-        limited("jerk", limits.jmax, 3, &SegmentProof::jerk, all) &&
-        (!limits.tilt || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-          return within(s, exact::tilt_condition(s, *limits.tilt), timing, "tilt", proof.tilt);
-        })) &&
-        limited("horizontal_speed", limits.vmax_h, 1, &SegmentProof::horizontal_speed, level) &&
-        limited("vertical_speed", limits.vmax_v, 1, &SegmentProof::vertical_speed, upright) &&
-        (!limits.thrust || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-          return within(s, exact::thrust_condition(s, *limits.thrust), timing, "thrust",
-                        proof.thrust);
-        })) &&
-        (!limits.body_rate || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-          return within(s, exact::body_rate_condition(s, *limits.body_rate), timing, "body_rate",
-                        proof.body_rate);
-        })) &&
-        (!limits.yaw_rate || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-          return !s.yaw || within(s, exact::yaw_rate_condition(s, *limits.yaw_rate), timing,
-                                  "yaw_rate", proof.yaw_rate);
-        }));
+    result_.ok = each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+                   return inside(s.point, timing, proof.bounds);
+                 }) &&
+                 each([&](const Segment& s, Timing timing, SegmentProof& proof) {
+                   return clear(s.point, timing, proof.clear);
+                 }) &&
+                 gaps(trajectory) &&
+                 std::all_of(kOrderOfLimits.begin(), kOrderOfLimits.end(), holds);
     return result_;
   }
 

@@ -53,15 +53,16 @@ TEST(Whole, HoldsEveryDouble) {
 
 TEST(ExactCheck, CoversEverySegmentOnce) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0.1);
-  const ExactResult result = exactly(scene, arc({0, 8, 0}, {3, 0, 0}), {.vmax = 9, .amax = 20});
+  const ExactResult result =
+      exactly(scene, arc({0, 8, 0}, {3, 0, 0}), {{Limit::speed, 9}, {Limit::acceleration, 20}});
   ASSERT_TRUE(result.ok) << result.reason;
   ASSERT_EQ(result.segments.size(), 2u);
   for (const SegmentProof& proof : result.segments) {
     EXPECT_EQ(length_of(proof.clear.pieces), 1);
     EXPECT_EQ(length_of(proof.bounds), 1);
-    EXPECT_EQ(length_of(proof.speed), 1);
-    EXPECT_EQ(length_of(proof.acceleration), 1);
-    EXPECT_TRUE(proof.jerk.empty());
+    EXPECT_EQ(length_of(proof.limits[Limit::speed]), 1);
+    EXPECT_EQ(length_of(proof.limits[Limit::acceleration]), 1);
+    EXPECT_TRUE(proof.limits[Limit::jerk].empty());
     EXPECT_FALSE(proof.gap);
   }
 }
@@ -113,14 +114,14 @@ TEST(ExactCheck, AcceptsWhatTheFastCheckAccepts) {
       const Extreme& e = *measured;
       return e.value * (1 + random.uniform(-1, 4) * 1e-4);
     };
-    const Limits limits{.vmax = near(loose.speed),
-                        .amax = near(loose.acceleration),
-                        .jmax = near(loose.jerk),
-                        .tilt = 0.3 + random.uniform(0, 1),
-                        .vmax_h = near(loose.speed),
-                        .vmax_v = 1 + random.uniform(0, 9),
-                        .thrust = 10 + random.uniform(0, 30),
-                        .body_rate = near(loose.body_rate)};
+    const Limits limits{{Limit::speed, near(loose.largest[Limit::speed])},
+                        {Limit::acceleration, near(loose.largest[Limit::acceleration])},
+                        {Limit::jerk, near(loose.largest[Limit::jerk])},
+                        {Limit::tilt, 0.3 + random.uniform(0, 1)},
+                        {Limit::horizontal_speed, near(loose.largest[Limit::speed])},
+                        {Limit::vertical_speed, 1 + random.uniform(0, 9)},
+                        {Limit::thrust, 10 + random.uniform(0, 30)},
+                        {Limit::body_rate, near(loose.largest[Limit::body_rate])}};
     const CheckResult fast = check(scene, t, limits);
     const ExactResult result = exactly(scene, t, limits);
     EXPECT_GE(result.ok, fast.ok) << "case " << i << ": " << result.reason;
@@ -138,8 +139,8 @@ TEST(ExactCheck, AllowsALimitToBeReached) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory line{{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
   const double most = 20.0 / 8 * 35 / 16;  // at the middle, exactly
-  EXPECT_TRUE(exactly(scene, line, {.vmax = most}).ok);
-  const ExactResult over = exactly(scene, line, {.vmax = std::nextafter(most, 0)});
+  EXPECT_TRUE(exactly(scene, line, {{Limit::speed, most}}).ok);
+  const ExactResult over = exactly(scene, line, {{Limit::speed, std::nextafter(most, 0)}});
   EXPECT_EQ(over.reason, "speed");
   EXPECT_EQ(over.time, 4);
   EXPECT_FALSE(over.undecided);
@@ -210,7 +211,7 @@ TEST(ExactCheckOfPaths, MayTouchTheBoundsAndBeOnePoint) {
 TEST(ExactCheck, FollowsACurveThatStandsStill) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const auto still = [&](double x) {
-    return exactly(scene, {{hermite(rest({x, 0, 0}), rest({x, 0, 0}), 2)}}, {.vmax = 1e-9});
+    return exactly(scene, {{hermite(rest({x, 0, 0}), rest({x, 0, 0}), 2)}}, {{Limit::speed, 1e-9}});
   };
   EXPECT_TRUE(still(std::nextafter(1.5, 2)).ok);
   EXPECT_EQ(still(1.5).reason, "collision");

@@ -54,15 +54,7 @@ struct ClearCover {
 struct SegmentProof {
   ClearCover clear;
   Cover bounds;  // the control points are inside
-  Cover speed;
-  Cover acceleration;
-  Cover jerk;
-  Cover tilt;
-  Cover horizontal_speed;
-  Cover vertical_speed;
-  Cover thrust;
-  Cover body_rate;
-  Cover yaw_rate;
+  PerLimit<Cover> limits;
   std::optional<ClearCover> gap;  // the straight step to the next segment, where there is one
 };
 
