@@ -159,7 +159,7 @@ std::size_t move_into_touch(const geom::CollisionScene& scene) {
     const Vec3 to =
         from + Vec3(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(-5, 5));
     const plan::PlanResult path = planner.plan(from, to, {});
-    if (path.status != plan::PlanStatus::found) continue;
+    if (path.status != geom::PathStatus::found) continue;
     const traj::Solver solver = originals % 2 ? traj::Solver::automatic : traj::Solver::stop_and_go;
     const traj::SolveResult solved = traj::solve(scene, path.path, {limits, solver, 1e-3, 200});
     if (solved.status != traj::SolveStatus::solved ||

@@ -110,7 +110,7 @@ void CheckTrajectory(benchmark::State& state) {
   const traj::Limits limits{{traj::Limit::speed, 8}, {traj::Limit::acceleration, 6}};
   while (solved.trajectory.segments.size() < 50) {
     const plan::PlanResult path = planner.plan(random_point(random), random_point(random), {});
-    if (path.status != plan::PlanStatus::found || path.path.size() < 8) continue;
+    if (path.status != geom::PathStatus::found || path.path.size() < 8) continue;
     solved = traj::solve(scene(), path.path, {limits, traj::Solver::automatic, 1e-3, 200});
   }
   for (auto _ : state) {

@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
         const plan::PlanResult result = planner.plan(q.from, q.to, options);
         least = std::min(least, cpu_seconds() - start);
         if (i == 0) ratio[q.set].push_back(geom::length(result.path) / q.best);
-        missing += result.status != plan::PlanStatus::found;
+        missing += result.status != geom::PathStatus::found;
       }
       milliseconds[q.set].push_back(1e3 * least);
     }

@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
     options.rho = std::stod(argv[k]);
     std::map<std::string, Set> sets;
     for (const geom::PathRecord& path : paths) {
-      if (path.status != "found") continue;
+      if (path.status != geom::PathStatus::found) continue;
       Set& set = sets[path.id.substr(0, path.id.rfind('-'))];
       double start = cpu_seconds();
       const traj::SolveResult result = traj::solve(scene, path.points, options);

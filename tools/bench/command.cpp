@@ -117,7 +117,7 @@ Run judge_command(const std::string& command, const CommandOutput& output,
     if (slot == answers.end() || std::exchange(answered[record.id], true)) {
       ++run.extra;
     } else {
-      slot->second = {std::move(record.status), std::move(record.points), std::nullopt};
+      slot->second = {record.status, std::move(record.points), std::nullopt};
     }
   }
   const double mean = output.seconds / static_cast<double>(queries.size());

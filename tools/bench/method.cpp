@@ -21,12 +21,11 @@ Method automatic(const CollisionScene& scene, const MethodOptions& options) {
   const auto planner = std::make_shared<plan::Planner>(scene, options.lattice, options.roadmap);
   plan::PlanOptions plan_options;
   plan_options.quality = options.quality;
-  return {
-      [planner, plan_options](const PlanQuery& query) -> Answer {
-        plan::PlanResult result = planner->plan(query.from, query.to, plan_options);
-        return {std::string(plan::name(result.status)), std::move(result.path), result.expanded};
-      },
-      std::nullopt};
+  return {[planner, plan_options](const PlanQuery& query) -> Answer {
+            plan::PlanResult result = planner->plan(query.from, query.to, plan_options);
+            return {result.status, std::move(result.path), result.expanded};
+          },
+          std::nullopt};
 }
 
 // A* on one lattice, nothing before and nothing after it.
@@ -46,11 +45,13 @@ class Astar {
       expanded += result.expanded;
       if (result.found || result.gave_up) break;
     }
-    if (!result.found) return {result.gave_up ? "stopped" : "unreachable", {}, expanded};
+    if (!result.found)
+      return {
+          result.gave_up ? geom::PathStatus::stopped : geom::PathStatus::unreachable, {}, expanded};
     geom::Polyline path = {query.from};
     for (const std::size_t node : result.nodes) path.push_back(lattice_.position(node));
     path.push_back(query.to);
-    return {"found", std::move(path), expanded};
+    return {geom::PathStatus::found, std::move(path), expanded};
   }
 
  private:
@@ -73,12 +74,11 @@ Method sampling(const CollisionScene& scene, const MethodOptions& options) {
   plan::PlanOptions plan_options;
   plan_options.method = method;
   plan_options.sampling.seed = options.seed + 1;
-  return {
-      [planner, plan_options](const PlanQuery& query) -> Answer {
-        plan::PlanResult result = planner->plan(query.from, query.to, plan_options);
-        return {std::string(plan::name(result.status)), std::move(result.path), result.expanded};
-      },
-      std::nullopt};
+  return {[planner, plan_options](const PlanQuery& query) -> Answer {
+            plan::PlanResult result = planner->plan(query.from, query.to, plan_options);
+            return {result.status, std::move(result.path), result.expanded};
+          },
+          std::nullopt};
 }
 
 #ifdef SKYWAY_OMPL

@@ -110,9 +110,9 @@ Answer OmplAdapter::plan(const geom::PlanQuery& query) {
     const double end = cpu_seconds() + impl_->seconds;
     setup.solve(ob::PlannerTerminationCondition([end] { return cpu_seconds() >= end; }));
   }
-  if (!setup.haveExactSolutionPath()) return {"stopped", {}, std::nullopt};
+  if (!setup.haveExactSolutionPath()) return {geom::PathStatus::stopped, {}, std::nullopt};
   if (impl_->planner == OmplPlanner::rrt_connect) setup.simplifySolution();
-  Answer answer{"found", {}, std::nullopt};
+  Answer answer{geom::PathStatus::found, {}, std::nullopt};
   for (const ob::State* state : setup.getSolutionPath().getStates()) {
     answer.path.push_back(position(state));
   }

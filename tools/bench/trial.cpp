@@ -6,8 +6,8 @@ namespace bench {
 
 Verdict judge(const geom::CollisionScene& scene, const geom::PlanQuery& query,
               const Answer& answer) {
-  if (answer.status == "unreachable") return Verdict::unreachable;
-  if (answer.status != "found") return Verdict::failed;
+  if (answer.status == geom::PathStatus::unreachable) return Verdict::unreachable;
+  if (answer.status != geom::PathStatus::found) return Verdict::failed;
   const geom::Polyline& path = answer.path;
   if (path.empty() || path.front() != query.from || path.back() != query.to) {
     return Verdict::invalid;

@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "geom/collision/collision.h"
+#include "geom/record/path_status.h"
 #include "geom/record/query_record.h"
 #include "geom/shape/polyline.h"
 
 namespace bench {
 
-// A planner's answer. Status as path records have it: "found", "unreachable", or anything else for
-// a planner that failed. The path is empty unless found.
+// A planner's answer. Any status but found and unreachable is that of a planner that failed. The
+// path is empty unless found.
 struct Answer {
-  std::string status;
+  geom::PathStatus status = geom::PathStatus::stopped;
   geom::Polyline path;
   std::optional<std::size_t> expanded;  // nodes, where the planner counts them
 };

@@ -48,7 +48,7 @@ void Checker::refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& rep
   const auto missing = traj::not_measured(report.result, rules_.limits);
   if (missing.empty() || !report.result.ok) return;
   report.result.ok = false;
-  report.result.reason = std::string(geom::kind_of(missing.front()).quantity) + "_not_measured";
+  report.result.reason = traj::unmeasured(missing.front());
   report.result.place = place;
 }
 
@@ -56,8 +56,8 @@ traj::ReportRecord Checker::trajectory(const std::string& text, const std::strin
                                        std::size_t line) const {
   const auto record = traj::parse_trajectory_record(text, source, line);
   traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}, {}, {}};
-  if (record.status != "solved") {
-    report.result.reason = record.status;
+  if (record.status != traj::TrajectoryStatus::solved) {
+    report.result.reason = traj::reason_of(record.status);
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
@@ -80,8 +80,8 @@ traj::ReportRecord Checker::path(const std::string& text, const std::string& sou
                                  std::size_t line) const {
   const auto record = geom::parse_path_record(text, source, line);
   traj::ReportRecord report{record.id, "path", {}, record.provenance, {}, {}, {}};
-  if (record.status != "found") {
-    report.result.reason = "no_path";
+  if (record.status != geom::PathStatus::found) {
+    report.result.reason = traj::Reason::no_path;
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);

@@ -257,8 +257,9 @@ int main(int argc, char** argv) {
     const std::string input = options.input();
     const TrajectoryRecord record =
         options.id.empty() ? read_one(input) : read_named(input, options.id);
-    if (record.status != "solved") {
-      cli::complain("skyway-export", fmt::format("{}: refused: {}", record.id, record.status));
+    if (record.status != traj::TrajectoryStatus::solved) {
+      cli::complain("skyway-export",
+                    fmt::format("{}: refused: {}", record.id, name(record.status)));
       return cli::Exit::no;
     }
     task.id = record.id;

@@ -34,7 +34,7 @@ traj::CheckResult judge(const geom::CollisionScene& scene, const Task& task,
   const double missed = (flown.path.back() - end).norm();
   if (missed <= kEndGap) return result;
   result.ok = false;
-  result.reason = "end";
+  result.reason = traj::Reason::end;
   result.time = static_cast<double>(flown.path.size() - 1);
   result.place = flown.path.back();
   result.worst = missed;
@@ -55,8 +55,9 @@ std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& s
   const auto attempt = [&](const geom::Polyline& legs) {
     made.first = exporting::write(task, legs);
     made.second = judge(scene, task, made.first);
-    const std::string& reason = made.second.reason;
-    return reason != "collision" && reason != "bounds" && reason != "end";
+    const traj::Reason reason = made.second.reason;
+    return reason != traj::Reason::collision && reason != traj::Reason::bounds &&
+           reason != traj::Reason::end;
   };
   if (!exporting::has_legs(task.format)) {
     attempt({});
@@ -76,7 +77,7 @@ std::string refusal(const Task& task, const traj::CheckResult& result) {
                                ? fmt::format("leg {:.0f}", std::floor(result.time))
                                : fmt::format("t = {:.3f} s", result.time);
   return fmt::format("{}: refused: as flown, {} at {}, ({:.3f}, {:.3f}, {:.3f}) m, {:.3g}", task.id,
-                     result.reason, when, result.place[0], result.place[1], result.place[2],
+                     name(result.reason), when, result.place[0], result.place[1], result.place[2],
                      result.worst);
 }
 

@@ -84,7 +84,8 @@ std::size_t Mission::read(cli::InputFile& file, const geom::Shard& shard) {
   file.for_each_line([&](const std::string& line, std::size_t number) {
     if (!shard.takes(total++)) return;
     Entry entry{traj::parse_trajectory_record(line, source_, number), number};
-    if (entry.record.status == "solved" && entry.record.trajectory.segments.empty()) {
+    if (entry.record.status == traj::TrajectoryStatus::solved &&
+        entry.record.trajectory.segments.empty()) {
       throw geom::InputError(source_, number, "expected at least one segment, found none");
     }
     const double length = traj::duration(entry.record.trajectory);
@@ -149,7 +150,7 @@ std::vector<std::vector<traj::RunOutcome>> Mission::fly_runs(const geom::Shard& 
                                                              const geom::Execution& run) const {
   std::vector<std::vector<traj::RunOutcome>> out;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (entries_[i].record.status == "solved") {
+    if (entries_[i].record.status == traj::TrajectoryStatus::solved) {
       out.push_back(traj::fly_runs(track_of(entries_[i]), flight_, options_.spread(), shard,
                                    {run.threads, {}}));
     }
@@ -159,9 +160,9 @@ std::vector<std::vector<traj::RunOutcome>> Mission::fly_runs(const geom::Shard& 
 }
 
 void Mission::take(cli::JoinedRuns runs) {
-  const auto solved = static_cast<std::size_t>(
-      std::count_if(entries_.begin(), entries_.end(),
-                    [](const Entry& entry) { return entry.record.status == "solved"; }));
+  const auto solved = static_cast<std::size_t>(std::count_if(
+      entries_.begin(), entries_.end(),
+      [](const Entry& entry) { return entry.record.status == traj::TrajectoryStatus::solved; }));
   if (runs.trajectories() != solved) {
     throw geom::InputError(source_, fmt::format("expected {} solved trajectories as in the shards "
                                                 "of runs, found {}",
@@ -180,7 +181,7 @@ Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::Reco
     std::vector<Flown> flown(std::min(kBlock, entries_.size() - first));
     geom::parallel_for(flown.size(), {run.threads, {}}, [&](std::size_t i) {
       const Entry& entry = entries_[first + i];
-      if (entry.record.status != "solved") return;
+      if (entry.record.status != traj::TrajectoryStatus::solved) return;
       flown[i].track.emplace(track_of(entry));
       const double begin = thread_seconds();
       const traj::FlightKeep keep{options_.log_period(), scenes_.has_value()};
@@ -219,7 +220,7 @@ Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::Reco
 traj::TuneResult Mission::tune(const geom::Execution& run) const {
   std::vector<traj::ReferenceTrack> tracks;
   for (const Entry& entry : entries_) {
-    if (entry.record.status != "solved") continue;
+    if (entry.record.status != traj::TrajectoryStatus::solved) continue;
     tracks.push_back(track_of(entry));
   }
   if (tracks.empty()) {

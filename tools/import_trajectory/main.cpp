@@ -27,7 +27,7 @@ struct Importer {
     }
     traj::TrajectoryRecord record;
     record.id = file.id;
-    record.status = "solved";
+    record.status = traj::TrajectoryStatus::solved;
     record.trajectory = closed.trajectory;
     record.provenance = provenance;
     return to_json_line(record);
@@ -41,7 +41,7 @@ struct Importer {
     }
     geom::PathRecord record;
     record.id = file.id;
-    record.status = "found";
+    record.status = geom::PathStatus::found;
     record.points = file.flown.path;
     record.hold = file.flown.hold;
     record.provenance = provenance;

@@ -82,7 +82,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       geom::trim_mapped_files();
     });
     for (const geom::PathRecord& record : records) {
-      planned.found += record.status == "found";
+      planned.found += record.status == geom::PathStatus::found;
       out.add(geom::to_json_line(record));
     }
     out.flush();

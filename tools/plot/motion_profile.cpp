@@ -68,9 +68,9 @@ std::string motion_profile(const traj::TrajectoryRecord& record) {
   const auto jerk = [](const traj::State& s) { return s.jerk.norm(); };
   const auto thrust = [](const traj::State& s) { return traj::flat_state(s, {}).thrust; };
   Figure figure;
-  figure.title =
-      fmt::format("{}: {:.2f} s, {} segments{}", record.id, traj::duration(record.trajectory),
-                  record.trajectory.segments.size(), record.rung.empty() ? "" : ", " + record.rung);
+  figure.title = fmt::format("{}: {:.2f} s, {} segments{}", record.id,
+                             traj::duration(record.trajectory), record.trajectory.segments.size(),
+                             record.rung ? fmt::format(", {}", name(*record.rung)) : "");
   figure.x_label = "time, s";
   figure.panels = {
       position,

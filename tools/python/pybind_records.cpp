@@ -105,7 +105,8 @@ py::object yaw_of(const TrajectoryRecord& record) {
 py::tuple sample(const TrajectoryRecord& record, const py::object& times) {
   const std::span<const double> at = rows(times, 0, "times");
   if (record.trajectory.segments.empty()) {
-    throw py::value_error("sample: the trajectory is empty (" + record.status + ")");
+    throw py::value_error("sample: the trajectory is empty (" + std::string(name(record.status)) +
+                          ")");
   }
   std::array<std::vector<double>, 4> out;
   for (const double t : at) {

@@ -43,7 +43,7 @@ geom::PathRecord path_from(const py::object& object) {
   const auto list = points(object, "path");
   geom::PathRecord record;
   record.id = "q1";
-  record.status = list.empty() ? "unreachable" : "found";
+  record.status = list.empty() ? geom::PathStatus::unreachable : geom::PathStatus::found;
   record.points.assign(list.begin(), list.end());
   return record;
 }
@@ -93,13 +93,13 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   if (!(rho >= 0 && rho <= 1e3)) throw py::value_error("rho: must be within 0 to 1000");
   options.rho = rho;
   const auto yaw = yaw_from(yaw_words, asked[traj::Limit::yaw_rate].has_value(), options.limits);
-  if (record.status != "found") {
+  if (record.status != geom::PathStatus::found) {
     traj::TrajectoryRecord none;
     none.id = record.id;
-    none.status = "no_path";
+    none.status = traj::TrajectoryStatus::no_path;
     none.provenance = record.provenance;
     none.limits = options.limits;
-    none.message = record.message.empty() ? record.status : record.message;
+    none.message = record.message.empty() ? std::string(name(record.status)) : record.message;
     return none;
   }
   const py::gil_scoped_release released;
@@ -116,8 +116,8 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
       agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
   traj::ReportRecord report{record.id, "trajectory", {}, geom::provenance_of(self.scene),
                             {},        {},           {}};
-  if (record.status != "solved") {
-    report.result.reason = record.status;
+  if (record.status != traj::TrajectoryStatus::solved) {
+    report.result.reason = traj::reason_of(record.status);
     return report;
   }
   report.limits = geom::limits_that_hold({asked, record.limits, vehicle.limits});
@@ -133,8 +133,8 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
 traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record, bool exact) {
   agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
   traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}, {}};
-  if (record.status != "found") {
-    report.result.reason = "no_path";
+  if (record.status != geom::PathStatus::found) {
+    report.result.reason = traj::Reason::no_path;
     return report;
   }
   report.result = traj::check_path(self.scene, record.points);

@@ -37,7 +37,7 @@ Paths read_paths(const std::string& path) {
   return out;
 }
 
-bool found(const geom::PathRecord& record) { return record.status == "found"; }
+bool found(const geom::PathRecord& record) { return record.status == geom::PathStatus::found; }
 
 // Whether two records, as far as they are paths, ask for the same scene.
 bool same_scene(const geom::PathRecord& a, const geom::PathRecord& b) {

@@ -23,16 +23,17 @@ Solved solve(const geom::CollisionScene& scene, const geom::PathRecord& path, co
 Solved without_path(const geom::PathRecord& path, const traj::Limits& limits) {
   traj::TrajectoryRecord record;
   record.id = path.id;
-  record.status = "no_path";
+  record.status = traj::TrajectoryStatus::no_path;
   record.provenance = path.provenance;
   record.limits = limits;
-  record.message = path.message.empty() ? path.status : path.message;
+  record.message = path.message.empty() ? std::string(name(path.status)) : path.message;
   return {std::move(record)};
 }
 
 std::string to_text(const Solved& solved, bool with_corridor) {
   const traj::TrajectoryRecord& record = solved.record;
-  std::string out = record.status == "solved" ? record.rung : record.status;
+  const bool solved_one = record.status == traj::TrajectoryStatus::solved && record.rung;
+  std::string out(solved_one ? name(*record.rung) : name(record.status));
   out += '\n' + traj::to_json_line(record);
   if (with_corridor) {
     out += traj::to_json_line(record.id, record.provenance, solved.corridor, kDrawnReach);

@@ -54,7 +54,7 @@ using Counts = std::map<std::string, std::size_t, std::less<>>;  // by rung or s
 
 solving::Solved answer_to(const geom::PathRecord& path, const std::string& source, std::size_t line,
                           const solving::Options& options, cli::Scenes& scenes) {
-  if (path.status != "found") {
+  if (path.status != geom::PathStatus::found) {
     const auto vehicle =
         scenes.profile() ? std::optional(scenes.profile()->vehicle) : path.provenance.vehicle;
     return solving::without_path(path, options.limits_for(vehicle.value_or(geom::Vehicle{})));

@@ -85,7 +85,7 @@ Json motions(const cli::Contents& contents, const LocalFrame& frame, Clearance& 
   const std::size_t count = contents.trajectories.size() + contents.flights.size();
   for (const auto& read : contents.trajectories) {
     const traj::TrajectoryRecord& record = read.record;
-    if (record.status != "solved") continue;
+    if (record.status != traj::TrajectoryStatus::solved) continue;
     const std::size_t samples = samples_of(traj::duration(record.trajectory), count);
     out.push_back(trajectory_layer(read, samples, axes_of(contents, record.provenance), frame,
                                    clearance, bundle));
@@ -103,8 +103,9 @@ Json motions(const cli::Contents& contents, const LocalFrame& frame, Clearance& 
 Json unsolved(const cli::Contents& contents) {
   Json out = Json::array();
   for (const auto& [record, source, line] : contents.trajectories) {
-    if (record.status == "solved") continue;
-    out.push_back({{"id", record.id}, {"status", record.status}, {"message", record.message}});
+    if (record.status == traj::TrajectoryStatus::solved) continue;
+    out.push_back(
+        {{"id", record.id}, {"status", name(record.status)}, {"message", record.message}});
   }
   return out;
 }

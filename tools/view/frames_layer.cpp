@@ -18,7 +18,7 @@ constexpr double kLateness = 1e-6;  // seconds that a frame may be outside the m
 std::vector<render::Motion> motions_of(const cli::Contents& contents) {
   std::vector<render::Motion> out;
   for (const auto& [record, source, line] : contents.trajectories) {
-    if (record.status != "solved") continue;
+    if (record.status != traj::TrajectoryStatus::solved) continue;
     out.emplace_back(record.id, record.trajectory, axes_of(contents, record.provenance));
   }
   for (const auto& [flight, source, line] : contents.flights) out.emplace_back(flight);

@@ -148,7 +148,7 @@ Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& read, std::size_t
     if (angle) yaw.push_back(static_cast<float>(geom::yaw_to_enu(axes, *angle)));
   }
   Json out = {{"kind", "trajectory"}, {"id", record.id}, {"duration", end}, {"samples", samples}};
-  if (!record.rung.empty()) out["rung"] = record.rung;
+  if (record.rung) out["rung"] = name(*record.rung);
   out["segments"] = record.trajectory.segments.size();
   out["limits"] = as_json(traj::limits_of(record));
   out["position"] = added(position, bundle);

@@ -21,7 +21,7 @@ Json tree_layer(const plan::SearchTreeRecord& record, geom::Axes axes, const Loc
 
 Json path_layer(const geom::PathRecord& path, geom::Axes axes, const LocalFrame& frame,
                 Bundle& bundle) {
-  Json out = {{"id", path.id}, {"status", path.status}};
+  Json out = {{"id", path.id}, {"status", name(path.status)}};
   if (!path.message.empty()) out["message"] = path.message;
   if (path.points.empty()) return out;
   std::vector<float> points;

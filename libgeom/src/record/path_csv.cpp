@@ -54,7 +54,7 @@ class Table {
     }
     paths_.emplace_back();
     paths_.back().id = id;
-    paths_.back().status = "found";
+    paths_.back().status = PathStatus::found;
   }
 
   TextLines& lines_;

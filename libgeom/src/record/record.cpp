@@ -169,7 +169,7 @@ std::string to_json_line(const PathRecord& record) {
   std::string line = "{\"type\":\"path\",\"id\":";
   append_json(line, std::string_view(record.id));
   line += ",\"status\":";
-  append_json(line, std::string_view(record.status));
+  append_json(line, name(record.status));
   line += ',';
   append_json(line, record.provenance);
   if (!record.message.empty()) {
@@ -203,12 +203,12 @@ PathRecord parse_path_record(std::string_view json, std::string_view source, std
   fields.require_type("path");
   PathRecord record;
   record.id = fields.text("id");
-  record.status = fields.text("status", "found");
+  record.status = fields.word("status", kPathStatusWords, PathStatus::found);
   record.provenance = fields.provenance();
   record.message = fields.text("message", "");
   if (fields.has("search")) record.search = fields.object().at("search").dump();
   if (fields.has("points")) record.points = fields.points("points");
-  if (record.status == "found" && record.points.empty()) {
+  if (record.status == PathStatus::found && record.points.empty()) {
     fields.refuse("points must hold at least one point when the status is found, found none");
   }
   if (fields.has("kept") || fields.has("mended")) {

@@ -45,6 +45,10 @@ std::string JsonFields::text(const char* key, std::string_view fallback) const {
   return has(key) ? text(key) : std::string(fallback);
 }
 
+void JsonFields::refuse_word(const char* key, const std::string& expected) const {
+  refuse(fmt::format("{} must be one of {}, found {}", key, expected, shown(object_[key])));
+}
+
 double JsonFields::number(const Json& value, std::string_view what) const {
   if (!value.is_number() || !std::isfinite(value.get<double>())) {
     refuse(fmt::format("{} must be a finite number, found {}", what, shown(value)));

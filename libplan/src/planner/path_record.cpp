@@ -6,7 +6,8 @@ namespace plan {
 namespace {
 
 std::string search_report(const PlanResult& result) {
-  std::string out = fmt::format(R"({{"method":"{}","expanded":{})", result.method, result.expanded);
+  std::string out =
+      fmt::format(R"({{"method":"{}","expanded":{})", name(*result.route), result.expanded);
   const auto add = [&](const char* key, const auto& value) {
     out += fmt::format(",\"{}\":", key);
     geom::append_json(out, value);
@@ -33,11 +34,11 @@ geom::PathRecord path_record(const geom::CollisionScene& scene, std::string id,
                              const PlanResult& result) {
   geom::PathRecord record;
   record.id = std::move(id);
-  record.status = name(result.status);
+  record.status = result.status;
   record.points = result.path;
   record.provenance = geom::provenance_of(scene);
   record.message = result.message;
-  if (!result.method.empty()) record.search = search_report(result);
+  if (result.route) record.search = search_report(result);
   return record;
 }
 

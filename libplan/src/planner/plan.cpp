@@ -92,26 +92,6 @@ SamplingMethod sampling(Method method) {
 
 }  // namespace
 
-std::string_view name(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::found:
-      return "found";
-    case PlanStatus::unreachable:
-      return "unreachable";
-    case PlanStatus::start_blocked:
-      return "start_blocked";
-    case PlanStatus::goal_blocked:
-      return "goal_blocked";
-    case PlanStatus::start_outside:
-      return "start_outside";
-    case PlanStatus::goal_outside:
-      return "goal_outside";
-    case PlanStatus::stopped:
-      return "stopped";
-  }
-  return "";
-}
-
 std::string_view name(Method method) {
   switch (method) {
     case Method::automatic:
@@ -278,7 +258,7 @@ PlanResult Planner::search_as_asked(const Vec3& from, const Vec3& to, const Plan
   PlanResult result;
   bool found = false;
   if (options.method == Method::astar) {
-    result.method = "lattice";
+    result.route = Route::lattice;
     if (levels_.empty()) return result;
     found = search_level(*levels_[0], from, to, result);
     if (!found) result.message = why_not(result);
@@ -286,7 +266,7 @@ PlanResult Planner::search_as_asked(const Vec3& from, const Vec3& to, const Plan
     SamplingResult sampled =
         sample_path(scene_, from, to, sampling(options.method), options.sampling);
     found = sampled.found;
-    result.method = name(options.method);
+    result.route = geom::value_of(kRouteWords, name(options.method));
     result.path = std::move(sampled.path);
     result.expanded = sampled.iterations;
     if (options.keep_tree) result.tree = std::move(sampled.tree);
@@ -304,14 +284,14 @@ PlanResult Planner::search_as_asked(const Vec3& from, const Vec3& to, const Plan
 PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   PlanResult result;
   if (scene_.free(from, to)) {
-    result.method = "straight";
+    result.route = Route::straight;
     result.path = {from, to};
     result.steps = {step_of("search", result.path)};
     result.status = PlanStatus::found;
     return result;
   }
   if (roadmap_ && search_roadmap(from, to, options, first_limits(from, to), result)) {
-    result.method = "roadmap";
+    result.route = Route::roadmap;
     result.status = PlanStatus::found;
     if (options.quality == Quality::best && (to - from).norm() < kCloseMost) {
       search_closely(from, to, options, result);
@@ -319,7 +299,7 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
     return result;
   }
   result = search_levels(from, to, options);
-  result.method = "lattice";
+  result.route = Route::lattice;
   if (result.path.empty()) {
     result.message = why_not(result);
     return result;
@@ -328,7 +308,7 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
   if (!polished(options)) return result;
   if (roadmap_ ? search_roadmap(from, to, options, {kCorridorBends}, result)
                : search_corridor(from, to, options, result)) {
-    result.method = roadmap_ ? "roadmap" : "corridor";
+    result.route = roadmap_ ? Route::roadmap : Route::corridor;
   }
   return result;
 }

@@ -99,7 +99,7 @@ class Mender {
       if (plan.status != PlanStatus::found) return std::nullopt;
       if (mends.empty() || plan.expanded > most) {
         most = plan.expanded;
-        report.method = plan.method;
+        report.route = plan.route;
         report.resolution = plan.resolution;
       }
       report.expanded += plan.expanded;

@@ -32,13 +32,13 @@ class Sweep {
   Vec3 extra_;
 };
 
-FlightPathCheck verdict(const geom::CollisionScene& scene, std::string reason, double time,
-                   const Vec3& place) {
+FlightPathCheck verdict(const geom::CollisionScene& scene, Reason reason, double time,
+                        const Vec3& place) {
   FlightPathCheck out;
-  out.reason = std::move(reason);
+  out.reason = reason;
   out.time = time;
   out.place = place;
-  if (out.reason == "bounds") return out;
+  if (out.reason == Reason::bounds) return out;
   if (const auto nearest = scene.nearest(place, scene.half().maxCoeff() + 1)) {
     out.box = nearest->box;
   }
@@ -48,7 +48,7 @@ FlightPathCheck verdict(const geom::CollisionScene& scene, std::string reason, d
 }  // namespace
 
 FlightPathCheck check_flight_path(const geom::CollisionScene& scene, const Quadrotor& quadrotor,
-                       const TiltedVehicle& vehicle, const Flight& flight) {
+                                  const TiltedVehicle& vehicle, const Flight& flight) {
   const geom::Axes axes = scene.map().spec().frame.axes;
   // Between the samples of the air's speed gusts change it by less than 1 m/s, the vehicle by what
   // it accelerates.
@@ -77,9 +77,9 @@ FlightPathCheck check_flight_path(const geom::CollisionScene& scene, const Quadr
       if (sweep.clear(a, b, fine)) continue;
       const bool outside = !sweep.in_bounds(a, 0) || !sweep.in_bounds(b, 0);
       out = verdict(scene,
-                    outside               ? "bounds"
-                    : sweep.touches(a, b) ? "collision"
-                                          : "undecided",
+                    outside               ? Reason::bounds
+                    : sweep.touches(a, b) ? Reason::collision
+                                          : Reason::undecided,
                     static_cast<double>(j) / 1000, a);
       out.between = fine;
       return out;
@@ -91,7 +91,7 @@ FlightPathCheck check_flight_path(const geom::CollisionScene& scene, const Quadr
 }
 
 FlightPathCheck check_tube(const geom::CollisionScene& scene, const Trajectory& trajectory,
-                      std::span<const double> radius, double period) {
+                           std::span<const double> radius, double period) {
   double begin = 0;
   for (const Segment& segment : trajectory.segments) {
     double most = 0;
@@ -113,7 +113,7 @@ FlightPathCheck check_tube(const geom::CollisionScene& scene, const Trajectory& 
       if (!sweep.clear(a, b, stray + sagitta)) {
         const bool outside =
             !sweep.in_bounds(a, stray + sagitta) || !sweep.in_bounds(b, stray + sagitta);
-        return verdict(scene, outside ? "bounds" : "collision", from, a);
+        return verdict(scene, outside ? Reason::bounds : Reason::collision, from, a);
       }
       a = b;
     }

@@ -54,18 +54,18 @@ void check_joints(const geom::CollisionScene& scene, const Trajectory& trajector
     const double gap = (next.point[0] - s.point[kDegree]).norm();
     // Written so that what is not a number is refused.
     if (!(gap <= options.position_gap)) {
-      note(result, "discontinuous", {gap, t, s.point[kDegree]});
+      note(result, Reason::discontinuous, {gap, t, s.point[kDegree]});
     } else if (const double dv = (b.velocity - a.velocity).norm(); !(dv <= options.velocity_gap)) {
-      note(result, "discontinuous", {dv, t, s.point[kDegree]});
+      note(result, Reason::discontinuous, {dv, t, s.point[kDegree]});
     } else if (const double da = (b.acceleration - a.acceleration).norm();
                !(da <= options.acceleration_gap)) {
-      note(result, "discontinuous", {da, t, s.point[kDegree]});
+      note(result, Reason::discontinuous, {da, t, s.point[kDegree]});
     } else if (const double dy = yaw_jump(s, next, 0); !(dy <= options.yaw_gap)) {
-      note(result, "discontinuous", {dy, t, s.point[kDegree]});
+      note(result, Reason::discontinuous, {dy, t, s.point[kDegree]});
     } else if (const double dr = yaw_jump(s, next, 1); !(dr <= options.yaw_rate_gap)) {
-      note(result, "discontinuous", {dr, t, s.point[kDegree]});
+      note(result, Reason::discontinuous, {dr, t, s.point[kDegree]});
     } else if (gap > 0 && scene.hits(s.point[kDegree], next.point[0])) {
-      note(result, "collision", {gap, t, s.point[kDegree]});
+      note(result, Reason::collision, {gap, t, s.point[kDegree]});
     } else {
       continue;
     }
@@ -103,11 +103,11 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
   result.duration = duration(trajectory);
   const std::vector<Piece> pieces = strayed_pieces(trajectory, options.stray);
   check_joints(scene, trajectory, options, result);
-  if (result.reason.empty()) check_place(scene, pieces, result);
+  if (result.reason == Reason::none) check_place(scene, pieces, result);
   check_limits(trajectory, options, result);
   result.jumps = largest_jumps(trajectory);
   result.clearance = least_clearance(scene, pieces);
-  result.ok = result.reason.empty();
+  result.ok = result.reason == Reason::none;
   return result;
 }
 
@@ -135,12 +135,12 @@ CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> 
   for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
   if (points.size() == 1) add(points[0], points[0]);
   if (pieces.empty()) {
-    result.reason = "no_path";
+    result.reason = Reason::no_path;
     return result;
   }
   check_place(scene, pieces, result);
   result.clearance = least_clearance(scene, pieces);
-  result.ok = result.reason.empty();
+  result.ok = result.reason == Reason::none;
   return result;
 }
 

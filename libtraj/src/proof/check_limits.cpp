@@ -213,11 +213,11 @@ class LimitCheck {
   }
 
   void report(const Trajectory& trajectory) const {
-    if (!result_.reason.empty()) return;
+    if (result_.reason != Reason::none) return;
     for (const Limit limit : kOrderOfLimits) {
       if (!broken_[limit]) continue;
       const Extreme at = result_.largest[limit].value_or(Extreme{});
-      result_.reason = kind_of(limit).quantity;
+      result_.reason = broken(limit);
       result_.worst = at.value;
       result_.time = at.time;
       result_.place = evaluate(trajectory, at.time).position;

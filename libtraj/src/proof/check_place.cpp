@@ -252,7 +252,7 @@ void report_collision(const geom::CollisionScene& scene, const std::vector<Piece
   result.looked_at += search.looked_at();
   const Largest worst = search.deepest();
   result.box = search.box_at(worst);
-  note(result, "collision", worst);
+  note(result, Reason::collision, worst);
 }
 
 void report_outside(const geom::CollisionScene& scene, const std::vector<Piece>& bad,
@@ -266,12 +266,12 @@ void report_outside(const geom::CollisionScene& scene, const std::vector<Piece>&
     return e;
   };
   search_largest(bad, 1e-6, out, worst);
-  note(result, "bounds", worst);
+  note(result, Reason::bounds, worst);
 }
 
 }  // namespace
 
-void note(CheckResult& result, std::string_view reason, const Largest& worst) {
+void note(CheckResult& result, Reason reason, const Largest& worst) {
   result.reason = reason;
   result.time = worst.time;
   result.place = worst.place;

@@ -11,7 +11,7 @@
 namespace traj {
 
 // Notes `reason` and the worst of it.
-void note(CheckResult& result, std::string_view reason, const Largest& worst);
+void note(CheckResult& result, Reason reason, const Largest& worst);
 
 // Notes where the pieces leave the bounds furthest; if none does, where one is deepest in an
 // obstacle, unless all are shown to be clear. Costs what lies near the curve, not what lies in the

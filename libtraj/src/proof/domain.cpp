@@ -39,27 +39,28 @@ std::optional<double> odd_limit(const Limits& limits) {
 }  // namespace
 
 std::optional<OutsideDomain> outside_domain(const Trajectory& trajectory, const Limits& limits) {
-  if (trajectory.segments.empty()) return OutsideDomain{"duration"};
+  if (trajectory.segments.empty()) return OutsideDomain{Reason::duration};
   double time = 0;
   for (const Segment& segment : trajectory.segments) {
     const double end = time + segment.duration;
     if (!within(segment.duration, kShortestSegment, kLongestTrajectory) ||
         end > kLongestTrajectory) {
-      return OutsideDomain{"duration", segment.duration, time};
+      return OutsideDomain{Reason::duration, segment.duration, time};
     }
     if (const auto value = odd_coordinate(segment)) {
-      return OutsideDomain{"coordinates", *value, time};
+      return OutsideDomain{Reason::coordinates, *value, time};
     }
     time = end;
   }
-  if (const auto limit = odd_limit(limits)) return OutsideDomain{"limits", *limit};
+  if (const auto limit = odd_limit(limits)) return OutsideDomain{Reason::limits, *limit};
   return std::nullopt;
 }
 
 std::optional<OutsideDomain> outside_domain(std::span<const Vec3> points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (const double value : points[i]) {
-      if (!is_coordinate(value)) return OutsideDomain{"coordinates", value, static_cast<double>(i)};
+      if (!is_coordinate(value))
+        return OutsideDomain{Reason::coordinates, value, static_cast<double>(i)};
     }
   }
   return std::nullopt;

@@ -15,9 +15,8 @@ namespace {
 constexpr double kStanding = 1e-3;  // m: what stands touches, so the check begins above
 constexpr double kSlack = 1e-3;     // relative, on limits
 
-void refuse(CheckResult& result, std::string_view reason, double time, const Vec3& place,
-            double worst) {
-  if (!result.reason.empty()) return;
+void refuse(CheckResult& result, Reason reason, double time, const Vec3& place, double worst) {
+  if (result.reason != Reason::none) return;
   result.ok = false;
   result.reason = reason;
   result.time = time;
@@ -95,7 +94,7 @@ class SetpointCheck {
     if (!extreme || sure > extreme->value) extreme = {sure, time_};
     const std::optional<double>& most = limits_[limit];
     if (most && sure > *most * (1 + kSlack)) {
-      refuse(result_, kind_of(limit).quantity, time_, place_, sure);
+      refuse(result_, broken(limit), time_, place_, sure);
     }
   }
 
@@ -157,7 +156,7 @@ void check_legs(const geom::Polyline& way, double speed, const Limits& limits,
       if (value > extreme->value) extreme = {value, index};
       const std::optional<double>& most = limits[limit];
       if (most && value > *most * (1 + kSlack)) {
-        refuse(result, kind_of(limit).quantity, index, way[i - 1], value);
+        refuse(result, broken(limit), index, way[i - 1], value);
       }
     };
     hold(Limit::speed, speed);
@@ -176,11 +175,11 @@ void check_envelope(const Flown& flown, CheckResult& result) {
     const double leg = static_cast<double>(i + ascent) - 1;
     const double height = p.z() - home.z();
     const double away = (p - home).norm();
-    if (height > envelope.ceiling) refuse(result, "ceiling", std::max(leg, 0.0), p, height);
-    if (away > envelope.range) refuse(result, "range", std::max(leg, 0.0), p, away);
+    if (height > envelope.ceiling) refuse(result, Reason::ceiling, std::max(leg, 0.0), p, height);
+    if (away > envelope.range) refuse(result, Reason::range, std::max(leg, 0.0), p, away);
   }
   if (flown.airborne > envelope.endurance) {
-    refuse(result, "endurance", static_cast<double>(flown.path.size() - 1 + ascent),
+    refuse(result, Reason::endurance, static_cast<double>(flown.path.size() - 1 + ascent),
            flown.path.back(), flown.airborne);
   }
 }
@@ -201,14 +200,14 @@ CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, con
   if (!way) {
     CheckResult result;
     const double room = flown.path.front().z() - *flown.ends.takeoff_from;
-    refuse(result, "takeoff", 0, flown.path.front(), room);
+    refuse(result, Reason::takeoff, 0, flown.path.front(), room);
     return result;
   }
   CheckResult result = check_path(scene, *way, strays(flown, way->size()));
   if (flown.speed) check_legs(*way, *flown.speed, limits, result);
   if (flown.envelope) check_envelope(flown, result);
   if (flown.returns) {
-    refuse(result, "return", static_cast<double>(way->size()) - 1, way->back(), 0);
+    refuse(result, Reason::return_home, static_cast<double>(way->size()) - 1, way->back(), 0);
   }
   result.duration = flown.airborne;
   return result;

@@ -16,7 +16,7 @@ void append_text(std::string& out, std::string_view key, std::string_view value)
 
 // `"reason":…` and where, of what is not clear.
 void append_violation(std::string& out, const FlightPathCheck& check, const geom::BoxMap* map) {
-  append_text(out, "reason", check.reason);
+  append_text(out, "reason", name(check.reason));
   append_number(out, "time", check.time);
   out += ",\"place\":";
   geom::append_json(out, check.place);
@@ -24,7 +24,7 @@ void append_violation(std::string& out, const FlightPathCheck& check, const geom
 }
 
 void append_failure(std::string& out, const FlightReport& r, const geom::BoxMap* map) {
-  if (r.status != "solved") return append_text(out, "reason", r.status);
+  if (r.status != TrajectoryStatus::solved) return append_text(out, "reason", name(r.status));
   if (r.lost) {
     append_text(out, "reason", "lost");
     return append_number(out, "time", *r.lost);
@@ -116,8 +116,8 @@ void append_conditions(std::string& out, const FlightOptions& o) {
 }  // namespace
 
 bool accepted(const FlightReport& r) {
-  return r.status == "solved" && !r.lost && (!r.check || r.check->clear) && r.tube.lost == 0 &&
-         (!r.tube_check || r.tube_check->clear);
+  return r.status == TrajectoryStatus::solved && !r.lost && (!r.check || r.check->clear) &&
+         r.tube.lost == 0 && (!r.tube_check || r.tube_check->clear);
 }
 
 std::string to_json_line(const FlightReport& r, const Airframe& airframe, const geom::BoxMap* map) {
@@ -126,7 +126,7 @@ std::string to_json_line(const FlightReport& r, const Airframe& airframe, const 
   const bool ok = accepted(r);
   out += ok ? ",\"ok\":true" : ",\"ok\":false";
   if (!ok) append_failure(out, r, map);
-  if (r.status == "solved") {
+  if (r.status == TrajectoryStatus::solved) {
     append_number(out, "duration", r.duration);
     if (r.tracking) {
       append_tracking(out, *r.tracking);

@@ -39,7 +39,7 @@ void append_not_measured(std::string& out, const ReportRecord& record) {
 
 void append_violation(std::string& out, const CheckResult& result, const geom::BoxMap& map) {
   out += ",\"reason\":";
-  geom::append_json(out, std::string_view(result.reason));
+  geom::append_json(out, name(result.reason));
   append_number(out, "time", result.time);
   out += ",\"place\":";
   geom::append_json(out, result.place);
@@ -63,7 +63,7 @@ void append_exact(std::string& out, const ReportRecord& record, const geom::BoxM
   out += exact.ok ? "true" : "false";
   if (!exact.ok) {
     out += ",\"reason\":";
-    geom::append_json(out, std::string_view(exact.reason));
+    geom::append_json(out, name(exact.reason));
     if (exact.undecided) out += ",\"undecided\":true";
     append_number(out, "time", exact.time);
     out += ",\"place\":";
@@ -126,7 +126,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   line += accepted(record) ? ",\"ok\":true" : ",\"ok\":false";
   if (!result.ok && !result.clearance && result.duration == 0) {
     line += ",\"reason\":";
-    geom::append_json(line, std::string_view(result.reason));
+    geom::append_json(line, name(result.reason));
   } else if (!result.ok) {
     append_violation(line, result, map);
   } else if (!accepted(record)) {  // never, unless one of the two checks is wrong

@@ -28,7 +28,8 @@ TrajectoryRecord trajectory_record(const geom::CollisionScene& scene, std::strin
   record.id = std::move(id);
   record.provenance = geom::provenance_of(scene);
   record.limits = limits;
-  record.status = result.status == SolveStatus::solved ? "solved" : "infeasible";
+  record.status = result.status == SolveStatus::solved ? TrajectoryStatus::solved
+                                                       : TrajectoryStatus::infeasible;
   record.message = result.reason;
   record.trajectory = result.trajectory;
   record.rung = result.rung;

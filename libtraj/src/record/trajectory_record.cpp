@@ -79,16 +79,16 @@ std::string to_json_line(const TrajectoryRecord& record) {
   std::string line = "{\"type\":\"trajectory\",\"id\":";
   geom::append_json(line, std::string_view(record.id));
   line += ",\"status\":";
-  geom::append_json(line, std::string_view(record.status));
+  geom::append_json(line, name(record.status));
   line += ',';
   if (!record.trajectory.segments.empty()) {
     line += "\"duration\":";
     geom::append_json(line, duration(record.trajectory));
     line += ',';
   }
-  if (!record.rung.empty()) {
+  if (record.rung) {
     line += "\"rung\":";
-    geom::append_json(line, std::string_view(record.rung));
+    geom::append_json(line, name(*record.rung));
     line += ',';
   }
   geom::append_json(line, record.provenance);
@@ -114,11 +114,11 @@ TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view
   fields.require_type("trajectory");
   TrajectoryRecord record;
   record.id = fields.text("id");
-  record.status = fields.text("status", "solved");
+  record.status = fields.word("status", kTrajectoryStatusWords, TrajectoryStatus::solved);
   record.provenance = fields.provenance();
   record.limits = fields.limits();
   record.message = fields.text("message", "");
-  record.rung = fields.text("rung", "");
+  if (fields.has("rung")) record.rung = fields.word("rung", kRungWords, Rung::closed);
   if (fields.has("solver")) record.solver = fields.object()["solver"].dump();
   if (fields.has("segments")) {
     const Json& list = fields.object()["segments"];
@@ -131,7 +131,7 @@ TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view
     fields.refuse(fmt::format("the segments must last at most {} s in all, found {} s",
                               kLongestTrajectory, duration(record.trajectory)));
   }
-  if (record.status == "solved" && record.trajectory.segments.empty()) {
+  if (record.status == TrajectoryStatus::solved && record.trajectory.segments.empty()) {
     fields.refuse("segments must not be empty when the status is solved, found none");
   }
   return record;

@@ -49,7 +49,7 @@ double fastest(const geom::Polyline& path, const Limits& limits) {
 }
 
 std::string words(const CheckResult& verdict) {
-  return verdict.reason + " at " + std::to_string(verdict.time) + " s";
+  return std::string(name(verdict.reason)) + " at " + std::to_string(verdict.time) + " s";
 }
 
 // Counts the proof, and notes the reason where it fails.
@@ -61,7 +61,7 @@ bool proved(const geom::CollisionScene& scene, const Trajectory& trajectory, con
   return verdict.ok;
 }
 
-void accept(const Trajectory& trajectory, const std::string& rung, SolveResult& result) {
+void accept(const Trajectory& trajectory, Rung rung, SolveResult& result) {
   result.status = SolveStatus::solved;
   result.reason.clear();
   result.trajectory = trajectory;
@@ -131,7 +131,8 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
     const bool asked = !all || options.times || given;
     const double most = asked ? kNoEnd : kNearlyAsFast * fastest(path, options.limits);
     if (closed && duration(*closed) <= most) {
-      if (proved(scene, *closed, options.limits, result)) return accept(*closed, "closed", result);
+      if (proved(scene, *closed, options.limits, result))
+        return accept(*closed, Rung::closed, result);
       closed.reset();
     }
   }
@@ -142,21 +143,16 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
   if (all || options.solver == Solver::ipopt) {
     const double most = all ? duration(stop_and_go(path, options.limits)) : kNoEnd;
     const auto curve = optimised(scene, path, options, most, result);
-    if (curve) return accept(*curve, "ipopt", result);
+    if (curve) return accept(*curve, Rung::ipopt, result);
   }
   if (all || options.solver == Solver::stop_and_go) {
     const Trajectory curve = stop_and_go(path, options.limits);
     if (closed && duration(*closed) <= duration(curve) &&
         proved(scene, *closed, options.limits, result)) {
-      return accept(*closed, "closed", result);
+      return accept(*closed, Rung::closed, result);
     }
-    if (proved(scene, curve, options.limits, result)) accept(curve, "stop_and_go", result);
+    if (proved(scene, curve, options.limits, result)) accept(curve, Rung::stop_and_go, result);
   }
-}
-
-int rank(const std::string& rung) {
-  if (rung == "stop_and_go") return 2;
-  return rung == "ipopt" ? 1 : 0;
 }
 
 // Flies `part` after what `whole` has already.
@@ -167,7 +163,7 @@ void append(const SolveResult& part, SolveResult& whole) {
   whole.proofs += part.proofs;
   whole.objective = std::max(whole.objective, part.objective);
   whole.max_violation = std::max(whole.max_violation, part.max_violation);
-  if (whole.rung.empty() || rank(part.rung) > rank(whole.rung)) whole.rung = part.rung;
+  whole.rung = std::max(whole.rung, part.rung);  // none is the least
   whole.corridor.insert(whole.corridor.end(), part.corridor.begin(), part.corridor.end());
   auto& segments = whole.trajectory.segments;
   segments.insert(segments.end(), part.trajectory.segments.begin(), part.trajectory.segments.end());
@@ -201,12 +197,12 @@ SolveResult solve_with_holds(const geom::CollisionScene& scene, std::vector<Wayp
     }
     first = i;
   }
-  if (whole.rung.empty()) whole.rung = "closed";
+  if (!whole.rung) whole.rung = Rung::closed;
   if (proved(scene, whole.trajectory, options.limits, whole)) {
-    accept(Trajectory(whole.trajectory), std::string(whole.rung), whole);
+    accept(Trajectory(whole.trajectory), *whole.rung, whole);
   } else {
     whole.trajectory = {};
-    whole.rung.clear();
+    whole.rung.reset();
   }
   return whole;
 }

@@ -57,7 +57,7 @@ double held_turn_rate(const Trajectory& trajectory, double factor, double most) 
     options.limits[Limit::body_rate] = most * (1 - kSlack);
     CheckResult result;
     check_limits(slowed(trajectory, factor), options, result);
-    if (result.reason.empty()) break;
+    if (result.reason == Reason::none) break;
     const double over = result.largest[Limit::body_rate]->value / most;
     factor *= std::isfinite(over) ? std::clamp(cube_root(over), 1 + 1e-6, 2.0) : 2;
   }

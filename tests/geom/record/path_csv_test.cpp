@@ -27,7 +27,7 @@ TEST(PathCsv, ReadsPathsByTheirIds) {
   const auto paths = read("id,x_m,y_m,z_m\r\na,1,2,3\r\na,4,5,6\r\nb;7;8;9\r\n");
   ASSERT_EQ(paths.size(), 2u);
   EXPECT_EQ(paths[0].id, "a");
-  EXPECT_EQ(paths[0].status, "found");
+  EXPECT_EQ(paths[0].status, geom::PathStatus::found);
   EXPECT_EQ(paths[0].points, (Polyline{{1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(paths[1].points, (Polyline{{7, 8, 9}}));
 }

@@ -22,7 +22,7 @@ std::string refusal(const std::string& extra) {
 TEST(PathRecord, CarriesHoldsAndVelocitiesThereAndBack) {
   PathRecord record;
   record.id = "a";
-  record.status = "found";
+  record.status = geom::PathStatus::found;
   record.points = {Vec3(0, 0, 0), Vec3(1, 0, 0)};
   record.hold = {0, 2.5};
   record.velocity = {Vec3(0.1, 0, -1), std::nullopt};

@@ -30,7 +30,7 @@ PlanResult plan_in(const geom::BoxMap& map, const Vec3& from, const Vec3& to,
 
 TEST(Plan, GoesStraightWhereItCan) {
   const PlanResult result = plan_in(walled(true), {10, 30, 10}, {90, 30, 10});
-  EXPECT_EQ(result.status, PlanStatus::found);
+  EXPECT_EQ(result.status, PathStatus::found);
   EXPECT_EQ(result.method, "straight");
   EXPECT_EQ(result.path.size(), 2u);
 }
@@ -38,7 +38,7 @@ TEST(Plan, GoesStraightWhereItCan) {
 TEST(Plan, FindsTheHoleAndEveryLegIsFree) {
   const CollisionScene scene(walled(true), {"box", {1, 1, 1}}, 0);
   const PlanResult result = plan_in(walled(true), {10, 5, 10}, {90, 5, 10}, {.resample = 5});
-  ASSERT_EQ(result.status, PlanStatus::found);
+  ASSERT_EQ(result.status, PathStatus::found);
   EXPECT_EQ(result.path.front(), Vec3(10, 5, 10));
   EXPECT_EQ(result.path.back(), Vec3(90, 5, 10));
   EXPECT_LT(geom::length(result.path), 95);
@@ -51,19 +51,19 @@ TEST(Plan, FindsTheHoleAndEveryLegIsFree) {
 }
 
 TEST(Plan, SaysWhyNot) {
-  EXPECT_EQ(plan_in(walled(false), {10, 5, 10}, {90, 5, 10}).status, PlanStatus::unreachable);
-  EXPECT_EQ(plan_in(walled(true), {50, 5, 10}, {90, 5, 10}).status, PlanStatus::start_blocked);
-  EXPECT_EQ(plan_in(walled(true), {10, 5, 10}, {50, 5, 10}).status, PlanStatus::goal_blocked);
-  EXPECT_EQ(plan_in(walled(true), {-10, 5, 10}, {50, 5, 10}).status, PlanStatus::start_outside);
+  EXPECT_EQ(plan_in(walled(false), {10, 5, 10}, {90, 5, 10}).status, PathStatus::unreachable);
+  EXPECT_EQ(plan_in(walled(true), {50, 5, 10}, {90, 5, 10}).status, PathStatus::start_blocked);
+  EXPECT_EQ(plan_in(walled(true), {10, 5, 10}, {50, 5, 10}).status, PathStatus::goal_blocked);
+  EXPECT_EQ(plan_in(walled(true), {-10, 5, 10}, {50, 5, 10}).status, PathStatus::start_outside);
   const PlanResult outside = plan_in(walled(true), {10, 5, 10}, {99.5, 5, 10});
-  EXPECT_EQ(outside.status, PlanStatus::goal_outside);
+  EXPECT_EQ(outside.status, PathStatus::goal_outside);
   EXPECT_NE(outside.message.find("the nearest free point is 0.500 m away"), std::string::npos)
       << outside.message;
 }
 
 TEST(Plan, SnapsEndsWhenAskedAndRecordsIt) {
   const PlanResult result = plan_in(walled(true), {47.5, 5, 10}, {90, 5, 10}, {.snap_ends = 1});
-  ASSERT_EQ(result.status, PlanStatus::found);
+  ASSERT_EQ(result.status, PathStatus::found);
   ASSERT_TRUE(result.snapped_start);
   EXPECT_FALSE(result.snapped_goal);
   EXPECT_NEAR(result.snapped_start->x(), 46.999, 1e-6);
@@ -108,7 +108,7 @@ TEST(Shortcut, NeverLengthensAndKeepsTheEnds) {
     const Vec3 a(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(2, 30));
     const Vec3 b(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(2, 30));
     const PlanResult raw = planner.plan(a, b, {.raw = true});
-    if (raw.status != PlanStatus::found || raw.method == "straight") continue;
+    if (raw.status != PathStatus::found || raw.method == "straight") continue;
     const geom::Polyline path = shortcut(scene, raw.path);
     EXPECT_LE(geom::length(path), geom::length(raw.path));
     EXPECT_EQ(path.front(), a);

@@ -35,7 +35,7 @@ void expect_free(const geom::CollisionScene& scene, const geom::Polyline& path) 
 TEST(Planner, IsTheStraightLineWhereThatIsFree) {
   const auto scene = tower();
   const PlanResult result = planned(scene, {2, 2, 2}, {38, 2, 2});
-  EXPECT_EQ(result.status, PlanStatus::found);
+  EXPECT_EQ(result.status, PathStatus::found);
   EXPECT_EQ(result.method, "straight");
   EXPECT_EQ(result.resolution, 0);
   EXPECT_EQ(result.path, (geom::Polyline{{2, 2, 2}, {38, 2, 2}}));
@@ -64,7 +64,7 @@ TEST(Planner, RefusesEndsAndLengthsThatAreNone) {
 TEST(Planner, GoesRoundAnObstacle) {
   const auto scene = tower();
   const PlanResult result = planned(scene, {2, 20, 5}, {38, 20, 5});
-  ASSERT_EQ(result.status, PlanStatus::found);
+  ASSERT_EQ(result.status, PathStatus::found);
   EXPECT_EQ(result.method, "corridor");
   EXPECT_GT(result.resolution, 0);
   EXPECT_EQ(result.path.front(), Vec3(2, 20, 5));
@@ -77,7 +77,7 @@ TEST(Planner, GoesRoundAnObstacle) {
 TEST(Planner, GoesOverAWall) {
   const auto scene = wall();
   const PlanResult result = planned(scene, {2, 20, 5}, {38, 20, 5});
-  ASSERT_EQ(result.status, PlanStatus::found);
+  ASSERT_EQ(result.status, PathStatus::found);
   expect_free(scene, result.path);
 }
 
@@ -85,7 +85,7 @@ TEST(Planner, RawIsTheLatticePath) {
   const auto scene = tower();
   const PlanResult raw = planned(scene, {2, 20, 5}, {38, 20, 5}, {.raw = true});
   const PlanResult shorter = planned(scene, {2, 20, 5}, {38, 20, 5});
-  ASSERT_EQ(raw.status, PlanStatus::found);
+  ASSERT_EQ(raw.status, PathStatus::found);
   expect_free(scene, raw.path);
   EXPECT_GT(raw.path.size(), shorter.path.size());
   EXPECT_GT(geom::length(raw.path), geom::length(shorter.path));
@@ -94,7 +94,7 @@ TEST(Planner, RawIsTheLatticePath) {
 TEST(Planner, ResamplesWhatItFinds) {
   const auto scene = tower();
   const PlanResult result = planned(scene, {2, 20, 5}, {38, 20, 5}, {.resample = 0.5});
-  ASSERT_EQ(result.status, PlanStatus::found);
+  ASSERT_EQ(result.status, PathStatus::found);
   expect_free(scene, result.path);
   for (std::size_t i = 1; i < result.path.size(); ++i) {
     EXPECT_LE((result.path[i] - result.path[i - 1]).norm(), 0.5 + 1e-9);
@@ -103,7 +103,7 @@ TEST(Planner, ResamplesWhatItFinds) {
 
 TEST(Planner, IsUnreachableThroughASealedWallAndStatesTheResolution) {
   const PlanResult result = planned(sealed(), {2, 20, 5}, {38, 20, 5});
-  EXPECT_EQ(result.status, PlanStatus::unreachable);
+  EXPECT_EQ(result.status, PathStatus::unreachable);
   EXPECT_TRUE(result.path.empty());
   EXPECT_GT(result.resolution, 0);
   EXPECT_NE(result.message.find("no path on a lattice of"), std::string::npos);
@@ -112,11 +112,11 @@ TEST(Planner, IsUnreachableThroughASealedWallAndStatesTheResolution) {
 TEST(Planner, SaysThatAnEndIsBlockedAndHowFarTheNearestFreePointIs) {
   const auto scene = tower();
   const PlanResult start = planned(scene, {14.5, 20, 5}, {38, 20, 5});
-  EXPECT_EQ(start.status, PlanStatus::start_blocked);
+  EXPECT_EQ(start.status, PathStatus::start_blocked);
   EXPECT_EQ(start.message,
             "start (14.5, 20, 5) is inside obstacle 1; the nearest free point is 0.501 m away");
   const PlanResult goal = planned(scene, {2, 20, 5}, {20, 20, 29});
-  EXPECT_EQ(goal.status, PlanStatus::goal_blocked);
+  EXPECT_EQ(goal.status, PathStatus::goal_blocked);
   EXPECT_NE(goal.message.find("goal (20, 20, 29) is inside obstacle 1"), std::string::npos);
   EXPECT_NE(goal.message.find("2.001 m away"), std::string::npos);
 }
@@ -124,27 +124,27 @@ TEST(Planner, SaysThatAnEndIsBlockedAndHowFarTheNearestFreePointIs) {
 TEST(Planner, SaysThatAnEndIsOutside) {
   const auto scene = tower();
   const PlanResult start = planned(scene, {0.5, 5, 5}, {38, 20, 5});
-  EXPECT_EQ(start.status, PlanStatus::start_outside);
+  EXPECT_EQ(start.status, PathStatus::start_outside);
   EXPECT_NE(start.message.find("outside the bounds; the nearest free point is 0.500 m"),
             std::string::npos);
-  EXPECT_EQ(planned(scene, {2, 20, 5}, {1e6, 0, 0}).status, PlanStatus::goal_outside);
+  EXPECT_EQ(planned(scene, {2, 20, 5}, {1e6, 0, 0}).status, PathStatus::goal_outside);
   const auto no_room = scene_of({}, kCube, {21, 1, 1});
-  EXPECT_EQ(planned(no_room, {20, 20, 5}, {20, 20, 5}).status, PlanStatus::start_outside);
+  EXPECT_EQ(planned(no_room, {20, 20, 5}, {20, 20, 5}).status, PathStatus::start_outside);
 }
 
 TEST(Planner, TouchingAnObstacleIsBlockedAndTouchingTheBoundsIsNot) {
   const auto scene = tower();
-  EXPECT_EQ(planned(scene, {14, 20, 5}, {2, 20, 5}).status, PlanStatus::start_blocked);
-  EXPECT_EQ(planned(scene, {1, 1, 1}, {1, 1, 39}).status, PlanStatus::found);
+  EXPECT_EQ(planned(scene, {14, 20, 5}, {2, 20, 5}).status, PathStatus::start_blocked);
+  EXPECT_EQ(planned(scene, {1, 1, 1}, {1, 1, 39}).status, PathStatus::found);
 }
 
 TEST(Planner, SnapsEndsWithinTheDistanceAskedFor) {
   const auto scene = tower();
   const Vec3 inside(14.5, 20, 5);
   const Vec3 outside(40, 20, 5);
-  EXPECT_EQ(planned(scene, inside, outside, {.snap_ends = 0.4}).status, PlanStatus::start_blocked);
+  EXPECT_EQ(planned(scene, inside, outside, {.snap_ends = 0.4}).status, PathStatus::start_blocked);
   const PlanResult result = planned(scene, inside, outside, {.snap_ends = 1.5});
-  ASSERT_EQ(result.status, PlanStatus::found);
+  ASSERT_EQ(result.status, PathStatus::found);
   ASSERT_TRUE(result.snapped_start && result.snapped_goal);
   EXPECT_NEAR((*result.snapped_start - inside).norm(), 0.501, 1e-6);
   EXPECT_EQ(*result.snapped_goal, Vec3(39, 20, 5));
@@ -157,7 +157,7 @@ TEST(Planner, WorksOnMapsSmallerThanAnySpacing) {
   const auto room =
       scene_of({{{1, -1, -1}, {1.1, 2.5, 4}}}, {{0, 0, 0}, {2, 3, 2.5}}, {0.1, 0.1, 0.05});
   const PlanResult result = planned(room, {0.3, 0.3, 1}, {1.8, 0.3, 1});
-  ASSERT_EQ(result.status, PlanStatus::found) << result.message;
+  ASSERT_EQ(result.status, PathStatus::found) << result.message;
   expect_free(room, result.path);
   EXPECT_LT(result.resolution, 1);
 }
@@ -165,7 +165,7 @@ TEST(Planner, WorksOnMapsSmallerThanAnySpacing) {
 TEST(Planner, WorksOnFlatMaps) {
   const auto flat = scene_of({{{40, -1, -1}, {60, 80, 9}}}, {{0, 0, 0}, {100, 100, 2}}, {1, 1, 1});
   const PlanResult result = planned(flat, {5, 5, 1}, {95, 5, 1});
-  ASSERT_EQ(result.status, PlanStatus::found) << result.message;
+  ASSERT_EQ(result.status, PathStatus::found) << result.message;
   expect_free(flat, result.path);
 }
 
@@ -174,7 +174,7 @@ TEST(Planner, LooksOnlyAroundTheQueryOnLargeMaps) {
   const auto scene = scene_of({{{10000, -1, -1}, {10100, 40001, 400}}}, bounds, {1, 1, 1});
   Planner planner(scene, nullptr);
   const PlanResult result = planner.plan({9900, 20000, 50}, {10200, 20000, 50}, {});
-  ASSERT_EQ(result.status, PlanStatus::found) << result.message;
+  ASSERT_EQ(result.status, PathStatus::found) << result.message;
   EXPECT_EQ(result.resolution, 10);
   expect_free(scene, result.path);
 }
@@ -184,7 +184,7 @@ TEST(Planner, CoarsensUntilThereIsAWayRound) {
   const auto scene = scene_of({{{10000, -1, -1}, {10100, 26000, 501}}}, bounds, {1, 1, 1});
   Planner planner(scene, nullptr);
   const PlanResult result = planner.plan({9900, 20000, 50}, {10200, 20000, 50}, {});
-  ASSERT_EQ(result.status, PlanStatus::found) << result.message;
+  ASSERT_EQ(result.status, PathStatus::found) << result.message;
   EXPECT_GT(result.resolution, 10);
   expect_free(scene, result.path);
 }
@@ -193,7 +193,7 @@ TEST(Planner, SearchesOnTheLatticeGiven) {
   const auto scene = tower();
   const Lattice lattice = build_lattice(scene, {3, Connectivity::six, {1, 1, 1}});
   const PlanResult result = Planner(scene, &lattice).plan({2, 20, 5}, {38, 20, 5}, {});
-  ASSERT_EQ(result.status, PlanStatus::found);
+  ASSERT_EQ(result.status, PathStatus::found);
   EXPECT_EQ(result.resolution, 3);
   expect_free(scene, result.path);
 }

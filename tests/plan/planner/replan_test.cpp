@@ -36,7 +36,7 @@ ReplanResult replanned(const geom::CollisionScene& scene, const Polyline& path,
 void expect_sound(const geom::CollisionScene& scene, const Polyline& old,
                   const ReplanResult& result) {
   const Polyline& path = result.plan.path;
-  if (result.plan.status != PlanStatus::found) {
+  if (result.plan.status != PathStatus::found) {
     EXPECT_TRUE(path.empty() && result.origin.kept.empty() && result.origin.mended.empty());
     return;
   }
@@ -68,7 +68,7 @@ TEST(Replan, KeepsAFreePathAsItIs) {
   const auto scene = scene_of({{{40, 0, 0}, {60, 40, 40}}}, kBounds, kHalf);
   const Polyline old = {{10, 10, 5}, {30, 70, 5}, {30, 70, 5}, {70, 70, 9}, {90, 10, 5}};
   const ReplanResult result = replanned(scene, old);
-  EXPECT_EQ(result.plan.status, PlanStatus::found);
+  EXPECT_EQ(result.plan.status, PathStatus::found);
   EXPECT_EQ(result.plan.path, old);
   EXPECT_EQ(result.origin.kept, (std::vector<LegRange>{{0, 4}}));
   EXPECT_TRUE(result.origin.mended.empty());
@@ -101,17 +101,17 @@ TEST(Replan, SaysWhichEndIsBlockedOrOutside) {
   const auto scene = scene_of({{{0, 0, 0}, {20, 20, 20}}}, kBounds, kHalf);
   const Vec3 inside(10, 10, 10);
   const Vec3 free(50, 50, 10);
-  EXPECT_EQ(replanned(scene, {inside, free}).plan.status, PlanStatus::start_blocked);
-  EXPECT_EQ(replanned(scene, {free, {60, 60, 10}, inside}).plan.status, PlanStatus::goal_blocked);
-  EXPECT_EQ(replanned(scene, {inside}).plan.status, PlanStatus::start_blocked);
-  EXPECT_EQ(replanned(scene, {free, {50, 50, 400}}).plan.status, PlanStatus::goal_outside);
+  EXPECT_EQ(replanned(scene, {inside, free}).plan.status, PathStatus::start_blocked);
+  EXPECT_EQ(replanned(scene, {free, {60, 60, 10}, inside}).plan.status, PathStatus::goal_blocked);
+  EXPECT_EQ(replanned(scene, {inside}).plan.status, PathStatus::start_blocked);
+  EXPECT_EQ(replanned(scene, {free, {50, 50, 400}}).plan.status, PathStatus::goal_outside);
   EXPECT_EQ(replanned(scene, {free}).plan.path, Polyline{free});
 }
 
 TEST(Replan, SaysWhereThereIsNoWay) {
   const auto scene = scene_of({{{48, -1, -1}, {52, 101, 41}}}, kBounds, kHalf);
   const ReplanResult result = replanned(scene, {{10, 50, 5}, {40, 50, 5}, {90, 50, 5}});
-  EXPECT_EQ(result.plan.status, PlanStatus::unreachable);
+  EXPECT_EQ(result.plan.status, PathStatus::unreachable);
   EXPECT_TRUE(result.origin.kept.empty());
 }
 
@@ -134,7 +134,7 @@ TEST(Replan, PlansAnewWhereAMendWouldBeMuchLonger) {
 geom::PathRecord record_of(const Polyline& points) {
   geom::PathRecord record;
   record.id = "q1";
-  record.status = "found";
+  record.status = geom::PathStatus::found;
   record.points = points;
   return record;
 }
@@ -163,7 +163,7 @@ TEST(ReplannedRecord, KeepsTheHoldsThatAreLeftAndSaysWhichAreLost) {
   old.velocity = {{}, Vec3(1, 0, 0), {}, Vec3(1, 0, 0), {}, {}};
   const ReplannedRecord replanned = replanned_of(scene, old);
   const geom::PathRecord& record = replanned.record;
-  ASSERT_EQ(record.status, "found");
+  ASSERT_EQ(record.status, geom::PathStatus::found);
   ASSERT_EQ(record.hold.size(), record.points.size());
   ASSERT_EQ(record.velocity.size(), record.points.size());
   double total = 0;
@@ -211,7 +211,7 @@ TEST_P(ReplanProperty, IsSoundForAnyChange) {
       geom::PathRecord record = record_of(old.path);
       record.hold.assign(old.path.size(), 1);
       const ReplannedRecord carried = replanned_record(after, record, result);
-      if (result.plan.status == PlanStatus::found) {
+      if (result.plan.status == PathStatus::found) {
         EXPECT_EQ(std::accumulate(carried.record.hold.begin(), carried.record.hold.end(), 0.0) +
                       static_cast<double>(carried.lost.size()),
                   static_cast<double>(old.path.size()));
@@ -220,7 +220,7 @@ TEST_P(ReplanProperty, IsSoundForAnyChange) {
       for (std::size_t k = 1; k < old.path.size(); ++k) {
         all_free = all_free && exactly_free(after, old.path[k - 1], old.path[k]);
       }
-      EXPECT_EQ(all_free, result.plan.status == PlanStatus::found && result.origin.mended.empty());
+      EXPECT_EQ(all_free, result.plan.status == PathStatus::found && result.origin.mended.empty());
       const PlanResult fresh = newer.plan(old.path.front(), old.path.back(), {});
       EXPECT_EQ(result.plan.status, fresh.status);
       mended += !result.origin.mended.empty();

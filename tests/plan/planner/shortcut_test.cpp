@@ -49,7 +49,7 @@ TEST(Shortcut, KeepsTheEndsIsFreeAndNeverLonger) {
     const Lattice lattice = build_lattice(scene, {1, Connectivity::six, {0.5, 0.5, 0.5}});
     Planner planner(scene, &lattice);
     const PlanResult raw = planner.plan({0.5, 0.5, 0.5}, {19.3, 19.3, 15}, {.raw = true});
-    if (raw.status != PlanStatus::found) continue;
+    if (raw.status != PathStatus::found) continue;
     bent += raw.path.size() > 2;
     const geom::Polyline shorter = shortcut(scene, raw.path);
     EXPECT_EQ(shorter.front(), raw.path.front());

@@ -105,7 +105,7 @@ TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
     const PlanResult a = by_roadmap.plan(from, to, {});
     const PlanResult b = by_lattice.plan(from, to, {});
     ASSERT_EQ(a.status, b.status);
-    if (a.status != PlanStatus::found) continue;
+    if (a.status != PathStatus::found) continue;
     for (std::size_t i = 1; i < a.path.size(); ++i) {
       ASSERT_TRUE(scene.free(a.path[i - 1], a.path[i]));
     }
@@ -172,7 +172,7 @@ TEST(Taut, IsNeverLongerAndEveryLegIsFree) {
     PlanOptions options;
     options.raw = true;
     const PlanResult raw = planner.plan(from, to, options);
-    if (raw.status != PlanStatus::found || raw.path.size() < 3) continue;
+    if (raw.status != PathStatus::found || raw.path.size() < 3) continue;
     ++tried;
     const geom::Polyline path = taut(scene, raw.path);
     EXPECT_LE(geom::length(path), geom::length(raw.path) + 1e-9);

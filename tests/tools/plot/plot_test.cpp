@@ -60,7 +60,7 @@ bool holds(const std::string& svg, const std::string& words) {
 TEST(MotionProfile, ShowsUnitsAndLimitsOnce) {
   traj::TrajectoryRecord record;
   record.id = "a<b";
-  record.status = "solved";
+  record.status = traj::TrajectoryStatus::solved;
   traj::State end;
   end.position = {10, 0, 3};
   record.trajectory.segments = {traj::hermite({}, end, 5)};

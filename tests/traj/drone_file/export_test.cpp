@@ -190,7 +190,7 @@ TEST(Crazyflie, WhatItsRoundingReachesIsRefused) {
     write_crazyflie(file, {{hermite(a, b, 20)}});
     CrazyflieFlight flight = read_crazyflie(file, "c.csv");
     CheckOptions options;
-    EXPECT_EQ(check(scene, flight.trajectory, options).reason, "") << "without it";
+    EXPECT_EQ(check(scene, flight.trajectory, options).reason, Reason::none) << "without it";
     options.stray = flight.stray;
     const CheckResult result = check(scene, flight.trajectory, options);
     EXPECT_EQ(result.box.has_value(), !result.ok);

@@ -189,7 +189,7 @@ TEST(FlownPath, IsExactOnItsSteps) {
   const FlightPathCheck hit =
       check_flight_path(scene, example().quadrotor, {}, straight({0, 0, 5}));
   EXPECT_FALSE(hit.clear);
-  EXPECT_EQ(hit.reason, "collision");
+  EXPECT_EQ(hit.reason, Reason::collision);
   EXPECT_EQ(hit.time, 0.5);
   EXPECT_EQ(hit.box, 0u);
   const FlightPathCheck miss =
@@ -200,9 +200,9 @@ TEST(FlownPath, IsExactOnItsSteps) {
   // Nearer than what the path may stray between steps.
   const FlightPathCheck near =
       check_flight_path(scene, example().quadrotor, {}, straight({0, 1.000001, 5}));
-  EXPECT_EQ(near.reason, "undecided");
+  EXPECT_EQ(near.reason, Reason::undecided);
   EXPECT_EQ(check_flight_path(scene, example().quadrotor, {}, straight({295.005, 0, 5})).reason,
-            "bounds");
+            Reason::bounds);
 }
 
 TEST(FlownPath, IsWiderWhereItTiltsTooMuch) {
@@ -211,7 +211,8 @@ TEST(FlownPath, IsWiderWhereItTiltsTooMuch) {
   const TiltedVehicle vehicle{0.5, [](double tilt) { return Vec3::Constant(tilt); }};
   EXPECT_TRUE(check_flight_path(scene, example().quadrotor, vehicle, flight).clear);
   flight.tilt[55] = 0.6;
-  EXPECT_EQ(check_flight_path(scene, example().quadrotor, vehicle, flight).reason, "collision");
+  EXPECT_EQ(check_flight_path(scene, example().quadrotor, vehicle, flight).reason,
+            Reason::collision);
   flight.tilt[55] = 0;
   flight.tilt[80] = 0.6;  // past the box
   EXPECT_TRUE(check_flight_path(scene, example().quadrotor, vehicle, flight).clear);
@@ -224,7 +225,7 @@ TEST(Tube, IsClearExactlyWhileItIsThinnerThanTheWay) {
   std::vector<double> radius(100, 0.99);
   EXPECT_TRUE(check_tube(scene, t, radius, 0.1).clear);
   radius.assign(100, 1.01);
-  EXPECT_EQ(check_tube(scene, t, radius, 0.1).reason, "collision");
+  EXPECT_EQ(check_tube(scene, t, radius, 0.1).reason, Reason::collision);
   radius.assign(100, 0.5);
   radius[50] = 1.01;  // where it passes the box
   EXPECT_FALSE(check_tube(scene, t, radius, 0.1).clear);

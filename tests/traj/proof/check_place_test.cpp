@@ -59,7 +59,7 @@ TEST(CheckPlace, ReportsACollisionFarOutWithoutLookingAtTheRest) {
   const CollisionScene scene = posts();
   const auto [result, around] = checked(scene, swing(0));
   ASSERT_GT(around, 9000u);
-  EXPECT_EQ(result.reason, "collision");
+  EXPECT_EQ(result.reason, Reason::collision);
   EXPECT_LT(result.looked_at, around / 2);
   ASSERT_TRUE(result.box);
   EXPECT_NEAR(depth_at(scene, result.place), result.worst, 1e-12);
@@ -85,7 +85,7 @@ TEST(CheckPlace, ReportsTheDeepestPlaceAmongMany) {
   for (int i = 0; i < 4; ++i) {
     const Trajectory t = curve_in(random, 5, 50);
     const CheckResult result = check(scene, t, Limits{});
-    ASSERT_EQ(result.reason, "collision") << "case " << i;
+    ASSERT_EQ(result.reason, Reason::collision) << "case " << i;
     double most = -1e300;
     double step = 0;
     Vec3 before = t.segments[0].point[0];

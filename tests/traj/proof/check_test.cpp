@@ -59,7 +59,7 @@ TEST(Check, SaysNoYesToWhatIsNotANumber) {
     for (const double wrong : {nan, -nan, -1.0}) {
       Limits limits;
       limits[kind.limit] = wrong;
-      EXPECT_EQ(check(scene, line, limits).reason, "limits") << kind.name;
+      EXPECT_EQ(check(scene, line, limits).reason, Reason::limits) << kind.name;
     }
   }
   for (double CheckOptions::*member :
@@ -78,8 +78,8 @@ TEST(Check, SaysNoYesToWhatIsNotANumber) {
       EXPECT_FALSE(check(scene, t, Limits{}).ok) << wrong;
     }
     const Vec3 path[] = {{-10, 4, 0}, {10, 4, wrong}};
-    EXPECT_EQ(check_path(scene, path).reason, "coordinates") << wrong;
-    EXPECT_EQ(check_path(scene, std::span(path).last(1)).reason, "coordinates") << wrong;
+    EXPECT_EQ(check_path(scene, path).reason, Reason::coordinates) << wrong;
+    EXPECT_EQ(check_path(scene, std::span(path).last(1)).reason, Reason::coordinates) << wrong;
   }
   for (const double duration : {nan, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
     Trajectory t = line;
@@ -92,7 +92,7 @@ TEST(Check, NamesPlaceTimeAndBoxOfTheWorstCollision) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const CheckResult result =
       check(scene, {{hermite(rest({-10, 0, 0}), rest({10, 0, 0}), 8)}}, Limits{});
-  EXPECT_EQ(result.reason, "collision");
+  EXPECT_EQ(result.reason, Reason::collision);
   EXPECT_NEAR(result.worst, 1.5, 1e-3);
   EXPECT_NEAR(result.time, 4, 0.05);
   EXPECT_EQ(result.box, 0u);
@@ -104,14 +104,14 @@ TEST(Check, SeesGapsJumpsBoundsAndDurations) {
   EXPECT_TRUE(check(scene, t, Limits{}).ok);
   Trajectory gap = t;
   for (Vec3& p : gap.segments[1].point) p.x() += 1e-6;
-  EXPECT_EQ(check(scene, gap, Limits{}).reason, "discontinuous");
+  EXPECT_EQ(check(scene, gap, Limits{}).reason, Reason::discontinuous);
   Trajectory jump = t;
   jump.segments[1].duration = 3;
-  EXPECT_EQ(check(scene, jump, Limits{}).reason, "discontinuous");
-  EXPECT_EQ(check(scene, moved(t, {0, 28, 0}), Limits{}).reason, "bounds");
+  EXPECT_EQ(check(scene, jump, Limits{}).reason, Reason::discontinuous);
+  EXPECT_EQ(check(scene, moved(t, {0, 28, 0}), Limits{}).reason, Reason::bounds);
   t.segments[0].duration = 0;
-  EXPECT_EQ(check(scene, t, Limits{}).reason, "duration");
-  EXPECT_EQ(check(scene, Trajectory{}, Limits{}).reason, "duration");
+  EXPECT_EQ(check(scene, t, Limits{}).reason, Reason::duration);
+  EXPECT_EQ(check(scene, Trajectory{}, Limits{}).reason, Reason::duration);
 }
 
 TEST(Check, HoldsEachLimitApart) {
@@ -119,37 +119,40 @@ TEST(Check, HoldsEachLimitApart) {
   const Trajectory t = arc({0, 20, 0}, {6, 0, 0});
   const CheckResult free = check(scene, t, Limits{});
   const auto with = [&](Limits limits) { return check(scene, t, limits).reason; };
-  EXPECT_EQ(with({{Limit::speed, free.largest[Limit::speed]->value * 1.001}}), "");
-  EXPECT_EQ(with({{Limit::speed, free.largest[Limit::speed]->value * 0.999}}), "speed");
+  EXPECT_EQ(with({{Limit::speed, free.largest[Limit::speed]->value * 1.001}}), Reason::none);
+  EXPECT_EQ(with({{Limit::speed, free.largest[Limit::speed]->value * 0.999}}), Reason::speed);
   EXPECT_EQ(with({{Limit::acceleration, free.largest[Limit::acceleration]->value * 0.999}}),
-            "acceleration");
-  EXPECT_EQ(with({{Limit::jerk, free.largest[Limit::jerk]->value * 0.999}}), "jerk");
-  EXPECT_EQ(with({{Limit::tilt, 0.05}}), "tilt");
-  EXPECT_EQ(with({{Limit::tilt, 1.5}}), "");
-  EXPECT_EQ(with({{Limit::horizontal_speed, 0.5}}), "horizontal_speed");
-  EXPECT_EQ(with({{Limit::horizontal_speed, free.largest[Limit::speed]->value * 1.001}}), "");
+            Reason::acceleration);
+  EXPECT_EQ(with({{Limit::jerk, free.largest[Limit::jerk]->value * 0.999}}), Reason::jerk);
+  EXPECT_EQ(with({{Limit::tilt, 0.05}}), Reason::tilt);
+  EXPECT_EQ(with({{Limit::tilt, 1.5}}), Reason::none);
+  EXPECT_EQ(with({{Limit::horizontal_speed, 0.5}}), Reason::horizontal_speed);
+  EXPECT_EQ(with({{Limit::horizontal_speed, free.largest[Limit::speed]->value * 1.001}}),
+            Reason::none);
   const Trajectory climb = arc({0, 20, 0}, {0, 0, 6});
   const CheckResult up = check(scene, climb, {{Limit::vertical_speed, 100}, {Limit::thrust, 100}});
   EXPECT_GT(up.largest[Limit::vertical_speed]->value, 0.1);
   EXPECT_EQ(check(scene, climb,
                   {{Limit::vertical_speed, up.largest[Limit::vertical_speed]->value * 0.999}})
                 .reason,
-            "vertical_speed");
+            Reason::vertical_speed);
   EXPECT_EQ(check(scene, climb, {{Limit::thrust, up.largest[Limit::thrust]->value * 0.999}}).reason,
-            "thrust");
+            Reason::thrust);
   EXPECT_EQ(check(scene, climb, {{Limit::thrust, up.largest[Limit::thrust]->value * 1.001}}).reason,
-            "");
-  EXPECT_EQ(with({{Limit::body_rate, free.largest[Limit::body_rate]->value * 0.999}}), "body_rate");
-  EXPECT_EQ(with({{Limit::body_rate, free.largest[Limit::body_rate]->value * 1.001}}), "");
+            Reason::none);
+  EXPECT_EQ(with({{Limit::body_rate, free.largest[Limit::body_rate]->value * 0.999}}),
+            Reason::body_rate);
+  EXPECT_EQ(with({{Limit::body_rate, free.largest[Limit::body_rate]->value * 1.001}}),
+            Reason::none);
   Trajectory turning = t;
   turning.segments[0].yaw = {0, 0, 0, 0, 1, 1, 1, 1};
   turning.segments[1].yaw = {1, 1, 1, 1, 0, 0, 0, 0};
   EXPECT_NEAR(check(scene, turning, {{Limit::yaw_rate, 0.55}}).largest[Limit::yaw_rate]->value,
               35.0 / 16 / 4, 1e-4);
-  EXPECT_EQ(check(scene, turning, {{Limit::yaw_rate, 0.55}}).reason, "");
-  EXPECT_EQ(check(scene, turning, {{Limit::yaw_rate, 0.54}}).reason, "yaw_rate");
+  EXPECT_EQ(check(scene, turning, {{Limit::yaw_rate, 0.55}}).reason, Reason::none);
+  EXPECT_EQ(check(scene, turning, {{Limit::yaw_rate, 0.54}}).reason, Reason::yaw_rate);
   turning.segments[1].yaw->front() = 1.1;
-  EXPECT_EQ(check(scene, turning, Limits{}).reason, "discontinuous");
+  EXPECT_EQ(check(scene, turning, Limits{}).reason, Reason::discontinuous);
 }
 
 // Each extreme against the largest of many instants, which it is never below.
@@ -188,7 +191,7 @@ TEST(Check, FreeFallBreaksOnlyALimitOfBodyRate) {
                                                  -2 * kGravity * k * (k - 1) / 42.0};
     }
     EXPECT_TRUE(check(scene, {{fall}}, Limits{}).ok) << across;
-    EXPECT_EQ(check(scene, {{fall}}, {{Limit::body_rate, 5}}).reason, "body_rate") << across;
+    EXPECT_EQ(check(scene, {{fall}}, {{Limit::body_rate, 5}}).reason, Reason::body_rate) << across;
   }
 }
 
@@ -280,8 +283,8 @@ TEST(CheckPath, IsExactOnEveryLeg) {
   const std::vector<Vec3> around = {{-10, 0, 0}, {0, 5, 0}, {10, 0, 0}};
   EXPECT_TRUE(check_path(scene, around).ok);
   const std::vector<Vec3> through = {{-10, 0, 0}, {10, 0, 0}};
-  EXPECT_EQ(check_path(scene, through).reason, "collision");
-  EXPECT_EQ(check_path(scene, {}).reason, "no_path");
+  EXPECT_EQ(check_path(scene, through).reason, Reason::collision);
+  EXPECT_EQ(check_path(scene, {}).reason, Reason::no_path);
 }
 
 TEST(Solve, ProvesEveryFreePathOfARandomCity) {

@@ -71,16 +71,16 @@ TEST(Domain, RefusesDurationsInBothChecks) {
   for (const double duration : {0.0, -0.0, -1.0, 5e-324, 1e-310, 1e-300, 1e-100, 1e-10, 1.1e9, 1e15,
                                 1e154, 1e300, kInf, -kInf, kNaN}) {
     const std::string what = "duration " + std::to_string(duration);
-    expect_refused_by_both({{standing(duration)}}, {}, "duration", what);
+    expect_refused_by_both({{standing(duration)}}, {}, Reason::duration, what);
     Trajectory t = crossing();
     t.segments[1].duration = duration;
-    expect_refused_by_both(t, {{Limit::speed, 1e9}}, "duration", what);
+    expect_refused_by_both(t, {{Limit::speed, 1e9}}, Reason::duration, what);
     t = crossing();
     t.segments.insert(t.segments.begin() + 1, {standing(duration)});
-    expect_refused_by_both(t, {}, "duration", what);
+    expect_refused_by_both(t, {}, Reason::duration, what);
   }
-  expect_refused_by_both({}, {}, "duration", "no segment");
-  expect_refused_by_both({{standing(6e8), standing(6e8)}}, {}, "duration", "too long in all");
+  expect_refused_by_both({}, {}, Reason::duration, "no segment");
+  expect_refused_by_both({{standing(6e8), standing(6e8)}}, {}, Reason::duration, "too long in all");
 }
 
 TEST(Domain, RefusesCoordinatesInBothChecks) {
@@ -88,16 +88,16 @@ TEST(Domain, RefusesCoordinatesInBothChecks) {
     for (std::size_t i = 0; i < kPoints; ++i) {
       Trajectory t = crossing();
       t.segments[i % 2].point[i][static_cast<int>(i % 3)] = value;
-      expect_refused_by_both(t, {}, "coordinates", "coordinate " + std::to_string(value));
+      expect_refused_by_both(t, {}, Reason::coordinates, "coordinate " + std::to_string(value));
       t = crossing();
       t.segments[0].yaw.emplace().fill(0);
       (*t.segments[0].yaw)[i] = value;
-      expect_refused_by_both(t, {}, "coordinates", "yaw " + std::to_string(value));
+      expect_refused_by_both(t, {}, Reason::coordinates, "yaw " + std::to_string(value));
     }
     const Vec3 way[] = {{5, 5, 5}, {6, value, 5}, {7, 5, 5}};
-    EXPECT_EQ(check_path(scene(), way).reason, "coordinates") << value;
+    EXPECT_EQ(check_path(scene(), way).reason, Reason::coordinates) << value;
     const ExactTask task{scene().map(), scene().vehicle(), scene().margin(), {}};
-    EXPECT_EQ(check_exactly(task, way).reason, "coordinates") << value;
+    EXPECT_EQ(check_exactly(task, way).reason, Reason::coordinates) << value;
   }
 }
 
@@ -112,22 +112,25 @@ TEST(Domain, RefusesLimitsInBothChecks) {
     }
   }
   for (const double tilt : {1.5707963267948966, 1.6, 3.141592653589793, 4.0, 100.0}) {
-    expect_refused_by_both(crossing(), {{Limit::tilt, tilt}}, "limits",
+    expect_refused_by_both(crossing(), {{Limit::tilt, tilt}}, Reason::limits,
                            "tilt " + std::to_string(tilt));
   }
   for (const double thrust : {1.0, 9.0, 9.80665}) {
-    expect_refused_by_both(crossing(), {{Limit::thrust, thrust}}, "limits", std::to_string(thrust));
+    expect_refused_by_both(crossing(), {{Limit::thrust, thrust}}, Reason::limits,
+                           std::to_string(thrust));
   }
 }
 
 TEST(Domain, RefusesVehiclesOfTheExactCheck) {
   for (const double size : {-1.0, -1e-9, 1e9, 1e154, 1e300, kInf, kNaN}) {
     const geom::BoxMap& map = scene().map();
-    EXPECT_EQ(check_exactly({map, {"box", {0.5, size, 0.5}}, 0, {}}, crossing()).reason, "vehicle");
+    EXPECT_EQ(check_exactly({map, {"box", {0.5, size, 0.5}}, 0, {}}, crossing()).reason,
+              Reason::vehicle);
     EXPECT_EQ(check_exactly({map, {"box", {0.5, 0.5, 0.5}}, size, {}}, crossing()).reason,
-              "vehicle");
+              Reason::vehicle);
     const Vec3 way[] = {{5, 5, 5}, {6, 5, 5}};
-    EXPECT_EQ(check_exactly({map, {"box", {0.5, 0.5, 0.5}}, size, {}}, way).reason, "vehicle");
+    EXPECT_EQ(check_exactly({map, {"box", {0.5, 0.5, 0.5}}, size, {}}, way).reason,
+              Reason::vehicle);
   }
 }
 

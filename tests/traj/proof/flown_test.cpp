@@ -36,16 +36,16 @@ TEST(CheckFlown, LooksAtTheAscentAndTheDescent) {
   EXPECT_TRUE(check_flown(yard(), flown, {}).ok);
   flown.ends.takeoff_from = 0;
   const CheckResult result = check_flown(yard(), flown, {});
-  EXPECT_EQ(result.reason, "collision");
+  EXPECT_EQ(result.reason, Reason::collision);
   EXPECT_NEAR(result.place.x(), 25, 1e-6);
   EXPECT_LT(result.time, 1) << "leg 0";
   flown.ends.takeoff_from = 30;
   EXPECT_TRUE(check_flown(yard(), flown, {}).ok) << "what stands on a roof touches it";
   std::swap(flown.path[0], flown.path[1]);
   flown.ends = {{}, 0};
-  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "collision");
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::collision);
   flown.ends = {36, {}};
-  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "takeoff") << "below the ground";
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::takeoff) << "below the ground";
 }
 
 TEST(CheckFlown, KnowsTheSpeedsOfLegs) {
@@ -55,13 +55,13 @@ TEST(CheckFlown, KnowsTheSpeedsOfLegs) {
   limits[Limit::speed] = 5;
   EXPECT_TRUE(check_flown(yard(), flown, limits).ok);
   limits[Limit::speed] = 4.9;
-  EXPECT_EQ(check_flown(yard(), flown, limits).reason, "speed");
+  EXPECT_EQ(check_flown(yard(), flown, limits).reason, Reason::speed);
   limits[Limit::speed].reset();
   limits[Limit::vertical_speed] = 3.9;
-  EXPECT_EQ(check_flown(yard(), flown, limits).reason, "vertical_speed");
+  EXPECT_EQ(check_flown(yard(), flown, limits).reason, Reason::vertical_speed);
   limits[Limit::vertical_speed] = 4;
   limits[Limit::horizontal_speed] = 2.9;
-  EXPECT_EQ(check_flown(yard(), flown, limits).reason, "horizontal_speed");
+  EXPECT_EQ(check_flown(yard(), flown, limits).reason, Reason::horizontal_speed);
 }
 
 TEST(CheckFlown, KnowsHowFarATelloMayGo) {
@@ -90,14 +90,14 @@ TEST(CheckFlown, HoldsSetpointsToTheLimits) {
   EXPECT_EQ(check_flown(yard(), flown, limits).largest[Limit::speed]->value, 5);
   limits[Limit::speed] = 4.9;
   const CheckResult result = check_flown(yard(), flown, limits);
-  EXPECT_EQ(result.reason, "speed");
+  EXPECT_EQ(result.reason, Reason::speed);
   EXPECT_EQ(result.time, 1);
   limits = {};
   limits[Limit::tilt] = 0.2;
-  EXPECT_EQ(check_flown(yard(), flown, limits).reason, "tilt");
+  EXPECT_EQ(check_flown(yard(), flown, limits).reason, Reason::tilt);
   flown.setpoints[1].state.position = {5, 5, 5};
   flown.trajectory = straight_between(flown.setpoints);
-  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "collision");
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::collision);
 }
 
 // Rows of a table, flown; the reason of the refusal.
@@ -113,27 +113,28 @@ TEST(CheckFlown, HoldsWhatLeadsFromSetpointToSetpointToTheLimits) {
   const Vec3 none = Vec3::Zero();
   const std::vector<Setpoint> jerky = {{0, {p, none, {3, 0, 0}}, 0, 0},
                                        {0.1, {p, none, {-3, 0, 0}}, 0, 0}};
-  EXPECT_EQ(reason_of(jerky, {{Limit::jerk, 59}}), "jerk");
-  EXPECT_EQ(reason_of(jerky, {{Limit::jerk, 60}}), "");
+  EXPECT_EQ(reason_of(jerky, {{Limit::jerk, 59}}), Reason::jerk);
+  EXPECT_EQ(reason_of(jerky, {{Limit::jerk, 60}}), Reason::none);
   // |f x f'| / |f|^2 where f is upright: 60 / 9.80665 rad/s.
-  EXPECT_EQ(reason_of(jerky, {{Limit::body_rate, 6.1}}), "body_rate");
-  EXPECT_EQ(reason_of(jerky, {{Limit::body_rate, 6.12}}), "");
+  EXPECT_EQ(reason_of(jerky, {{Limit::body_rate, 6.1}}), Reason::body_rate);
+  EXPECT_EQ(reason_of(jerky, {{Limit::body_rate, 6.12}}), Reason::none);
   const std::vector<Setpoint> quick = {{0, {p}, 0, 0}, {2, {p + Vec3(3, 0, 4)}, 0, 0}};
-  EXPECT_EQ(reason_of(quick, {{Limit::speed, 2.4}}), "speed");
+  EXPECT_EQ(reason_of(quick, {{Limit::speed, 2.4}}), Reason::speed);
   EXPECT_EQ(
       reason_of(quick,
                 {{Limit::speed, 2.5}, {Limit::horizontal_speed, 1.5}, {Limit::vertical_speed, 2}}),
-      "");
-  EXPECT_EQ(reason_of(quick, {{Limit::horizontal_speed, 1.4}}), "horizontal_speed");
-  EXPECT_EQ(reason_of(quick, {{Limit::vertical_speed, 1.9}}), "vertical_speed");
+      Reason::none);
+  EXPECT_EQ(reason_of(quick, {{Limit::horizontal_speed, 1.4}}), Reason::horizontal_speed);
+  EXPECT_EQ(reason_of(quick, {{Limit::vertical_speed, 1.9}}), Reason::vertical_speed);
   const std::vector<Setpoint> rush = {{0, {p}, 0, 0}, {1, {p, {6, 0, 0}}, 0, 0}};
-  EXPECT_EQ(reason_of(rush, {{Limit::acceleration, 5.9}}), "acceleration");
-  EXPECT_EQ(reason_of(rush, {{Limit::tilt, 0.5}}), "tilt");
-  EXPECT_EQ(reason_of(rush, {{Limit::thrust, 11}}), "thrust");
-  EXPECT_EQ(reason_of(rush, {{Limit::acceleration, 6}}), "");
+  EXPECT_EQ(reason_of(rush, {{Limit::acceleration, 5.9}}), Reason::acceleration);
+  EXPECT_EQ(reason_of(rush, {{Limit::tilt, 0.5}}), Reason::tilt);
+  EXPECT_EQ(reason_of(rush, {{Limit::thrust, 11}}), Reason::thrust);
+  EXPECT_EQ(reason_of(rush, {{Limit::acceleration, 6}}), Reason::none);
   const std::vector<Setpoint> turn = {{0, {p}, 3.1, 0}, {1, {p}, -3.1, 0}};
-  EXPECT_EQ(reason_of(turn, {{Limit::yaw_rate, 0.08}}), "yaw_rate") << "across half a turn: 0.083";
-  EXPECT_EQ(reason_of(turn, {{Limit::yaw_rate, 0.09}}), "");
+  EXPECT_EQ(reason_of(turn, {{Limit::yaw_rate, 0.08}}), Reason::yaw_rate)
+      << "across half a turn: 0.083";
+  EXPECT_EQ(reason_of(turn, {{Limit::yaw_rate, 0.09}}), Reason::none);
 }
 
 TEST(CheckFlown, HoldsNoSampledTrajectoryToMoreThanItsOwnLimits) {
@@ -151,7 +152,7 @@ TEST(CheckFlown, HoldsNoSampledTrajectoryToMoreThanItsOwnLimits) {
       Flown flown;
       flown.setpoints = setpoints(t, rate);
       flown.trajectory = straight_between(flown.setpoints);
-      EXPECT_EQ(check_flown(far, flown, limits).reason, "") << seed << " at " << rate;
+      EXPECT_EQ(check_flown(far, flown, limits).reason, Reason::none) << seed << " at " << rate;
     }
   }
 }
@@ -171,7 +172,7 @@ TEST(CheckFlown, SaysWhatItDoesNotMeasure) {
   EXPECT_EQ(said.largest[Limit::speed]->value, 5);
   EXPECT_EQ(not_measured(said, {{Limit::speed, 5}}), std::vector<Limit>{});
   flown.returns = true;
-  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "return");
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::return_home);
 }
 
 TEST(CheckFlown, LooksBesideAPathAsFarAsItMayBeOff) {
@@ -179,11 +180,11 @@ TEST(CheckFlown, LooksBesideAPathAsFarAsItMayBeOff) {
   EXPECT_TRUE(check_flown(yard(), flown, {}).ok);
   flown.path_stray = {0.01, 0.01, 0.01};
   const CheckResult result = check_flown(yard(), flown, {});
-  EXPECT_EQ(result.reason, "collision");
+  EXPECT_EQ(result.reason, Reason::collision);
   EXPECT_EQ(result.box, 0u);
   EXPECT_EQ(result.clearance->value, 0);
   flown.path = {{60, 0, 99.995}, {70, 0, 50}};
-  EXPECT_EQ(check_flown(yard(), flown, {}).reason, "bounds");
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::bounds);
   flown.path = {{15, 5, 12}, {40, 5, 12}};
   flown.ends = {0, 0};
   EXPECT_TRUE(check_flown(yard(), flown, {}).ok) << "it stands on the ground, exactly";

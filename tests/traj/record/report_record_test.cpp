@@ -19,7 +19,7 @@ TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}},
                          {{{{1, 1, 1}, {2, 2, 2}}}, {41}, {0}, {""}});
   ReportRecord record{"q1", "trajectory", {}, {.margin = 0.25}, {{Limit::speed, 8}}};
-  record.result.reason = "collision";
+  record.result.reason = Reason::collision;
   record.result.time = 1.5;
   record.result.place = {1, 2, 3};
   record.result.worst = 0.125;
@@ -31,7 +31,7 @@ TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   EXPECT_EQ(back.id, "q1");
   EXPECT_EQ(back.checked, "trajectory");
   EXPECT_FALSE(back.ok);
-  EXPECT_EQ(back.reason, "collision");
+  EXPECT_EQ(back.reason, Reason::collision);
   EXPECT_EQ(back.time, 1.5);
   EXPECT_EQ(back.place, Vec3(1, 2, 3));
   EXPECT_EQ(back.worst, 0.125);
@@ -49,7 +49,7 @@ TEST(ReportSummary, SaysNothingOfWhatIsNotFinite) {
   const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}},
                          {{{{1, 1, 1}, {2, 2, 2}}}, {41}, {0}, {""}});
   ReportRecord record{"q1", "trajectory", {}, {}, {}};
-  record.result.reason = "body_rate";
+  record.result.reason = Reason::body_rate;
   record.result.worst = std::numeric_limits<double>::infinity();
   record.result.duration = 4;
   record.result.largest[Limit::speed] = {7.5, 2};

@@ -89,7 +89,7 @@ TEST(SolveWithHolds, HoldsInOnePlaceAlone) {
   const SolveResult result = solve(scene, path, options);
   ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
   EXPECT_EQ(duration(result.trajectory), 5);
-  EXPECT_EQ(result.rung, "closed");
+  EXPECT_EQ(result.rung, Rung::closed);
 }
 
 TEST(SolveWithVelocities, TriesTheClosedFormAlone) {
@@ -98,7 +98,7 @@ TEST(SolveWithVelocities, TriesTheClosedFormAlone) {
   path[1].velocity = Vec3(0.5, 0.5, 0);
   SolveOptions options;
   options.limits = kLimits;
-  EXPECT_EQ(solve(scene, path, options).rung, "closed");
+  EXPECT_EQ(solve(scene, path, options).rung, Rung::closed);
   options.solver = Solver::stop_and_go;
   EXPECT_EQ(solve(scene, path, options).reason, "only the closed form keeps given velocities");
 }

@@ -32,7 +32,7 @@ TEST(Solve, EveryRungIsProved) {
     const SolveResult result = solved(scene, kAround, solver);
     ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
     EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
-    EXPECT_EQ(result.rung, solver == Solver::stop_and_go ? "stop_and_go" : "ipopt");
+    EXPECT_EQ(result.rung, solver == Solver::stop_and_go ? Rung::stop_and_go : Rung::ipopt);
     EXPECT_EQ(result.trajectory.segments.front().point.front(), kAround.front());
     EXPECT_EQ(result.trajectory.segments.back().point.back(), kAround.back());
   }
@@ -59,7 +59,7 @@ TEST(Solve, TriesBothCorridorsBeforeItGivesUp) {
   options.max_iterations = 1;
   const SolveResult result = solve(block(), kAround, options);
   EXPECT_EQ(result.status, SolveStatus::solved);
-  EXPECT_NE(result.rung, "ipopt");
+  EXPECT_NE(result.rung, Rung::ipopt);
   EXPECT_EQ(result.solver_status, "iteration limit");
   EXPECT_GE(result.rounds, 2);
   EXPECT_EQ(result.corridor.front().planes.size(), 6u);  // of the last
@@ -81,7 +81,7 @@ TEST(Solve, IsTheSameFarFromTheOrigin) {
   const auto scene = testing::scene_of({{Vec3(10, -20, 0) + far, Vec3(30, 20, 40) + far}}, bounds);
   const SolveResult moved = solved(scene, path, Solver::ipopt);
   ASSERT_EQ(moved.status, SolveStatus::solved) << moved.reason;
-  EXPECT_EQ(moved.rung, "ipopt");
+  EXPECT_EQ(moved.rung, Rung::ipopt);
   EXPECT_NEAR(duration(moved.trajectory), duration(near.trajectory),
               1e-3 * duration(near.trajectory));
   EXPECT_LE(moved.iterations, near.iterations + near.iterations / 4 + 2);
@@ -100,7 +100,7 @@ TEST(Solve, ClosedFormIsTakenInTheOpen) {
   const geom::CollisionScene scene = testing::scene_of({}, kBounds);
   const SolveResult result = solved(scene, {Vec3(0, 0, 20), Vec3(40, 10, 25)}, Solver::closed);
   ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
-  EXPECT_EQ(result.rung, "closed");
+  EXPECT_EQ(result.rung, Rung::closed);
   EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
 }
 
@@ -114,7 +114,7 @@ TEST(Solve, ProvesOnlyWhatItWouldTake) {
   EXPECT_EQ(solved(scene, path, Solver::closed).proofs, 1);
   const SolveResult result = solved(scene, path, Solver::automatic);
   ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
-  EXPECT_EQ(result.rung, "ipopt");
+  EXPECT_EQ(result.rung, Rung::ipopt);
   EXPECT_EQ(result.proofs, result.rounds);
 }
 
@@ -146,7 +146,7 @@ TEST(Solve, HoldsJerkAndTilt) {
       {Limit::speed, 8}, {Limit::acceleration, 6}, {Limit::jerk, 20}, {Limit::tilt, 0.4}};
   const SolveResult result = solved(scene, kAround, Solver::automatic, limits);
   ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
-  EXPECT_EQ(result.rung, "ipopt");
+  EXPECT_EQ(result.rung, Rung::ipopt);
   EXPECT_TRUE(check(scene, result.trajectory, limits).ok);
 }
 

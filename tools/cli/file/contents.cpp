@@ -157,9 +157,11 @@ void require_same_map(const Contents& contents, const geom::BoxMap* map) {
 }
 
 std::size_t drop_failed(Contents& contents) {
-  return std::erase_if(contents.paths, [](const auto& p) { return p.record.status != "found"; }) +
-         std::erase_if(contents.trajectories,
-                       [](const auto& t) { return t.record.status != "solved"; });
+  return std::erase_if(contents.paths,
+                       [](const auto& p) { return p.record.status != geom::PathStatus::found; }) +
+         std::erase_if(contents.trajectories, [](const auto& t) {
+           return t.record.status != traj::TrajectoryStatus::solved;
+         });
 }
 
 }  // namespace cli

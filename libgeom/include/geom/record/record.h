@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geom/map/frame.h"
+#include "geom/record/path_status.h"
 #include "geom/shape/polyline.h"
 #include "geom/vehicle/vehicle.h"
 
@@ -42,8 +43,8 @@ struct PathOrigin {
 
 struct PathRecord {
   std::string id;
-  std::string status;  // "found", or why not
-  Polyline points;     // empty unless found
+  PathStatus status = PathStatus::unreachable;
+  Polyline points;  // empty unless found
   Provenance provenance;
   std::string message;               // why there is no path, in words; may be empty
   std::string search;                // the planner's own report: a JSON object, or empty

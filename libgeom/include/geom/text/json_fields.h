@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geom/record/record.h"
+#include "geom/text/words.h"
 
 namespace geom {
 
@@ -25,6 +26,14 @@ class JsonFields {
 
   std::string text(const char* key) const;
   std::string text(const char* key, std::string_view fallback) const;
+  // One of the words, or the fallback where the key is missing.
+  template <class Enum, std::size_t N>
+  Enum word(const char* key, const Words<Enum, N>& words, Enum fallback) const {
+    if (!has(key)) return fallback;
+    const auto value = value_of(words, text(key));
+    if (!value) refuse_word(key, listed(words));
+    return *value;
+  }
   std::optional<double> number(const char* key) const;
   Vec3 point(const char* key) const;
   std::vector<Vec3> points(const char* key) const;
@@ -39,6 +48,8 @@ class JsonFields {
   [[noreturn]] void refuse(std::string_view message) const;
 
  private:
+  [[noreturn]] void refuse_word(const char* key, const std::string& expected) const;
+
   nlohmann::json object_;
   std::string source_;
   std::size_t line_;

@@ -10,24 +10,16 @@
 #include <vector>
 
 #include "geom/collision/collision.h"
+#include "geom/record/path_status.h"
 #include "plan/lattice/astar.h"
 #include "plan/lattice/lattice.h"
+#include "plan/planner/route.h"
 #include "plan/roadmap/roadmap.h"
 #include "plan/sampling/rrt.h"
 
 namespace plan {
 
-enum class PlanStatus {
-  found,
-  unreachable,
-  start_blocked,
-  goal_blocked,
-  start_outside,
-  goal_outside,
-  stopped  // gave up: there may be a path
-};
-
-std::string_view name(PlanStatus status);  // as records say it
+using geom::PathStatus;
 
 enum class Quality {
   fast,    // not pulled taut
@@ -64,12 +56,12 @@ struct PathStep {
 };
 
 struct PlanResult {
-  PlanStatus status = PlanStatus::unreachable;
-  geom::Polyline path;    // start to goal, every leg free; empty unless found
-  std::string message;    // why not, in words
-  std::string method;     // "straight", "roadmap", "corridor" or "lattice"; empty unless searched
-  double resolution = 0;  // spacing of the path's lattice, or of the last searched; 0: none was
-  std::size_t expanded = 0;           // nodes, on that lattice
+  PathStatus status = PathStatus::unreachable;
+  geom::Polyline path;         // start to goal, every leg free; empty unless found
+  std::string message;         // why not, in words
+  std::optional<Route> route;  // absent unless searched
+  double resolution = 0;     // spacing of the path's lattice, or of the last searched; 0: none was
+  std::size_t expanded = 0;  // nodes, on that lattice
   std::vector<PathStep> steps;        // from the search to the path
   SearchTree tree;                    // where it was to be kept
   std::optional<Vec3> snapped_start;  // where an end was moved to

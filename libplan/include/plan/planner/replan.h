@@ -9,9 +9,9 @@
 namespace plan {
 
 struct ReplanResult {
-  // The path, every leg free. Its report sums up the mends: `expanded` is their sum, method and
+  // The path, every leg free. Its report sums up the mends: `expanded` is their sum, route and
   // resolution are those of the mend that expanded most; steps are "splice" and "taut". A path kept
-  // whole has no method; one planned anew has the report of that plan.
+  // whole has no route; one planned anew has the report of that plan.
   PlanResult plan;
   geom::PathOrigin origin;  // both empty unless found
 };

@@ -4,18 +4,18 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 
 #include "geom/collision/collision.h"
 #include "traj/flight/simulate.h"
+#include "traj/proof/reason.h"
 
 namespace traj {
 
 struct FlightPathCheck {
   bool clear = false;
-  // "" when clear, else the first of these along the way: "bounds", "collision", or "undecided":
-  // the polyline is clear, the path around it perhaps not.
-  std::string reason;
+  // The first of these along the way: bounds, collision, or undecided: the polyline is clear, the
+  // path around it perhaps not.
+  Reason reason = Reason::none;
   double time = 0;                 // s
   Vec3 place = Vec3::Zero();       // m, in the map's axes
   std::optional<std::size_t> box;  // the obstacle
@@ -31,12 +31,12 @@ struct TiltedVehicle {
   std::function<Vec3(double)> half_at;  // may be empty: the scene's half sizes hold at every tilt
 };
 FlightPathCheck check_flight_path(const geom::CollisionScene& scene, const Quadrotor& quadrotor,
-                       const TiltedVehicle& vehicle, const Flight& flight);
+                                  const TiltedVehicle& vehicle, const Flight& flight);
 
 // Whether the trajectory (in the map's axes) is clear while the vehicle strays from it by up to
 // radius[k] metres during [k, k + 1] * period: the moving box of vehicle, margin, radius and the
 // curve's sagitta, swept along chords of 10 ms.
 FlightPathCheck check_tube(const geom::CollisionScene& scene, const Trajectory& trajectory,
-                      std::span<const double> radius, double period);
+                           std::span<const double> radius, double period);
 
 }  // namespace traj

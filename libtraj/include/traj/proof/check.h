@@ -5,12 +5,12 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "geom/collision/collision.h"
 #include "traj/curve/trajectory.h"
 #include "traj/proof/limits.h"
+#include "traj/proof/reason.h"
 
 namespace traj {
 
@@ -46,10 +46,9 @@ struct Extreme {
 
 struct CheckResult {
   bool ok = false;
-  // "" when ok, else the first that holds: "duration", "coordinates", "limits" (outside domain.h:
-  // nothing was measured), "discontinuous", "bounds", "collision", then the quantity of a limit, in
-  // the order of kOrderOfLimits.
-  std::string reason;
+  // The first that holds, in the order of Reason, limits in that of kOrderOfLimits. Outside of
+  // domain.h nothing is measured.
+  Reason reason = Reason::none;
   double time = 0;                 // of the worst violation, seconds
   Vec3 place = Vec3::Zero();       // where that is, metres
   std::optional<std::size_t> box;  // the obstacle hit: an index into BoxMap::boxes()

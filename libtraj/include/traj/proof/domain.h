@@ -5,10 +5,10 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "traj/curve/trajectory.h"
 #include "traj/proof/limits.h"
+#include "traj/proof/reason.h"
 
 namespace traj {
 
@@ -19,15 +19,15 @@ inline constexpr double kLargestLimit = 1e9;
 
 // Why something cannot be judged.
 struct OutsideDomain {
-  std::string_view reason;  // "duration", "coordinates" or "limits"
-  double value = 0;         // what stood there
-  double time = 0;          // of the segment, seconds; of a path the index of the point
+  Reason reason = Reason::none;  // duration, coordinates or limits
+  double value = 0;              // what stood there
+  double time = 0;               // of the segment, seconds; of a path the index of the point
 };
 
 // Nothing when each duration is within kShortestSegment and kLongestTrajectory, and their sum; each
 // control point and yaw within geom::kLargestCoordinate; each limit within kLeastLimit and
-// kLargestLimit, the tilt below pi/2, the thrust above kGravity. "duration" also when there is no
-// segment. NaN is never within.
+// kLargestLimit, the tilt below pi/2, the thrust above kGravity. Reason::duration also when there
+// is no segment. NaN is never within.
 std::optional<OutsideDomain> outside_domain(const Trajectory& trajectory, const Limits& limits);
 
 // The same for the points of a path.

@@ -10,20 +10,21 @@
 #include "traj/flight/airframe.h"
 #include "traj/flight/flown_path.h"
 #include "traj/flight/monte_carlo.h"
+#include "traj/record/trajectory_status.h"
 
 namespace traj {
 
 struct FlightReport {
   std::string id;
-  std::string status = "solved";  // of the trajectory; another is not flown
-  double duration = 0;            // s, of the trajectory
+  TrajectoryStatus status = TrajectoryStatus::solved;  // another is not flown
+  double duration = 0;                                 // s, of the trajectory
   FlightOptions options;
   std::optional<double> lost;        // s
   std::optional<Tracking> tracking;  // of a flight that was not lost
   double saturated = 0;
   double tilt = 0;  // rad, the largest
   double hover_seconds = 0;
-  std::optional<FlightPathCheck> check;          // where there is a map
+  std::optional<FlightPathCheck> check;     // where there is a map
   std::optional<MonteCarloOptions> spread;  // where many were flown
   TrackingTube tube;
   std::optional<FlightPathCheck> tube_check;

@@ -2,6 +2,7 @@
 
 // Trajectories as JSON Lines records.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,18 +10,20 @@
 #include "geom/text/json_fields.h"
 #include "traj/curve/trajectory.h"
 #include "traj/proof/limits.h"
+#include "traj/record/trajectory_status.h"
+#include "traj/solve/rung.h"
 
 namespace traj {
 
 struct TrajectoryRecord {
   std::string id;
-  std::string status;  // "solved", "no_path", "infeasible" or "stopped"
+  TrajectoryStatus status = TrajectoryStatus::infeasible;
   Trajectory trajectory;
   geom::Provenance provenance;
   Limits limits;
-  std::string message;  // why there is none, in words; may be empty
-  std::string rung;     // what made it: "closed", "ipopt", "stop_and_go"; may be empty
-  std::string solver;   // the solver's own report: a JSON object, or empty
+  std::string message;       // why there is none, in words; may be empty
+  std::optional<Rung> rung;  // what made it, where that is known
+  std::string solver;        // the solver's own report: a JSON object, or empty
 };
 
 // What holds for it: its own limits and its vehicle's.

@@ -13,6 +13,7 @@
 #include "traj/solve/closed_form.h"
 #include "traj/solve/corridor.h"
 #include "traj/solve/min_snap.h"
+#include "traj/solve/rung.h"
 
 namespace traj {
 
@@ -41,7 +42,7 @@ struct SolveResult {
   SolveStatus status = SolveStatus::infeasible;
   std::string reason;         // why not, in words; empty when solved
   Trajectory trajectory;      // empty unless solved
-  std::string rung;           // "closed", "ipopt" or "stop_and_go"; empty unless solved
+  std::optional<Rung> rung;   // absent unless solved
   std::string solver_status;  // the optimiser's own word, "was not run" before it runs
   int iterations = 0;         // of the optimiser, all rounds
   int rounds = 0;             // of the optimiser

@@ -125,7 +125,7 @@ class Proof {
     const auto holds = [&](Limit limit) {
       return !limits[limit] || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
         if (limit == Limit::yaw_rate && !s.yaw) return true;
-        return within(s, condition(s, limit), timing, kind_of(limit).quantity, proof.limits[limit]);
+        return within(s, condition(s, limit), timing, broken(limit), proof.limits[limit]);
       });
     };
     result_.ok = each([&](const Segment& s, Timing timing, SegmentProof& proof) {
@@ -141,7 +141,7 @@ class Proof {
 
   ExactResult of(std::span<const Vec3> points) {
     if (points.empty()) {
-      result_.reason = "no_path";
+      result_.reason = Reason::no_path;
       return result_;
     }
     if (!has_sound_vehicle()) return result_;
@@ -178,7 +178,7 @@ class Proof {
     return curve;
   }
 
-  bool refuse(std::string_view reason, double time, const Vec3& place) {
+  bool refuse(Reason reason, double time, const Vec3& place) {
     result_.reason = reason;
     result_.time = time;
     result_.place = place;
@@ -193,7 +193,7 @@ class Proof {
     return q[0];
   }
 
-  bool refuse(const char* reason, const Stop& stop, Timing timing, std::span<const Vec3> points) {
+  bool refuse(Reason reason, const Stop& stop, Timing timing, std::span<const Vec3> points) {
     result_.undecided = stop.undecided;
     return refuse(reason, timing.begin + stop.part * timing.duration,
                   place_at({points.begin(), points.end()}, stop.part));
@@ -204,7 +204,7 @@ class Proof {
     const auto sound = [](double size) { return size >= 0 && size <= geom::kLargestCoordinate; };
     const Vec3& half = task_.vehicle.half;
     return (std::all_of(half.begin(), half.end(), sound) && sound(task_.margin)) ||
-           refuse("vehicle", 0, Vec3::Zero());
+           refuse(Reason::vehicle, 0, Vec3::Zero());
   }
 
   bool joint(const Segment& before, const Segment& after, double time) {
@@ -225,7 +225,7 @@ class Proof {
       ok = ok && square <= limit * limit;
     }
     ok = ok && yaw_joins(before, after);
-    return ok || refuse("discontinuous", time, before.point[kDegree]);
+    return ok || refuse(Reason::discontinuous, time, before.point[kDegree]);
   }
 
   static bool yaw_joins(const Segment& before, const Segment& after) {
@@ -283,7 +283,7 @@ class Proof {
       return p == points.front() || p == points.back();
     });
     if (straight) stop->undecided = false;
-    return refuse("collision", *stop, timing, points);
+    return refuse(Reason::collision, *stop, timing, points);
   }
 
   bool gaps(const Trajectory& trajectory) {
@@ -301,10 +301,10 @@ class Proof {
   bool inside(std::span<const Vec3> points, Timing timing, Cover& cover) {
     exact::JudgeInside judge{bounds_};
     const auto stop = fill(curve_through(points), 0, 0, judge, cover);
-    return !stop || refuse("bounds", *stop, timing, points);
+    return !stop || refuse(Reason::bounds, *stop, timing, points);
   }
 
-  bool within(const Segment& s, const Conditions& conditions, Timing timing, const char* reason,
+  bool within(const Segment& s, const Conditions& conditions, Timing timing, Reason reason,
               Cover& cover) {
     auto judge = exact::not_negative;
     const auto stop = fill(conditions, 0, 0, judge, cover);

@@ -77,7 +77,7 @@ TEST(ExactCheck, RefusesWhatTouches) {
     const CollisionScene scene = c.scene();
     EXPECT_FALSE(check(scene, c.trajectory, Limits{}).ok) << "case " << i;
     const ExactResult result = exactly(scene, c.trajectory);
-    EXPECT_EQ(result.reason, "collision") << "case " << i << ", depth " << depth;
+    EXPECT_EQ(result.reason, Reason::collision) << "case " << i << ", depth " << depth;
     EXPECT_EQ(result.box, 0u);
   }
 }
@@ -141,7 +141,7 @@ TEST(ExactCheck, AllowsALimitToBeReached) {
   const double most = 20.0 / 8 * 35 / 16;  // at the middle, exactly
   EXPECT_TRUE(exactly(scene, line, {{Limit::speed, most}}).ok);
   const ExactResult over = exactly(scene, line, {{Limit::speed, std::nextafter(most, 0)}});
-  EXPECT_EQ(over.reason, "speed");
+  EXPECT_EQ(over.reason, Reason::speed);
   EXPECT_EQ(over.time, 4);
   EXPECT_FALSE(over.undecided);
 }
@@ -157,14 +157,14 @@ TEST(ExactCheck, SeesGapsJumpsBoundsAndDurations) {
   EXPECT_TRUE(small.segments[0].gap);
   EXPECT_EQ(small.joints[0], "1/2147483648");
   for (Vec3& p : gap.segments[1].point) p.x() += 1e-6;
-  EXPECT_EQ(exactly(scene, gap).reason, "discontinuous");
+  EXPECT_EQ(exactly(scene, gap).reason, Reason::discontinuous);
   Trajectory jump = t;
   jump.segments[1].duration = 3;
-  EXPECT_EQ(exactly(scene, jump).reason, "discontinuous");
-  EXPECT_EQ(exactly(scene, arc({0, 48, 0}, {3, 0, 0})).reason, "bounds");
+  EXPECT_EQ(exactly(scene, jump).reason, Reason::discontinuous);
+  EXPECT_EQ(exactly(scene, arc({0, 48, 0}, {3, 0, 0})).reason, Reason::bounds);
   t.segments[0].duration = 0;
-  EXPECT_EQ(exactly(scene, t).reason, "duration");
-  EXPECT_EQ(exactly(scene, Trajectory{}).reason, "duration");
+  EXPECT_EQ(exactly(scene, t).reason, Reason::duration);
+  EXPECT_EQ(exactly(scene, Trajectory{}).reason, Reason::duration);
 }
 
 TEST(ExactCheckOfPaths, DecidesEveryLeg) {
@@ -192,10 +192,10 @@ TEST(ExactCheckOfPaths, TouchesAnEdgeButNotItsNeighbour) {
     const std::vector<Vec3> path{{0, y, 0}, {y, 0, 0}};
     return check_exactly({scene.map(), scene.vehicle(), 0, {}}, path);
   };
-  EXPECT_EQ(passing(3).reason, "collision");
+  EXPECT_EQ(passing(3).reason, Reason::collision);
   EXPECT_TRUE(passing(std::nextafter(3, 4)).ok);
   EXPECT_EQ(check_exactly({scene.map(), scene.vehicle(), 0, {}}, std::span<const Vec3>()).reason,
-            "no_path");
+            Reason::no_path);
 }
 
 TEST(ExactCheckOfPaths, MayTouchTheBoundsAndBeOnePoint) {
@@ -205,7 +205,7 @@ TEST(ExactCheckOfPaths, MayTouchTheBoundsAndBeOnePoint) {
     return check_exactly({scene.map(), scene.vehicle(), scene.margin(), {}}, path);
   };
   EXPECT_TRUE(at(49.375).ok);
-  EXPECT_EQ(at(std::nextafter(49.375, 50)).reason, "bounds");
+  EXPECT_EQ(at(std::nextafter(49.375, 50)).reason, Reason::bounds);
 }
 
 TEST(ExactCheck, FollowsACurveThatStandsStill) {
@@ -214,7 +214,7 @@ TEST(ExactCheck, FollowsACurveThatStandsStill) {
     return exactly(scene, {{hermite(rest({x, 0, 0}), rest({x, 0, 0}), 2)}}, {{Limit::speed, 1e-9}});
   };
   EXPECT_TRUE(still(std::nextafter(1.5, 2)).ok);
-  EXPECT_EQ(still(1.5).reason, "collision");
+  EXPECT_EQ(still(1.5).reason, Reason::collision);
   EXPECT_FALSE(still(1.5).undecided);
 }
 

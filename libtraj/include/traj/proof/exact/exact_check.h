@@ -60,11 +60,11 @@ struct SegmentProof {
 
 struct ExactResult {
   bool ok = false;
-  std::string reason;         // "" when ok, else one of CheckResult's, or "vehicle": half sizes
-                              // or a margin not within 0 and geom::kLargestCoordinate
-  bool undecided = false;     // the reason could not be ruled out in pieces of 2^-60
-  double time = 0;            // of the first such place, as in CheckResult; rounded
-  Vec3 place = Vec3::Zero();  // rounded
+  Reason reason = Reason::none;  // as CheckResult's, or vehicle: half sizes or a margin not within
+                                 // 0 and geom::kLargestCoordinate
+  bool undecided = false;        // the reason could not be ruled out in pieces of 2^-60
+  double time = 0;               // of the first such place, as in CheckResult; rounded
+  Vec3 place = Vec3::Zero();     // rounded
   std::optional<std::size_t> box;  // the obstacle
 
   // The largest step of a coordinate at any joint, of position and its first three derivatives: an

@@ -1,0 +1,50 @@
+#pragma once
+
+// The words by which records and options name the values of an enumeration: one table for both
+// ways.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace geom {
+
+template <class Enum>
+struct Word {
+  Enum value;
+  std::string_view word;
+};
+template <class Enum, std::size_t N>
+using Words = std::array<Word<Enum>, N>;
+
+// Empty for a value that the table does not have.
+template <class Enum, std::size_t N>
+constexpr std::string_view word_of(const Words<Enum, N>& words, Enum value) {
+  for (const Word<Enum>& w : words) {
+    if (w.value == value) return w.word;
+  }
+  return {};
+}
+
+template <class Enum, std::size_t N>
+constexpr std::optional<Enum> value_of(const Words<Enum, N>& words, std::string_view word) {
+  for (const Word<Enum>& w : words) {
+    if (w.word == word) return w.value;
+  }
+  return std::nullopt;
+}
+
+// All of them, with blanks in between: for a message that says what was expected.
+template <class Enum, std::size_t N>
+std::string listed(const Words<Enum, N>& words) {
+  std::string out;
+  for (const Word<Enum>& w : words) {
+    if (!out.empty()) out += ' ';
+    out += w.word;
+  }
+  return out;
+}
+
+}  // namespace geom

@@ -1,0 +1,27 @@
+#pragma once
+
+// What became of a path that was to be a trajectory.
+
+#include <string_view>
+
+#include "geom/text/words.h"
+
+namespace traj {
+
+enum class TrajectoryStatus {
+  solved,
+  no_path,     // there was none to solve
+  infeasible,  // no solver's answer was proved
+  stopped
+};
+inline constexpr geom::Words<TrajectoryStatus, 4> kTrajectoryStatusWords{{
+    {TrajectoryStatus::solved, "solved"},
+    {TrajectoryStatus::no_path, "no_path"},
+    {TrajectoryStatus::infeasible, "infeasible"},
+    {TrajectoryStatus::stopped, "stopped"},
+}};
+constexpr std::string_view name(TrajectoryStatus status) {
+  return geom::word_of(kTrajectoryStatusWords, status);
+}
+
+}  // namespace traj
