@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "../../libtraj/src/portable_math.h"
-#include "scenes.h"
+#include "curve/portable_math.h"
 #include "traj/curve/bernstein.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 #include "support/example_quadrotor.h"
 #include "traj/flight/attitude.h"
 #include "traj/flight/motor_mixer.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 #include "support/example_quadrotor.h"
 #include "traj/proof/limits.h"
 

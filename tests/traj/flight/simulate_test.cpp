@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 #include "traj/curve/to_enu.h"
 #include "traj/curve/yaw.h"
 #include "traj/flight/flown_path.h"

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "geom/base/error.h"
-#include "scenes.h"
+#include "traj/scenes.h"
 #include "support/random_city.h"
 #include "traj/proof/clearance.h"
 #include "traj/record/trajectory_record.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 #include "traj/curve/continuity.h"
 #include "traj/solve/solve.h"
 #include "traj/solve/time_scaling.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {

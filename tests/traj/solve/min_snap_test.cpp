@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 #include "support/min_snap_equations.h"
 #include "traj/curve/bernstein.h"
 #include "traj/curve/continuity.h"

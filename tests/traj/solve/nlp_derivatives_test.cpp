@@ -1,11 +1,11 @@
-// libtraj/src/nlp.h against finite differences.
+// libtraj/src/solve/nlp.h against finite differences.
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 #include "solve/nlp.h"
 
 namespace traj {

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 #include "traj/curve/bernstein.h"
 
 namespace traj {

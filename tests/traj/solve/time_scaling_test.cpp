@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scenes.h"
+#include "traj/scenes.h"
 #include "traj/proof/check.h"
 
 namespace traj {
