@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "../../libtraj/src/portable_math.h"
+#include "curve/portable_math.h"
 #include "traj/curve/bernstein.h"
 #include "traj/scenes.h"
 

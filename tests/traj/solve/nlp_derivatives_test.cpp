@@ -1,4 +1,4 @@
-// libtraj/src/nlp.h against finite differences.
+// libtraj/src/solve/nlp.h against finite differences.
 
 #include <gtest/gtest.h>
 
