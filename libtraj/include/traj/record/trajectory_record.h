@@ -14,7 +14,7 @@ namespace traj {
 
 struct TrajectoryRecord {
   std::string id;
-  std::string status;  // "solved", "no_path", "infeasible" or "stopped"
+  std::string status;  // "solved", "no_path" (there was nothing to solve) or "infeasible"
   Trajectory trajectory;
   geom::Provenance provenance;
   Limits limits;
