@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr std::size_t kManyBoxes = 100000;  // beyond, a region must be named
+constexpr std::size_t kManyBoxes = 100000;  // beyond, the reach must be named
 
 // About: 9 bends a box, and for each a neighbour a metre of reach, as made-up cities have.
 std::string estimate(std::size_t boxes, double reach) {

@@ -14,7 +14,9 @@
 namespace plan {
 namespace {
 
-// 2^27 edges in a row still fit into 64 bits, and a lattice has at most 2^31 nodes.
+// A length fits into 64 bits up to 2^27 edges. A path found has fewer than 2^25: a search sees at
+// most the blocks kept from earlier searches and about kMostPages new ones, 512 nodes each. The
+// heuristic counts at most as many edges as the three dims of the lattice together.
 constexpr double kOne = 0x1p36;
 constexpr std::uint64_t kAxis = 1ull << 36;
 constexpr std::uint64_t kSqrt2 = 97184015999;   // round(2^36 sqrt 2)

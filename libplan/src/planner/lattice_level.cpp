@@ -46,7 +46,7 @@ bool Planner::Level::search(const geom::CollisionScene& scene, const Vec3& from,
     if (found.found || found.gave_up) break;
   }
   give_back(std::move(search));
-  if (found.gave_up) result.status = PlanStatus::stopped;
+  if (found.gave_up) result.status = PathStatus::stopped;
   if (!found.found) return false;
   result.path = joined(lattice_, from, found.nodes, to);
   return true;

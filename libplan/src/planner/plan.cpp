@@ -73,7 +73,7 @@ PathStep step_of(std::string_view name, const Polyline& path) {
 
 std::string why_not(const PlanResult& result) {
   return fmt::format("{} on a lattice of {} m",
-                     result.status == PlanStatus::stopped ? "too many nodes" : "no path",
+                     result.status == PathStatus::stopped ? "too many nodes" : "no path",
                      result.resolution);
 }
 
@@ -140,9 +140,9 @@ PlanResult Planner::search_levels(const Vec3& from, const Vec3& to, const PlanOp
     }
     result = std::move(tried);
     if (found && (options.raw || geom::length(result.path) <= kDetour * straight)) return result;
-    if (result.status == PlanStatus::stopped) break;
+    if (result.status == PathStatus::stopped) break;
   }
-  if (result.status != PlanStatus::stopped) return result;
+  if (result.status != PathStatus::stopped) return result;
   for (const auto& level : coarse_levels_) {
     PlanResult tried;
     if (!search_level(*level, from, to, tried)) continue;
@@ -271,12 +271,12 @@ PlanResult Planner::search_as_asked(const Vec3& from, const Vec3& to, const Plan
     result.expanded = sampled.iterations;
     if (options.keep_tree) result.tree = std::move(sampled.tree);
     if (!found) {  // which proves nothing
-      result.status = PlanStatus::stopped;
+      result.status = PathStatus::stopped;
       result.message = fmt::format("no path after {} iterations", sampled.iterations);
     }
   }
   if (!found) return result;
-  result.status = PlanStatus::found;
+  result.status = PathStatus::found;
   refine(options, result);
   return result;
 }
@@ -287,12 +287,12 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
     result.route = Route::straight;
     result.path = {from, to};
     result.steps = {step_of("search", result.path)};
-    result.status = PlanStatus::found;
+    result.status = PathStatus::found;
     return result;
   }
   if (roadmap_ && search_roadmap(from, to, options, first_limits(from, to), result)) {
     result.route = Route::roadmap;
-    result.status = PlanStatus::found;
+    result.status = PathStatus::found;
     if (options.quality == Quality::best && (to - from).norm() < kCloseMost) {
       search_closely(from, to, options, result);
     }
@@ -304,7 +304,7 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
     result.message = why_not(result);
     return result;
   }
-  result.status = PlanStatus::found;
+  result.status = PathStatus::found;
   if (!polished(options)) return result;
   if (roadmap_ ? search_roadmap(from, to, options, {kCorridorBends}, result)
                : search_corridor(from, to, options, result)) {
@@ -331,8 +331,8 @@ PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& op
       continue;
     }
     PlanResult result;
-    result.status = i == 0 ? (outside ? PlanStatus::start_outside : PlanStatus::start_blocked)
-                           : (outside ? PlanStatus::goal_outside : PlanStatus::goal_blocked);
+    result.status = i == 0 ? (outside ? PathStatus::start_outside : PathStatus::start_blocked)
+                           : (outside ? PathStatus::goal_outside : PathStatus::goal_blocked);
     std::string what = "outside the bounds";
     if (!outside) {
       const auto boxes = scene_.boxes_meeting({p, p});

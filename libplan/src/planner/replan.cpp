@@ -67,7 +67,7 @@ class Mender {
     if (mended && geom::length(mended->plan.path) <= kLonger * geom::length(old_)) return *mended;
     ReplanResult fresh = anew();
     if (!mended) return fresh;
-    const bool better = fresh.plan.status == PlanStatus::found &&
+    const bool better = fresh.plan.status == PathStatus::found &&
                         geom::length(mended->plan.path) > kLonger * geom::length(fresh.plan.path);
     return better ? fresh : *mended;
   }
@@ -75,7 +75,7 @@ class Mender {
  private:
   ReplanResult kept_whole() const {
     ReplanResult result;
-    result.plan.status = PlanStatus::found;
+    result.plan.status = PathStatus::found;
     result.plan.path = old_;
     if (old_.size() > 1) result.origin.kept = {{0, old_.size() - 1}};
     return result;
@@ -96,7 +96,7 @@ class Mender {
     std::size_t most = 0;
     for (const LegRange& run : runs) {
       PlanResult plan = planner_.plan(old_[run.first], old_[run.last], options_);
-      if (plan.status != PlanStatus::found) return std::nullopt;
+      if (plan.status != PathStatus::found) return std::nullopt;
       if (mends.empty() || plan.expanded > most) {
         most = plan.expanded;
         report.route = plan.route;
@@ -105,7 +105,7 @@ class Mender {
       report.expanded += plan.expanded;
       mends.push_back({run.first, run.last, std::move(plan.path)});
     }
-    report.status = PlanStatus::found;
+    report.status = PathStatus::found;
     splice(mends, result);
     report.steps = {{"splice", report.path.size(), geom::length(report.path)}};
     for (std::size_t i = 0; i < mends.size(); ++i) {

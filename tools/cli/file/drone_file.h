@@ -52,10 +52,9 @@ struct DroneFileOptions {
 };
 
 // All that is in a file of this text: one flight, or of lines (KML, GeoJSON, glTF) and tables of
-// paths
-// ("paths-csv") several, at least one. The id is the file's name without folder and extension, with
-// -1, -2, … where there are several, or the table's. Throws geom::InputError for bad text and for
-// what cannot be flown or is not known, UsageError where an option is missing.
+// paths ("paths-csv") several, at least one. The id is the file's name without folder and
+// extension, with -1, -2, … where there are several, or the table's. Throws geom::InputError for
+// bad text and for what cannot be flown or is not known, UsageError where an option is missing.
 std::vector<DroneFile> read_drone_file(const std::string& text, const std::string& source,
                                        const DroneFileOptions& options, const geom::Frame& frame);
 

@@ -31,7 +31,7 @@ struct ShardFile {
   Work work;
   geom::Shard shard;
   std::string output;      // which of the tool's, by its option
-  std::string kind;        // "records", "lattice", "roadmap", "boxes", "columns"
+  std::string kind;        // "records", "lattice", "roadmap", "boxes", "columns" or "runs"
   nlohmann::json content;  // what its arrays need besides
   Exit exit = Exit::yes;
 };

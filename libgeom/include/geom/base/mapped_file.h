@@ -1,6 +1,8 @@
 #pragma once
 
-// Files mapped into memory, and how much of it they take.
+// Files mapped into memory, and how much of it they take. The one place where this library opens
+// files, and keeps something for the whole process: a list of what is mapped now, so that a signal
+// handler can name a file that was cut. No answer depends on it.
 
 #include <cstddef>
 #include <cstdint>

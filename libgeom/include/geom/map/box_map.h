@@ -80,7 +80,8 @@ class BoxMap {
   void require(Verified level, const Execution& run = {}) const;
   Verified verified() const;
 
-  struct Data;  // box_map.cpp, box_map_file.cpp and verify_map.cpp only
+  // libgeom/src/map/box_map_data.h: for the files of this library that make, read or verify maps.
+  struct Data;
   explicit BoxMap(std::shared_ptr<const Data> data);
   const Data& data() const { return *data_; }
 

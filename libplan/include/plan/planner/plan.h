@@ -29,8 +29,8 @@ enum class Quality {
 
 enum class Method {
   automatic,  // as Planner says
-  astar,      // on the first lattice alone
-  rrt,        // and the other sampling planners: see plan/sampling/rrt.h
+  astar,      // A* on the first lattice alone
+  rrt,        // this and the next three: the sampling planners of plan/sampling/rrt.h
   rrt_connect,
   rrt_star,
   informed_rrt_star
@@ -57,28 +57,38 @@ struct PathStep {
 
 struct PlanResult {
   PathStatus status = PathStatus::unreachable;
-  geom::Polyline path;         // start to goal, every leg free; empty unless found
-  std::string message;         // why not, in words
-  std::optional<Route> route;  // absent unless searched
+  geom::Polyline path;  // start to goal, every leg free; empty unless found
+  std::string message;  // why not, in words
+  // What gave the path, or what was searched last. Absent where nothing was searched: an end is
+  // blocked or outside, or replan() kept a path whole.
+  std::optional<Route> route;
   double resolution = 0;     // spacing of the path's lattice, or of the last searched; 0: none was
-  std::size_t expanded = 0;  // nodes, on that lattice
+  std::size_t expanded = 0;  // nodes of that lattice, bends, or iterations of a sampling method
   std::vector<PathStep> steps;        // from the search to the path
   SearchTree tree;                    // where it was to be kept
   std::optional<Vec3> snapped_start;  // where an end was moved to
   std::optional<Vec3> snapped_goal;
 };
 
-// The straight line first; then the roadmap, where one is given, to 20,000 bends, or 4,000 where
-// its lattice does not say that there is a way, or none where that says that there is none on it.
-// Where that found nothing, A* on a lattice joined to both ends by checked segments and shortened
-// by shortcut(), then a search over the bends around boxes within 40 m of that path (80 m for
-// `best`), by A* with a weight of 1.02, or 1.04 between ends more than 1 km apart. Then taut().
-// Without a lattice of its own it searches 26-connected ones of 10, 5 and 2.5 m (finer on maps too
-// small for these) until one finds a path, each worked out where the search goes. A shortened path
-// of more than 1.2 times the straight line is compared with the next lattice's. Where a lattice has
-// too many nodes to look at, ones of 4 and 16 times the first spacing are tried. An edge of a given
-// lattice or roadmap that is blocked on this map throws geom::InputError. The scene and the roadmap
-// must outlive it. Threads may plan at once; no answer depends on another.
+// The recipe of Method::automatic, in this order:
+// 1. The straight line.
+// 2. The roadmap, where one is given. Its coarse lattice says how far to search: 20,000 bends where
+//    both ends are in one component of it, 4,000 where it does not see an end, none where the ends
+//    are in different components.
+// 3. A* on a lattice, joined to both ends by checked segments; the path is shortened by shortcut().
+//    Without a lattice from the caller it tries 26-connected ones of 10, 5 and 2.5 m (finer on maps
+//    too small for these) until one finds a path, each worked out only where the search goes. A
+//    shortened path of more than 1.2 times the straight line is compared with the next lattice's.
+//    Where a lattice has too many nodes to look at, spacings of 4 and 16 times the first are tried.
+// 4. A* over bends: those of the roadmap where there is one; else those around boxes within 40 m of
+//    that path (80 m for `best`), with a weight of 1.02, or 1.04 where the ends are over 1 km
+//    apart.
+// 5. taut() pulls the result tight.
+// Quality::fast leaves out steps 4 and 5.
+//
+// An edge of a given lattice or roadmap that is blocked on this map throws geom::InputError. The
+// scene and the roadmap must outlive the planner. Threads may plan at once; no answer depends on
+// another.
 class Planner {
  public:
   Planner(const geom::CollisionScene& scene, const Lattice* lattice,

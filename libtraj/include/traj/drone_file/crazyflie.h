@@ -33,16 +33,14 @@ void write_crazyflie(std::ostream& out, const Trajectory& enu);
 // (crazyflie-firmware, src/modules/src/pptraj.c and crtp_commander_high_level.c, as they stood in
 // 2023):
 // - It keeps 33 floats a segment: the numbers of the table rounded to single precision.
-// - Its clock is microseconds since it was switched on, as seconds in single precision; the time t
-// in
-//   a segment is that less the time of the start and less each duration before it, rounded after
-//   each subtraction. So t is a float in [0, duration]: rounding moves the setpoint along the
-//   curve, by up to the clock's step, never off it, and the durations of segments that were passed
-//   do not add up to an error of place.
+// - Its clock is microseconds since it was switched on, as seconds in single precision. The time t
+//   in a segment is that less the time of the start and less each duration before it, rounded
+//   after each subtraction. So t is a float in [0, duration]: rounding moves the setpoint along
+//   the curve, by up to the clock's step, never off it, and the durations of segments that were
+//   passed do not add up to an error of place.
 // - Position is Horner's rule in single precision, from the highest power; velocity, acceleration
-// and
-//   jerk the same on coefficients that were multiplied by their power first. A compiler may join
-//   each product and sum to one rounding, and small numbers may be flushed to zero.
+//   and jerk the same on coefficients that were multiplied by their power first. A compiler may
+//   join each product and sum to one rounding, and small numbers may be flushed to zero.
 // So the setpoint differs from the polynomial of the rounded coefficients by no more than the error
 // of Horner's rule, bounded step by step (Higham, Accuracy and Stability of Numerical Algorithms,
 // 2nd ed., algorithm 5.1, with ranges of the partial sums over 64 parts of the segment in place of

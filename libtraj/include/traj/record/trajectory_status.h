@@ -12,7 +12,7 @@ enum class TrajectoryStatus {
   solved,
   no_path,     // there was none to solve
   infeasible,  // no solver's answer was proved
-  stopped
+  stopped      // somebody else's solver gave up; no tool here says so
 };
 inline constexpr geom::Words<TrajectoryStatus, 4> kTrajectoryStatusWords{{
     {TrajectoryStatus::solved, "solved"},

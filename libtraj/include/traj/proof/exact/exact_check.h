@@ -13,7 +13,7 @@
 #include "geom/map/box_map.h"
 #include "geom/vehicle/vehicle.h"
 #include "traj/curve/trajectory.h"
-#include "traj/proof/limits.h"
+#include "traj/proof/reason.h"
 
 namespace traj {
 
