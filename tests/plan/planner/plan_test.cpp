@@ -31,7 +31,7 @@ PlanResult plan_in(const geom::BoxMap& map, const Vec3& from, const Vec3& to,
 TEST(Plan, GoesStraightWhereItCan) {
   const PlanResult result = plan_in(walled(true), {10, 30, 10}, {90, 30, 10});
   EXPECT_EQ(result.status, PathStatus::found);
-  EXPECT_EQ(result.method, "straight");
+  EXPECT_EQ(result.route, Route::straight);
   EXPECT_EQ(result.path.size(), 2u);
 }
 
@@ -108,7 +108,7 @@ TEST(Shortcut, NeverLengthensAndKeepsTheEnds) {
     const Vec3 a(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(2, 30));
     const Vec3 b(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(2, 30));
     const PlanResult raw = planner.plan(a, b, {.raw = true});
-    if (raw.status != PathStatus::found || raw.method == "straight") continue;
+    if (raw.status != PathStatus::found || raw.route == Route::straight) continue;
     const geom::Polyline path = shortcut(scene, raw.path);
     EXPECT_LE(geom::length(path), geom::length(raw.path));
     EXPECT_EQ(path.front(), a);

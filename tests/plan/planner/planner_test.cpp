@@ -36,7 +36,7 @@ TEST(Planner, IsTheStraightLineWhereThatIsFree) {
   const auto scene = tower();
   const PlanResult result = planned(scene, {2, 2, 2}, {38, 2, 2});
   EXPECT_EQ(result.status, PathStatus::found);
-  EXPECT_EQ(result.method, "straight");
+  EXPECT_EQ(result.route, Route::straight);
   EXPECT_EQ(result.resolution, 0);
   EXPECT_EQ(result.path, (geom::Polyline{{2, 2, 2}, {38, 2, 2}}));
 }
@@ -65,7 +65,7 @@ TEST(Planner, GoesRoundAnObstacle) {
   const auto scene = tower();
   const PlanResult result = planned(scene, {2, 20, 5}, {38, 20, 5});
   ASSERT_EQ(result.status, PathStatus::found);
-  EXPECT_EQ(result.method, "corridor");
+  EXPECT_EQ(result.route, Route::corridor);
   EXPECT_GT(result.resolution, 0);
   EXPECT_EQ(result.path.front(), Vec3(2, 20, 5));
   EXPECT_EQ(result.path.back(), Vec3(38, 20, 5));

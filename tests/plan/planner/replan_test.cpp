@@ -72,7 +72,7 @@ TEST(Replan, KeepsAFreePathAsItIs) {
   EXPECT_EQ(result.plan.path, old);
   EXPECT_EQ(result.origin.kept, (std::vector<LegRange>{{0, 4}}));
   EXPECT_TRUE(result.origin.mended.empty());
-  EXPECT_TRUE(result.plan.method.empty());
+  EXPECT_TRUE(!result.plan.route);
 }
 
 TEST(Replan, MendsAroundANewBoxAndKeepsTheRest) {

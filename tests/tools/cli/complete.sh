@@ -8,7 +8,7 @@ for source in "$2"/tools/*/main.cpp; do
   tool=skyway-$verb
   "$1/skyway" help | grep -q "^  $verb " || { echo "skyway help does not list $verb"; missing=1; }
   [ -s "$2/docs/man/$tool.1.md" ] || { echo "docs/man/$tool.1.md is missing"; missing=1; }
-  [ -s "$2/tests/golden/cases/$tool.json" ] || { echo "no golden cases of $tool"; missing=1; }
+  [ -s "$2/tests/golden/$tool.txt" ] || { echo "no golden cases of $tool"; missing=1; }
   grep -q "^| \`$tool\` |" "$2/README.md" || { echo "the README does not list $tool"; missing=1; }
 done
 exit $missing

@@ -196,8 +196,8 @@ TEST(Crazyflie, WhatItsRoundingReachesIsRefused) {
     EXPECT_EQ(result.box.has_value(), !result.ok);
     return result.reason;
   };
-  EXPECT_EQ(reason(4e-4), "collision");
-  EXPECT_EQ(reason(5e-3), "");
+  EXPECT_EQ(reason(4e-4), Reason::collision);
+  EXPECT_EQ(reason(5e-3), Reason::none);
 }
 
 TEST(Crazyflie, FlightsBeyondItsClockAndOtherColumnsAreRefused) {

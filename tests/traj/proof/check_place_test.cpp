@@ -51,7 +51,7 @@ TEST(CheckPlace, LooksAtWhatIsNearACurveThatSwingsFarOut) {
   const CollisionScene scene = posts();
   const auto [result, around] = checked(scene, swing(80));
   ASSERT_GT(around, 9000u);
-  EXPECT_TRUE(result.ok) << result.reason;
+  EXPECT_TRUE(result.ok) << name(result.reason);
   EXPECT_LT(result.looked_at, around / 5);
 }
 

@@ -45,7 +45,7 @@ TEST(Check, AcceptsAClearCurveAndMeasuresItsClearance) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
   const CheckResult result = check(scene, line, Limits{});
-  EXPECT_TRUE(result.ok) << result.reason;
+  EXPECT_TRUE(result.ok) << name(result.reason);
   ASSERT_TRUE(result.clearance);
   EXPECT_NEAR(result.clearance->value, 2.5, 1.1e-3);
   EXPECT_NEAR(result.largest[Limit::speed]->value, 20.0 / 8 * 35 / 16, 1e-3);
@@ -308,9 +308,14 @@ TEST(Solve, ProvesEveryFreePathOfARandomCity) {
 }
 
 TEST(TrajectoryRecord, ComesBackBitForBit) {
-  TrajectoryRecord record{
-      "a \"b\"", "solved", arc({0.1, 20.3, 0.7}, {3, 0.2, 0}), {}, {{Limit::speed, 8}}, "",
-      "ipopt",   ""};
+  TrajectoryRecord record{"a \"b\"",
+                          TrajectoryStatus::solved,
+                          arc({0.1, 20.3, 0.7}, {3, 0.2, 0}),
+                          {},
+                          {{Limit::speed, 8}},
+                          "",
+                          Rung::ipopt,
+                          ""};
   record.trajectory.segments[0].yaw = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
   const std::string line = to_json_line(record);
   EXPECT_EQ(to_json_line(parse_trajectory_record(line, "t", 1)), line);
@@ -318,7 +323,7 @@ TEST(TrajectoryRecord, ComesBackBitForBit) {
 
 TEST(TrajectoryRecord, HostileLinesAreRefused) {
   const std::string good =
-      to_json_line({"a", "solved", arc({0, 20, 0}, {3, 0, 0}), {}, {}, "", "", ""});
+      to_json_line({"a", TrajectoryStatus::solved, arc({0, 20, 0}, {3, 0, 0}), {}, {}, "", "", ""});
   support::Random random(55);
   int refused = 0;
   for (int i = 0; i < 2000; ++i) {

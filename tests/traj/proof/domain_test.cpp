@@ -46,7 +46,7 @@ Trajectory crossing() {
   return {{hermite(begin, middle, 6), hermite(middle, end, 6)}};
 }
 
-void expect_refused_by_both(const Trajectory& t, const Limits& limits, const char* reason,
+void expect_refused_by_both(const Trajectory& t, const Limits& limits, Reason reason,
                             const std::string& what) {
   const CheckResult fast = check(scene(), t, limits);
   const ExactResult exact = exactly(t, limits);
@@ -181,7 +181,7 @@ TEST(DomainProperty, ExtremesAreNeverAccepted) {
     }
     const CheckResult fast = check(scene(), t, limits);
     const ExactResult exact = exactly(t, limits);
-    ASSERT_FALSE(fast.ok && !exact.ok) << "case " << i << ": exact " << exact.reason;
+    ASSERT_FALSE(fast.ok && !exact.ok) << "case " << i << ": exact " << name(exact.reason);
     ASSERT_FALSE(outside_domain(t, limits) && (fast.ok || exact.ok)) << "case " << i;
     ASSERT_EQ(outside_domain(t, limits) ? outside_domain(t, limits)->reason : fast.reason,
               fast.reason);

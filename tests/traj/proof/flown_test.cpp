@@ -72,10 +72,10 @@ TEST(CheckFlown, KnowsHowFarATelloMayGo) {
     flown.airborne = airborne;
     return check_flown(yard(), flown, {}).reason;
   };
-  EXPECT_EQ(reason({40, 95, 30}, 780), "");
-  EXPECT_EQ(reason({40, 20, 30.01}, 780), "ceiling");
-  EXPECT_EQ(reason({40, 100, 2}, 780), "range");
-  EXPECT_EQ(reason({40, 20, 2}, 780.1), "endurance");
+  EXPECT_EQ(reason({40, 95, 30}, 780), Reason::none);
+  EXPECT_EQ(reason({40, 20, 30.01}, 780), Reason::ceiling);
+  EXPECT_EQ(reason({40, 100, 2}, 780), Reason::range);
+  EXPECT_EQ(reason({40, 20, 2}, 780.1), Reason::endurance);
 }
 
 TEST(CheckFlown, HoldsSetpointsToTheLimits) {
@@ -101,7 +101,7 @@ TEST(CheckFlown, HoldsSetpointsToTheLimits) {
 }
 
 // Rows of a table, flown; the reason of the refusal.
-std::string reason_of(const std::vector<Setpoint>& setpoints, const Limits& limits) {
+Reason reason_of(const std::vector<Setpoint>& setpoints, const Limits& limits) {
   Flown flown;
   flown.setpoints = setpoints;
   flown.trajectory = straight_between(setpoints);

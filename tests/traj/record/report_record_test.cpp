@@ -31,7 +31,7 @@ TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   EXPECT_EQ(back.id, "q1");
   EXPECT_EQ(back.checked, "trajectory");
   EXPECT_FALSE(back.ok);
-  EXPECT_EQ(back.reason, Reason::collision);
+  EXPECT_EQ(back.reason, "collision");
   EXPECT_EQ(back.time, 1.5);
   EXPECT_EQ(back.place, Vec3(1, 2, 3));
   EXPECT_EQ(back.worst, 0.125);

@@ -55,7 +55,7 @@ TEST(ExactCheck, CoversEverySegmentOnce) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0.1);
   const ExactResult result =
       exactly(scene, arc({0, 8, 0}, {3, 0, 0}), {{Limit::speed, 9}, {Limit::acceleration, 20}});
-  ASSERT_TRUE(result.ok) << result.reason;
+  ASSERT_TRUE(result.ok) << name(result.reason);
   ASSERT_EQ(result.segments.size(), 2u);
   for (const SegmentProof& proof : result.segments) {
     EXPECT_EQ(length_of(proof.clear.pieces), 1);
@@ -89,7 +89,7 @@ TEST(ExactCheck, AcceptsWhatIsClearByTheSmallestGap) {
     const auto c = i % 2 ? support::under(random, gap) : support::past_edge(random, gap);
     const CollisionScene scene = c.scene();
     const ExactResult result = exactly(scene, c.trajectory);
-    EXPECT_TRUE(result.ok) << "case " << i << ", gap " << gap << ": " << result.reason;
+    EXPECT_TRUE(result.ok) << "case " << i << ", gap " << gap << ": " << name(result.reason);
     const bool fast = check(scene, c.trajectory, Limits{}).ok;
     if (gap >= 1e-6) {
       EXPECT_TRUE(fast) << "case " << i << ", gap " << gap;
@@ -124,7 +124,7 @@ TEST(ExactCheck, AcceptsWhatTheFastCheckAccepts) {
                         {Limit::body_rate, near(loose.largest[Limit::body_rate])}};
     const CheckResult fast = check(scene, t, limits);
     const ExactResult result = exactly(scene, t, limits);
-    EXPECT_GE(result.ok, fast.ok) << "case " << i << ": " << result.reason;
+    EXPECT_GE(result.ok, fast.ok) << "case " << i << ": " << name(result.reason);
     if (!result.ok) {
       EXPECT_EQ(result.reason, fast.reason) << "case " << i;
     }
