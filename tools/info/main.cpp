@@ -92,7 +92,7 @@ Json describe_records(const std::string& text, const std::string& name) {
     const geom::JsonFields fields(line, name, number);
     std::string kind = fields.text("type", "query");
     if (fields.has("status")) kind += " " + fields.text("status");
-    if (fields.has("ok")) kind += fields.object()["ok"] == true ? " ok" : " failed";
+    if (fields.has("ok")) kind += fields.value("ok") == true ? " ok" : " failed";
     ++counts[kind];
   }
   if (counts.empty()) throw geom::InputError(name, "expected records, found an empty stream");

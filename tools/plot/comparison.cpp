@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "palette.h"
 #include "svg.h"
@@ -140,7 +141,7 @@ void draw_key(Svg& svg) {
 Comparison parse_comparison(const geom::JsonFields& report, std::string_view name) {
   report.require_type("benchmark");
   Comparison out{std::string(name), {}};
-  const nlohmann::json& methods = report.object()["methods"];
+  const nlohmann::json& methods = report.value("methods");
   if (!methods.is_array() || methods.empty()) report.refuse("expected a list of methods");
   for (const nlohmann::json& m : methods) {
     if (!m.is_object() || !m.contains("method") || !m["method"].is_string()) {

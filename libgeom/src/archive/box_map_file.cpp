@@ -58,7 +58,7 @@ JsonFields meta_fields(const ArrayArchive& archive) {
 
 void require_box_map(const JsonFields& meta) {
   const auto found = [&](const char* key) {
-    return meta.has(key) ? shown(meta.object()[key]) : std::string("none");
+    return meta.has(key) ? shown(meta.value(key)) : std::string("none");
   };
   if (found("format") != "\"skyway-boxmap\"") {
     meta.refuse(fmt::format("expected a box map (format \"skyway-boxmap\"), found format {}",
@@ -71,7 +71,7 @@ void require_box_map(const JsonFields& meta) {
 
 std::vector<std::string> labels_of(const JsonFields& meta) {
   std::vector<std::string> labels;
-  const Json listed = meta.has("labels") ? meta.object()["labels"] : Json();
+  const Json listed = meta.has("labels") ? meta.value("labels") : Json();
   if (!listed.is_array()) meta.refuse("labels must be a list, found " + shown(listed));
   for (const Json& label : listed) {
     if (!label.is_string()) meta.refuse("a label must be a string, found " + shown(label));
@@ -87,7 +87,7 @@ BoxMapSpec spec_of(const JsonFields& meta) {
   BoxMapSpec spec;
   const auto axes = axes_from_name(meta.text("frame"));
   if (!axes) {
-    meta.refuse("frame must be \"enu\" or \"neu\", found " + shown(meta.object()["frame"]));
+    meta.refuse("frame must be \"enu\" or \"neu\", found " + shown(meta.value("frame")));
   }
   spec.frame.axes = *axes;
   if (meta.has("origin")) {
@@ -97,7 +97,7 @@ BoxMapSpec spec_of(const JsonFields& meta) {
   spec.frame.crs = meta.text("crs");
   const std::vector<Vec3> corners = meta.points("bounds");
   if (corners.size() != 2 || (corners[0].array() > corners[1].array()).any()) {
-    meta.refuse("bounds must be two corners, min <= max, found " + shown(meta.object()["bounds"]));
+    meta.refuse("bounds must be two corners, min <= max, found " + shown(meta.value("bounds")));
   }
   spec.bounds = {corners[0], corners[1]};
   spec.bounds_from = meta.text("bounds_from");
@@ -105,7 +105,7 @@ BoxMapSpec spec_of(const JsonFields& meta) {
   if (!(spec.tile_size >= 1 && spec.tile_size <= kLargestCoordinate)) {
     meta.refuse(fmt::format("tile_size must be from 1 m to 1e8 m, found {}", spec.tile_size));
   }
-  const Json steps = meta.has("history") ? meta.object()["history"] : Json();
+  const Json steps = meta.has("history") ? meta.value("history") : Json();
   if (!steps.is_array()) meta.refuse("history must be a list, found " + shown(steps));
   spec.history = steps.dump();
   return spec;

@@ -2,6 +2,7 @@
 #include <liblzf/lzf.h>
 
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "geom/cloud/point_cloud.h"

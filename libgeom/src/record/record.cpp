@@ -114,7 +114,7 @@ void append_motion(std::string& out, const std::vector<double>& hold,
 const nlohmann::json& list_of(const JsonFields& fields, const char* key, std::size_t points) {
   static const nlohmann::json kNone = nlohmann::json::array();
   if (!fields.has(key)) return kNone;
-  const nlohmann::json& list = fields.object()[key];
+  const nlohmann::json& list = fields.value(key);
   if (!list.is_array() || list.size() != points) {
     fields.refuse(fmt::format("{} must be a list of {}, one a point, found {}", key, points,
                               list.is_array() ? fmt::format("{}", list.size()) : shown(list)));
@@ -125,7 +125,7 @@ const nlohmann::json& list_of(const JsonFields& fields, const char* key, std::si
 std::vector<LegRange> parse_ranges(const JsonFields& fields, const char* key, std::size_t points) {
   std::vector<LegRange> ranges;
   if (!fields.has(key)) return ranges;
-  const nlohmann::json& list = fields.object()[key];
+  const nlohmann::json& list = fields.value(key);
   const auto sound = [&](const nlohmann::json& range) {
     return range.is_array() && range.size() == 2 && range[0].is_number_unsigned() &&
            range[1].is_number_unsigned() &&
@@ -206,7 +206,7 @@ PathRecord parse_path_record(std::string_view json, std::string_view source, std
   record.status = fields.word("status", kPathStatusWords, PathStatus::found);
   record.provenance = fields.provenance();
   record.message = fields.text("message", "");
-  if (fields.has("search")) record.search = fields.object().at("search").dump();
+  if (fields.has("search")) record.search = fields.value("search").dump();
   if (fields.has("points")) record.points = fields.points("points");
   if (record.status == PathStatus::found && record.points.empty()) {
     fields.refuse("points must hold at least one point when the status is found, found none");

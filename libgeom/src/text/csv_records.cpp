@@ -1,6 +1,7 @@
 #include "geom/text/csv_records.h"
 
 #include <cerrno>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "geom/base/error.h"

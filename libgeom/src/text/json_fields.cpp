@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "geom/base/error.h"
@@ -18,8 +19,23 @@ using Json = nlohmann::json;
 }  // namespace
 
 JsonFields::JsonFields(std::string_view json, std::string_view source, std::size_t line)
-    : object_(parse_json(json, source, line)), source_(source), line_(line) {
-  if (!object_.is_object()) refuse("expected a JSON object, found " + shown(object_));
+    : object_(std::make_unique<Json>(parse_json(json, source, line))),
+      source_(source),
+      line_(line) {
+  if (!object_->is_object()) refuse("expected a JSON object, found " + shown(*object_));
+}
+
+JsonFields::~JsonFields() = default;
+JsonFields::JsonFields(JsonFields&&) noexcept = default;
+
+bool JsonFields::has(const char* key) const {
+  const auto at = object_->find(key);
+  return at != object_->end() && !at->is_null();
+}
+
+const Json& JsonFields::value(const char* key) const {
+  if (!has(key)) refuse(fmt::format("expected the key \"{}\", found none", key));
+  return (*object_)[key];
 }
 
 void JsonFields::refuse(std::string_view message) const {
@@ -27,18 +43,17 @@ void JsonFields::refuse(std::string_view message) const {
 }
 
 void JsonFields::require_type(std::string_view type) const {
-  const std::string found = has("type") ? shown(object_["type"]) : "none";
+  const std::string found = has("type") ? shown(value("type")) : "none";
   if (found != fmt::format("\"{}\"", type)) {
     refuse(fmt::format("expected a record of type \"{}\", found type {}", type, found));
   }
 }
 
 std::string JsonFields::text(const char* key) const {
-  if (!has(key)) refuse(fmt::format("expected the key \"{}\", found none", key));
-  if (!object_[key].is_string()) {
-    refuse(fmt::format("{} must be a string, found {}", key, shown(object_[key])));
+  if (!value(key).is_string()) {
+    refuse(fmt::format("{} must be a string, found {}", key, shown(value(key))));
   }
-  return object_[key].get<std::string>();
+  return value(key).get<std::string>();
 }
 
 std::string JsonFields::text(const char* key, std::string_view fallback) const {
@@ -46,7 +61,7 @@ std::string JsonFields::text(const char* key, std::string_view fallback) const {
 }
 
 void JsonFields::refuse_word(const char* key, const std::string& expected) const {
-  refuse(fmt::format("{} must be one of {}, found {}", key, expected, shown(object_[key])));
+  refuse(fmt::format("{} must be one of {}, found {}", key, expected, shown(value(key))));
 }
 
 double JsonFields::number(const Json& value, std::string_view what) const {
@@ -58,7 +73,7 @@ double JsonFields::number(const Json& value, std::string_view what) const {
 
 std::optional<double> JsonFields::number(const char* key) const {
   if (!has(key)) return std::nullopt;
-  return number(object_[key], key);
+  return number(value(key), key);
 }
 
 Vec3 JsonFields::point(const Json& value, std::string_view what) const {
@@ -75,14 +90,11 @@ Vec3 JsonFields::point(const Json& value, std::string_view what) const {
   return v;
 }
 
-Vec3 JsonFields::point(const char* key) const {
-  if (!has(key)) refuse(fmt::format("expected the key \"{}\", found none", key));
-  return point(object_[key], key);
-}
+Vec3 JsonFields::point(const char* key) const { return point(value(key), key); }
 
 std::vector<Vec3> JsonFields::points(const char* key) const {
   if (!has(key)) refuse(fmt::format("expected the key \"{}\", found none", key));
-  const Json& list = object_[key];
+  const Json& list = value(key);
   if (!list.is_array()) refuse(fmt::format("{} must be a list, found {}", key, shown(list)));
   std::vector<Vec3> points;
   points.reserve(list.size());
@@ -120,7 +132,7 @@ Limits JsonFields::limits(const Json& value, std::string_view what) const {
 }
 
 Limits JsonFields::limits() const {
-  return has("limits") ? limits(object_["limits"], "limits") : Limits{};
+  return has("limits") ? limits(value("limits"), "limits") : Limits{};
 }
 
 Provenance JsonFields::provenance() const {
@@ -128,10 +140,10 @@ Provenance JsonFields::provenance() const {
   if (has("map")) p.map = text("map");
   if (has("frame")) {
     p.frame = axes_from_name(text("frame"));
-    if (!p.frame) refuse("frame must be \"enu\" or \"neu\", found " + shown(object_["frame"]));
+    if (!p.frame) refuse("frame must be \"enu\" or \"neu\", found " + shown(value("frame")));
   }
   if (has("vehicle")) {
-    const Json& v = object_["vehicle"];
+    const Json& v = value("vehicle");
     if (!v.is_object() || !v.contains("half")) {
       refuse("vehicle must be an object with \"half\", found " + shown(v));
     }
@@ -145,10 +157,10 @@ Provenance JsonFields::provenance() const {
     p.vehicle = vehicle;
   }
   if ((p.margin = number("margin")) && *p.margin < 0) {
-    refuse("margin must be >= 0, found " + shown(object_["margin"]));
+    refuse("margin must be >= 0, found " + shown(value("margin")));
   }
   if (p.margin && *p.margin > kLargestCoordinate) {
-    refuse("margin must be within 1e8 m, found " + shown(object_["margin"]));
+    refuse("margin must be within 1e8 m, found " + shown(value("margin")));
   }
   return p;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "block_store.h"
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
@@ -97,7 +99,7 @@ RoadmapPart read_roadmap_part(const geom::ArrayArchive& archive, std::string_vie
   }
   part.edges = read_edges(archive, part.bends.size());
   if (fields.has("lattice")) {
-    part.coarse = read_lattice_part(archive, fields.object()["lattice"].dump(), shard);
+    part.coarse = read_lattice_part(archive, fields.value("lattice").dump(), shard);
   }
   return part;
 }

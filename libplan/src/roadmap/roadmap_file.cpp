@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "geom/base/error.h"
@@ -135,7 +136,7 @@ Roadmap read_roadmap(const geom::ArrayArchive& archive) {
   }
   if (fields.has("lattice")) {
     const auto label = archive.array<std::uint32_t>("node_label");
-    out.coarse.emplace(LabelledLattice{read_lattice(archive, fields.object()["lattice"].dump()),
+    out.coarse.emplace(LabelledLattice{read_lattice(archive, fields.value("lattice").dump()),
                                        {label.begin(), label.end()}});
     if (out.coarse->label.size() != out.coarse->lattice.size()) {
       refuse(fmt::format("expected {} labels of nodes, found {}", out.coarse->lattice.size(),

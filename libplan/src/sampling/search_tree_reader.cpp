@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "geom/base/error.h"
@@ -38,7 +39,7 @@ void SearchTreeReader::add(std::string_view node, std::string_view source, std::
   const geom::JsonFields fields(node, source, line);
   if (complete()) fields.refuse(fmt::format("expected {} nodes, found one more", nodes_));
   if (index(fields, "index", nodes_) != i) {
-    fields.refuse(fmt::format("expected index {}, found {}", i, fields.object()["index"].dump()));
+    fields.refuse(fmt::format("expected index {}, found {}", i, fields.value("index").dump()));
   }
   tree.parent.push_back(index(fields, "parent", nodes_));
   tree.first_parent.push_back(index(fields, "first_parent", i + 1));

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
+#include "geom/text/json_fields.h"
 #include "traj/proof/limits.h"
 #include "traj/record/gains_record.h"
 
@@ -24,7 +27,7 @@ std::optional<Vec3> positive_axes(const JsonFields& fields, const char* key) {
   const Vec3 value = fields.point(key);
   if (value.minCoeff() <= 0) {
     fields.refuse(
-        fmt::format("{} must be > 0 about each axis, found {}", key, fields.object()[key].dump()));
+        fmt::format("{} must be > 0 about each axis, found {}", key, fields.value(key).dump()));
   }
   return value;
 }
@@ -36,14 +39,14 @@ std::optional<Vec3> inertia(const JsonFields& fields) {
     fields.refuse(
         fmt::format("inertia_kg_m2 must be at most the sum of the other two about each "
                     "axis, found {}",
-                    fields.object()["inertia_kg_m2"].dump()));
+                    fields.value("inertia_kg_m2").dump()));
   }
   return value;
 }
 
 void parse_thrust(const JsonFields& fields, Airframe& airframe) {
   if (!fields.has("thrust_n")) return;
-  const auto& range = fields.object()["thrust_n"];
+  const auto& range = fields.value("thrust_n");
   if (!range.is_array() || range.size() != 2) {
     fields.refuse(fmt::format("thrust_n must be [least,most], found {}", range.dump()));
   }
@@ -60,7 +63,7 @@ void parse_thrust(const JsonFields& fields, Airframe& airframe) {
 
 std::optional<Eigen::Vector2d> arm(const JsonFields& fields) {
   if (!fields.has("motor_arm_m")) return std::nullopt;
-  const auto& value = fields.object()["motor_arm_m"];
+  const auto& value = fields.value("motor_arm_m");
   if (!value.is_array() || value.size() != 2) {
     fields.refuse(fmt::format("motor_arm_m must be [x,y], found {}", value.dump()));
   }
@@ -77,7 +80,7 @@ std::optional<Vec3> drag(const JsonFields& fields) {
   const Vec3 value = fields.point("drag_kg_s");
   if (value.minCoeff() < 0) {
     fields.refuse(fmt::format("drag_kg_s must be >= 0 on each axis, found {}",
-                              fields.object()["drag_kg_s"].dump()));
+                              fields.value("drag_kg_s").dump()));
   }
   return value;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "geom/shape/polytope.h"
 #include "geom/text/json_fields.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <set>
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string_view>
 #include <vector>
+
+#include "geom/text/json_fields.h"
 
 namespace traj {
 namespace {
@@ -98,7 +101,7 @@ nlohmann::ordered_json object_of(const PidGains& gains) {
 Gains parse_gains(const JsonFields& fields, const Gains& base) {
   Gains gains = base;
   if (!fields.has("gains")) return gains;
-  Block all(fields, fields.object()["gains"], "gains");
+  Block all(fields, fields.value("gains"), "gains");
   all.pid("position", gains.position);
   all.pid("velocity", gains.velocity);
   all.vector("attitude", gains.attitude);

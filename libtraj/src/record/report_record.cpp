@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
+#include "geom/text/json_fields.h"
 #include "json_number.h"
 #include "traj/record/certificate_record.h"
 #include "traj/record/trajectory_record.h"
@@ -93,7 +96,7 @@ bool flag(const geom::JsonFields& fields, const nlohmann::json& object, const st
 
 std::optional<std::uint64_t> parse_box(const geom::JsonFields& fields) {
   if (!fields.has("box")) return std::nullopt;
-  const nlohmann::json& box = fields.object()["box"];
+  const nlohmann::json& box = fields.value("box");
   if (!box.is_number_unsigned()) {
     fields.refuse("box must be a whole number >= 0, found " + box.dump());
   }
@@ -168,7 +171,7 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
   report.duration = fields.number("duration");
   report.extremes = parse_extremes(fields);
   if (fields.has("exact")) {
-    const nlohmann::json& exact = fields.object()["exact"];
+    const nlohmann::json& exact = fields.value("exact");
     if (!exact.is_object()) fields.refuse("exact must be an object, found " + exact.dump());
     report.exact_ok = flag(fields, exact, "exact.ok");
   }

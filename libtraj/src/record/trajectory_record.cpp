@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
+#include "geom/text/json_fields.h"
 #include "traj/proof/domain.h"
 
 namespace traj {
@@ -119,9 +122,9 @@ TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view
   record.limits = fields.limits();
   record.message = fields.text("message", "");
   if (fields.has("rung")) record.rung = fields.word("rung", kRungWords, Rung::closed);
-  if (fields.has("solver")) record.solver = fields.object()["solver"].dump();
+  if (fields.has("solver")) record.solver = fields.value("solver").dump();
   if (fields.has("segments")) {
-    const Json& list = fields.object()["segments"];
+    const Json& list = fields.value("segments");
     if (!list.is_array()) fields.refuse("segments must be a list, found " + list.dump());
     for (std::size_t i = 0; i < list.size(); ++i) {
       record.trajectory.segments.push_back(parse_segment(fields, list[i], i));

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/text/json_fields.h"
 #include "support/refusal.h"
 #include "traj/record/airframe_record.h"
 #include "traj/record/gains_record.h"
@@ -119,7 +121,7 @@ TEST(Airframe, OfEveryProfileInDataIsReadAndHasSources) {
     const geom::JsonFields fields(text.str(), name, 0);
     EXPECT_TRUE(quadrotor_of(parse_airframe(fields))) << name;
     // Each figure has its source.
-    const std::string sources = fields.object()["sources"].dump();
+    const std::string sources = fields.value("sources").dump();
     for (const auto& [key, value] : fields.object().items()) {
       if (key == "name" || key == "sources") continue;
       EXPECT_NE(sources.find(key), std::string::npos) << name << ": " << key;

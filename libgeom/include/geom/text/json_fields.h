@@ -3,7 +3,8 @@
 // Typed access to one JSON record, with errors that name source, line, key and what stood there.
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,9 +20,12 @@ namespace geom {
 class JsonFields {
  public:
   JsonFields(std::string_view json, std::string_view source, std::size_t line);
+  ~JsonFields();
+  JsonFields(JsonFields&&) noexcept;
 
-  const nlohmann::json& object() const { return object_; }
-  bool has(const char* key) const { return object_.contains(key) && !object_[key].is_null(); }
+  const nlohmann::json& object() const { return *object_; }
+  bool has(const char* key) const;  // and it is not null
+  const nlohmann::json& value(const char* key) const;
   void require_type(std::string_view type) const;  // the value of "type"
 
   std::string text(const char* key) const;
@@ -50,7 +54,7 @@ class JsonFields {
  private:
   [[noreturn]] void refuse_word(const char* key, const std::string& expected) const;
 
-  nlohmann::json object_;
+  std::unique_ptr<const nlohmann::json> object_;
   std::string source_;
   std::size_t line_;
 };

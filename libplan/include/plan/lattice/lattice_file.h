@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "geom/archive/array_archive.h"
-#include "geom/text/json_fields.h"
 #include "plan/lattice/lattice.h"
 #include "plan/lattice/lattice_part.h"
+
+namespace geom {
+class JsonFields;
+}
 
 namespace plan {
 

@@ -2,8 +2,11 @@
 
 // The airframe in a vehicle profile.
 
-#include "geom/text/json_fields.h"
 #include "traj/flight/airframe.h"
+
+namespace geom {
+class JsonFields;
+}
 
 namespace traj {
 

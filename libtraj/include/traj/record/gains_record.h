@@ -4,8 +4,11 @@
 
 #include <string>
 
-#include "geom/text/json_fields.h"
 #include "traj/flight/gains.h"
+
+namespace geom {
+class JsonFields;
+}
 
 namespace traj {
 

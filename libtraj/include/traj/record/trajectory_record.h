@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "geom/record/record.h"
-#include "geom/text/json_fields.h"
 #include "traj/curve/trajectory.h"
 #include "traj/proof/limits.h"
 #include "traj/record/trajectory_status.h"
