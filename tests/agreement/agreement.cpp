@@ -10,6 +10,7 @@
 
 #include "geom/base/parallel.h"
 #include "geom/collision/collision.h"
+#include "geom/map/join.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/plan.h"
 #include "support/city.h"
@@ -92,11 +93,8 @@ std::pair<Vec3, Vec3> segment_of_kind(support::Random& random, const geom::Colli
 
 // The map, shifted: its coordinates rounded anew.
 geom::BoxMap shifted(const geom::BoxMap& map, const Vec3& by) {
-  geom::BoxTable table{{},
-                       {map.ids().begin(), map.ids().end()},
-                       {map.label().begin(), map.label().end()},
-                       map.labels()};
-  for (const geom::Aabb& box : map.boxes()) table.boxes.push_back({box.min + by, box.max + by});
+  geom::BoxTable table = geom::table_of(map);
+  for (geom::Aabb& box : table.boxes) box = {box.min + by, box.max + by};
   geom::BoxMapSpec spec = map.spec();
   spec.bounds = {spec.bounds.min + by, spec.bounds.max + by};
   return {spec, table};

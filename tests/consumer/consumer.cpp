@@ -1,18 +1,33 @@
-// A program outside the project: plans, solves and proves with the installed libraries.
-
 #include <geom/collision/collision.h>
+#include <geom/import/import_boxes.h>
 #include <plan/planner/plan.h>
+#include <plan/planner/path_record.h>
+#include <traj/flight/vehicle_profile.h>
+#include <traj/proof/check.h>
+#include <traj/record/solved_record.h>
 #include <traj/solve/solve.h>
 
-int main() {
-  geom::BoxTable table{{{{4, 0, 0}, {5, 8, 8}}}, {1}, {0}, {""}};
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {10, 10, 10}};
-  const geom::CollisionScene scene(geom::BoxMap(spec, table), {"box", {0.5, 0.5, 0.5}}, 0);
-  plan::Planner planner(scene, nullptr);
-  const plan::PlanResult path = planner.plan({1, 1, 1}, {9, 1, 1}, {});
+#include <iostream>
+
+// A city as blocks on stdin; on stdout a proved flight through it, as a record for skyway-check.
+int main() try {
+  const geom::MadeMap made = geom::make_map(
+      geom::import_boxes(std::cin, geom::BoxFormat::block_text, "stdin"), "stdin");
+  const traj::VehicleProfile tello = *traj::vehicle_named("tello");
+  const geom::CollisionScene scene(made.map, tello.vehicle, 0.2);
+
+  plan::Planner planner(scene);
+  const plan::PlanResult path = planner.plan({1, 1, 1}, {9, 1, 1});
+  if (path.status != geom::PathStatus::found) throw std::runtime_error(path.message);
+
   traj::SolveOptions options;
-  options.limits[geom::Limit::speed] = 2;
-  options.limits[geom::Limit::acceleration] = 2;
-  return traj::solve(scene, path.path, options).status == traj::SolveStatus::solved ? 0 : 1;
+  options.limits = tello.vehicle.limits;
+  options.limits[geom::Limit::acceleration] = 3;
+  const traj::SolveResult flight = traj::solve(scene, path.path, options);
+  if (!flight.rung || !traj::check(scene, flight.trajectory, options.limits).ok) return 1;
+
+  std::cout << to_json_line(traj::trajectory_record(scene, "q1", flight, options.limits));
+} catch (const std::exception& error) {
+  std::cerr << "flight: " << error.what() << '\n';
+  return 2;
 }

@@ -29,7 +29,6 @@ inline geom::BoxTable table_of(std::vector<geom::Aabb> boxes) {
   table.boxes = std::move(boxes);
   for (std::size_t i = 0; i < table.boxes.size(); ++i) table.ids.push_back(i + 1);
   table.label.assign(table.boxes.size(), 0);
-  table.labels = {""};
   return table;
 }
 

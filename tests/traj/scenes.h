@@ -17,7 +17,6 @@ inline geom::CollisionScene scene_of(const std::vector<geom::Aabb>& boxes,
                                                                  Vec3(300, 300, 100)}) {
   geom::BoxTable table;
   table.boxes = boxes;
-  table.labels = {""};
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     table.ids.push_back(i);
     table.label.push_back(0);

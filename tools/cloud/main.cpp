@@ -169,7 +169,6 @@ Points without_ground(const Points& points, const geom::GroundSpec& spec) {
 // A box an object, and none for objects of too few points.
 geom::BoxTable object_boxes(const Points& points, const Options& options, Report& report) {
   geom::BoxTable table;
-  table.labels = {""};
   std::size_t dropped = 0;
   for (const auto& cluster : cloud::clusters(points, options.tolerance)) {
     if (cluster.size() < options.min_points) {
@@ -180,9 +179,7 @@ geom::BoxTable object_boxes(const Points& points, const Options& options, Report
     for (const std::size_t i : cluster) {
       box = geom::merged(box, {points[i].position, points[i].position});
     }
-    table.ids.push_back(table.boxes.size());
-    table.boxes.push_back(box);
-    table.label.push_back(0);
+    table.add(box, table.boxes.size());
   }
   if (options.min_points > 1) report["dropped_in_small_objects"] = dropped;
   report["kept"] = points.size() - dropped;

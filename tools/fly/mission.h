@@ -61,7 +61,7 @@ class Mission {
   void judge(const Entry& entry, const traj::Flight& flight, traj::FlightReport& report);
 
   Options options_;
-  cli::VehicleProfile profile_;
+  traj::VehicleProfile profile_;
   traj::FlightOptions flight_;
   std::optional<cli::Scenes> scenes_;
   std::string source_;

@@ -8,6 +8,7 @@
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/run.h"
+#include "geom/text/json_fields.h"
 #include "traj/record/gains_record.h"
 
 namespace fly {
@@ -100,7 +101,7 @@ void Options::add_to(CLI::App& app) {
                  "mean:1,max:0.5 (default: rms)");
 }
 
-traj::FlightOptions Options::flight(const cli::VehicleProfile& profile) const {
+traj::FlightOptions Options::flight(const traj::VehicleProfile& profile) const {
   const auto quadrotor = traj::quadrotor_of(profile.airframe);
   if (!quadrotor) {
     throw cli::UsageError(

@@ -33,7 +33,7 @@ struct Options {
   void add_to(CLI::App& app);
 
   // Throws cli::UsageError for what cannot be flown.
-  traj::FlightOptions flight(const cli::VehicleProfile& profile) const;
+  traj::FlightOptions flight(const traj::VehicleProfile& profile) const;
   traj::FlightCost flight_cost() const;
   traj::MonteCarloOptions spread() const;
   int log_period() const;  // ms

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
-
 #include "cli/file/files.h"
 #include "cli/file/hashed_input.h"
 #include "cli/file/map_output.h"
@@ -13,23 +11,10 @@
 #include "cli/option/units.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
-#include "geom/import/block_text.h"
-#include "geom/import/box_csv.h"
-#include "geom/import/fcnd_csv.h"
-#include "geom/import/octomap.h"
-#include "geom/import/voxel_3dmap.h"
-#include "geom/import/world_json.h"
+#include "geom/import/import_boxes.h"
 #include "geom/map/make_map.h"
 
 namespace {
-
-struct Source {
-  geom::BoxTable table;
-  geom::Frame frame;
-  std::size_t flat = 0;
-  double largest_change = 0;
-  geom::Skipped skipped;
-};
 
 struct Options {
   std::string format = "auto";
@@ -40,95 +25,31 @@ struct Options {
   cli::MapOptions map;
 };
 
-const std::vector<std::string> kFormats = {"auto",       "fcnd",  "box-csv", "block-text",
-                                           "world-json", "3dmap", "octomap"};
-
-// "auto": what the first line with something in it looks like; nothing where it is none of these.
-std::optional<std::string> detect(std::string_view head) {
-  if (head.starts_with("# Octomap")) return "octomap";
-  std::istringstream in{std::string(head)};
-  for (std::string line; std::getline(in, line);) {
-    if (line.find("min_x_m") != std::string::npos) return "box-csv";
-    const std::size_t at = line.find_first_not_of(" \t\r");
-    if (at == std::string::npos || line[at] == '#') continue;
-    const std::string_view text = std::string_view(line).substr(at);
-    if (text.starts_with("boundary") || text.starts_with("block")) return "block-text";
-    if (text.starts_with("voxel")) return "3dmap";
-    if (text.starts_with("{")) return "world-json";
-    const bool table =
-        text.find("pos") != std::string::npos || text.find("half") != std::string::npos;
-    const bool numbers = text.find_first_of("0123456789") < 2;
-    if (table || numbers || text.starts_with("lat0") || text.starts_with("\xef\xbb\xbf"))
-      return "fcnd";
-    return std::nullopt;
-  }
-  return "fcnd";
+std::vector<std::string> formats() {
+  std::vector<std::string> out = {"auto"};
+  for (const auto& [format, word] : geom::kBoxFormatWords) out.emplace_back(word);
+  return out;
 }
 
-std::string detected(std::string_view head, const std::string& source) {
-  if (const auto format = detect(head)) return *format;
-  throw geom::InputError(
-      source, 1,
-      fmt::format(
-          "expected an FCND table, box CSV, block text, RotorPy JSON, .3dmap or OctoMap .bt "
-          "(or --format), found \"{}\"",
-          head.substr(0, std::min<std::size_t>(60, head.find_first_of("\r\n")))));
+// Of what was imported, the map that the options ask for.
+geom::MakeMapOptions map_options(const Options& options, const geom::ImportedBoxes& boxes) {
+  geom::MakeMapOptions map = options.map.make(boxes.seal);
+  map.scale *= cli::kMetres.at(options.units);
+  map.source_bounds = boxes.bounds;
+  if (!map.floor) map.floor = boxes.floor;
+  return map;
 }
 
-Source read_fcnd(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {
-  geom::FcndTable fcnd = geom::read_fcnd_csv(in, name);
-  if (!map.floor) map.floor = 0;
-  return {std::move(fcnd.table),
-          {geom::Axes::neu, fcnd.origin, ""},
-          fcnd.flat,
-          fcnd.largest_change,
-          std::move(fcnd.skipped)};
-}
-
-Source read_block_text(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {
-  geom::BlockText block = geom::read_block_text(in, name);
-  map.source_bounds = block.boundary;
-  return {std::move(block.table), {}, block.flat, 0, std::move(block.skipped)};
-}
-
-Source read_world_json(std::istream& in, const std::string& name, geom::MakeMapOptions& map,
-                       const cli::Common& common) {
-  geom::WorldJson world = geom::read_world_json(in, name);
-  for (const std::string& key : world.names) common.warn(name + ": unknown key, " + key);
-  map.source_bounds = world.bounds;
-  return {std::move(world.table), {}, world.flat, 0, std::move(world.skipped)};
-}
-
-Source read_3dmap(std::istream& in, const std::string& name, geom::MakeMapOptions& map) {
-  geom::VoxelMap voxels = geom::read_voxel_3dmap(in, name);
-  map.source_bounds = voxels.bounds;
-  return {std::move(voxels.table), {}, 0, 0, {}};
-}
-
-Source read_octomap(std::istream& in, const std::string& name, const Options& options,
-                    geom::MakeMapOptions& map, const cli::Common& common) {
-  geom::Octomap tree = geom::read_octomap(in, name, {options.unknown == "blocked"});
-  map.source_bounds = tree.bounds;
-  if (tree.unknown > 0 && options.unknown == "free") {
+void warn(const geom::ImportedBoxes& boxes, bool unknown_blocked, const std::string& file,
+          const cli::Common& common) {
+  for (const std::string& key : boxes.names) common.warn(file + ": unknown key, " + key);
+  if (boxes.unknown > 0 && !unknown_blocked) {
     common.warn(
         fmt::format("{}: {} cell(s) within the bounds were never seen and count as free "
                     "(--unknown blocked makes them obstacles)",
-                    name, tree.unknown));
+                    file, boxes.unknown));
   }
-  return {std::move(tree.table), {}, 0, 0, {}};
-}
-
-Source read(std::istream& in, const std::string& name, const Options& options,
-            geom::MakeMapOptions& map, const cli::Common& common) {
-  Source source;
-  if (options.format == "fcnd") source = read_fcnd(in, name, map);
-  if (options.format == "box-csv") source.table = geom::read_box_csv(in, name);
-  if (options.format == "block-text") source = read_block_text(in, name, map);
-  if (options.format == "world-json") source = read_world_json(in, name, map, common);
-  if (options.format == "3dmap") source = read_3dmap(in, name, map);
-  if (options.format == "octomap") source = read_octomap(in, name, options, map, common);
-  if (!options.frame.empty()) source.frame.axes = *geom::axes_from_name(options.frame);
-  return source;
+  if (boxes.flat > 0) common.warn(fmt::format("{}: {} flat box(es) kept", file, boxes.flat));
 }
 
 nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
@@ -155,7 +76,7 @@ int main(int argc, char** argv) {
       ->required();
   cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
   app.add_option("--format", options.format, "what the file is (default: auto)")
-      ->check(CLI::IsMember(kFormats));
+      ->check(CLI::IsMember(formats()));
   app.add_option("--frame", options.frame, "enu or neu (default: neu for FCND tables, else enu)")
       ->check(CLI::IsMember({"enu", "neu"}));
   app.add_option("--units", options.units, "unit of the source's numbers (default m)")
@@ -168,22 +89,26 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     cli::InputFile file(input);
     cli::HashedInput hashed(file);
-    if (options.format == "auto") options.format = detected(hashed.head(), file.name());
-    cli::only_for(app, options.format == "octomap", {"--unknown"}, "OctoMaps");
-    geom::MakeMapOptions map = options.map.make(options.format == "fcnd" ? 1 : 0);
-    map.scale *= cli::kMetres.at(options.units);
-    Source source = read(hashed.stream(), file.name(), options, map, common);
-    if (source.flat > 0)
-      common.warn(fmt::format("{}: {} flat box(es) kept", file.name(), source.flat));
+    const geom::BoxFormat format = options.format == "auto"
+                                       ? geom::box_format_of(hashed.head(), file.name())
+                                       : *geom::value_of(geom::kBoxFormatWords, options.format);
+    options.format = name(format);
+    cli::only_for(app, format == geom::BoxFormat::octomap, {"--unknown"}, "OctoMaps");
+    const bool unknown_blocked = options.unknown == "blocked";
+    geom::ImportedBoxes boxes =
+        geom::import_boxes(hashed.stream(), format, file.name(), {unknown_blocked});
+    if (!options.frame.empty()) boxes.frame.axes = *geom::axes_from_name(options.frame);
+    warn(boxes, unknown_blocked, file.name(), common);
+    const geom::MakeMapOptions map = map_options(options, boxes);
     nlohmann::ordered_json step = step_of(hashed.hash(), options, map);
-    options.skipped.settle(source.skipped, file.name(), common, step);
+    options.skipped.settle(boxes.skipped, file.name(), common, step);
     const geom::MadeMap made =
-        geom::make_map(std::move(source.table), source.frame,
+        geom::make_map(std::move(boxes.table), boxes.frame,
                        nlohmann::ordered_json::array({step}).dump(), file.name(), map);
     nlohmann::ordered_json stats = {{"format", options.format},
-                                    {"flat", source.flat},
-                                    {"largest_change_m", source.largest_change}};
-    if (!source.skipped.empty()) stats["skipped"] = source.skipped.count();
+                                    {"flat", boxes.flat},
+                                    {"largest_change_m", boxes.largest_change}};
+    if (!boxes.skipped.empty()) stats["skipped"] = boxes.skipped.count();
     cli::write_map(common, output, made, file.name(), stats);
     return cli::Exit::yes;
   });

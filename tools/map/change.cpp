@@ -122,25 +122,18 @@ std::set<std::uint64_t> ids_of(const std::string& word) {
 std::size_t remove(BoxTable& table, const std::string& word, const std::string& map) {
   const std::set<std::uint64_t> ids = ids_of(word);
   std::set<std::uint64_t> found;
-  BoxTable kept;
-  kept.labels = table.labels;
-  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
-    if (ids.contains(table.ids[i])) {
-      found.insert(table.ids[i]);
-      continue;
-    }
-    kept.boxes.push_back(table.boxes[i]);
-    kept.ids.push_back(table.ids[i]);
-    kept.label.push_back(table.label[i]);
-  }
+  const std::size_t before = table.boxes.size();
+  table.keep_if([&](std::size_t i) {
+    const bool named = ids.contains(table.ids[i]);
+    if (named) found.insert(table.ids[i]);
+    return !named;
+  });
   for (const std::uint64_t id : ids) {
     if (!found.contains(id)) {
       throw geom::InputError(map, fmt::format("no box has the id {} that --remove names", id));
     }
   }
-  const std::size_t removed = table.boxes.size() - kept.boxes.size();
-  table = std::move(kept);
-  return removed;
+  return before - table.boxes.size();
 }
 
 // A sloping side is covered by a stair of boxes as high as the slack: so many steps, and no more
@@ -172,7 +165,6 @@ BoxTable keep_out_boxes(const Changes& changes, const geom::BoxMapSpec& spec) {
       geom::read_keep_out(file.stream(), file.name(), spec.frame,
                           {changes.local, spec.bounds.min.z(), spec.bounds.max.z()});
   BoxTable table;
-  table.labels = {""};
   for (std::size_t i = 0; i < zones.volumes.size(); ++i) {
     const geom::Footprint& zone = zones.volumes[i];
     refuse_long_stairs(zone.polygon, changes.slack, file.name(), zone.id);
@@ -180,10 +172,9 @@ BoxTable keep_out_boxes(const Changes& changes, const geom::BoxMapSpec& spec) {
     one.labels = {"", zones.labels[i]};
     const geom::Vec3 bulge(zones.bulge[i], zones.bulge[i], 0);
     for (const geom::Rectangle& r : geom::cover(zone.polygon, changes.slack)) {
-      one.boxes.push_back({geom::Vec3(r.min.x(), r.min.y(), zone.bottom) - bulge,
-                           geom::Vec3(r.max.x(), r.max.y(), zone.top) + bulge});
-      one.ids.push_back(zone.id);
-      one.label.push_back(1);
+      one.add({geom::Vec3(r.min.x(), r.min.y(), zone.bottom) - bulge,
+               geom::Vec3(r.max.x(), r.max.y(), zone.top) + bulge},
+              zone.id, 1);
     }
     geom::append(table, one);
   }

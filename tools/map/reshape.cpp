@@ -73,7 +73,6 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
     corner.boxes = {other.spec().bounds};
     corner.ids = {0};
     corner.label = {0};
-    corner.labels = {""};
     const BoxTable bounds = geom::in_frame(spec.frame, BoxMap(moved, corner), names[i]);
     spec.bounds = geom::merged(spec.bounds, bounds.boxes.front());
   }

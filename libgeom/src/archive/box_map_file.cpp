@@ -202,4 +202,6 @@ BoxMap read_box_map(const ArrayArchive& archive, Verified known) {
   return BoxMap(data);
 }
 
+BoxMap open_map(const std::string& path) { return read_box_map(ArrayArchive::map(path)); }
+
 }  // namespace geom

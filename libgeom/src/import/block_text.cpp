@@ -54,8 +54,6 @@ std::string colour_of(const TextLines& lines, const std::vector<std::string_view
 BlockText read_block_text(std::istream& in, std::string_view source) {
   TextLines lines(in, source);
   BlockText out;
-  out.table.labels = {""};
-  std::map<std::string, std::uint32_t> known = {{"", 0}};
   std::optional<Aabb> boundary;
   while (lines.next()) {
     const auto fields = words(lines.line());
@@ -69,12 +67,7 @@ BlockText read_block_text(std::istream& in, std::string_view source) {
       if (zeros == 3) lines.refuse("a block must have some extent, found a point");
       out.flat += zeros > 0;
       const std::string colour = colour_of(lines, fields);
-      const auto [label, fresh] =
-          known.try_emplace(colour, static_cast<std::uint32_t>(out.table.labels.size()));
-      if (fresh) out.table.labels.push_back(colour);
-      out.table.boxes.push_back(box);
-      out.table.ids.push_back(lines.number());
-      out.table.label.push_back(label->second);
+      out.table.add(box, lines.number(), out.table.label_of(colour));
     } else {
       out.skipped.add("unknown keyword",
                       fmt::format("line {}: {}", lines.number(), fields[0].substr(0, 40)));

@@ -37,8 +37,6 @@ double coordinate_of(const CsvRecords& records, const char* name, const std::str
 BoxTable read_box_csv(std::istream& in, std::string_view source) {
   CsvRecords records(in, source);
   BoxTable table;
-  table.labels = {""};
-  std::map<std::string, std::uint32_t> known = {{"", 0}};
   if (!records.next() || joined(records.fields()) != kHeader) {
     records.refuse(fmt::format("expected the header {}, found \"{}\"", kHeader,
                                joined(records.fields()).substr(0, 80)));
@@ -57,12 +55,8 @@ BoxTable read_box_csv(std::istream& in, std::string_view source) {
                                    kNames[i + 3], fields[i], fields[i + 3]));
       }
     }
-    const auto [label, fresh] =
-        known.try_emplace(fields[6], static_cast<std::uint32_t>(table.labels.size()));
-    if (fresh) table.labels.push_back(fields[6]);
-    table.boxes.push_back({{v[0], v[1], v[2]}, {v[3], v[4], v[5]}});
-    table.ids.push_back(records.number());
-    table.label.push_back(label->second);
+    table.add({{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}, records.number(),
+              table.label_of(fields[6]));
   }
   if (table.boxes.empty()) records.refuse("expected at least one box after the header, found none");
   return table;

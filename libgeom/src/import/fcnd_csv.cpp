@@ -116,9 +116,7 @@ void add_box(const TextLines& lines, const Columns& columns, std::size_t width, 
                        (std::abs(box.max[i]) + std::abs(box.min[i]));
     out.largest_change = std::max(out.largest_change, ulp);
   }
-  out.table.boxes.push_back(box);
-  out.table.ids.push_back(lines.number());
-  out.table.label.push_back(0);
+  out.table.add(box, lines.number());
 }
 
 }  // namespace
@@ -126,7 +124,6 @@ void add_box(const TextLines& lines, const Columns& columns, std::size_t width, 
 FcndTable read_fcnd_csv(std::istream& in, std::string_view source) {
   TextLines lines(in, source);
   FcndTable out;
-  out.table.labels = {""};
   Columns columns = {0, 1, 2, 3, 4, 5};
   std::size_t width = columns.size();
   bool header = false;

@@ -104,9 +104,7 @@ class Reader {
   }
 
   void add(const Aabb& box, std::uint32_t label) {
-    out_.table.ids.push_back(out_.table.boxes.size());
-    out_.table.boxes.push_back(box);
-    out_.table.label.push_back(label);
+    out_.table.add(box, out_.table.boxes.size(), label);
   }
 
   void visit_seen(const Node* node, const Cube& cube) {

@@ -40,14 +40,11 @@ VoxelMap read_voxel_3dmap(std::istream& in, std::string_view source) {
                                              Eigen::Vector3i::Constant(1000000), "the grid's size");
   VoxelMap out;
   out.bounds = {Vec3::Zero(), size.cast<double>()};
-  out.table.labels = {""};
   while (lines.next()) {
     if (lines.line().empty()) continue;
     const Vec3 low =
         whole_numbers(lines, lines.line(), 0, size.array() - 1, "a voxel").cast<double>();
-    out.table.boxes.push_back({low, low + Vec3::Ones()});
-    out.table.ids.push_back(lines.number());
-    out.table.label.push_back(0);
+    out.table.add({low, low + Vec3::Ones()}, lines.number());
   }
   if (out.table.boxes.empty()) lines.refuse("expected at least one filled voxel, found none");
   return out;

@@ -99,8 +99,6 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
   note_unknown(
       root, {"bounds", "blocks", "start", "goal", "resolution", "margin", "expected_path_length"},
       "", out);
-  out.table.labels = {""};
-  std::map<std::string, std::uint32_t> known = {{"", 0}};
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const std::string what = fmt::format("block {}", i);
     const Aabb box = world.extents(blocks[i], what);
@@ -109,12 +107,7 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
     out.flat += zeros > 0;
     note_unknown(blocks[i], {"extents", "color"}, what + ": ", out);
     const std::string colour = world.colour(blocks[i], what);
-    const auto [label, fresh] =
-        known.try_emplace(colour, static_cast<std::uint32_t>(out.table.labels.size()));
-    if (fresh) out.table.labels.push_back(colour);
-    out.table.boxes.push_back(box);
-    out.table.ids.push_back(i);
-    out.table.label.push_back(label->second);
+    out.table.add(box, i, out.table.label_of(colour));
   }
   return out;
 }

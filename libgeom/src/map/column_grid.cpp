@@ -50,7 +50,61 @@ std::int32_t tile_of(std::int32_t cell, int side) {
 
 }  // namespace
 
-ColumnGrid::ColumnGrid(const ColumnSpec& spec) : spec_(spec) {
+struct ColumnGrid::Impl {
+  explicit Impl(const ColumnSpec& spec);
+
+  void add(const Vec3& p);
+  std::vector<std::int32_t> spans() const;
+  void add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high);
+  BoxTable boxes(std::string_view source) const;
+  std::size_t cells() const;
+
+  static constexpr int kSide = 16;  // cells of a tile: a lone return takes 6 KiB
+
+  struct Span {  // of heights, in steps: closed
+    std::int32_t low;
+    std::int32_t high;
+
+    friend bool operator==(const Span&, const Span&) = default;
+  };
+  using Column = std::vector<Span>;  // ascending, further apart than the gap
+  using Tile = std::vector<Column>;
+  struct Labelled {
+    Span span;
+    std::uint32_t label;
+
+    friend bool operator==(const Labelled&, const Labelled&) = default;
+  };
+
+  using Tiles = std::map<std::pair<std::int32_t, std::int32_t>, Tile>;  // by y, then x
+
+  // The rectangle of cells with returns, ends among them, and the heights of all; x0 > x1: none.
+  struct Extent {
+    static constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+    std::int32_t x0 = kMost, x1 = -kMost;
+    std::int32_t y0 = kMost, y1 = -kMost;
+    Span heights{kMost, -kMost};
+  };
+
+  Column& column(std::int32_t x, std::int32_t y);
+  Extent extent() const;
+  std::vector<Labelled> labelled(const Column& column, const Span& heights) const;
+  // Calls visit(y, x, column) by ascending y, then x, for each cell with returns and, with
+  // unknown_blocked, for all others of the rectangle; and the same for one row, whose tiles these
+  // are.
+  template <class Visit>
+  void visit_cells(const Extent& e, const Visit& visit) const;
+  template <class Visit>
+  void visit_row(Tiles::const_iterator tile, Tiles::const_iterator end, std::int32_t y,
+                 const Extent& e, const Visit& visit) const;
+
+  ColumnSpec spec_;
+  Tiles tiles_;
+  std::pair<std::int32_t, std::int32_t> last_key_{};
+  Tile* last_ = nullptr;
+};
+
+ColumnGrid::Impl::Impl(const ColumnSpec& spec) : spec_(spec) {
   require_size("cell", spec.cell);
   require_size("step", spec.step);
   require_length("gap", spec.gap, kLargestCoordinate);
@@ -62,7 +116,7 @@ GroundGrid::GroundGrid(const GroundSpec& spec) : spec_(spec) {
   require_length("ground height", spec.height, kLargestCoordinate);
 }
 
-ColumnGrid::Column& ColumnGrid::column(std::int32_t x, std::int32_t y) {
+ColumnGrid::Impl::Column& ColumnGrid::Impl::column(std::int32_t x, std::int32_t y) {
   const std::pair key(tile_of(y, kSide), tile_of(x, kSide));
   if (!last_ || key != last_key_) {
     last_ = &tiles_[key];
@@ -73,13 +127,13 @@ ColumnGrid::Column& ColumnGrid::column(std::int32_t x, std::int32_t y) {
       *last_)[static_cast<std::size_t>((y - key.first * kSide) * kSide + (x - key.second * kSide))];
 }
 
-void ColumnGrid::add(const Vec3& p) {
+void ColumnGrid::Impl::add(const Vec3& p) {
   Span span{floor_index(p.z(), spec_.step), ceil_index(p.z(), spec_.step)};
   if (span.low == span.high) ++span.high;  // on a step: some height, so that boxes join
   add_span(floor_index(p.x(), spec_.cell), floor_index(p.y(), spec_.cell), span.low, span.high);
 }
 
-std::vector<std::int32_t> ColumnGrid::spans() const {
+std::vector<std::int32_t> ColumnGrid::Impl::spans() const {
   std::vector<std::int32_t> rows;
   for (const auto& [key, tile] : tiles_) {
     for (int i = 0; i < kSide * kSide; ++i) {
@@ -92,7 +146,8 @@ std::vector<std::int32_t> ColumnGrid::spans() const {
   return rows;
 }
 
-void ColumnGrid::add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high) {
+void ColumnGrid::Impl::add_span(std::int32_t x, std::int32_t y, std::int32_t low,
+                                std::int32_t high) {
   const Span span{low, high};
   Column& spans = column(x, y);
   const auto gap = static_cast<std::int64_t>(std::floor(spec_.gap / spec_.step));
@@ -115,8 +170,8 @@ void ColumnGrid::add_span(std::int32_t x, std::int32_t y, std::int32_t low, std:
   spans.erase(first + 1, last);
 }
 
-std::vector<ColumnGrid::Labelled> ColumnGrid::labelled(const Column& column,
-                                                       const Span& heights) const {
+std::vector<ColumnGrid::Impl::Labelled> ColumnGrid::Impl::labelled(const Column& column,
+                                                                   const Span& heights) const {
   std::vector<Labelled> out;
   std::int32_t reached = heights.low;
   for (const Span& span : column) {
@@ -128,7 +183,7 @@ std::vector<ColumnGrid::Labelled> ColumnGrid::labelled(const Column& column,
   return out;
 }
 
-std::size_t ColumnGrid::cells() const {
+std::size_t ColumnGrid::Impl::cells() const {
   std::size_t count = 0;
   for (const auto& [key, tile] : tiles_) {
     count += static_cast<std::size_t>(
@@ -137,7 +192,7 @@ std::size_t ColumnGrid::cells() const {
   return count;
 }
 
-ColumnGrid::Extent ColumnGrid::extent() const {
+ColumnGrid::Impl::Extent ColumnGrid::Impl::extent() const {
   Extent e;
   for (const auto& [key, tile] : tiles_) {
     for (int i = 0; i < kSide * kSide; ++i) {
@@ -154,8 +209,8 @@ ColumnGrid::Extent ColumnGrid::extent() const {
 }
 
 template <class Visit>
-void ColumnGrid::visit_row(Tiles::const_iterator tile, Tiles::const_iterator end, std::int32_t y,
-                           const Extent& e, const Visit& visit) const {
+void ColumnGrid::Impl::visit_row(Tiles::const_iterator tile, Tiles::const_iterator end,
+                                 std::int32_t y, const Extent& e, const Visit& visit) const {
   const Column none;
   std::int32_t x = e.x0;  // the next cell
   const auto visit_to = [&](std::int32_t to) {
@@ -175,7 +230,7 @@ void ColumnGrid::visit_row(Tiles::const_iterator tile, Tiles::const_iterator end
 }
 
 template <class Visit>
-void ColumnGrid::visit_cells(const Extent& e, const Visit& visit) const {
+void ColumnGrid::Impl::visit_cells(const Extent& e, const Visit& visit) const {
   std::int32_t y = e.y0;  // the next row
   for (auto tile = tiles_.begin(); tile != tiles_.end();) {
     const std::int32_t ty = tile->first.first;
@@ -189,7 +244,7 @@ void ColumnGrid::visit_cells(const Extent& e, const Visit& visit) const {
   }
 }
 
-BoxTable ColumnGrid::boxes(std::string_view source) const {
+BoxTable ColumnGrid::Impl::boxes(std::string_view source) const {
   BoxTable table;
   table.labels = {"", "unknown"};
   const Extent e = extent();
@@ -203,13 +258,11 @@ BoxTable ColumnGrid::boxes(std::string_view source) const {
   }
   const auto emit = [&](const CellRectangle<std::vector<Labelled>>& r) {
     for (const Labelled& l : r.value) {
-      table.boxes.push_back(
-          {{static_cast<double>(r.first_column) * spec_.cell,
-            static_cast<double>(r.first_row) * spec_.cell, l.span.low * spec_.step},
-           {static_cast<double>(r.last_column) * spec_.cell,
-            static_cast<double>(r.last_row) * spec_.cell, l.span.high * spec_.step}});
-      table.ids.push_back(table.ids.size());
-      table.label.push_back(l.label);
+      table.add({{static_cast<double>(r.first_column) * spec_.cell,
+                  static_cast<double>(r.first_row) * spec_.cell, l.span.low * spec_.step},
+                 {static_cast<double>(r.last_column) * spec_.cell,
+                  static_cast<double>(r.last_row) * spec_.cell, l.span.high * spec_.step}},
+                table.ids.size(), l.label);
     }
   };
   RowMerge<std::vector<Labelled>, decltype(emit)> merge(emit);
@@ -263,5 +316,17 @@ bool GroundGrid::is_ground(const Vec3& p) const {
   }
   return p.z() <= here->second + rise + spec_.height;
 }
+
+ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}
+ColumnGrid::~ColumnGrid() = default;
+ColumnGrid::ColumnGrid(ColumnGrid&&) noexcept = default;
+
+void ColumnGrid::add(const Vec3& p) { impl_->add(p); }
+std::vector<std::int32_t> ColumnGrid::spans() const { return impl_->spans(); }
+void ColumnGrid::add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high) {
+  impl_->add_span(x, y, low, high);
+}
+BoxTable ColumnGrid::boxes(std::string_view source) const { return impl_->boxes(source); }
+std::size_t ColumnGrid::cells() const { return impl_->cells(); }
 
 }  // namespace geom

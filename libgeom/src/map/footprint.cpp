@@ -132,7 +132,6 @@ BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const 
     }
   });
   BoxTable table;
-  table.labels = {""};
   for (std::size_t k = 0; k < made.size(); ++k) {
     table.boxes.insert(table.boxes.end(), made[k].begin(), made[k].end());
     table.ids.resize(table.boxes.size(), footprints[first[k]].id);

@@ -60,9 +60,7 @@ BoxTable table_of(const BoxMap& map, const Aabb* region) {
   const auto boxes = map.boxes();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (region && !overlap(boxes[i], *region)) continue;
-    table.boxes.push_back(boxes[i]);
-    table.ids.push_back(map.ids()[i]);
-    table.label.push_back(map.label()[i]);
+    table.add(boxes[i], map.ids()[i], map.label()[i]);
   }
   return table;
 }
@@ -83,22 +81,6 @@ BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view sour
   const Mover mover(frame, from);
   for (Aabb& box : table.boxes) box = mover.moved(box);
   return table;
-}
-
-void append(BoxTable& a, const BoxTable& b) {
-  std::map<std::string, std::uint32_t> known;
-  for (std::size_t i = 0; i < a.labels.size(); ++i) {
-    known.emplace(a.labels[i], static_cast<std::uint32_t>(i));
-  }
-  std::vector<std::uint32_t> label_of;
-  for (const std::string& label : b.labels) {
-    const auto [at, fresh] = known.try_emplace(label, static_cast<std::uint32_t>(a.labels.size()));
-    if (fresh) a.labels.push_back(label);
-    label_of.push_back(at->second);
-  }
-  a.boxes.insert(a.boxes.end(), b.boxes.begin(), b.boxes.end());
-  a.ids.insert(a.ids.end(), b.ids.begin(), b.ids.end());
-  for (const std::uint32_t label : b.label) a.label.push_back(label_of[label]);
 }
 
 }  // namespace geom

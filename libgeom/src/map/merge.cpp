@@ -13,21 +13,6 @@ bool inside(const Aabb& inner, const Aabb& outer) {
   return contains(outer, inner.min) && contains(outer, inner.max);
 }
 
-// Keeps the boxes whose flag is set, in their order.
-void keep(BoxTable& table, const std::vector<char>& flag) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < flag.size(); ++i) {
-    if (!flag[i]) continue;
-    table.boxes[n] = table.boxes[i];
-    table.ids[n] = table.ids[i];
-    table.label[n] = table.label[i];
-    ++n;
-  }
-  table.boxes.resize(n);
-  table.ids.resize(n);
-  table.label.resize(n);
-}
-
 std::size_t drop_contained(BoxTable& table) {
   BoxIndex index(index_cell(table.boxes));
   for (std::size_t i = 0; i < table.boxes.size(); ++i) index.add(i, table.boxes[i]);
@@ -43,7 +28,7 @@ std::size_t drop_contained(BoxTable& table) {
   }
   const auto dropped =
       static_cast<std::size_t>(std::count(flag.begin(), flag.end(), static_cast<char>(0)));
-  keep(table, flag);
+  table.keep_if([&](std::size_t i) { return flag[i] != 0; });
   return dropped;
 }
 
@@ -80,7 +65,7 @@ std::size_t join_along(BoxTable& table, int axis) {
     flag[order[n]] = 0;
     ++joined;
   }
-  keep(table, flag);
+  table.keep_if([&](std::size_t i) { return flag[i] != 0; });
   return joined;
 }
 

@@ -1,12 +1,14 @@
 #include "plan/lattice/astar.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <bitset>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
 #include "heap.h"
@@ -46,13 +48,84 @@ std::uint64_t unobstructed(Connectivity connectivity, std::uint64_t x, std::uint
 
 }  // namespace
 
-inline bool AstarSearch::earlier(const Open& a, const Open& b) {
+struct AstarSearch::Impl {
+  explicit Impl(const Lattice& lattice);
+
+  SearchResult search(std::span<const Terminal> sources, std::span<const Terminal> goals);
+  bool free(const Index3& node);
+
+  using Units = std::uint64_t;
+  // A node: its block, its place in the block, and the page that holds the block. In that order
+  // from the highest bits, so that comparing handles compares nodes.
+  using Handle = std::uint64_t;
+
+  struct Visit {
+    Units cost = 0;
+    std::uint32_t stamp = 0;
+    std::int8_t arrived_by = -1;  // direction of the last edge; -1 at a source
+    bool settled = false;
+  };
+  struct Open {
+    Units bound;
+    Units cost;
+    Handle node;
+  };
+  struct Goal {
+    std::int32_t x, y, z;
+    Handle node;
+    Units cost;
+    double metres;
+  };
+  struct Page;
+  struct Place {  // of a node on its page
+    std::int32_t x, y, z;
+  };
+
+  static bool earlier(const Open& a, const Open& b);
+  Page& page_of(Handle node);
+  Handle handle(const Index3& node);
+  Handle neighbour(Handle from, Page& page, const Place& place, int direction);
+  std::uint32_t page_at(std::uint64_t block);
+  void start(std::span<const Terminal> sources, std::span<const Terminal> goals);
+  void expand(const Open& from);
+  void push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y, std::int32_t z);
+  void insert(const Open& entry);
+  void add(const Open& entry);
+  Open take_first();
+  void flood(Handle node);
+  void flood_next();
+  bool goals_cut_off() const { return flooding_ && flood_next_ == flooded_.size(); }
+  Units to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const;
+  Units to_box(std::int32_t x, std::int32_t y, std::int32_t z) const;
+  const Goal* goal_at(Handle node) const;
+  Units units(double metres) const;
+  std::vector<std::size_t> trace(Handle node);
+  double metres(std::span<const std::size_t> nodes) const;
+
+  const Lattice* lattice_;
+  Index3 blocks_;
+  std::vector<std::unique_ptr<Page>> pages_;
+  std::unordered_map<std::uint64_t, std::uint32_t> page_of_block_;
+  std::vector<Open> open_;  // a heap
+  Open next_{};             // earlier than all of the heap, where there is one
+  bool has_next_ = false;
+  std::vector<Goal> goals_;  // by node, the cheapest of each
+  Goal lowest_{};            // the box around the goals, and the least cost of any
+  Goal highest_{};
+  std::array<Units, kDirections> step_;
+  std::uint32_t stamp_ = 0;
+  std::vector<Handle> flooded_;  // from the goals, in the order met
+  std::size_t flood_next_ = 0;
+  bool flooding_ = false;  // until the flood meets the search
+};
+
+inline bool AstarSearch::Impl::earlier(const Open& a, const Open& b) {
   if (a.bound != b.bound) return a.bound < b.bound;
   return a.cost != b.cost ? a.cost > b.cost : a.node < b.node;
 }
 
 // A block of the lattice and what searches wrote there.
-struct AstarSearch::Page {
+struct AstarSearch::Impl::Page {
   Lattice::Block masks;
   std::array<Visit, LatticeGrid::kBlock> visits{};
   std::uint64_t block = 0;
@@ -62,7 +135,7 @@ struct AstarSearch::Page {
   std::bitset<LatticeGrid::kBlock> flooded;
 };
 
-AstarSearch::AstarSearch(const Lattice& lattice)
+AstarSearch::Impl::Impl(const Lattice& lattice)
     : lattice_(&lattice), blocks_(lattice.grid().blocks()) {
   constexpr std::uint64_t kLengths[] = {0, kAxis, kSqrt2, kSqrt3};
   for (int d = 0; d < kDirections; ++d) {
@@ -71,11 +144,7 @@ AstarSearch::AstarSearch(const Lattice& lattice)
   }
 }
 
-AstarSearch::~AstarSearch() = default;
-AstarSearch::AstarSearch(AstarSearch&&) noexcept = default;
-AstarSearch& AstarSearch::operator=(AstarSearch&&) noexcept = default;
-
-std::uint32_t AstarSearch::page_at(std::uint64_t block) {
+std::uint32_t AstarSearch::Impl::page_at(std::uint64_t block) {
   const auto [at, is_new] =
       page_of_block_.try_emplace(block, static_cast<std::uint32_t>(pages_.size()));
   if (!is_new) return at->second;
@@ -95,9 +164,11 @@ std::uint32_t AstarSearch::page_at(std::uint64_t block) {
   return static_cast<std::uint32_t>(pages_.size() - 1);
 }
 
-AstarSearch::Page& AstarSearch::page_of(Handle node) { return *pages_[node & kPageMask]; }
+AstarSearch::Impl::Page& AstarSearch::Impl::page_of(Handle node) {
+  return *pages_[node & kPageMask];
+}
 
-AstarSearch::Handle AstarSearch::handle(const Index3& node) {
+AstarSearch::Impl::Handle AstarSearch::Impl::handle(const Index3& node) {
   constexpr std::int64_t kSide = LatticeGrid::kSide;
   const auto block = static_cast<std::uint64_t>(
       node[0] / kSide + blocks_[0] * (node[1] / kSide + blocks_[1] * (node[2] / kSide)));
@@ -106,14 +177,14 @@ AstarSearch::Handle AstarSearch::handle(const Index3& node) {
   return (block * LatticeGrid::kBlock + local) << kPageBits | page_at(block);
 }
 
-bool AstarSearch::free(const Index3& node) {
+bool AstarSearch::Impl::free(const Index3& node) {
   const Handle at = handle(node);
   return (page_of(at).masks[at >> kPageBits & (LatticeGrid::kBlock - 1)] & Lattice::kNode) != 0;
 }
 
 // The node that an edge leads to: so it is inside the lattice.
-AstarSearch::Handle AstarSearch::neighbour(Handle from, Page& page, const Place& place,
-                                           int direction) {
+AstarSearch::Impl::Handle AstarSearch::Impl::neighbour(Handle from, Page& page, const Place& place,
+                                                       int direction) {
   const auto& [dx, dy, dz] = kDirection[static_cast<std::size_t>(direction)];
   const int x = place.x + dx;
   const int y = place.y + dy;
@@ -135,13 +206,14 @@ AstarSearch::Handle AstarSearch::neighbour(Handle from, Page& page, const Place&
   return (pages_[near]->block * LatticeGrid::kBlock + local) << kPageBits | near;
 }
 
-AstarSearch::Units AstarSearch::units(double metres) const {
+AstarSearch::Impl::Units AstarSearch::Impl::units(double metres) const {
   const double steps = metres / lattice_->spec().spacing;
   assert(steps >= 0 && steps < 0x1p20);
   return static_cast<Units>(std::llround(steps * kOne));
 }
 
-AstarSearch::Units AstarSearch::to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const {
+AstarSearch::Impl::Units AstarSearch::Impl::to_goal(std::int32_t x, std::int32_t y,
+                                                    std::int32_t z) const {
   if (goals_.size() > kFewGoals) return to_box(x, y, z);
   const Connectivity connectivity = lattice_->spec().connectivity;
   Units best = kNone;
@@ -157,7 +229,8 @@ AstarSearch::Units AstarSearch::to_goal(std::int32_t x, std::int32_t y, std::int
 }
 
 // Clamping moves no coordinate further than the step does, so this is consistent too.
-AstarSearch::Units AstarSearch::to_box(std::int32_t x, std::int32_t y, std::int32_t z) const {
+AstarSearch::Impl::Units AstarSearch::Impl::to_box(std::int32_t x, std::int32_t y,
+                                                   std::int32_t z) const {
   const auto apart = [](std::int32_t v, std::int32_t low, std::int32_t high) {
     return static_cast<std::uint64_t>(std::max({low - v, v - high, 0}));
   };
@@ -166,19 +239,19 @@ AstarSearch::Units AstarSearch::to_box(std::int32_t x, std::int32_t y, std::int3
                                      apart(z, lowest_.z, highest_.z));
 }
 
-const AstarSearch::Goal* AstarSearch::goal_at(Handle node) const {
+const AstarSearch::Impl::Goal* AstarSearch::Impl::goal_at(Handle node) const {
   const auto by_node = [](const Goal& goal, Handle n) { return goal.node < n; };
   const auto at = std::lower_bound(goals_.begin(), goals_.end(), node, by_node);
   return at != goals_.end() && at->node == node ? &*at : nullptr;
 }
 
-void AstarSearch::add(const Open& entry) {
+void AstarSearch::Impl::add(const Open& entry) {
   heap_push(open_, entry, [](const Open& a, const Open& b) { return earlier(a, b); });
 }
 
 // The earliest entry is kept beside the heap while nothing else is taken: a search that runs
 // straight on takes what it has just put in.
-void AstarSearch::insert(const Open& entry) {
+void AstarSearch::Impl::insert(const Open& entry) {
   if (!has_next_ && (open_.empty() || earlier(entry, open_.front()))) {
     next_ = entry;
     has_next_ = true;
@@ -191,22 +264,22 @@ void AstarSearch::insert(const Open& entry) {
   add(entry);
 }
 
-AstarSearch::Open AstarSearch::take_first() {
+AstarSearch::Impl::Open AstarSearch::Impl::take_first() {
   if (!has_next_)
     return heap_pop(open_, [](const Open& a, const Open& b) { return earlier(a, b); });
   has_next_ = false;
   return next_;
 }
 
-void AstarSearch::push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y,
-                       std::int32_t z) {
+void AstarSearch::Impl::push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y,
+                             std::int32_t z) {
   Visit& visit = page_of(node).visits[node >> kPageBits & (LatticeGrid::kBlock - 1)];
   if (visit.stamp == stamp_ && (visit.settled || visit.cost <= cost)) return;
   visit = {cost, stamp_, static_cast<std::int8_t>(direction), false};
   insert({cost + to_goal(x, y, z), cost, node});
 }
 
-void AstarSearch::expand(const Open& from) {
+void AstarSearch::Impl::expand(const Open& from) {
   Page& page = page_of(from.node);
   const auto local = static_cast<std::int32_t>(from.node >> kPageBits & (LatticeGrid::kBlock - 1));
   const Place place = {local & 7, local >> 3 & 7, local >> 6};
@@ -220,7 +293,7 @@ void AstarSearch::expand(const Open& from) {
 }
 
 // Marks a node as reached from the goals; where the search has been too, the goals are in reach.
-void AstarSearch::flood(Handle node) {
+void AstarSearch::Impl::flood(Handle node) {
   Page& page = page_of(node);
   const std::size_t local = node >> kPageBits & (LatticeGrid::kBlock - 1);
   if (page.visits[local].stamp == stamp_) {
@@ -236,7 +309,7 @@ void AstarSearch::flood(Handle node) {
   flooded_.push_back(node);
 }
 
-void AstarSearch::flood_next() {
+void AstarSearch::Impl::flood_next() {
   const Handle from = flooded_[flood_next_++];
   Page& page = page_of(from);
   const auto local = static_cast<std::int32_t>(from >> kPageBits & (LatticeGrid::kBlock - 1));
@@ -247,7 +320,7 @@ void AstarSearch::flood_next() {
   }
 }
 
-void AstarSearch::start(std::span<const Terminal> sources, std::span<const Terminal> goals) {
+void AstarSearch::Impl::start(std::span<const Terminal> sources, std::span<const Terminal> goals) {
   open_.clear();
   has_next_ = false;
   goals_.clear();
@@ -284,7 +357,7 @@ void AstarSearch::start(std::span<const Terminal> sources, std::span<const Termi
   }
 }
 
-std::vector<std::size_t> AstarSearch::trace(Handle node) {
+std::vector<std::size_t> AstarSearch::Impl::trace(Handle node) {
   const Page& page = page_of(node);
   const auto local = static_cast<std::int64_t>(node >> kPageBits & (LatticeGrid::kBlock - 1));
   Index3 i = {page.low.x + (local & 7), page.low.y + (local >> 3 & 7), page.low.z + (local >> 6)};
@@ -300,7 +373,7 @@ std::vector<std::size_t> AstarSearch::trace(Handle node) {
   return nodes;
 }
 
-double AstarSearch::metres(std::span<const std::size_t> nodes) const {
+double AstarSearch::Impl::metres(std::span<const std::size_t> nodes) const {
   double sum = 0;
   for (std::size_t n = 1; n < nodes.size(); ++n) {
     const Index3 a = lattice_->index(nodes[n - 1]);
@@ -312,8 +385,8 @@ double AstarSearch::metres(std::span<const std::size_t> nodes) const {
   return sum;
 }
 
-SearchResult AstarSearch::search(std::span<const Terminal> sources,
-                                 std::span<const Terminal> goals) {
+SearchResult AstarSearch::Impl::search(std::span<const Terminal> sources,
+                                       std::span<const Terminal> goals) {
   SearchResult result;
   start(sources, goals);
   const std::size_t before = pages_.size();
@@ -352,5 +425,17 @@ SearchResult AstarSearch::search(std::span<const Terminal> sources,
   result.cost = joined + metres(result.nodes) + reached->metres;
   return result;
 }
+
+AstarSearch::AstarSearch(const Lattice& lattice) : impl_(std::make_unique<Impl>(lattice)) {}
+AstarSearch::~AstarSearch() = default;
+AstarSearch::AstarSearch(AstarSearch&&) noexcept = default;
+AstarSearch& AstarSearch::operator=(AstarSearch&&) noexcept = default;
+
+SearchResult AstarSearch::search(std::span<const Terminal> sources,
+                                 std::span<const Terminal> goals) {
+  return impl_->search(sources, goals);
+}
+
+bool AstarSearch::free(const Index3& node) { return impl_->free(node); }
 
 }  // namespace plan

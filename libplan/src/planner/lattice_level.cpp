@@ -19,7 +19,7 @@ geom::Polyline joined(const Lattice& lattice, const Vec3& from,
 
 }  // namespace
 
-std::unique_ptr<AstarSearch> Planner::Level::take() {
+std::unique_ptr<AstarSearch> LatticeLevel::take() {
   const std::lock_guard lock(mutex_);
   if (idle_.empty()) return std::make_unique<AstarSearch>(lattice_);
   auto search = std::move(idle_.back());
@@ -27,13 +27,13 @@ std::unique_ptr<AstarSearch> Planner::Level::take() {
   return search;
 }
 
-void Planner::Level::give_back(std::unique_ptr<AstarSearch> search) {
+void LatticeLevel::give_back(std::unique_ptr<AstarSearch> search) {
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(search));
 }
 
-bool Planner::Level::search(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
-                            PlanResult& result) {
+bool LatticeLevel::search(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
+                          PlanResult& result) {
   result.resolution = lattice_.spec().spacing;
   result.expanded = 0;
   auto search = take();

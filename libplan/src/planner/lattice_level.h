@@ -13,10 +13,10 @@
 namespace plan {
 
 // A lattice, and workspaces for those who search on it. May be searched from several threads.
-class Planner::Level {
+class LatticeLevel {
  public:
   // `given` by the user, and not made by the planner of its own scene.
-  Level(Lattice lattice, bool given) : lattice_(std::move(lattice)), given_(given) {}
+  LatticeLevel(Lattice lattice, bool given) : lattice_(std::move(lattice)), given_(given) {}
 
   bool given() const { return given_; }
 

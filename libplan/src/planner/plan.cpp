@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 
 #include "geom/base/error.h"
 #include "geom/base/precondition.h"
@@ -92,6 +93,35 @@ SamplingMethod sampling(Method method) {
 
 }  // namespace
 
+struct Planner::Impl {
+  Impl(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap);
+
+  PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options);
+
+  PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  std::uint32_t component(const Vec3& p) const;
+  RoadmapLimits first_limits(const Vec3& from, const Vec3& to) const;
+  bool improve(RoadmapSearch& search, const Vec3& from, const Vec3& to, const PlanOptions& options,
+               RoadmapLimits limits, PlanResult& result);
+  bool search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                      const RoadmapLimits& limits, PlanResult& result);
+  void search_closely(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                      PlanResult& result);
+  bool search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                       PlanResult& result);
+  PlanResult search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  bool search_level(LatticeLevel& level, const Vec3& from, const Vec3& to, PlanResult& result);
+  PlanResult search_as_asked(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  void refine(const PlanOptions& options, PlanResult& result) const;
+
+  const geom::CollisionScene& scene_;
+  const Roadmap* roadmap_;
+  std::mutex mutex_;  // guards the workspaces
+  std::vector<std::unique_ptr<RoadmapSearch>> idle_;
+  std::vector<std::unique_ptr<LatticeLevel>> levels_;         // from the first to try to finer ones
+  std::vector<std::unique_ptr<LatticeLevel>> coarse_levels_;  // for where the first are too large
+};
+
 std::string_view name(Method method) {
   switch (method) {
     case Method::automatic:
@@ -103,14 +133,15 @@ std::string_view name(Method method) {
   }
 }
 
-Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap)
+Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
+                    const Roadmap* roadmap)
     : scene_(scene), roadmap_(roadmap) {
   const auto lazy = [&](double spacing) {
     const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
-    return std::make_unique<Level>(lazy_lattice(scene, spec), false);
+    return std::make_unique<LatticeLevel>(lazy_lattice(scene, spec), false);
   };
   if (lattice) {
-    levels_.push_back(std::make_unique<Level>(*lattice, true));
+    levels_.push_back(std::make_unique<LatticeLevel>(*lattice, true));
   } else if (scene.free_bounds()) {
     const auto spacings = spacings_for(*scene.free_bounds());
     for (const double spacing : spacings) levels_.push_back(lazy(spacing));
@@ -118,16 +149,16 @@ Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, cons
   }
 }
 
-Planner::~Planner() = default;
-
 // Whether there is a path on this lattice.
-bool Planner::search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result) {
+bool Planner::Impl::search_level(LatticeLevel& level, const Vec3& from, const Vec3& to,
+                                 PlanResult& result) {
   if (!level.search(scene_, from, to, result)) return false;
   if (level.given()) require_free(scene_, result.path, "lattice");
   return true;
 }
 
-PlanResult Planner::search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+PlanResult Planner::Impl::search_levels(const Vec3& from, const Vec3& to,
+                                        const PlanOptions& options) {
   PlanResult result;
   const double straight = (to - from).norm();
   for (const auto& level : levels_) {
@@ -153,7 +184,7 @@ PlanResult Planner::search_levels(const Vec3& from, const Vec3& to, const PlanOp
 }
 
 // The component of the coarse lattice that a point sees; 0 where it sees none.
-std::uint32_t Planner::component(const Vec3& p) const {
+std::uint32_t Planner::Impl::component(const Vec3& p) const {
   const LabelledLattice& coarse = *roadmap_->coarse;
   std::uint32_t found = 0;
   const auto sees = [&](const Index3& index) {
@@ -169,7 +200,7 @@ std::uint32_t Planner::component(const Vec3& p) const {
 
 // How far to search the roadmap before the lattices were asked, which know sooner that there is no
 // way.
-RoadmapLimits Planner::first_limits(const Vec3& from, const Vec3& to) const {
+RoadmapLimits Planner::Impl::first_limits(const Vec3& from, const Vec3& to) const {
   if (!roadmap_->coarse) return {};
   const std::uint32_t a = component(from);
   const std::uint32_t b = component(to);
@@ -178,8 +209,8 @@ RoadmapLimits Planner::first_limits(const Vec3& from, const Vec3& to) const {
 }
 
 // The shortest of the roadmap's paths, where it is shorter than what there is.
-bool Planner::improve(RoadmapSearch& search, const Vec3& from, const Vec3& to,
-                      const PlanOptions& options, RoadmapLimits limits, PlanResult& result) {
+bool Planner::Impl::improve(RoadmapSearch& search, const Vec3& from, const Vec3& to,
+                            const PlanOptions& options, RoadmapLimits limits, PlanResult& result) {
   if (options.quality == Quality::best) {
     limits.paths = kPaths;
     limits.beyond = kBend / (to - from).norm();
@@ -205,15 +236,15 @@ bool Planner::improve(RoadmapSearch& search, const Vec3& from, const Vec3& to,
 }
 
 // With bends closer to each other along the path that there is.
-void Planner::search_closely(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                             PlanResult& result) {
+void Planner::Impl::search_closely(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                                   PlanResult& result) {
   const Roadmap close = bends_along(scene_, {kClosePart, kCorridorReach, {}}, result.path, kClose);
   RoadmapSearch search(scene_, close);
   improve(search, from, to, options, {kCorridorBends}, result);
 }
 
-bool Planner::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                             const RoadmapLimits& limits, PlanResult& result) {
+bool Planner::Impl::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                                   const RoadmapLimits& limits, PlanResult& result) {
   if (limits.settled == 0) return false;
   std::unique_ptr<RoadmapSearch> search;
   {
@@ -231,8 +262,8 @@ bool Planner::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions
 }
 
 // Bends around the boxes near a path that a lattice gave.
-bool Planner::search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                              PlanResult& result) {
+bool Planner::Impl::search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
+                                    PlanResult& result) {
   const Roadmap corridor =
       bends_along(scene_, {10, kCorridorReach, {}}, result.path,
                   options.quality == Quality::best ? 2 * kCorridor : kCorridor);
@@ -243,7 +274,7 @@ bool Planner::search_corridor(const Vec3& from, const Vec3& to, const PlanOption
 }
 
 // Shortens what a search found.
-void Planner::refine(const PlanOptions& options, PlanResult& result) const {
+void Planner::Impl::refine(const PlanOptions& options, PlanResult& result) const {
   result.steps = {step_of("search", result.path)};
   if (options.raw) return;
   result.path = shortcut(scene_, result.path);
@@ -254,7 +285,8 @@ void Planner::refine(const PlanOptions& options, PlanResult& result) const {
 }
 
 // By one method alone.
-PlanResult Planner::search_as_asked(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+PlanResult Planner::Impl::search_as_asked(const Vec3& from, const Vec3& to,
+                                          const PlanOptions& options) {
   PlanResult result;
   bool found = false;
   if (options.method == Method::astar) {
@@ -281,7 +313,7 @@ PlanResult Planner::search_as_asked(const Vec3& from, const Vec3& to, const Plan
   return result;
 }
 
-PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+PlanResult Planner::Impl::search(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   PlanResult result;
   if (scene_.free(from, to)) {
     result.route = Route::straight;
@@ -313,7 +345,7 @@ PlanResult Planner::search(const Vec3& from, const Vec3& to, const PlanOptions& 
   return result;
 }
 
-PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   geom::require_point("start", from);
   geom::require_point("goal", to);
   geom::require_length("snap_ends", options.snap_ends, geom::kLargestCoordinate);
@@ -354,6 +386,14 @@ PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& op
   result.snapped_start = snapped[0];
   result.snapped_goal = snapped[1];
   return result;
+}
+
+Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap)
+    : impl_(std::make_unique<Impl>(scene, lattice, roadmap)) {}
+Planner::~Planner() = default;
+
+PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+  return impl_->plan(from, to, options);
 }
 
 }  // namespace plan

@@ -30,6 +30,45 @@ bool wraps(const Across& in, const Across& out) {
 
 }  // namespace
 
+struct RoadmapSearch::Impl {
+  Impl(const geom::CollisionScene& scene, const Roadmap& roadmap);
+
+  RoadmapResult search(const Vec3& from, const Vec3& to, const RoadmapLimits& limits);
+
+  struct Visit {
+    double cost = 0;
+    std::uint32_t from = 0;  // bend, or kStart
+    std::uint32_t stamp = 0;
+    bool settled = false;
+  };
+  struct Open {
+    double bound;
+    double cost;
+    std::uint32_t bend;
+    enum Kind : std::uint8_t { reached, unlinked, cell } kind;
+  };
+  struct Cell {
+    geom::Aabb extent;
+    std::vector<std::uint32_t> bends;
+  };
+  static constexpr std::uint32_t kStart = 0xffffffffu;
+
+  static bool earlier(const Open& a, const Open& b);
+  void push(const Open& open);
+  void reach(std::uint32_t from, std::uint32_t to, double cost, const Vec3& goal);
+  void look_around(std::uint32_t bend, const Vec3& arrived_from, const Vec3& goal);
+  void expand(std::uint32_t bend, const Vec3& arrived_from, const Vec3& goal);
+  geom::Polyline trace(std::uint32_t bend, const Vec3& from, const Vec3& to) const;
+
+  const geom::CollisionScene* scene_;
+  const Roadmap* roadmap_;
+  std::vector<Cell> cells_;
+  double weight_ = 1;
+  std::vector<Visit> visits_;
+  std::vector<Open> open_;
+  std::uint32_t stamp_ = 0;
+};
+
 void require_bend(const Roadmap& roadmap, std::uint32_t bend) {
   if (bend < roadmap.bends.size()) return;
   throw geom::InputError(roadmap.source,
@@ -95,7 +134,7 @@ LabelledLattice label_components(Lattice lattice) {
   return {std::move(lattice), std::move(label)};
 }
 
-RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap)
+RoadmapSearch::Impl::Impl(const geom::CollisionScene& scene, const Roadmap& roadmap)
     : scene_(&scene), roadmap_(&roadmap), visits_(roadmap.bends.size()) {
   std::map<std::array<std::int64_t, 3>, std::vector<std::uint32_t>> cells;
   for (std::size_t i = 0; i < roadmap.bends.size(); ++i) {
@@ -118,24 +157,25 @@ RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& r
 }
 
 // Ties go to the larger cost, then by kind, then to the lowest bend or cell.
-inline bool RoadmapSearch::earlier(const Open& a, const Open& b) {
+inline bool RoadmapSearch::Impl::earlier(const Open& a, const Open& b) {
   if (a.bound != b.bound) return a.bound < b.bound;
   if (a.cost != b.cost) return a.cost > b.cost;
   return a.kind != b.kind ? a.kind < b.kind : a.bend < b.bend;
 }
 
-void RoadmapSearch::push(const Open& open) {
+void RoadmapSearch::Impl::push(const Open& open) {
   heap_push(open_, open, [](const Open& a, const Open& b) { return earlier(a, b); });
 }
 
-void RoadmapSearch::reach(std::uint32_t i, std::uint32_t j, double through, const Vec3& goal) {
+void RoadmapSearch::Impl::reach(std::uint32_t i, std::uint32_t j, double through,
+                                const Vec3& goal) {
   visits_[j] = {through, i, stamp_, false};
   push(
       {through + weight_ * (goal - roadmap_->bends[j].position).norm(), through, j, Open::reached});
 }
 
 // Where the roadmap has no edges: those that matter, looked for.
-void RoadmapSearch::look_around(std::uint32_t i, const Vec3& arrived_from, const Vec3& goal) {
+void RoadmapSearch::Impl::look_around(std::uint32_t i, const Vec3& arrived_from, const Vec3& goal) {
   const Roadmap& map = *roadmap_;
   const Bend& bend = map.bends[i];
   const Across in = across(bend, arrived_from - bend.position);
@@ -160,7 +200,7 @@ void RoadmapSearch::look_around(std::uint32_t i, const Vec3& arrived_from, const
 }
 
 // The edges that keep wrapping around the bend's box for a path from there.
-void RoadmapSearch::expand(std::uint32_t i, const Vec3& arrived_from, const Vec3& goal) {
+void RoadmapSearch::Impl::expand(std::uint32_t i, const Vec3& arrived_from, const Vec3& goal) {
   const Roadmap& map = *roadmap_;
   const Bend& bend = map.bends[i];
   const Across in = across(bend, arrived_from - bend.position);
@@ -208,7 +248,8 @@ void RoadmapSearch::expand(std::uint32_t i, const Vec3& arrived_from, const Vec3
   }
 }
 
-geom::Polyline RoadmapSearch::trace(std::uint32_t bend, const Vec3& from, const Vec3& to) const {
+geom::Polyline RoadmapSearch::Impl::trace(std::uint32_t bend, const Vec3& from,
+                                          const Vec3& to) const {
   geom::Polyline path = {to};
   for (; bend != kStart; bend = visits_[bend].from) {
     path.push_back(roadmap_->bends[bend].position);
@@ -218,7 +259,8 @@ geom::Polyline RoadmapSearch::trace(std::uint32_t bend, const Vec3& from, const 
   return path;
 }
 
-RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const RoadmapLimits& limits) {
+RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,
+                                          const RoadmapLimits& limits) {
   RoadmapResult result;
   weight_ = limits.weight;
   open_.clear();
@@ -273,6 +315,14 @@ RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const Road
   }
   result.gave_up = result.paths.empty();
   return result;
+}
+
+RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap)
+    : impl_(std::make_unique<Impl>(scene, roadmap)) {}
+RoadmapSearch::~RoadmapSearch() = default;
+
+RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const RoadmapLimits& limits) {
+  return impl_->search(from, to, limits);
 }
 
 }  // namespace plan

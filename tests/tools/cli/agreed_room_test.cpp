@@ -6,7 +6,7 @@
 #include <random>
 
 #include "cli/option/limit_options.h"
-#include "cli/option/vehicle_profile.h"
+#include "cli/option/vehicle_word.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "support/cases.h"
@@ -130,7 +130,7 @@ TEST(AgreedRoom, NeverHasLessRoomOrLooserLimitsThanEither) {
 
 class Profiles : public ::testing::Test {
  protected:
-  VehicleProfile parsed(const std::string& json) {
+  traj::VehicleProfile parsed(const std::string& json) {
     const std::string path = folder_ / "v.json";
     std::ofstream(path) << json;
     return parse_vehicle(path);
@@ -142,7 +142,7 @@ class Profiles : public ::testing::Test {
 };
 
 TEST_F(Profiles, HaveTheLimitsTheyStateAndThoseOfTheirMotors) {
-  const VehicleProfile profile =
+  const traj::VehicleProfile profile =
       parsed(R"({"body":[1,1,0.5],"tilt_max_deg":35,"limits":{"vmax":12,"vmax_v":4},"mass_kg":2,)"
              R"("thrust_n":[0,30],"body_rate_max_rad_s":[3,4,2]})");
   const Limits& limits = profile.vehicle.limits;

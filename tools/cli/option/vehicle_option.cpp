@@ -1,6 +1,7 @@
 #include "vehicle_option.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -11,17 +12,18 @@ namespace cli {
 
 void VehicleOptions::add_to(CLI::App& app) {
   app.add_option("--vehicle", word,
-                 "tello, crazyflie, FILE.json, box:HX,HY,HZ or sphere:R (metres)");
+                 fmt::format("{}, FILE.json, box:HX,HY,HZ or sphere:R (metres)",
+                             fmt::join(traj::vehicle_names(), ", ")));
   app.add_option("--margin", margin, "metres added to each half size of the vehicle")
       ->check(CLI::Range(0.0, 1e6));
 }
 
-std::optional<VehicleProfile> VehicleOptions::profile() const {
+std::optional<traj::VehicleProfile> VehicleOptions::profile() const {
   if (word.empty()) return std::nullopt;
   return parse_vehicle(word);
 }
 
-AskedRoom VehicleOptions::asked(const std::optional<VehicleProfile>& profile) const {
+AskedRoom VehicleOptions::asked(const std::optional<traj::VehicleProfile>& profile) const {
   if (margin && !std::isfinite(*margin)) {
     throw UsageError(fmt::format("--margin: expected metres, found {}", *margin));
   }

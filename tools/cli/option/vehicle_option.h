@@ -9,7 +9,7 @@
 #include "agreed_room.h"
 #include "geom/collision/collision.h"
 #include "geom/record/record.h"
-#include "vehicle_profile.h"
+#include "vehicle_word.h"
 
 namespace cli {
 
@@ -18,8 +18,9 @@ struct VehicleOptions {
   std::optional<double> margin;  // --margin
 
   void add_to(CLI::App& app);
-  std::optional<VehicleProfile> profile() const;
-  AskedRoom asked(const std::optional<VehicleProfile>& profile) const;  // with what profile() gave
+  std::optional<traj::VehicleProfile> profile() const;
+  AskedRoom asked(
+      const std::optional<traj::VehicleProfile>& profile) const;  // with what profile() gave
 };
 
 // The scene of a map for what a record and the options ask; the last one is kept.
@@ -37,13 +38,13 @@ class Scenes {
                                         std::size_t line);
   const geom::CollisionScene& scene();  // by the options alone
   const geom::BoxMap& map() const { return map_; }
-  const std::optional<VehicleProfile>& profile() const { return profile_; }
+  const std::optional<traj::VehicleProfile>& profile() const { return profile_; }
 
  private:
   const geom::CollisionScene& build(const Room& room);
 
   geom::BoxMap map_;
-  std::optional<VehicleProfile> profile_;
+  std::optional<traj::VehicleProfile> profile_;
   AskedRoom asked_;
   Differences differences_;
   std::size_t budget_;

@@ -78,7 +78,6 @@ geom::BoxTable read_boxes(const ShardFile& shard) {
   const auto corners = archive.array<double>("boxes", 6);
   const auto ids = archive.array<std::uint64_t>("ids");
   geom::BoxTable table;
-  table.labels = {""};
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (corners.size() != 6 * ids.size()) {
       throw geom::InputError(archive.name(), "boxes and ids are not of one length");
@@ -157,7 +156,6 @@ geom::MadeMap join_map(std::span<const ShardFile> shards) {
     throw geom::InputError(shard.archive.name(), "its map is to be made in another way");
   }
   geom::BoxTable table;
-  table.labels = {""};
   if (shards.front().kind == "boxes") {
     for (const ShardFile& shard : shards) geom::append(table, read_boxes(shard));
   } else {

@@ -3,6 +3,7 @@
 // `.boxmap`: a box map as a ZIP of NumPy arrays (docs/formats.md).
 
 #include <iosfwd>
+#include <string>
 
 #include "geom/archive/array_archive.h"
 #include "geom/map/box_map.h"
@@ -15,6 +16,10 @@ void write_box_map(std::ostream& out, const BoxMap& map);
 // tile ranges; throws InputError otherwise. The rest is verified when BoxMap says, but for what the
 // caller knows of this very state of the file.
 BoxMap read_box_map(const ArrayArchive& archive, Verified known = Verified::nothing);
+
+// The map in a file, which is mapped and neither read nor copied. Throws std::system_error where it
+// cannot be, and InputError as read_box_map.
+BoxMap open_map(const std::string& path);
 
 // Whether the archive says that it is a box map.
 bool is_box_map(const ArrayArchive& archive);

@@ -9,18 +9,11 @@
 #include <vector>
 
 #include "geom/base/execution.h"
+#include "geom/map/box_table.h"
 #include "geom/map/frame.h"
 #include "geom/shape/aabb.h"
 
 namespace geom {
-
-// Boxes before they are a map: what importers produce and a table holds.
-struct BoxTable {
-  std::vector<Aabb> boxes;           // in the order of the source
-  std::vector<std::uint64_t> ids;    // source row or feature, one a box
-  std::vector<std::uint32_t> label;  // index into `labels`, one a box
-  std::vector<std::string> labels;   // labels[0] is "" (no label)
-};
 
 struct Tile {
   std::int32_t ix = 0;  // the square [ix s, (ix + 1) s) x [iy s, (iy + 1) s), s the tile size

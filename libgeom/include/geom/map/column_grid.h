@@ -3,9 +3,8 @@
 // Points as columns: the boxes of a laser scan.
 
 #include <cstdint>
-#include <limits>
 #include <map>
-#include <unordered_map>
+#include <memory>
 #include <vector>
 
 #include "geom/map/box_map.h"
@@ -25,6 +24,8 @@ struct ColumnSpec {
 class ColumnGrid {
  public:
   explicit ColumnGrid(const ColumnSpec& spec);
+  ~ColumnGrid();
+  ColumnGrid(ColumnGrid&&) noexcept;
 
   void add(const Vec3& p);
 
@@ -44,49 +45,8 @@ class ColumnGrid {
   std::size_t cells() const;  // with returns
 
  private:
-  static constexpr int kSide = 16;  // cells of a tile: a lone return takes 6 KiB
-
-  struct Span {  // of heights, in steps: closed
-    std::int32_t low;
-    std::int32_t high;
-
-    friend bool operator==(const Span&, const Span&) = default;
-  };
-  using Column = std::vector<Span>;  // ascending, further apart than the gap
-  using Tile = std::vector<Column>;
-  struct Labelled {
-    Span span;
-    std::uint32_t label;
-
-    friend bool operator==(const Labelled&, const Labelled&) = default;
-  };
-
-  using Tiles = std::map<std::pair<std::int32_t, std::int32_t>, Tile>;  // by y, then x
-
-  // The rectangle of cells with returns, ends among them, and the heights of all; x0 > x1: none.
-  struct Extent {
-    static constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
-    std::int32_t x0 = kMost, x1 = -kMost;
-    std::int32_t y0 = kMost, y1 = -kMost;
-    Span heights{kMost, -kMost};
-  };
-
-  Column& column(std::int32_t x, std::int32_t y);
-  Extent extent() const;
-  std::vector<Labelled> labelled(const Column& column, const Span& heights) const;
-  // Calls visit(y, x, column) by ascending y, then x, for each cell with returns and, with
-  // unknown_blocked, for all others of the rectangle; and the same for one row, whose tiles these
-  // are.
-  template <class Visit>
-  void visit_cells(const Extent& e, const Visit& visit) const;
-  template <class Visit>
-  void visit_row(Tiles::const_iterator tile, Tiles::const_iterator end, std::int32_t y,
-                 const Extent& e, const Visit& visit) const;
-
-  ColumnSpec spec_;
-  Tiles tiles_;
-  std::pair<std::int32_t, std::int32_t> last_key_{};
-  Tile* last_ = nullptr;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 struct GroundSpec {

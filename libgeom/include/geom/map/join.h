@@ -16,9 +16,6 @@ namespace geom {
 // where neither holds: it says what differs.
 BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view source);
 
-// `b` after `a`, labels united.
-void append(BoxTable& a, const BoxTable& b);
-
 // A table of the map's boxes; with `region`, of those that meet it.
 BoxTable table_of(const BoxMap& map, const Aabb* region = nullptr);
 

@@ -2,11 +2,9 @@
 
 // A* on a lattice.
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "plan/lattice/lattice.h"
@@ -48,69 +46,8 @@ class AstarSearch {
   bool free(const Index3& node);  // as Lattice::free of one inside it, by the blocks kept here
 
  private:
-  using Units = std::uint64_t;
-  // A node: its block, its place in the block, and the page that holds the block. In that order
-  // from the highest bits, so that comparing handles compares nodes.
-  using Handle = std::uint64_t;
-
-  struct Visit {
-    Units cost = 0;
-    std::uint32_t stamp = 0;
-    std::int8_t arrived_by = -1;  // direction of the last edge; -1 at a source
-    bool settled = false;
-  };
-  struct Open {
-    Units bound;
-    Units cost;
-    Handle node;
-  };
-  struct Goal {
-    std::int32_t x, y, z;
-    Handle node;
-    Units cost;
-    double metres;
-  };
-  struct Page;
-  struct Place {  // of a node on its page
-    std::int32_t x, y, z;
-  };
-
-  static bool earlier(const Open& a, const Open& b);
-  Page& page_of(Handle node);
-  Handle handle(const Index3& node);
-  Handle neighbour(Handle from, Page& page, const Place& place, int direction);
-  std::uint32_t page_at(std::uint64_t block);
-  void start(std::span<const Terminal> sources, std::span<const Terminal> goals);
-  void expand(const Open& from);
-  void push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y, std::int32_t z);
-  void insert(const Open& entry);
-  void add(const Open& entry);
-  Open take_first();
-  void flood(Handle node);
-  void flood_next();
-  bool goals_cut_off() const { return flooding_ && flood_next_ == flooded_.size(); }
-  Units to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const;
-  Units to_box(std::int32_t x, std::int32_t y, std::int32_t z) const;
-  const Goal* goal_at(Handle node) const;
-  Units units(double metres) const;
-  std::vector<std::size_t> trace(Handle node);
-  double metres(std::span<const std::size_t> nodes) const;
-
-  const Lattice* lattice_;
-  Index3 blocks_;
-  std::vector<std::unique_ptr<Page>> pages_;
-  std::unordered_map<std::uint64_t, std::uint32_t> page_of_block_;
-  std::vector<Open> open_;  // a heap
-  Open next_{};             // earlier than all of the heap, where there is one
-  bool has_next_ = false;
-  std::vector<Goal> goals_;  // by node, the cheapest of each
-  Goal lowest_{};            // the box around the goals, and the least cost of any
-  Goal highest_{};
-  std::array<Units, kDirections> step_;
-  std::uint32_t stamp_ = 0;
-  std::vector<Handle> flooded_;  // from the goals, in the order met
-  std::size_t flood_next_ = 0;
-  bool flooding_ = false;  // until the flood meets the search
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace plan

@@ -3,7 +3,6 @@
 // From a query to a path: the default recipe.
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -91,37 +90,15 @@ struct PlanResult {
 // another.
 class Planner {
  public:
-  Planner(const geom::CollisionScene& scene, const Lattice* lattice,
-          const Roadmap* roadmap = nullptr);
+  explicit Planner(const geom::CollisionScene& scene, const Lattice* lattice = nullptr,
+                   const Roadmap* roadmap = nullptr);
   ~Planner();
 
-  PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options = {});
 
  private:
-  class Level;
-
-  PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
-  std::uint32_t component(const Vec3& p) const;
-  RoadmapLimits first_limits(const Vec3& from, const Vec3& to) const;
-  bool improve(RoadmapSearch& search, const Vec3& from, const Vec3& to, const PlanOptions& options,
-               RoadmapLimits limits, PlanResult& result);
-  bool search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                      const RoadmapLimits& limits, PlanResult& result);
-  void search_closely(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                      PlanResult& result);
-  bool search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                       PlanResult& result);
-  PlanResult search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options);
-  bool search_level(Level& level, const Vec3& from, const Vec3& to, PlanResult& result);
-  PlanResult search_as_asked(const Vec3& from, const Vec3& to, const PlanOptions& options);
-  void refine(const PlanOptions& options, PlanResult& result) const;
-
-  const geom::CollisionScene& scene_;
-  const Roadmap* roadmap_;
-  std::mutex mutex_;  // guards the workspaces
-  std::vector<std::unique_ptr<RoadmapSearch>> idle_;
-  std::vector<std::unique_ptr<Level>> levels_;         // from the first to try to finer ones
-  std::vector<std::unique_ptr<Level>> coarse_levels_;  // for where the first are too large
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace plan

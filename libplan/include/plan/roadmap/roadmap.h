@@ -95,43 +95,14 @@ struct RoadmapResult {
 class RoadmapSearch {
  public:
   RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap);
+  ~RoadmapSearch();
 
   // Start and goal are free and do not see each other.
   RoadmapResult search(const Vec3& from, const Vec3& to, const RoadmapLimits& limits);
 
  private:
-  struct Visit {
-    double cost = 0;
-    std::uint32_t from = 0;  // bend, or kStart
-    std::uint32_t stamp = 0;
-    bool settled = false;
-  };
-  struct Open {
-    double bound;
-    double cost;
-    std::uint32_t bend;
-    enum Kind : std::uint8_t { reached, unlinked, cell } kind;
-  };
-  struct Cell {
-    geom::Aabb extent;
-    std::vector<std::uint32_t> bends;
-  };
-  static constexpr std::uint32_t kStart = 0xffffffffu;
-
-  static bool earlier(const Open& a, const Open& b);
-  void push(const Open& open);
-  void reach(std::uint32_t from, std::uint32_t to, double cost, const Vec3& goal);
-  void look_around(std::uint32_t bend, const Vec3& arrived_from, const Vec3& goal);
-  void expand(std::uint32_t bend, const Vec3& arrived_from, const Vec3& goal);
-  geom::Polyline trace(std::uint32_t bend, const Vec3& from, const Vec3& to) const;
-
-  const geom::CollisionScene* scene_;
-  const Roadmap* roadmap_;
-  std::vector<Cell> cells_;
-  double weight_ = 1;
-  std::vector<Visit> visits_;
-  std::vector<Open> open_;
-  std::uint32_t stamp_ = 0;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace plan

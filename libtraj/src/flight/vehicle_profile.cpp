@@ -1,24 +1,22 @@
-#include "vehicle_profile.h"
+#include "traj/flight/vehicle_profile.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "built_in_vehicles.h"
-#include "cli/file/files.h"
-#include "cli/run.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
-#include "numbers_option.h"
+#include "traj/proof/limits.h"
 #include "traj/record/airframe_record.h"
 
-namespace cli {
+namespace traj {
 namespace {
 
 using geom::JsonFields;
-using geom::Limits;
 using geom::Vec3;
 
 constexpr double kEveryTilt = std::numbers::pi / 2;  // beyond it the box is that of less, mirrored
@@ -60,64 +58,51 @@ Limits stated_limits(const JsonFields& fields) {
     fields.refuse(fmt::format("tilt_max_deg must be above 0 and at most 80, found {}", *degrees));
   }
   Limits tilt;
-  if (degrees) tilt[geom::Limit::tilt] = *degrees * std::numbers::pi / 180;
+  if (degrees) tilt[Limit::tilt] = *degrees * std::numbers::pi / 180;
   return geom::stricter(limits, tilt);
 }
 
 // What the motors and the autopilot's rate loop can do at most. A rate about any axis between roll
 // and pitch is within the smaller of both.
-Limits physical_limits(const traj::Airframe& airframe) {
+Limits physical_limits(const Airframe& airframe) {
   Limits limits;
   if (airframe.mass && airframe.thrust_most)
-    limits[geom::Limit::thrust] = *airframe.thrust_most / *airframe.mass;
+    limits[Limit::thrust] = *airframe.thrust_most / *airframe.mass;
   if (airframe.body_rate_max) {
-    limits[geom::Limit::body_rate] = airframe.body_rate_max->head<2>().minCoeff();
-    limits[geom::Limit::yaw_rate] = airframe.body_rate_max->z();
+    limits[Limit::body_rate] = airframe.body_rate_max->head<2>().minCoeff();
+    limits[Limit::yaw_rate] = airframe.body_rate_max->z();
   }
   return limits;
 }
 
-VehicleProfile from_profile(const std::string& text, const std::string& source) {
-  const JsonFields fields(text, source, 0);
+}  // namespace
+
+VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view source) {
+  const JsonFields fields(json, source, 0);
   require_known_keys(fields);
   const Vec3 body = fields.point("body");
   if (body.minCoeff() < 0) fields.refuse("body must be half sizes >= 0 in metres");
   VehicleProfile profile;
-  profile.airframe = traj::parse_airframe(fields);
+  profile.airframe = parse_airframe(fields);
   profile.body = body;
   geom::Vehicle& vehicle = profile.vehicle;
   vehicle.name = fields.text("name", source);
   vehicle.limits = geom::stricter(stated_limits(fields), physical_limits(profile.airframe));
-  vehicle.half =
-      geom::attitude_half_sizes(body, vehicle.limits[geom::Limit::tilt].value_or(kEveryTilt));
+  vehicle.half = geom::attitude_half_sizes(body, vehicle.limits[Limit::tilt].value_or(kEveryTilt));
   return profile;
 }
 
-Vec3 half_sizes(std::string_view numbers, std::size_t count, const std::string& word) {
-  const auto values = parse_numbers(numbers, count);
-  if (!values || *std::min_element(values->begin(), values->end()) < 0) {
-    throw UsageError(
-        fmt::format("--vehicle: expected {} finite number(s) >= 0 in metres, "
-                    "found \"{}\"",
-                    count, word));
+std::optional<VehicleProfile> vehicle_named(std::string_view name) {
+  for (const BuiltInVehicle& vehicle : built_in_vehicles()) {
+    if (vehicle.name == name) return parse_vehicle_profile(vehicle.json, name);
   }
-  return count == 1 ? Vec3::Constant(values->front())
-                    : Vec3((*values)[0], (*values)[1], (*values)[2]);
+  return std::nullopt;
 }
 
-}  // namespace
-
-VehicleProfile parse_vehicle(const std::string& word) {
-  if (word.starts_with("box:")) return {{word, half_sizes(word.substr(4), 3, word)}, {}, {}};
-  if (word.starts_with("sphere:")) return {{word, half_sizes(word.substr(7), 1, word)}, {}, {}};
-  if (const auto text = built_in_vehicle(word); !text.empty()) {
-    return from_profile(std::string(text), word);
-  }
-  if (word.ends_with(".json")) return from_profile(InputFile(word).read_all(), word);
-  throw UsageError(
-      fmt::format("--vehicle: expected tello, crazyflie, FILE.json, box:HX,HY,HZ or "
-                  "sphere:R, found \"{}\"",
-                  word));
+std::vector<std::string_view> vehicle_names() {
+  std::vector<std::string_view> out;
+  for (const BuiltInVehicle& vehicle : built_in_vehicles()) out.push_back(vehicle.name);
+  return out;
 }
 
-}  // namespace cli
+}  // namespace traj

@@ -1,0 +1,60 @@
+#pragma once
+
+// One door to all readers of boxes: tables, block texts, worlds, voxels and octrees.
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/import/skipped.h"
+#include "geom/map/box_table.h"
+#include "geom/map/frame.h"
+#include "geom/map/make_map.h"
+#include "geom/text/words.h"
+
+namespace geom {
+
+enum class BoxFormat { fcnd, box_csv, block_text, world_json, voxel_3dmap, octomap };
+inline constexpr Words<BoxFormat, 6> kBoxFormatWords{{
+    {BoxFormat::fcnd, "fcnd"},
+    {BoxFormat::box_csv, "box-csv"},
+    {BoxFormat::block_text, "block-text"},
+    {BoxFormat::world_json, "world-json"},
+    {BoxFormat::voxel_3dmap, "3dmap"},
+    {BoxFormat::octomap, "octomap"},
+}};
+constexpr std::string_view name(BoxFormat format) { return word_of(kBoxFormatWords, format); }
+
+// The format of a file that begins like this, by its first line that is neither blank nor a
+// comment. An empty file counts as a table. InputError(source, 1, …) where it looks like none.
+BoxFormat box_format_of(std::string_view head, std::string_view source);
+
+struct ImportOptions {
+  bool unknown_blocked = false;  // cells of an OctoMap that were never seen become boxes
+};
+
+struct ImportedBoxes {
+  BoxTable table;                  // in the source's numbers
+  Frame frame;                     // what the format says: NEU for FCND tables, else ENU
+  std::optional<Aabb> bounds;      // of the source itself, in its numbers
+  std::optional<double> floor;     // metres, where the format has one: FCND tables stand on 0
+  double seal = 0;                 // metres: what hangs lower stands on the floor (MakeMapOptions)
+  std::size_t flat = 0;            // boxes without extent along one or two axes: kept
+  double largest_change = 0;       // metres that rounding outward moved a face by, at most
+  Skipped skipped;                 // what is or may be an obstacle and is no box
+  std::size_t unknown = 0;         // cells of an OctoMap within the bounds, never seen
+  std::vector<std::string> names;  // unknown keys that by their name are no geometry
+};
+
+// Throws InputError as the reader of the format does (its header says when).
+ImportedBoxes import_boxes(std::istream& in, BoxFormat format, std::string_view source,
+                           const ImportOptions& options = {});
+
+// The map of what was imported. Bounds, floor and seal are the source's where the options leave
+// theirs out. Throws InputError where `skipped` is not empty: what was left out would be flown
+// through. Whoever accepts that clears it first.
+MadeMap make_map(ImportedBoxes boxes, std::string_view source, MakeMapOptions options = {});
+
+}  // namespace geom

@@ -1,0 +1,30 @@
+#pragma once
+
+// A vehicle's profile: its box, what may be done with it, and what it is made of
+// (docs/formats.md).
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "geom/vehicle/vehicle.h"
+#include "traj/flight/airframe.h"
+
+namespace traj {
+
+struct VehicleProfile {
+  geom::Vehicle vehicle;
+  Airframe airframe;               // of a profile only
+  std::optional<geom::Vec3> body;  // half sizes, m, that the box holds up to vehicle's tilt limit
+};
+
+// Throws geom::InputError(source, line, …) for a key that is not known: a limit under a name that
+// nobody reads would not hold.
+VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view source);
+
+// Those of data/vehicles, which every program carries, by the file's name without ".json":
+// "tello". Nothing for another name.
+std::optional<VehicleProfile> vehicle_named(std::string_view name);
+std::vector<std::string_view> vehicle_names();  // in alphabetical order
+
+}  // namespace traj

@@ -1,0 +1,41 @@
+#include "vehicle_word.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cli/file/files.h"
+#include "cli/run.h"
+#include "numbers_option.h"
+
+namespace cli {
+namespace {
+
+geom::Vec3 half_sizes(std::string_view numbers, std::size_t count, const std::string& word) {
+  const auto values = parse_numbers(numbers, count);
+  if (!values || *std::min_element(values->begin(), values->end()) < 0) {
+    throw UsageError(
+        fmt::format("--vehicle: expected {} finite number(s) >= 0 in metres, "
+                    "found \"{}\"",
+                    count, word));
+  }
+  return count == 1 ? geom::Vec3::Constant(values->front())
+                    : geom::Vec3((*values)[0], (*values)[1], (*values)[2]);
+}
+
+}  // namespace
+
+traj::VehicleProfile parse_vehicle(const std::string& word) {
+  if (word.starts_with("box:")) return {{word, half_sizes(word.substr(4), 3, word)}, {}, {}};
+  if (word.starts_with("sphere:")) return {{word, half_sizes(word.substr(7), 1, word)}, {}, {}};
+  if (auto profile = traj::vehicle_named(word)) return *std::move(profile);
+  if (word.ends_with(".json")) {
+    return traj::parse_vehicle_profile(InputFile(word).read_all(), word);
+  }
+  throw UsageError(
+      fmt::format("--vehicle: expected {}, FILE.json, box:HX,HY,HZ or sphere:R, found \"{}\"",
+                  fmt::join(traj::vehicle_names(), ", "), word));
+}
+
+}  // namespace cli
