@@ -93,11 +93,12 @@ void Placement::settle(const geom::CoordinateReference& told, const std::string&
   if (told.kind == Kind::no_plane) {
     throw geom::InputError(
         source,
-        fmt::format("its coordinates are no metres on the ground: \"{}\" counts degrees, or metres "
-                    "that are not as long everywhere; project them first, for example with `pdal "
-                    "translate in.las out.las reprojection "
-                    "--filters.reprojection.out_srs=EPSG:32633`",
-                    short_name(told)));
+        fmt::format(
+            "its coordinates are not metres on the ground: \"{}\" uses degrees, or metres "
+            "whose length changes with the place; project them first, for example with `pdal "
+            "translate in.las out.las reprojection "
+            "--filters.reprojection.out_srs=EPSG:32633`",
+            short_name(told)));
   }
   const double plane = plane_unit(told, source);
   metres_ = {plane, plane, upward_unit(told, plane, source)};

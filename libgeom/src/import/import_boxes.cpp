@@ -125,7 +125,7 @@ ImportedBoxes import_boxes(std::istream& in, BoxFormat format, std::string_view 
 
 MadeMap make_map(ImportedBoxes boxes, std::string_view source, MakeMapOptions options) {
   if (!boxes.skipped.empty()) {
-    throw InputError(source, fmt::format("{} thing(s) that are or may be obstacles cannot be "
+    throw InputError(source, fmt::format("{} possible obstacle(s) cannot be "
                                          "built: {}",
                                          boxes.skipped.count(), boxes.skipped.text()));
   }

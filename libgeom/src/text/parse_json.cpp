@@ -90,7 +90,7 @@ class Builder {
         : string                  ? "a string in UTF-8 that ends, with \\ before control characters"
                                   : due.what;
     refuse_at(due.at, fmt::format("{}expected {}, found {}",
-                                  why.id == kNumberOverflow ? "" : "this is no JSON: ", expected,
+                                  why.id == kNumberOverflow ? "" : "this is not JSON: ", expected,
                                   found(due.at)));
     return false;
   }

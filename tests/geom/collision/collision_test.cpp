@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
+#include "collision/embree_groups.h"
+#include "collision/embree_queries.h"
 #include "geom/base/parallel.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
@@ -231,7 +234,7 @@ TEST(Collision, GivingScenesUpChangesNoAnswer) {
   EXPECT_EQ(whole.hits(segments, {1, {}}), tight.hits(segments, {7, {}}));
 }
 
-TEST(Collision, TilesAreBuiltOnceWhateverTheThreads) {
+TEST(Collision, AnswersTheSameWhateverTheThreads) {
   const BoxMap map = support::random_city(4, 300, 600);
   std::vector<Segment> segments;
   support::Random random(14);
@@ -246,6 +249,28 @@ TEST(Collision, TilesAreBuiltOnceWhateverTheThreads) {
   }
   EXPECT_EQ(answers[0], answers[1]);
   EXPECT_EQ(answers[0], answers[2]);
+}
+
+// A group that two threads built at once would be kept, and counted, twice.
+TEST(Collision, BuildsEachGroupOnceWhateverTheThreads) {
+  const BoxMap map = support::random_city(4, 300, 600);
+  std::vector<Segment> segments;
+  support::Random random(14);
+  for (int i = 0; i < 4000; ++i) segments.push_back(random_segment(random, 350, Vec3::Zero()));
+  std::size_t bytes_of_one_thread = 0;
+  for (const unsigned threads : {1u, 2u, 7u}) {
+    CollisionScene::Impl impl(map, {"box", {1, 1, 1}}, 0, {std::size_t{1} << 30, 12});
+    ASSERT_GT(impl.groups.size(), 20u);
+    parallel_for(segments.size(), {threads, {}},
+                 [&](std::size_t i) { hits_any(impl, segments[i].a, segments[i].b); });
+    const std::set<std::size_t> built(impl.built.begin(), impl.built.end());
+    EXPECT_EQ(built.size(), impl.built.size());
+    std::size_t bytes = 0;
+    for (const std::size_t g : built) bytes += impl.groups[g].scene.load()->bytes();
+    EXPECT_EQ(impl.bytes, bytes);
+    if (threads == 1) bytes_of_one_thread = bytes;
+    EXPECT_EQ(bytes, bytes_of_one_thread);
+  }
 }
 
 TEST(Collision, AnEmptyMapIsFreeInsideItsBounds) {

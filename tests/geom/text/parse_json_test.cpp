@@ -84,26 +84,26 @@ TEST(ParseJson, RefusesNumbersBeyondADouble) {
 }
 
 TEST(ParseJson, SaysWhereAndWhatWasExpected) {
-  EXPECT_EQ(refused(""), "f:1: column 1: this is no JSON: expected a value, found the end");
-  EXPECT_EQ(refused("lat0 37"), "f:1: column 1: this is no JSON: expected a value, found lat0");
+  EXPECT_EQ(refused(""), "f:1: column 1: this is not JSON: expected a value, found the end");
+  EXPECT_EQ(refused("lat0 37"), "f:1: column 1: this is not JSON: expected a value, found lat0");
   EXPECT_EQ(refused("{} x"),
-            "f:1: column 4: this is no JSON: expected nothing after the value, found x");
+            "f:1: column 4: this is not JSON: expected nothing after the value, found x");
   EXPECT_EQ(refused("{\"a\":1}\n{\"b\":2}"),
-            "f:2: column 1: this is no JSON: expected nothing after the value, found {\"b\"");
-  EXPECT_EQ(refused("[1 2]"), "f:1: column 4: this is no JSON: expected , or ], found 2");
-  EXPECT_EQ(refused("[1,]"), "f:1: column 4: this is no JSON: expected a value, found ]");
-  EXPECT_EQ(refused("[1"), "f:1: column 3: this is no JSON: expected , or ], found the end");
-  EXPECT_EQ(refused("[}"), "f:1: column 2: this is no JSON: expected a value or ], found }");
+            "f:2: column 1: this is not JSON: expected nothing after the value, found {\"b\"");
+  EXPECT_EQ(refused("[1 2]"), "f:1: column 4: this is not JSON: expected , or ], found 2");
+  EXPECT_EQ(refused("[1,]"), "f:1: column 4: this is not JSON: expected a value, found ]");
+  EXPECT_EQ(refused("[1"), "f:1: column 3: this is not JSON: expected , or ], found the end");
+  EXPECT_EQ(refused("[}"), "f:1: column 2: this is not JSON: expected a value or ], found }");
   EXPECT_EQ(refused("{1:2}"),
-            "f:1: column 2: this is no JSON: expected a key in quotes or }, found 1");
+            "f:1: column 2: this is not JSON: expected a key in quotes or }, found 1");
   EXPECT_EQ(refused(R"({"a" 1})"),
-            "f:1: column 6: this is no JSON: expected : after the key, found 1");
-  EXPECT_EQ(refused(R"({"a":})"), "f:1: column 6: this is no JSON: expected a value, found }");
+            "f:1: column 6: this is not JSON: expected : after the key, found 1");
+  EXPECT_EQ(refused(R"({"a":})"), "f:1: column 6: this is not JSON: expected a value, found }");
   EXPECT_EQ(refused(R"({"a":1 "b":2})"),
-            "f:1: column 8: this is no JSON: expected , or }, found \"b\"");
+            "f:1: column 8: this is not JSON: expected , or }, found \"b\"");
   EXPECT_EQ(refused("{\n \"a\":1,\n}"),
-            "f:3: column 1: this is no JSON: expected a key in quotes, found }");
-  EXPECT_EQ(refused("[1,", 17), "f:17: column 4: this is no JSON: expected a value, found the end");
+            "f:3: column 1: this is not JSON: expected a key in quotes, found }");
+  EXPECT_EQ(refused("[1,", 17), "f:17: column 4: this is not JSON: expected a value, found the end");
 }
 
 TEST(ParseJson, RefusesStringsThatAreNone) {

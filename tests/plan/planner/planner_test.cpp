@@ -7,6 +7,8 @@
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/plan.h"
 #include "plan/scenes.h"
+#include "support/exact_oracle.h"
+#include "support/random_city.h"
 
 namespace plan {
 namespace {
@@ -231,6 +233,25 @@ TEST(Planner, AnswersTheSameInAnyOrderAndOnAnyThreads) {
     EXPECT_EQ(one[i].expanded, seven[i].expanded);
     const PlanResult alone = planned(scene, queries[i].first, queries[i].second, {.snap_ends = 1});
     EXPECT_EQ(one[i].path, alone.path);
+  }
+}
+
+TEST(Planner, FindsTheHoleInAWallAndEveryLegIsFree) {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{0, 0, 0}, {100, 60, 40}};
+  const std::vector<geom::Aabb> boxes = {{{48, 0, 0}, {52, 26, 40}}, {{48, 34, 0}, {52, 60, 40}}};
+  const geom::CollisionScene scene(geom::BoxMap(spec, support::table_of(boxes)), {"box", {1, 1, 1}},
+                                   0);
+  const PlanResult result = planned(scene, {10, 5, 10}, {90, 5, 10}, {.resample = 5});
+  ASSERT_EQ(result.status, PathStatus::found);
+  EXPECT_EQ(result.path.front(), Vec3(10, 5, 10));
+  EXPECT_EQ(result.path.back(), Vec3(90, 5, 10));
+  EXPECT_LT(geom::length(result.path), 95);
+  for (std::size_t i = 1; i < result.path.size(); ++i) {
+    EXPECT_LE((result.path[i] - result.path[i - 1]).norm(), 5 + 1e-9);
+    for (const geom::Aabb& box : scene.map().boxes()) {
+      EXPECT_FALSE(oracle::segment_hits(result.path[i - 1], result.path[i], box, scene.half()));
+    }
   }
 }
 

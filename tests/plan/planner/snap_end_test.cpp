@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "plan/scenes.h"
+#include "support/random_city.h"
 
 namespace plan {
 namespace {
@@ -44,6 +45,35 @@ TEST(NearestFree, IsAsNearAsAnyRandomFreePoint) {
       }
     }
   }
+}
+
+TEST(NearestFree, IsCloserThanAnyPointOfAFineGrid) {
+  const geom::CollisionScene scene(support::random_city(41, 60, 60), {"box", {1, 1, 1}}, 0);
+  support::Random random(42);
+  int compared = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 p(random.uniform(-25, 25), random.uniform(-25, 25), random.uniform(2, 20));
+    const auto found = nearest_free(scene, p, 8);
+    if (scene.free(p)) {
+      EXPECT_EQ(*found, p);
+      continue;
+    }
+    if (found) {
+      ASSERT_TRUE(scene.free(*found));
+    }
+    const double bound = found ? (*found - p).norm() : 8;
+    for (double x = -8; x <= 8; x += 0.5) {
+      for (double y = -8; y <= 8; y += 0.5) {
+        for (double z = -8; z <= 8; z += 0.5) {
+          const Vec3 d(x, y, z);
+          if (d.norm() >= bound - 1e-5) continue;
+          ASSERT_FALSE(scene.free(p + d)) << "case " << i;
+        }
+      }
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 5);
 }
 
 }  // namespace

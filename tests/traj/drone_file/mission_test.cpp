@@ -154,7 +154,7 @@ TEST(QgcPlan, BadFilesAreRefused) {
   EXPECT_EQ(plan_refusal("\"command\": 22", "\"command\": \"takeoff\""),
             "m.plan: mission.items[0].command must be a finite number, found \"takeoff\"");
   EXPECT_EQ(plan_refusal("{", "["),
-            "m.plan:2: column 12: this is no JSON: expected , or ], found :");
+            "m.plan:2: column 12: this is not JSON: expected , or ], found :");
 }
 
 TEST(GeoLine, ComesBackToATenthOfAMillimetre) {
@@ -250,9 +250,9 @@ TEST(GeoLine, RefusalsSayWhereAndWhat) {
             "f: the file.geometry: expected LineStrings, found Point, which is no line that could "
             "be flown: remove it");
   EXPECT_EQ(json("{\n\"type\":"),
-            "f:2: column 8: this is no JSON: expected a value, found the end");
+            "f:2: column 8: this is not JSON: expected a value, found the end");
   EXPECT_EQ(json("{}\n{}"),
-            "f:2: column 1: this is no JSON: expected nothing after the value, found {");
+            "f:2: column 1: this is not JSON: expected nothing after the value, found {");
   EXPECT_EQ(json(R"({"type":"Feature","type":"Point"})"),
             "f:1: column 19: expected each key once, found \"type\" again");
   EXPECT_EQ(json(std::string(200000, '[')),

@@ -307,37 +307,5 @@ TEST(Solve, ProvesEveryFreePathOfARandomCity) {
   }
 }
 
-TEST(TrajectoryRecord, ComesBackBitForBit) {
-  TrajectoryRecord record{"a \"b\"",
-                          TrajectoryStatus::solved,
-                          arc({0.1, 20.3, 0.7}, {3, 0.2, 0}),
-                          {},
-                          {{Limit::speed, 8}},
-                          "",
-                          Rung::ipopt,
-                          ""};
-  record.trajectory.segments[0].yaw = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
-  const std::string line = to_json_line(record);
-  EXPECT_EQ(to_json_line(parse_trajectory_record(line, "t", 1)), line);
-}
-
-TEST(TrajectoryRecord, HostileLinesAreRefused) {
-  const std::string good =
-      to_json_line({"a", TrajectoryStatus::solved, arc({0, 20, 0}, {3, 0, 0}), {}, {}, "", "", ""});
-  support::Random random(55);
-  int refused = 0;
-  for (int i = 0; i < 2000; ++i) {
-    std::string text = good;
-    text[random.below(static_cast<int>(text.size()))] = static_cast<char>(random.below(256));
-    if (i % 3 == 0) text.resize(random.below(static_cast<int>(text.size())));
-    try {
-      parse_trajectory_record(text, "t", 1);
-    } catch (const geom::InputError&) {
-      ++refused;
-    }
-  }
-  EXPECT_GT(refused, 600);
-}
-
 }  // namespace
 }  // namespace traj

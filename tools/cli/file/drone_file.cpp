@@ -45,7 +45,9 @@ using Notes = std::vector<std::string>;
 traj::Flown flown_tello(std::istream& in, const std::string& source,
                         const DroneFileOptions& options, geom::Axes axes, Notes& notes) {
   if (!options.start) {
-    throw UsageError("a Tello script says no place: give --start x,y,z, where it stands");
+    throw UsageError(
+        "a Tello script does not say where it starts: give --start x,y,z, the place where the "
+        "drone stands");
   }
   const traj::TelloFlight flight = traj::read_tello(in, source);
   if (!flight.lands) notes.emplace_back("it ends without landing: it hovers, or the file was cut");
@@ -220,7 +222,7 @@ traj::MissionFrame Placement::mission_frame(const geom::Frame& frame) const {
     return {*origin, geoid};
   }
   if (!geom::counts_from_origin(frame)) {
-    throw UsageError("the map knows no origin on Earth: give --origin latitude,longitude,height");
+    throw UsageError("the map has no origin on Earth: give --origin latitude,longitude,height");
   }
   return {*frame.origin, geoid};
 }

@@ -17,13 +17,13 @@ void SkippedOption::settle(const geom::Skipped& skipped, const std::string& sour
                            const Common& common, nlohmann::ordered_json& step) const {
   if (skipped.empty()) return;
   if (!allowed_) {
-    throw geom::InputError(
-        source, fmt::format("{} thing(s) that are or may be obstacles cannot be built: {}; mend "
-                            "the file, or leave them out with --allow-skipped",
-                            skipped.count(), skipped.text()));
+    throw geom::InputError(source,
+                           fmt::format("{} possible obstacle(s) cannot be built: {}; correct "
+                                       "the file, or leave them out with --allow-skipped",
+                                       skipped.count(), skipped.text()));
   }
-  common.warn(fmt::format("{}: {} thing(s) that are or may be obstacles are left out: {}", source,
-                          skipped.count(), skipped.text()));
+  common.warn(fmt::format("{}: {} possible obstacle(s) are left out: {}", source, skipped.count(),
+                          skipped.text()));
   step["skipped"] = skipped.count();
 }
 
