@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
                       traj::check(scene, result.trajectory, options.limits).ok;
       set.check.push_back(1e3 * (cpu_seconds() - start));
       set.proved += ok;
-      ++set.rungs[result.rung];
+      if (result.rung) ++set.rungs[std::string(name(*result.rung))];
       set.ratio.push_back(traj::duration(result.trajectory) /
                           (geom::length(path.points) / 8 + 8.0 / 6));
       set.snap.push_back(result.snap);

@@ -2,6 +2,7 @@
 
 #include "readers.h"
 #include "traj/record/airframe_record.h"
+#include "geom/text/json_fields.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [](std::istream& in) {

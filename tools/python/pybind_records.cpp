@@ -59,7 +59,7 @@ void bind_path(py::module_& module) {
   def_provenance(path, [](const PathRecord& self) { return self.provenance; });
   def_line(path, geom::parse_path_record);
   path.def_readonly("id", &PathRecord::id)
-      .def_readonly("status", &PathRecord::status)
+      .def_property_readonly("status", [](const PathRecord& record) { return name(record.status); })
       .def_readonly("message", &PathRecord::message)
       .def_property_readonly("length",
                              [](const PathRecord& self) { return geom::length(self.points); })
@@ -130,9 +130,13 @@ void bind_trajectory(py::module_& module) {
     return self.cast<const TrajectoryRecord&>().trajectory.segments;
   };
   trajectory.def_readonly("id", &TrajectoryRecord::id)
-      .def_readonly("status", &TrajectoryRecord::status)
+      .def_property_readonly("status",
+                             [](const TrajectoryRecord& record) { return name(record.status); })
       .def_readonly("message", &TrajectoryRecord::message)
-      .def_readonly("rung", &TrajectoryRecord::rung)
+      .def_property_readonly("rung",
+                             [](const TrajectoryRecord& record) {
+                               return record.rung ? name(*record.rung) : std::string_view();
+                             })
       .def_property_readonly("limits", [](const TrajectoryRecord& t) { return dict_of(t.limits); })
       .def_property_readonly("solver",
                              [](const TrajectoryRecord& t) { return from_json(t.solver); })

@@ -261,7 +261,9 @@ TEST(ColumnArguments, AreRefusedWhereTheyAreNone) {
       Vec3 p(1, 2, 3);
       p[axis] = wrong;
       EXPECT_THROW(grid.add(p), InputError) << wrong;
-      if (axis < 2) EXPECT_THROW(ground.add(p), InputError) << wrong;
+      if (axis < 2) {
+        EXPECT_THROW(ground.add(p), InputError) << wrong;
+      }
     };
     for (const double wrong : kNotFinite) each(wrong);
     for (const double wrong : kHuge) each(wrong);

@@ -143,7 +143,9 @@ TEST(Las, TellsEveryUnitThatAFileNames) {
     }
     ASSERT_EQ(told.kind, Kind::metric) << i;
     ASSERT_EQ(told.plane, metres) << i;
-    if (vertical) ASSERT_EQ(told.up, up_metres) << i;
+    if (vertical) {
+      ASSERT_EQ(told.up, up_metres) << i;
+    }
   }
 }
 

@@ -28,7 +28,7 @@ const geom::CollisionScene& scene() {
 
 const geom::PlanQuery kAcross{"q1", {10, 50, 10}, {90, 50, 10}, 120};
 
-Verdict judged(const geom::Polyline& path, const std::string& status = "found") {
+Verdict judged(const geom::Polyline& path, geom::PathStatus status = geom::PathStatus::found) {
   return judge(scene(), kAcross, {status, path, std::nullopt});
 }
 
@@ -46,9 +46,9 @@ TEST(Judge, BelievesNoPath) {
 }
 
 TEST(Judge, TellsUnreachableFromFailed) {
-  EXPECT_EQ(judged({}, "unreachable"), Verdict::unreachable);
-  EXPECT_EQ(judged({}, "stopped"), Verdict::failed);
-  EXPECT_EQ(judged({}, ""), Verdict::failed);
+  EXPECT_EQ(judged({}, geom::PathStatus::unreachable), Verdict::unreachable);
+  EXPECT_EQ(judged({}, geom::PathStatus::stopped), Verdict::failed);
+  EXPECT_EQ(judged({}, geom::PathStatus::start_blocked), Verdict::failed);
 }
 
 TEST(QuerySet, DrawsWhatWasAskedForAndTheSameEachTime) {
@@ -110,7 +110,10 @@ TEST(Compare, LooksAtTheQueriesThatBothRanAndBothFound) {
 
 TEST(Measure, StopsAtTheLeastTrialsWhereTheRuleHolds) {
   QuerySet set(scene(), {});
-  const Method method{[](const geom::PlanQuery&) { return Answer{"unreachable", {}, {}}; }, {}};
+  const Method method{[](const geom::PlanQuery&) {
+                        return Answer{geom::PathStatus::unreachable, {}, {}};
+                      },
+                      {}};
   TrialRule rule;
   rule.least = 10;
   rule.within = 1;  // always: no standard error of times is more than their mean

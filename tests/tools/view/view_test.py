@@ -322,7 +322,7 @@ def shows_labels(browser, folder, page):
 
 
 def shows_hostile_names(browser, folder, page):
-    """Ids, statuses, messages, vehicles and names of files with HTML in them are words and nothing else."""
+    """Ids, messages, vehicles and names of files with HTML in them are words and nothing else."""
     bad = "</script><img src=x onerror='window.hacked=1'><!--<script>\"&amp;\u2028{{meta}}"
     rows = (folder / "labels.csv").read_text().splitlines()
     rows[1] = rows[1].rsplit(",", 1)[0] + ',"' + bad.replace('"', '""') + '"'
@@ -334,8 +334,8 @@ def shows_hostile_names(browser, folder, page):
     records = [
         {"type": "path", "id": bad, "status": "found", "points": [[0, 9, 12], [9, 9, 12]], **vehicle},
         {"type": "path", "id": bad, "status": "unreachable", "message": bad, "points": []},
-        {"type": "trajectory", "id": bad, "status": "solved", "duration": 4, "rung": bad, "segments": [segment], **vehicle},
-        {"type": "trajectory", "id": bad, "status": "failed", "message": bad, "segments": []},
+        {"type": "trajectory", "id": bad, "status": "solved", "duration": 4, "rung": "closed", "segments": [segment], **vehicle},
+        {"type": "trajectory", "id": bad, "status": "infeasible", "message": bad, "segments": []},
         {"type": "report", "id": bad, "ok": False, "checked": bad, "reason": bad, "place": [1, 9, 12], "time": 1},
         {"type": "report", "id": bad, "ok": True, "checked": "path"},
         {"type": "tree", "id": bad, "nodes": 1},

@@ -107,7 +107,7 @@ TEST(Domain, RefusesLimitsInBothChecks) {
          {0.0, -0.0, -1.0, -1e9, 5e-324, 1e-320, 1e-310, 1e-10, 1e10, 1e300, kInf, -kInf, kNaN}) {
       Limits limits;
       limits[kind.limit] = value;
-      expect_refused_by_both(crossing(), limits, "limits",
+      expect_refused_by_both(crossing(), limits, Reason::limits,
                              std::string(kind.name) + ' ' + std::to_string(value));
     }
   }

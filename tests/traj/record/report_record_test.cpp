@@ -16,8 +16,9 @@ std::string refusal(const std::string& line) {
 }
 
 TEST(ReportSummary, ReadsWhatTheCheckWrote) {
-  const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}},
-                         {{{{1, 1, 1}, {2, 2, 2}}}, {41}, {0}, {""}});
+  geom::BoxTable table;
+  table.add({{1, 1, 1}, {2, 2, 2}}, 41);
+  const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}}, table);
   ReportRecord record{"q1", "trajectory", {}, {.margin = 0.25}, {{Limit::speed, 8}}};
   record.result.reason = Reason::collision;
   record.result.time = 1.5;
@@ -46,8 +47,9 @@ TEST(ReportSummary, ReadsWhatTheCheckWrote) {
 }
 
 TEST(ReportSummary, SaysNothingOfWhatIsNotFinite) {
-  const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}},
-                         {{{{1, 1, 1}, {2, 2, 2}}}, {41}, {0}, {""}});
+  geom::BoxTable table;
+  table.add({{1, 1, 1}, {2, 2, 2}}, 41);
+  const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}}, table);
   ReportRecord record{"q1", "trajectory", {}, {}, {}};
   record.result.reason = Reason::body_rate;
   record.result.worst = std::numeric_limits<double>::infinity();

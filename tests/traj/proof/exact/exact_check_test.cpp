@@ -153,7 +153,7 @@ TEST(ExactCheck, SeesGapsJumpsBoundsAndDurations) {
   Trajectory gap = t;
   for (Vec3& p : gap.segments[1].point) p.x() += 0x1p-31;
   const ExactResult small = exactly(scene, gap);
-  EXPECT_TRUE(small.ok) << small.reason;
+  EXPECT_TRUE(small.ok) << name(small.reason);
   EXPECT_TRUE(small.segments[0].gap);
   EXPECT_EQ(small.joints[0], "1/2147483648");
   for (Vec3& p : gap.segments[1].point) p.x() += 1e-6;
