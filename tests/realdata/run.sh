@@ -85,7 +85,7 @@ if command -v skyway-cloud > /dev/null; then
   [ "$(points pcd/pdal_autzen-utm.pcd)" -eq 1065 ]
   [ "$(points ply/pdal_simple_binary.ply)" -eq 3 ]
   if skyway-cloud "$clouds/las/no-points.las" -o none 2> why; then exit 1; fi
-  grep -q "no metres on the ground" why
+  grep -q "not metres on the ground" why
   skyway-cloud -q "$clouds/las/autzen_trim_7.las" -o autzen  # in feet
   skyway-map info autzen | grep -q "bounds_max_m: .194213.0,258927.0,159.0."
   if skyway-cloud "$clouds/ply/pdal_mesh.ply" -o none 2> why; then exit 1; fi
