@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# run.sh BUILD_DIR SOURCE_DIR: installs the project into an empty prefix, and builds and runs docs/library.md against it.
+# run.sh BUILD_DIR SOURCE_DIR [FLAGS]: installs the project into an empty prefix, and builds and runs docs/library.md against it.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -7,7 +7,8 @@ shown() { awk -v begin="\`\`\`$1" '$0 == "```" { on = 0 } on { print } $0 == beg
 shown cpp "$2/../../docs/library.md" | diff - "$2/consumer.cpp"
 shown cmake "$2/../../docs/library.md" | diff - "$2/CMakeLists.txt"
 cmake --install "$1" --prefix "$folder/prefix" > /dev/null
-cmake -S "$2" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" > /dev/null
+cmake -S "$2" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
+  -DCMAKE_CXX_FLAGS="${3:-}" > /dev/null
 cmake --build "$folder/build" > "$folder/log" || { cat "$folder/log"; exit 1; }
 printf 'boundary 0 0 0 10 10 10\nblock 4 0 0 5 8 8\n' > "$folder/city.txt"
 "$folder/build/consumer" < "$folder/city.txt" > "$folder/flight.jsonl"

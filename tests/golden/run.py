@@ -20,7 +20,7 @@ sys.dont_write_bytecode = True  # nothing is written beside the sources
 import transcript
 
 HERE = pathlib.Path(__file__).resolve().parent
-TIME_LIMIT = 120  # seconds a case or set-up
+TIME_LIMIT = 400  # seconds a case or set-up
 
 
 def run(commands, folder, bin_dir):
