@@ -7,6 +7,7 @@
 
 #include "cli/file/artefacts.h"
 #include "cli/file/files.h"
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "command.h"

@@ -8,6 +8,7 @@
 
 #include "cli/file/drone_file.h"
 #include "cli/file/files.h"
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "profile_file.h"

@@ -4,6 +4,7 @@
 #include "cli/option/limit_options.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
+#include "cli/option/scenes.h"
 #include "cli/run.h"
 #include "traj/record/certificate_record.h"
 

@@ -10,6 +10,7 @@
 #include "cli/file/files.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "geom/base/error.h"

@@ -6,6 +6,7 @@
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/patch_option.h"
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "cli/shard/sharding.h"

@@ -9,6 +9,7 @@
 
 #include "cli/file/contents.h"
 #include "cli/file/files.h"
+#include "cli/option/scenes.h"
 #include "traj/curve/to_enu.h"
 #include "verbs.h"
 

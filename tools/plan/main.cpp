@@ -13,6 +13,7 @@
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/quality_option.h"
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "geom/base/mapped_file.h"

@@ -9,6 +9,7 @@
 #include "cli/file/contents.h"
 #include "cli/file/files.h"
 #include "cli/option/output_option.h"
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "comparison.h"

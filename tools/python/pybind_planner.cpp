@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/option/scenes.h"
 #include "geom/base/parallel.h"
 #include "plan/planner/path_record.h"
 #include "plan/planner/plan.h"

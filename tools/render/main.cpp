@@ -4,6 +4,7 @@
 
 #include "cli/file/contents.h"
 #include "cli/file/files.h"
+#include "cli/option/scenes.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "options.h"

@@ -10,6 +10,7 @@
 #include "cli/option/degrees.h"
 #include "cli/option/output_option.h"
 #include "cli/option/quality_option.h"
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "geom/base/parallel.h"

@@ -7,6 +7,7 @@
 #include "cli/file/files.h"
 #include "cli/file/record_output.h"
 #include "cli/option/output_option.h"
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "cli/shard/processes.h"

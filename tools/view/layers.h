@@ -4,6 +4,7 @@
 
 #include "bundle.h"
 #include "cli/file/contents.h"
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "frames.h"
 #include "local_frame.h"

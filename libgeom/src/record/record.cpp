@@ -220,6 +220,15 @@ PathRecord parse_path_record(std::string_view json, std::string_view source, std
   return record;
 }
 
+std::optional<std::string_view> mismatch(const Provenance& a, const Provenance& b) {
+  if (a.map != b.map) return "map";
+  if (a.frame != b.frame) return "frame";
+  if (a.vehicle.has_value() != b.vehicle.has_value()) return "vehicle";
+  if (a.vehicle && a.vehicle->half != b.vehicle->half) return "vehicle";
+  if (a.margin != b.margin) return "margin";
+  return std::nullopt;
+}
+
 Provenance provenance_of(const CollisionScene& scene) {
   return {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(), scene.margin()};
 }

@@ -1,5 +1,6 @@
 #include "artefacts.h"
 
+#include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "files.h"
 #include "plan/lattice/lattice_file.h"

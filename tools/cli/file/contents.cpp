@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "cli/option/scenes.h"
 #include "files.h"
 #include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"

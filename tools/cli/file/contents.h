@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/option/scenes.h"
 #include "geom/map/box_map.h"
 #include "geom/record/record.h"
 #include "plan/lattice/lattice.h"

@@ -4,6 +4,7 @@
 
 #include "cli/file/files.h"
 #include "geom/base/error.h"
+#include "scenes.h"
 
 namespace cli {
 

@@ -8,6 +8,7 @@
 
 #include "geom/archive/array_archive.h"
 #include "plan/planner/patch.h"
+#include "scenes.h"
 #include "vehicle_option.h"
 
 namespace cli {

@@ -1,14 +1,12 @@
 #pragma once
 
-// --vehicle and --margin, and how they meet what a record already says.
+// --vehicle and --margin.
 
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "agreed_room.h"
-#include "geom/collision/collision.h"
-#include "geom/record/record.h"
 #include "vehicle_word.h"
 
 namespace cli {
@@ -22,38 +20,5 @@ struct VehicleOptions {
   AskedRoom asked(
       const std::optional<traj::VehicleProfile>& profile) const;  // with what profile() gave
 };
-
-// The scene of a map for what a record and the options ask; the last one is kept.
-class Scenes {
- public:
-  using Differences = cli::Differences;
-
-  // `budget`: geom::CollisionOptions. Records are local, and a group is built within 2 ms.
-  Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences,
-         std::size_t budget = std::size_t{1} << 26);
-
-  // Of agreed_room. Throws geom::InputError(source, line, …) where the record is of another map or
-  // frame too.
-  const geom::CollisionScene& scene_for(const geom::Provenance& record, std::string_view source,
-                                        std::size_t line);
-  const geom::CollisionScene& scene();  // by the options alone
-  const geom::BoxMap& map() const { return map_; }
-  const std::optional<traj::VehicleProfile>& profile() const { return profile_; }
-
- private:
-  const geom::CollisionScene& build(const Room& room);
-
-  geom::BoxMap map_;
-  std::optional<traj::VehicleProfile> profile_;
-  AskedRoom asked_;
-  Differences differences_;
-  std::size_t budget_;
-  std::optional<geom::CollisionScene> scene_;
-};
-
-// A lattice or roadmap (`kind`) serves one map, frame, vehicle and margin: throws
-// geom::InputError(source, …) where these are not the scene's.
-void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
-                  const std::string& source, const char* kind);
 
 }  // namespace cli

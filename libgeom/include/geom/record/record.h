@@ -24,6 +24,10 @@ struct Provenance {
   std::optional<double> margin;  // metres
 };
 
+// The first in which they differ: "map", "frame", "vehicle" (its half sizes: what it may do is no
+// matter of shape) or "margin". Nothing where all are the same.
+std::optional<std::string_view> mismatch(const Provenance& a, const Provenance& b);
+
 class CollisionScene;
 Provenance provenance_of(const CollisionScene& scene);  // of what is made with it
 

@@ -1,0 +1,61 @@
+#include "geom/import/import_boxes.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "geom/base/error.h"
+
+namespace geom {
+namespace {
+
+constexpr const char* kTable =
+    "lat0 37, lon0 -122\nposX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n10,20,5.5,5,5,5\n";
+constexpr const char* kBlocks = "# a room\nboundary 0 0 0 10 10 4\nblock 1 1 1 2 2 2 200 0 0\n";
+
+ImportedBoxes imported(const std::string& text) {
+  std::istringstream in(text);
+  return import_boxes(in, box_format_of(text, "it"), "it");
+}
+
+TEST(ImportBoxes, KnowsFormatsByTheirFirstLine) {
+  EXPECT_EQ(box_format_of(kTable, "it"), BoxFormat::fcnd);
+  EXPECT_EQ(box_format_of(kBlocks, "it"), BoxFormat::block_text);
+  EXPECT_EQ(box_format_of("min_x_m,min_y_m\n", "it"), BoxFormat::box_csv);
+  EXPECT_EQ(box_format_of(" {\"bounds\":", "it"), BoxFormat::world_json);
+  EXPECT_EQ(box_format_of("voxel 3 4 5\n", "it"), BoxFormat::voxel_3dmap);
+  EXPECT_EQ(box_format_of("# Octomap OcTree binary file\n", "it"), BoxFormat::octomap);
+  EXPECT_THROW(box_format_of("<html>", "it"), InputError);
+}
+
+TEST(ImportBoxes, SaysWhatTheFormatSays) {
+  const ImportedBoxes table = imported(kTable);
+  EXPECT_EQ(table.frame.axes, Axes::neu);
+  EXPECT_EQ(table.frame.origin->latitude, 37);
+  EXPECT_EQ(table.floor, 0);
+  EXPECT_FALSE(table.bounds);
+  const ImportedBoxes blocks = imported(kBlocks);
+  EXPECT_EQ(blocks.frame.axes, Axes::enu);
+  EXPECT_EQ(blocks.bounds, (Aabb{{0, 0, 0}, {10, 10, 4}}));
+  EXPECT_EQ(blocks.table.labels, (std::vector<std::string>{"", "200 0 0"}));
+}
+
+// The table's box hangs half a metre above the floor, which such tables do by rounding.
+TEST(ImportBoxes, MakesTheMapThatTheFormatMeans) {
+  const MadeMap made = make_map(imported(kTable), "it");
+  EXPECT_EQ(made.sealed, 1u);
+  EXPECT_EQ(made.map.boxes()[0].min.z(), 0);
+  const MadeMap room = make_map(imported(kBlocks), "it");
+  EXPECT_EQ(room.map.spec().bounds, (Aabb{{0, 0, 0}, {10, 10, 4}}));
+  EXPECT_EQ(room.map.spec().bounds_from, "source");
+}
+
+TEST(ImportBoxes, MakesNoMapOfWhatItSkipped) {
+  ImportedBoxes boxes = imported(std::string(kBlocks) + "blok 5 5 0 6 6 4\n");
+  EXPECT_THROW(make_map(boxes, "it"), InputError);
+  boxes.skipped = {};
+  EXPECT_EQ(make_map(boxes, "it").map.size(), 1u);
+}
+
+}  // namespace
+}  // namespace geom

@@ -1,0 +1,50 @@
+#include "geom/text/words.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "geom/import/import_boxes.h"
+#include "geom/record/path_status.h"
+#include "plan/planner/route.h"
+#include "traj/proof/reason.h"
+#include "traj/record/trajectory_status.h"
+#include "traj/solve/rung.h"
+
+namespace geom {
+namespace {
+
+// Each value, from the first to the last of the enumeration, has one word, and each word one value.
+template <class Enum, std::size_t N>
+void expect_one_to_one(const Words<Enum, N>& words) {
+  std::set<std::string_view> seen;
+  for (std::size_t i = 0; i < N; ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(words[i].value), i);
+    EXPECT_EQ(word_of(words, words[i].value), words[i].word);
+    EXPECT_EQ(value_of(words, words[i].word), words[i].value);
+    EXPECT_TRUE(seen.insert(words[i].word).second) << words[i].word;
+  }
+  EXPECT_EQ(value_of(words, "no such word"), std::nullopt);
+}
+
+TEST(Words, GoBothWays) {
+  expect_one_to_one(kPathStatusWords);
+  expect_one_to_one(kBoxFormatWords);
+  expect_one_to_one(plan::kRouteWords);
+  expect_one_to_one(traj::kTrajectoryStatusWords);
+  expect_one_to_one(traj::kRungWords);
+  expect_one_to_one(traj::kReasonWords);
+}
+
+TEST(Words, AreListedForMessages) {
+  EXPECT_EQ(listed(traj::kRungWords), "closed ipopt stop_and_go");
+}
+
+TEST(Reason, OfALimitIsItsQuantity) {
+  EXPECT_EQ(traj::broken(Limit::tilt), traj::Reason::tilt);
+  EXPECT_EQ(traj::unmeasured(Limit::yaw_rate), traj::Reason::yaw_rate_not_measured);
+  EXPECT_EQ(traj::reason_of(traj::TrajectoryStatus::infeasible), traj::Reason::infeasible);
+}
+
+}  // namespace
+}  // namespace geom

@@ -1,0 +1,55 @@
+#include "scenes.h"
+
+#include <fmt/format.h>
+
+#include "cli/run.h"
+#include "geom/base/error.h"
+
+namespace cli {
+
+Scenes::Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences,
+               std::size_t budget)
+    : map_(std::move(map)),
+      profile_(options.profile()),
+      asked_(options.asked(profile_)),
+      differences_(differences),
+      budget_(budget) {}
+
+const geom::CollisionScene& Scenes::build(const Room& room) {
+  if (!scene_ || !(scene_->vehicle() == room.vehicle) || scene_->margin() != room.margin) {
+    geom::CollisionOptions collision;
+    collision.budget = budget_;
+    scene_.emplace(map_, room.vehicle, room.margin, collision);
+  }
+  return *scene_;
+}
+
+const geom::CollisionScene& Scenes::scene() {
+  if (!profile_) throw UsageError("no vehicle: give --vehicle (there is no default)");
+  return build({profile_->vehicle, asked_.margin.value_or(0)});
+}
+
+const geom::CollisionScene& Scenes::scene_for(const geom::Provenance& record,
+                                              std::string_view source, std::size_t line) {
+  const auto refuse = [&](const std::string& message) {
+    throw geom::InputError(source, line, message);
+  };
+  if (record.map && *record.map != map_.hash()) {
+    refuse(fmt::format("made for another map: expected {}, found {}", map_.hash(), *record.map));
+  }
+  if (record.frame && *record.frame != map_.spec().frame.axes) {
+    refuse(fmt::format("expected frame {}, as the map has, found {}",
+                       geom::name(map_.spec().frame.axes), geom::name(*record.frame)));
+  }
+  const Room room = agreed_room(record, asked_, differences_, source, line);
+  return build(room);
+}
+
+void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
+                  const std::string& source, const char* kind) {
+  if (const auto what = geom::mismatch(made_for, geom::provenance_of(scene))) {
+    throw geom::InputError(source, fmt::format("the {} was made for another {}", kind, *what));
+  }
+}
+
+}  // namespace cli
