@@ -58,6 +58,34 @@ std::array<mpq_class, 3> derivative_at(const Segment& s, int order, bool end) {
   return out;
 }
 
+// That a segment keeps a limit of `most`.
+Conditions condition(const Segment& s, Limit limit, double most) {
+  constexpr std::array kAll{0, 1, 2};
+  constexpr std::array kLevel{0, 1};
+  constexpr std::array kUpright{2};
+  switch (limit) {
+    case Limit::speed:
+      return exact::norm_condition(s, 1, most, kAll);
+    case Limit::horizontal_speed:
+      return exact::norm_condition(s, 1, most, kLevel);
+    case Limit::vertical_speed:
+      return exact::norm_condition(s, 1, most, kUpright);
+    case Limit::acceleration:
+      return exact::norm_condition(s, 2, most, kAll);
+    case Limit::jerk:
+      return exact::norm_condition(s, 3, most, kAll);
+    case Limit::tilt:
+      return exact::tilt_condition(s, most);
+    case Limit::thrust:
+      return exact::thrust_condition(s, most);
+    case Limit::body_rate:
+      return exact::body_rate_condition(s, most);
+    case Limit::yaw_rate:
+      return exact::yaw_rate_condition(s, most);
+  }
+  throw std::logic_error("no such limit");
+}
+
 // All steps in the order of their reasons; each returns false once it has refused.
 class Proof {
  public:
@@ -94,38 +122,11 @@ class Proof {
       return true;
     };
     const Limits& limits = task_.limits;
-    const std::array all{0, 1, 2};
-    const std::array level{0, 1};
-    const std::array upright{2};
-    // The condition that a segment obeys a limit.
-    const auto condition = [&](const Segment& s, Limit limit) {
-      const double most = *limits[limit];
-      switch (limit) {
-        case Limit::speed:
-          return exact::norm_condition(s, 1, most, all);
-        case Limit::horizontal_speed:
-          return exact::norm_condition(s, 1, most, level);
-        case Limit::vertical_speed:
-          return exact::norm_condition(s, 1, most, upright);
-        case Limit::acceleration:
-          return exact::norm_condition(s, 2, most, all);
-        case Limit::jerk:
-          return exact::norm_condition(s, 3, most, all);
-        case Limit::tilt:
-          return exact::tilt_condition(s, most);
-        case Limit::thrust:
-          return exact::thrust_condition(s, most);
-        case Limit::body_rate:
-          return exact::body_rate_condition(s, most);
-        case Limit::yaw_rate:
-          return exact::yaw_rate_condition(s, most);
-      }
-      throw std::logic_error("no such limit");
-    };
     const auto holds = [&](Limit limit) {
       return !limits[limit] || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
         if (limit == Limit::yaw_rate && !s.yaw) return true;
-        return within(s, condition(s, limit), timing, broken(limit), proof.limits[limit]);
+        return within(s, condition(s, limit, *limits[limit]), timing, broken(limit),
+                      proof.limits[limit]);
       });
     };
     result_.ok = each([&](const Segment& s, Timing timing, SegmentProof& proof) {
