@@ -12,12 +12,10 @@
 #include <thread>
 #include <utility>
 
+#include "geom/base/rounding.h"
+
 namespace geom {
 namespace {
-
-constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
-
-float float_down(double x) { return -float_up(-x); }
 
 struct BoundsSource {  // what the bounds callback needs; lives on the stack during the build
   std::span<const Aabb> boxes;
@@ -37,28 +35,6 @@ void write_bounds(const RTCBoundsFunctionArguments* args) noexcept {
   out.upper_x = float_up(high[0] + source.pad);
   out.upper_y = float_up(high[1] + source.pad);
   out.upper_z = float_up(high[2] + source.pad);
-}
-
-struct Segment {
-  Vec3 from;
-  Vec3 to;
-};
-
-// The part of the segment inside `box`, or nothing when there is none.
-std::optional<Segment> clipped(const Vec3& a, const Vec3& b, const Aabb& box) {
-  const Vec3 d = b - a;
-  double t0 = 0;
-  double t1 = 1;
-  for (int i = 0; i < 3; ++i) {
-    if (std::max(a[i], b[i]) < box.min[i] || std::min(a[i], b[i]) > box.max[i]) return std::nullopt;
-    if (d[i] == 0) continue;
-    const double u = (box.min[i] - a[i]) / d[i];
-    const double v = (box.max[i] - a[i]) / d[i];
-    t0 = std::max(t0, std::min(u, v));
-    t1 = std::min(t1, std::max(u, v));
-  }
-  if (t0 > t1) return std::nullopt;
-  return Segment{a + d * t0, a + d * t1};
 }
 
 [[noreturn]] void throw_error(RTCError error) {
@@ -169,11 +145,6 @@ Started start() noexcept {
 
 }  // namespace
 
-float float_up(double x) {
-  const float f = static_cast<float>(x);
-  return f < x ? std::nextafter(f, kFloatInfinity) : f;
-}
-
 RTCDevice embree_device() {
   static const Started embree = start();
   if (!embree.device) throw_error(embree.error);
@@ -183,8 +154,7 @@ RTCDevice embree_device() {
 EmbreeBoxes build(std::span<const Aabb> boxes, RTCOccludedFunctionN occluded,
                   RTCPointQueryFunction near) {
   EmbreeBoxes out;
-  Aabb all = boxes.front();
-  for (const Aabb& box : boxes) all = merged(all, box);
+  const Aabb all = *bounds(boxes);
   const double size = (all.max - all.min).maxCoeff();
   out.corner = all.min;
   out.extent = all;
@@ -200,14 +170,15 @@ EmbreeBoxes build(std::span<const Aabb> boxes, RTCOccludedFunctionN occluded,
 
 bool occluded(const EmbreeBoxes& boxes, const Vec3& a, const Vec3& b,
               RTCIntersectContext& context) {
-  Segment part{a, b};
+  Vec3 from = a;
+  Vec3 to = b;
   const bool inside = contains(boxes.reach, a) && contains(boxes.reach, b);
   if (!inside) {
-    const auto reached = clipped(a, b, boxes.reach);
+    const auto reached = clip(a, b, boxes.reach);
     if (!reached) return false;
-    part = *reached;
+    from = a + (b - a) * reached->from;
+    to = a + (b - a) * reached->to;
   }
-  const auto& [from, to] = part;
   RTCRay ray{};
   ray.org_x = static_cast<float>(from[0] - boxes.corner[0]);
   ray.org_y = static_cast<float>(from[1] - boxes.corner[1]);
@@ -236,7 +207,7 @@ void near(const EmbreeBoxes& boxes, const Vec3& p, double radius, void* context)
 }
 
 void mark_hit(const RTCOccludedFunctionNArguments* args) noexcept {
-  RTCRayN_tfar(args->ray, args->N, 0) = -kFloatInfinity;
+  RTCRayN_tfar(args->ray, args->N, 0) = -std::numeric_limits<float>::infinity();
 }
 
 }  // namespace geom

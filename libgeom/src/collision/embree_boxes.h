@@ -49,7 +49,6 @@ double slack_at(const EmbreeBoxes& boxes, const Vec3& p);
 // Gives the callback the candidates in the ball, whose `radius` has the slack in it.
 void near(const EmbreeBoxes& boxes, const Vec3& p, double radius, void* context);
 
-float float_up(double x);  // the least float >= x
 void mark_hit(const RTCOccludedFunctionNArguments* args) noexcept;
 
 }  // namespace geom

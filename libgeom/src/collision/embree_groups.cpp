@@ -9,6 +9,7 @@
 #include "embree_queries.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/precondition.h"
+#include "geom/base/rounding.h"
 
 namespace geom {
 namespace {
@@ -60,7 +61,7 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
   map.require(Verified::extents);  // one that lies would hide boxes from every query
   for (int i = 0; i < 3; ++i) {
     half[i] = vehicle.half[i] + margin;
-    if (margin > 0) half[i] = std::nextafter(half[i], std::numeric_limits<double>::infinity());
+    if (margin > 0) half[i] = next_up(half[i]);
   }
   free_bounds = shrink(map.spec().bounds, half);
   auto members = grouped(map, std::max(1.0, static_cast<double>(options.boxes_per_group)));
@@ -70,8 +71,8 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
     Aabb extent = map.tiles()[groups[g].tiles.front()].extent;
     for (const std::size_t t : groups[g].tiles) extent = merged(extent, map.tiles()[t].extent);
     group_extent.push_back(grow(extent, half));
-    reach = g == 0 ? group_extent.front() : merged(reach, group_extent.back());
   }
+  if (const auto all = bounds(group_extent)) reach = *all;
   if (groups.size() > 1) {
     top = build(group_extent, segment_against_group, visit_candidate);
   }

@@ -2,6 +2,7 @@
 #include <atomic>
 
 #include "embree_queries.h"
+#include "geom/base/rounding.h"
 
 namespace geom {
 namespace {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <ostream>
 
+#include "geom/base/rounding.h"
 #include "geom/record/record.h"
 #include "geom/text/text_table.h"
 
@@ -72,15 +73,6 @@ Columns parse_header(const TextLines& lines, FcndTable& out) {
   return columns;
 }
 
-// sum = a + b rounded away in the direction of `sign`, past the real sum.
-double add_outward(double a, double b, double sign) {
-  const double sum = a + b;
-  const double part = sum - a;
-  const double error = (a - (sum - part)) + (b - part);
-  if (error * sign <= 0) return sum;
-  return std::nextafter(sum, sign * std::numeric_limits<double>::infinity());
-}
-
 void add_box(const TextLines& lines, const Columns& columns, std::size_t width, FcndTable& out) {
   const auto fields = split_fields(lines.line());
   const std::size_t needed = *std::max_element(columns.begin(), columns.end()) + 1;
@@ -110,11 +102,10 @@ void add_box(const TextLines& lines, const Columns& columns, std::size_t width, 
   out.flat += zeros > 0;
   Aabb box;
   for (int i = 0; i < 3; ++i) {
-    box.min[i] = add_outward(v[i], -v[i + 3], -1);
-    box.max[i] = add_outward(v[i], v[i + 3], 1);
-    const double ulp = std::nextafter(std::abs(box.max[i]) + std::abs(box.min[i]), HUGE_VAL) -
-                       (std::abs(box.max[i]) + std::abs(box.min[i]));
-    out.largest_change = std::max(out.largest_change, ulp);
+    box.min[i] = add_down(v[i], -v[i + 3]);
+    box.max[i] = add_up(v[i], v[i + 3]);
+    out.largest_change =
+        std::max(out.largest_change, ulp(std::abs(box.max[i]) + std::abs(box.min[i])));
   }
   out.table.add(box, lines.number());
 }

@@ -9,39 +9,22 @@
 namespace geom {
 namespace {
 
-// The part [t0, t1] of the segment in the rectangle; false where there is none.
-bool clip(const Vec2& a, const Vec2& b, const Aabb& box, double& t0, double& t1) {
-  t0 = 0;
-  t1 = 1;
-  for (int i = 0; i < 2; ++i) {
-    const double d = b[i] - a[i];
-    if (d == 0) {
-      if (a[i] < box.min[i] || a[i] > box.max[i]) return false;
-      continue;
-    }
-    const double u = (box.min[i] - a[i]) / d;
-    const double v = (box.max[i] - a[i]) / d;
-    t0 = std::max(t0, std::min(u, v));
-    t1 = std::min(t1, std::max(u, v));
-  }
-  return t0 <= t1;
-}
-
 // Whether the wall over the segment lies within the boxes. Rounding may say no, never a wrong yes
 // by more than the 1e-9 m that cover() rounds outward.
 bool wall_covered(const Vec2& a, const Vec2& b, const Footprint& f, std::span<const Aabb> boxes) {
-  std::vector<std::pair<double, double>> parts;
+  const Vec3 from(a.x(), a.y(), f.bottom);
+  const Vec3 to(b.x(), b.y(), f.bottom);
+  std::vector<SegmentPart> parts;
   for (const Aabb& box : boxes) {
-    double t0;
-    double t1;
-    if (box.min.z() > f.bottom || box.max.z() < f.top || !clip(a, b, box, t0, t1)) continue;
-    parts.emplace_back(t0, t1);
+    if (box.min.z() > f.bottom || box.max.z() < f.top) continue;
+    if (const auto part = clip(from, to, box)) parts.push_back(*part);
   }
-  std::sort(parts.begin(), parts.end());
+  std::sort(parts.begin(), parts.end(),
+            [](const SegmentPart& s, const SegmentPart& t) { return s.from < t.from; });
   double reached = 0;
-  for (const auto& [t0, t1] : parts) {
-    if (t0 > reached) return false;
-    reached = std::max(reached, t1);
+  for (const SegmentPart& part : parts) {
+    if (part.from > reached) return false;
+    reached = std::max(reached, part.to);
   }
   return !parts.empty() && reached >= 1;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geom/base/error.h"
+#include "geom/base/rounding.h"
 #include "geom/map/geographic_frame.h"
 
 namespace geom {
@@ -30,8 +31,8 @@ class Mover {
     }
     const double side = (box.max - box.min).head<2>().norm();
     out = grow(*out, Vec3(1, 1, 0) * (side * side / (8 * kRadius) + 1e-6));
-    out->min.z() = std::nextafter(box.min.z() + up_, -HUGE_VAL);
-    out->max.z() = std::nextafter(box.max.z() + up_, HUGE_VAL);
+    out->min.z() = next_down(box.min.z() + up_);
+    out->max.z() = next_up(box.max.z() + up_);
     return *out;
   }
 

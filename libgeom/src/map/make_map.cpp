@@ -6,31 +6,18 @@
 #include <limits>
 
 #include "geom/base/error.h"
+#include "geom/base/rounding.h"
 
 namespace geom {
 namespace {
 
 constexpr double kFurthestFromOrigin = 2e5;  // metres
 
-Aabb bounding_box(const BoxTable& table) {
-  Aabb all = table.boxes.front();
-  for (const Aabb& box : table.boxes) all = merged(all, box);
-  return all;
-}
-
-// a * b, not above (sign -1) or not below (sign 1) the real product.
-double multiply_outward(double a, double b, double sign) {
-  const double product = a * b;
-  const double error = std::fma(a, b, -product);
-  if (error * sign <= 0) return product;
-  return std::nextafter(product, sign * std::numeric_limits<double>::infinity());
-}
-
 Aabb scaled(const Aabb& box, double factor) {
   Aabb out;
   for (int i = 0; i < 3; ++i) {
-    out.min[i] = multiply_outward(box.min[i], factor, -1);
-    out.max[i] = multiply_outward(box.max[i], factor, 1);
+    out.min[i] = multiply_down(box.min[i], factor);
+    out.max[i] = multiply_up(box.max[i], factor);
   }
   return out;
 }
@@ -68,7 +55,7 @@ std::size_t seal_to_floor(BoxTable& table, double floor, double seal) {
 // would put the map, and home, into another country.
 void require_near_origin(const BoxTable& table, const Frame& frame, std::string_view source) {
   if (!frame.origin || !frame.crs.empty()) return;
-  const Aabb all = bounding_box(table);
+  const Aabb all = *bounds(table.boxes);
   const Vec3 nearest = Vec3::Zero().cwiseMax(all.min).cwiseMin(all.max);
   const double away = nearest.head<2>().norm();
   if (away <= kFurthestFromOrigin) return;
@@ -93,7 +80,7 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
   if (given) {
     spec.bounds = options.bounds ? *options.bounds : scaled(*options.source_bounds, options.scale);
   } else {
-    spec.bounds = bounding_box(table);
+    spec.bounds = *bounds(table.boxes);
     const Vec3 low(options.pad, options.pad, 0);
     spec.bounds.min -= low;
     spec.bounds.max += Vec3::Constant(options.pad);

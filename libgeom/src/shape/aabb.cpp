@@ -2,26 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "geom/base/rounding.h"
 #include "orientation.h"
 
 namespace geom {
 namespace {
-
-constexpr double kUp = std::numeric_limits<double>::infinity();
-
-// a + b, rounded towards +infinity: TwoSum (Knuth) gives the sign of the rounding error.
-double add_up(double a, double b) {
-  const double sum = a + b;
-  const double b_part = sum - a;
-  const double error = (a - (sum - b_part)) + (b - b_part);
-  return error > 0 ? std::nextafter(sum, kUp) : sum;
-}
-
-double add_down(double a, double b) { return -add_up(-a, -b); }
-
-double ulp(double x) { return std::nextafter(std::abs(x), kUp) - std::abs(x); }
 
 // How far grow() reaches beyond the real sum.
 double growth_slack(double coordinate) { return std::max(5e-10, 2 * ulp(coordinate)); }
@@ -99,6 +85,28 @@ std::optional<Aabb> bounds(std::span<const Vec3> points) {
   Aabb box{points.front(), points.front()};
   for (const Vec3& p : points) box = merged(box, {p, p});
   return box;
+}
+
+std::optional<Aabb> bounds(std::span<const Aabb> boxes) {
+  if (boxes.empty()) return std::nullopt;
+  Aabb all = boxes.front();
+  for (const Aabb& box : boxes) all = merged(all, box);
+  return all;
+}
+
+std::optional<SegmentPart> clip(const Vec3& a, const Vec3& b, const Aabb& box) {
+  const Vec3 d = b - a;
+  SegmentPart inside{0, 1};
+  for (int i = 0; i < 3; ++i) {
+    if (std::max(a[i], b[i]) < box.min[i] || std::min(a[i], b[i]) > box.max[i]) return std::nullopt;
+    if (d[i] == 0) continue;
+    const double u = (box.min[i] - a[i]) / d[i];
+    const double v = (box.max[i] - a[i]) / d[i];
+    inside.from = std::max(inside.from, std::min(u, v));
+    inside.to = std::min(inside.to, std::max(u, v));
+  }
+  if (inside.from > inside.to) return std::nullopt;
+  return inside;
 }
 
 Aabb grow(const Aabb& obstacle, const Vec3& half) {

@@ -9,6 +9,7 @@
 
 #include "geom/base/error.h"
 #include "geom/base/precondition.h"
+#include "geom/base/rounding.h"
 #include "orientation.h"
 
 namespace geom {
@@ -38,7 +39,7 @@ struct Edge {
 };
 
 double outward(double v, double sign) {
-  const double pad = 1e-9 + 4 * (std::nextafter(std::abs(v), kInfinity) - std::abs(v));
+  const double pad = 1e-9 + 4 * ulp(v);
   return v + sign * pad;
 }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "geom/base/rounding.h"
+
 namespace traj {
 namespace {
 
@@ -20,8 +22,8 @@ constexpr double kBeside = 1e-8;  // metres: what is refused comes within 1e-9 m
 geom::Aabb moved(const geom::Aabb& box, const Vec3& by) {
   geom::Aabb out{box.min + by, box.max + by};
   for (int i = 0; i < 3; ++i) {
-    out.min[i] = std::nextafter(out.min[i], -kInfinity);
-    out.max[i] = std::nextafter(out.max[i], kInfinity);
+    out.min[i] = geom::next_down(out.min[i]);
+    out.max[i] = geom::next_up(out.max[i]);
   }
   return out;
 }
@@ -139,8 +141,8 @@ bool leaves(const geom::CollisionScene& scene, const Piece& piece) {
   const Vec3 origin = piece.q[0];
   geom::Aabb inner{scene.free_bounds()->min - origin, scene.free_bounds()->max - origin};
   for (int i = 0; i < 3; ++i) {
-    inner.min[i] = std::nextafter(inner.min[i], kInfinity);
-    inner.max[i] = std::nextafter(inner.max[i], -kInfinity);
+    inner.min[i] = geom::next_up(inner.min[i]);
+    inner.max[i] = geom::next_down(inner.max[i]);
   }
   const Piece local = around(origin, piece);
   return first_outside(local, inner, 0, largest_coordinate(local)).has_value();

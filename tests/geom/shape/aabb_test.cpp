@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <vector>
+
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
 
@@ -35,6 +38,51 @@ TEST(AabbSegment, OneUlpBesideIsAMiss) {
   EXPECT_FALSE(segment_hits({beyond, 0, 0}, {beyond, 0, 0}, kUnit));
   EXPECT_FALSE(
       segment_hits({0, std::nextafter(2.0, 3.0), 0.5}, {2, std::nextafter(0.0, 1.0), 0.5}, kUnit));
+}
+
+TEST(AabbClip, GivesThePartInTheClosedBox) {
+  const auto through = clip({-1, 0.5, 0.5}, {3, 0.5, 0.5}, kUnit);
+  ASSERT_TRUE(through);
+  EXPECT_EQ(through->from, 0.25);
+  EXPECT_EQ(through->to, 0.5);
+  const auto inside = clip({0.2, 0.2, 0.2}, {0.3, 0.3, 0.3}, kUnit);
+  ASSERT_TRUE(inside);
+  EXPECT_EQ(inside->from, 0);
+  EXPECT_EQ(inside->to, 1);
+  const auto touching = clip({1, 1, 1}, {2, 2, 2}, kUnit);
+  ASSERT_TRUE(touching);
+  EXPECT_EQ(touching->to, 0);
+  EXPECT_FALSE(clip({-1, 2, 0.5}, {3, 2, 0.5}, kUnit));
+  EXPECT_FALSE(clip({-1, 0.5, 0.5}, {2, 3.6, 0.5}, kUnit));  // both extents overlap
+}
+
+// Its ends are in the box but for rounding, and what is beyond them is not.
+TEST(AabbClip, AgreesWithTheExactTest) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> at(-2, 3);
+  const auto point = [&] { return Vec3(at(random), at(random), at(random)); };
+  int cut = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 a = point();
+    const Vec3 b = point();
+    const auto part = clip(a, b, kUnit);
+    ASSERT_EQ(part.has_value(), oracle::segment_hits(a, b, kUnit)) << i;
+    if (!part) continue;
+    ++cut;
+    ASSERT_LT(distance(a + part->from * (b - a), kUnit), 1e-14) << i;
+    ASSERT_LT(distance(a + part->to * (b - a), kUnit), 1e-14) << i;
+    const Vec3 before = a + (part->from - 1e-9) * (b - a);
+    const Vec3 after = a + (part->to + 1e-9) * (b - a);
+    ASSERT_TRUE(part->from == 0 || !contains(kUnit, before)) << i;
+    ASSERT_TRUE(part->to == 1 || !contains(kUnit, after)) << i;
+  }
+  EXPECT_GT(cut, 500);
+}
+
+TEST(AabbBounds, HoldAllBoxesAndNothingMore) {
+  EXPECT_FALSE(bounds(std::span<const Aabb>()));
+  const std::vector<Aabb> boxes = {{{0, 5, 2}, {1, 6, 3}}, {{-1, 5.5, 2}, {0, 9, 2}}};
+  EXPECT_EQ(bounds(boxes), (Aabb{{-1, 5, 2}, {1, 9, 3}}));
 }
 
 // A segment with ends on a coarse grid, on nearby doubles, or anywhere.
@@ -90,7 +138,7 @@ TEST(AabbShrink, KeepsTheWholeVehicleInsideAndSaysWhenItDoesNotFit) {
 }
 
 TEST(AabbBounds, AreNothingWithoutPoints) {
-  EXPECT_FALSE(bounds({}));
+  EXPECT_FALSE(bounds(std::span<const Vec3>()));
   const Vec3 points[] = {{1, 2, 3}, {-1, 5, 3}};
   EXPECT_EQ(bounds(points), (Aabb{{-1, 2, 3}, {1, 5, 3}}));
 }

@@ -34,9 +34,22 @@ bool overlap(const Aabb& a, const Aabb& b);
 // from.
 bool segment_hits(const Vec3& a, const Vec3& b, const Aabb& box);
 
-// The smallest box around two boxes, and around `points` (nothing when there are none).
+// A part of a segment from a to b: that from a + from (b - a) to a + to (b - a).
+struct SegmentPart {
+  double from = 0;
+  double to = 1;
+};
+
+// The part of the segment from `a` to `b` in the closed box, 0 <= from <= to <= 1; nothing where
+// there is none. Rounded: each end by a few ulp of 1, and a segment that comes within rounding of
+// the box may be taken to miss it. Only segment_hits() decides what collides.
+std::optional<SegmentPart> clip(const Vec3& a, const Vec3& b, const Aabb& box);
+
+// The smallest box around two boxes, and around all of `points` or `boxes` (nothing when there are
+// none).
 Aabb merged(const Aabb& a, const Aabb& b);
 std::optional<Aabb> bounds(std::span<const Vec3> points);
+std::optional<Aabb> bounds(std::span<const Aabb> boxes);
 
 // `obstacle` grown by a vehicle of half sizes `half` (metres, >= 0): where the vehicle's reference
 // point collides. This is the only growth in the toolkit. It is rounded outward, and reaches

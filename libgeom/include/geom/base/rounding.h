@@ -1,0 +1,55 @@
+#pragma once
+
+// Sums and products of doubles that lie on a known side of the real result. Every result is the
+// nearest double or its neighbour; exact where the real result is a double. Arguments and results
+// must be finite.
+
+#include <cmath>
+#include <limits>
+
+namespace geom {
+
+inline double next_up(double x) {
+  return std::nextafter(x, std::numeric_limits<double>::infinity());
+}
+inline double next_down(double x) {
+  return std::nextafter(x, -std::numeric_limits<double>::infinity());
+}
+
+// From |x| to the next larger double.
+inline double ulp(double x) { return next_up(std::abs(x)) - std::abs(x); }
+
+// The rounding error of `sum`, which is a + b as doubles add: TwoSum (Knuth 1969). Exact.
+inline double sum_error(double a, double b, double sum) {
+  const double b_part = sum - a;
+  return (a - (sum - b_part)) + (b - b_part);
+}
+
+// Not below and not above a + b.
+inline double add_up(double a, double b) {
+  const double sum = a + b;
+  return sum_error(a, b, sum) > 0 ? next_up(sum) : sum;
+}
+inline double add_down(double a, double b) {
+  const double sum = a + b;
+  return sum_error(a, b, sum) < 0 ? next_down(sum) : sum;
+}
+
+// Not below and not above a * b, where that is no subnormal number.
+inline double multiply_up(double a, double b) {
+  const double product = a * b;
+  return std::fma(a, b, -product) > 0 ? next_up(product) : product;
+}
+inline double multiply_down(double a, double b) {
+  const double product = a * b;
+  return std::fma(a, b, -product) < 0 ? next_down(product) : product;
+}
+
+// The nearest float that is not below `x`.
+inline float float_up(double x) {
+  const float f = static_cast<float>(x);
+  return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+}
+inline float float_down(double x) { return -float_up(-x); }
+
+}  // namespace geom
