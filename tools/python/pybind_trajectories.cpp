@@ -25,15 +25,7 @@ namespace {
 // be taken for one of this.
 geom::Vehicle agreed_vehicle(const geom::Provenance& record, const geom::CollisionScene& scene,
                              cli::Differences differences, const std::string& id) {
-  const geom::Provenance ours = geom::provenance_of(scene);
-  if (record.map && record.map != ours.map) {
-    throw geom::InputError(
-        id, fmt::format("made for another map: expected {}, found {}", *ours.map, *record.map));
-  }
-  if (record.frame && record.frame != ours.frame) {
-    throw geom::InputError(id, fmt::format("expected frame {}, as the map has, found {}",
-                                           geom::name(*ours.frame), geom::name(*record.frame)));
-  }
+  geom::require_map_agrees(record, geom::provenance_of(scene), id, 0);
   return cli::agreed_room(record, {scene.vehicle(), scene.margin()}, differences, id, 0).vehicle;
 }
 

@@ -229,6 +229,20 @@ std::optional<std::string_view> mismatch(const Provenance& a, const Provenance& 
   return std::nullopt;
 }
 
+void require_map_agrees(const Provenance& record, const Provenance& ours, std::string_view source,
+                        std::size_t line) {
+  if (record.map && ours.map && *record.map != *ours.map) {
+    throw InputError(
+        source, line,
+        fmt::format("made for another map: expected {}, found {}", *ours.map, *record.map));
+  }
+  if (record.frame && ours.frame && *record.frame != *ours.frame) {
+    throw InputError(source, line,
+                     fmt::format("expected frame {}, as the map has, found {}", name(*ours.frame),
+                                 name(*record.frame)));
+  }
+}
+
 Provenance provenance_of(const CollisionScene& scene) {
   return {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(), scene.margin()};
 }

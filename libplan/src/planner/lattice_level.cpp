@@ -32,10 +32,11 @@ void LatticeLevel::give_back(std::unique_ptr<AstarSearch> search) {
   idle_.push_back(std::move(search));
 }
 
-bool LatticeLevel::search(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
-                          PlanResult& result) {
+PlanResult LatticeLevel::search(const geom::CollisionScene& scene, const Vec3& from,
+                                const Vec3& to) {
+  PlanResult result;
+  result.route = Route::lattice;
   result.resolution = lattice_.spec().spacing;
-  result.expanded = 0;
   auto search = take();
   SearchResult found;
   // The nearest nodes may lie in a pocket that the lattice cannot leave, though the end itself can.
@@ -47,9 +48,10 @@ bool LatticeLevel::search(const geom::CollisionScene& scene, const Vec3& from, c
   }
   give_back(std::move(search));
   if (found.gave_up) result.status = PathStatus::stopped;
-  if (!found.found) return false;
+  if (!found.found) return result;
+  result.status = PathStatus::found;
   result.path = joined(lattice_, from, found.nodes, to);
-  return true;
+  return result;
 }
 
 }  // namespace plan

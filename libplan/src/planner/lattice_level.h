@@ -20,9 +20,8 @@ class LatticeLevel {
 
   bool given() const { return given_; }
 
-  // Whether there is a path; puts it into `result`, and what the search was in any case.
-  bool search(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
-              PlanResult& result);
+  // The path as the search found it, and what the search was in any case.
+  PlanResult search(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to);
 
  private:
   std::unique_ptr<AstarSearch> take();

@@ -72,6 +72,35 @@ PathStep step_of(std::string_view name, const Polyline& path) {
   return {name, path.size(), geom::length(path)};
 }
 
+// What is asked, once both ends are free.
+struct Task {
+  Vec3 from;
+  Vec3 to;
+  const PlanOptions& options;
+
+  double straight() const { return (to - from).norm(); }
+};
+
+// A path that a step of the recipe found, and how it came about.
+struct Found {
+  Polyline path;
+  std::vector<PathStep> steps;
+  std::size_t expanded = 0;
+};
+
+PlanResult with(Found found, Route route, PlanResult result) {
+  result.status = PathStatus::found;
+  result.route = route;
+  result.path = std::move(found.path);
+  result.steps = std::move(found.steps);
+  result.expanded = found.expanded;
+  return result;
+}
+
+bool shorter(const Polyline& path, const Polyline& than) {
+  return than.empty() || geom::length(path) < geom::length(than);
+}
+
 std::string why_not(const PlanResult& result) {
   return fmt::format("{} on a lattice of {} m",
                      result.status == PathStatus::stopped ? "too many nodes" : "no path",
@@ -98,21 +127,23 @@ struct Planner::Impl {
 
   PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options);
 
-  PlanResult search(const Vec3& from, const Vec3& to, const PlanOptions& options);
+  PlanResult by_recipe(const Task& task);
+  PlanResult by_method(const Task& task);
+  PlanResult by_sampling(const Task& task);
+  PlanResult by_lattices(const Task& task);
+  PlanResult by_level(LatticeLevel& level, const Task& task);
+
+  // What follow give a path that is shorter than `than`, or any where `than` is empty.
+  std::optional<Found> by_roadmap(const Task& task, RoadmapLimits limits, const Polyline& than);
+  std::optional<Found> by_corridor(const Task& task, const Polyline& than) const;
+  std::optional<Found> by_close_bends(const Task& task, const Polyline& than) const;
+  std::optional<Found> by_bends(RoadmapSearch& search, const Task& task, RoadmapLimits limits,
+                                const Polyline& than) const;
+
+  Found refined(const Polyline& raw, const PlanOptions& options) const;
+  RoadmapLimits first_limits(const Task& task) const;
   std::uint32_t component(const Vec3& p) const;
-  RoadmapLimits first_limits(const Vec3& from, const Vec3& to) const;
-  bool improve(RoadmapSearch& search, const Vec3& from, const Vec3& to, const PlanOptions& options,
-               RoadmapLimits limits, PlanResult& result);
-  bool search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                      const RoadmapLimits& limits, PlanResult& result);
-  void search_closely(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                      PlanResult& result);
-  bool search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                       PlanResult& result);
-  PlanResult search_levels(const Vec3& from, const Vec3& to, const PlanOptions& options);
-  bool search_level(LatticeLevel& level, const Vec3& from, const Vec3& to, PlanResult& result);
-  PlanResult search_as_asked(const Vec3& from, const Vec3& to, const PlanOptions& options);
-  void refine(const PlanOptions& options, PlanResult& result) const;
+  PlanResult refused_end(const Vec3& p, bool start, const std::optional<Vec3>& free) const;
 
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;
@@ -149,36 +180,38 @@ Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
   }
 }
 
-// Whether there is a path on this lattice.
-bool Planner::Impl::search_level(LatticeLevel& level, const Vec3& from, const Vec3& to,
-                                 PlanResult& result) {
-  if (!level.search(scene_, from, to, result)) return false;
+// As the search gave it, not shortened.
+PlanResult Planner::Impl::by_level(LatticeLevel& level, const Task& task) {
+  PlanResult result = level.search(scene_, task.from, task.to);
   if (level.given()) require_free(scene_, result.path, "lattice");
-  return true;
+  return result;
 }
 
-PlanResult Planner::Impl::search_levels(const Vec3& from, const Vec3& to,
-                                        const PlanOptions& options) {
+PlanResult Planner::Impl::by_lattices(const Task& task) {
+  const auto shortened = [&](PlanResult result) {
+    if (result.path.empty()) return result;
+    Found found = refined(result.path, task.options);
+    found.expanded = result.expanded;
+    return with(std::move(found), Route::lattice, std::move(result));
+  };
   PlanResult result;
-  const double straight = (to - from).norm();
+  result.route = Route::lattice;
   for (const auto& level : levels_) {
-    PlanResult tried;
-    const bool found = search_level(*level, from, to, tried);
-    if (found) refine(options, tried);
+    PlanResult tried = shortened(by_level(*level, task));
     if (!result.path.empty()) {  // a second opinion on a detour
-      if (found && geom::length(tried.path) < geom::length(result.path)) result = std::move(tried);
-      return result;
+      return !tried.path.empty() && shorter(tried.path, result.path) ? tried : result;
     }
     result = std::move(tried);
-    if (found && (options.raw || geom::length(result.path) <= kDetour * straight)) return result;
+    const bool found = result.status == PathStatus::found;
+    if (found && (task.options.raw || geom::length(result.path) <= kDetour * task.straight())) {
+      return result;
+    }
     if (result.status == PathStatus::stopped) break;
   }
   if (result.status != PathStatus::stopped) return result;
   for (const auto& level : coarse_levels_) {
-    PlanResult tried;
-    if (!search_level(*level, from, to, tried)) continue;
-    refine(options, tried);
-    return tried;
+    PlanResult tried = by_level(*level, task);
+    if (tried.status == PathStatus::found) return shortened(std::move(tried));
   }
   return result;
 }
@@ -200,52 +233,45 @@ std::uint32_t Planner::Impl::component(const Vec3& p) const {
 
 // How far to search the roadmap before the lattices were asked, which know sooner that there is no
 // way.
-RoadmapLimits Planner::Impl::first_limits(const Vec3& from, const Vec3& to) const {
+RoadmapLimits Planner::Impl::first_limits(const Task& task) const {
   if (!roadmap_->coarse) return {};
-  const std::uint32_t a = component(from);
-  const std::uint32_t b = component(to);
+  const std::uint32_t a = component(task.from);
+  const std::uint32_t b = component(task.to);
   if (a == 0 || b == 0) return {kUnknownBends};
   return a == b ? RoadmapLimits{} : RoadmapLimits{0};
 }
 
-// The shortest of the roadmap's paths, where it is shorter than what there is.
-bool Planner::Impl::improve(RoadmapSearch& search, const Vec3& from, const Vec3& to,
-                            const PlanOptions& options, RoadmapLimits limits, PlanResult& result) {
-  if (options.quality == Quality::best) {
+// The shortest of a roadmap's paths once they are pulled taut.
+std::optional<Found> Planner::Impl::by_bends(RoadmapSearch& search, const Task& task,
+                                             RoadmapLimits limits, const Polyline& than) const {
+  if (task.options.quality == Quality::best) {
     limits.paths = kPaths;
-    limits.beyond = kBend / (to - from).norm();
+    limits.beyond = kBend / task.straight();
   }
-  const RoadmapResult found = search.search(from, to, limits);
-  bool better = false;
-  for (const Polyline& raw : found.paths) {
+  const RoadmapResult result = search.search(task.from, task.to, limits);
+  std::optional<Found> best;
+  for (const Polyline& raw : result.paths) {
     require_free(scene_, raw, "roadmap");
-    PlanResult tried;
-    tried.path = raw;
-    tried.steps = {step_of("search", raw)};
-    if (polished(options)) {
+    Found tried{raw, {step_of("search", raw)}, result.settled};
+    if (polished(task.options)) {
       tried.path = taut(scene_, raw);
       tried.steps.push_back(step_of("taut", tried.path));
     }
-    if (!result.path.empty() && geom::length(tried.path) >= geom::length(result.path)) continue;
-    result.path = std::move(tried.path);
-    result.steps = std::move(tried.steps);
-    result.expanded = found.settled;
-    better = true;
+    if (shorter(tried.path, best ? best->path : than)) best = std::move(tried);
   }
-  return better;
+  return best;
 }
 
 // With bends closer to each other along the path that there is.
-void Planner::Impl::search_closely(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                                   PlanResult& result) {
-  const Roadmap close = bends_along(scene_, {kClosePart, kCorridorReach, {}}, result.path, kClose);
+std::optional<Found> Planner::Impl::by_close_bends(const Task& task, const Polyline& than) const {
+  const Roadmap close = bends_along(scene_, {kClosePart, kCorridorReach, {}}, than, kClose);
   RoadmapSearch search(scene_, close);
-  improve(search, from, to, options, {kCorridorBends}, result);
+  return by_bends(search, task, {kCorridorBends}, than);
 }
 
-bool Planner::Impl::search_roadmap(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                                   const RoadmapLimits& limits, PlanResult& result) {
-  if (limits.settled == 0) return false;
+std::optional<Found> Planner::Impl::by_roadmap(const Task& task, RoadmapLimits limits,
+                                               const Polyline& than) {
+  if (limits.settled == 0) return std::nullopt;
   std::unique_ptr<RoadmapSearch> search;
   {
     const std::lock_guard lock(mutex_);
@@ -255,93 +281,111 @@ bool Planner::Impl::search_roadmap(const Vec3& from, const Vec3& to, const PlanO
     }
   }
   if (!search) search = std::make_unique<RoadmapSearch>(scene_, *roadmap_);
-  const bool better = improve(*search, from, to, options, limits, result);
+  auto found = by_bends(*search, task, limits, than);
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(search));
-  return better;
+  return found;
 }
 
 // Bends around the boxes near a path that a lattice gave.
-bool Planner::Impl::search_corridor(const Vec3& from, const Vec3& to, const PlanOptions& options,
-                                    PlanResult& result) {
-  const Roadmap corridor =
-      bends_along(scene_, {10, kCorridorReach, {}}, result.path,
-                  options.quality == Quality::best ? 2 * kCorridor : kCorridor);
+std::optional<Found> Planner::Impl::by_corridor(const Task& task, const Polyline& than) const {
+  const double width = task.options.quality == Quality::best ? 2 * kCorridor : kCorridor;
+  const Roadmap corridor = bends_along(scene_, {10, kCorridorReach, {}}, than, width);
   RoadmapSearch search(scene_, corridor);
   RoadmapLimits limits{kCorridorBends};
-  limits.weight = (to - from).norm() < 1000 ? 1.02 : 1.04;
-  return improve(search, from, to, options, limits, result);
+  limits.weight = task.straight() < 1000 ? 1.02 : 1.04;
+  return by_bends(search, task, limits, than);
 }
 
 // Shortens what a search found.
-void Planner::Impl::refine(const PlanOptions& options, PlanResult& result) const {
-  result.steps = {step_of("search", result.path)};
-  if (options.raw) return;
-  result.path = shortcut(scene_, result.path);
-  result.steps.push_back(step_of("shortcut", result.path));
-  if (!polished(options)) return;
-  result.path = taut(scene_, result.path);
-  result.steps.push_back(step_of("taut", result.path));
+Found Planner::Impl::refined(const Polyline& raw, const PlanOptions& options) const {
+  Found found{raw, {step_of("search", raw)}};
+  if (options.raw) return found;
+  found.path = shortcut(scene_, found.path);
+  found.steps.push_back(step_of("shortcut", found.path));
+  if (!polished(options)) return found;
+  found.path = taut(scene_, found.path);
+  found.steps.push_back(step_of("taut", found.path));
+  return found;
 }
 
-// By one method alone.
-PlanResult Planner::Impl::search_as_asked(const Vec3& from, const Vec3& to,
-                                          const PlanOptions& options) {
+PlanResult Planner::Impl::by_sampling(const Task& task) {
+  const PlanOptions& options = task.options;
+  SamplingResult sampled =
+      sample_path(scene_, task.from, task.to, sampling(options.method), options.sampling);
   PlanResult result;
-  bool found = false;
-  if (options.method == Method::astar) {
-    result.route = Route::lattice;
-    if (levels_.empty()) return result;
-    found = search_level(*levels_[0], from, to, result);
-    if (!found) result.message = why_not(result);
-  } else {
-    SamplingResult sampled =
-        sample_path(scene_, from, to, sampling(options.method), options.sampling);
-    found = sampled.found;
-    result.route = geom::value_of(kRouteWords, name(options.method));
+  result.route = geom::value_of(kRouteWords, name(options.method));
+  result.expanded = sampled.iterations;
+  if (options.keep_tree) result.tree = std::move(sampled.tree);
+  if (sampled.found) {
     result.path = std::move(sampled.path);
-    result.expanded = sampled.iterations;
-    if (options.keep_tree) result.tree = std::move(sampled.tree);
-    if (!found) {  // which proves nothing
-      result.status = PathStatus::stopped;
-      result.message = fmt::format("no path after {} iterations", sampled.iterations);
-    }
+    result.status = PathStatus::found;
+  } else {  // which proves nothing
+    result.status = PathStatus::stopped;
+    result.message = fmt::format("no path after {} iterations", sampled.iterations);
   }
-  if (!found) return result;
-  result.status = PathStatus::found;
-  refine(options, result);
   return result;
 }
 
-PlanResult Planner::Impl::search(const Vec3& from, const Vec3& to, const PlanOptions& options) {
+// By one method alone.
+PlanResult Planner::Impl::by_method(const Task& task) {
   PlanResult result;
-  if (scene_.free(from, to)) {
-    result.route = Route::straight;
-    result.path = {from, to};
-    result.steps = {step_of("search", result.path)};
-    result.status = PathStatus::found;
-    return result;
+  if (task.options.method != Method::astar) {
+    result = by_sampling(task);
+  } else {
+    result.route = Route::lattice;
+    if (levels_.empty()) return result;
+    result = by_level(*levels_[0], task);
+    if (result.path.empty()) result.message = why_not(result);
   }
-  if (roadmap_ && search_roadmap(from, to, options, first_limits(from, to), result)) {
-    result.route = Route::roadmap;
-    result.status = PathStatus::found;
-    if (options.quality == Quality::best && (to - from).norm() < kCloseMost) {
-      search_closely(from, to, options, result);
+  if (result.path.empty()) return result;
+  Found found = refined(result.path, task.options);
+  found.expanded = result.expanded;
+  const Route route = *result.route;
+  return with(std::move(found), route, std::move(result));
+}
+
+PlanResult Planner::Impl::by_recipe(const Task& task) {
+  if (scene_.free(task.from, task.to)) {
+    const Polyline straight = {task.from, task.to};
+    return with({straight, {step_of("search", straight)}}, Route::straight, {});
+  }
+  if (roadmap_) {
+    if (auto found = by_roadmap(task, first_limits(task), {})) {
+      if (task.options.quality == Quality::best && task.straight() < kCloseMost) {
+        if (auto closer = by_close_bends(task, found->path)) found = std::move(closer);
+      }
+      return with(std::move(*found), Route::roadmap, {});
     }
-    return result;
   }
-  result = search_levels(from, to, options);
-  result.route = Route::lattice;
+  PlanResult result = by_lattices(task);
   if (result.path.empty()) {
     result.message = why_not(result);
     return result;
   }
-  result.status = PathStatus::found;
-  if (!polished(options)) return result;
-  if (roadmap_ ? search_roadmap(from, to, options, {kCorridorBends}, result)
-               : search_corridor(from, to, options, result)) {
-    result.route = roadmap_ ? Route::roadmap : Route::corridor;
+  if (!polished(task.options)) return result;
+  auto better =
+      roadmap_ ? by_roadmap(task, {kCorridorBends}, result.path) : by_corridor(task, result.path);
+  if (!better) return result;
+  return with(std::move(*better), roadmap_ ? Route::roadmap : Route::corridor, std::move(result));
+}
+
+// Of an end that is not free; `free` is the free place nearest to it.
+PlanResult Planner::Impl::refused_end(const Vec3& p, bool start,
+                                      const std::optional<Vec3>& free) const {
+  PlanResult result;
+  std::string what = "outside the bounds";
+  if (!scene_.inside_bounds(p)) {
+    result.status = start ? PathStatus::start_outside : PathStatus::goal_outside;
+  } else {
+    result.status = start ? PathStatus::start_blocked : PathStatus::goal_blocked;
+    const auto boxes = scene_.boxes_meeting({p, p});
+    what = fmt::format("inside obstacle {}", scene_.map().ids()[boxes.front()]);
   }
+  result.message = fmt::format("{} {} is {}; ", start ? "start" : "goal", shown(p), what);
+  result.message += free
+                        ? fmt::format("the nearest free point is {:.3f} m away", (*free - p).norm())
+                        : fmt::format("no free point within {} m", kLookAround);
   return result;
 }
 
@@ -355,30 +399,12 @@ PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptio
   for (int i = 0; i < 2; ++i) {
     const Vec3 p = ends[i];
     if (scene_.free(p)) continue;
-    const bool outside = !scene_.inside_bounds(p);
-    const char* const end = i == 0 ? "start" : "goal";
     const auto free = nearest_free(scene_, p, std::max(options.snap_ends, kLookAround));
-    if (free && (*free - p).norm() <= options.snap_ends) {
-      snapped[i] = ends[i] = *free;
-      continue;
-    }
-    PlanResult result;
-    result.status = i == 0 ? (outside ? PathStatus::start_outside : PathStatus::start_blocked)
-                           : (outside ? PathStatus::goal_outside : PathStatus::goal_blocked);
-    std::string what = "outside the bounds";
-    if (!outside) {
-      const auto boxes = scene_.boxes_meeting({p, p});
-      what = fmt::format("inside obstacle {}", scene_.map().ids()[boxes.front()]);
-    }
-    result.message = fmt::format("{} {} is {}; ", end, shown(p), what);
-    result.message +=
-        free ? fmt::format("the nearest free point is {:.3f} m away", (*free - p).norm())
-             : fmt::format("no free point within {} m", kLookAround);
-    return result;
+    if (!free || (*free - p).norm() > options.snap_ends) return refused_end(p, i == 0, free);
+    snapped[i] = ends[i] = *free;
   }
-  PlanResult result = options.method == Method::automatic
-                          ? search(ends[0], ends[1], options)
-                          : search_as_asked(ends[0], ends[1], options);
+  const Task task{ends[0], ends[1], options};
+  PlanResult result = options.method == Method::automatic ? by_recipe(task) : by_method(task);
   if (options.resample > 0 && !result.path.empty()) {
     result.path = resample_free(scene_, result.path, options.resample);
     result.steps.push_back(step_of("resample", result.path));

@@ -110,28 +110,16 @@ void add_input(const std::string& path, const ContentKinds& kinds, Contents& out
 class SameMap {
  public:
   explicit SameMap(const geom::BoxMap* map) {
-    if (!map) return;
-    hash_ = map->hash();
-    axes_ = map->spec().frame.axes;
+    if (map) first_ = {map->hash(), map->spec().frame.axes, {}, {}};
   }
 
   void require(const geom::Provenance& made_for, const std::string& source, std::size_t line) {
-    if (!hash_) hash_ = made_for.map;
-    if (made_for.map && *made_for.map != *hash_) {
-      throw geom::InputError(
-          source, line,
-          fmt::format("made for another map: expected {}, found {}", *hash_, *made_for.map));
-    }
-    if (axes_ && made_for.frame && *made_for.frame != *axes_) {
-      throw geom::InputError(source, line,
-                             fmt::format("expected frame {}, as the map has, found {}",
-                                         geom::name(*axes_), geom::name(*made_for.frame)));
-    }
+    if (!first_.map) first_.map = made_for.map;
+    geom::require_map_agrees(made_for, first_, source, line);
   }
 
  private:
-  std::optional<std::string> hash_;
-  std::optional<geom::Axes> axes_;
+  geom::Provenance first_;  // its map and, where there is a map, its frame
 };
 
 }  // namespace

@@ -31,16 +31,7 @@ const geom::CollisionScene& Scenes::scene() {
 
 const geom::CollisionScene& Scenes::scene_for(const geom::Provenance& record,
                                               std::string_view source, std::size_t line) {
-  const auto refuse = [&](const std::string& message) {
-    throw geom::InputError(source, line, message);
-  };
-  if (record.map && *record.map != map_.hash()) {
-    refuse(fmt::format("made for another map: expected {}, found {}", map_.hash(), *record.map));
-  }
-  if (record.frame && *record.frame != map_.spec().frame.axes) {
-    refuse(fmt::format("expected frame {}, as the map has, found {}",
-                       geom::name(map_.spec().frame.axes), geom::name(*record.frame)));
-  }
+  geom::require_map_agrees(record, {map_.hash(), map_.spec().frame.axes, {}, {}}, source, line);
   const Room room = agreed_room(record, asked_, differences_, source, line);
   return build(room);
 }

@@ -28,6 +28,11 @@ struct Provenance {
 // matter of shape) or "margin". Nothing where all are the same.
 std::optional<std::string_view> mismatch(const Provenance& a, const Provenance& b);
 
+// Throws InputError(source, line, …) where both name a map and it is not one, or a frame. What one
+// of them does not say agrees.
+void require_map_agrees(const Provenance& record, const Provenance& ours, std::string_view source,
+                        std::size_t line);
+
 class CollisionScene;
 Provenance provenance_of(const CollisionScene& scene);  // of what is made with it
 
