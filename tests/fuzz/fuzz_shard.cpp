@@ -2,6 +2,7 @@
 #include "cli/shard/run_shard.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
+#include "plan/roadmap/part_file.h"
 #include "plan/roadmap/roadmap_file.h"
 #include "readers.h"
 

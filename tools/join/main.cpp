@@ -10,6 +10,7 @@
 #include "geom/base/error.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
+#include "plan/roadmap/part_file.h"
 #include "plan/roadmap/roadmap_file.h"
 
 namespace {

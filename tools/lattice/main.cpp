@@ -30,7 +30,7 @@ plan::LatticeCounts write_shard(const cli::Sharding& sharding, const std::string
   const plan::LatticePart part = plan::build_lattice_part(scene, spec, sharding.shard(), run);
   const plan::PartArrays written = plan::arrays_of(part);
   sharding.write(output, "output", "lattice", written.meta, written.arrays, cli::Exit::yes);
-  return part.counts;
+  return part.blocks.counts;
 }
 
 plan::Lattice patched(cli::Scenes& scenes, const cli::PatchOptions& patch,

@@ -10,7 +10,7 @@
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
-#include "plan/lattice/part_file.h"
+#include "plan/roadmap/part_file.h"
 #include "plan/roadmap/roadmap_file.h"
 
 namespace {

@@ -115,7 +115,7 @@ Tile read_tile(const LatticeGrid& grid, const MaskSource& source, const OldBlock
     if (old && !old->changed[block]) {
       const auto bytes = old->store.bytes_of(block);
       tile.records.insert(tile.records.end(), bytes.begin(), bytes.end());
-      tile.record.push_back(bytes.empty() ? old->store.record()[block] : records++);
+      tile.record.push_back(bytes.empty() ? old->store.blocks().record[block] : records++);
       return;
     }
     const Index3 low = {place[0] * kSide, place[1] * kSide, place[2] * kSide};
@@ -178,25 +178,18 @@ void require_numbers(std::size_t records) {
 
 }  // namespace
 
-BlockStore::BlockStore(const LatticeGrid& grid, LatticeCounts counts,
-                       std::span<const std::uint32_t> record, std::span<const std::byte> records,
-                       std::shared_ptr<const void> keep_alive, std::string name)
-    : grid_(grid),
-      counts_(counts),
-      record_(record),
-      records_(records),
-      keep_alive_(std::move(keep_alive)),
-      name_(std::move(name)) {
-  if (record_.size() != grid_.block_count()) {
-    refuse(fmt::format("expected {} blocks, found {}", grid_.block_count(), record_.size()));
+BlockStore::BlockStore(const LatticeGrid& grid, StoredBlocks blocks, std::string name)
+    : grid_(grid), blocks_(std::move(blocks)), name_(std::move(name)) {
+  if (blocks_.record.size() != grid_.block_count()) {
+    refuse(fmt::format("expected {} blocks, found {}", grid_.block_count(), blocks_.record.size()));
   }
-  const std::size_t count = records_.size() / record_bytes(grid_.spec.connectivity);
+  const std::size_t count = blocks_.records.size() / record_bytes(grid_.spec.connectivity);
   std::size_t stored = 0;
-  for (std::size_t b = 0; b < record_.size(); ++b) {
-    if (record_[b] >= kFree) continue;
+  for (std::size_t b = 0; b < blocks_.record.size(); ++b) {
+    if (blocks_.record[b] >= kFree) continue;
     ++stored;
-    if (record_[b] >= count) {
-      refuse(fmt::format("block {} has record {} of {}", b, record_[b], count));
+    if (blocks_.record[b] >= count) {
+      refuse(fmt::format("block {} has record {} of {}", b, blocks_.record[b], count));
     }
   }
   if (stored != count) {
@@ -209,7 +202,8 @@ void BlockStore::refuse(const std::string& message) const {
 }
 
 std::uint32_t BlockStore::stored(std::uint32_t record, std::size_t local) const {
-  const std::byte* const at = records_.data() + record * record_bytes(grid_.spec.connectivity);
+  const std::byte* const at =
+      blocks_.records.data() + record * record_bytes(grid_.spec.connectivity);
   if (grid_.spec.connectivity == Connectivity::six) {
     const auto nibble = static_cast<std::uint32_t>(at[local / 2]) >> (4 * (local % 2)) & 15;
     return (nibble & 7) | (nibble & 8) << 28;
@@ -230,7 +224,7 @@ void BlockStore::read(const Index3& low, const Index3& count, std::uint32_t* mas
         if (outside || i < 0 || i >= grid_.dims[0]) continue;
         const auto block =
             static_cast<std::size_t>(i / kSide + n[0] * (j / kSide + n[1] * (k / kSide)));
-        const std::uint32_t record = record_[block];
+        const std::uint32_t record = blocks_.record[block];
         if (record == kBlocked) continue;
         const std::uint32_t possible = grid_.possible({i, j, k});
         if (record == kFree) {
@@ -251,34 +245,34 @@ void BlockStore::read(const Index3& low, const Index3& count, std::uint32_t* mas
 }
 
 std::span<const std::byte> BlockStore::bytes_of(std::size_t block) const {
-  if (record_[block] >= kFree) return {};
+  if (blocks_.record[block] >= kFree) return {};
   const std::size_t size = record_bytes(grid_.spec.connectivity);
-  return records_.subspan(record_[block] * size, size);
+  return blocks_.records.subspan(blocks_.record[block] * size, size);
 }
 
 void BlockStore::check() const {
-  for (std::size_t b = 0; b < record_.size(); ++b) {
-    if (record_[b] >= kFree) continue;
+  for (std::size_t b = 0; b < blocks_.record.size(); ++b) {
+    if (blocks_.record[b] >= kFree) continue;
     const Index3 low = grid_.block_low(b);
     for (std::size_t n = 0; n < kBlock; ++n) {
       const auto local = static_cast<std::int64_t>(n);
       const Index3 node = {low[0] + local % kSide, low[1] + local / kSide % kSide,
                            low[2] + local / (kSide * kSide)};
-      if (!grid_.contains(node) && stored(record_[b], n)) {
+      if (!grid_.contains(node) && stored(blocks_.record[b], n)) {
         refuse(fmt::format("place {} of block {} is outside the lattice, but not 0", n, b));
       }
     }
   }
 }
 
-StoredTiles store_tiles(const LatticeGrid& grid, const MaskSource& source,
-                        const geom::Execution& run, const geom::Shard& shard,
-                        const OldBlocks* old) {
+StoredBlocks store_tiles(const LatticeGrid& grid, const MaskSource& source,
+                         const geom::Execution& run, const geom::Shard& shard,
+                         const OldBlocks* old) {
   const std::size_t first = shard.begin(TileOrder(grid).count());
   const std::size_t total = shard.end(TileOrder(grid).count()) - first;
   const auto owned = std::make_shared<Owned>();
   LatticeCounts counts;
-  if (old) counts = old->store.counts();
+  if (old) counts = old->store.blocks().counts;
   std::size_t stored = 0;
   // Tile by tile, so that records need no second pass.
   constexpr std::size_t kSome = 64;
@@ -305,23 +299,23 @@ StoredTiles store_tiles(const LatticeGrid& grid, const MaskSource& source,
   return {counts, owned->record, owned->records.view(), owned};
 }
 
-std::vector<StoredTiles> tiles_of(std::span<const LatticePart> parts) {
-  std::vector<StoredTiles> tiles;
+std::vector<StoredBlocks> tiles_of(std::span<const LatticePart> parts) {
+  std::vector<StoredBlocks> tiles;
   for (const LatticePart& part : parts) {
     if (part.grid.first != parts.front().grid.first || part.grid.dims != parts.front().grid.dims) {
       throw geom::InputError("lattice",
                              fmt::format("shard {} is of another lattice", tiles.size() + 1));
     }
-    tiles.push_back({part.counts, part.record, part.records, part.keep_alive});
+    tiles.push_back(part.blocks);
   }
   return tiles;
 }
 
-JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredTiles> shards) {
+JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredBlocks> shards) {
   const TileOrder order(grid);
   const std::size_t bytes = BlockStore::record_bytes(grid.spec.connectivity);
   std::size_t blocks = 0;
-  for (const StoredTiles& tiles : shards) blocks += tiles.record.size();
+  for (const StoredBlocks& tiles : shards) blocks += tiles.record.size();
   if (blocks != grid.block_count()) {  // before room is made for what is not there
     throw geom::InputError(
         "lattice", fmt::format("its shards have {} blocks of {}", blocks, grid.block_count()));
@@ -330,7 +324,7 @@ JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredTiles> sha
   joined.record.resize(grid.block_count());
   std::size_t stored = 0;
   for (std::size_t s = 0; s < shards.size(); ++s) {
-    const StoredTiles& tiles = shards[s];
+    const StoredBlocks& tiles = shards[s];
     const std::size_t own = tiles.records.size() / bytes;
     const geom::Shard shard{s, shards.size()};
     std::size_t at = 0;
@@ -356,7 +350,7 @@ JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredTiles> sha
 }
 
 std::shared_ptr<const BlockStore> store_joined(const LatticeGrid& grid,
-                                               std::span<const StoredTiles> shards) {
+                                               std::span<const StoredBlocks> shards) {
   struct Kept {
     JoinedTiles tiles;
     Bytes records;
@@ -371,14 +365,31 @@ std::shared_ptr<const BlockStore> store_joined(const LatticeGrid& grid,
     for (const auto& more : kept->tiles.records) kept->records.append(more);
     records = kept->records.view();
   }
-  return std::make_shared<const BlockStore>(grid, kept->tiles.counts, kept->tiles.record, records,
-                                            kept, "lattice");
+  const StoredBlocks blocks{kept->tiles.counts, kept->tiles.record, records, kept};
+  return std::make_shared<const BlockStore>(grid, blocks, "lattice");
 }
 
 std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
                                                const geom::Execution& run, const OldBlocks* old) {
-  const StoredTiles all = store_tiles(grid, source, run, {}, old);
+  const StoredBlocks all = store_tiles(grid, source, run, {}, old);
   return store_joined(grid, {&all, 1});
+}
+
+std::vector<geom::NamedArray> block_arrays(const LatticeGrid& grid,
+                                           std::span<const std::uint32_t> record,
+                                           std::vector<std::span<const std::byte>> records) {
+  std::size_t bytes = 0;
+  for (const auto& some : records) bytes += some.size();
+  const std::size_t columns = BlockStore::record_bytes(grid.spec.connectivity);
+  return {geom::named_array<std::uint32_t>("block_record", record),
+          {"records", "|u1", {bytes / columns, columns}, std::move(records)}};
+}
+
+StoredBlocks read_blocks(const geom::ArrayArchive& archive, const LatticeGrid& grid,
+                         LatticeCounts counts) {
+  const std::size_t columns = BlockStore::record_bytes(grid.spec.connectivity);
+  return {counts, archive.array<std::uint32_t>("block_record"),
+          std::as_bytes(archive.array<std::uint8_t>("records", columns)), archive.keep_alive()};
 }
 
 }  // namespace plan

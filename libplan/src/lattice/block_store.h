@@ -9,10 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "geom/archive/array_archive.h"
 #include "geom/base/execution.h"
 #include "geom/base/shard.h"
 #include "plan/lattice/lattice.h"
 #include "plan/lattice/lattice_part.h"
+#include "plan/lattice/stored_blocks.h"
 
 namespace plan {
 
@@ -27,11 +29,9 @@ class BlockStore final : public MaskSource {
     return connectivity == Connectivity::six ? LatticeGrid::kBlock / 2 : LatticeGrid::kBlock * 2;
   }
 
-  // The spans must stay valid while `keep_alive` lives. Throws InputError(name, …) where numbers of
-  // records are not each below their count, or not as many as there are.
-  BlockStore(const LatticeGrid& grid, LatticeCounts counts, std::span<const std::uint32_t> record,
-             std::span<const std::byte> records, std::shared_ptr<const void> keep_alive,
-             std::string name);
+  // `blocks` are those of the whole lattice. Throws InputError(name, …) where numbers of records
+  // are not each below their count, or not as many as there are.
+  BlockStore(const LatticeGrid& grid, StoredBlocks blocks, std::string name);
 
   // Throws InputError where a record has a bit that cannot be.
   void read(const Index3& low, const Index3& count, std::uint32_t* masks) const override;
@@ -43,19 +43,14 @@ class BlockStore final : public MaskSource {
 
   void check() const;  // what read() does not see: bits beyond the lattice
 
-  LatticeCounts counts() const { return counts_; }
-  std::span<const std::uint32_t> record() const { return record_; }  // of each block
-  std::span<const std::byte> records() const { return records_; }
+  const StoredBlocks& blocks() const { return blocks_; }
 
  private:
   std::uint32_t stored(std::uint32_t record, std::size_t local) const;
   [[noreturn]] void refuse(const std::string& message) const;
 
   LatticeGrid grid_;
-  LatticeCounts counts_;
-  std::span<const std::uint32_t> record_;
-  std::span<const std::byte> records_;
-  std::shared_ptr<const void> keep_alive_;
+  StoredBlocks blocks_;
   std::string name_;
 };
 
@@ -65,23 +60,16 @@ struct OldBlocks {
   std::vector<char> changed;  // of each block
 };
 
-// What is stored of a run of tiles, which are columns of 4 x 4 blocks, numbered x fastest: for each
-// of their blocks, tile after tile and in a tile x fastest, the number of its record among
-// `records`, or kFree or kBlocked. Records are numbered in that order.
-struct StoredTiles {
-  LatticeCounts counts;
-  std::span<const std::uint32_t> record;
-  std::span<const std::byte> records;
-  std::shared_ptr<const void> keep_alive;  // of the spans
-};
-
-// Masks of the shard's tiles, read block by block; those of `old` that did not change copied.
-StoredTiles store_tiles(const LatticeGrid& grid, const MaskSource& source,
-                        const geom::Execution& run, const geom::Shard& shard,
-                        const OldBlocks* old = nullptr);
+// Of the shard's tiles, which are columns of 4 x 4 blocks, numbered x fastest: for each of their
+// blocks, tile after tile and in a tile x fastest, the number of its record among the records, or
+// kFree or kBlocked. Records are numbered in that order. Masks are read block by block; those of
+// `old` that did not change are copied.
+StoredBlocks store_tiles(const LatticeGrid& grid, const MaskSource& source,
+                         const geom::Execution& run, const geom::Shard& shard,
+                         const OldBlocks* old = nullptr);
 
 // Of each part, which are of one lattice or InputError("lattice", …) is thrown.
-std::vector<StoredTiles> tiles_of(std::span<const LatticePart> parts);
+std::vector<StoredBlocks> tiles_of(std::span<const LatticePart> parts);
 
 // All tiles, of all shards in their order. The records of a shard follow those of the shards before
 // it, and are not copied.
@@ -92,15 +80,22 @@ struct JoinedTiles {
 };
 
 // Throws InputError("lattice", …) where they don't fit.
-JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredTiles> shards);
+JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredBlocks> shards);
 
 // One alone is not copied.
 std::shared_ptr<const BlockStore> store_joined(const LatticeGrid& grid,
-                                               std::span<const StoredTiles> shards);
+                                               std::span<const StoredBlocks> shards);
 
 // All masks of a source.
 std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
                                                const geom::Execution& run,
                                                const OldBlocks* old = nullptr);
+
+// As arrays of an archive, and back. `records` are those of one store or of shards in their order.
+std::vector<geom::NamedArray> block_arrays(const LatticeGrid& grid,
+                                           std::span<const std::uint32_t> record,
+                                           std::vector<std::span<const std::byte>> records);
+StoredBlocks read_blocks(const geom::ArrayArchive& archive, const LatticeGrid& grid,
+                         LatticeCounts counts);
 
 }  // namespace plan

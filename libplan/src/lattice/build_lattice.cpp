@@ -174,14 +174,7 @@ LatticePart build_lattice_part(const geom::CollisionScene& scene, const LatticeS
                                const geom::Shard& shard, const geom::Execution& run,
                                const std::optional<Aabb>& within) {
   const Lattice lazy = lazy_lattice(scene, spec, within);
-  StoredTiles tiles = store_tiles(lazy.grid(), lazy.source(), run, shard);
-  return {lazy.grid(),
-          lazy.made_for(),
-          shard,
-          tiles.counts,
-          tiles.record,
-          tiles.records,
-          std::move(tiles.keep_alive)};
+  return {lazy.grid(), lazy.made_for(), shard, store_tiles(lazy.grid(), lazy.source(), run, shard)};
 }
 
 Lattice join_lattice(std::span<const LatticePart> parts) {

@@ -84,11 +84,8 @@ std::string lattice_meta(const Lattice& lattice) {
 std::vector<geom::NamedArray> lattice_arrays(const Lattice& lattice) {
   const auto* store = dynamic_cast<const BlockStore*>(&lattice.source());
   if (!store) throw std::logic_error("only a lattice that was built can be written");
-  const std::size_t columns = BlockStore::record_bytes(lattice.spec().connectivity);
-  return {
-      geom::named_array<std::uint32_t>("block_record", store->record()),
-      {"records", "|u1", {store->records().size() / columns, columns}, {store->records()}},
-  };
+  const StoredBlocks& blocks = store->blocks();
+  return block_arrays(lattice.grid(), blocks.record, {blocks.records});
 }
 
 void write_lattice(std::ostream& out, const Lattice& lattice) {
@@ -98,13 +95,7 @@ void write_lattice(std::ostream& out, const Lattice& lattice) {
 void write_lattice(std::ostream& out, std::span<const LatticePart> parts) {
   const LatticeGrid& grid = parts.front().grid;
   JoinedTiles joined = join_tiles(grid, tiles_of(parts));
-  std::size_t bytes = 0;
-  for (const auto& records : joined.records) bytes += records.size();
-  const std::size_t columns = BlockStore::record_bytes(grid.spec.connectivity);
-  const geom::NamedArray arrays[] = {
-      geom::named_array<std::uint32_t>("block_record", joined.record),
-      {"records", "|u1", {bytes / columns, columns}, std::move(joined.records)},
-  };
+  const auto arrays = block_arrays(grid, joined.record, std::move(joined.records));
   const std::string meta = lattice_meta({grid, joined.counts, parts.front().made_for});
   geom::write_array_archive(out, meta + '\n', arrays);
 }
@@ -120,29 +111,26 @@ Lattice read_lattice(const geom::ArrayArchive& archive) {
 
 Lattice read_lattice(const geom::ArrayArchive& archive, std::string_view meta_json) {
   const LatticeMeta meta = read_lattice_meta(geom::JsonFields(meta_json, archive.name(), 0));
-  const std::size_t columns = BlockStore::record_bytes(meta.grid.spec.connectivity);
+  StoredBlocks blocks = read_blocks(archive, meta.grid, meta.counts);
   return Lattice(meta.grid, meta.made_for,
-                 std::make_shared<const BlockStore>(
-                     meta.grid, meta.counts, archive.array<std::uint32_t>("block_record"),
-                     std::as_bytes(archive.array<std::uint8_t>("records", columns)),
-                     archive.keep_alive(), archive.name()));
+                 std::make_shared<const BlockStore>(meta.grid, std::move(blocks), archive.name()));
 }
 
 LatticeCounts stored_counts(const Lattice& lattice) {
   const auto* store = dynamic_cast<const BlockStore*>(&lattice.source());
-  return store ? store->counts() : lattice.counts();
+  return store ? store->blocks().counts : lattice.counts();
 }
 
 void verify_lattice(const Lattice& lattice) {
   const auto* store = dynamic_cast<const BlockStore*>(&lattice.source());
   if (!store) return;
   store->check();
+  const LatticeCounts said = store->blocks().counts;
   const LatticeCounts counts = lattice.counts();
-  if (counts.nodes != store->counts().nodes || counts.edges != store->counts().edges) {
+  if (counts.nodes != said.nodes || counts.edges != said.edges) {
     throw geom::InputError(
-        store->name(),
-        fmt::format("expected {} nodes and {} edges, found {} and {}", store->counts().nodes,
-                    store->counts().edges, counts.nodes, counts.edges));
+        store->name(), fmt::format("expected {} nodes and {} edges, found {} and {}", said.nodes,
+                                   said.edges, counts.nodes, counts.edges));
   }
 }
 

@@ -8,6 +8,7 @@
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/lattice_part.h"
 #include "plan/lattice/part_file.h"
+#include "plan/roadmap/part_file.h"
 #include "plan/roadmap/roadmap_file.h"
 #include "plan/roadmap/roadmap_part.h"
 #include "plan/scenes.h"
@@ -91,17 +92,18 @@ TEST(LatticeParts, OfOtherTilesAreRefused) {
   const auto third = build_lattice_part(scene, {1.5}, {0, 3});
   EXPECT_THROW(join_lattice(std::vector{fine[0], third}), geom::InputError);
   auto wrong = fine;
-  const std::vector<std::uint32_t> records(wrong[1].record.size(), 1u << 30);
-  wrong[1].record = records;
+  const std::vector<std::uint32_t> records(wrong[1].blocks.record.size(), 1u << 30);
+  wrong[1].blocks.record = records;
   EXPECT_THROW(join_lattice(wrong), geom::InputError);
   std::ostringstream written;
   EXPECT_THROW(write_lattice(written, wrong), geom::InputError);
   auto more = fine;
-  more[0].records = more[0].records.first(more[0].records.size() / 2);
+  more[0].blocks.records = more[0].blocks.records.first(more[0].blocks.records.size() / 2);
   EXPECT_THROW(write_lattice(written, more), geom::InputError);
   more = fine;
-  const std::vector<std::uint32_t> free(more[0].record.size(), 0xfffffffe);  // none has a record
-  more[0].record = free;
+  const std::vector<std::uint32_t> free(more[0].blocks.record.size(),
+                                        0xfffffffe);  // none has a record
+  more[0].blocks.record = free;
   EXPECT_THROW(write_lattice(written, more), geom::InputError);
 }
 

@@ -2,15 +2,14 @@
 
 // A shard of a lattice: what one of several processes builds.
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 
 #include "geom/base/execution.h"
 #include "geom/base/shard.h"
 #include "geom/collision/collision.h"
 #include "plan/lattice/lattice.h"
+#include "plan/lattice/stored_blocks.h"
 
 namespace plan {
 
@@ -19,10 +18,7 @@ struct LatticePart {
   LatticeGrid grid;  // of the whole lattice
   geom::Provenance made_for;
   geom::Shard shard;
-  LatticeCounts counts;                    // of the shard
-  std::span<const std::uint32_t> record;   // of its blocks, in the order of its tiles
-  std::span<const std::byte> records;      // see docs/formats.md
-  std::shared_ptr<const void> keep_alive;  // of the spans
+  StoredBlocks blocks;  // of the shard's tiles
 };
 
 // The shard's part of what build_lattice() gives; only the boxes near its tiles are looked at.

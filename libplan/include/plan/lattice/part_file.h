@@ -1,7 +1,7 @@
 #pragma once
 
-// Shards of lattices and roadmaps as JSON and NumPy arrays, for an archive that says what they are
-// shards of (docs/formats.md).
+// Shards of lattices as JSON and NumPy arrays, for an archive that says what they are shards of
+// (docs/formats.md).
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,6 @@
 
 #include "geom/archive/array_archive.h"
 #include "plan/lattice/lattice_part.h"
-#include "plan/roadmap/roadmap_part.h"
 
 namespace plan {
 
@@ -21,13 +20,10 @@ struct PartArrays {
 };
 
 PartArrays arrays_of(const LatticePart& part);
-PartArrays arrays_of(const RoadmapPart& part);
 
 // `meta_json` is that of PartArrays; the lattice refers to the archive's bytes. Throws
 // geom::InputError where arrays don't fit each other.
 LatticePart read_lattice_part(const geom::ArrayArchive& archive, std::string_view meta_json,
-                              const geom::Shard& shard);
-RoadmapPart read_roadmap_part(const geom::ArrayArchive& archive, std::string_view meta_json,
                               const geom::Shard& shard);
 
 }  // namespace plan
