@@ -1,5 +1,6 @@
 #include "traj/curve/bernstein.h"
 
+#include "halves.h"
 #include "hermite_form.h"
 
 namespace traj {
@@ -11,21 +12,6 @@ std::array<Vec3, N - 1> derivative(const std::array<Vec3, N>& q, double duration
   const double degree = static_cast<double>(N - 1);
   for (std::size_t i = 0; i + 1 < N; ++i) d[i] = (q[i + 1] - q[i]) * degree / duration;
   return d;
-}
-
-template <class T>
-using Points = std::array<T, kPoints>;
-
-template <class T>
-std::pair<Points<T>, Points<T>> halves(Points<T> q) {
-  Points<T> left;
-  Points<T> right;
-  for (std::size_t m = 0; m < kPoints; ++m) {
-    left[m] = q[0];
-    right[kDegree - m] = q[kDegree - m];
-    for (std::size_t i = 0; i + m < kDegree; ++i) q[i] = 0.5 * (q[i] + q[i + 1]);
-  }
-  return {left, right};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "curve/halves.h"
 #include "geom/shape/aabb.h"
 #include "traj/curve/trajectory.h"
 
@@ -19,19 +20,6 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 template <std::size_t N>
 using Points = std::array<Vec3, N>;
-
-// De Casteljau at one half: each of the N - 1 averagings rounds by at most 2^-53 of its value.
-template <std::size_t N>
-std::pair<Points<N>, Points<N>> halves(Points<N> q) {
-  Points<N> left;
-  Points<N> right;
-  for (std::size_t m = 0; m < N; ++m) {
-    left[m] = q[0];
-    right[N - 1 - m] = q[N - 1 - m];
-    for (std::size_t i = 0; i + 1 + m < N; ++i) q[i] = 0.5 * (q[i] + q[i + 1]);
-  }
-  return {left, right};
-}
 
 template <std::size_t N>
 geom::Aabb hull_box(const Points<N>& q) {

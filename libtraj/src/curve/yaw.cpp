@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "halves.h"
 #include "portable_math.h"
 
 namespace traj {
@@ -73,18 +74,14 @@ std::array<double, kPoints> between(double a, double rate_a, double b, double ra
 }
 
 // Of the absolute values of the curve, from above: by the control points of 2^depth parts.
-double largest(std::array<double, kDegree> b, int depth) {
+double largest(const std::array<double, kDegree>& b, int depth) {
   if (depth == 0) {
     double most = 0;
     for (const double v : b) most = std::max(most, std::abs(v));
     return most;
   }
-  std::array<double, kDegree> left;
-  for (std::size_t m = 0; m < kDegree; ++m) {  // de Casteljau; what is left is the right half
-    left[m] = b[0];
-    for (std::size_t i = 0; i + 1 + m < kDegree; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
-  }
-  return std::max(largest(left, depth - 1), largest(b, depth - 1));
+  const auto [left, right] = halves(b);
+  return std::max(largest(left, depth - 1), largest(right, depth - 1));
 }
 
 }  // namespace

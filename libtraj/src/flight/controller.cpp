@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "traj/curve/flatness.h"
 #include "traj/flight/attitude.h"
 #include "traj/flight/motor_mixer.h"
 #include "traj/proof/limits.h"
@@ -63,9 +64,9 @@ Vec3 CascadeController::limited_lift(const Vec3& acceleration) {
 
 // Attitude: what body rates are wanted.
 void CascadeController::orient(const Reference& reference, const Measured& measured) {
-  const Eigen::Quaterniond wanted = attitude_along(lift_, reference.yaw);
+  const Eigen::Quaterniond wanted(attitude_along(lift_, reference.yaw));
   const Vec3 error = attitude_error(measured.attitude, wanted, kYawWeight);
-  const Vec3 forward = body_rates_along(wanted, lift_.norm(), reference.jerk, reference.yaw_rate);
+  const Vec3 forward = body_rates_along(lift_, reference.jerk, {reference.yaw, reference.yaw_rate});
   const Vec3 rates = gains_.attitude.cwiseProduct(error) + gains_.feed_forward.body_rates * forward;
   rate_reference_ = rates.cwiseMax(-model_.body_rate_max).cwiseMin(model_.body_rate_max);
   saturated_ |= rate_reference_ != rates;

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "traj/flight/attitude.h"
+#include "traj/curve/flatness.h"
 #include "traj/flight/motor_mixer.h"
 #include "traj/proof/limits.h"
 
@@ -22,16 +22,16 @@ GeometricController::GeometricController(const Quadrotor& model, const Gains& ga
 
 bool GeometricController::take_saturated() { return std::exchange(saturated_, false); }
 
-Motors GeometricController::command(long step, const Reference& reference, const Measured& measured) {
+Motors GeometricController::command(long step, const Reference& reference,
+                                    const Measured& measured) {
   const GeometricGains& k = gains_.geometric;
   if (step % period_ == 0) {
     lift_ = k.position.cwiseProduct(reference.position - measured.position) +
-            k.velocity.cwiseProduct(reference.velocity - measured.velocity) + reference.acceleration +
-            kGravity * Vec3::UnitZ();
+            k.velocity.cwiseProduct(reference.velocity - measured.velocity) +
+            reference.acceleration + kGravity * Vec3::UnitZ();
     if (lift_.norm() < 1e-3) lift_ = 1e-3 * Vec3::UnitZ();  // eq. 14 asks for a direction
-    const Eigen::Quaterniond wanted = attitude_along(lift_, reference.yaw);
-    wanted_ = wanted.toRotationMatrix();
-    wanted_rates_ = body_rates_along(wanted, lift_.norm(), reference.jerk, reference.yaw_rate);
+    wanted_ = attitude_along(lift_, reference.yaw);
+    wanted_rates_ = body_rates_along(lift_, reference.jerk, {reference.yaw, reference.yaw_rate});
   }
   const Eigen::Matrix3d r = measured.attitude.toRotationMatrix();
   const Vec3& w = measured.body_rates;

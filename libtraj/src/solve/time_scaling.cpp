@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "curve/halves.h"
 #include "curve/portable_math.h"
 #include "proof/check_limits.h"
 #include "traj/curve/bernstein.h"
@@ -23,7 +24,7 @@ struct Peak {
 };
 
 template <std::size_t N, class Value>
-void raise(Peak& peak, std::array<Vec3, N> q, const Value& value, int depth) {
+void raise(Peak& peak, const std::array<Vec3, N>& q, const Value& value, int depth) {
   double above = 0;
   for (const Vec3& p : q) above = std::max(above, value(p));
   peak.below = std::max({peak.below, value(q.front()), value(q.back())});
@@ -31,13 +32,7 @@ void raise(Peak& peak, std::array<Vec3, N> q, const Value& value, int depth) {
     peak.above = std::max(peak.above, above);
     return;
   }
-  std::array<Vec3, N> right;
-  std::array<Vec3, N> left;
-  for (std::size_t m = 0; m < N; ++m) {
-    left[m] = q[0];
-    right[N - 1 - m] = q[N - 1 - m];
-    for (std::size_t i = 0; i + 1 + m < N; ++i) q[i] = 0.5 * (q[i] + q[i + 1]);
-  }
+  const auto [left, right] = halves(q);
   raise(peak, left, value, depth + 1);
   raise(peak, right, value, depth + 1);
 }

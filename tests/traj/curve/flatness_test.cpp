@@ -42,6 +42,30 @@ TEST(Flatness, FreeFallIsUpright) {
   EXPECT_EQ(flat.body_rate, Vec3(0, 0, 2));
 }
 
+TEST(Flatness, AttitudeHasTheForceAndSeenFromAboveTheHeading) {
+  support::Random random(5);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 force(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(1, 6));
+    const double yaw = random.uniform(-4, 4);
+    const Eigen::Matrix3d r = traj::attitude_along(force, yaw);
+    const Vec3 x = r.col(0);
+    EXPECT_LT((r.col(2) - force.normalized()).norm(), 1e-12);
+    EXPECT_LT((x.head<2>().normalized() - Vec3(std::cos(yaw), std::sin(yaw), 0).head<2>()).norm(),
+              1e-12);
+    EXPECT_NEAR(r.determinant(), 1, 1e-12);
+  }
+}
+
+TEST(Flatness, AForceToTheSideOfTheHeadingHasAnAttitudeToo) {
+  const Eigen::Matrix3d r = traj::attitude_along(Vec3::UnitY(), 0);
+  EXPECT_EQ(r.col(0), Vec3::UnitX());
+  EXPECT_EQ(r.col(2), Vec3::UnitY());
+  EXPECT_EQ(r.determinant(), 1);
+  EXPECT_TRUE(traj::body_rates_along(Vec3::UnitY(), {1, 2, 3}, {0, 1}).allFinite());
+  // Just above it the attitude is nearly the same.
+  EXPECT_LT((traj::attitude_along({0, 1, 1e-6}, 0) - r).norm(), 1e-5);
+}
+
 traj::Trajectory random_trajectory(support::Random& random) {
   traj::Trajectory out;
   State from;

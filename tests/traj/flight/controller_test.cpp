@@ -95,38 +95,6 @@ TEST(Pid, StandsStillWhereLaterLimitsTakeItsOutput) {
   EXPECT_NEAR(pid.integral()[2], -1, 1e-12);
 }
 
-TEST(Attitude, HasItsThrustAndHeading) {
-  testing::Random random(5);
-  for (int i = 0; i < 500; ++i) {
-    Vec3 thrust = random.vector(5);
-    thrust.z() = std::abs(thrust.z()) + 1;
-    const double yaw = random.number(-4, 4);
-    const Eigen::Matrix3d r = attitude_along(thrust, yaw).toRotationMatrix();
-    EXPECT_LT((r.col(2) - thrust.normalized()).norm(), 1e-12);
-    EXPECT_NEAR(r.col(1).dot(Vec3(std::cos(yaw), std::sin(yaw), 0)), 0, 1e-12);
-    EXPECT_GT(r.col(0).dot(Vec3(std::cos(yaw), std::sin(yaw), 0)), 0);
-    EXPECT_NEAR(r.determinant(), 1, 1e-12);
-  }
-  EXPECT_TRUE(attitude_along(Vec3::UnitX(), 0).coeffs().allFinite());
-}
-
-// Against differences of attitude_along() in time.
-TEST(Attitude, TurnsAsItsBodyRatesSay) {
-  testing::Random random(6);
-  for (int i = 0; i < 200; ++i) {
-    const Vec3 lift = random.vector(2) + kGravity * Vec3::UnitZ();
-    const Vec3 jerk = random.vector(3);
-    const double h = 1e-6;
-    const Eigen::Quaterniond before = attitude_along(lift - h * jerk, 0.3);
-    const Eigen::Quaterniond after = attitude_along(lift + h * jerk, 0.3);
-    Eigen::Quaterniond step = before.conjugate() * after;
-    if (step.w() < 0) step.coeffs() *= -1;
-    const Vec3 measured = step.vec() / h;  // 2 vec / (2 h)
-    const Vec3 rates = body_rates_along(attitude_along(lift, 0.3), lift.norm(), jerk, 0);
-    EXPECT_LT((measured.head<2>() - rates.head<2>()).norm(), 1e-6) << "case " << i;
-  }
-}
-
 TEST(Attitude, ErrorIsTheRotationThatIsLeft) {
   const Eigen::Quaterniond now(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()));
   const Eigen::Quaterniond tilted = now * Eigen::AngleAxisd(0.01, Vec3(0.6, 0.8, 0));

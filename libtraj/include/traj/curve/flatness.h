@@ -19,12 +19,20 @@ struct FlatState {
   Vec3 body_rate = Vec3::Zero();  // rad/s about the body's axes (p, q, r)
 };
 
-// `state` and `heading` in ENU axes. The body's z is along a + g, its x has the heading `yaw` seen
-// from above (Faessler, Franchi and Scaramuzza 2018, equations 20 to 22 without drag; rates by
-// differentiating the axes, exact). In free fall (|a + g| < 1e-9 m/s2) z is up and the rates are
-// those of yaw alone. Tilted by more than a right angle the body looks back over its heading;
-// thrust must not point to the left or right of the heading in the plane of the ground
-// (precondition), where x is not defined.
+// The attitude whose z axis is along `force` (not zero) and whose x axis has the heading `yaw` seen
+// from above (Faessler, Franchi and Scaramuzza 2018, equations 20 to 22 without drag; PX4 does the
+// same). Tilted by more than a right angle the body looks back over its heading. Where the force
+// points to the left or right of the heading in the plane of the ground, no x axis has it: it is
+// along the heading on the ground then.
+Eigen::Matrix3d attitude_along(const Vec3& force, double yaw);
+
+// The body rates (rad/s) of attitude_along() for a force over mass (m/s2, not zero) that changes by
+// `jerk` (m/s3) while the heading turns: by differentiating the axes, exact. Without an x axis of
+// the heading, the rate about z is 0.
+Vec3 body_rates_along(const Vec3& force, const Vec3& jerk, const Heading& heading);
+
+// `state` and `heading` in ENU axes: the force is a + g. In free fall (|a + g| < 1e-9 m/s2) the
+// body is upright and its rates are those of yaw alone.
 FlatState flat_state(const State& state, const Heading& heading);
 
 // The heading in ENU t seconds into a trajectory of a map with these axes, clamped to [0,
