@@ -4,114 +4,38 @@
 
 #include <limits>
 #include <ostream>
-#include <utility>
 
 #include "geom/archive/bytes.h"
 #include "geom/base/error.h"
-#include "geom/mesh/glb.h"
-#include "geom/record/record.h"
+#include "geom/mesh/gltf.h"
 
 namespace geom {
 namespace {
 
-constexpr std::size_t kMostBytes = 0xf0000000u;  // of a .glb, which counts them in 32 bits
-
-struct Extent {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = -low;
-};
-
-Extent extent_of(std::span<const MeshPart> parts) {
-  Extent out;
+Aabb extent_of(std::span<const MeshPart> parts) {
+  Aabb out{Vec3::Constant(std::numeric_limits<double>::infinity()), {}};
+  out.max = -out.min;
   for (const MeshPart& part : parts) {
     for (std::size_t i = 0; i < part.vertices; ++i) {
       const Vec3 p = part.vertex(i);
-      out.low = out.low.cwiseMin(p);
-      out.high = out.high.cwiseMax(p);
+      out = merged(out, {p, p});
     }
   }
   return out;
 }
 
-// The lists of the JSON chunk, and the binary one, as part after part is added.
-struct GltfLists {
-  Vec3 middle;
-  std::string bin;
-  std::string nodes, meshes, materials, accessors, views;
-  std::size_t made = 0;
-
-  void add(const MeshPart& part);
-  std::string json() const;
-
- private:
-  void add_buffers(const MeshPart& part);
-};
-
-void GltfLists::add_buffers(const MeshPart& part) {
-  const std::string comma = made ? "," : "";
-  const std::size_t bytes = 12 * (part.vertices + part.triangles);
-  if (bin.size() + bytes > kMostBytes || part.vertices > 0xffffffffu) {
-    throw InputError("glTF", "the mesh takes more than the 4 GB of a .glb: crop the map");
-  }
-  Eigen::Vector3f low = Eigen::Vector3f::Constant(3e38f);
-  Eigen::Vector3f high = -low;
-  const std::size_t positions = bin.size();
-  for (std::size_t i = 0; i < part.vertices; ++i) {
-    const Eigen::Vector3f p = to_gltf(part.vertex(i) - middle).cast<float>();
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-    for (int axis = 0; axis < 3; ++axis) append_bytes(bin, p[axis]);
-  }
-  const std::size_t indices = bin.size();
-  for (std::size_t i = 0; i < part.triangles; ++i) {
-    for (const std::size_t k : part.triangle(i)) append_bytes(bin, static_cast<std::uint32_t>(k));
-  }
-  views +=
-      comma +
-      fmt::format(
-          R"({{"buffer":0,"byteOffset":{},"byteLength":{},"target":34962}},{{"buffer":0,"byteOffset":{},"byteLength":{},"target":34963}})",
-          positions, indices - positions, indices, bin.size() - indices);
-  accessors +=
-      comma +
-      fmt::format(
-          R"({{"bufferView":{},"componentType":5126,"count":{},"type":"VEC3","min":[{},{},{}],"max":[{},{},{}]}},{{"bufferView":{},"componentType":5125,"count":{},"type":"SCALAR"}})",
-          2 * made, part.vertices, low.x(), low.y(), low.z(), high.x(), high.y(), high.z(),
-          2 * made + 1, 3 * part.triangles);
-}
-
-void GltfLists::add(const MeshPart& part) {
+void add_part(const MeshPart& part, Gltf& out) {
   if (part.triangles == 0) return;
-  add_buffers(part);
-  const std::string comma = made ? "," : "";
-  const Vec3 at = to_gltf(middle);
-  std::string name;
-  append_json(name, std::string_view(part.name));
-  nodes += comma + fmt::format(R"({{"mesh":{},"name":{},"translation":[{},{},{}]}})", made, name,
-                               at.x(), at.y(), at.z());
-  meshes +=
-      comma +
-      fmt::format(
-          R"({{"name":{},"primitives":[{{"attributes":{{"POSITION":{}}},"indices":{},"material":{}}}]}})",
-          name, 2 * made, 2 * made + 1, made);
-  materials +=
-      comma +
-      fmt::format(
-          R"({{"name":{},"pbrMetallicRoughness":{{"baseColorFactor":[{:.3f},{:.3f},{:.3f},{}],"metallicFactor":0}}{}}})",
-          name, part.colour[0] / 255.0, part.colour[1] / 255.0, part.colour[2] / 255.0,
-          part.opacity, part.opacity < 1 ? R"(,"alphaMode":"BLEND","doubleSided":true)" : "");
-  ++made;
-}
-
-std::string GltfLists::json() const {
-  constexpr std::string_view kAsset =
-      R"({"asset":{"version":"2.0","generator":"skyway"},"scene":0,)";
-  if (made == 0) return std::string(kAsset) + R"("scenes":[{}]})";
-  std::string scene;
-  for (std::size_t i = 0; i < made; ++i) scene += fmt::format("{}{}", i ? "," : "", i);
-  return std::string(kAsset) +
-         fmt::format(
-             R"("scenes":[{{"nodes":[{}]}}],"nodes":[{}],"meshes":[{}],"materials":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
-             scene, nodes, meshes, materials, accessors, views, bin.size());
+  GltfPrimitive surface;
+  surface.positions = out.add_positions(part.vertices, part.vertex);
+  std::array<std::size_t, 3> corners{};
+  surface.indices = out.add_indices(3 * part.triangles, [&](std::size_t i) {
+    if (i % 3 == 0) corners = part.triangle(i / 3);
+    return corners[i % 3];
+  });
+  const Rgb colour{part.colour[0] / 255.0, part.colour[1] / 255.0, part.colour[2] / 255.0};
+  surface.material = out.add_material({part.name, colour, part.opacity, {}});
+  out.add_node(part.name, {surface});
 }
 
 void write_ply_vertices(std::ostream& out, const MeshPart& part) {
@@ -165,12 +89,10 @@ void write_ply(std::ostream& out, std::span<const MeshPart> parts) {
 }
 
 void write_glb(std::ostream& out, std::span<const MeshPart> parts) {
-  GltfLists lists;
-  const Extent extent = extent_of(parts);
-  lists.middle = 0.5 * (extent.low + extent.high);
-  for (const MeshPart& part : parts) lists.add(part);
-  std::string json = lists.json();
-  write_glb_container(out, std::move(json), std::move(lists.bin));
+  const Aabb extent = extent_of(parts);
+  Gltf gltf(0.5 * (extent.min + extent.max));
+  for (const MeshPart& part : parts) add_part(part, gltf);
+  gltf.write(out);
 }
 
 }  // namespace geom

@@ -6,10 +6,11 @@
 #include <ostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "geom/archive/bytes.h"
 #include "geom/base/error.h"
-#include "geom/mesh/glb.h"
+#include "geom/mesh/gltf.h"
 #include "geom/shape/aabb.h"
 
 namespace plan {
@@ -25,37 +26,15 @@ void append_field(std::string& line, std::string_view key, Number value) {
   line += fmt::format("\"{}\":{},", key, value);
 }
 
-// Positions for write_glb, and the extent that glTF demands.
-struct Vertices {
-  std::string bytes;
-  Vec3 middle;  // in glTF's axes
-  Eigen::Vector3f low = Eigen::Vector3f::Constant(3e38f);
-  Eigen::Vector3f high = -low;
-};
-
-Vertices vertices(const SearchTree& tree, geom::Axes axes) {
-  Vertices out;
-  const geom::Aabb bounds = *geom::bounds(tree.points);
-  out.middle = geom::to_gltf(geom::to_enu(axes, 0.5 * (bounds.min + bounds.max)));
-  for (const Vec3& point : tree.points) {
-    const Vec3 at = geom::to_gltf(geom::to_enu(axes, point)) - out.middle;
-    const Eigen::Vector3f p = at.cast<float>();
-    out.low = out.low.cwiseMin(p);
-    out.high = out.high.cwiseMax(p);
-    for (int axis = 0; axis < 3; ++axis) geom::append_bytes(out.bytes, p[axis]);
-  }
-  return out;
-}
-
 // The nodes at both ends of each edge of one of the trees.
-std::string line_indices(const SearchTree& tree, std::size_t which) {
-  std::string bytes;
+std::vector<std::uint32_t> ends_of_edges(const SearchTree& tree, std::size_t which) {
+  std::vector<std::uint32_t> ends;
   for (std::size_t i = 0; i < tree.points.size(); ++i) {
     if (tree.tree[i] != which || is_root(tree, i)) continue;
-    geom::append_bytes(bytes, tree.parent[i]);
-    geom::append_bytes(bytes, static_cast<std::uint32_t>(i));
+    ends.push_back(tree.parent[i]);
+    ends.push_back(static_cast<std::uint32_t>(i));
   }
-  return bytes;
+  return ends;
 }
 
 }  // namespace
@@ -112,46 +91,25 @@ void write_ply(std::ostream& out, const SearchTree& tree, geom::Axes axes) {
 }
 
 void write_glb(std::ostream& out, const SearchTree& tree, geom::Axes axes) {
-  std::string bin;
-  std::string views, accessors, primitives, materials;
-  Vec3 middle = Vec3::Zero();
-  for (std::size_t which = 0, made = 0; which < kColours.size(); ++which) {
-    const std::string indices = line_indices(tree, which);
-    if (indices.empty()) continue;
-    if (made == 0) {
-      Vertices v = vertices(tree, axes);
-      middle = v.middle;
-      views = fmt::format(R"({{"buffer":0,"byteOffset":0,"byteLength":{},"target":34962}})",
-                          v.bytes.size());
-      accessors = fmt::format(
-          R"({{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3","min":[{},{},{}],"max":[{},{},{}]}})",
-          tree.points.size(), v.low.x(), v.low.y(), v.low.z(), v.high.x(), v.high.y(), v.high.z());
-      bin = std::move(v.bytes);
-    }
-    views += fmt::format(R"(,{{"buffer":0,"byteOffset":{},"byteLength":{},"target":34963}})",
-                         bin.size(), indices.size());
-    accessors +=
-        fmt::format(R"(,{{"bufferView":{},"componentType":5125,"count":{},"type":"SCALAR"}})",
-                    made + 1, indices.size() / sizeof(std::uint32_t));
-    primitives +=
-        fmt::format(R"({}{{"attributes":{{"POSITION":0}},"indices":{},"material":{},"mode":1}})",
-                    made ? "," : "", made + 1, made);
+  const geom::Aabb extent = geom::bounds(tree.points).value_or(geom::Aabb{});
+  geom::Gltf gltf(geom::to_enu(axes, 0.5 * (extent.min + extent.max)));
+  std::vector<geom::GltfPrimitive> lines;
+  for (std::size_t which = 0; which < kColours.size(); ++which) {
+    const std::vector<std::uint32_t> ends = ends_of_edges(tree, which);
+    if (ends.empty()) continue;
+    const std::size_t positions =  // both trees draw between the same points
+        lines.empty()
+            ? gltf.add_positions(tree.points.size(),
+                                 [&](std::size_t i) { return geom::to_enu(axes, tree.points[i]); })
+            : lines.front().positions;
     const auto& c = kColours[which];
-    materials += fmt::format(
-        R"({}{{"pbrMetallicRoughness":{{"baseColorFactor":[{:.3f},{:.3f},{:.3f},1],"metallicFactor":0}}}})",
-        made ? "," : "", c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
-    bin += indices;
-    ++made;
+    const geom::Rgb colour{c[0] / 255.0, c[1] / 255.0, c[2] / 255.0};
+    lines.push_back({geom::GltfMode::lines, positions,
+                     gltf.add_indices(ends.size(), [&](std::size_t i) { return ends[i]; }),
+                     gltf.add_material({{}, colour, 1, {}})});
   }
-  std::string json = R"({"asset":{"version":"2.0","generator":"skyway"},"scene":0,"scenes":[)";
-  if (bin.empty()) {
-    json += "{}]}";
-  } else {
-    json += fmt::format(
-        R"({{"nodes":[0]}}],"nodes":[{{"mesh":0,"name":"tree","translation":[{},{},{}]}}],"meshes":[{{"primitives":[{}]}}],"materials":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
-        middle.x(), middle.y(), middle.z(), primitives, materials, accessors, views, bin.size());
-  }
-  geom::write_glb_container(out, std::move(json), std::move(bin));
+  if (!lines.empty()) gltf.add_node("tree", std::move(lines));
+  gltf.write(out);
 }
 
 }  // namespace plan

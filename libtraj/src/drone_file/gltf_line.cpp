@@ -11,9 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "geom/archive/bytes.h"
 #include "geom/base/error.h"
-#include "geom/mesh/glb.h"
+#include "geom/mesh/gltf.h"
 #include "geom/text/parse_json.h"
 
 namespace traj {
@@ -26,7 +25,6 @@ using geom::Vec3;
 
 Vec3 from_gltf(const Vec3& v) { return {v.x(), -v.z(), v.y()}; }
 
-constexpr int kArrayBuffer = 34962;
 constexpr int kFloat = 5126;
 constexpr int kLineStrip = 3;
 
@@ -214,40 +212,12 @@ class GltfReader {
 
 void write_gltf_line(std::ostream& out, std::span<const geom::Vec3> enu, std::string_view name,
                      std::string_view note) {
-  const Vec3 origin = geom::to_gltf(enu.front());
-  Eigen::Vector3f low = Eigen::Vector3f::Zero();
-  Eigen::Vector3f high = low;
-  std::string bin;
-  for (const Vec3& p : enu) {
-    const Eigen::Vector3f v = (geom::to_gltf(p) - origin).cast<float>();
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-    for (int axis = 0; axis < 3; ++axis) geom::append_bytes(bin, v[axis]);
-  }
-  Json json;
-  json["asset"] = {{"version", "2.0"}, {"generator", "skyway"}};
-  if (!note.empty()) json["asset"]["extras"] = {{"note", std::string(note)}};
-  json["scene"] = 0;
-  json["scenes"] = {{{"nodes", {0}}}};
-  json["nodes"] = {{{"mesh", 0},
-                    {"name", std::string(name)},
-                    {"translation", {origin.x(), origin.y(), origin.z()}}}};
-  json["meshes"] = {
-      {{"primitives",
-        {{{"attributes", {{"POSITION", 0}}}, {"mode", kLineStrip}, {"material", 0}}}}}};
-  json["materials"] = {
-      {{"pbrMetallicRoughness", {{"baseColorFactor", {0, 0, 0, 1}}, {"metallicFactor", 0}}},
-       {"emissiveFactor", {1.0, 0.4, 0.0}}}};
-  json["accessors"] = {{{"bufferView", 0},
-                        {"componentType", kFloat},
-                        {"count", enu.size()},
-                        {"type", "VEC3"},
-                        {"min", {low.x(), low.y(), low.z()}},
-                        {"max", {high.x(), high.y(), high.z()}}}};
-  json["bufferViews"] = {
-      {{"buffer", 0}, {"byteOffset", 0}, {"byteLength", bin.size()}, {"target", kArrayBuffer}}};
-  json["buffers"] = {{{"byteLength", bin.size()}}};
-  geom::write_glb_container(out, json.dump(-1, ' ', false, Json::error_handler_t::replace), bin);
+  geom::Gltf gltf(enu.front());
+  geom::GltfPrimitive line{geom::GltfMode::line_strip, 0, {}, 0};
+  line.positions = gltf.add_positions(enu.size(), [&](std::size_t i) { return enu[i]; });
+  line.material = gltf.add_material({{}, {0, 0, 0}, 1, geom::Rgb{1, 0.4, 0}});
+  gltf.add_node(std::string(name), {line});
+  gltf.write(out, note);
 }
 
 std::vector<geom::Polyline> read_gltf_lines(std::istream& in, std::string_view source) {
