@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "render/camera.h"
-#include "render/image_file.h"
-#include "render/take.h"
+#include "render/camera/camera.h"
+#include "render/image/image_file.h"
+#include "render/scene/take.h"
 #include "support/city.h"
 #include "support/random_city.h"
 

@@ -1,5 +1,5 @@
 #include "readers.h"
-#include "render/camera.h"
+#include "render/camera/camera.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);

@@ -1,5 +1,5 @@
 #include "readers.h"
-#include "render/camera_poses.h"
+#include "render/camera/camera_poses.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size,

@@ -1,5 +1,5 @@
 #include "readers.h"
-#include "render/png_image.h"
+#include "render/image/png_image.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);

@@ -23,6 +23,8 @@ using geom::Vec3;
 
 constexpr std::size_t kBatch = 4096;  // records answered at once, in order
 
+using Line = std::pair<std::string, std::size_t>;  // and its number
+
 // What the record's key says, or nothing; a whole number in [1, 1000].
 std::optional<std::size_t> whole(const JsonFields& fields, const char* key) {
   const auto value = fields.number(key);
@@ -59,8 +61,7 @@ std::string list_of(const auto& items, const auto& write) {
 }
 
 // The points of a batch's records, as far as they are records.
-std::vector<Vec3> points_of(const std::vector<std::pair<std::string, std::size_t>>& batch,
-                            const std::string& source) {
+std::vector<Vec3> points_of(const std::vector<Line>& batch, const std::string& source) {
   std::vector<Vec3> out;
   try {
     for (const auto& [text, line] : batch) {
@@ -169,6 +170,52 @@ class Answers {
   const geom::CollisionScene& scene_;
 };
 
+// Lines of a stream and their answers, batch after batch.
+class Stream {
+ public:
+  Stream(const geom::CollisionScene& scene, const cli::InputFile& file, cli::OutputFile& out,
+         const geom::Execution& run)
+      : answers_(scene), file_(file), out_(out), run_(run) {}
+
+  const std::vector<Line>& batch() const { return batch_; }
+
+  // Whether the batch is full.
+  bool add(const std::string& line, std::size_t number) {
+    batch_.emplace_back(line, number);
+    return batch_.size() == kBatch;
+  }
+
+  // Of a malformed record, what stood before it is answered and the rest is not.
+  void answer() {
+    std::vector<std::string> lines(batch_.size());
+    try {
+      geom::parallel_for(batch_.size(), run_, [&](std::size_t i) {
+        lines[i] = answers_.answer(batch_[i].first, file_.name(), batch_[i].second);
+      });
+    } catch (const geom::InputError&) {
+      write(lines);
+      out_.flush();
+      throw;
+    }
+    write(lines);
+    batch_.clear();
+  }
+
+ private:
+  void write(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+      if (line.empty()) break;  // the malformed record
+      out_.stream() << line;
+    }
+  }
+
+  Answers answers_;
+  const cli::InputFile& file_;
+  cli::OutputFile& out_;
+  geom::Execution run_;
+  std::vector<Line> batch_;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -196,39 +243,19 @@ int main(int argc, char** argv) {
     const geom::CollisionScene& scene = scenes.scene();
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
-    const Answers answers(scene);
-    const geom::Execution run{common.execution("queries").threads, {}};
-    std::vector<std::pair<std::string, std::size_t>> batch;
+    Stream stream(scene, file, out, {common.execution("queries").threads, {}});
     bool first = true;
-    const auto answer_batch = [&] {
-      if (std::exchange(first, false) && !batch.empty()) {
-        metres.check_input(scene.map().spec().frame, points_of(batch, file.name()), file.name(),
-                           batch.front().second);
+    const auto answer = [&] {
+      if (std::exchange(first, false) && !stream.batch().empty()) {
+        metres.check_input(scene.map().spec().frame, points_of(stream.batch(), file.name()),
+                           file.name(), stream.batch().front().second);
       }
-      std::vector<std::string> lines(batch.size());
-      const auto write = [&] {
-        for (const std::string& line : lines) {
-          if (line.empty()) break;  // the malformed record
-          out.stream() << line;
-        }
-      };
-      try {
-        geom::parallel_for(batch.size(), run, [&](std::size_t i) {
-          lines[i] = answers.answer(batch[i].first, file.name(), batch[i].second);
-        });
-      } catch (const geom::InputError&) {
-        write();
-        out.flush();
-        throw;
-      }
-      write();
-      batch.clear();
+      stream.answer();
     };
     file.for_each_line([&](const std::string& line, std::size_t number) {
-      batch.emplace_back(line, number);
-      if (batch.size() == kBatch) answer_batch();
+      if (stream.add(line, number)) answer();
     });
-    answer_batch();
+    answer();
     out.commit();
     return cli::Exit::yes;
   });

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "drawn.h"
-#include "strip_chart.h"
-#include "take.h"
+#include "render/drawing/drawn.h"
+#include "render/drawing/strip_chart.h"
+#include "render/scene/take.h"
 
 namespace render {
 

@@ -10,7 +10,7 @@
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/run.h"
-#include "frame_output.h"
+#include "render/image/frame_output.h"
 
 namespace render {
 namespace {

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <ctime>
 
-#include "camera_poses.h"
-#include "frame_output.h"
 #include "geom/base/parallel.h"
-#include "image_file.h"
-#include "png_image.h"
+#include "render/camera/camera_poses.h"
+#include "render/image/frame_output.h"
+#include "render/image/image_file.h"
+#include "render/image/png_image.h"
 
 namespace render {
 namespace {

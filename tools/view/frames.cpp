@@ -7,7 +7,7 @@
 #include "cli/file/files.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
-#include "render/frame_output.h"
+#include "render/image/frame_output.h"
 #include "webp_frame.h"
 
 namespace view {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/camera_poses.h"
+#include "render/camera/camera_poses.h"
 
 namespace view {
 

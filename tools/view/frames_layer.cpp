@@ -6,7 +6,7 @@
 
 #include "geom/base/error.h"
 #include "layers.h"
-#include "render/motion.h"
+#include "render/camera/motion.h"
 
 namespace view {
 namespace {

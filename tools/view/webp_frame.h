@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "render/png_image.h"
+#include "render/image/png_image.h"
 
 namespace view {
 

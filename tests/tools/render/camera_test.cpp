@@ -1,6 +1,6 @@
 // Where a camera is and looks, and what moves it.
 
-#include "render/camera.h"
+#include "render/camera/camera.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
-#include "render/motion.h"
-#include "render/view.h"
+#include "render/camera/motion.h"
+#include "render/camera/view.h"
 #include "support/random_city.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // Pictures and poses as files.
 
-#include "render/image_file.h"
+#include "render/image/image_file.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -10,9 +10,9 @@
 
 #include "cli/run.h"
 #include "geom/base/error.h"
-#include "render/camera_poses.h"
-#include "render/frame_output.h"
-#include "render/png_image.h"
+#include "render/camera/camera_poses.h"
+#include "render/image/frame_output.h"
+#include "render/image/png_image.h"
 #include "support/random_city.h"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "render/camera.h"
-#include "render/take.h"
+#include "render/camera/camera.h"
+#include "render/scene/take.h"
 #include "support/city.h"
 #include "support/random_city.h"
 

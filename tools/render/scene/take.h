@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geom/base/execution.h"
-#include "picture.h"
+#include "render/image/picture.h"
 #include "shade.h"
 
 namespace render {

@@ -7,8 +7,8 @@
 
 #include "canvas.h"
 #include "cli/file/contents.h"
-#include "embree_picture.h"
-#include "motion.h"
+#include "render/camera/motion.h"
+#include "render/scene/embree_picture.h"
 
 namespace render {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "picture.h"
+#include "render/image/picture.h"
 
 namespace render {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "embree_picture.h"
-#include "picture.h"
+#include "render/image/picture.h"
 
 namespace render {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geom/map/box_map.h"
-#include "view.h"
+#include "render/camera/view.h"
 
 namespace render {
 

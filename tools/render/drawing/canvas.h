@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "picture.h"
+#include "render/image/picture.h"
 
 namespace render {
 
