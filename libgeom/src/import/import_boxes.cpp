@@ -124,15 +124,18 @@ ImportedBoxes import_boxes(std::istream& in, BoxFormat format, std::string_view 
 }
 
 MadeMap make_map(ImportedBoxes boxes, std::string_view source, MakeMapOptions options) {
+  std::string history = "[]";
   if (!boxes.skipped.empty()) {
-    throw InputError(source, fmt::format("{} possible obstacle(s) cannot be "
-                                         "built: {}",
-                                         boxes.skipped.count(), boxes.skipped.text()));
+    if (!boxes.allow_skipped) {
+      throw InputError(source, fmt::format("{} possible obstacle(s) cannot be built: {}",
+                                           boxes.skipped.count(), boxes.skipped.text()));
+    }
+    history = fmt::format(R"([{{"skipped":{}}}])", boxes.skipped.count());
   }
   if (!options.source_bounds) options.source_bounds = boxes.bounds;
   if (!options.floor) options.floor = boxes.floor;
-  if (options.seal == 0) options.seal = boxes.seal;
-  return make_map(std::move(boxes.table), boxes.frame, "[]", source, options);
+  if (!options.seal) options.seal = boxes.seal;
+  return make_map(std::move(boxes.table), boxes.frame, std::move(history), source, options);
 }
 
 }  // namespace geom

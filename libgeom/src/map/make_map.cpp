@@ -98,7 +98,7 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
                             spec.bounds.min[0], spec.bounds.min[1], spec.bounds.min[2],
                             spec.bounds.max[0], spec.bounds.max[1], spec.bounds.max[2]));
   }
-  const std::size_t sealed = seal_to_floor(table, spec.bounds.min.z(), options.seal);
+  const std::size_t sealed = seal_to_floor(table, spec.bounds.min.z(), options.seal.value_or(0));
   std::size_t beyond = 0;
   for (const Aabb& box : table.boxes) beyond += !overlap(box, spec.bounds);
   return {BoxMap(std::move(spec), table), sealed, beyond};

@@ -53,8 +53,16 @@ TEST(ImportBoxes, MakesTheMapThatTheFormatMeans) {
 TEST(ImportBoxes, MakesNoMapOfWhatItSkipped) {
   ImportedBoxes boxes = imported(std::string(kBlocks) + "blok 5 5 0 6 6 4\n");
   EXPECT_THROW(make_map(boxes, "it"), InputError);
-  boxes.skipped = {};
-  EXPECT_EQ(make_map(boxes, "it").map.size(), 1u);
+  boxes.allow_skipped = true;
+  const MadeMap made = make_map(boxes, "it");
+  EXPECT_EQ(made.map.size(), 1u);
+  EXPECT_EQ(made.map.spec().history, R"([{"skipped":1}])");  // the map remembers
+}
+
+TEST(ImportBoxes, SealsOnlyWhereNothingElseIsAsked) {
+  MakeMapOptions options;
+  options.seal = 0;
+  EXPECT_EQ(make_map(imported(kTable), "it", options).sealed, 0u);
 }
 
 }  // namespace

@@ -36,6 +36,10 @@ TEST(Words, GoBothWays) {
   expect_one_to_one(traj::kReasonWords);
 }
 
+TEST(Words, OfAValueThatTheTableForgotIsAnError) {
+  EXPECT_THROW(word_of(kPathStatusWords, static_cast<PathStatus>(99)), std::logic_error);
+}
+
 TEST(Words, AreListedForMessages) {
   EXPECT_EQ(listed(traj::kRungWords), "closed ipopt stop_and_go");
 }

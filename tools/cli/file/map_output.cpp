@@ -38,7 +38,7 @@ geom::MakeMapOptions MapOptions::make(double seal_default) const {
 }
 
 nlohmann::ordered_json history_of(const geom::MakeMapOptions& options) {
-  nlohmann::ordered_json step = {{"seal", options.seal}, {"pad", options.pad}};
+  nlohmann::ordered_json step = {{"seal", options.seal.value_or(0)}, {"pad", options.pad}};
   if (options.scale != 1) step["scale"] = options.scale;
   if (options.bloat_percent > 0) step["bloat_percent"] = options.bloat_percent;
   if (options.inflate > 0) step["inflate"] = options.inflate;

@@ -23,7 +23,7 @@ Json to_json(const MapMaking& making) {
               {"bloat_percent", map.bloat_percent},
               {"inflate", map.inflate},
               {"pad", map.pad},
-              {"seal", map.seal},
+              {"seal", map.seal.value_or(0)},
               {"tile_size", map.tile_size}};
   if (const auto& at = making.frame.origin) {
     out["origin"] = {at->latitude, at->longitude, at->height};
@@ -60,7 +60,7 @@ MapMaking read_making(const geom::JsonFields& fields) {
   map.floor = fields.number("floor");
   map.ceiling = fields.number("ceiling");
   const bool sizes = map.scale > 0 && map.bloat_percent >= 0 && map.inflate >= 0 && map.pad >= 0 &&
-                     map.seal >= 0 && map.tile_size >= 1;
+                     *map.seal >= 0 && map.tile_size >= 1;
   if (!sizes) fields.refuse("the options of its map cannot be");
   geom::parse_json(out.history, "the map's history");
   if (fields.has("bounds")) {

@@ -44,6 +44,7 @@ struct ImportedBoxes {
   std::size_t flat = 0;            // boxes without extent along one or two axes: kept
   double largest_change = 0;       // metres that rounding outward moved a face by, at most
   Skipped skipped;                 // what is or may be an obstacle and is no box
+  bool allow_skipped = false;      // for make_map(): set by who accepts maps without it
   std::size_t unknown = 0;         // cells of an OctoMap within the bounds, never seen
   std::vector<std::string> names;  // unknown keys that by their name are no geometry
 };
@@ -53,8 +54,8 @@ ImportedBoxes import_boxes(std::istream& in, BoxFormat format, std::string_view 
                            const ImportOptions& options = {});
 
 // The map of what was imported. Bounds, floor and seal are the source's where the options leave
-// theirs out. Throws InputError where `skipped` is not empty: what was left out would be flown
-// through. Whoever accepts that clears it first.
+// theirs out. Throws InputError where something was skipped and that is not allowed: what was left
+// out would be flown through. Where it is allowed, the map's history counts it.
 MadeMap make_map(ImportedBoxes boxes, std::string_view source, MakeMapOptions options = {});
 
 }  // namespace geom

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -19,13 +20,13 @@ struct Word {
 template <class Enum, std::size_t N>
 using Words = std::array<Word<Enum>, N>;
 
-// Empty for a value that the table does not have.
+// Every value has a word: std::logic_error where the table was forgotten.
 template <class Enum, std::size_t N>
 constexpr std::string_view word_of(const Words<Enum, N>& words, Enum value) {
   for (const Word<Enum>& w : words) {
     if (w.value == value) return w.word;
   }
-  return {};
+  throw std::logic_error("a value without a word");
 }
 
 template <class Enum, std::size_t N>
