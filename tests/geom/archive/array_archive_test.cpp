@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
+#include <ctime>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -33,10 +35,18 @@ std::vector<std::string> numbered(std::size_t count) {
 }
 
 TEST(ArrayArchive, ReadsManyEntriesInATimeThatGrowsWithTheirNumber) {
-  const auto bytes = archive_of(numbered(60000));
-  const auto begin = std::chrono::steady_clock::now();
-  EXPECT_EQ(ArrayArchive::from_bytes(bytes, "a").arrays().size(), 60000u);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+  const auto least_time = [](std::size_t entries) {
+    const auto bytes = archive_of(numbered(entries));
+    std::clock_t least = std::numeric_limits<std::clock_t>::max();
+    for (int i = 0; i < 3; ++i) {
+      const std::clock_t begin = std::clock();  // of the process, so that others do not matter
+      EXPECT_EQ(ArrayArchive::from_bytes(bytes, "a").arrays().size(), entries);
+      least = std::min(least, std::clock() - begin);
+    }
+    return static_cast<double>(least);
+  };
+  // Eight times the entries: eight times the time, or sixty-four if each looked at all others.
+  EXPECT_LT(least_time(48000), 24 * least_time(6000));
 }
 
 TEST(ArrayArchive, RefusesADirectoryOfMoreEntriesThanAnyFileOfOurs) {
