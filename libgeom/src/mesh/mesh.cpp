@@ -9,7 +9,7 @@
 #include "geom/archive/bytes.h"
 #include "geom/base/error.h"
 #include "geom/mesh/glb.h"
-#include "geom/record/record.h"
+#include "geom/text/json_line.h"
 
 namespace geom {
 namespace {
@@ -84,8 +84,7 @@ void GltfLists::add(const MeshPart& part) {
   add_buffers(part);
   const std::string comma = made ? "," : "";
   const Vec3 at = to_gltf(middle);
-  std::string name;
-  append_json(name, std::string_view(part.name));
+  const std::string name = json_text(part.name);
   nodes += comma + fmt::format(R"({{"mesh":{},"name":{},"translation":[{},{},{}]}})", made, name,
                                at.x(), at.y(), at.z());
   meshes +=
