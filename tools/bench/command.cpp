@@ -11,6 +11,8 @@
 #include <memory>
 #include <system_error>
 
+#include "geom/text/json_line.h"
+
 namespace bench {
 namespace {
 
@@ -89,13 +91,7 @@ CommandOutput run_command(const std::string& command, const std::string& input,
 std::string to_json_lines(const std::vector<geom::PlanQuery>& queries) {
   std::string out;
   for (const geom::PlanQuery& query : queries) {
-    out += "{\"id\":";
-    geom::append_json(out, std::string_view(query.id));
-    out += ",\"from\":";
-    geom::append_json(out, query.from);
-    out += ",\"to\":";
-    geom::append_json(out, query.to);
-    out += "}\n";
+    out += geom::JsonLine().add("id", query.id).add("from", query.from).add("to", query.to).line();
   }
   return out;
 }

@@ -4,8 +4,8 @@
 
 #include "cli/option/output_option.h"
 #include "cli/run.h"
-#include "geom/record/record.h"
 #include "geom/text/csv_field.h"
+#include "geom/text/number.h"
 
 namespace checking {
 namespace {
@@ -41,7 +41,7 @@ void ProfileFile::add(const std::string& id, std::span<const traj::ClearanceSpan
     lines_ += geom::csv_field(id);
     for (const double value : {span.begin, span.end, span.clearance}) {
       lines_ += ',';
-      geom::append_json(lines_, value);
+      geom::append_number(lines_, value);
     }
     lines_ += '\n';
   }

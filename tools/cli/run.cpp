@@ -19,6 +19,7 @@
 #include "geom/base/error.h"
 #include "geom/base/mapped_file.h"
 #include "geom/text/excerpt.h"
+#include "geom/text/json_line.h"
 
 namespace cli {
 namespace {
@@ -52,9 +53,7 @@ class ProgressLine {
     if (done < total && now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
     if (json_) {
-      say(fmt::format(R"({{"progress":"{}","done":{},"total":{}}})"
-                      "\n",
-                      label_, done, total));
+      say(geom::JsonLine().add("progress", label_).add("done", done).add("total", total).line());
     } else {
       say(fmt::format("\r{} {}/{}{}", label_, done, total, done == total ? "\n" : ""));
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <span>
 
 #include "cli/file/files.h"
 #include "cli/option/output_option.h"
@@ -15,8 +16,8 @@
 #include "geom/import/box_csv.h"
 #include "geom/import/keep_out.h"
 #include "geom/map/join.h"
-#include "geom/record/record.h"
 #include "geom/shape/cover.h"
+#include "geom/text/json_line.h"
 #include "verbs.h"
 
 namespace verbs {
@@ -52,13 +53,10 @@ std::vector<Entry> entries(const BoxMap& map) {
 }
 
 std::string line_of(const char* change, const Entry& entry) {
-  std::string out = fmt::format(R"({{"type":"box","change":"{}","id":{},"min":)", change, entry.id);
-  geom::append_json(out, geom::Vec3(entry.box[0], entry.box[1], entry.box[2]));
-  out += ",\"max\":";
-  geom::append_json(out, geom::Vec3(entry.box[3], entry.box[4], entry.box[5]));
-  out += ",\"label\":";
-  geom::append_json(out, std::string_view(entry.label));
-  return out + "}\n";
+  geom::JsonLine line;
+  line.add("type", "box").add("change", change).add("id", entry.id);
+  line.add("min", std::span(entry.box).first(3)).add("max", std::span(entry.box).last(3));
+  return line.add("label", entry.label).line();
 }
 
 cli::Exit run_diff(const std::string& before, const std::string& after, const std::string& output,
@@ -77,10 +75,10 @@ cli::Exit run_diff(const std::string& before, const std::string& after, const st
   cli::OutputFile out(output, cli::OutputKind::text);
   for (const Entry& entry : removed) out.stream() << line_of("removed", entry);
   for (const Entry& entry : added) out.stream() << line_of("added", entry);
-  out.stream() << fmt::format(
-      R"({{"type":"diff","removed":{},"added":{},"same_frame":{},"same_bounds":{}}})"
-      "\n",
-      removed.size(), added.size(), same_place, same_bounds);
+  geom::JsonLine summary;
+  summary.add("type", "diff").add("removed", removed.size()).add("added", added.size());
+  summary.add("same_frame", same_place).add("same_bounds", same_bounds);
+  out.stream() << summary.line();
   out.commit();
   common.write_stats({{"removed", removed.size()}, {"added", added.size()}});
   const bool same = removed.empty() && added.empty() && same_place && same_bounds;

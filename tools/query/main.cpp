@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "cli/file/files.h"
@@ -15,10 +16,12 @@
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
 #include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
 
 namespace {
 
 using geom::JsonFields;
+using geom::JsonLine;
 using geom::Vec3;
 
 constexpr std::size_t kBatch = 4096;  // records answered at once, in order
@@ -51,15 +54,6 @@ std::pair<Vec3, Vec3> two_points(const JsonFields& fields, const char* key) {
   return {points[0], points[1]};
 }
 
-std::string list_of(const auto& items, const auto& write) {
-  std::string out = "[";
-  for (const auto& item : items) {
-    if (out.size() > 1) out += ',';
-    write(out, item);
-  }
-  return out + ']';
-}
-
 // The points of a batch's records, as far as they are records.
 std::vector<Vec3> points_of(const std::vector<Line>& batch, const std::string& source) {
   std::vector<Vec3> out;
@@ -83,88 +77,79 @@ class Answers {
 
   std::string answer(const std::string& text, const std::string& source, std::size_t line) const {
     const JsonFields fields(text, source, line);
-    std::string out = "{\"type\":\"answer\",\"id\":";
-    geom::append_json(out, std::string_view(fields.text("id", fmt::format("q{}", line))));
-    out += ',';
+    JsonLine out;
+    out.add("type", "answer").add("id", fields.text("id", fmt::format("q{}", line)));
     if (fields.has("point")) {
-      out += point(fields);
+      add_point(out, fields);
     } else if (fields.has("segment")) {
-      out += segment(fields);
+      add_segment(out, fields);
     } else if (fields.has("box")) {
-      out += box(fields);
+      add_box(out, fields);
     } else if (fields.has("sweep")) {
-      out += sweep(fields);
+      add_sweep(out, fields);
     } else {
       fields.refuse(
           "expected one of the keys \"point\", \"segment\", \"box\" and \"sweep\", found "
           "none");
     }
-    return out + "}\n";
+    return out.line();
   }
 
  private:
   std::uint64_t id(std::size_t box) const { return scene_.map().ids()[box]; }
 
-  std::string point(const JsonFields& fields) const {
+  void add_point(JsonLine& out, const JsonFields& fields) const {
     const Vec3 p = fields.point("point");
-    std::string out =
-        fmt::format(R"("hit":{},"inside_bounds":{})", scene_.hits(p), scene_.inside_bounds(p));
+    out.add("hit", scene_.hits(p)).add("inside_bounds", scene_.inside_bounds(p));
     const auto k = whole(fields, "k");
     const auto near = scene_.nearest(p, std::numeric_limits<double>::infinity(), k.value_or(1));
-    if (near.empty()) return out;
-    out += ",\"clearance\":";
-    geom::append_json(out, near.front().distance);
-    if (!k) return out + fmt::format(",\"nearest\":{}", id(near.front().box));
-    return out + ",\"nearest\":" + list_of(near, [&](std::string& to, const geom::Nearest& n) {
-             to += fmt::format("{{\"box\":{},\"distance\":", id(n.box));
-             geom::append_json(to, n.distance);
-             to += '}';
-           });
+    if (near.empty()) return;
+    out.add("clearance", near.front().distance);
+    if (k) {
+      out.add("nearest", near, [&](const geom::Nearest& n) {
+        return JsonLine().add("box", id(n.box)).add("distance", n.distance);
+      });
+    } else {
+      out.add("nearest", id(near.front().box));
+    }
   }
 
-  std::string segment(const JsonFields& fields) const {
+  void add_segment(JsonLine& out, const JsonFields& fields) const {
     const auto [a, b] = two_points(fields, "segment");
-    std::string out = fmt::format(R"("hit":{},"inside_bounds":{})", scene_.hits(a, b),
-                                  scene_.inside_bounds(a) && scene_.inside_bounds(b));
-    using Separated = geom::CollisionScene::Separated;
+    out.add("hit", scene_.hits(a, b));
+    out.add("inside_bounds", scene_.inside_bounds(a) && scene_.inside_bounds(b));
     if (const auto reach = metres(fields, "planes")) {
       const auto planes = scene_.separating_planes(a, b, *reach);
-      out += ",\"planes\":" + list_of(planes, [&](std::string& to, const Separated& s) {
-               to += fmt::format("{{\"box\":{},\"normal\":", id(s.box));
-               geom::append_json(to, s.separation.plane.normal);
-               to += ",\"offset\":";
-               geom::append_json(to, s.separation.plane.offset);
-               to += ",\"gap\":";
-               geom::append_json(to, s.separation.gap);
-               to += '}';
-             });
+      out.add("planes", planes, [&](const geom::CollisionScene::Separated& s) {
+        const auto& [plane, gap] = s.separation;
+        JsonLine line;
+        line.add("box", id(s.box)).add("normal", plane.normal).add("offset", plane.offset);
+        return line.add("gap", gap);
+      });
     }
     if (const auto reach = metres(fields, "empty_box")) {
-      out += ",\"empty_box\":";
-      const auto found = scene_.empty_box(a, b, *reach);
-      if (!found) return out + "null";
-      out += '[';
-      geom::append_json(out, found->box.min);
-      out += ',';
-      geom::append_json(out, found->box.max);
-      out += fmt::format("],\"largest\":{}", found->largest);
+      if (const auto found = scene_.empty_box(a, b, *reach)) {
+        out.add("empty_box", std::tuple(found->box.min, found->box.max));
+        out.add("largest", found->largest);
+      } else {
+        out.add("empty_box", nullptr);
+      }
     }
-    return out;
   }
 
-  std::string box(const JsonFields& fields) const {
+  void add_box(JsonLine& out, const JsonFields& fields) const {
     const auto [low, high] = two_points(fields, "box");
     if ((low.array() > high.array()).any()) fields.refuse("box must have min <= max on every axis");
     const auto found = scene_.boxes_meeting({low, high});
-    return fmt::format(R"("hit":{},"boxes":)", !found.empty()) +
-           list_of(found, [&](std::string& to, std::size_t i) { to += fmt::format("{}", id(i)); });
+    out.add("hit", !found.empty());
+    out.add("boxes", found, [&](std::size_t i) { return id(i); });
   }
 
-  std::string sweep(const JsonFields& fields) const {
+  void add_sweep(JsonLine& out, const JsonFields& fields) const {
     const auto [a, b] = two_points(fields, "sweep");
     const Vec3 half = fields.point("half");
     if (half.minCoeff() < 0) fields.refuse("half must have half sizes >= 0");
-    return fmt::format(R"("hit":{})", scene_.sweep_hits(a, b, half));
+    out.add("hit", scene_.sweep_hits(a, b, half));
   }
 
   const geom::CollisionScene& scene_;

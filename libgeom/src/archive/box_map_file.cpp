@@ -5,10 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <tuple>
 
 #include "geom/base/error.h"
-#include "geom/record/record.h"
 #include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
 #include "geom/text/parse_json.h"
 #include "map/box_map_data.h"
 
@@ -20,32 +21,17 @@ using Json = nlohmann::json;
 
 std::string meta_of(const BoxMap& map) {
   const BoxMapSpec& spec = map.spec();
-  std::string meta = fmt::format(R"({{"format":"skyway-boxmap","version":{},"hash":)", kVersion);
-  append_json(meta, std::string_view(map.hash()));
-  meta += ",\"frame\":";
-  append_json(meta, name(spec.frame.axes));
-  if (spec.frame.origin) {
-    meta += ",\"origin\":";
-    append_json(meta, Vec3(spec.frame.origin->latitude, spec.frame.origin->longitude,
-                           spec.frame.origin->height));
+  JsonLine meta;
+  meta.add("format", "skyway-boxmap").add("version", kVersion).add("hash", map.hash());
+  meta.add("frame", name(spec.frame.axes));
+  if (const auto& origin = spec.frame.origin) {
+    meta.add("origin", std::tuple(origin->latitude, origin->longitude, origin->height));
   }
-  meta += ",\"crs\":";
-  append_json(meta, std::string_view(spec.frame.crs));
-  meta += ",\"bounds\":[";
-  append_json(meta, spec.bounds.min);
-  meta += ',';
-  append_json(meta, spec.bounds.max);
-  meta += "],\"bounds_from\":";
-  append_json(meta, std::string_view(spec.bounds_from));
-  meta += ",\"tile_size\":";
-  append_json(meta, spec.tile_size);
-  meta += ",\"boxes\":" + std::to_string(map.boxes().size()) + ",\"labels\":[";
-  for (std::size_t i = 0; i < map.labels().size(); ++i) {
-    if (i) meta += ',';
-    append_json(meta, std::string_view(map.labels()[i]));
-  }
-  meta += "],\"history\":" + (spec.history.empty() ? "[]" : spec.history) + "}\n";
-  return meta;
+  meta.add("crs", spec.frame.crs).add("bounds", std::tuple(spec.bounds.min, spec.bounds.max));
+  meta.add("bounds_from", spec.bounds_from).add("tile_size", spec.tile_size);
+  meta.add("boxes", map.boxes().size()).add("labels", map.labels());
+  meta.add_json("history", spec.history.empty() ? "[]" : spec.history);
+  return meta.line();
 }
 
 [[noreturn]] void refuse(const ArrayArchive& archive, std::string_view message) {

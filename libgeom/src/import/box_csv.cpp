@@ -6,9 +6,9 @@
 #include <map>
 #include <ostream>
 
-#include "geom/record/record.h"
 #include "geom/text/csv_field.h"
 #include "geom/text/csv_records.h"
+#include "geom/text/number.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -68,7 +68,7 @@ void write_box_csv(std::ostream& out, const BoxTable& table) {
   for (std::size_t i = 0; i < table.boxes.size(); ++i) {
     for (const Vec3* corner : {&table.boxes[i].min, &table.boxes[i].max}) {
       for (const double v : *corner) {
-        append_json(text, v);
+        append_number(text, v);
         text += ',';
       }
     }

@@ -10,7 +10,7 @@
 #include <ostream>
 
 #include "geom/base/rounding.h"
-#include "geom/record/record.h"
+#include "geom/text/number.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -142,16 +142,16 @@ FcndTable read_fcnd_csv(std::istream& in, std::string_view source) {
 void write_fcnd_csv(std::ostream& out, const GeodeticOrigin& origin,
                     std::span<const CenteredBox> boxes) {
   std::string text = "lat0 ";
-  append_json(text, origin.latitude);
+  append_number(text, origin.latitude);
   text += ", lon0 ";
-  append_json(text, origin.longitude);
+  append_number(text, origin.longitude);
   text += "\nposX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n";
   for (const CenteredBox& box : boxes) {
     for (const double v : {box.center[0], box.center[1], box.center[2], box.half[0], box.half[1]}) {
-      append_json(text, v);
+      append_number(text, v);
       text += ',';
     }
-    append_json(text, box.half[2]);
+    append_number(text, box.half[2]);
     text += '\n';
   }
   out << text;

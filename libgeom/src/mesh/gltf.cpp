@@ -8,18 +8,12 @@
 
 #include "geom/archive/bytes.h"
 #include "geom/base/error.h"
-#include "geom/record/record.h"
+#include "geom/text/json_line.h"
 
 namespace geom {
 namespace {
 
 constexpr std::size_t kMostBytes = 0xf0000000u;  // of the buffer: the file counts in 32 bits
-
-std::string text(std::string_view value) {
-  std::string out;
-  append_json(out, value);
-  return out;
-}
 
 template <class List, class F>
 std::string joined(const List& list, const F& json_of) {
@@ -32,7 +26,7 @@ std::string joined(const List& list, const F& json_of) {
 }
 
 std::string json_of(const GltfMaterial& m) {
-  const std::string named = m.name.empty() ? "" : "\"name\":" + text(m.name) + ',';
+  const std::string named = m.name.empty() ? "" : "\"name\":" + json_text(m.name) + ',';
   const std::string emissive =
       m.emissive ? fmt::format(R"(,"emissiveFactor":[{}])", fmt::join(*m.emissive, ",")) : "";
   return fmt::format(
@@ -107,7 +101,7 @@ std::string Gltf::json_of(std::size_t array) const {
 
 std::string Gltf::json(std::string_view note) const {
   std::string out = R"({"asset":{"version":"2.0","generator":"skyway")";
-  if (!note.empty()) out += R"(,"extras":{"note":)" + text(note) + '}';
+  if (!note.empty()) out += R"(,"extras":{"note":)" + json_text(note) + '}';
   out += R"(},"scene":0,"scenes":[)";
   if (nodes_.empty()) return out + "{}]}";
   const Vec3 at = to_gltf(origin_);
@@ -116,7 +110,7 @@ std::string Gltf::json(std::string_view note) const {
     const char* const comma = i ? "," : "";
     shown += fmt::format("{}{}", comma, i);
     nodes += fmt::format(R"({}{{"mesh":{},"name":{},"translation":[{},{},{}]}})", comma, i,
-                         text(nodes_[i].name), at.x(), at.y(), at.z());
+                         json_text(nodes_[i].name), at.x(), at.y(), at.z());
   }
   for (std::size_t i = 0; i < arrays_.size(); ++i) {
     const char* const comma = i ? "," : "";
@@ -126,7 +120,7 @@ std::string Gltf::json(std::string_view note) const {
                          arrays_[i].extent ? 34962 : 34963);
   }
   const auto mesh = [](const Node& node) {
-    return fmt::format(R"({{"name":{},"primitives":[{}]}})", text(node.name),
+    return fmt::format(R"({{"name":{},"primitives":[{}]}})", json_text(node.name),
                        joined(node.primitives, [](const auto& p) { return geom::json_of(p); }));
   };
   const auto material = [](const GltfMaterial& m) { return geom::json_of(m); };

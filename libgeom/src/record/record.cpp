@@ -3,111 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "geom/base/error.h"
 #include "geom/collision/collision.h"
 #include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
 #include "geom/text/parse_json.h"
 
 namespace geom {
 namespace {
 
-void append_ranges(std::string& out, const char* key, const std::vector<LegRange>& ranges) {
-  out += fmt::format("\"{}\":[", key);
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    out += fmt::format("{}[{},{}]", i ? "," : "", ranges[i].first, ranges[i].last);
-  }
-  out += "],";
+JsonLine object_of(const Vehicle& vehicle) {
+  JsonLine line;
+  line.add("name", vehicle.name).add("half", vehicle.half);
+  add(line, vehicle.limits);
+  return line;
 }
 
-}  // namespace
-
-void append_json(std::string& out, double value) {
-  if (!std::isfinite(value)) {
-    out += "null";
-    return;
-  }
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-  out.append(digits, end);
-}
-
-void append_json(std::string& out, std::string_view text) {
-  // error_handler replace: a name that is not UTF-8 must not stop a report about it.
-  out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-void append_json(std::string& out, const Vec3& v) {
-  out += '[';
-  append_json(out, v[0]);
-  out += ',';
-  append_json(out, v[1]);
-  out += ',';
-  append_json(out, v[2]);
-  out += ']';
-}
-
-void append_json(std::string& out, const Provenance& provenance) {
-  if (provenance.map) {
-    out += "\"map\":";
-    append_json(out, std::string_view(*provenance.map));
-    out += ',';
-  }
-  if (provenance.frame) {
-    out += "\"frame\":";
-    append_json(out, name(*provenance.frame));
-    out += ',';
-  }
-  if (provenance.vehicle) {
-    out += "\"vehicle\":{\"name\":";
-    append_json(out, std::string_view(provenance.vehicle->name));
-    out += ",\"half\":";
-    append_json(out, provenance.vehicle->half);
-    out += ',';
-    append_json(out, provenance.vehicle->limits);
-    out.back() = '}';  // the comma that each part leaves behind it
-    out += ',';
-  }
-  if (provenance.margin) {
-    out += "\"margin\":";
-    append_json(out, *provenance.margin);
-    out += ',';
-  }
-}
-
-void append_json(std::string& out, const Limits& limits) {
-  std::string body;
-  for (const LimitKind& kind : kLimitKinds) {
-    const auto& limit = limits[kind.limit];
-    if (!limit) continue;
-    body += fmt::format("{}\"{}\":", body.empty() ? "" : ",", kind.name);
-    append_json(body, *limit);
-  }
-  if (!body.empty()) out += "\"limits\":{" + body + "},";
-}
-
-namespace {
-
-// `,"hold":[…],"velocity":[…]` of what is there.
-void append_motion(std::string& out, const std::vector<double>& hold,
-                   const std::vector<std::optional<Vec3>>& velocity) {
-  for (std::size_t i = 0; i < hold.size(); ++i) {
-    out += i ? "," : ",\"hold\":[";
-    append_json(out, hold[i]);
-  }
-  if (!hold.empty()) out += ']';
-  for (std::size_t i = 0; i < velocity.size(); ++i) {
-    out += i ? "," : ",\"velocity\":[";
-    if (velocity[i]) {
-      append_json(out, *velocity[i]);
-    } else {
-      out += "null";
-    }
-  }
-  if (!velocity.empty()) out += ']';
+void add_origin(JsonLine& line, const PathOrigin& origin) {
+  const auto ends = [](const LegRange& range) { return std::tuple(range.first, range.last); };
+  line.add("kept", origin.kept, ends).add("mended", origin.mended, ends);
 }
 
 // The list of the key, one entry a point; empty where there is none.
@@ -165,37 +82,31 @@ void parse_velocities(const JsonFields& fields, PathRecord& record) {
 
 }  // namespace
 
+void add(JsonLine& line, const Provenance& provenance) {
+  line.add("map", provenance.map);
+  if (provenance.frame) line.add("frame", name(*provenance.frame));
+  if (provenance.vehicle) line.add("vehicle", object_of(*provenance.vehicle));
+  line.add("margin", provenance.margin);
+}
+
+void add(JsonLine& line, const Limits& limits) {
+  JsonLine present;
+  for (const LimitKind& kind : kLimitKinds) present.add(kind.name, limits[kind.limit]);
+  if (!present.empty()) line.add("limits", present);
+}
+
 std::string to_json_line(const PathRecord& record) {
-  std::string line = "{\"type\":\"path\",\"id\":";
-  append_json(line, std::string_view(record.id));
-  line += ",\"status\":";
-  append_json(line, name(record.status));
-  line += ',';
-  append_json(line, record.provenance);
-  if (!record.message.empty()) {
-    line += "\"message\":";
-    append_json(line, std::string_view(record.message));
-    line += ',';
-  }
-  if (!record.search.empty()) line += "\"search\":" + record.search + ',';
-  if (record.origin) {
-    append_ranges(line, "kept", record.origin->kept);
-    append_ranges(line, "mended", record.origin->mended);
-  }
-  if (!record.points.empty()) {
-    line += "\"length\":";
-    append_json(line, length(record.points));
-    line += ',';
-  }
-  line += "\"points\":[";
-  for (std::size_t i = 0; i < record.points.size(); ++i) {
-    if (i) line += ',';
-    append_json(line, record.points[i]);
-  }
-  line += ']';
-  append_motion(line, record.hold, record.velocity);
-  line += "}\n";
-  return line;
+  JsonLine line;
+  line.add("type", "path").add("id", record.id).add("status", name(record.status));
+  add(line, record.provenance);
+  if (!record.message.empty()) line.add("message", record.message);
+  if (!record.search.empty()) line.add_json("search", record.search);
+  if (record.origin) add_origin(line, *record.origin);
+  if (!record.points.empty()) line.add("length", length(record.points));
+  line.add("points", record.points);
+  if (!record.hold.empty()) line.add("hold", record.hold);
+  if (!record.velocity.empty()) line.add("velocity", record.velocity);
+  return line.line();
 }
 
 PathRecord parse_path_record(std::string_view json, std::string_view source, std::size_t line) {

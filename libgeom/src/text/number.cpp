@@ -1,6 +1,7 @@
 #include "geom/text/number.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <system_error>
 
@@ -45,6 +46,16 @@ std::from_chars_result read_number(const char* first, const char* last, double& 
   if (!decimal || !is_small(text)) return read;
   value = negative ? -0.0 : 0.0;
   return {read.ptr, std::errc()};
+}
+
+void append_number(std::string& out, double value) {
+  if (!std::isfinite(value)) {
+    out += "null";
+    return;
+  }
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  out.append(digits, end);
 }
 
 }  // namespace geom

@@ -10,6 +10,7 @@
 #include "block_store.h"
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
 
 namespace plan {
 namespace {
@@ -64,17 +65,14 @@ LatticeMeta read_lattice_meta(const geom::JsonFields& fields) {
 
 std::string lattice_meta(const LatticeMeta& lattice) {
   const auto& [grid, counts, made_for] = lattice;
-  const auto indices = [](const Index3& v) { return fmt::format("[{},{},{}]", v[0], v[1], v[2]); };
-  std::string meta = fmt::format(R"({{"format":"skyway-lattice","version":{},)", kVersion);
-  geom::append_json(meta, made_for);
-  meta += "\"spacing\":";
-  geom::append_json(meta, grid.spec.spacing);
-  meta += ",\"origin\":";
-  geom::append_json(meta, grid.spec.origin);
-  return meta +
-         fmt::format(",\"connectivity\":{},\"first\":{},\"dims\":{},\"nodes\":{},\"edges\":{}}}",
-                     static_cast<int>(grid.spec.connectivity), indices(grid.first),
-                     indices(grid.dims), counts.nodes, counts.edges);
+  geom::JsonLine meta;
+  meta.add("format", "skyway-lattice").add("version", kVersion);
+  add(meta, made_for);
+  meta.add("spacing", grid.spec.spacing).add("origin", grid.spec.origin);
+  meta.add("connectivity", static_cast<int>(grid.spec.connectivity));
+  meta.add("first", grid.first).add("dims", grid.dims);
+  meta.add("nodes", counts.nodes).add("edges", counts.edges);
+  return meta.object();
 }
 
 std::string lattice_meta(const Lattice& lattice) {

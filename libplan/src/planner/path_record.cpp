@@ -1,31 +1,21 @@
 #include "plan/planner/path_record.h"
 
-#include <fmt/format.h>
+#include "geom/text/json_line.h"
 
 namespace plan {
 namespace {
 
 std::string search_report(const PlanResult& result) {
-  std::string out =
-      fmt::format(R"({{"method":"{}","expanded":{})", name(*result.route), result.expanded);
-  const auto add = [&](const char* key, const auto& value) {
-    out += fmt::format(",\"{}\":", key);
-    geom::append_json(out, value);
-  };
-  if (result.resolution > 0) add("resolution", result.resolution);
+  geom::JsonLine report;
+  report.add("method", name(*result.route)).add("expanded", result.expanded);
+  if (result.resolution > 0) report.add("resolution", result.resolution);
   if (result.steps.size() > 1) {
-    out += ",\"steps\":[";
-    for (const PathStep& step : result.steps) {
-      out += fmt::format(R"({}{{"step":"{}","points":{},"length":)",
-                         &step == result.steps.data() ? "" : ",", step.name, step.points);
-      geom::append_json(out, step.length);
-      out += '}';
-    }
-    out += ']';
+    report.add("steps", result.steps, [](const PathStep& s) {
+      return geom::JsonLine().add("step", s.name).add("points", s.points).add("length", s.length);
+    });
   }
-  if (result.snapped_start) add("snapped_start", *result.snapped_start);
-  if (result.snapped_goal) add("snapped_goal", *result.snapped_goal);
-  return out + '}';
+  report.add("snapped_start", result.snapped_start).add("snapped_goal", result.snapped_goal);
+  return report.object();
 }
 
 }  // namespace

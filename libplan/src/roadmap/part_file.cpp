@@ -42,7 +42,8 @@ std::vector<std::uint32_t> copy(std::span<const std::uint32_t> values) {
 PartArrays arrays_of(const RoadmapPart& part) {
   const auto bends = std::make_shared<const BendArrays>(part.bends);
   PartArrays out;
-  out.meta = roadmap_meta(part.spec, part.made_for) + fmt::format(",\"boxes\":{}", part.boxes);
+  geom::JsonLine meta = roadmap_meta(part.spec, part.made_for);
+  meta.add("boxes", part.boxes);
   bends->append_to(out.arrays);
   out.arrays.push_back(geom::named_array<std::uint32_t>("box_bends", part.bends_of));
   out.arrays.push_back(geom::named_array<std::uint32_t>("near_box", part.near_box));
@@ -51,10 +52,10 @@ PartArrays arrays_of(const RoadmapPart& part) {
   out.arrays.push_back(geom::named_array<std::uint32_t>("edge_to", part.edges.to));
   if (part.coarse) {
     PartArrays coarse = arrays_of(*part.coarse);
-    out.meta += ",\"lattice\":" + coarse.meta;
+    meta.add_json("lattice", coarse.meta);
     for (auto& array : coarse.arrays) out.arrays.push_back(std::move(array));
   }
-  out.meta += '}';
+  out.meta = meta.object();
   out.keep_alive = bends;
   return out;
 }

@@ -2,11 +2,11 @@
 
 // What files of whole roadmaps and of shards of them have in common.
 
-#include <string>
 #include <vector>
 
 #include "geom/archive/array_archive.h"
 #include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
 #include "plan/roadmap/roadmap.h"
 
 namespace plan {
@@ -26,8 +26,8 @@ class BendArrays {
 // Throws geom::InputError for arrays that do not fit, and a position, axis or sign that is none.
 std::vector<Bend> read_bends(const geom::ArrayArchive& archive);
 
-// meta.json as far as the spec goes: an object that is still open.
-std::string roadmap_meta(const RoadmapSpec& spec, const geom::Provenance& made_for);
+// meta.json as far as the spec goes.
+geom::JsonLine roadmap_meta(const RoadmapSpec& spec, const geom::Provenance& made_for);
 
 // The same read; refuses other formats and versions.
 RoadmapSpec read_roadmap_spec(const geom::JsonFields& fields);

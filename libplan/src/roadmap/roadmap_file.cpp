@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <tuple>
 
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
@@ -31,27 +32,18 @@ void BendArrays::append_to(std::vector<geom::NamedArray>& arrays) const {
   arrays.push_back(geom::named_array<std::int8_t>("bend_outward", outward_, 2));
 }
 
-std::string roadmap_meta(const RoadmapSpec& spec, const geom::Provenance& made_for) {
-  std::string meta = fmt::format(R"({{"format":"skyway-roadmap","version":{},)", kVersion);
-  geom::append_json(meta, made_for);
-  meta += "\"part\":";
-  geom::append_json(meta, spec.part);
-  meta += ",\"reach\":";
-  geom::append_json(meta, spec.reach);
-  if (spec.region) {
-    meta += ",\"region\":[";
-    geom::append_json(meta, spec.region->min);
-    meta += ',';
-    geom::append_json(meta, spec.region->max);
-    meta += ']';
-  }
+geom::JsonLine roadmap_meta(const RoadmapSpec& spec, const geom::Provenance& made_for) {
+  geom::JsonLine meta;
+  meta.add("format", "skyway-roadmap").add("version", kVersion);
+  add(meta, made_for);
+  meta.add("part", spec.part).add("reach", spec.reach);
+  if (spec.region) meta.add("region", std::tuple(spec.region->min, spec.region->max));
   return meta;
 }
 
 void write_roadmap(std::ostream& out, const Roadmap& roadmap) {
-  std::string meta =
-      roadmap_meta(roadmap.spec, roadmap.made_for) +
-      fmt::format(",\"bends\":{},\"edges\":{}", roadmap.bends.size(), roadmap.to.size() / 2);
+  geom::JsonLine meta = roadmap_meta(roadmap.spec, roadmap.made_for);
+  meta.add("bends", roadmap.bends.size()).add("edges", roadmap.to.size() / 2);
   const BendArrays bends(roadmap.bends);
   std::vector<geom::NamedArray> arrays;
   bends.append_to(arrays);
@@ -59,11 +51,11 @@ void write_roadmap(std::ostream& out, const Roadmap& roadmap) {
   arrays.push_back(geom::named_array<std::uint32_t>("edge_split", roadmap.split));
   arrays.push_back(geom::named_array<std::uint32_t>("edge_to", roadmap.to));
   if (roadmap.coarse) {
-    meta += ",\"lattice\":" + lattice_meta(roadmap.coarse->lattice);
+    meta.add_json("lattice", lattice_meta(roadmap.coarse->lattice));
     for (auto& array : lattice_arrays(roadmap.coarse->lattice)) arrays.push_back(std::move(array));
     arrays.push_back(geom::named_array<std::uint32_t>("node_label", roadmap.coarse->label));
   }
-  geom::write_array_archive(out, meta + "}\n", arrays);
+  geom::write_array_archive(out, meta.line(), arrays);
 }
 
 bool is_roadmap(const geom::ArrayArchive& archive) {

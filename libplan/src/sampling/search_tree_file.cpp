@@ -12,6 +12,7 @@
 #include "geom/base/error.h"
 #include "geom/mesh/gltf.h"
 #include "geom/shape/aabb.h"
+#include "geom/text/json_line.h"
 
 namespace plan {
 namespace {
@@ -20,11 +21,6 @@ namespace {
 constexpr std::array<std::array<std::uint8_t, 3>, 2> kColours = {{{86, 140, 196}, {204, 102, 85}}};
 
 bool is_root(const SearchTree& tree, std::size_t i) { return tree.parent[i] == i; }
-
-template <class Number>
-void append_field(std::string& line, std::string_view key, Number value) {
-  line += fmt::format("\"{}\":{},", key, value);
-}
 
 // The nodes at both ends of each edge of one of the trees.
 std::vector<std::uint32_t> ends_of_edges(const SearchTree& tree, std::size_t which) {
@@ -41,22 +37,15 @@ std::vector<std::uint32_t> ends_of_edges(const SearchTree& tree, std::size_t whi
 
 void write_jsonl(std::ostream& out, const SearchTree& tree, std::string_view id,
                  const geom::Provenance& provenance) {
-  std::string line = "{\"type\":\"tree\",\"id\":";
-  geom::append_json(line, id);
-  line += ',';
-  geom::append_json(line, provenance);
-  out << line << fmt::format("\"nodes\":{}}}\n", tree.points.size());
+  geom::JsonLine head;
+  head.add("type", "tree").add("id", id);
+  add(head, provenance);
+  out << head.add("nodes", tree.points.size()).line();
   for (std::size_t i = 0; i < tree.points.size(); ++i) {
-    line = '{';
-    append_field(line, "index", i);
-    append_field(line, "parent", tree.parent[i]);
-    append_field(line, "first_parent", tree.first_parent[i]);
-    append_field(line, "tree", tree.tree[i]);
-    line += "\"cost\":";
-    geom::append_json(line, tree.cost[i]);
-    line += ",\"point\":";
-    geom::append_json(line, tree.points[i]);
-    out << line << "}\n";
+    geom::JsonLine node;
+    node.add("index", i).add("parent", tree.parent[i]).add("first_parent", tree.first_parent[i]);
+    node.add("tree", tree.tree[i]).add("cost", tree.cost[i]).add("point", tree.points[i]);
+    out << node.line();
   }
 }
 

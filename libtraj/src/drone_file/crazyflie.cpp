@@ -14,7 +14,7 @@
 
 #include "curve/curve_piece.h"
 #include "geom/base/error.h"
-#include "geom/record/record.h"
+#include "geom/text/number.h"
 
 namespace traj {
 namespace {
@@ -269,11 +269,11 @@ CrazyflieMemory crazyflie_memory(const Trajectory& enu) {
 void write_crazyflie(std::ostream& out, const Trajectory& enu) {
   std::string text = column_names() + '\n';
   for (const Segment& s : enu.segments) {
-    geom::append_json(text, s.duration);
+    geom::append_number(text, s.duration);
     for (int axis = 0; axis < kAxes; ++axis) {
       for (const double c : to_powers(axis_of(s, axis), s.duration)) {
         text += ',';
-        geom::append_json(text, c);
+        geom::append_number(text, c);
       }
     }
     text += '\n';

@@ -12,7 +12,7 @@
 #include <ostream>
 
 #include "geom/base/error.h"
-#include "geom/record/record.h"
+#include "geom/text/json_line.h"
 #include "geom/text/markup.h"
 #include "geom/text/parse_json.h"
 #include "xml_element.h"
@@ -301,14 +301,12 @@ void write_kml(std::ostream& out, const GeoLine& line) {
 }
 
 void write_geojson(std::ostream& out, const GeoLine& line) {
-  std::string text = R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{)";
-  text += "\"name\":";
-  geom::append_json(text, std::string_view(line.name));
-  if (!line.note.empty()) {
-    text += ",\"note\":";
-    geom::append_json(text, std::string_view(line.note));
-  }
-  text += R"(},"geometry":{"type":"LineString","coordinates":[)";
+  geom::JsonLine properties;
+  properties.add("name", line.name);
+  if (!line.note.empty()) properties.add("note", line.note);
+  std::string text = R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":)";
+  text += properties.object();
+  text += R"(,"geometry":{"type":"LineString","coordinates":[)";
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     text += (i ? ",\n[" : "\n[") + coordinates(line.points[i]) + ']';
   }

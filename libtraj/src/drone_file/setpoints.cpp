@@ -12,7 +12,7 @@
 #include <string>
 
 #include "geom/base/error.h"
-#include "geom/record/record.h"
+#include "geom/text/number.h"
 #include "traj/curve/yaw.h"
 
 namespace traj {
@@ -113,7 +113,7 @@ void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, 
     const char* separator = "\n";
     for (const double value : row_of(axes == SetpointAxes::enu ? s : swapped(s))) {
       text += separator;
-      geom::append_json(text, value == 0 ? 0.0 : value);  // no "-0"
+      geom::append_number(text, value == 0 ? 0.0 : value);  // no "-0"
       separator = ",";
     }
   }

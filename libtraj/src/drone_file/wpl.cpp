@@ -8,7 +8,7 @@
 #include <ostream>
 
 #include "geom/base/error.h"
-#include "geom/record/record.h"
+#include "geom/text/number.h"
 
 namespace traj {
 namespace {
@@ -22,7 +22,7 @@ void append_item(std::string& text, std::size_t index, const MissionItem& item) 
   text += fmt::format("{}\t{}\t{}\t{}", index, index == 0 ? 1 : 0, item.frame, item.command);
   for (const double p : item.param) {
     text += '\t';
-    geom::append_json(text, p);
+    geom::append_number(text, p);
   }
   text +=
       fmt::format("\t{:.7f}\t{:.7f}\t{:.3f}\t1\n", item.latitude, item.longitude, item.altitude);

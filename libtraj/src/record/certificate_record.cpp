@@ -1,71 +1,55 @@
 #include "traj/record/certificate_record.h"
 
-#include <fmt/format.h>
+#include <tuple>
 
+#include "geom/text/json_line.h"
 #include "traj/record/trajectory_record.h"
 
 namespace traj {
 namespace {
 
-void append_cover(std::string& out, const char* key, const Cover& cover) {
-  if (cover.empty()) return;
-  out += fmt::format("\"{}\":[{}],", key, fmt::join(cover, ","));
+using geom::JsonLine;
+
+void add_cover(JsonLine& line, const char* key, const Cover& cover) {
+  if (!cover.empty()) line.add(key, cover);
 }
 
-void append_clear(std::string& out, const ClearCover& cover) {
-  append_cover(out, "clear", cover.pieces);
-  if (cover.planes.empty()) return;
-  out += "\"planes\":[";
-  for (const PieceAndPlane& p : cover.planes) {
-    out += fmt::format("[{},{},\"{}{}\"],", p.piece, p.box, p.towards ? '+' : '-', "xyz"[p.axis]);
-  }
-  out.back() = ']';
-  out += ',';
+// A piece, a box, and on which side of which axis: "+x".
+std::tuple<std::size_t, std::size_t, std::string> list_of(const PieceAndPlane& plane) {
+  return {plane.piece, plane.box, {plane.towards ? '+' : '-', "xyz"[plane.axis]}};
 }
 
-void append_segment(std::string& out, const SegmentProof& proof) {
-  out += '{';
-  append_clear(out, proof.clear);
-  append_cover(out, "bounds", proof.bounds);
+void add_clear(JsonLine& line, const ClearCover& cover) {
+  add_cover(line, "clear", cover.pieces);
+  if (!cover.planes.empty()) line.add("planes", cover.planes, list_of);
+}
+
+JsonLine object_of(const SegmentProof& proof) {
+  JsonLine line;
+  add_clear(line, proof.clear);
+  add_cover(line, "bounds", proof.bounds);
   for (const Limit limit : kOrderOfLimits) {
-    append_cover(out, kind_of(limit).quantity, proof.limits[limit]);
+    add_cover(line, kind_of(limit).quantity, proof.limits[limit]);
   }
   if (proof.gap) {
-    out += "\"gap\":{";
-    append_clear(out, *proof.gap);
-    out.back() = '}';
-    out += ',';
+    JsonLine gap;
+    add_clear(gap, *proof.gap);
+    line.add("gap", gap);
   }
-  out.back() = '}';
+  return line;
 }
 
 }  // namespace
 
-void append_overridden(std::string& out, const std::vector<std::string>& names) {
-  if (!names.empty()) out += fmt::format("\"overridden\":[\"{}\"],", fmt::join(names, "\",\""));
-}
-
 std::string to_json_line(const CertificateRecord& record) {
-  std::string line = "{\"type\":\"certificate\",\"id\":";
-  geom::append_json(line, std::string_view(record.id));
-  line += ",\"of\":";
-  geom::append_json(line, std::string_view(record.of));
-  line += ',';
-  geom::append_json(line, record.provenance);
-  geom::append_json(line, record.limits);
-  append_overridden(line, record.overridden);
-  line += "\"bounds\":[";
-  geom::append_json(line, record.bounds.min);
-  line += ',';
-  geom::append_json(line, record.bounds.max);
-  line += "],\"segments\":[";
-  for (const SegmentProof& proof : record.proof.segments) {
-    append_segment(line, proof);
-    line += ',';
-  }
-  line.back() = ']';
-  line += "}\n";
-  return line;
+  JsonLine line;
+  line.add("type", "certificate").add("id", record.id).add("of", record.of);
+  add(line, record.provenance);
+  add(line, record.limits);
+  if (!record.overridden.empty()) line.add("overridden", record.overridden);
+  line.add("bounds", std::tuple(record.bounds.min, record.bounds.max));
+  line.add("segments", record.proof.segments, object_of);
+  return line.line();
 }
 
 }  // namespace traj

@@ -3,27 +3,14 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "geom/shape/polytope.h"
 #include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
 
 namespace traj {
 namespace {
-
-void append_planes(std::string& out, const std::vector<Plane>& planes) {
-  out += ",\"planes\":[";
-  for (const Plane& plane : planes) {
-    out += '[';
-    for (const double value : {plane.normal.x(), plane.normal.y(), plane.normal.z()}) {
-      geom::append_json(out, value);
-      out += ',';
-    }
-    geom::append_json(out, plane.offset);
-    out += "],";
-  }
-  if (!planes.empty()) out.pop_back();
-  out += ']';
-}
 
 std::vector<Plane> cut_off(const CorridorPiece& piece, double reach) {
   std::vector<Plane> planes = piece.planes;
@@ -36,17 +23,17 @@ std::vector<Plane> cut_off(const CorridorPiece& piece, double reach) {
   return planes;
 }
 
-void append_region(std::string& out, const geom::Polytope& region) {
-  out += ",\"vertices\":[";
-  for (const Vec3& v : region.vertices) {
-    geom::append_json(out, v);
-    out += ',';
-  }
-  if (!region.vertices.empty()) out.pop_back();
-  out += "],\"faces\":[";
-  for (const auto& face : region.faces) out += fmt::format("[{}],", fmt::join(face, ","));
-  if (!region.faces.empty()) out.pop_back();
-  out += ']';
+// Within `reach` metres of its bounding box.
+geom::JsonLine object_of(const CorridorPiece& piece, double reach) {
+  const geom::Polytope region = geom::polytope(cut_off(piece, reach));
+  geom::JsonLine line;
+  line.add("from", piece.from).add("to", piece.to);
+  line.add("planes", piece.planes, [](const Plane& plane) {
+    const Vec3& n = plane.normal;
+    return std::tuple(n.x(), n.y(), n.z(), plane.offset);
+  });
+  line.add("vertices", region.vertices).add("faces", region.faces);
+  return line;
 }
 
 std::vector<std::uint32_t> parse_face(const geom::JsonFields& fields, const nlohmann::json& face,
@@ -91,23 +78,11 @@ CorridorShape::Piece parse_piece(const geom::JsonFields& fields, const nlohmann:
 
 std::string to_json_line(const std::string& id, const geom::Provenance& provenance,
                          const Corridor& corridor, double reach) {
-  std::string line = "{\"type\":\"corridor\",\"id\":";
-  geom::append_json(line, std::string_view(id));
-  line += ',';
-  geom::append_json(line, provenance);
-  line += "\"pieces\":[";
-  for (const CorridorPiece& piece : corridor) {
-    line += "{\"from\":";
-    geom::append_json(line, piece.from);
-    line += ",\"to\":";
-    geom::append_json(line, piece.to);
-    append_planes(line, piece.planes);
-    append_region(line, geom::polytope(cut_off(piece, reach)));
-    line += "},";
-  }
-  if (!corridor.empty()) line.pop_back();
-  line += "]}\n";
-  return line;
+  geom::JsonLine line;
+  line.add("type", "corridor").add("id", id);
+  add(line, provenance);
+  line.add("pieces", corridor, [&](const CorridorPiece& piece) { return object_of(piece, reach); });
+  return line.line();
 }
 
 CorridorShape parse_corridor_record(std::string_view json, std::string_view source,

@@ -10,8 +10,8 @@
 #include <set>
 
 #include "geom/base/error.h"
-#include "geom/record/record.h"
 #include "geom/text/csv_field.h"
+#include "geom/text/number.h"
 #include "geom/text/text_table.h"
 
 namespace traj {
@@ -64,7 +64,7 @@ void append_row(std::string& text, const std::string& id, const FlightSample& s)
   text += id;
   const auto append = [&](double value) {
     text += ',';
-    geom::append_json(text, value);
+    geom::append_number(text, value);
   };
   append(s.time);
   for (const geom::Vec3* v : {&s.position, &s.velocity})

@@ -2,115 +2,103 @@
 
 #include <algorithm>
 
-#include "json_number.h"
+#include "geom/text/json_line.h"
 
 namespace traj {
 namespace {
 
-void append_text(std::string& out, std::string_view key, std::string_view value) {
-  out += ",\"";
-  out += key;
-  out += "\":";
-  geom::append_json(out, value);
-}
+using geom::JsonLine;
 
 // `"reason":…` and where, of what is not clear.
-void append_violation(std::string& out, const FlightPathCheck& check, const geom::BoxMap* map) {
-  append_text(out, "reason", name(check.reason));
-  append_number(out, "time", check.time);
-  out += ",\"place\":";
-  geom::append_json(out, check.place);
-  if (check.box && map) out += ",\"box\":" + std::to_string(map->ids()[*check.box]);
+void add_violation(JsonLine& line, const FlightPathCheck& check, const geom::BoxMap* map) {
+  line.add("reason", name(check.reason)).add("time", check.time).add("place", check.place);
+  if (check.box && map) line.add("box", map->ids()[*check.box]);
 }
 
-void append_failure(std::string& out, const FlightReport& r, const geom::BoxMap* map) {
-  if (r.status != TrajectoryStatus::solved) return append_text(out, "reason", name(r.status));
-  if (r.lost) {
-    append_text(out, "reason", "lost");
-    return append_number(out, "time", *r.lost);
-  }
-  if (r.check && !r.check->clear) return append_violation(out, *r.check, map);
-  append_text(out, "reason", r.tube.lost ? "lost_runs" : "tube");
-}
-
-void append_tracking(std::string& out, const Tracking& t) {
-  append_number(out, "final", t.final_distance);
-  append_number(out, "arrival", t.arrival);
-  append_number(out, "mean", t.mean);
-  append_number(out, "rms", t.rms);
-  append_number(out, "p99", t.p99);
-  append_number(out, "max", t.largest);
-  append_number(out, "max_time", t.largest_time);
-  out += ",\"settling\":";
-  if (t.settling) {
-    geom::append_json(out, *t.settling);
+void add_failure(JsonLine& line, const FlightReport& r, const geom::BoxMap* map) {
+  if (r.status != TrajectoryStatus::solved) {
+    line.add("reason", name(r.status));
+  } else if (r.lost) {
+    line.add("reason", "lost").add("time", *r.lost);
+  } else if (r.check && !r.check->clear) {
+    add_violation(line, *r.check, map);
   } else {
-    out += "null";
+    line.add("reason", r.tube.lost ? "lost_runs" : "tube");
+  }
+}
+
+void add_tracking(JsonLine& line, const Tracking& t) {
+  line.add("final", t.final_distance).add("arrival", t.arrival).add("mean", t.mean);
+  line.add("rms", t.rms).add("p99", t.p99).add("max", t.largest).add("max_time", t.largest_time);
+  if (t.settling) {
+    line.add("settling", *t.settling);
+  } else {
+    line.add("settling", nullptr);
   }
 }
 
 // Mean, 99th percentile and maximum over the runs of one of their figures.
-void append_spread(std::string& out, std::string_view key, std::span<const Tracking> runs,
-                   double Tracking::*figure) {
+JsonLine spread(std::span<const Tracking> runs, double Tracking::*figure) {
   std::vector<double> values;
   double sum = 0;
   for (const Tracking& t : runs) values.push_back(t.*figure), sum += t.*figure;
-  out += ",\"";
-  out += key;
-  out += "\":{\"mean\":";
-  geom::append_json(out, sum / static_cast<double>(values.size()));
-  append_number(out, "p99", percentile(values, 0.99));
-  append_number(out, "max", *std::max_element(values.begin(), values.end()));
-  out += '}';
+  return JsonLine()
+      .add("mean", sum / static_cast<double>(values.size()))
+      .add("p99", percentile(values, 0.99))
+      .add("max", *std::max_element(values.begin(), values.end()));
 }
 
-void append_tube(std::string& out, const FlightReport& r, const geom::BoxMap* map) {
+JsonLine tube(const FlightReport& r, const geom::BoxMap* map) {
   const std::vector<double>& radius = r.tube.radius;
-  out += ",\"tube\":{\"share\":";
-  geom::append_json(out, kTubeShare);
-  append_number(out, "period", kTubePeriod);
-  append_number(out, "largest", *std::max_element(radius.begin(), radius.end()));
+  JsonLine line;
+  line.add("share", kTubeShare).add("period", kTubePeriod);
+  line.add("largest", *std::max_element(radius.begin(), radius.end()));
   if (r.tube_check) {
-    out += r.tube_check->clear ? ",\"clear\":true" : ",\"clear\":false";
-    if (!r.tube_check->clear) append_violation(out, *r.tube_check, map);
+    line.add("clear", r.tube_check->clear);
+    if (!r.tube_check->clear) add_violation(line, *r.tube_check, map);
   }
-  for (std::size_t i = 0; i < radius.size(); ++i) {
-    out += i ? "," : ",\"radius\":[";
-    geom::append_json(out, radius[i]);
-  }
-  out += "]}";
+  return line.add("radius", radius);
 }
 
-void append_runs(std::string& out, const FlightReport& r, const geom::BoxMap* map) {
-  out += ",\"monte_carlo\":{\"says\":\"statistics, not proof\",\"runs\":" +
-         std::to_string(r.spread->runs);
-  append_number(out, "mass_error", r.spread->mass_error);
-  out += ",\"lost\":" + std::to_string(r.tube.lost);
+JsonLine runs(const FlightReport& r, const geom::BoxMap* map) {
+  JsonLine line;
+  line.add("says", "statistics, not proof").add("runs", r.spread->runs);
+  line.add("mass_error", r.spread->mass_error).add("lost", r.tube.lost);
   if (!r.tube.lost) {
-    append_spread(out, "error_mean", r.tube.tracking, &Tracking::mean);
-    append_spread(out, "error_max", r.tube.tracking, &Tracking::largest);
-    append_spread(out, "final", r.tube.tracking, &Tracking::final_distance);
-    append_number(out, "saturated", r.tube.saturated);
-    append_tube(out, r, map);
+    line.add("error_mean", spread(r.tube.tracking, &Tracking::mean));
+    line.add("error_max", spread(r.tube.tracking, &Tracking::largest));
+    line.add("final", spread(r.tube.tracking, &Tracking::final_distance));
+    line.add("saturated", r.tube.saturated).add("tube", tube(r, map));
   }
-  out += '}';
+  return line;
 }
 
-void append_energy(std::string& out, const FlightReport& r, const Airframe& airframe) {
-  append_number(out, "hover_seconds", r.hover_seconds);
+void add_energy(JsonLine& line, const FlightReport& r, const Airframe& airframe) {
+  line.add("hover_seconds", r.hover_seconds);
   if (!airframe.endurance) return;
   const double share = r.hover_seconds / *airframe.endurance;
-  append_number(out, "battery_share", share);
-  if (airframe.battery) append_number(out, "energy_wh", share * *airframe.battery);
+  line.add("battery_share", share);
+  if (airframe.battery) line.add("energy_wh", share * *airframe.battery);
 }
 
-void append_conditions(std::string& out, const FlightOptions& o) {
-  append_text(out, "controller", o.law == ControlLaw::cascade ? "cascade" : "geometric");
-  out += ",\"wind\":";
-  geom::append_json(out, o.wind.mean);
-  append_number(out, "gusts", o.wind.gusts);
-  append_number(out, "mass_error", o.mass_error);
-  out += ",\"seed\":" + std::to_string(o.seed);
+void add_conditions(JsonLine& line, const FlightOptions& o) {
+  line.add("controller", o.law == ControlLaw::cascade ? "cascade" : "geometric");
+  line.add("wind", o.wind.mean).add("gusts", o.wind.gusts);
+  line.add("mass_error", o.mass_error).add("seed", o.seed);
+}
+
+// Of a trajectory that could be flown.
+void add_flight(JsonLine& line, const FlightReport& r, const Airframe& airframe,
+                const geom::BoxMap* map) {
+  line.add("duration", r.duration);
+  if (r.tracking) {
+    add_tracking(line, *r.tracking);
+    line.add("saturated", r.saturated).add("tilt", r.tilt);
+    add_energy(line, r, airframe);
+  }
+  if (r.check) line.add("clear", r.check->clear).add("between_steps", r.check->between);
+  add_conditions(line, r.options);
+  if (r.spread) line.add("monte_carlo", runs(r, map));
 }
 
 }  // namespace
@@ -121,31 +109,13 @@ bool accepted(const FlightReport& r) {
 }
 
 std::string to_json_line(const FlightReport& r, const Airframe& airframe, const geom::BoxMap* map) {
-  std::string out = "{\"type\":\"flight\",\"id\":";
-  geom::append_json(out, std::string_view(r.id));
+  JsonLine line;
   const bool ok = accepted(r);
-  out += ok ? ",\"ok\":true" : ",\"ok\":false";
-  if (!ok) append_failure(out, r, map);
-  if (r.status == TrajectoryStatus::solved) {
-    append_number(out, "duration", r.duration);
-    if (r.tracking) {
-      append_tracking(out, *r.tracking);
-      append_number(out, "saturated", r.saturated);
-      append_number(out, "tilt", r.tilt);
-      append_energy(out, r, airframe);
-    }
-    if (r.check) {
-      out += r.check->clear ? ",\"clear\":true" : ",\"clear\":false";
-      append_number(out, "between_steps", r.check->between);
-    }
-    append_conditions(out, r.options);
-    if (r.spread) append_runs(out, r, map);
-  }
-  std::string origin;
-  geom::append_json(origin, r.provenance);
-  if (!origin.empty()) origin.pop_back();  // its last comma
-  if (!origin.empty()) out += ',' + origin;
-  return out + "}\n";
+  line.add("type", "flight").add("id", r.id).add("ok", ok);
+  if (!ok) add_failure(line, r, map);
+  if (r.status == TrajectoryStatus::solved) add_flight(line, r, airframe, map);
+  add(line, r.provenance);
+  return line.line();
 }
 
 }  // namespace traj

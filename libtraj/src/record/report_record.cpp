@@ -2,52 +2,48 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "geom/text/json_fields.h"
-#include "json_number.h"
-#include "traj/record/certificate_record.h"
-#include "traj/record/trajectory_record.h"
+#include "geom/text/json_line.h"
 
 namespace traj {
 namespace {
 
+using geom::JsonLine;
+
 // Nothing of what was not measured.
-void append_extreme(std::string& out, std::string_view key, const std::optional<Extreme>& extreme) {
-  if (!extreme) return;
-  append_number(out, key, extreme->value);
-  append_number(out, std::string(key) + "_time", extreme->time);
+void add_extreme(JsonLine& line, const std::string& key, const std::optional<Extreme>& extreme) {
+  if (extreme) line.add(key, extreme->value).add(key + "_time", extreme->time);
 }
 
-void append_jumps(std::string& out, const CheckResult& result) {
-  if (!result.jumps) return;
-  out += ",\"jumps\":[";
-  for (const double jump : *result.jumps) {
-    geom::append_json(out, jump);
-    out += ',';
-  }
-  out.back() = ']';
-}
-
-void append_not_measured(std::string& out, const ReportRecord& record) {
+void add_not_measured(JsonLine& line, const ReportRecord& record) {
   const std::vector<Limit> missing = not_measured(record.result, record.limits);
   if (missing.empty()) return;
-  out += ",\"not_measured\":[";
-  for (const Limit limit : missing) {
-    geom::append_json(out, std::string_view(kind_of(limit).quantity));
-    out += ',';
-  }
-  out.back() = ']';
+  line.add("not_measured", missing, [](Limit limit) { return kind_of(limit).quantity; });
 }
 
-void append_violation(std::string& out, const CheckResult& result, const geom::BoxMap& map) {
-  out += ",\"reason\":";
-  geom::append_json(out, name(result.reason));
-  append_number(out, "time", result.time);
-  out += ",\"place\":";
-  geom::append_json(out, result.place);
-  append_number(out, "worst", result.worst);
-  if (result.box) out += ",\"box\":" + std::to_string(map.ids()[*result.box]);
+void add_box(JsonLine& line, std::optional<std::size_t> box, const geom::BoxMap& map) {
+  if (box) line.add("box", map.ids()[*box]);
+}
+
+void add_violation(JsonLine& line, const CheckResult& result, const geom::BoxMap& map) {
+  line.add("reason", name(result.reason)).add("time", result.time).add("place", result.place);
+  line.add("worst", result.worst);
+  add_box(line, result.box, map);
+}
+
+// Why a report refuses.
+void add_reason(JsonLine& line, const ReportRecord& record, const geom::BoxMap& map) {
+  const CheckResult& result = record.result;
+  if (!result.ok && !result.clearance && result.duration == 0) {
+    line.add("reason", name(result.reason));
+  } else if (!result.ok) {
+    add_violation(line, result, map);
+  } else if (!accepted(record)) {  // never, unless one of the two checks is wrong
+    line.add("reason", "exact");
+  }
 }
 
 std::size_t pieces(const ExactResult& exact) {
@@ -60,30 +56,25 @@ std::size_t pieces(const ExactResult& exact) {
   return count;
 }
 
-void append_exact(std::string& out, const ReportRecord& record, const geom::BoxMap& map) {
-  const ExactResult& exact = *record.exact;
-  out += ",\"exact\":{\"ok\":";
-  out += exact.ok ? "true" : "false";
+JsonLine joints(const ExactResult& exact) {
+  constexpr std::array kNames = {"position", "velocity", "acceleration", "jerk"};
+  JsonLine line;
+  for (std::size_t i = 0; i < kNames.size(); ++i) line.add(kNames[i], exact.joints[i]);
+  return line;
+}
+
+JsonLine object_of(const ExactResult& exact, const ReportRecord& record, const geom::BoxMap& map) {
+  JsonLine line;
+  line.add("ok", exact.ok);
   if (!exact.ok) {
-    out += ",\"reason\":";
-    geom::append_json(out, name(exact.reason));
-    if (exact.undecided) out += ",\"undecided\":true";
-    append_number(out, "time", exact.time);
-    out += ",\"place\":";
-    geom::append_json(out, exact.place);
-    if (exact.box) out += ",\"box\":" + std::to_string(map.ids()[*exact.box]);
+    line.add("reason", name(exact.reason));
+    if (exact.undecided) line.add("undecided", true);
+    line.add("time", exact.time).add("place", exact.place);
+    add_box(line, exact.box, map);
   }
-  out += ",\"pieces\":" + std::to_string(pieces(exact));
-  if (record.checked == "trajectory") {
-    const char* names[] = {"position", "velocity", "acceleration", "jerk"};
-    out += ",\"joints\":{";
-    for (std::size_t i = 0; i < exact.joints.size(); ++i) {
-      out += std::string(i ? ",\"" : "\"") + names[i] + "\":";
-      geom::append_json(out, std::string_view(exact.joints[i]));
-    }
-    out += '}';
-  }
-  out += '}';
+  line.add("pieces", pieces(exact));
+  if (record.checked == "trajectory") line.add("joints", joints(exact));
+  return line;
 }
 
 bool flag(const geom::JsonFields& fields, const nlohmann::json& object, const std::string& what) {
@@ -124,34 +115,22 @@ bool accepted(const ReportRecord& record) {
 
 std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   const CheckResult& result = record.result;
-  std::string line = "{\"type\":\"report\",\"id\":";
-  geom::append_json(line, std::string_view(record.id));
-  line += accepted(record) ? ",\"ok\":true" : ",\"ok\":false";
-  if (!result.ok && !result.clearance && result.duration == 0) {
-    line += ",\"reason\":";
-    geom::append_json(line, name(result.reason));
-  } else if (!result.ok) {
-    append_violation(line, result, map);
-  } else if (!accepted(record)) {  // never, unless one of the two checks is wrong
-    line += ",\"reason\":\"exact\"";
-  }
-  line += ",\"checked\":";
-  geom::append_json(line, std::string_view(record.checked));
-  append_extreme(line, "clearance", result.clearance);
-  if (result.duration > 0) append_number(line, "duration", result.duration);
+  JsonLine line;
+  line.add("type", "report").add("id", record.id).add("ok", accepted(record));
+  add_reason(line, record, map);
+  line.add("checked", record.checked);
+  add_extreme(line, "clearance", result.clearance);
+  if (result.duration > 0) line.add("duration", result.duration);
   for (const Limit limit : kOrderOfLimits) {
-    append_extreme(line, kind_of(limit).quantity, result.largest[limit]);
+    add_extreme(line, kind_of(limit).quantity, result.largest[limit]);
   }
-  append_jumps(line, result);
-  append_not_measured(line, record);
-  if (record.exact) append_exact(line, record, map);
-  line += ',';
-  geom::append_json(line, record.provenance);
-  geom::append_json(line, record.limits);
-  append_overridden(line, record.overridden);
-  line.back() = '}';  // the comma that each part leaves behind it
-  line += '\n';
-  return line;
+  line.add("jumps", result.jumps);
+  add_not_measured(line, record);
+  if (record.exact) line.add("exact", object_of(*record.exact, record, map));
+  add(line, record.provenance);
+  add(line, record.limits);
+  if (!record.overridden.empty()) line.add("overridden", record.overridden);
+  return line.line();
 }
 
 ReportSummary parse_report_record(std::string_view json, std::string_view source,

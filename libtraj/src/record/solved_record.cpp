@@ -1,23 +1,20 @@
 #include "traj/record/solved_record.h"
 
-#include <fmt/format.h>
+#include <span>
 
+#include "geom/text/json_line.h"
 #include "traj/curve/continuity.h"
 
 namespace traj {
 namespace {
 
 std::string solver_report(const SolveResult& result) {
-  std::string out = R"({"status":)";
-  geom::append_json(out, std::string_view(result.solver_status));
-  out += fmt::format(R"(,"rounds":{},"iterations":{},"snap":)", result.rounds, result.iterations);
-  geom::append_json(out, result.snap);
   const auto jumps = largest_jumps(result.trajectory);
-  for (std::size_t d = 0; d <= 3; ++d) {
-    out += d ? "," : R"(,"jumps":[)";
-    geom::append_json(out, jumps[d]);
-  }
-  return out + "]}";
+  geom::JsonLine report;
+  report.add("status", result.solver_status).add("rounds", result.rounds);
+  report.add("iterations", result.iterations).add("snap", result.snap);
+  report.add("jumps", std::span(jumps).first(4));  // the derivatives that are continuous
+  return report.object();
 }
 
 }  // namespace

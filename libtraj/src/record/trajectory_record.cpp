@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
 #include "traj/proof/domain.h"
 
 namespace traj {
@@ -13,24 +14,13 @@ namespace {
 using geom::JsonFields;
 using Json = nlohmann::json;
 
-template <class Values>
-void append_values(std::string& out, const char* key, const Values& value_of) {
-  out += key;
-  for (int i = 0; i < kPoints; ++i) {
-    if (i) out += ',';
-    geom::append_json(out, value_of(i));
-  }
-  out += ']';
-}
-
-void append_segment(std::string& out, const Segment& s) {
-  out += "{\"duration\":";
-  geom::append_json(out, s.duration);
-  append_values(out, ",\"x\":[", [&](int i) { return s.point[i].x(); });
-  append_values(out, ",\"y\":[", [&](int i) { return s.point[i].y(); });
-  append_values(out, ",\"z\":[", [&](int i) { return s.point[i].z(); });
-  if (s.yaw) append_values(out, ",\"yaw\":[", [&](int i) { return (*s.yaw)[i]; });
-  out += '}';
+geom::JsonLine object_of(const Segment& s) {
+  geom::JsonLine line;
+  line.add("duration", s.duration);
+  line.add("x", s.point, [](const Vec3& p) { return p.x(); });
+  line.add("y", s.point, [](const Vec3& p) { return p.y(); });
+  line.add("z", s.point, [](const Vec3& p) { return p.z(); });
+  return line.add("yaw", s.yaw);
 }
 
 std::array<double, kPoints> parse_values(const JsonFields& fields, const Json& segment,
@@ -79,36 +69,16 @@ Limits limits_of(const TrajectoryRecord& record) {
 }
 
 std::string to_json_line(const TrajectoryRecord& record) {
-  std::string line = "{\"type\":\"trajectory\",\"id\":";
-  geom::append_json(line, std::string_view(record.id));
-  line += ",\"status\":";
-  geom::append_json(line, name(record.status));
-  line += ',';
-  if (!record.trajectory.segments.empty()) {
-    line += "\"duration\":";
-    geom::append_json(line, duration(record.trajectory));
-    line += ',';
-  }
-  if (record.rung) {
-    line += "\"rung\":";
-    geom::append_json(line, name(*record.rung));
-    line += ',';
-  }
-  geom::append_json(line, record.provenance);
-  geom::append_json(line, record.limits);
-  if (!record.message.empty()) {
-    line += "\"message\":";
-    geom::append_json(line, std::string_view(record.message));
-    line += ',';
-  }
-  if (!record.solver.empty()) line += "\"solver\":" + record.solver + ',';
-  line += "\"segments\":[";
-  for (std::size_t i = 0; i < record.trajectory.segments.size(); ++i) {
-    if (i) line += ',';
-    append_segment(line, record.trajectory.segments[i]);
-  }
-  line += "]}\n";
-  return line;
+  geom::JsonLine line;
+  line.add("type", "trajectory").add("id", record.id).add("status", name(record.status));
+  const std::vector<Segment>& segments = record.trajectory.segments;
+  if (!segments.empty()) line.add("duration", duration(record.trajectory));
+  if (record.rung) line.add("rung", name(*record.rung));
+  add(line, record.provenance);
+  add(line, record.limits);
+  if (!record.message.empty()) line.add("message", record.message);
+  if (!record.solver.empty()) line.add_json("solver", record.solver);
+  return line.add("segments", segments, object_of).line();
 }
 
 TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view source,

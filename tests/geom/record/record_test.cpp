@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "geom/base/error.h"
 
 namespace geom {
@@ -32,17 +30,6 @@ TEST(PathRecord, CarriesHoldsAndVelocitiesThereAndBack) {
   EXPECT_EQ(back.hold, record.hold);
   EXPECT_EQ(back.velocity, record.velocity);
   EXPECT_EQ(to_json_line(back), line);
-}
-
-TEST(AppendJson, WritesWhatIsNotFiniteAsNull) {
-  std::string line;
-  for (const double value :
-       {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-        std::numeric_limits<double>::quiet_NaN(), 0.5}) {
-    append_json(line, value);
-    line += ' ';
-  }
-  EXPECT_EQ(line, "null null null 0.5 ");
 }
 
 TEST(PathRecord, RefusesMarginsThatNoSceneHolds) {

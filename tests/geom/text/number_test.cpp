@@ -50,4 +50,23 @@ TEST(ReadNumber, LeavesWhatFollows) {
   EXPECT_EQ(value, 0);
 }
 
+TEST(AppendNumber, WritesTheShortestTextThatReadsBack) {
+  std::string text;
+  for (const double value : {0.1, -0.0, 100000.0, 5e-324, 1.7976931348623157e308}) {
+    geom::append_number(text, value);
+    text += ' ';
+  }
+  EXPECT_EQ(text, "0.1 -0 1e+05 5e-324 1.7976931348623157e+308 ");
+}
+
+TEST(AppendNumber, WritesWhatIsNotFiniteAsNull) {
+  std::string text;
+  for (const double value :
+       {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+        std::numeric_limits<double>::quiet_NaN()}) {
+    geom::append_number(text, value);
+  }
+  EXPECT_EQ(text, "nullnullnull");
+}
+
 }  // namespace

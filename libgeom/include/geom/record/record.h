@@ -62,16 +62,13 @@ struct PathRecord {
   std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
 };
 
-// Appends numbers (shortest round trip; not finite: null) and strings (escaped) to a line of JSON.
-void append_json(std::string& out, double value);
-void append_json(std::string& out, std::string_view text);
-void append_json(std::string& out, const Vec3& v);  // [x,y,z]
+class JsonLine;
 
-// `"map":…,"frame":…,"vehicle":…,"margin":…` of what is present, each followed by a comma.
-void append_json(std::string& out, const Provenance& provenance);
+// Adds the members map, frame, vehicle and margin: those that are present.
+void add(JsonLine& line, const Provenance& provenance);
 
-// `"limits":{…},` of what is present, or nothing.
-void append_json(std::string& out, const Limits& limits);
+// Adds the member limits, unless there are none.
+void add(JsonLine& line, const Limits& limits);
 
 std::string to_json_line(const PathRecord& record);  // ends with a newline
 

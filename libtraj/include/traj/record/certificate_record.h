@@ -20,9 +20,6 @@ struct CertificateRecord {
   std::vector<std::string> overridden;  // as of the report
 };
 
-// `"overridden":["vmax",…],`, or nothing.
-void append_overridden(std::string& out, const std::vector<std::string>& names);
-
 std::string to_json_line(const CertificateRecord& record);  // ends with a newline
 
 }  // namespace traj
