@@ -89,12 +89,6 @@ void add(JsonLine& line, const Provenance& provenance) {
   line.add("margin", provenance.margin);
 }
 
-void add(JsonLine& line, const Limits& limits) {
-  JsonLine present;
-  for (const LimitKind& kind : kLimitKinds) present.add(kind.name, limits[kind.limit]);
-  if (!present.empty()) line.add("limits", present);
-}
-
 std::string to_json_line(const PathRecord& record) {
   JsonLine line;
   line.add("type", "path").add("id", record.id).add("status", name(record.status));
@@ -115,7 +109,7 @@ PathRecord parse_path_record(std::string_view json, std::string_view source, std
   PathRecord record;
   record.id = fields.text("id");
   record.status = fields.word("status", kPathStatusWords, PathStatus::found);
-  record.provenance = fields.provenance();
+  record.provenance = read_provenance(fields);
   record.message = fields.text("message", "");
   if (fields.has("search")) record.search = fields.value("search").dump();
   if (fields.has("points")) record.points = fields.points("points");
@@ -156,6 +150,37 @@ void require_map_agrees(const Provenance& record, const Provenance& ours, std::s
 
 Provenance provenance_of(const CollisionScene& scene) {
   return {scene.map().hash(), scene.map().spec().frame.axes, scene.vehicle(), scene.margin()};
+}
+
+Provenance read_provenance(const JsonFields& fields) {
+  Provenance p;
+  if (fields.has("map")) p.map = fields.text("map");
+  if (fields.has("frame")) {
+    p.frame = axes_from_name(fields.text("frame"));
+    if (!p.frame)
+      fields.refuse("frame must be \"enu\" or \"neu\", found " + shown(fields.value("frame")));
+  }
+  if (fields.has("vehicle")) {
+    const nlohmann::json& v = fields.value("vehicle");
+    if (!v.is_object() || !v.contains("half")) {
+      fields.refuse("vehicle must be an object with \"half\", found " + shown(v));
+    }
+    Vehicle vehicle;
+    if (v.contains("name") && v["name"].is_string()) vehicle.name = v["name"].get<std::string>();
+    vehicle.half = fields.point(v["half"], "vehicle.half");
+    if (vehicle.half.minCoeff() < 0) {
+      fields.refuse("vehicle.half must be >= 0, found " + shown(v["half"]));
+    }
+    if (v.contains("limits")) vehicle.limits = read_limits(fields, v["limits"], "vehicle.limits");
+    p.vehicle = vehicle;
+  }
+  if ((p.margin = fields.number("margin")) && *p.margin < 0) {
+    fields.refuse("margin must be >= 0, found " + shown(fields.value("margin")));
+  }
+  if (p.margin && *p.margin > kLargestCoordinate) {
+    fields.refuse("margin must be within 1e8 m, found " + shown(fields.value("margin")));
+  }
+  return p;
 }
 
 }  // namespace geom

@@ -2,21 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "geom/base/error.h"
 #include "geom/text/parse_json.h"
 
 namespace geom {
-namespace {
 
 using Json = nlohmann::json;
-
-}  // namespace
 
 JsonFields::JsonFields(std::string_view json, std::string_view source, std::size_t line)
     : object_(std::make_unique<Json>(parse_json(json, source, line))),
@@ -102,67 +96,6 @@ std::vector<Vec3> JsonFields::points(const char* key) const {
     points.push_back(point(list[i], fmt::format("{}[{}]", key, i)));
   }
   return points;
-}
-
-Limits JsonFields::limits(const Json& value, std::string_view what) const {
-  if (!value.is_object()) refuse(fmt::format("{} must be an object, found {}", what, shown(value)));
-  Limits out;
-  for (const auto& [key, entry] : value.items()) {
-    const auto kind = std::find_if(kLimitKinds.begin(), kLimitKinds.end(),
-                                   [&](const LimitKind& k) { return key == k.name; });
-    if (kind == kLimitKinds.end()) {
-      std::string names;
-      for (const LimitKind& k : kLimitKinds) names += fmt::format(" {}", k.name);
-      refuse(fmt::format("{} has {}, which is no limit; expected some of:{}", what,
-                         shown(Json(key)), names));
-    }
-    const std::string where = fmt::format("{}.{}", what, key);
-    const double limit = number(entry, where);
-    if (!(limit > 0)) refuse(fmt::format("{} must be > 0, found {}", where, shown(entry)));
-    out[kind->limit] = limit;
-  }
-  if (const auto& tilt = out[Limit::tilt]; tilt && *tilt >= std::numbers::pi / 2) {
-    refuse(
-        fmt::format("{}.tilt must be below a right angle, 1.5707963 rad, found {}", what, *tilt));
-  }
-  if (const auto& thrust = out[Limit::thrust]; thrust && *thrust <= kGravity) {
-    refuse(fmt::format("{}.thrust must be > {} m/s2, found {}", what, kGravity, *thrust));
-  }
-  return out;
-}
-
-Limits JsonFields::limits() const {
-  return has("limits") ? limits(value("limits"), "limits") : Limits{};
-}
-
-Provenance JsonFields::provenance() const {
-  Provenance p;
-  if (has("map")) p.map = text("map");
-  if (has("frame")) {
-    p.frame = axes_from_name(text("frame"));
-    if (!p.frame) refuse("frame must be \"enu\" or \"neu\", found " + shown(value("frame")));
-  }
-  if (has("vehicle")) {
-    const Json& v = value("vehicle");
-    if (!v.is_object() || !v.contains("half")) {
-      refuse("vehicle must be an object with \"half\", found " + shown(v));
-    }
-    Vehicle vehicle;
-    if (v.contains("name") && v["name"].is_string()) vehicle.name = v["name"].get<std::string>();
-    vehicle.half = point(v["half"], "vehicle.half");
-    if (vehicle.half.minCoeff() < 0) {
-      refuse("vehicle.half must be >= 0, found " + shown(v["half"]));
-    }
-    if (v.contains("limits")) vehicle.limits = limits(v["limits"], "vehicle.limits");
-    p.vehicle = vehicle;
-  }
-  if ((p.margin = number("margin")) && *p.margin < 0) {
-    refuse("margin must be >= 0, found " + shown(value("margin")));
-  }
-  if (p.margin && *p.margin > kLargestCoordinate) {
-    refuse("margin must be within 1e8 m, found " + shown(value("margin")));
-  }
-  return p;
 }
 
 }  // namespace geom

@@ -1,6 +1,13 @@
 #include "geom/vehicle/limits.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
+#include "geom/text/parse_json.h"
 
 namespace geom {
 namespace {
@@ -45,6 +52,44 @@ Limits limits_that_hold(const LimitSources& sources) {
   }
   out[Limit::tilt] = smaller(out[Limit::tilt], sources.vehicle[Limit::tilt]);
   return out;
+}
+
+void add(JsonLine& line, const Limits& limits) {
+  JsonLine present;
+  for (const LimitKind& kind : kLimitKinds) present.add(kind.name, limits[kind.limit]);
+  if (!present.empty()) line.add("limits", present);
+}
+
+Limits read_limits(const JsonFields& fields, const nlohmann::json& value, std::string_view what) {
+  if (!value.is_object())
+    fields.refuse(fmt::format("{} must be an object, found {}", what, shown(value)));
+  Limits out;
+  for (const auto& [key, entry] : value.items()) {
+    const auto kind = std::find_if(kLimitKinds.begin(), kLimitKinds.end(),
+                                   [&](const LimitKind& k) { return key == k.name; });
+    if (kind == kLimitKinds.end()) {
+      std::string names;
+      for (const LimitKind& k : kLimitKinds) names += fmt::format(" {}", k.name);
+      fields.refuse(fmt::format("{} has {}, which is no limit; expected some of:{}", what,
+                                shown(nlohmann::json(key)), names));
+    }
+    const std::string where = fmt::format("{}.{}", what, key);
+    const double limit = fields.number(entry, where);
+    if (!(limit > 0)) fields.refuse(fmt::format("{} must be > 0, found {}", where, shown(entry)));
+    out[kind->limit] = limit;
+  }
+  if (const auto& tilt = out[Limit::tilt]; tilt && *tilt >= std::numbers::pi / 2) {
+    fields.refuse(
+        fmt::format("{}.tilt must be below a right angle, 1.5707963 rad, found {}", what, *tilt));
+  }
+  if (const auto& thrust = out[Limit::thrust]; thrust && *thrust <= kGravity) {
+    fields.refuse(fmt::format("{}.thrust must be > {} m/s2, found {}", what, kGravity, *thrust));
+  }
+  return out;
+}
+
+Limits read_limits(const JsonFields& fields) {
+  return fields.has("limits") ? read_limits(fields, fields.value("limits"), "limits") : Limits{};
 }
 
 }  // namespace geom

@@ -29,7 +29,7 @@ LatticeMeta read_lattice_meta(const geom::JsonFields& fields) {
                               fields.number("version").value_or(0)));
   }
   LatticeMeta meta;
-  meta.made_for = fields.provenance();
+  meta.made_for = geom::read_provenance(fields);
   meta.grid.spec.spacing = fields.number("spacing").value_or(0);
   if (!(meta.grid.spec.spacing > 0)) fields.refuse("spacing must be > 0");
   meta.grid.spec.origin = fields.point("origin");

@@ -65,7 +65,7 @@ RoadmapPart read_roadmap_part(const geom::ArrayArchive& archive, std::string_vie
   const geom::JsonFields fields(meta_json, archive.name(), 0);
   RoadmapPart part;
   part.spec = read_roadmap_spec(fields);
-  part.made_for = fields.provenance();
+  part.made_for = geom::read_provenance(fields);
   part.shard = shard;
   part.boxes = count_of(fields, "boxes");
   part.bends = read_bends(archive);

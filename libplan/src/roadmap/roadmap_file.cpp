@@ -112,7 +112,7 @@ Roadmap read_roadmap(const geom::ArrayArchive& archive) {
   };
   Roadmap out;
   out.spec = read_roadmap_spec(fields);
-  out.made_for = fields.provenance();
+  out.made_for = geom::read_provenance(fields);
   out.bends = read_bends(archive);
   const auto first = archive.array<std::uint64_t>("edge_first");
   const auto split = archive.array<std::uint32_t>("edge_split");

@@ -29,7 +29,7 @@ SearchTreeReader::SearchTreeReader(std::string_view header, std::string_view sou
   const geom::JsonFields fields(header, source, line);
   fields.require_type("tree");
   record_.id = fields.text("id");
-  record_.provenance = fields.provenance();
+  record_.provenance = geom::read_provenance(fields);
   nodes_ = index(fields, "nodes", std::uint64_t{1} << 32);
 }
 

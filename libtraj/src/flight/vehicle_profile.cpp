@@ -52,7 +52,7 @@ void require_known_keys(const JsonFields& fields) {
 }
 
 Limits stated_limits(const JsonFields& fields) {
-  Limits limits = fields.limits();
+  Limits limits = geom::read_limits(fields);
   const std::optional<double> degrees = fields.number("tilt_max_deg");
   if (degrees && !(*degrees > 0 && *degrees <= 80)) {
     fields.refuse(fmt::format("tilt_max_deg must be above 0 and at most 80, found {}", *degrees));

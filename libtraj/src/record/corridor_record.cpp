@@ -89,7 +89,7 @@ CorridorShape parse_corridor_record(std::string_view json, std::string_view sour
                                     std::size_t line) {
   const geom::JsonFields fields(json, source, line);
   fields.require_type("corridor");
-  CorridorShape shape{fields.text("id"), fields.provenance(), {}};
+  CorridorShape shape{fields.text("id"), geom::read_provenance(fields), {}};
   for (const auto& piece : list_of(fields, fields.object(), "pieces", "pieces")) {
     shape.pieces.push_back(
         parse_piece(fields, piece, fmt::format("pieces[{}]", shape.pieces.size())));

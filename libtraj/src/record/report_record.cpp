@@ -154,8 +154,8 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
     if (!exact.is_object()) fields.refuse("exact must be an object, found " + exact.dump());
     report.exact_ok = flag(fields, exact, "exact.ok");
   }
-  report.provenance = fields.provenance();
-  report.limits = fields.limits();
+  report.provenance = geom::read_provenance(fields);
+  report.limits = geom::read_limits(fields);
   return report;
 }
 

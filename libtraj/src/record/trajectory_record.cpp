@@ -88,8 +88,8 @@ TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view
   TrajectoryRecord record;
   record.id = fields.text("id");
   record.status = fields.word("status", kTrajectoryStatusWords, TrajectoryStatus::solved);
-  record.provenance = fields.provenance();
-  record.limits = fields.limits();
+  record.provenance = geom::read_provenance(fields);
+  record.limits = geom::read_limits(fields);
   record.message = fields.text("message", "");
   if (fields.has("rung")) record.rung = fields.word("rung", kRungWords, Rung::closed);
   if (fields.has("solver")) record.solver = fields.value("solver").dump();

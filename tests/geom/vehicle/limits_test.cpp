@@ -65,7 +65,7 @@ TEST(Limits, TravelWithTheVehicleOfARecord) {
 TEST(Limits, OfARecordAreObeyedOrRefused) {
   const auto refusal = [](const std::string& limits) {
     return support::refusal_of(
-        [&] { JsonFields("{\"limits\":" + limits + "}", "r.jsonl", 3).limits(); });
+        [&] { read_limits(JsonFields("{\"limits\":" + limits + "}", "r.jsonl", 3)); });
   };
   EXPECT_EQ(refusal(R"({"vmax":8})"), "");
   EXPECT_NE(refusal(R"({"vmx":8})").find("limits has \"vmx\", which is no limit"),

@@ -62,13 +62,14 @@ struct PathRecord {
   std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
 };
 
+class JsonFields;
 class JsonLine;
 
 // Adds the members map, frame, vehicle and margin: those that are present.
 void add(JsonLine& line, const Provenance& provenance);
 
-// Adds the member limits, unless there are none.
-void add(JsonLine& line, const Limits& limits);
+// What a record says of its origin. Throws InputError where a value cannot be.
+Provenance read_provenance(const JsonFields& fields);
 
 std::string to_json_line(const PathRecord& record);  // ends with a newline
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/record/record.h"
+#include "geom/shape/vec3.h"
 #include "geom/text/words.h"
 
 namespace geom {
@@ -41,14 +41,9 @@ class JsonFields {
   std::optional<double> number(const char* key) const;
   Vec3 point(const char* key) const;
   std::vector<Vec3> points(const char* key) const;
-  Provenance provenance() const;
-  Limits limits() const;  // the value of "limits"; none without it
 
   double number(const nlohmann::json& value, std::string_view what) const;
   Vec3 point(const nlohmann::json& value, std::string_view what) const;
-  // Each > 0, the tilt below a right angle, the thrust above kGravity. Throws for a limit that is
-  // not known: what was meant as one must not be passed over.
-  Limits limits(const nlohmann::json& value, std::string_view what) const;
   [[noreturn]] void refuse(std::string_view message) const;
 
  private:

@@ -7,12 +7,16 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <nlohmann/json_fwd.hpp>
 #include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 namespace geom {
+
+class JsonFields;
+class JsonLine;
 
 inline constexpr double kGravity = 9.80665;  // m/s2
 
@@ -109,5 +113,14 @@ struct LimitSources {
 // options say, where they say one. The tilt is never above the vehicle's: its box would not hold
 // it. The one place where this is decided, for every tool.
 Limits limits_that_hold(const LimitSources& sources);
+
+// Adds the member "limits" to a record, unless there are none.
+void add(JsonLine& line, const Limits& limits);
+
+// The member "limits" of a record; none without it. Throws InputError unless each is > 0, the tilt
+// below a right angle and the thrust above kGravity; and for a limit that is not known: what was
+// meant as one must not be passed over.
+Limits read_limits(const JsonFields& fields);
+Limits read_limits(const JsonFields& fields, const nlohmann::json& value, std::string_view what);
 
 }  // namespace geom
