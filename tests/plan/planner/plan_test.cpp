@@ -1,3 +1,5 @@
+#include "plan/planner/plan.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,7 +7,6 @@
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
 #include "plan/lattice/build_lattice.h"
-#include "plan/planner/plan.h"
 #include "plan/scenes.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"

@@ -1,11 +1,12 @@
 // libtraj/src/solve/nlp.h against finite differences.
 
+#include "solve/nlp.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "solve/nlp.h"
 #include "traj/scenes.h"
 
 namespace traj {

@@ -1,3 +1,5 @@
+#include "plan/sampling/search_tree_file.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -6,7 +8,6 @@
 
 #include "geom/base/error.h"
 #include "plan/sampling/rrt.h"
-#include "plan/sampling/search_tree_file.h"
 #include "plan/scenes.h"
 #include "support/refusal.h"
 
