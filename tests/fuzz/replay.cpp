@@ -6,7 +6,7 @@
 #include <iterator>
 #include <random>
 
-#include "readers.h"
+#include "fuzz/readers.h"
 
 namespace {
 

@@ -2,17 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "geom/archive/box_map_file.h"
-#include "geom/base/error.h"
-#include "support/edited_map.h"
 #include "support/random_city.h"
 
 namespace geom {
 namespace {
-
-using support::file_of;
 
 TEST(BoxMap, EveryBoxLivesInOneTileThatCoversIt) {
   const BoxMap map = support::random_city(5, 500, 900);
@@ -40,35 +33,6 @@ TEST(BoxMap, TheHashIsOfTheContentAndNotOfItsOrderOrTiles) {
   EXPECT_EQ(one.hash(), BoxMap(spec, table).hash());
   spec.bounds.max.z() = 11;
   EXPECT_NE(one.hash(), BoxMap(spec, table).hash());
-}
-
-TEST(BoxMapFile, ReadsBackWhatWasWrittenByteForByte) {
-  const BoxMap map = support::random_city(6, 200, 500);
-  const auto bytes = file_of(map);
-  const BoxMap back = read_box_map(ArrayArchive::from_bytes(bytes, "m"));
-  EXPECT_EQ(back.hash(), map.hash());
-  EXPECT_TRUE(
-      std::equal(back.boxes().begin(), back.boxes().end(), map.boxes().begin(), map.boxes().end()));
-  EXPECT_EQ(file_of(back), bytes);
-}
-
-TEST(BoxMapFile, HostileBytesAreRefusedOrLoadAsSoundMaps) {
-  const auto good = file_of(support::random_city(7, 5, 50));
-  support::Random random(8);
-  int refused = 0;
-  for (int i = 0; i < 4000; ++i) {
-    auto bytes = good;
-    for (int k = 0; k < 3; ++k)
-      bytes[random.below(static_cast<int>(bytes.size()))] = std::byte(random.below(256));
-    if (i % 4 == 0) bytes.resize(random.below(static_cast<int>(bytes.size())));
-    try {
-      const BoxMap map = read_box_map(ArrayArchive::from_bytes(bytes, "m"));
-      for (const Aabb& box : map.boxes()) ASSERT_TRUE((box.min.array() <= box.max.array()).all());
-    } catch (const InputError&) {
-      ++refused;
-    }
-  }
-  EXPECT_GT(refused, 1000);
 }
 
 }  // namespace

@@ -90,6 +90,8 @@ TEST(Gltf, SharesPositionsBetweenPrimitives) {
   }
 }
 
+TEST(ToGltf, IsEastUpSouth) { EXPECT_EQ(to_gltf({1, 2, 3}), Vec3(1, 3, -2)); }
+
 TEST(Gltf, OfNothingIsAnEmptyScene) {
   const auto [json, bin] = read(bytes_of(Gltf(Vec3::Zero())));
   EXPECT_EQ(json["scenes"], nlohmann::json::parse("[{}]"));

@@ -44,11 +44,5 @@ TEST(Words, AreListedForMessages) {
   EXPECT_EQ(listed(traj::kRungWords), "closed ipopt stop_and_go");
 }
 
-TEST(Reason, OfALimitIsItsQuantity) {
-  EXPECT_EQ(traj::broken(Limit::tilt), traj::Reason::tilt);
-  EXPECT_EQ(traj::unmeasured(Limit::yaw_rate), traj::Reason::yaw_rate_not_measured);
-  EXPECT_EQ(traj::reason_of(traj::TrajectoryStatus::infeasible), traj::Reason::infeasible);
-}
-
 }  // namespace
 }  // namespace geom

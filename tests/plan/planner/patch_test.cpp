@@ -2,13 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "geom/base/error.h"
 #include "plan/file_bytes.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/lattice/lattice_file.h"
-#include "plan/roadmap/roadmap_file.h"
 #include "plan/scenes.h"
 
 namespace plan {
@@ -164,16 +161,6 @@ TEST(PatchRoadmap, RefusesOtherVehicles) {
   const std::vector<Aabb> boxes = {{{5, 5, 0}, {9, 9, 9}}};
   const Roadmap roadmap = build_roadmap(scene_of(boxes, kBounds, kHalf), {});
   EXPECT_THROW(patch_roadmap(roadmap, scene_of(boxes, kBounds, {1, 1, 1}), {}), geom::InputError);
-}
-
-TEST(RoadmapFile, KeepsTheRegion) {
-  const auto scene = scene_of({{{5, 5, 0}, {9, 9, 9}}}, kBounds, kHalf);
-  const Roadmap roadmap = build_roadmap(scene, {10, 100, Aabb{{1, 2, 3}, {40, 50, 20}}});
-  const std::string written = bytes(roadmap);
-  const Roadmap back =
-      read_roadmap(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(written)), "test"));
-  EXPECT_EQ(back.spec.region, roadmap.spec.region);
-  EXPECT_EQ(bytes(back), written);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "geom/base/error.h"
 #include "plan/planner/plan.h"
 #include "plan/planner/taut.h"
 #include "plan/roadmap/roadmap_file.h"
@@ -71,21 +70,6 @@ TEST_P(RoadmapProperty, IsTheSameForAnyThreads) {
   }
 }
 
-TEST_P(RoadmapProperty, ComesBackFromItsFile) {
-  const auto scene = city(GetParam());
-  const Roadmap roadmap = build_roadmap(scene, {});
-  std::ostringstream out;
-  write_roadmap(out, roadmap);
-  const std::string bytes = out.str();
-  const Roadmap back =
-      read_roadmap(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "test.roadmap"));
-  EXPECT_TRUE(std::ranges::equal(back.to, roadmap.to));
-  EXPECT_EQ(back.first, roadmap.first);
-  EXPECT_EQ(back.split, roadmap.split);
-  ASSERT_EQ(back.bends.size(), roadmap.bends.size());
-  EXPECT_EQ(back.made_for.map, scene.map().hash());
-}
-
 TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
   const auto scene = city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {});
@@ -117,72 +101,6 @@ TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cities, RoadmapProperty, testing::Values(1, 2, 3));
-
-TEST(RoadmapFile, RefusesAnEdgeThatLeadsNowhere) {
-  const auto scene = city(1);
-  Roadmap roadmap = build_roadmap(scene, {10, 60, {}});
-  std::vector<std::uint32_t> to(roadmap.to.begin(), roadmap.to.end());
-  to[5] = static_cast<std::uint32_t>(roadmap.bends.size());
-  roadmap.to = to;
-  std::ostringstream out;
-  write_roadmap(out, roadmap);
-  const std::string bytes = out.str();
-  const Roadmap back =
-      read_roadmap(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "t.roadmap"));
-  try {
-    verify_roadmap(back);
-    FAIL();
-  } catch (const geom::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("t.roadmap: an edge leads to bend"),
-              std::string::npos);
-  }
-}
-
-// A search that meets the edge refuses it, rather than follow it.
-TEST(RoadmapFile, IsNotFollowedWhereItLeadsNowhere) {
-  const auto scene = city(1);
-  Roadmap roadmap = build_roadmap(scene, {});
-  const std::vector<std::uint32_t> to(roadmap.to.size(),
-                                      static_cast<std::uint32_t>(roadmap.bends.size()));
-  roadmap.to = to;
-  RoadmapSearch search(scene, roadmap);
-  support::Random random(1);
-  int refused = 0;
-  for (int i = 0; i < 200; ++i) {
-    const Vec3 from(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 20));
-    const Vec3 to_there(random.uniform(-150, 150), random.uniform(-150, 150), 5);
-    if (!scene.free(from) || !scene.free(to_there) || scene.free(from, to_there)) continue;
-    try {
-      search.search(from, to_there, {});
-    } catch (const geom::InputError&) {
-      ++refused;
-    }
-  }
-  EXPECT_GT(refused, 10);
-}
-
-TEST(Taut, IsNeverLongerAndEveryLegIsFree) {
-  const auto scene = city(4);
-  Planner planner(scene, nullptr);
-  support::Random random(4);
-  int tried = 0;
-  while (tried < 60) {
-    const Vec3 from(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 40));
-    const Vec3 to(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 40));
-    PlanOptions options;
-    options.raw = true;
-    const PlanResult raw = planner.plan(from, to, options);
-    if (raw.status != PathStatus::found || raw.path.size() < 3) continue;
-    ++tried;
-    const geom::Polyline path = taut(scene, raw.path);
-    EXPECT_LE(geom::length(path), geom::length(raw.path) + 1e-9);
-    EXPECT_EQ(path.front(), from);
-    EXPECT_EQ(path.back(), to);
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      ASSERT_TRUE(scene.free(path[i - 1], path[i]));
-    }
-  }
-}
 
 }  // namespace
 }  // namespace plan

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/example_quadrotor.h"
 #include "traj/scenes.h"
 
 namespace traj {
@@ -31,6 +32,44 @@ TEST(MotorMixer, FindsAMeanWhereTheTurnTakesAllRoom) {
     ASSERT_LE(mixed.command.maxCoeff(), q.motor_most) << "case " << i;
     ASSERT_TRUE(mixed.torque.allFinite()) << "case " << i;
   }
+}
+
+using support::example_quadrotor;
+
+TEST(MotorMixer, GivesWhatIsAskedWhereItCan) {
+  testing::Random random(1);
+  const Quadrotor q = example_quadrotor();
+  int kept = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double thrust = random.number(2, 9);
+    const Vec3 torque = random.vector(0.03);
+    const Mixed mixed = mix(q, thrust, torque);
+    ASSERT_GE(mixed.command.minCoeff(), q.motor_least) << "case " << i;
+    ASSERT_LE(mixed.command.maxCoeff(), q.motor_most) << "case " << i;
+    if (mixed.saturated) continue;
+    ++kept;
+    EXPECT_NEAR(mixed.command.sum(), thrust, 1e-12);
+    EXPECT_LT((torque_of(q, mixed.command) - torque).norm(), 1e-13);
+  }
+  EXPECT_GT(kept, 300);
+  EXPECT_LT(kept, 1000);
+}
+
+TEST(MotorMixer, GivesUpYawThenThrustThenTilt) {
+  const Quadrotor q = example_quadrotor();
+  const Mixed yaw = mix(q, 8, {0.1, 0, 1});
+  EXPECT_TRUE(yaw.saturated);
+  EXPECT_NEAR(yaw.torque.x(), 0.1, 1e-12);
+  EXPECT_LT(yaw.torque.z(), 1);
+  const Mixed thrust = mix(q, 40, {0.1, 0.05, 0});
+  EXPECT_NEAR(thrust.torque.x(), 0.1, 1e-12);
+  EXPECT_NEAR(thrust.torque.y(), 0.05, 1e-12);
+  EXPECT_LT(thrust.thrust, 4 * q.motor_most);
+  const Mixed tilt = mix(q, 6, {10, 0, 0});
+  EXPECT_NEAR(tilt.torque.x(), 2 * q.arm[1] * (q.motor_most - q.motor_least), 1e-12);
+  const Mixed nothing = mix(q, 0, Vec3::Zero());
+  EXPECT_EQ(nothing.command, Motors::Constant(q.motor_least));
+  EXPECT_TRUE(nothing.saturated);
 }
 
 }  // namespace

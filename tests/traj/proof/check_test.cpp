@@ -8,10 +8,7 @@
 
 #include "geom/base/error.h"
 #include "support/random_city.h"
-#include "traj/proof/clearance.h"
-#include "traj/record/trajectory_record.h"
 #include "traj/scenes.h"
-#include "traj/solve/solve.h"
 #include "traj/solve/stop_and_go.h"
 
 namespace traj {
@@ -195,52 +192,6 @@ TEST(Check, FreeFallBreaksOnlyALimitOfBodyRate) {
   }
 }
 
-TEST(ClearanceProfile, HasTheLeastOfEachPart) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
-  const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({0, 4, 0}), 4),
-                            hermite(rest({0, 4, 0}), rest({10, 4, 0}), 4)}};
-  const auto profile = clearance_profile(scene, line, 0.3);
-  ASSERT_EQ(profile.size(), 28u);
-  EXPECT_EQ(profile.front().begin, 0);
-  EXPECT_EQ(profile.back().end, 8);
-  double least = 1e9;
-  for (std::size_t i = 0; i < profile.size(); ++i) {
-    const auto& span = profile[i];
-    if (i) {
-      EXPECT_EQ(span.begin, profile[i - 1].end);
-    }
-    EXPECT_LE(span.end - span.begin, 0.3);
-    double sampled = 1e9;
-    for (int k = 0; k <= 100; ++k) {
-      const double t = span.begin + (span.end - span.begin) * k / 100;
-      sampled = std::min(sampled, scene.nearest(evaluate(line, t).position, 100)->distance);
-    }
-    EXPECT_LE(span.clearance, sampled + 1e-3);
-    EXPECT_NEAR(span.clearance, sampled, 0.02);
-    least = std::min(least, span.clearance);
-  }
-  EXPECT_NEAR(least, 2.5, 1e-3);
-}
-
-TEST(ClearanceProfile, RunsAlongAPath) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
-  const std::vector<Vec3> path = {{-10, 4, 0}, {0, 4, 0}, {0, 4, 0}, {0, 8, 0}};
-  const auto profile = clearance_profile(scene, path, 5);
-  ASSERT_EQ(profile.size(), 4u);
-  EXPECT_NEAR(profile[0].clearance, std::hypot(3.5, 2.5), 1e-3);
-  EXPECT_NEAR(profile[1].clearance, 2.5, 1e-3);
-  EXPECT_EQ(profile[3].begin, 10);
-  EXPECT_EQ(profile[3].end, 14);
-  EXPECT_NEAR(profile[3].clearance, 2.5, 1e-3);
-  const std::vector<double> times = {1, 2, 3, 7};
-  const auto timed = clearance_profile(scene, path, times);
-  ASSERT_EQ(timed.size(), 3u);
-  EXPECT_NEAR(timed[0].clearance, 2.5, 1e-3);
-  EXPECT_NEAR(timed[1].clearance, 2.5, 1e-3);
-  EXPECT_EQ(timed[2].begin, 3);
-  EXPECT_EQ(timed[2].end, 7);
-}
-
 // The known touch: a point of the curve is put on a face of a grown box, or up to 1 cm inside.
 TEST(Check, RejectsEveryCurveMovedIntoTouch) {
   const CollisionScene scene(support::random_city(51, 80, 150), {"box", {0.7, 0.7, 0.3}}, 0.2);
@@ -285,26 +236,6 @@ TEST(CheckPath, IsExactOnEveryLeg) {
   const std::vector<Vec3> through = {{-10, 0, 0}, {10, 0, 0}};
   EXPECT_EQ(check_path(scene, through).reason, Reason::collision);
   EXPECT_EQ(check_path(scene, {}).reason, Reason::no_path);
-}
-
-TEST(Solve, ProvesEveryFreePathOfARandomCity) {
-  const CollisionScene scene(support::random_city(53, 60, 100), {"box", {0.5, 0.5, 0.3}}, 0);
-  support::Random random(54);
-  int solved = 0;
-  for (int i = 0; solved < 12; ++i) {
-    geom::Polyline path;
-    for (int k = 0; k < 4; ++k) {
-      path.push_back({random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(5, 90)});
-    }
-    bool free = true;
-    for (std::size_t k = 1; k < path.size(); ++k) free = free && scene.free(path[k - 1], path[k]);
-    if (!free) continue;
-    const Limits limits{{Limit::speed, 8}, {Limit::acceleration, 6}};
-    const SolveResult result = solve(scene, path, {.limits = limits});
-    ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
-    EXPECT_TRUE(check(scene, result.trajectory, limits).ok);
-    ++solved;
-  }
 }
 
 }  // namespace

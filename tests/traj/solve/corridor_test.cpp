@@ -3,43 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 
+#include "support/segment_distance.h"
 #include "traj/scenes.h"
 
 namespace traj {
 namespace {
-
-std::array<Vec3, 8> corners(const geom::Aabb& b) {
-  std::array<Vec3, 8> out;
-  for (std::size_t i = 0; i < 8; ++i) {
-    out[i] = {i & 1 ? b.max.x() : b.min.x(), i & 2 ? b.max.y() : b.min.y(),
-              i & 4 ? b.max.z() : b.min.z()};
-  }
-  return out;
-}
-
-// The distance by ternary search: slow and obviously right, the distance being convex.
-double segment_distance(const Vec3& a, const Vec3& b, const geom::Aabb& box) {
-  double low = 0;
-  double high = 1;
-  for (int i = 0; i < 200; ++i) {
-    const double l = low + (high - low) / 3;
-    const double h = high - (high - low) / 3;
-    if (geom::distance(a + l * (b - a), box) < geom::distance(a + h * (b - a), box)) {
-      high = h;
-    } else {
-      low = l;
-    }
-  }
-  return geom::distance(a + low * (b - a), box);
-}
-
-geom::Aabb random_box(testing::Random& random) {
-  const Vec3 p = random.vector(20);
-  const Vec3 q = random.vector(20);
-  return {p.cwiseMin(q), p.cwiseMax(q)};
-}
 
 // Up to that wide and high, in a cube of 120 m that stands on the ground.
 std::vector<geom::Aabb> boxes_in_the_air(testing::Random& random, int count, double width,
@@ -51,57 +20,6 @@ std::vector<geom::Aabb> boxes_in_the_air(testing::Random& random, int count, dou
     boxes.push_back({p, p + size});
   }
   return boxes;
-}
-
-TEST(Separation, PutsBoxAndSegmentStrictlyOnEitherSide) {
-  testing::Random random(1);
-  int tried = 0;
-  while (tried < 2000) {
-    const geom::Aabb box = random_box(random);
-    const Vec3 a = random.vector(30);
-    const Vec3 b = random.vector(30);
-    if (geom::segment_hits(a, b, box)) continue;
-    ++tried;
-    const Separation s = separation(a, b, box);
-    ASSERT_GT(s.gap, 0) << "case " << tried;
-    EXPECT_LT(s.plane.normal.dot(a), s.plane.offset) << "case " << tried;
-    EXPECT_LT(s.plane.normal.dot(b), s.plane.offset) << "case " << tried;
-    for (const Vec3& c : corners(box)) {
-      EXPECT_GT(s.plane.normal.dot(c), s.plane.offset) << "case " << tried;
-    }
-    EXPECT_TRUE(behind(box, s.plane));
-  }
-}
-
-TEST(Separation, HasTheExactDistanceAsItsGap) {
-  testing::Random random(2);
-  for (int i = 0; i < 500; ++i) {
-    const geom::Aabb box = random_box(random);
-    const Vec3 a = random.vector(30);
-    const Vec3 b = random.vector(30);
-    const double want = segment_distance(a, b, box);
-    if (want < 2e-3) continue;
-    EXPECT_NEAR(separation(a, b, box).gap, want, 1e-7) << "case " << i;
-  }
-}
-
-TEST(Separation, FindsTheAxisAcrossATinyGap) {
-  const geom::Aabb box{Vec3(0, 0, 0), Vec3(1, 1, 1)};
-  for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12}) {
-    const Separation face = separation(Vec3(-5, -5, 1 + gap), Vec3(5, 5, 1 + gap), box);
-    EXPECT_NEAR(face.gap, gap, 1e-15);
-    EXPECT_TRUE(behind(box, face.plane));
-    // Past the upright edge at (1, 0), across both axes.
-    const Separation edge = separation(Vec3(0, -1 - gap, 0.2), Vec3(2, 1 - gap, 0.8), box);
-    EXPECT_GT(edge.gap, 0) << gap;
-    EXPECT_TRUE(behind(box, edge.plane)) << gap;
-  }
-}
-
-TEST(Separation, OfAPointAndOfATouchingSegment) {
-  const geom::Aabb box{Vec3(0, 0, 0), Vec3(1, 1, 1)};
-  EXPECT_NEAR(separation(Vec3(3, 0.5, 0.5), Vec3(3, 0.5, 0.5), box).gap, 2, 1e-15);
-  EXPECT_LE(separation(Vec3(-1, 1, 0.5), Vec3(2, 1, 0.5), box).gap, 0);
 }
 
 TEST(Joints, CutLegsNearCornersAndAtRest) {
@@ -139,7 +57,7 @@ TEST(AddPlanes, HidesEveryBoxInReachFromItsPiece) {
       EXPECT_LT(plane.normal.dot(b), plane.offset);
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (segment_distance(a, b, scene.grown(i)) > 10) continue;
+      if (oracle::segment_distance(a, b, scene.grown(i)) > 10) continue;
       const auto& planes = corridor[0].planes;
       EXPECT_TRUE(std::any_of(planes.begin(), planes.end(),
                               [&](const Plane& plane) { return behind(scene.grown(i), plane); }))

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_city.h"
 #include "traj/proof/check.h"
 #include "traj/scenes.h"
+#include "traj/solve/stop_and_go.h"
 
 namespace traj {
 namespace {
@@ -178,6 +180,26 @@ TEST(Solve, ShortLegsRepeatedPointsAndReversalsAreSolved) {
   const SolveResult result = solved(scene, path, Solver::automatic);
   ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
   EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
+}
+
+TEST(Solve, ProvesEveryFreePathOfARandomCity) {
+  const geom::CollisionScene scene(support::random_city(53, 60, 100), {"box", {0.5, 0.5, 0.3}}, 0);
+  support::Random random(54);
+  int solved = 0;
+  for (int i = 0; solved < 12; ++i) {
+    geom::Polyline path;
+    for (int k = 0; k < 4; ++k) {
+      path.push_back({random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(5, 90)});
+    }
+    bool free = true;
+    for (std::size_t k = 1; k < path.size(); ++k) free = free && scene.free(path[k - 1], path[k]);
+    if (!free) continue;
+    const Limits limits{{Limit::speed, 8}, {Limit::acceleration, 6}};
+    const SolveResult result = solve(scene, path, {.limits = limits});
+    ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+    EXPECT_TRUE(check(scene, result.trajectory, limits).ok);
+    ++solved;
+  }
 }
 
 }  // namespace

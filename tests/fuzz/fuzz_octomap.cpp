@@ -1,7 +1,0 @@
-#include "geom/import/octomap.h"
-#include "readers.h"
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return refuses_or_reads(data, size,
-                          [](std::istream& in) { geom::read_octomap(in, "fuzz", {true}); });
-}

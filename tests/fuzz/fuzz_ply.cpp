@@ -1,8 +1,0 @@
-#include "geom/cloud/point_cloud.h"
-#include "readers.h"
-
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return refuses_or_reads(data, size, [](std::istream& in) {
-    geom::read_ply(in, "fuzz", [](std::span<const geom::CloudPoint>) {});
-  });
-}

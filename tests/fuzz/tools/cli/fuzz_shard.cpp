@@ -1,0 +1,41 @@
+#include "cli/shard/map_shard.h"
+#include "cli/shard/run_shard.h"
+#include "fuzz/readers.h"
+#include "plan/lattice/lattice_file.h"
+#include "plan/lattice/part_file.h"
+#include "plan/roadmap/part_file.h"
+#include "plan/roadmap/roadmap_file.h"
+
+namespace {
+
+// 2^24 nodes are enough to fuzz with: larger claims are well formed and take time.
+bool small(const geom::ArrayArchive& archive) {
+  return !archive.has("block_record") ||
+         archive.array<std::uint32_t>("block_record").size() <= 32768;
+}
+
+void join(const cli::ShardFile& shard) {
+  const std::string content = shard.content.dump();
+  if (shard.kind == "lattice" && small(shard.archive)) {
+    const auto part = plan::read_lattice_part(shard.archive, content, shard.shard);
+    plan::verify_lattice(plan::join_lattice({&part, 1}));
+  } else if (shard.kind == "roadmap" && small(shard.archive)) {
+    const auto part = plan::read_roadmap_part(shard.archive, content, shard.shard);
+    plan::verify_roadmap(plan::join_roadmap({&part, 1}));
+  } else if (cli::is_map_shard(shard) &&
+             shard.content.value("unknown_blocked", nlohmann::json()) != 1) {
+    cli::join_map({&shard, 1});
+  } else if (shard.kind == "runs" && shard.shard.count == 1) {
+    const cli::JoinedRuns runs({shard});
+    for (std::size_t i = 0; i < runs.trajectories(); ++i) runs.outcomes(i, 0.75);
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto bytes = std::as_bytes(std::span(data, size));
+  return refuses_or_reads(data, size, [&](std::istream&) {
+    join(cli::read_shard(geom::ArrayArchive::from_bytes(bytes, "fuzz")));
+  });
+}

@@ -1,0 +1,105 @@
+#include "geom/import/fcnd_csv.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "geom/base/error.h"
+#include "support/built_and_skipped.h"
+
+namespace geom {
+namespace {
+
+const std::string kHeader = "posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n";
+
+FcndTable fcnd(const std::string& text) {
+  std::istringstream in(text);
+  return read_fcnd_csv(in, "t.csv");
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    fcnd(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(FcndCsv, ReadsEveryHeaderVariant) {
+  const std::string row = "1,2,3,1,1,3\n";
+  for (const std::string& head :
+       {std::string(), kHeader, "lat0 37.5, lon0 -122.25\n" + kHeader,
+        "37.5,-122.25,,,,\n" + kHeader, "lat0,lon0\n37.5,-122.25\n" + kHeader}) {
+    const FcndTable t = fcnd(head + row);
+    ASSERT_EQ(t.table.boxes.size(), 1u) << head;
+    EXPECT_EQ(t.table.boxes[0], (Aabb{{0, 1, 0}, {2, 3, 6}})) << head;
+    if (head.find("37.5") != std::string::npos) {
+      ASSERT_TRUE(t.origin) << head;
+      EXPECT_EQ(t.origin->longitude, -122.25);
+    }
+  }
+}
+
+TEST(FcndCsv, TakesColumnsByNameInAnyOrder) {
+  const FcndTable t = fcnd("halfSizeZ,posX,note,posY,posZ,halfSizeX,halfSizeY\n3,1,tree,2,3,1,1\n");
+  EXPECT_EQ(t.table.boxes[0], (Aabb{{0, 1, 0}, {2, 3, 6}}));
+}
+
+TEST(FcndCsv, RoundsOutward) {
+  const FcndTable t = fcnd("0.1,0.2,0.3,0.7,0.1,0.3\n");
+  const Aabb& box = t.table.boxes[0];
+  EXPECT_LE(box.min.x(), 0.1 - 0.7);
+  EXPECT_GE(box.max.z(), 0.6);
+  EXPECT_GT(t.largest_change, 0);
+  EXPECT_LT(t.largest_change, 1e-12);
+}
+
+TEST(FcndCsv, NamesLineExpectationAndFinding) {
+  EXPECT_EQ(refusal(""), "t.csv: expected an FCND table, found an empty file");
+  EXPECT_EQ(refusal(kHeader), "t.csv:1: expected at least one box after the header, found none");
+  EXPECT_EQ(refusal(kHeader + "1,2,3,1,-2,1\n"), "t.csv:2: half size y must be >= 0, found \"-2\"");
+  EXPECT_EQ(refusal(kHeader + "1,x,3,1,2,1\n"),
+            "t.csv:2: position y must be a finite number within 1e8 m, found \"x\"");
+  EXPECT_NE(refusal(kHeader + "1,2,3,1,2\n").find("expected 6 fields, found 5"), std::string::npos);
+  EXPECT_NE(refusal(kHeader + "1,nan,3,1,2,1\n").find("found \"nan\""), std::string::npos);
+  EXPECT_NE(refusal(kHeader + "1,1e999,3,1,2,1\n").find("found \"1e999\""), std::string::npos);
+  EXPECT_NE(refusal("37.7,-122.3,0,0,0,0\n").find("three zeros"), std::string::npos);
+  EXPECT_NE(refusal("lat0 137, lon0 0\n" + kHeader).find("latitude"), std::string::npos);
+}
+
+TEST(FcndCsv, KeepsFlatBoxesAndCountsThem) {
+  const FcndTable t = fcnd(kHeader + "1,2,3,0,1,1\n1,2,3,0,0,1\n1,2,3,1,1,1\n");
+  EXPECT_EQ(t.table.boxes.size(), 3u);
+  EXPECT_EQ(t.flat, 2u);
+}
+
+TEST(FcndCsv, ColumnsThatTurnBoxesAndFieldsWithoutOneAreSkipped) {
+  const std::string header = "posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ";
+  EXPECT_EQ(support::built_and_skipped(read_fcnd_csv, header + ",label\n1,1,1,1,1,1,hut\n").second,
+            0u);
+  EXPECT_EQ(support::built_and_skipped(read_fcnd_csv, header + ",Yaw\n1,1,1,1,1,1,0.5\n").second,
+            1u);
+  EXPECT_EQ(support::built_and_skipped(read_fcnd_csv, "1,5,1,5,1,5,2,5\n").second, 2u);
+  EXPECT_EQ(support::built_and_skipped(read_fcnd_csv, "1,5,1,5,1,5,,\n").second, 0u);
+}
+
+TEST(FcndCsv, ComesBackFromWhatWasWritten) {
+  const std::vector<CenteredBox> boxes = {{{1.5, -2.25, 3}, {0.5, 0.25, 3}},
+                                          {{0.1, 1e5, 1e-3}, {0.7, 0, 1}}};
+  std::ostringstream out;
+  write_fcnd_csv(out, {37.5, -122.25, 0}, boxes);
+  const FcndTable t = fcnd(out.str());
+  ASSERT_TRUE(t.origin);
+  EXPECT_EQ(t.origin->latitude, 37.5);
+  EXPECT_EQ(t.origin->longitude, -122.25);
+  ASSERT_EQ(t.table.boxes.size(), boxes.size());
+  EXPECT_EQ(t.table.boxes[0], (Aabb{{1, -2.5, 0}, {2, -2, 6}}));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    EXPECT_LT((t.table.boxes[i].min - (boxes[i].center - boxes[i].half)).norm(), 1e-10) << i;
+    EXPECT_LT((t.table.boxes[i].max - (boxes[i].center + boxes[i].half)).norm(), 1e-10) << i;
+  }
+}
+
+}  // namespace
+}  // namespace geom

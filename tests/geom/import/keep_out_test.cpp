@@ -1,0 +1,69 @@
+#include "geom/import/keep_out.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "geom/base/error.h"
+#include "geom/map/geographic_frame.h"
+
+namespace geom {
+namespace {
+
+Frame at(double latitude, double longitude) {
+  return {Axes::enu, GeodeticOrigin{latitude, longitude, 0}, ""};
+}
+
+// Points along edges of 40 km in degrees, far more than the reader takes.
+TEST(KeepOut, FollowsEdgesThatBend) {
+  const double corners[][2] = {{24.5, 59.9}, {25.3, 59.9}, {25.2, 60.2}, {24.6, 60.3}};
+  std::string ring;
+  for (int i = 0; i <= 4; ++i) {
+    ring += (i ? ",[" : "[") + std::to_string(corners[i % 4][0]) + "," +
+            std::to_string(corners[i % 4][1]) + "]";
+  }
+  std::istringstream in(R"({"type":"Polygon","coordinates":[[)" + ring + "]]}");
+  const KeepOut zones = read_keep_out(in, "zones", at(60, 25), {false, 0, 9});
+  EXPECT_LT(zones.bulge[0], 0.01);
+  const GeographicFrame frame({60, 25, 0});
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k <= 5000; ++k) {
+      const auto along = [&](int axis) {
+        return corners[i][axis] + (corners[(i + 1) % 4][axis] - corners[i][axis]) * (k / 5000.0);
+      };
+      Vec2 p;
+      frame.from_geodetic(along(1), along(0), p.x(), p.y());
+      ASSERT_LE(distance(zones.volumes[0].polygon, p), zones.bulge[0] + 1e-6);
+    }
+  }
+}
+
+TEST(KeepOut, StandsWhereItsDegreesSay) {
+  std::istringstream in(
+      R"({"type":"Feature","properties":{"lower":10,"upper":50,"name":"port"},"geometry":
+         {"type":"Polygon","coordinates":[[[25,60],[25.001,60],[25.001,60.001],[25,60.001],[25,60]]]}})");
+  const KeepOut zones = read_keep_out(in, "zones", at(60, 25), {});
+  ASSERT_EQ(zones.volumes.size(), 1u);
+  EXPECT_EQ(zones.labels[0], "keep-out: port");
+  EXPECT_EQ(zones.volumes[0].bottom, 10);
+  EXPECT_EQ(zones.volumes[0].top, 50);
+  EXPECT_NEAR(zones.volumes[0].polygon.outer[2].x(), 55.80, 0.01);
+  EXPECT_NEAR(zones.volumes[0].polygon.outer[2].y(), 111.41, 0.01);
+}
+
+TEST(KeepOut, RefusesWhatIsNoVolume) {
+  for (
+      const char* text :
+      {"", "[]", R"({"type":"Point","coordinates":[1,2]})",
+       R"({"type":"Polygon","coordinates":[[[0,0],[1,1],[0,0]]]})",
+       R"({"type":"Polygon","coordinates":[[[0,0],[200,1],[1,1],[0,0]]]})",
+       R"({"type":"Feature","properties":{"lower":9,"upper":3},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}})"}) {
+    std::istringstream in(text);
+    EXPECT_THROW(read_keep_out(in, "zones", at(60, 25), {}), InputError) << text;
+  }
+  std::istringstream in(R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]})");
+  EXPECT_THROW(read_keep_out(in, "zones", {}, {}), InputError);
+}
+
+}  // namespace
+}  // namespace geom

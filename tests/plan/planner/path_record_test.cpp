@@ -1,0 +1,73 @@
+#include "plan/planner/path_record.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "plan/scenes.h"
+
+namespace plan {
+namespace {
+
+using Json = nlohmann::json;
+
+geom::CollisionScene yard() {
+  return scene_of({{{5, 5, 0}, {9, 9, 9}}}, {{0, 0, 0}, {60, 60, 30}}, {0.5, 0.5, 0.25}, 0.1);
+}
+
+PlanResult found() {
+  PlanResult result;
+  result.status = PathStatus::found;
+  result.path = {{1, 2, 3}, {4, 5, 6}};
+  result.route = Route::lattice;
+  result.expanded = 42;
+  return result;
+}
+
+TEST(PathRecordOf, SaysWhatWasFoundAndForWhat) {
+  const auto scene = yard();
+  const geom::PathRecord record = path_record(scene, "q7", found());
+  EXPECT_EQ(record.id, "q7");
+  EXPECT_EQ(record.status, PathStatus::found);
+  EXPECT_EQ(record.points, found().path);
+  EXPECT_EQ(record.provenance.map, scene.map().hash());
+  EXPECT_EQ(record.provenance.margin, 0.1);
+  EXPECT_EQ(record.provenance.vehicle->half, Vec3(0.5, 0.5, 0.25));
+  EXPECT_EQ(Json::parse(record.search), (Json{{"method", "lattice"}, {"expanded", 42}}));
+}
+
+TEST(PathRecordOf, ReportsResolutionStepsAndMovedEnds) {
+  PlanResult result = found();
+  result.resolution = 2.5;
+  result.steps = {{"search", 9, 12.5}, {"taut", 2, 10}};
+  result.snapped_goal = Vec3(4, 5, 6);
+  const Json search = Json::parse(path_record(yard(), "q", result).search);
+  EXPECT_EQ(search["resolution"], 2.5);
+  EXPECT_EQ(search["steps"], Json::parse(R"([{"step":"search","points":9,"length":12.5},)"
+                                         R"({"step":"taut","points":2,"length":10}])"));
+  EXPECT_EQ(search["snapped_goal"], Json::parse("[4,5,6]"));
+  EXPECT_FALSE(search.contains("snapped_start"));
+  result.steps.resize(1);
+  EXPECT_FALSE(Json::parse(path_record(yard(), "q", result).search).contains("steps"));
+}
+
+TEST(PathRecordOf, HasNoReportWhereNothingWasSearched) {
+  PlanResult blocked;
+  blocked.status = PathStatus::start_blocked;
+  blocked.message = "the start is within box 0";
+  const geom::PathRecord record = path_record(yard(), "q", blocked);
+  EXPECT_EQ(record.search, "");
+  EXPECT_EQ(record.message, blocked.message);
+  EXPECT_TRUE(record.points.empty());
+}
+
+TEST(PathRecordOf, ComesBackFromItsLine) {
+  const geom::PathRecord record = path_record(yard(), "q7", found());
+  const geom::PathRecord back = geom::parse_path_record(to_json_line(record), "line", 1);
+  EXPECT_EQ(back.points, record.points);
+  EXPECT_EQ(Json::parse(back.search), Json::parse(record.search));
+  EXPECT_EQ(geom::mismatch(back.provenance, record.provenance), std::nullopt);
+}
+
+}  // namespace
+}  // namespace plan

@@ -1,0 +1,95 @@
+#include "plan/roadmap/roadmap_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "geom/base/error.h"
+#include "plan/file_bytes.h"
+#include "plan/roadmap/roadmap.h"
+#include "plan/scenes.h"
+#include "support/random_city.h"
+
+namespace plan {
+namespace {
+
+geom::CollisionScene city(std::uint64_t seed) {
+  return {support::random_city(seed, 60, 200), {"box", {1, 1, 0.5}}, 0.25};
+}
+
+class RoadmapFileProperty : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RoadmapFileProperty, ComesBack) {
+  const auto scene = city(GetParam());
+  const Roadmap roadmap = build_roadmap(scene, {});
+  std::ostringstream out;
+  write_roadmap(out, roadmap);
+  const std::string bytes = out.str();
+  const Roadmap back =
+      read_roadmap(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "test.roadmap"));
+  EXPECT_TRUE(std::ranges::equal(back.to, roadmap.to));
+  EXPECT_EQ(back.first, roadmap.first);
+  EXPECT_EQ(back.split, roadmap.split);
+  ASSERT_EQ(back.bends.size(), roadmap.bends.size());
+  EXPECT_EQ(back.made_for.map, scene.map().hash());
+}
+
+INSTANTIATE_TEST_SUITE_P(Cities, RoadmapFileProperty, testing::Values(1, 2, 3));
+
+TEST(RoadmapFile, RefusesAnEdgeThatLeadsNowhere) {
+  const auto scene = city(1);
+  Roadmap roadmap = build_roadmap(scene, {10, 60, {}});
+  std::vector<std::uint32_t> to(roadmap.to.begin(), roadmap.to.end());
+  to[5] = static_cast<std::uint32_t>(roadmap.bends.size());
+  roadmap.to = to;
+  std::ostringstream out;
+  write_roadmap(out, roadmap);
+  const std::string bytes = out.str();
+  const Roadmap back =
+      read_roadmap(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "t.roadmap"));
+  try {
+    verify_roadmap(back);
+    FAIL();
+  } catch (const geom::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("t.roadmap: an edge leads to bend"),
+              std::string::npos);
+  }
+}
+
+// A search that meets the edge refuses it, rather than follow it.
+TEST(RoadmapFile, IsNotFollowedWhereItLeadsNowhere) {
+  const auto scene = city(1);
+  Roadmap roadmap = build_roadmap(scene, {});
+  const std::vector<std::uint32_t> to(roadmap.to.size(),
+                                      static_cast<std::uint32_t>(roadmap.bends.size()));
+  roadmap.to = to;
+  RoadmapSearch search(scene, roadmap);
+  support::Random random(1);
+  int refused = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 from(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 20));
+    const Vec3 to_there(random.uniform(-150, 150), random.uniform(-150, 150), 5);
+    if (!scene.free(from) || !scene.free(to_there) || scene.free(from, to_there)) continue;
+    try {
+      search.search(from, to_there, {});
+    } catch (const geom::InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 10);
+}
+
+TEST(RoadmapFile, KeepsTheRegion) {
+  const auto scene =
+      scene_of({{{5, 5, 0}, {9, 9, 9}}}, {{0, 0, 0}, {60, 60, 30}}, {0.5, 0.5, 0.25});
+  const Roadmap roadmap = build_roadmap(scene, {10, 100, geom::Aabb{{1, 2, 3}, {40, 50, 20}}});
+  const std::string written = bytes(roadmap);
+  const Roadmap back =
+      read_roadmap(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(written)), "test"));
+  EXPECT_EQ(back.spec.region, roadmap.spec.region);
+  EXPECT_EQ(bytes(back), written);
+}
+
+}  // namespace
+}  // namespace plan

@@ -1,0 +1,87 @@
+#include "traj/flight/monte_carlo.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "traj/flight/simulate.h"
+#include "traj/flights.h"
+
+namespace traj {
+namespace {
+
+TEST(MonteCarlo, DrawsWithinWhatIsAsked) {
+  FlightOptions base = testing::example_flight();
+  base.wind.mean = {3, 4, 0.5};
+  std::set<double> masses;
+  for (std::size_t i = 0; i < 500; ++i) {
+    const FlightOptions o = drawn(base, {500, 0.1}, i);
+    EXPECT_LE(o.wind.mean.norm(), base.wind.mean.norm() + 1e-12);
+    EXPECT_LE(std::abs(o.mass_error), 0.1);
+    masses.insert(o.mass_error);
+  }
+  EXPECT_EQ(masses.size(), 500u);
+}
+
+TEST(MonteCarlo, IsTheSameForAnyThreads) {
+  FlightOptions base = testing::example_flight();
+  base.wind = {Vec3(3, 0, 0), 3};
+  const ReferenceTrack track(testing::line({5, 0, 0}, 4));
+  const TrackingTube one = tube_of(fly_runs(track, base, {20, 0.1}, {}, {1, {}}));
+  const TrackingTube seven = tube_of(fly_runs(track, base, {20, 0.1}, {}, {7, {}}));
+  EXPECT_EQ(one.radius, seven.radius);
+  ASSERT_EQ(one.radius.size(), 40u);
+  EXPECT_EQ(one.saturated, seven.saturated);
+  // With 20 runs the 99.9th percentile is the largest.
+  double largest = 0;
+  for (const Tracking& t : one.tracking) largest = std::max(largest, t.largest);
+  EXPECT_EQ(*std::max_element(one.radius.begin(), one.radius.end()), largest);
+}
+
+TEST(TubePeriods, CoverTheDuration) {
+  EXPECT_EQ(tube_periods(0.05), 1u);
+  EXPECT_EQ(tube_periods(1), 10u);
+  EXPECT_EQ(tube_periods(1.01), 11u);
+}
+
+TEST(TrackingTube, IsTheLargestErrorButForOneInAThousand) {
+  std::vector<RunOutcome> outcomes(2000);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const double error = static_cast<double>((i * 7) % 2000);  // each of 0 to 1999 once
+    outcomes[i].largest = {error, 2 * error};
+    outcomes[i].saturated = i % 2 ? 1 : 0;
+  }
+  const TrackingTube tube = tube_of(outcomes);
+  EXPECT_EQ(tube.lost, 0u);
+  EXPECT_EQ(tube.radius, (std::vector<double>{1997, 2 * 1997}));
+  EXPECT_NEAR(tube.saturated, 0.5, 1e-9);
+  EXPECT_EQ(tube.tracking.size(), 2000u);
+  outcomes.resize(999);
+  EXPECT_EQ(tube_of(outcomes).radius[0], 1999) << "i = 857: of fewer, the largest";
+}
+
+TEST(TrackingTube, IsNoneWhereAFlightWasLost) {
+  std::vector<RunOutcome> outcomes(3);
+  for (RunOutcome& o : outcomes) o.largest = {1};
+  outcomes[1].lost = true;
+  const TrackingTube tube = tube_of(outcomes);
+  EXPECT_EQ(tube.lost, 1u);
+  EXPECT_TRUE(tube.radius.empty());
+  EXPECT_TRUE(tube.tracking.empty());
+}
+
+TEST(MonteCarlo, ShardsFlyTheRunsOfTheWhole) {
+  FlightOptions base = testing::example_flight();
+  base.wind = {Vec3(3, 0, 0), 3};
+  const ReferenceTrack track(testing::line({5, 0, 0}, 2));
+  const auto all = fly_runs(track, base, {5, 0.1}, {}, {});
+  std::vector<RunOutcome> shares;
+  for (const std::size_t k : {0u, 1u, 2u}) {
+    for (RunOutcome& o : fly_runs(track, base, {5, 0.1}, {k, 3}, {})) shares.push_back(o);
+  }
+  EXPECT_EQ(tube_of(shares).radius, tube_of(all).radius);
+}
+
+}  // namespace
+}  // namespace traj

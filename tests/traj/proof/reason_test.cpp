@@ -1,0 +1,31 @@
+#include "traj/proof/reason.h"
+
+#include <gtest/gtest.h>
+
+namespace traj {
+namespace {
+
+TEST(Reason, OfALimitIsItsQuantity) {
+  EXPECT_EQ(broken(Limit::tilt), Reason::tilt);
+  EXPECT_EQ(unmeasured(Limit::yaw_rate), Reason::yaw_rate_not_measured);
+  for (const LimitKind& kind : kLimitKinds) {
+    EXPECT_EQ(name(broken(kind.limit)), kind.quantity);
+    EXPECT_EQ(name(unmeasured(kind.limit)), std::string(kind.quantity) + "_not_measured");
+  }
+}
+
+TEST(Reason, OfAStatusIsWhyThereIsNothingToCheck) {
+  EXPECT_EQ(reason_of(TrajectoryStatus::solved), Reason::none);
+  EXPECT_EQ(reason_of(TrajectoryStatus::no_path), Reason::no_path);
+  EXPECT_EQ(reason_of(TrajectoryStatus::infeasible), Reason::infeasible);
+  EXPECT_EQ(reason_of(TrajectoryStatus::stopped), Reason::stopped);
+}
+
+TEST(Reason, IsNamedAsInReports) {
+  EXPECT_EQ(name(Reason::none), "");
+  EXPECT_EQ(name(Reason::collision), "collision");
+  EXPECT_EQ(name(Reason::return_home), "return");
+}
+
+}  // namespace
+}  // namespace traj
