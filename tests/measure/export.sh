@@ -17,5 +17,5 @@ for format in crazyflie setpoints tello wpl qgc-plan kml geojson gltf; do
   done
   took=$((($(date +%s%N) - began) / 1000000 / ${#ids[@]}))
   echo "$format: $written of ${#ids[@]}, $took ms each" \
-    "$(grep -oE 'as flown, [a-z]+' "$folder/why" | sort | uniq -c | tr -s ' ' | paste -sd';')"
+    "$(grep -oE 'flown as the file says, [a-z ]+' "$folder/why" | sort | uniq -c | tr -s ' ' | paste -sd';')"
 done

@@ -24,27 +24,30 @@ void add_queries(CLI::App& app, Files& files, Options& options) {
       ->needs(queries);
   app.add_option("--set", options.set,
                  "random queries: uniform in free space (default); street: within 30 m of the "
-                 "floor; street-blocked: and the straight line blocked")
+                 "floor; street-blocked: as street, and the straight line is blocked")
       ->check(CLI::IsMember({"uniform", "street", "street-blocked"}))
       ->excludes(queries);
-  app.add_option("--length", options.length, "between the ends of random queries, metres")
+  app.add_option("--length", options.length, "distance between the ends of random queries, metres")
       ->expected(2)
       ->type_name("MIN MAX")
       ->check(CLI::Range(0.0, 1e6))
       ->excludes(queries);
-  app.add_option("--seed", options.random.seed, "of random queries and planners (default 0)");
+  app.add_option("--seed", options.random.seed, "seed of random queries and planners (default 0)");
   app.add_flag("--until-converged,!--all-trials", options.rule.converge,
-               "random queries until the mean time is known (default), or as many as --trials")
+               "draw random queries until the mean time is known (default), or as many as --trials")
       ->excludes(queries);
-  app.add_option("--within", options.within,
-                 "the mean is known when its standard error is within this, percent (default 1)")
+  app.add_option(
+         "--within", options.within,
+         "the mean time is known when its standard error is within this, percent (default 1)")
       ->check(CLI::Range(0.0, 100.0));
-  app.add_option("--min-trials", options.rule.least, "at least (default 100)")
+  app.add_option("--min-trials", options.rule.least,
+                 "at least this many random queries (default 100)")
       ->check(CLI::Range(1, 1000000000));
-  app.add_option("--trials", options.rule.most, "at most (default 10000)")
+  app.add_option("--trials", options.rule.most, "at most this many random queries (default 10000)")
       ->check(CLI::Range(1, 1000000000))
       ->excludes(queries);
-  app.add_option("--repeat", options.rule.repeat, "the median time of this many (default 1)")
+  app.add_option("--repeat", options.rule.repeat,
+                 "take the median time of this many runs of a query (default 1)")
       ->check(CLI::Range(1, 1000));
 }
 
@@ -52,25 +55,26 @@ void add_methods(CLI::App& app, Files& files, Options& options) {
   std::vector<std::string> names;
   for (const auto& known : known_methods()) names.emplace_back(known.name);
   app.add_option("--method", options.methods,
-                 fmt::format("what to compare, by commas; the first is what the others are held "
-                             "against: {} (default auto)",
+                 fmt::format("what to compare, by commas; the others are compared with the first: "
+                             "{} (default auto)",
                              fmt::join(names, ", ")))
       ->delimiter(',')
       ->check(CLI::IsMember(names));
   app.add_option("--planner-cmd", options.commands,
-                 "a planner of anybody's: a shell command that reads queries as JSON Lines and "
-                 "writes path records; may be repeated")
+                 "any planner: a shell command that reads queries as JSON Lines and writes path "
+                 "records; may be repeated")
       ->take_all()
       ->expected(1);
   files.artefacts.add_to(app);
   cli::add_quality(app, options.method.quality);
   app.add_option("--spacing", options.method.spec.spacing,
-                 "astar: of the lattice, metres (default 25)")
+                 "astar: spacing of the lattice, metres (default 25)")
       ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--connectivity", options.connect, "astar: 6, 18 or 26 neighbours (default 6)")
       ->check(CLI::IsMember({6, 18, 26}));
-  app.add_option("--ompl-seconds", options.method.ompl_seconds,
-                 "planners of OMPL: time for a query, of CPU for Informed RRT* (default 1)")
+  app.add_option(
+         "--ompl-seconds", options.method.ompl_seconds,
+         "planners of OMPL: seconds for a query; for Informed RRT*, of CPU time (default 1)")
       ->check(CLI::Range(1e-3, 1e5));
 }
 
@@ -80,11 +84,10 @@ void add_options(CLI::App& app, Files& files, Options& options) {
   app.add_option("map", files.map, "box map; - for stdin")->required();
   add_queries(app, files, options);
   add_methods(app, files, options);
-  app.add_flag(
-         "--older-protocol", options.older_protocol,
-         "what a well-known older planner was measured by: 50 A* searches of 600-700 m (25 m, "
-         "6 neighbours), then rrt, rrt-connect and auto on 45-50 m until the mean time is "
-         "known to 1 %")
+  app.add_flag("--older-protocol", options.older_protocol,
+               "repeat the measurement of a well-known older planner: 50 A* searches of 600-700 m "
+               "(25 m, 6 neighbours), then rrt, rrt-connect and auto on 45-50 m until the mean "
+               "time is known to 1 %")
       ->excludes("--queries", "--set", "--length", "--method", "--trials", "--within");
   cli::add_output(app, "-o,--output", files.output, "report, JSON (default: stdout)");
 }
@@ -105,7 +108,9 @@ void complete(Options& options, const geom::BoxMap& map) {
   options.random.ends = kSets.at(options.set);
   if (!options.length.empty()) {
     if (!(options.length[0] <= options.length[1]) || options.length[1] == 0) {
-      throw cli::UsageError("--length: expected MIN <= MAX and MAX > 0");
+      throw cli::UsageError(
+          fmt::format("--length: expected MIN <= MAX and MAX > 0 metres, found {} and {}",
+                      options.length[0], options.length[1]));
     }
     options.random.length = {options.length[0], options.length[1]};
   }
@@ -129,7 +134,10 @@ std::vector<geom::PlanQuery> read_queries(const Files& files) {
     query.best_known = at->second;
     ++known;
   }
-  if (!known) throw geom::InputError(reference.name(), "none of its ids is one of the queries'");
+  if (!known)
+    throw geom::InputError(
+        reference.name(),
+        "expected the length of at least one of the queries, found other ids only");
   return queries;
 }
 

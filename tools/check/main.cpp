@@ -36,11 +36,12 @@ void Options::add_to(CLI::App& app) {
   vehicle.add_to(app);
   limits.add_to(app);
   app.add_flag("--override", override_record,
-               "let the options be looser than what the records carry");
+               "let options and --vehicle be looser than what the records carry");
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
   profile.add_to(app);
-  cli::add_output(app, "--certificate", certificate,
-                  "write why each accepted record is clear, JSON Lines; implies --exact");
+  cli::add_output(
+      app, "--certificate", certificate,
+      "write the reasons why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
 }
 

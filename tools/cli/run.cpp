@@ -16,6 +16,7 @@
 #include "cli/option/completion.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
+#include "cli/option/parse_error.h"
 #include "geom/base/error.h"
 #include "geom/base/mapped_file.h"
 #include "geom/text/excerpt.h"
@@ -109,7 +110,7 @@ int guarded(CLI::App& app, const std::function<int()>& body) {
   } catch (const UsageError& error) {
     return usage(app, error.what());
   } catch (const CLI::ParseError& error) {
-    return usage(app, error.what());
+    return usage(app, in_words(app, error));
   } catch (const geom::InputError& error) {
     return fail(app, Exit::bad_input, error.what() + other_kind(app.get_name(), error.what()));
   } catch (const std::bad_alloc&) {

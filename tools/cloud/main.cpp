@@ -248,11 +248,13 @@ void add_options(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"columns", "objects"}));
   app.add_option("--cell", options.columns.cell, "side of a column, metres (default 1)")
       ->check(CLI::Range(0.05, 1000.0));
-  app.add_option("--step", options.columns.step,
-                 "heights of columns are rounded outward to multiples of this (default 0.5)")
+  app.add_option(
+         "--step", options.columns.step,
+         "heights of columns are rounded outward to multiples of this, metres (default 0.5)")
       ->check(CLI::Range(0.05, 1000.0));
   app.add_option("--gap", options.columns.gap,
-                 "returns of a column further apart leave free space between (default 2)")
+                 "returns of a column that are further apart than this, metres, have free space "
+                 "between them (default 2)")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--classes", options.classes, "keep only these LAS classes: 6,9,…")
       ->delimiter(',')
@@ -267,12 +269,13 @@ void add_options(CLI::App& app, Options& options) {
                  "cells whose lowest returns make the ground, metres (default 2)")
       ->check(CLI::Range(0.1, 1000.0));
   app.add_option("--ground-slope", options.ground_spec.slope,
-                 "metres up a metre that ground may rise (default 0.1)")
+                 "metres that ground may rise in a metre (default 0.1)")
       ->check(CLI::Range(0.0, 100.0));
   app.add_option("--ground-height", options.ground_spec.height,
-                 "metres above it that count as ground (default 0.3)")
+                 "metres above the ground that still count as ground (default 0.3)")
       ->check(CLI::Range(0.0, 100.0));
-  app.add_option("--tolerance", options.tolerance, "points this near are one object (default 1)")
+  app.add_option("--tolerance", options.tolerance,
+                 "points this near to each other, metres, are one object (default 1)")
       ->check(CLI::Range(0.001, 1000.0));
   app.add_option("--min-points", options.min_points, "drop objects of fewer points (default 1)")
       ->check(CLI::Range(1, 1000000));

@@ -22,8 +22,8 @@ std::string short_name(const geom::CoordinateReference& told) { return told.name
 [[noreturn]] void contradiction(const std::string& source, const geom::CoordinateReference& told,
                                 double metres, const char* option, const std::string& units) {
   throw geom::InputError(
-      source, fmt::format("its reference system \"{}\" says that a unit is {} m, and {} says {}: "
-                          "leave the option out, or mend the file",
+      source, fmt::format("its reference system \"{}\" says that a unit is {} m, but {} says {}: "
+                          "leave the option out, or correct the file",
                           short_name(told), metres, option, units));
 }
 
@@ -66,9 +66,10 @@ double Placement::plane_unit(const geom::CoordinateReference& told,
   if (!units_.empty()) return cli::kMetres.at(units_);
   if (told.kind == Kind::none) return 1;
   throw geom::InputError(
-      source, fmt::format("its reference system \"{}\" does not say how long its units are, and no "
-                          "data base of such systems is asked: give --units m, ft or us-ft",
-                          short_name(told)));
+      source,
+      fmt::format("the file names the reference system \"{}\" without the length of its units: "
+                  "give --units m, ft or us-ft",
+                  short_name(told)));
 }
 
 double Placement::upward_unit(const geom::CoordinateReference& told, double plane,
@@ -84,8 +85,8 @@ double Placement::upward_unit(const geom::CoordinateReference& told, double plan
   if (!told.up_unclear) return plane;
   throw geom::InputError(
       source,
-      fmt::format("its heights have a reference system of their own, whose unit \"{}\" does "
-                  "not say: give --vertical-units m, ft or us-ft",
+      fmt::format("its heights have a reference system of their own, and \"{}\" does not say in "
+                  "which unit: give --vertical-units m, ft or us-ft",
                   short_name(told)));
 }
 
@@ -108,11 +109,10 @@ void Placement::settle(const geom::CoordinateReference& told, const std::string&
   if (!told.crs.empty() && !metric) frame_.crs = "in metres: " + told.crs;
   if (origin_ && !told.crs.empty()) {
     throw cli::UsageError(fmt::format(
-        "--origin says where the cloud's (0, 0, 0) is, and its coordinates count from elsewhere, "
-        "as "
-        "\"{}\" has it: project the cloud onto metres about that place first, for example with "
+        "--origin is for coordinates that count from that place, and those of this cloud are of "
+        "\"{}\": project the cloud to metres about that place first, for example with "
         "`pdal translate in.las out.las reprojection --filters.reprojection.out_srs=\"+proj=tmerc "
-        "+lat_0={} +lon_0={} +k=1 +ellps=WGS84\"`, and leave its reference system out",
+        "+lat_0={} +lon_0={} +k=1 +ellps=WGS84\"`, then write it without a reference system",
         short_name(told), origin_->latitude, origin_->longitude));
   }
   frame_.origin = origin_;

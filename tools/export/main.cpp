@@ -34,7 +34,7 @@ TrajectoryRecord read_one(const std::string& input) {
   file.for_each_line([&](const std::string& line, std::size_t number) {
     if (record) {
       throw geom::InputError(file.name(), number,
-                             "expected one trajectory a file, found another (use --id)");
+                             "expected one trajectory, found another: choose one with --id");
     }
     record = traj::parse_trajectory_record(line, file.name(), number);
   });
@@ -92,8 +92,10 @@ void warn_of_holds(const cli::Common& common, const Task& task) {
     if (std::all_of(s.point.begin(), s.point.end(), here)) held += s.duration;
   }
   if (held > 0) {
-    common.warn(fmt::format("{}: it stands still for {:.4g} s, which {} does not say: left out",
-                            task.id, held, task.format));
+    common.warn(
+        fmt::format("{}: it stands still for {:.4g} s in all; a {} file has no such pauses, "
+                    "so they are left out",
+                    task.id, held, task.format));
   }
 }
 
@@ -147,26 +149,26 @@ void add_options(CLI::App& app, Options& options, Task& task) {
       ->required()
       ->check(CLI::IsMember(
           {"tello", "crazyflie", "qgc-plan", "wpl", "setpoints", "kml", "geojson", "gltf"}));
-  app.add_option("--rate", task.rate, "setpoints a second, Hz (default 50)")
+  app.add_option("--rate", task.rate, "setpoints: how many a second, Hz (default 50)")
       ->check(CLI::Range(0.1, 10000.0));
-  app.add_option("--axes", options.axes, "of setpoints: enu or ned (default enu)")
+  app.add_option("--axes", options.axes, "setpoints: axes, enu or ned (default enu)")
       ->check(CLI::IsMember({"enu", "ned"}));
   app.add_option("--tolerance", task.tolerance,
-                 "metres that straight legs may leave the curve (default 0.2); halved, and points "
-                 "moved off obstacles, while they are refused")
+                 "how far straight legs may be from the curve, metres (default 0.2); while the "
+                 "check refuses them, their points are moved off obstacles, and this is halved")
       ->check(CLI::Range(1e-3, 100.0));
   app.add_option("--speed", task.speed,
-                 "m/s along straight legs (default: the limits', and 1 for a Tello)")
+                 "m/s along straight legs (default: what the limits allow, and 1 for a Tello)")
       ->check(CLI::Range(0.1, 100.0));
-  app.add_flag("--hover", options.hover, "do not land at the end of a mission");
+  app.add_flag("--hover", options.hover, "end a mission hovering, without landing");
   task.placement.add_to(app);
   app.add_option("--id", options.id, "which trajectory of the stream (default: its only one)");
   app.add_flag("--unchecked", options.unchecked, "write without a map and without a proof");
   cli::add_output(app, "-o,--output", options.output, "file to write (default: stdout)");
   cli::add_output(app, "--python", options.python,
-                  "of a Tello, write also a program for the library DJITelloPy that flies it");
+                  "Tello: also write a program for the library DJITelloPy that flies it");
   cli::add_output(app, "--table", options.table,
-                  "of a Tello, write also a table of where and when each leg ends, CSV");
+                  "Tello: also write a table of where and when each leg ends, CSV");
   options.vehicle.add_to(app);
 }
 
@@ -190,9 +192,8 @@ void require_slow_enough(const Task& task) {
   const std::optional<double> most = exporting::speed_limit(task.limits);
   if (!task.speed || !most || *task.speed <= *most) return;
   throw cli::UsageError(
-      fmt::format("--speed: asked for {} m/s, but {} may fly at most {} m/s in every direction: "
-                  "ask for no more",
-                  *task.speed, task.id, *most));
+      fmt::format("--speed: expected at most {} m/s, which {} may fly in every direction, found {}",
+                  *most, task.id, *task.speed));
 }
 
 Written write_unchecked(const Options& options, const TrajectoryRecord& record, Task& task) {
@@ -214,15 +215,13 @@ Written write_unchecked(const Options& options, const TrajectoryRecord& record, 
 // What a file of straight legs does not command, and its check cannot hold.
 void warn_of_unmeasured(const cli::Common& common, const Task& task,
                         const traj::CheckResult& result) {
-  std::vector<std::string_view> missing;
+  std::vector<std::string> missing;
   for (const traj::Limit limit : traj::not_measured(result, task.limits)) {
-    missing.emplace_back(traj::kind_of(limit).quantity);
+    missing.push_back(exporting::in_words(traj::kind_of(limit).quantity));
   }
   if (missing.empty()) return;
-  common.warn(
-      fmt::format("{}: {} does not say the {}: the vehicle's own settings must keep the "
-                  "limits of that",
-                  task.id, task.format, fmt::join(missing, ", ")));
+  common.warn(fmt::format("{}: a {} file sets no limit on {}: set it in the vehicle itself",
+                          task.id, task.format, fmt::join(missing, ", ")));
 }
 
 // Nothing where it is refused, which it says.
@@ -260,7 +259,8 @@ int main(int argc, char** argv) {
         options.id.empty() ? read_one(input) : read_named(input, options.id);
     if (record.status != traj::TrajectoryStatus::solved) {
       cli::complain("skyway-export",
-                    fmt::format("{}: refused: {}", record.id, name(record.status)));
+                    fmt::format("{}: refused: the record holds no trajectory (status {})",
+                                record.id, name(record.status)));
       return cli::Exit::no;
     }
     task.id = record.id;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "cli/option/limit_options.h"
 #include "geom/base/error.h"
 #include "traj/curve/to_enu.h"
 #include "traj/drone_file/straight_legs.h"
@@ -72,13 +74,57 @@ std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& s
   return made;
 }
 
+std::string in_words(std::string_view quantity) {
+  std::string out(quantity);
+  std::replace(out.begin(), out.end(), '_', ' ');
+  return out;
+}
+
+namespace {
+
+// What would go wrong, after "flown as the file says, ".
+std::string fault(const traj::CheckResult& result) {
+  using traj::Reason;
+  for (const traj::LimitKind& kind : traj::kLimitKinds) {
+    const std::string quantity = in_words(kind.quantity);
+    if (result.reason == traj::broken(kind.limit)) {
+      return fmt::format("the {} would be {}, above its limit", quantity,
+                         cli::shown(kind, result.worst));
+    }
+    if (result.reason == traj::unmeasured(kind.limit)) {
+      return fmt::format("the {} would be unknown, and it has a limit", quantity);
+    }
+  }
+  switch (result.reason) {
+    case Reason::collision:
+      return fmt::format("the vehicle would touch an obstacle, {:.3g} m deep", result.worst);
+    case Reason::bounds:
+      return fmt::format("the vehicle would leave the bounds by {:.3g} m", result.worst);
+    case Reason::takeoff:
+      return fmt::format("the vehicle would begin only {:.3g} m above the ground", result.worst);
+    case Reason::ceiling:
+      return fmt::format("the vehicle would be {:.3g} m high, above its ceiling", result.worst);
+    case Reason::range:
+      return fmt::format("the vehicle would be {:.3g} m from home, out of its range", result.worst);
+    case Reason::endurance:
+      return fmt::format("the vehicle would fly for {:.4g} s, longer than it can", result.worst);
+    case Reason::end:
+      return fmt::format("the vehicle would end {:.3g} m from the end of the trajectory",
+                         result.worst);
+    default:
+      return fmt::format("the check would say \"{}\" ({:.3g})", name(result.reason), result.worst);
+  }
+}
+
+}  // namespace
+
 std::string refusal(const Task& task, const traj::CheckResult& result) {
   const std::string when = exporting::has_legs(task.format)
-                               ? fmt::format("leg {:.0f}", std::floor(result.time))
-                               : fmt::format("t = {:.3f} s", result.time);
-  return fmt::format("{}: refused: as flown, {} at {}, ({:.3f}, {:.3f}, {:.3f}) m, {:.3g}", task.id,
-                     name(result.reason), when, result.place[0], result.place[1], result.place[2],
-                     result.worst);
+                               ? fmt::format("on leg {:.0f}", std::floor(result.time))
+                               : fmt::format("at t = {:.3f} s", result.time);
+  return fmt::format("{}: refused: flown as the file says, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]",
+                     task.id, fault(result), when, result.place[0], result.place[1],
+                     result.place[2]);
 }
 
 }  // namespace exporting

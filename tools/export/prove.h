@@ -3,6 +3,7 @@
 // Whether the bytes of a drone file are flown clear of the map.
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "geom/collision/collision.h"
@@ -16,6 +17,9 @@ namespace exporting {
 // that fails, with points moved off what the legs would cut, and with ever finer legs.
 std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& scene,
                                                    const Task& task);
+
+// "horizontal speed" of "horizontal_speed".
+std::string in_words(std::string_view quantity);
 
 // The place and the reason in words. Times of straight legs are their numbers.
 std::string refusal(const Task& task, const traj::CheckResult& result);

@@ -42,7 +42,8 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
     throw cli::UsageError("--tune writes gains: it takes neither --runs nor --report");
   }
   if (options.runs > 0 && sharding.asked() && !report.empty()) {
-    throw cli::UsageError("a shard of --runs goes to -o alone: give --report with --join");
+    throw cli::UsageError(
+        "a shard of --runs has no output but -o: give --report later, with --join");
   }
   if (options.runs > 0 && std::abs(options.mass_error) >= 1) {
     throw cli::UsageError("--mass-error must be below 1 with --runs");
@@ -101,12 +102,12 @@ int main(int argc, char** argv) {
       ->expected(0, 2);
   cli::add_output(app, "-o,--output", output,
                   "flight log, CSV; with --tune gains (default: stdout)");
-  cli::add_output(app, "--report", report, "how it went, JSON Lines");
+  cli::add_output(app, "--report", report, "reports of the flights, JSON Lines");
   vehicle.add_to(app);
   options.add_to(app);
   cli::Sharding sharding;
   sharding.add_to(app)->excludes("--tune");
-  sharding.add_join_to(app, "all shards of the runs, which then are not flown")
+  sharding.add_join_to(app, "all shards of the runs, which are then read and not flown")
       ->needs("--runs")
       ->expected(1, -1);
   return cli::run_tool(app, argc, argv, [&] {

@@ -9,6 +9,7 @@
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
+#include "geom/text/counted.h"
 #include "traj/curve/to_enu.h"
 
 namespace fly {
@@ -45,11 +46,11 @@ Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle,
 
 void Mission::refuse_size(const geom::Vehicle& made_for, std::size_t line) const {
   const auto shown = [](const geom::Vehicle& v) {
-    return fmt::format("{} [{}, {}, {}]", v.name, v.half[0], v.half[1], v.half[2]);
+    return fmt::format("{} (half sizes {}, {}, {} m)", v.name, v.half[0], v.half[1], v.half[2]);
   };
   throw geom::InputError(
       source_, line,
-      fmt::format("expected a trajectory for the vehicle {}, as asked, found one for {}",
+      fmt::format("expected a trajectory for the vehicle {}, which is to fly, found one for {}",
                   shown(profile_.vehicle), shown(made_for)));
 }
 
@@ -164,9 +165,11 @@ void Mission::take(cli::JoinedRuns runs) {
       entries_.begin(), entries_.end(),
       [](const Entry& entry) { return entry.record.status == traj::TrajectoryStatus::solved; }));
   if (runs.trajectories() != solved) {
-    throw geom::InputError(source_, fmt::format("expected {} solved trajectories as in the shards "
-                                                "of runs, found {}",
-                                                runs.trajectories(), solved));
+    throw geom::InputError(
+        source_,
+        fmt::format("expected the {} of the shards, found {}",
+                    geom::counted(runs.trajectories(), "solved trajectory", "solved trajectories"),
+                    solved));
   }
   joined_.emplace(std::move(runs));
 }

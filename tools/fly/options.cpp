@@ -75,30 +75,36 @@ void Options::add_to(CLI::App& app) {
                  "period of the position, velocity and attitude loops, s (default: 0.01 and 0.004)")
       ->check(CLI::Range(0.001, 0.1));
   app.add_option("--wind", wind, "velocity of the air, east, north, up, m/s")->type_name("X,Y,Z");
-  app.add_option("--gusts", gusts, "Dryden gusts of this wind speed at 20 feet, m/s (default: 0)")
+  app.add_option("--gusts", gusts,
+                 "Dryden gusts for this wind speed at a height of 20 feet, m/s (default: 0)")
       ->check(CLI::Range(0.0, 50.0));
   app.add_option("--mass-error", mass_error,
-                 "the true mass is this share more than believed; with --runs up to it")
+                 "the true mass is larger than believed by this share; with --runs, by up to this "
+                 "share either way")
       ->check(CLI::Range(-0.9, 10.0));
   app.add_option("--noise", noise,
-                 "deviations of what the sensors say: metres, m/s, degrees, degrees/s")
+                 "standard deviations of measured position, velocity, attitude and body rates: "
+                 "metres, m/s, degrees, degrees/s")
       ->type_name("P,V,A,R");
-  app.add_option("--delay", delay, "how late position and velocity are, s (default: 0)")
+  app.add_option("--delay", delay,
+                 "how late the measured position and velocity are, s (default: 0)")
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--hover", hover, "hovering before the start, s (default: 3)")
       ->check(CLI::Range(0.0, 600.0));
   app.add_option("--settle", settle, "hovering after the end, s (default: 3)")
       ->check(CLI::Range(0.0, 600.0));
-  app.add_option("--log-rate", log_rate, "rows a second: 100 over a whole number (default: 100)")
+  app.add_option("--log-rate", log_rate,
+                 "rows a second: 100 divided by a whole number (default: 100)")
       ->check(CLI::Range(0.1, 100.0));
-  app.add_option("--seed", seed, "of gusts, noise and runs (default: 0)");
-  app.add_option("--runs", runs, "fly so often, with wind and mass by chance")
+  app.add_option("--seed", seed, "seed of gusts, noise and runs (default: 0)");
+  app.add_option("--runs", runs, "fly this many times more, with wind and mass by chance")
       ->check(CLI::Range(1, 1000000));
-  app.add_flag("--tube", tube, "with --runs and a map: is it clear with the tracking tube added");
+  app.add_flag("--tube", tube,
+               "with --runs and a map: ask whether the map is clear with the tracking tube added");
   app.add_flag("--tune", tune, "write gains found for these trajectories instead of a log");
   app.add_option("--cost", cost,
-                 "of --tune: mean, rms, p99, max, final, saturated, each with a weight, as "
-                 "mean:1,max:0.5 (default: rms)");
+                 "what --tune makes small: mean, rms, p99, max, final, saturated, each with a "
+                 "weight, as mean:1,max:0.5 (default: rms)");
 }
 
 traj::FlightOptions Options::flight(const traj::VehicleProfile& profile) const {

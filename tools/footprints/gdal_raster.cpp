@@ -33,8 +33,10 @@ struct Raster {
   // A row's heights in metres; NaN where there is no data.
   void read_row(int row, const std::string& name, double* out) const {
     if (band->RasterIO(GF_Read, 0, row, width, 1, out, width, 1, GDT_Float64, 0, 0) != CE_None) {
-      throw geom::InputError(name,
-                             fmt::format("row {} cannot be read: {}", row, CPLGetLastErrorMsg()));
+      throw geom::InputError(
+          name, fmt::format("row {} of heights cannot be read (GDAL: {}): the file is damaged "
+                            "or cut, get it again",
+                            row, CPLGetLastErrorMsg()));
     }
     int has_nodata = 0;
     double nodata = band->GetNoDataValue(&has_nodata);
@@ -89,8 +91,8 @@ double metres_per_unit(GDALRasterBand& band, const std::string& crs, const std::
   }
   const double metres = metres_per(unit, name);
   if (options.height_unit && std::abs(*options.height_unit - metres) > 1e-9) {
-    throw geom::InputError(name, fmt::format("its heights are in \"{}\", and --height-units says "
-                                             "otherwise: leave that out",
+    throw geom::InputError(name, fmt::format("its heights are in \"{}\", but --height-units says "
+                                             "otherwise: leave the option out",
                                              unit));
   }
   return metres;
@@ -100,7 +102,10 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
   Raster raster;
   raster.dataset = open(path, GDAL_OF_RASTER);
   if (!raster.dataset || raster.dataset->GetRasterCount() < 1) {
-    throw geom::InputError(name, "expected a raster of heights, and GDAL cannot open it as one");
+    throw geom::InputError(
+        name,
+        "expected a raster of heights, as a GeoTIFF, found a file that GDAL cannot "
+        "open as one");
   }
   if (raster.dataset->GetRasterCount() > 1) {
     throw geom::InputError(name,
@@ -116,7 +121,10 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
                                              raster.width, raster.height));
   }
   if (raster.dataset->GetGeoTransform(raster.transform) != CE_None) {
-    throw geom::InputError(name, "expected a raster that says where its cells are");
+    throw geom::InputError(
+        name,
+        "expected a raster that says where on Earth its cells are, found one that "
+        "does not: give it a place, for example with `gdal_translate -a_ullr`");
   }
   raster.scale = raster.band->GetScale();
   raster.offset = raster.band->GetOffset();
@@ -234,13 +242,18 @@ std::optional<Terrain::Range> Terrain::range(const geom::Vec2& low, const geom::
     const OGRSpatialReference from = reference(crs, name_);
     const OGRSpatialReference to = reference(crs_, name_);
     to_raster.reset(OGRCreateCoordinateTransformation(&from, &to));
-    if (!to_raster) throw geom::InputError(name_, "PROJ cannot reach the terrain's coordinates");
+    if (!to_raster)
+      throw geom::InputError(
+          name_,
+          "PROJ cannot convert the coordinates of the footprints to those of the terrain: are "
+          "their coordinate reference systems right?");
   }
   double inverse[6];
   double forward[6];
   std::copy(transform_, transform_ + 6, forward);
   if (!GDALInvGeoTransform(forward, inverse)) {
-    throw geom::InputError(name_, "expected a raster whose cells have an area");
+    throw geom::InputError(name_,
+                           "expected cells with an area, found a geotransform that has none");
   }
   double c0 = std::numeric_limits<double>::infinity();
   double c1 = -c0;

@@ -19,8 +19,8 @@ class VectorReader {
       OGRLayer& layer = *dataset.GetLayer(i);
       const std::string crs = wkt_of(layer.GetSpatialRef(), name_);
       if (i > 0 && crs != out_.crs) {
-        throw geom::InputError(name_, fmt::format("expected one coordinate reference system, and "
-                                                  "layer \"{}\" has another",
+        throw geom::InputError(name_, fmt::format("expected one coordinate reference system in "
+                                                  "all layers, found another in layer \"{}\"",
                                                   layer.GetName()));
       }
       out_.crs = crs;
@@ -44,12 +44,17 @@ class VectorReader {
     if (!options_.where.empty() &&
         layer.SetAttributeFilter(options_.where.c_str()) != OGRERR_NONE) {
       throw geom::InputError(
-          name_, fmt::format("--where \"{}\" does not fit layer \"{}\": {}", options_.where,
-                             layer.GetName(), CPLGetLastErrorMsg()));
+          name_, fmt::format("--where: expected a condition on attributes of layer \"{}\", found "
+                             "\"{}\" (GDAL: {})",
+                             layer.GetName(), options_.where, CPLGetLastErrorMsg()));
     }
     layer.ResetReading();
     while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) read_feature(*feature);
-    if (CPLGetLastErrorType() == CE_Failure) throw geom::InputError(name_, CPLGetLastErrorMsg());
+    if (CPLGetLastErrorType() == CE_Failure) {
+      throw geom::InputError(name_, fmt::format("layer \"{}\" cannot be read to its end (GDAL: "
+                                                "{}): the file is damaged or cut, get it again",
+                                                layer.GetName(), CPLGetLastErrorMsg()));
+    }
   }
 
   void read_feature(OGRFeature& feature) {
@@ -185,8 +190,8 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
   if (!dataset) {
     throw geom::InputError(name,
                            "expected footprints that GDAL reads (GeoJSON, GeoPackage, "
-                           "Shapefile, FlatGeobuf), CityJSON, OSM .pbf or a GeoTIFF, and "
-                           "GDAL cannot open this");
+                           "Shapefile, FlatGeobuf), CityJSON, OSM .pbf or a GeoTIFF, found "
+                           "a file that GDAL cannot open");
   }
   return VectorReader(name, options).read(*dataset);
 }
@@ -204,9 +209,10 @@ std::optional<double> height_unit(const std::string& crs, const std::string& nam
 void refuse_heights(const std::string& name, const std::string& crs) {
   const double unit = reference(crs, name).GetLinearUnits();
   throw geom::InputError(
-      name, fmt::format("its coordinates are in units of {} m, and it does not say whether its "
-                        "heights are: give --height-units m, ft or us-ft",
-                        unit));
+      name,
+      fmt::format("the file has coordinates in units of {} m, and does not say the unit of its "
+                  "heights: give --height-units m, ft or us-ft",
+                  unit));
 }
 
 struct Projector::Transformation {
@@ -244,10 +250,9 @@ void require_metres(const Layout& layout, const std::string& name) {
                        layout.high.y() <= 180 && layout.largest < 0.1;
   if (!degrees) return;
   throw geom::InputError(
-      name, fmt::format("it names no coordinate reference system, so its numbers are metres, and "
-                        "they look like degrees: [{}, {}] to [{}, {}]; give it its system, for "
-                        "example with `ogr2ogr -a_srs EPSG:4326`, or take metres as they are with "
-                        "--metres",
+      name, fmt::format("the file names no coordinate reference system, and its numbers look like "
+                        "degrees: [{}, {}] to [{}, {}]; name the system, for example with "
+                        "`ogr2ogr -a_srs EPSG:4326`, or say that they are metres with --metres",
                         layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y()));
 }
 
@@ -270,7 +275,7 @@ void require_near(const geom::Vec2& at, const geom::Vec2& middle, const std::str
   const std::string text =
       fmt::format("the origin {},{} is {:.0f} km from the data, which lie about {:.4f},{:.4f}{}",
                   at.y(), at.x(), away, middle.y(), middle.x(),
-                  swapped ? ": latitude comes first, then longitude" : "");
+                  swapped ? ": give the latitude first, then the longitude" : "");
   if (swapped || away > kTooFar) throw geom::InputError(name, text);
   warnings.push_back(text);
 }
@@ -294,10 +299,11 @@ Projector::Projector(Source& source, const std::string& name,
   if (!back || !back->Transform(1, &middle.x(), &middle.y()) || !middle.allFinite() ||
       std::abs(middle.y()) > 90) {
     throw geom::InputError(
-        name, fmt::format("PROJ cannot tell where on Earth these coordinates are: they reach from "
-                          "[{}, {}] to [{}, {}] in \"{}\"; is that the right system?",
-                          layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y(),
-                          source.crs.substr(0, 60)));
+        name,
+        fmt::format("PROJ cannot tell where on Earth the coordinates [{}, {}] to [{}, {}] are in "
+                    "\"{}\": is that the right coordinate reference system?",
+                    layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y(),
+                    source.crs.substr(0, 60)));
   }
   geom::Vec2 at = (middle * 1e6).array().round() / 1e6;  // a tidy origin, a decimetre off
   if (origin) {
@@ -310,7 +316,10 @@ Projector::Projector(Source& source, const std::string& name,
   const OGRSpatialReference to = reference(local, name);
   transformation_->to_local.reset(OGRCreateCoordinateTransformation(&from, &to));
   if (!transformation_->to_local) {
-    throw geom::InputError(name, "PROJ cannot take these coordinates to local metres");
+    throw geom::InputError(
+        name,
+        "PROJ cannot convert these coordinates to metres about the origin: is their "
+        "coordinate reference system right?");
   }
   frame_.origin = geom::GeodeticOrigin{at.y(), at.x(), 0};
   frame_.crs = local;
@@ -322,8 +331,10 @@ geom::Vec2 Projector::operator()(const geom::Vec2& p) const {
   if (!transformation_->to_local) return p;
   geom::Vec2 q = p;
   if (!transformation_->to_local->Transform(1, &q.x(), &q.y()) || !q.allFinite()) {
-    throw geom::InputError(name_,
-                           fmt::format("PROJ cannot take ({}, {}) to local metres", p.x(), p.y()));
+    throw geom::InputError(
+        name_, fmt::format("PROJ cannot convert ({}, {}) to metres about the origin: is the "
+                           "coordinate reference system right?",
+                           p.x(), p.y()));
   }
   return q;
 }

@@ -45,11 +45,11 @@ void Options::add_to(CLI::App& app) {
                  "how far boxes may reach outside a footprint, metres (default 0.5)")
       ->check(CLI::Range(0.01, 100.0));
   app.add_option("--height-attribute", read.height.attribute,
-                 "attribute that holds heights, before the usual ones");
+                 "attribute that holds heights; it is looked at before the usual ones");
   app.add_option("--storey", read.height.storey, "height of a storey, metres (default 3)")
       ->check(CLI::Range(1.0, 20.0));
   app.add_option("--default-height", read.height.default_height,
-                 "height of buildings that tell none, metres (default 10)")
+                 "height of buildings whose height the file does not tell, metres (default 10)")
       ->check(CLI::Range(0.1, 2000.0));
   app.add_option("--where", read.where, "only features for which this OGR SQL is true");
   app.add_option("--height-step", read.height_step,

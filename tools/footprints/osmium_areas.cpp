@@ -331,10 +331,10 @@ Source read_osm(const std::string& path, const std::string& name, const ReadOpti
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw geom::InputError(name,
-                           fmt::format("expected OpenStreetMap data, sorted as `osmium sort` does: "
-                                       "{}",
-                                       error.what()));
+    throw geom::InputError(
+        name, fmt::format("expected whole OpenStreetMap data, sorted as by `osmium sort`, "
+                          "found other data (libosmium: {})",
+                          error.what()));
   }
   return out;
 }

@@ -13,6 +13,7 @@
 #include "geom/base/error.h"
 #include "geom/import/import_boxes.h"
 #include "geom/map/make_map.h"
+#include "geom/text/counted.h"
 
 namespace {
 
@@ -42,14 +43,17 @@ geom::MakeMapOptions map_options(const Options& options, const geom::ImportedBox
 
 void warn(const geom::ImportedBoxes& boxes, bool unknown_blocked, const std::string& file,
           const cli::Common& common) {
-  for (const std::string& key : boxes.names) common.warn(file + ": unknown key, " + key);
+  for (const std::string& key : boxes.names)
+    common.warn(file + ": an unknown key is ignored: " + key);
   if (boxes.unknown > 0 && !unknown_blocked) {
     common.warn(
-        fmt::format("{}: {} cell(s) within the bounds were never seen and count as free "
-                    "(--unknown blocked makes them obstacles)",
-                    file, boxes.unknown));
+        fmt::format("{}: {} within the bounds never seen; this counts as free (--unknown blocked "
+                    "makes it obstacles)",
+                    file, geom::counted(boxes.unknown, "cell was", "cells were")));
   }
-  if (boxes.flat > 0) common.warn(fmt::format("{}: {} flat box(es) kept", file, boxes.flat));
+  if (boxes.flat > 0)
+    common.warn(fmt::format("{}: {} kept", file,
+                            geom::counted(boxes.flat, "flat box is", "flat boxes are")));
 }
 
 nlohmann::ordered_json step_of(const std::string& hash, const Options& options,

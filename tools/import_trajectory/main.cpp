@@ -84,11 +84,12 @@ int main(int argc, char** argv) {
   double gap = 1e-3;
   app.add_option("file", input, "Crazyflie CSV, WPL, QGroundControl plan, … ; - for stdin")
       ->required();
-  app.add_option("--format", options.format, "what the file is (default: as it begins)")
+  app.add_option("--format", options.format,
+                 "what the file is (default: found out from its beginning)")
       ->check(CLI::IsMember({"auto", "crazyflie", "wpl", "qgc-plan", "tello", "kml", "geojson",
                              "gltf", "paths-csv"}));
   CLI::Option* const map_option =
-      app.add_option("--map", map, "box map it is for: gives the axes and the origin");
+      app.add_option("--map", map, "box map that the file is for: gives the axes and the origin");
   app.add_option("--frame", axes, "axes to write in: enu or neu (default enu)")
       ->check(CLI::IsMember({"enu", "neu"}))
       ->excludes(map_option);
@@ -100,7 +101,7 @@ int main(int argc, char** argv) {
          "metres by which segments of a trajectory may miss each other (default 0.001); ten "
          "times as many m/s and a hundred times as many m/s2")
       ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--id", id, "of the record (default: the file's name)");
+  app.add_option("--id", id, "id of the record (default: the file's name)");
   cli::add_output(app, "-o,--output", output,
                   "trajectories or paths, JSON Lines (default: stdout)");
   return cli::run_tool(app, argc, argv, [&] {

@@ -140,10 +140,10 @@ int main(int argc, char** argv) {
   bool json = false;
   bool verify = false;
   app.add_option("file", input, "any of Skyway's files, or another; - for stdin")->required();
-  app.add_flag("--json", json, "as one JSON object");
-  app.add_flag("--verify", verify,
-               "check every checksum, and a map's boxes and hash, as well; looks again even where "
-               "that was done");
+  app.add_flag("--json", json, "print one JSON object");
+  app.add_flag(
+      "--verify", verify,
+      "also check every checksum, and a map's boxes and hash, even if that was done before");
   return cli::run_tool(app, argc, argv, [&] {
     const Json out = describe_file(input, verify);
     cli::OutputFile print("-", cli::OutputKind::text);

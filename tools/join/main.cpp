@@ -8,6 +8,7 @@
 #include "cli/shard/map_shard.h"
 #include "cli/shard/sharding.h"
 #include "geom/base/error.h"
+#include "geom/text/counted.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
 #include "plan/roadmap/part_file.h"
@@ -30,7 +31,8 @@ class Records {
   std::string_view next() {
     const std::uint64_t end = ends_[next_++];
     if (end < at_ || end > text_.size()) {
-      throw geom::InputError(name_, fmt::format("record {} of the shard cannot end there", next_));
+      throw geom::InputError(
+          name_, fmt::format("record {} ends outside of the text: the file is damaged", next_));
     }
     const auto* const begin = reinterpret_cast<const char*>(text_.data()) + at_;
     const std::size_t size = end - at_;
@@ -50,7 +52,8 @@ void join_records(std::ostream& out, const std::vector<ShardFile>& shards) {
   const nlohmann::json& content = shards.front().content;
   if (!content.contains("head") || !content["head"].is_string() || !content.contains("total") ||
       !content["total"].is_number_unsigned()) {
-    throw geom::InputError(shards.front().archive.name(), "its content is not that of records");
+    throw geom::InputError(shards.front().archive.name(),
+                           "expected a shard of records, found a damaged one");
   }
   const auto total = content["total"].get<std::size_t>();
   std::vector<Records> records;
@@ -58,9 +61,10 @@ void join_records(std::ostream& out, const std::vector<ShardFile>& shards) {
     records.emplace_back(shard);
     const std::size_t expected = shard.shard.taken(total);
     if (shard.content != content || records.back().count() != expected) {
-      throw geom::InputError(shard.archive.name(),
-                             fmt::format("expected {} of {} records, found {}", expected, total,
-                                         records.back().count()));
+      throw geom::InputError(
+          shard.archive.name(),
+          fmt::format("expected {}, of {} in all, found {}: the file is damaged",
+                      geom::counted(expected, "record"), total, records.back().count()));
     }
   }
   out << content["head"].get<std::string>();
@@ -93,7 +97,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> files;
   std::string output = "-";
   app.add_option("shards", files, "all shards of one output, in any order")->required();
-  cli::add_output(app, "-o,--output", output, "what they make (default: stdout)");
+  cli::add_output(app, "-o,--output", output, "the joined output (default: stdout)");
   return cli::run_tool(app, argc, argv, [&] {
     const std::vector<ShardFile> shards = cli::open_shards(files);
     const std::string& kind = shards.front().kind;
@@ -111,8 +115,8 @@ int main(int argc, char** argv) {
       join_roadmaps(out.stream(), shards, common.execution("bends"));
     } else if (kind == "runs") {
       throw geom::InputError(shards.front().archive.name(),
-                             "these runs are joined by skyway-fly --join, with the trajectories "
-                             "and options that they were flown with");
+                             "this is a shard of runs: join it with skyway-fly --join, with the "
+                             "trajectories and options that they were flown with");
     } else {
       throw geom::InputError(
           shards.front().archive.name(),

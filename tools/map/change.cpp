@@ -188,7 +188,7 @@ void renumber(BoxTable& fresh, const BoxTable& table) {
 
 void run_patch(const Files& files, const Changes& changes, const cli::Common& common) {
   if (changes.add.empty() && changes.remove.empty() && changes.keep_out.empty()) {
-    throw cli::UsageError("give --add, --remove or --keep-out");
+    throw cli::UsageError("nothing to change: give --add, --remove or --keep-out");
   }
   cli::at_most_one_stdin({files.map, changes.add, changes.keep_out});
   const BoxMap map = open(files.map, common);

@@ -15,6 +15,7 @@
 #include "geom/map/join.h"
 #include "geom/map/merge.h"
 #include "geom/map/simplify.h"
+#include "geom/text/counted.h"
 #include "geom/text/parse_json.h"
 #include "verbs.h"
 
@@ -41,8 +42,9 @@ void run_crop(const Files& files, const Aabb& region, const cli::MetresOption& m
   geom::BoxMapSpec spec = map.spec();
   spec.bounds = {spec.bounds.min.cwiseMax(region.min), spec.bounds.max.cwiseMin(region.max)};
   if ((spec.bounds.min.array() >= spec.bounds.max.array()).any()) {
-    throw geom::InputError(files.map,
-                           "the map's bounds and the region to crop to have no volume in common");
+    throw geom::InputError(
+        files.map,
+        "expected --bounds that meet the bounds of the map, found a region apart from them");
   }
   Json step = step_of("crop", map);
   step["bounds"] = numbers(region);
@@ -60,7 +62,8 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
   Json histories = Json::array();
   std::size_t skipped = 0;  // that the others know of; the first has its own history
   for (std::size_t i = 1; i < names.size(); ++i) {
-    if (names[i] == "-") throw cli::UsageError("only the first map may be stdin");
+    if (names[i] == "-")
+      throw cli::UsageError("expected stdin (\"-\") as the first map only, found it later");
     const BoxMap other = open(names[i], common);
     others.push_back(other.hash());
     const std::string& past = other.spec().history;
@@ -86,8 +89,9 @@ void run_merge(const Files& files, const cli::Common& common) {
   const BoxMap map = open(files.map, common);
   const geom::Merged merged = geom::merge(geom::table_of(map));
   write(files, map.spec(), merged.table, step_of("merge", map));
-  common.warn(fmt::format("{}: {} boxes become {}: {} were contained, {} joined", files.map,
-                          map.size(), merged.table.boxes.size(), merged.contained, merged.joined));
+  common.warn(fmt::format("{}: {} before, {} after: {} contained in others, {} joined", files.map,
+                          geom::counted(map.size(), "box", "boxes"), merged.table.boxes.size(),
+                          merged.contained, merged.joined));
   common.write_stats({{"before", map.size()},
                       {"after", merged.table.boxes.size()},
                       {"contained", merged.contained},
@@ -101,8 +105,8 @@ void run_simplify(const Files& files, double slack, const cli::Common& common) {
   Json step = step_of("simplify", map);
   step["slack"] = slack;
   write(files, map.spec(), simple.table, step);
-  common.warn(
-      fmt::format("{}: {} boxes become {}", files.map, map.size(), simple.table.boxes.size()));
+  common.warn(fmt::format("{}: {} before, {} after", files.map,
+                          geom::counted(map.size(), "box", "boxes"), simple.table.boxes.size()));
   const double ratio = static_cast<double>(simple.table.boxes.size()) /
                        static_cast<double>(std::max<std::size_t>(1, map.size()));
   common.write_stats({{"before", map.size()},

@@ -61,7 +61,7 @@ Verb info(CLI::App& app, const cli::Common& common) {
   auto files = std::make_shared<Files>();
   auto flags = std::make_shared<Flags>();
   CLI::App* verb = files->add(app, "info", "print what is in the map");
-  verb->add_flag("--json", flags->json, "as one JSON object");
+  verb->add_flag("--json", flags->json, "print one JSON object");
   verb->add_flag("--all", flags->all, "count overlaps on maps of over a million boxes too");
   return {verb, [=, &common] {
             const BoxMap map =

@@ -7,6 +7,7 @@
 
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
+#include "cli/option/word_for.h"
 #include "cli/run.h"
 
 namespace planning {
@@ -32,19 +33,20 @@ void add_path_options(CLI::App& app, plan::PlanOptions& options) {
 }
 
 void add_sampling_options(CLI::App& app, plan::SamplingOptions& sampling) {
-  app.add_option("--step", sampling.step, "rrt…: longest edge, metres (default 15)")
+  app.add_option("--step", sampling.step, "sampling methods: longest edge, metres (default 15)")
       ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--goal-bias", sampling.goal_bias,
-                 "rrt…: how often the goal is the sample (default 0.05)")
+                 "sampling methods: how often the goal is the sample (default 0.05)")
       ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--iterations", sampling.iterations, "rrt…: at most (default 20000)")
+  app.add_option("--iterations", sampling.iterations,
+                 "sampling methods: at most this many (default 20000)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
   app.add_option("--radius", sampling.radius,
-                 "rrt-star…: largest neighbourhood, metres (default 30)")
+                 "rrt-star, informed-rrt-star: largest neighbourhood, metres (default 30)")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--patience", sampling.patience,
-                 "rrt-star…: end after this many iterations that shorten the path by less than "
-                 "0.1 % (default: use all)");
+                 "rrt-star, informed-rrt-star: end after this many iterations that together "
+                 "shorten the path by less than 0.1 % (default: use all)");
 }
 
 }  // namespace
@@ -53,7 +55,8 @@ void SearchOptions::add_to(CLI::App& app) {
   add_path_options(app, plan);
   app.add_option("--method", plan.method,
                  "auto (default), astar, rrt, rrt-connect, rrt-star or informed-rrt-star")
-      ->transform(CLI::CheckedTransformer(kMethod));
+      ->transform(cli::word_for(kMethod))
+      ->type_name("TEXT");
   app.add_option("--spacing", lattice.spacing,
                  "astar without --lattice: distance of neighbouring nodes, metres (default 10)")
       ->check(CLI::Range(1e-3, 1e6));
@@ -61,12 +64,15 @@ void SearchOptions::add_to(CLI::App& app) {
                  "astar without --lattice: neighbours of a node: 6, 18 or 26 (default 26)")
       ->check(CLI::IsMember({6, 18, 26}));
   add_sampling_options(app, plan.sampling);
-  app.add_option("--seconds", seconds,
-                 "rrt…: end a search after this time; results then depend on the machine")
+  app.add_option(
+         "--seconds", seconds,
+         "sampling methods: end a search after this time; results then depend on the machine")
       ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--seed", plan.sampling.seed, "rrt…: of the random numbers (default 0)");
+  app.add_option("--seed", plan.sampling.seed,
+                 "sampling methods: seed of the random numbers (default 0)");
   cli::add_output(app, "--tree", tree_file,
-                  "rrt…: write the tree of the one query: .ply, .glb, else JSON Lines");
+                  "sampling methods: write the search tree, of one query only: as .ply or .glb by "
+                  "the name, else as JSON Lines");
 }
 
 void SearchOptions::refuse_idle(const CLI::App& app, const cli::ArtefactFiles& files) const {

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "figure.h"
+#include "geom/text/counted.h"
 #include "palette.h"
 #include "traj/curve/flatness.h"
 
@@ -68,8 +69,8 @@ std::string motion_profile(const traj::TrajectoryRecord& record) {
   const auto jerk = [](const traj::State& s) { return s.jerk.norm(); };
   const auto thrust = [](const traj::State& s) { return traj::flat_state(s, {}).thrust; };
   Figure figure;
-  figure.title = fmt::format("{}: {:.2f} s, {} segments{}", record.id,
-                             traj::duration(record.trajectory), record.trajectory.segments.size(),
+  figure.title = fmt::format("{}: {:.2f} s, {}{}", record.id, traj::duration(record.trajectory),
+                             geom::counted(record.trajectory.segments.size(), "segment"),
                              record.rung ? fmt::format(", {}", name(*record.rung)) : "");
   figure.x_label = "time, s";
   figure.panels = {

@@ -7,6 +7,7 @@
 #include "cli/option/scenes.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
+#include "geom/text/counted.h"
 #include "options.h"
 #include "shoot.h"
 
@@ -83,7 +84,8 @@ int main(int argc, char** argv) {
     cli::Contents contents = cli::read_contents(options.inputs);
     cli::require_same_map(contents, &map);
     if (const std::size_t failed = cli::drop_failed(contents)) {
-      common.warn(fmt::format("{} records hold no path or trajectory", failed));
+      common.warn(fmt::format("{} no path or trajectory",
+                              geom::counted(failed, "record holds", "records hold")));
     }
     const geom::Axes axes = map.spec().frame.axes;
     const auto motions = motions_of(contents, axes);

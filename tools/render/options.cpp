@@ -69,13 +69,13 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--samples", samples,
                  "rays a side of each pixel (default: 1 through the camera, else 3)")
       ->check(CLI::Range(1, 8));
-  app.add_option("--format", format, "of the colour: png, y4m, or auto, by the name")
+  app.add_option("--format", format, "format of the colour: png, y4m, or auto (by the name)")
       ->check(CLI::IsMember({"auto", "png", "y4m"}))
       ->capture_default_str();
   cli::add_output(app, "-o,--output", colour,
                   "colour: .y4m for a video, or .png, numbered as in f-%05d.png (default: stdout)");
   cli::add_output(app, "--depth", depth, "depth along the optical axis: .png (16 bit) or .pfm (m)");
-  app.add_option("--depth-unit", depth_unit, "metres a step of a depth .png")
+  app.add_option("--depth-unit", depth_unit, "how many metres a step in a depth .png is")
       ->check(CLI::Range(1e-6, 1e3))
       ->capture_default_str();
   cli::add_output(app, "--ids", ids,

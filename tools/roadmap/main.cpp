@@ -81,10 +81,12 @@ int main(int argc, char** argv) {
       if (boxes > kManyBoxes) {
         const std::string size = estimate(boxes, spec.reach);
         if (reach->empty()) {
-          throw cli::UsageError(fmt::format(
-              "a roadmap of {} boxes: {}; name a shorter --within or a --region", boxes, size));
+          throw cli::UsageError(
+              fmt::format("a roadmap of {} boxes would have {}: give --within (500 m is the "
+                          "default), or a smaller --region",
+                          boxes, size));
         }
-        common.warn(fmt::format("{}: {} boxes, {}", map_file, boxes, size));
+        common.warn(fmt::format("{}: a roadmap of {} boxes has {}", map_file, boxes, size));
       }
     };
     if (!patch.asked()) checked_size(scenes.scene());

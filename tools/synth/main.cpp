@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
   geom::SynthSpec spec;
   std::string output = "-";
   double size = 0;
-  app.add_option("--seed", spec.seed, "which city (default 0)");
+  app.add_option("--seed", spec.seed, "seed: which city (default 0)");
   app.add_option("--size", size, "side of the square, metres (default 900)")
       ->check(CLI::Range(200.0, 200000.0));
   app.add_option("--height", spec.height, "height of the tallest tower, metres (default 200)")

@@ -8,6 +8,7 @@
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/solver_words.h"
+#include "cli/option/word_for.h"
 #include "cli/run.h"
 
 namespace solving {
@@ -48,11 +49,15 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--times", times, "leg times: stops, distance, cautious, trapezoid or optimised")
       ->check(CLI::IsMember({"stops", "distance", "cautious", "trapezoid", "optimised"}));
   app.add_option("--corridor", solve.corridor,
-                 "of the optimiser: planes (default) between path and obstacles, or empty boxes")
-      ->transform(CLI::CheckedTransformer(cli::kCorridors));
+                 "the optimiser stays behind planes between path and obstacles (default), or in "
+                 "empty boxes")
+      ->transform(cli::word_for(cli::kCorridors))
+      ->type_name("TEXT");
   cli::add_output(app, "--corridor-file", corridor_file,
                   "write the optimiser's corridors, JSON Lines with vertices and faces to draw");
-  app.add_option("--rho", solve.rho, "flight seconds a unit of snap is worth, s per m2/s7")
+  app.add_option("--rho", solve.rho,
+                 "how many seconds of flight a unit of snap (m2/s7) is worth: higher flies "
+                 "smoother and slower")
       ->check(CLI::Range(0.0, 1e3));
   app.add_option("--yaw", yaw,
                  "along (the velocity), degrees from the map's x axis towards y, or X,Y of a point "

@@ -48,7 +48,8 @@ Frames read_frames(const FrameFiles& files) {
   const auto poses = render::read_camera_poses(file.stream(), file.name());
   if (poses.size() > 1 && !render::is_numbered(files.names)) {
     throw cli::UsageError(
-        fmt::format("{} frames need numbers in the name, as in \"frame-%05d.png\"; found \"{}\"",
+        fmt::format("--frames: expected a name with a number for {} frames, as "
+                    "\"frame-%05d.png\", found \"{}\"",
                     poses.size(), files.names));
   }
   Frames out{file.name(), 0, 0, {}};

@@ -55,9 +55,11 @@ Json frames_layer(const Frames& frames, const cli::Contents& contents, Bundle& b
   if (!(least <= kFarthest)) {
     throw geom::InputError(
         frames.source,
-        fmt::format("expected the camera within {} m of a trajectory or flight that is shown, at "
-                    "the times of all frames; found {}",
-                    kFarthest, std::isfinite(least) ? fmt::format("{:.3g} m", least) : "none"));
+        fmt::format("expected frames along a trajectory or flight of this page, the camera within "
+                    "{} m of it at all times; found {}",
+                    kFarthest,
+                    std::isfinite(least) ? fmt::format("the nearest {:.3g} m away", least)
+                                         : "none that lasts so long"));
   }
   std::vector<float> times;
   std::vector<std::uint32_t> ends;

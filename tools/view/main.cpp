@@ -9,6 +9,7 @@
 #include "cli/option/output_option.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
+#include "geom/text/counted.h"
 #include "layers.h"
 #include "page.h"
 
@@ -37,10 +38,11 @@ constexpr std::size_t kLargeFrames = 3000000;  // bytes
 void warn_if_large(const cli::Common& common, const view::Frames& frames) {
   const std::size_t bytes = frames.bytes();
   if (bytes <= kLargeFrames) return;
-  common.warn(fmt::format(
-      "{} frames of {} x {} pixels make the page {:.1f} MB larger: a camera of "
-      "320 x 240 at --rate 2 keeps it small",
-      frames.list.size(), frames.width, frames.height, 4e-6 / 3 * static_cast<double>(bytes)));
+  common.warn(
+      fmt::format("{} of {} x {} pixels make the page {:.1f} MB larger: a camera of "
+                  "320 x 240 at --rate 2 keeps it small",
+                  geom::counted(frames.list.size(), "frame"), frames.width, frames.height,
+                  4e-6 / 3 * static_cast<double>(bytes)));
 }
 
 }  // namespace
@@ -60,7 +62,7 @@ int main(int argc, char** argv) {
                  "box map, lattices, records (JSON Lines) and flight logs (CSV); - for stdin")
       ->required();
   cli::add_output(app, "-o,--output", output, "HTML page to write (default: stdout)");
-  app.add_option("--title", title, "what the page is called");
+  app.add_option("--title", title, "title of the page");
   CLI::Option* frames_option =
       app.add_option("--frames", pictures.names,
                      "frames of skyway-render to show beside the plots, as f-%05d.png");

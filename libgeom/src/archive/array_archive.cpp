@@ -135,7 +135,8 @@ class Checksums {
       }
       if (found == entries_[e].expected) continue;
       throw InputError(archive,
-                       fmt::format("{}: expected CRC {:08x}, found {:08x}: the file is damaged",
+                       fmt::format("{}: expected CRC {:08x}, found {:08x}: the file is damaged, "
+                                   "get or make it again",
                                    entries_[e].name, entries_[e].expected, found));
     }
   }

@@ -64,7 +64,7 @@ std::vector<std::string> labels_of(const JsonFields& meta) {
     labels.push_back(label.get<std::string>());
   }
   if (labels.empty() || !labels.front().empty()) {
-    meta.refuse("the first of labels must be \"\", of boxes without one");
+    meta.refuse("labels[0] must be \"\", the label of boxes without one");
   }
   return labels;
 }
@@ -175,7 +175,7 @@ BoxMap read_box_map(const ArrayArchive& archive, Verified known) {
   data->ids = archive.array<std::uint64_t>("ids");
   data->label = archive.array<std::uint32_t>("label");
   if (meta.number("boxes") != static_cast<double>(data->boxes.size())) {
-    meta.refuse(fmt::format("boxes must be {}, as there are, found {}", data->boxes.size(),
+    meta.refuse(fmt::format("boxes must be {}, the number of rows, found {}", data->boxes.size(),
                             meta.number("boxes").value_or(0)));
   }
   if (data->ids.size() != data->boxes.size() || data->label.size() != data->boxes.size()) {

@@ -24,8 +24,9 @@ class Bytes {
 
   std::span<const std::byte> part(std::uint64_t at, std::uint64_t size, const char* what) const {
     if (at > bytes_.size() || size > bytes_.size() - at) {
-      refuse(fmt::format("truncated or damaged: {} would end at byte {}, and there are {}", what,
-                         at + size, bytes_.size()));
+      refuse(
+          fmt::format("the file was cut or is damaged: {} would end at byte {}, and there are {}",
+                      what, at + size, bytes_.size()));
     }
     return bytes_.subspan(at, size);
   }
@@ -55,12 +56,30 @@ struct Directory {
   std::uint64_t count = 0;
 };
 
+// What is no ZIP at all is told by its beginning; its end says nothing to anyone.
+void require_zip(const Bytes& in) {
+  constexpr std::size_t kShown = 16;
+  const std::string head = in.text(0, std::min(in.size(), kShown), "the beginning");
+  if (!head.starts_with("PK")) {
+    in.refuse(
+        fmt::format("expected a map, lattice, roadmap or shard of Skyway (a ZIP archive), "
+                    "found {}",
+                    head.empty() ? "an empty file"
+                                 : fmt::format("a file that begins with \"{}\"", excerpt(head))));
+  }
+  if (in.size() < kEndSize) {
+    in.refuse(
+        fmt::format("expected a whole ZIP archive, found {} bytes: the file was cut", in.size()));
+  }
+}
+
 Directory find_directory(const Bytes& in) {
-  if (in.size() < kEndSize)
-    in.refuse(fmt::format("expected a ZIP archive, found {} bytes", in.size()));
+  require_zip(in);
   const std::uint64_t end = in.size() - kEndSize;
   if (in.get<std::uint32_t>(end, "the end record") != kEndMark) {
-    in.refuse("expected a ZIP archive that ends in its end record, found none (truncated?)");
+    in.refuse(
+        "expected a whole ZIP archive, found one without its end: the file was cut, get or make it "
+        "again");
   }
   Directory d{in.get<std::uint32_t>(end + 16, "end"), in.get<std::uint32_t>(end + 12, "end"),
               in.get<std::uint16_t>(end + 10, "end")};

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "geom/cloud/point_cloud.h"
+#include "geom/text/counted.h"
 #include "point_chunks.h"
 
 // LAS 1.4 R15 (ASPRS 2019), tables 3 and 7 to 17: offsets below are those of the specification.
@@ -251,14 +252,14 @@ CloudCounts read_las(std::istream& in, std::string_view source, const PointSink&
         chunks.add(raw.cwiseProduct(h.scale) + h.offset, cls);
       });
   if (found < h.points) {
-    refuse(source, fmt::format("expected {} points, and the file ends after {}", h.points, found));
+    refuse(source, fmt::format("expected {}, and the file ends after {}",
+                               counted(h.points, "point"), found));
   }
   require_no_more(in, h, source);
   if (described_later(in, h, source) && told.kind == CoordinateReference::Kind::none) {
-    refuse(
-        source,
-        "what its coordinates mean stands after its points, where it is not read: write the file "
-        "anew, for example with `pdal translate in.las out.las`");
+    refuse(source,
+           "its reference system stands after its points, where it is not read: write the file "
+           "anew, for example with `pdal translate in.las out.las`");
   }
   return chunks.finish();
 }

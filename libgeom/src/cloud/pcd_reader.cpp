@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "geom/cloud/point_cloud.h"
+#include "geom/text/counted.h"
 #include "geom/text/text_table.h"
 #include "point_chunks.h"
 
@@ -115,7 +116,7 @@ class PcdReader {
     }
     for (int k = 0; k < 3; ++k) {
       if (axis_[k] >= fields_.size() || fields_[axis_[k]].count != 1) {
-        refuse("expected the fields x, y and z");
+        refuse("expected the fields x, y and z, found not all of them");
       }
     }
     const std::uint64_t grid = width_ * height_;
@@ -128,7 +129,8 @@ class PcdReader {
 
   void ended(std::uint64_t found) const {
     if (found < points_) {
-      refuse(fmt::format("expected {} points, and the file ends after {}", points_, found));
+      refuse(
+          fmt::format("expected {}, and the file ends after {}", counted(points_, "point"), found));
     }
   }
 
@@ -163,7 +165,7 @@ class PcdReader {
   }
 
   [[noreturn]] void more() const {
-    refuse(fmt::format("expected {} points, and the file holds more", points_));
+    refuse(fmt::format("expected {}, and the file holds more", counted(points_, "point")));
   }
 
   double number(const std::string& word) const {

@@ -81,7 +81,10 @@ class PlyReader {
   }
 
   void read_header() {
-    if (next_line() != "ply") refuse("expected \"ply\"");
+    if (const std::string first = next_line(); first != "ply") {
+      refuse(fmt::format("expected a PLY file, whose first line is ply, found \"{}\"",
+                         first.substr(0, 40)));
+    }
     bool format = false;
     for (std::string line = next_line(); line != "end_header"; line = next_line()) {
       std::istringstream words(line);
@@ -103,14 +106,16 @@ class PlyReader {
         }
       } else if (key == "element") {
         Element element;
-        if (!(words >> element.name >> element.count)) refuse("expected \"element NAME COUNT\"");
+        if (!(words >> element.name >> element.count)) {
+          refuse(fmt::format("expected \"element NAME COUNT\", found \"{}\"", line.substr(0, 40)));
+        }
         elements_.push_back(std::move(element));
       } else if (key == "property") {
-        if (elements_.empty()) refuse("expected an element before its properties");
+        if (elements_.empty()) refuse("expected an element before its properties, found none");
         add_property(words);
       }
     }
-    if (!format) refuse("expected a line \"format …\" in the header");
+    if (!format) refuse("expected a line \"format …\" in the header, found none");
   }
 
   void add_property(std::istringstream& words) {
@@ -121,7 +126,8 @@ class PlyReader {
       std::string count;
       words >> count >> type;
       property.count = scalar(count);
-      if (property.count->type == 'F') refuse("a list must be counted by an integer");
+      if (property.count->type == 'F')
+        refuse("the count of a list must be an integer, found a float");
     }
     property.scalar = scalar(type);
     words >> property.name;
@@ -138,7 +144,7 @@ class PlyReader {
       }
     }
     if (vertex && std::any_of(axis_of, axis_of + 3, [](int k) { return k < 0; })) {
-      refuse("expected the properties x, y and z of element \"vertex\"");
+      refuse("expected the properties x, y and z of element \"vertex\", found not all of them");
     }
     if (element.properties.empty()) return;  // takes no bytes, whatever count it claims
     for (std::uint64_t i = 0; i < element.count; ++i) {

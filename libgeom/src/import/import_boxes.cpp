@@ -12,6 +12,7 @@
 #include "geom/import/octomap.h"
 #include "geom/import/voxel_3dmap.h"
 #include "geom/import/world_json.h"
+#include "geom/text/counted.h"
 
 namespace geom {
 namespace {
@@ -96,8 +97,8 @@ BoxFormat box_format_of(std::string_view head, std::string_view source) {
   throw InputError(
       source, 1,
       fmt::format(
-          "expected an FCND table, box CSV, block text, RotorPy JSON, .3dmap or OctoMap .bt "
-          "(or --format), found \"{}\"",
+          "expected an FCND table, box CSV, block text, RotorPy JSON, .3dmap or OctoMap .bt, "
+          "found a file that begins with \"{}\": name its format with --format",
           head.substr(0, std::min<std::size_t>(60, head.find_first_of("\r\n")))));
 }
 
@@ -120,15 +121,16 @@ ImportedBoxes import_boxes(std::istream& in, BoxFormat format, std::string_view 
     case BoxFormat::octomap:
       return from_octomap(in, source, options.unknown_blocked);
   }
-  throw InputError(source, "no such format of boxes");
+  throw InputError(source, "expected a known format of boxes, found another");
 }
 
 MadeMap make_map(ImportedBoxes boxes, std::string_view source, MakeMapOptions options) {
   std::string history = "[]";
   if (!boxes.skipped.empty()) {
     if (!boxes.allow_skipped) {
-      throw InputError(source, fmt::format("{} possible obstacle(s) cannot be built: {}",
-                                           boxes.skipped.count(), boxes.skipped.text()));
+      throw InputError(source, fmt::format("{} cannot be built: {}",
+                                           counted(boxes.skipped.count(), "possible obstacle"),
+                                           boxes.skipped.text()));
     }
     history = fmt::format(R"([{{"skipped":{}}}])", boxes.skipped.count());
   }

@@ -22,18 +22,19 @@ class Reader {
       : source_(source), frame_(frame), options_(options) {
     if (!options.local && !counts_from_origin(frame)) {
       refuse(
-          "longitudes and latitudes need a map whose frame has an origin (or local coordinates)");
+          "the map has no origin on Earth, so longitudes and latitudes have no place on it: give "
+          "coordinates in the map's metres, with --keep-out-local");
     }
     if (!options.local) geographic_ = std::make_unique<GeographicFrame>(*frame.origin);
   }
 
   KeepOut read(std::istream& in) {
     const Json root = parse_json(in, source_);
-    if (!root.is_object()) refuse("expected a GeoJSON object");
+    if (!root.is_object()) refuse("expected a GeoJSON object, found another value");
     const std::string type = root.value("type", Json()).dump();
     if (type == "\"FeatureCollection\"") {
       const Json features = root.value("features", Json());
-      if (!features.is_array()) refuse("expected \"features\" to be an array");
+      if (!features.is_array()) refuse("expected \"features\" to be a list, found another value");
       for (const Json& feature : features) read_feature(feature);
     } else {
       read_feature(type == "\"Feature\"" ? root : Json{{"geometry", root}});
@@ -51,7 +52,7 @@ class Reader {
     const Json properties =
         feature.is_object() ? feature.value("properties", Json::object()) : Json();
     const Json geometry = feature.is_object() ? feature.value("geometry", Json()) : Json();
-    if (!geometry.is_object()) refuse("expected a geometry");
+    if (!geometry.is_object()) refuse("expected a feature with a geometry, found none");
     Footprint volume;
     volume.id = feature_;
     volume.bottom = altitude(properties, {"lower", "lower_altitude_m"}, options_.floor);

@@ -7,6 +7,7 @@
 
 #include "geom/base/error.h"
 #include "geom/import/octomap.h"
+#include "geom/text/counted.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -63,7 +64,7 @@ Header read_header(const std::string& bytes, std::string_view source) {
 // inner node, two bits a child, 11 being an inner node again.
 void walk(const std::string& bytes, std::size_t& at, int level, std::string_view source) {
   if (level > kDepth) refuse(source, fmt::format("the tree is deeper than {} levels", kDepth));
-  if (bytes.size() - at < 2) refuse(source, "the tree is cut short");
+  if (bytes.size() - at < 2) refuse(source, "the tree is not complete: the file was cut");
   const unsigned bits = static_cast<unsigned char>(bytes[at]) |
                         static_cast<unsigned>(static_cast<unsigned char>(bytes[at + 1])) << 8;
   at += 2;
@@ -151,13 +152,14 @@ Octomap read_octomap(std::istream& in, std::string_view source, const OctomapOpt
   std::size_t end = header.data;
   walk(bytes, end, 1, source);
   if (end != bytes.size()) {
-    refuse(source, fmt::format("expected the tree to end at byte {}, found {} more", end,
-                               bytes.size() - end));
+    refuse(source, fmt::format("expected the file to end with its tree, at byte {}, found {} more",
+                               end, counted(bytes.size() - end, "byte")));
   }
   octomap::OcTree tree(header.resolution);
   std::istringstream data(bytes.substr(header.data));
   tree.readBinaryData(data);  // readBinary, which reads the header as well, prints
-  if (!data || !tree.getRoot()) refuse(source, "liboctomap cannot read this tree");
+  if (!data || !tree.getRoot())
+    refuse(source, "found a tree that liboctomap cannot read: the file is damaged");
   Octomap out;
   out.resolution = header.resolution;
   Reader(tree, options, out).read();

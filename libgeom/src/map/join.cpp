@@ -72,12 +72,13 @@ BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view sour
   if (from == frame) return table;
   if (from.axes != frame.axes) {
     throw InputError(source, "expected axes " + std::string(name(frame.axes)) +
-                                 " as of the first map, found " + std::string(name(from.axes)));
+                                 ", as the first map has, found " + std::string(name(from.axes)));
   }
   if (!counts_from_origin(frame) || !counts_from_origin(from)) {
-    throw InputError(source, "expected the frame of the first map (crs \"" + frame.crs +
-                                 "\"), or origins that bring both together; found crs \"" +
-                                 from.crs + "\"" + (from.origin ? "" : " and no origin"));
+    throw InputError(source, "expected the coordinate reference system of the first map (\"" +
+                                 frame.crs + "\"), or coordinates of both maps that count from " +
+                                 "an origin on Earth; found \"" + from.crs + "\"" +
+                                 (from.origin ? "" : " and no origin"));
   }
   const Mover mover(frame, from);
   for (Aabb& box : table.boxes) box = mover.moved(box);

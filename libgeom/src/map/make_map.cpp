@@ -32,8 +32,9 @@ void resize(BoxTable& table, std::string_view source, const MakeMapOptions& opti
     if (options.inflate > 0) box = grow(box, Vec3::Constant(options.inflate));
     if (!(box.min.cwiseAbs().maxCoeff() <= kLargestCoordinate &&
           box.max.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
-      throw InputError(source, fmt::format("box of source id {} reaches beyond 1e8 m once scaled "
-                                           "and grown: [{}, {}, {}] to [{}, {}, {}]",
+      throw InputError(source, fmt::format("expected boxes within 1e8 m of the origin, once "
+                                           "scaled and grown; found box {} of the source from "
+                                           "[{}, {}, {}] to [{}, {}, {}]",
                                            table.ids[i], box.min[0], box.min[1], box.min[2],
                                            box.max[0], box.max[1], box.max[2]));
     }
@@ -59,11 +60,11 @@ void require_near_origin(const BoxTable& table, const Frame& frame, std::string_
   const Vec3 nearest = Vec3::Zero().cwiseMax(all.min).cwiseMin(all.max);
   const double away = nearest.head<2>().norm();
   if (away <= kFurthestFromOrigin) return;
-  throw InputError(source,
-                   fmt::format("its coordinates begin {:.0f} km from the origin, latitude {}, "
-                               "longitude {}: are they those of a projection, which count "
-                               "from another place?",
-                               away / 1000, frame.origin->latitude, frame.origin->longitude));
+  throw InputError(
+      source, fmt::format("expected coordinates in metres from the origin, latitude {}, longitude "
+                          "{}; found the nearest box {:.0f} km away. They seem to count from "
+                          "another place, as those of a map projection do: convert them first",
+                          frame.origin->latitude, frame.origin->longitude, away / 1000));
 }
 
 }  // namespace

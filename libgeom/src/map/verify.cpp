@@ -104,8 +104,7 @@ void verify_contents(const BoxMap::Data& data, const Execution& run) {
   });
   const std::string found = hash_of(data.spec, data.tiles, data.boxes, run);
   if (found != data.hash) {
-    refuse(data, fmt::format("the map says its hash is {}, and that of its boxes is {}", data.hash,
-                             found));
+    refuse(data, fmt::format("the map names the hash {}, and its boxes have {}", data.hash, found));
   }
 }
 

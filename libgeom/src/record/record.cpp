@@ -137,9 +137,9 @@ std::optional<std::string_view> mismatch(const Provenance& a, const Provenance& 
 void require_map_agrees(const Provenance& record, const Provenance& ours, std::string_view source,
                         std::size_t line) {
   if (record.map && ours.map && *record.map != *ours.map) {
-    throw InputError(
-        source, line,
-        fmt::format("made for another map: expected {}, found {}", *ours.map, *record.map));
+    throw InputError(source, line,
+                     fmt::format("made for another map: this map is {}, the record names {}",
+                                 *ours.map, *record.map));
   }
   if (record.frame && ours.frame && *record.frame != *ours.frame) {
     throw InputError(source, line,

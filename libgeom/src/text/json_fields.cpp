@@ -37,7 +37,10 @@ void JsonFields::refuse(std::string_view message) const {
 }
 
 void JsonFields::require_type(std::string_view type) const {
-  const std::string found = has("type") ? shown(value("type")) : "none";
+  if (!has("type")) {
+    refuse(fmt::format("expected a record of type \"{}\", found one without a type", type));
+  }
+  const std::string found = shown(value("type"));
   if (found != fmt::format("\"{}\"", type)) {
     refuse(fmt::format("expected a record of type \"{}\", found type {}", type, found));
   }

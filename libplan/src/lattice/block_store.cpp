@@ -236,7 +236,9 @@ void BlockStore::read(const Index3& low, const Index3& count, std::uint32_t* mas
         const std::uint32_t mask = stored(record, local);
         const std::uint32_t edges = mask & ~Lattice::kNode;
         if ((edges & ~possible) || (edges && !(mask & Lattice::kNode))) {
-          refuse(fmt::format("node {} of block {} has an edge that cannot be", local, block));
+          refuse(
+              fmt::format("node {} of block {} has an edge that is impossible: the file is damaged",
+                          local, block));
         }
         *out = mask;
       }

@@ -26,7 +26,7 @@ LatticeGrid make_grid(const geom::CollisionScene& scene, const LatticeSpec& spec
   LatticeGrid grid{spec, {}, {}};
   const std::string where = fmt::format("lattice of {} m", spec.spacing);
   if (!scene.free_bounds())
-    throw geom::InputError(where, "the vehicle does not fit into the bounds");
+    throw geom::InputError(where, "the vehicle does not fit between the bounds of the map");
   Aabb inner = *scene.free_bounds();
   if (within) inner = {inner.min.cwiseMax(within->min), inner.max.cwiseMin(within->max)};
   double total = 1;
@@ -41,7 +41,8 @@ LatticeGrid make_grid(const geom::CollisionScene& scene, const LatticeSpec& spec
     while (coordinate(first) < inner.min[axis]) ++first;
     double last = std::ceil((inner.max[axis] - spec.origin[axis]) / spec.spacing) + 1;
     while (coordinate(last) > inner.max[axis]) --last;
-    if (last < first) throw geom::InputError(where, "no node lies inside the bounds");
+    if (last < first)
+      throw geom::InputError(where, "no node lies inside the bounds: use a smaller spacing");
     grid.first[axis] = static_cast<std::int64_t>(first);
     grid.dims[axis] = static_cast<std::int64_t>(last - first) + 1;
     total *= last - first + 1;

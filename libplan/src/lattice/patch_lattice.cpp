@@ -53,11 +53,11 @@ Lattice patch_lattice(const Lattice& old, const geom::CollisionScene& scene,
   if (!store) throw std::logic_error("only a lattice that was built can be patched");
   const Lattice anew = lazy_lattice(scene, old.spec(), within);
   if (anew.first() != old.first() || anew.dims() != old.dims()) {
-    throw geom::InputError("lattice",
-                           fmt::format("cannot be patched: it has {} x {} x {} nodes, and the "
-                                       "bounds of the new map hold others, {} x {} x {}",
-                                       old.dims()[0], old.dims()[1], old.dims()[2], anew.dims()[0],
-                                       anew.dims()[1], anew.dims()[2]));
+    throw geom::InputError(
+        "lattice", fmt::format("expected the nodes that the bounds of the new map hold, {} x {} "
+                               "x {}, found {} x {} x {}: build it anew, without --patch",
+                               anew.dims()[0], anew.dims()[1], anew.dims()[2], old.dims()[0],
+                               old.dims()[1], old.dims()[2]));
   }
   OldBlocks kept{*store, std::vector<char>(old.grid().block_count())};
   for (const auto* boxes : {&change.removed, &change.added}) {

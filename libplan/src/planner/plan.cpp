@@ -9,6 +9,7 @@
 
 #include "geom/base/error.h"
 #include "geom/base/precondition.h"
+#include "geom/text/counted.h"
 #include "lattice/ring.h"
 #include "lattice_level.h"
 #include "plan/lattice/build_lattice.h"
@@ -59,8 +60,10 @@ std::vector<double> spacings_for(const geom::Aabb& inner) {
 void require_free(const geom::CollisionScene& scene, const Polyline& path, const char* source) {
   for (std::size_t i = 1; i < path.size(); ++i) {
     if (scene.free(path[i - 1], path[i])) continue;
-    throw geom::InputError(source, fmt::format("the edge from {} to {} is blocked on this map",
-                                               shown(path[i - 1]), shown(path[i])));
+    throw geom::InputError(
+        source,
+        fmt::format("the edge from {} to {} is blocked on this map: make the file again for it",
+                    shown(path[i - 1]), shown(path[i])));
   }
 }
 
@@ -102,9 +105,11 @@ bool shorter(const Polyline& path, const Polyline& than) {
 }
 
 std::string why_not(const PlanResult& result) {
-  return fmt::format("{} on a lattice of {} m",
-                     result.status == PathStatus::stopped ? "too many nodes" : "no path",
-                     result.resolution);
+  if (result.status == PathStatus::stopped) {
+    return fmt::format("the search was given up: a lattice with nodes every {} m has too many",
+                       result.resolution);
+  }
+  return fmt::format("no path on a lattice with nodes every {} m", result.resolution);
 }
 
 SamplingMethod sampling(Method method) {
@@ -322,7 +327,9 @@ PlanResult Planner::Impl::by_sampling(const Task& task) {
     result.status = PathStatus::found;
   } else {  // which proves nothing
     result.status = PathStatus::stopped;
-    result.message = fmt::format("no path after {} iterations", sampled.iterations);
+    result.message =
+        fmt::format("no path found in {}; there may be one: allow more, or take the method auto",
+                    geom::counted(sampled.iterations, "iteration"));
   }
   return result;
 }

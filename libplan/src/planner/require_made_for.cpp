@@ -11,7 +11,8 @@ void require_made_for(const geom::Provenance& made_for, const geom::CollisionSce
   geom::Provenance ours = geom::provenance_of(scene);
   ours.map = made_for.map;  // of an older map, as patches are
   if (const auto what = geom::mismatch(made_for, ours)) {
-    throw geom::InputError(kind, fmt::format("was made for another {}", *what));
+    throw geom::InputError(
+        kind, fmt::format("it was made for another {}: make it again for this one", *what));
   }
 }
 

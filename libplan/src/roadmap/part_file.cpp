@@ -26,8 +26,9 @@ EdgeLists read_edges(const geom::ArrayArchive& archive, std::size_t bends) {
   }
   for (std::size_t i = 0; i < bends; ++i) {
     if (first[i] > first[i + 1]) {
-      throw geom::InputError(archive.name(),
-                             fmt::format("bend {} has a range of edges that cannot be", i));
+      throw geom::InputError(
+          archive.name(),
+          fmt::format("bend {} has a range of edges that is impossible: the file is damaged", i));
     }
   }
   return edges;

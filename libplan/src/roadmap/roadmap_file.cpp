@@ -97,8 +97,10 @@ std::vector<Bend> read_bends(const geom::ArrayArchive& archive) {
     const bool signs = std::abs(outward[2 * i]) == 1 && std::abs(outward[2 * i + 1]) == 1;
     if (!(p.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate) || axis[i] < 0 || axis[i] > 2 ||
         !signs) {
-      throw geom::InputError(archive.name(),
-                             fmt::format("bend {} has a position, axis or sign that cannot be", i));
+      throw geom::InputError(
+          archive.name(),
+          fmt::format(
+              "bend {} has a position, axis or sign that is impossible: the file is damaged", i));
     }
     bends.push_back({p, axis[i], {outward[2 * i], outward[2 * i + 1]}});
   }
@@ -123,7 +125,8 @@ Roadmap read_roadmap(const geom::ArrayArchive& archive) {
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (first[i] > first[i + 1] || split[i] > first[i + 1] - first[i]) {
-      refuse(fmt::format("bend {} has a range of edges that cannot be", i));
+      refuse(
+          fmt::format("bend {} has a range of edges that is impossible: the file is damaged", i));
     }
   }
   if (fields.has("lattice")) {

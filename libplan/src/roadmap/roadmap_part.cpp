@@ -212,7 +212,8 @@ void for_each_edge(std::span<const RoadmapPart> parts, const Numbering& numberin
     for (std::size_t i = 0; i < parts[s].bends.size(); ++i) {
       std::size_t least = i + 1;
       for (const std::uint32_t j : parts[s].edges.of(i)) {
-        if (j < least || j >= number.size()) refuse(s, "has an edge that cannot be");
+        if (j < least || j >= number.size())
+          refuse(s, "has an edge that is impossible: the file is damaged");
         least = j + std::size_t{1};
         f(number[i], number[j]);
       }

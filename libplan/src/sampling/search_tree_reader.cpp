@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geom/base/error.h"
+#include "geom/text/counted.h"
 #include "geom/text/json_fields.h"
 #include "plan/sampling/search_tree_file.h"
 
@@ -52,9 +53,9 @@ void SearchTreeReader::add(std::string_view node, std::string_view source, std::
 
 SearchTreeRecord SearchTreeReader::finish(std::string_view source, std::size_t line) && {
   if (!complete()) {
-    throw geom::InputError(
-        source, line,
-        fmt::format("expected a tree of {} nodes, found {}", nodes_, record_.tree.points.size()));
+    throw geom::InputError(source, line,
+                           fmt::format("expected a tree of {}, found {}",
+                                       geom::counted(nodes_, "node"), record_.tree.points.size()));
   }
   return std::move(record_);
 }

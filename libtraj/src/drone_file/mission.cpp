@@ -66,7 +66,9 @@ class Flight {
       refuse(fmt::format("frame must be 0, 3, 5 or 6 (above sea level or home), found {}",
                          item.frame));
     }
-    if (!home_) refuse("heights above home, and no home: give the height of the ground there");
+    if (!home_)
+      refuse(
+          "heights count from home, and the file has no home: give the height of the ground there");
     return *home_ + item.altitude;
   }
 
@@ -96,7 +98,7 @@ class Flight {
 
   Vec3 above_here(double z) const {
     if (!flown_.path.empty()) return {flown_.path.back().x(), flown_.path.back().y(), z};
-    if (!mission_.home) refuse("a take-off without a place, and no home");
+    if (!mission_.home) refuse("expected a place of the take-off or of home, found neither");
     return on_map(*mission_.home, z);
   }
 

@@ -66,7 +66,7 @@ TEST(AgreedRoom, IsTheOptionsWhereTheRecordSaysNothing) {
 TEST(AgreedRoom, RefusesOtherLimitsAndNamesBoth) {
   const std::string said = refusal(record_of(quad(vmax(8))), {quad(vmax(12)), {}});
   EXPECT_NE(
-      said.find("paths.jsonl:7: expected vehicle quad with vmax 12 m/s, as asked, found 8 m/s"),
+      said.find("paths.jsonl:7: expected the vehicle quad with vmax 12 m/s, as asked, found 8 m/s"),
       std::string::npos)
       << said;
   Limits other;

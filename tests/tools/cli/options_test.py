@@ -1,4 +1,5 @@
-"""options_test.py BIN_DIR SOURCE_DIR: manual pages and completions name exactly the options that --help does."""
+"""options_test.py BIN_DIR SOURCE_DIR: manual pages and completions name exactly the options that --help does, and
+manual pages explain them in the same words."""
 
 import os
 import pathlib
@@ -28,8 +29,32 @@ def flags_and_words(tool, *verb):
         flags.update(spelled)
         choice = re.search(r"\{([^}]*)\}", named[2])
         for flag in spelled if choice else []:
-            words[flag] = {word.split("->")[0] for word in choice[1].split(",")}
+            words[flag] = set(choice[1].split(","))
     return flags, words
+
+
+def meanings(tool):
+    """What --help says of each option and argument, by how it is written there."""
+    said, name = {}, None
+    for line in run(bin_dir / tool, "--help").splitlines():
+        begun = re.match(r"  (\S.*?)(?:  +(\S.*))?$", line)
+        if begun:
+            name = begun[1]
+            said[name] = begun[2] or ""
+        elif name and line.startswith("   "):
+            said[name] = f"{said[name]} {line.strip()}".strip()
+        else:
+            name = None
+    return said
+
+
+def check_meanings(tool):
+    """The page may say more, after the words of --help."""
+    page = (source_dir / "docs/man" / f"{tool}.1.md").read_text()
+    explained = {head: " ".join(text.split()) for head, text in re.findall(r"^`([^`]*)`\n:((?:.|\n(?!\n))*)", page, re.M)}
+    for name, text in meanings(tool).items():
+        if name in explained and not explained[name].startswith(text):
+            wrong.append(f"{tool} {name}: --help says \"{text}\", the page \"{explained[name]}\"")
 
 
 def verbs_of(tool):
@@ -96,6 +121,7 @@ def check_tool(tool, folder):
         check_bash(bash, tool, [verb], of_verb, of_words)
         flags |= of_verb
     check_manual(tool, flags)
+    check_meanings(tool)
     check_zsh(zsh, tool, verbs, flags)
 
 

@@ -97,6 +97,13 @@ TEST(Recognise, NamesWhatNobodyReads) {
   EXPECT_EQ(what("glTF\x02"), "a binary glTF");
 }
 
+TEST(Recognise, NamesTablesOfBoxesByTheirHeaders) {
+  EXPECT_EQ(what("lat0 37.7, lon0 -122.4\nposX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n"),
+            "an FCND table of boxes");
+  EXPECT_EQ(what("min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n"),
+            "a table of boxes (box CSV)");
+}
+
 TEST(Recognise, SaysNothingOfPlainText) {
   for (const char* const text :
        {"", "posX,posY,posZ\n", "boundary 0 0 0 1 1 1\n", "1 2 3\n", "P", "{",

@@ -193,7 +193,7 @@ def test_errors_carry_the_tools_messages(out, scene):
     other = skyway.CollisionScene(scene.map, "box:1,1,1")
     assert "made for another vehicle" in raises(skyway.InputError, skyway.Planner, other,
                                                 skyway.read_lattice(f"{out}/city.lattice"))
-    assert "no limits" in raises(skyway.UsageError, skyway.solve, scene, numpy.zeros((2, 3)))
+    assert "no limits on speed" in raises(skyway.UsageError, skyway.solve, scene, numpy.zeros((2, 3)))
     assert "there is no limit" in raises(skyway.InputError, skyway.solve, scene, numpy.zeros((2, 3)),
                                          limits={"speed": 1})
 

@@ -11,7 +11,8 @@ namespace cli {
 void ArtefactFiles::add_to(CLI::App& app) {
   app.add_option("--lattice", lattice,
                  "lattice of this map and vehicle (default: worked out as needed)");
-  app.add_option("--roadmap", roadmap, "roadmap of this map and vehicle: shorter paths, sooner");
+  app.add_option("--roadmap", roadmap,
+                 "roadmap of this map and vehicle: gives shorter paths, and sooner");
 }
 
 Artefacts::Artefacts(const ArtefactFiles& files) : files_(files) {

@@ -26,7 +26,8 @@ void add_archive(const geom::ArrayArchive& archive, Contents& out) {
   } else if (plan::is_lattice(archive)) {
     out.lattices.push_back({plan::read_lattice(archive), name, 0});
   } else {
-    throw geom::InputError(name, "expected a box map or a lattice, found another archive");
+    throw geom::InputError(name,
+                           "expected a box map or a lattice, found an archive of another kind");
   }
 }
 

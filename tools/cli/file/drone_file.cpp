@@ -50,7 +50,8 @@ traj::Flown flown_tello(std::istream& in, const std::string& source,
         "drone stands");
   }
   const traj::TelloFlight flight = traj::read_tello(in, source);
-  if (!flight.lands) notes.emplace_back("it ends without landing: it hovers, or the file was cut");
+  if (!flight.lands)
+    notes.emplace_back("the flight ends without landing: the drone hovers, or the file was cut");
   const auto start = options.placement.tello_start(geom::to_enu(axes, *options.start));
   traj::Flown flown;
   flown.path = traj::tello_path(flight, start);
@@ -71,17 +72,17 @@ traj::Flown flown_mission(const traj::Mission& mission, const std::string& sourc
     notes.emplace_back("the return to home is left out: its height is a setting of the vehicle");
   }
   if (!read.ended) {
-    notes.emplace_back("it ends without a landing: it hovers, or the file was cut");
+    notes.emplace_back("the flight ends without landing: the vehicle hovers, or the file was cut");
   }
   if (read.cuts_corners) {
     notes.emplace_back(
-        "a waypoint without a rest: the vehicle may cut its corner, by as much as "
+        "the vehicle does not stop at some waypoint, so it may cut the corner there, by as much as "
         "its settings allow");
   }
   if (read.takeoff_from_home > 0) {
     notes.push_back(
-        fmt::format("the take-off is {:.3g} m from home: it is taken to climb at home "
-                    "and go there, which not every autopilot does",
+        fmt::format("the take-off point is {:.3g} m from home: a climb at home and a flight from "
+                    "there to it are assumed, and not every autopilot does that",
                     read.takeoff_from_home));
   }
   traj::Flown flown;
@@ -192,11 +193,12 @@ void Placement::add_to(CLI::App& app) {
            }
            origin = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
          },
-         "of the map's coordinates: degrees and metres above the ellipsoid (default: the map's)")
+         "where on Earth the map's (0, 0, 0) is: degrees, and metres above the ellipsoid (default: "
+         "what the map says)")
       ->type_name("LAT,LON,HEIGHT");
   app.add_option("--geoid", geoid,
-                 "metres from the ellipsoid up to the sea level there, for heights above the sea "
-                 "(default 0)")
+                 "height of the sea level there above the ellipsoid, metres; converts heights "
+                 "above the sea (default 0)")
       ->check(CLI::Range(-200.0, 200.0));
   app.add_option("--ground", ground, "height of the ground at the take-off, in the map's z")
       ->check(CLI::Range(-1e6, 1e6));
@@ -204,7 +206,7 @@ void Placement::add_to(CLI::App& app) {
                  "metres above the ground to which a Tello rises on take-off (default 1)")
       ->check(CLI::Range(0.2, 10.0));
   app.add_option("--heading", heading,
-                 "of a Tello's nose on the ground, degrees clockwise from north")
+                 "where a Tello's nose points on the ground, degrees clockwise from north")
       ->check(CLI::Range(-360.0, 360.0));
 }
 
@@ -214,9 +216,9 @@ traj::MissionFrame Placement::mission_frame(const geom::Frame& frame) const {
     placed.origin = origin;
     if (!geom::counts_from_origin(placed)) {
       throw UsageError(
-          fmt::format("the map's coordinates are those of \"{}\": they do not count from "
-                      "a place, so --origin cannot say where they are; make the map "
-                      "from data in metres about that place",
+          fmt::format("the map has the coordinates of \"{}\", which do not count from a place, so "
+                      "--origin cannot say where they are: make the map from data in metres about "
+                      "that place",
                       frame.crs.substr(0, 60)));
     }
     return {*origin, geoid};
@@ -233,9 +235,10 @@ void require_near_origin(const geom::Polyline& enu, const geom::GeodeticOrigin& 
   for (const geom::Vec3& p : enu) {
     if (p.head<2>().norm() <= kFurthest) continue;
     throw geom::InputError(
-        id, fmt::format("expected a flight within 200 km of the origin, latitude {}, longitude {}, "
-                        "found [{}, {}]: do the coordinates of the map count from another place?",
-                        origin.latitude, origin.longitude, p.x(), p.y()));
+        id, fmt::format(
+                "expected a flight within 200 km of the origin, latitude {}, longitude {}, "
+                "found [{}, {}] m from it: give the origin from which the map's coordinates count",
+                origin.latitude, origin.longitude, p.x(), p.y()));
   }
 }
 
@@ -245,7 +248,8 @@ traj::TelloStart Placement::tello_start(const geom::Vec3& enu_ground) const {
 
 void DroneFileOptions::add_to(CLI::App& app) {
   app.add_option("--file-format", format,
-                 "FILE is a drone file, to be checked as it is flown; auto: as it begins")
+                 "FILE is a drone file, to be checked as it will be flown; auto: found out from "
+                 "its beginning")
       ->check(CLI::IsMember({"auto", "crazyflie", "setpoints", "tello", "wpl", "qgc-plan", "kml",
                              "geojson", "gltf", "paths-csv"}));
   app.add_flag_callback(

@@ -106,8 +106,8 @@ void InputFile::for_each_line(const std::function<void(const std::string&, std::
     ++number;
     if (is_blank(line)) continue;
     if (!any && line.starts_with("PK\x03\x04")) {
-      throw geom::InputError(name_,
-                             "expected JSON Lines, found an archive (skyway-info says more)");
+      throw geom::InputError(
+          name_, "expected JSON Lines, found an archive: skyway-info says what is in it");
     }
     any = true;
     f(line, number);
@@ -152,7 +152,7 @@ geom::BoxMap open_map(const geom::ArrayArchive& archive, geom::Verified level,
 namespace {
 
 void at_most_one(std::ptrdiff_t count) {
-  if (count > 1) throw UsageError("at most one input may be \"-\"");
+  if (count > 1) throw UsageError("expected at most one input from stdin (\"-\"), found more");
 }
 
 }  // namespace

@@ -6,18 +6,20 @@
 #include "cli/option/numbers_option.h"
 #include "files.h"
 #include "geom/archive/box_map_file.h"
+#include "geom/text/counted.h"
 
 namespace cli {
 
 void MapOptions::add_to(CLI::App& app, const std::string& seal_default) {
-  app.add_option("--seal", seal,
-                 "let obstacles that hang less than this above the floor down to it, metres "
-                 "(default: " +
-                     seal_default + ")")
+  app.add_option(
+         "--seal", seal,
+         "extend obstacles that hang less than this above the floor down to it, metres (default: " +
+             seal_default + ")")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--floor", map.floor, "lower z of the bounds (default: 0 for FCND tables)");
   app.add_option("--ceiling", map.ceiling, "upper z of the bounds");
-  app.add_option("--pad", map.pad, "metres around the obstacles, sideways and upward")
+  app.add_option("--pad", map.pad,
+                 "metres that the bounds reach beyond the obstacles, sideways and upward")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--scale", map.scale, "metres per unit of the source (default 1)")
       ->check(CLI::Range(1e-9, 1e9));
@@ -26,7 +28,7 @@ void MapOptions::add_to(CLI::App& app, const std::string& seal_default) {
       ->check(CLI::Range(0.0, 1000.0));
   app.add_option("--inflate", map.inflate, "grow each box by this on every side, metres")
       ->check(CLI::Range(0.0, 1e4));
-  add_box(app, "--bounds", map.bounds, "the bounds, instead of --floor, --ceiling and --pad");
+  add_box(app, "--bounds", map.bounds, "the bounds, in place of --floor, --ceiling and --pad");
   app.add_option("--tile", map.tile_size, "tile size, metres (default 100)")
       ->check(CLI::Range(1.0, 1e6));
 }
@@ -53,12 +55,13 @@ void write_map(const Common& common, const std::string& output, const geom::Made
   const geom::Vec3 corners[] = {spec.bounds.min, spec.bounds.max};
   if (spec.bounds_from == "option" && look_like_degrees(spec.frame, corners)) {
     throw UsageError(
-        fmt::format("--bounds [{}, {}] to [{}, {}] look like degrees: give metres from "
-                    "the map's origin",
+        fmt::format("--bounds [{}, {}] to [{}, {}] look like degrees: the map's coordinates "
+                    "are metres from its origin, so give metres",
                     corners[0].x(), corners[0].y(), corners[1].x(), corners[1].y()));
   }
   if (made.beyond > 0) {
-    common.warn(fmt::format("{}: {} box(es) wholly outside the bounds", source, made.beyond));
+    common.warn(fmt::format("{}: {} wholly outside the bounds", source,
+                            geom::counted(made.beyond, "box lies", "boxes lie")));
   }
   OutputFile out(output, OutputKind::artefact);
   geom::write_box_map(out.stream(), made.map);

@@ -221,6 +221,12 @@ std::optional<FileKind> text_kind(std::string_view head) {
   if (head.starts_with('<')) return first_in(head, kElements);
   if (head.starts_with('{') || head.starts_with('[')) return first_in(without_blanks(head), kJson);
   const auto start = head.substr(0, 2000);
+  if (start.find("halfSizeX") != start.npos) {
+    return FileKind{"an FCND table of boxes", "skyway-import", ""};
+  }
+  if (start.starts_with("min_x_m,")) {
+    return FileKind{"a table of boxes (box CSV)", "skyway-import skyway-map", ""};
+  }
   if (start.find("\nFIELDS ") != start.npos && start.find("\nDATA ") != start.npos) {
     return FileKind{"a PCD point cloud", "skyway-cloud", ""};
   }

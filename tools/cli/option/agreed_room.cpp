@@ -13,8 +13,8 @@ using geom::Vec3;
 
 std::string in_words(const Room& room) {
   const Vec3& half = room.vehicle.half;
-  return fmt::format("{} [{}, {}, {}] with margin {}", room.vehicle.name, half[0], half[1], half[2],
-                     room.margin);
+  return fmt::format("{} (half sizes {}, {}, {} m) with margin {} m", room.vehicle.name, half[0],
+                     half[1], half[2], room.margin);
 }
 
 // What a record asks for; where it says nothing, what this run asks for.
@@ -48,7 +48,7 @@ std::string difference(const geom::Limits& asked, const geom::Limits& found) {
 Room agreed_room(const geom::Provenance& record, const AskedRoom& asked, Differences differences,
                  std::string_view source, std::size_t line) {
   if (!asked.vehicle && !record.vehicle) {
-    throw UsageError("no vehicle: the record names none, so give --vehicle");
+    throw UsageError("no vehicle: the record names none; give --vehicle");
   }
   Room room;
   room.vehicle = asked.vehicle ? *asked.vehicle : *record.vehicle;
@@ -59,14 +59,16 @@ Room agreed_room(const geom::Provenance& record, const AskedRoom& asked, Differe
   if (!same && !(differences == Differences::stricter_allowed && holds(room, had))) {
     throw geom::InputError(
         source, line,
-        fmt::format("expected vehicle {}, as asked, found {}", in_words(room), in_words(had)));
+        fmt::format("expected the vehicle {}, as asked, found {}: ask for that one, or make "
+                    "this anew",
+                    in_words(room), in_words(had)));
   }
   const geom::Limits& ours = room.vehicle.limits;
   const geom::Limits& theirs = had.vehicle.limits;
   if (theirs == geom::Limits{} || ours == theirs) return room;
   if (differences == Differences::refused && ours != geom::Limits{}) {
     throw geom::InputError(source, line,
-                           fmt::format("expected vehicle {} with {} of {}", room.vehicle.name,
+                           fmt::format("expected the vehicle {} with {} of {}", room.vehicle.name,
                                        difference(ours, theirs), had.vehicle.name));
   }
   room.vehicle.limits = geom::stricter(ours, theirs);

@@ -19,17 +19,12 @@ struct OptionView {
   bool repeats = false;
 };
 
-// CLI11 names what a value may be by validators: "TEXT:{a,b}", or with values "{a->0,b->1}".
+// CLI11 names what a value may be by validators: "TEXT:{a,b}".
 std::vector<std::string> words_of(const std::string& type) {
   const std::size_t begin = type.find('{');
   const std::size_t end = type.find('}', begin);
-  std::vector<std::string> words;
-  if (begin == std::string::npos || end == std::string::npos) return words;
-  std::string list = type.substr(begin + 1, end - begin - 1);
-  for (std::string& word : CLI::detail::split(list, ',')) {
-    words.push_back(word.substr(0, word.find("->")));
-  }
-  return words;
+  if (begin == std::string::npos || end == std::string::npos) return {};
+  return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
 }
 
 Takes takes(const CLI::Option& option, const std::vector<std::string>& words) {

@@ -39,6 +39,28 @@ std::string shown(const geom::LimitKind& kind, double value) {
   return fmt::format("{:.10g} {}", value * (1 / kind.in_unit), kind.unit);
 }
 
+namespace {
+
+void require_speed_and_acceleration(const geom::Limits& limits, const std::string& vehicle) {
+  const bool speed =
+      limits[Limit::speed] || (limits[Limit::horizontal_speed] && limits[Limit::vertical_speed]);
+  const bool acceleration =
+      limits[Limit::acceleration] || (limits[Limit::tilt] && limits[Limit::thrust]);
+  constexpr const char* kSpeed = "--vmax (or --vmax-h and --vmax-v)";
+  constexpr const char* kAcceleration = "--amax (or --tilt and --thrust)";
+  if (speed && acceleration) return;
+  if (speed || acceleration) {
+    throw UsageError(
+        fmt::format("no limit on {}, which the vehicle {} does not name either: give {}",
+                    speed ? "acceleration" : "speed", vehicle, speed ? kAcceleration : kSpeed));
+  }
+  throw UsageError(fmt::format(
+      "no limits on speed and acceleration, and the vehicle {} names none: give {} and {}", vehicle,
+      kSpeed, kAcceleration));
+}
+
+}  // namespace
+
 geom::Limits limits_to_check(const geom::LimitSources& sources, const std::string& vehicle) {
   const auto& asked = sources.options[Limit::tilt];
   const auto& held = sources.vehicle[Limit::tilt];
@@ -62,12 +84,7 @@ geom::Limits limits_to_solve(const geom::Limits& asked, const geom::Vehicle& veh
         shown(kind, *vehicle.limits[*above])));
   }
   const geom::Limits limits = geom::limits_that_hold({asked, {}, vehicle.limits});
-  if ((!limits[Limit::speed] &&
-       !(limits[Limit::horizontal_speed] && limits[Limit::vertical_speed])) ||
-      (!limits[Limit::acceleration] && !(limits[Limit::tilt] && limits[Limit::thrust]))) {
-    throw UsageError(
-        "no limits: give --vmax (or --vmax-h and --vmax-v) and --amax (or --tilt and --thrust)");
-  }
+  require_speed_and_acceleration(limits, vehicle.name);
   return limits;
 }
 

@@ -31,7 +31,8 @@ void only_for(const CLI::App& app, bool apply, std::initializer_list<const char*
   if (apply) return;
   for (const char* const name : options) {
     if (app.get_option(name)->count() > 0) {
-      throw UsageError(fmt::format("{} is for {}: it would change nothing here", name, to_what));
+      throw UsageError(fmt::format(
+          "{} is only for {}: it would change nothing here, so leave it out", name, to_what));
     }
   }
 }

@@ -12,9 +12,9 @@ void PatchOptions::add_to(CLI::App& app, const std::string& kind,
                           std::initializer_list<CLI::Option*> excluded) {
   auto* patch = app.add_option("--patch", artefact,
                                fmt::format("{} of an older map: only what changed is worked out "
-                                           "anew; as that one in all else",
+                                           "anew, and all else is as in the older one",
                                            kind));
-  auto* map = app.add_option("--old-map", old_map, "the map it was made for");
+  auto* map = app.add_option("--old-map", old_map, "the map that the file of --patch was made for");
   patch->needs(map);
   map->needs(patch);
   for (CLI::Option* option : excluded) patch->excludes(option);
@@ -35,7 +35,9 @@ plan::MapChange PatchOptions::change(const geom::Provenance& made_for,
                                      const geom::CollisionScene& scene) const {
   const geom::BoxMap old = open_map(old_map, geom::Verified::contents);
   if (made_for.map != old.hash()) {
-    throw geom::InputError(artefact, fmt::format("was made for another map than {}", old_map));
+    throw geom::InputError(
+        artefact,
+        fmt::format("expected one made for the map {}, found one made for another map", old_map));
   }
   return plan::change_since(old, scene);
 }

@@ -3,6 +3,8 @@
 #include <map>
 #include <string>
 
+#include "word_for.h"
+
 namespace cli {
 
 void add_quality(CLI::App& app, plan::Quality& quality) {
@@ -10,7 +12,8 @@ void add_quality(CLI::App& app, plan::Quality& quality) {
                                                       {"normal", plan::Quality::normal},
                                                       {"best", plan::Quality::best}};
   app.add_option("--quality", quality, "fast, normal (default) or best")
-      ->transform(CLI::CheckedTransformer(names));
+      ->transform(word_for(names))
+      ->type_name("TEXT");
 }
 
 }  // namespace cli

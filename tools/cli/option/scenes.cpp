@@ -39,7 +39,9 @@ const geom::CollisionScene& Scenes::scene_for(const geom::Provenance& record,
 void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
                   const std::string& source, const char* kind) {
   if (const auto what = geom::mismatch(made_for, geom::provenance_of(scene))) {
-    throw geom::InputError(source, fmt::format("the {} was made for another {}", kind, *what));
+    throw geom::InputError(
+        source,
+        fmt::format("the {} was made for another {}: make it again for this one", kind, *what));
   }
 }
 

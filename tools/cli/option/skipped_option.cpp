@@ -3,27 +3,30 @@
 #include <fmt/format.h>
 
 #include "geom/base/error.h"
+#include "geom/text/counted.h"
 #include "geom/text/parse_json.h"
 
 namespace cli {
 
 void SkippedOption::add_to(CLI::App& app) {
   app.add_flag("--allow-skipped", allowed_,
-               "make the map without what is or may be an obstacle and cannot be built; the map "
-               "remembers how many");
+               "leave out what is or may be an obstacle and cannot be built; the map's history "
+               "says how many");
 }
 
 void SkippedOption::settle(const geom::Skipped& skipped, const std::string& source,
                            const Common& common, nlohmann::ordered_json& step) const {
   if (skipped.empty()) return;
   if (!allowed_) {
-    throw geom::InputError(source,
-                           fmt::format("{} possible obstacle(s) cannot be built: {}; correct "
-                                       "the file, or leave them out with --allow-skipped",
-                                       skipped.count(), skipped.text()));
+    throw geom::InputError(
+        source, fmt::format("{} cannot be built: {}; correct the file, or leave out what "
+                            "cannot be built with --allow-skipped",
+                            geom::counted(skipped.count(), "possible obstacle"), skipped.text()));
   }
-  common.warn(fmt::format("{}: {} possible obstacle(s) are left out: {}", source, skipped.count(),
-                          skipped.text()));
+  common.warn(
+      fmt::format("{}: {} left out: {}", source,
+                  geom::counted(skipped.count(), "possible obstacle is", "possible obstacles are"),
+                  skipped.text()));
   step["skipped"] = skipped.count();
 }
 

@@ -28,7 +28,7 @@ void choose_solver(const std::string& solver, const std::string& times,
   const auto named = kSolvers.find(solver);
   if (named == kSolvers.end()) {
     throw UsageError(
-        fmt::format("solver: expected auto, closed, ipopt or stop-and-go, found \"{}\"", solver));
+        fmt::format("--solver: expected auto, closed, ipopt or stop-and-go, found \"{}\"", solver));
   }
   options.solver = named->second;
   if (times.empty()) return;
@@ -36,10 +36,12 @@ void choose_solver(const std::string& solver, const std::string& times,
   const bool optimised = times == "optimised";
   if (allocation == kTimes.end() && !optimised) {
     throw UsageError(fmt::format(
-        "times: expected stops, distance, cautious, trapezoid or optimised, found \"{}\"", times));
+        "--times: expected stops, distance, cautious, trapezoid or optimised, found \"{}\"",
+        times));
   }
   if (solver != "auto" && solver != (optimised ? "ipopt" : "closed")) {
-    throw UsageError(fmt::format("--times {} has no meaning with --solver {}", times, solver));
+    throw UsageError(fmt::format("--times {} needs --solver {} or auto, found {}", times,
+                                 optimised ? "ipopt" : "closed", solver));
   }
   if (optimised) {
     options.solver = traj::Solver::ipopt;

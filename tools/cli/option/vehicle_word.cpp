@@ -15,10 +15,8 @@ namespace {
 geom::Vec3 half_sizes(std::string_view numbers, std::size_t count, const std::string& word) {
   const auto values = parse_numbers(numbers, count);
   if (!values || *std::min_element(values->begin(), values->end()) < 0) {
-    throw UsageError(
-        fmt::format("--vehicle: expected {} finite number(s) >= 0 in metres, "
-                    "found \"{}\"",
-                    count, word));
+    throw UsageError(fmt::format("--vehicle: expected {}, metres >= 0, found \"{}\"",
+                                 count == 1 ? "sphere:R" : "box:HX,HY,HZ", word));
   }
   return count == 1 ? geom::Vec3::Constant(values->front())
                     : geom::Vec3((*values)[0], (*values)[1], (*values)[2]);

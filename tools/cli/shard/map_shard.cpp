@@ -61,7 +61,11 @@ MapMaking read_making(const geom::JsonFields& fields) {
   map.ceiling = fields.number("ceiling");
   const bool sizes = map.scale > 0 && map.bloat_percent >= 0 && map.inflate >= 0 && map.pad >= 0 &&
                      *map.seal >= 0 && map.tile_size >= 1;
-  if (!sizes) fields.refuse("the options of its map cannot be");
+  if (!sizes) {
+    fields.refuse(
+        "expected scale > 0, tile_size >= 1, and bloat_percent, inflate, pad and seal >= 0, found "
+        "others: the file is damaged");
+  }
   geom::parse_json(out.history, "the map's history");
   if (fields.has("bounds")) {
     const auto corners = fields.points("bounds");
@@ -80,14 +84,17 @@ geom::BoxTable read_boxes(const ShardFile& shard) {
   geom::BoxTable table;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (corners.size() != 6 * ids.size()) {
-      throw geom::InputError(archive.name(), "boxes and ids are not of one length");
+      throw geom::InputError(archive.name(), "expected as many ids as boxes: the file is damaged");
     }
     const double* const c = &corners[6 * i];
     const geom::Aabb box{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}};
     const bool finite = box.min.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate &&
                         box.max.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate;
     if (!finite || !(box.min.array() <= box.max.array()).all()) {
-      throw geom::InputError(archive.name(), fmt::format("box {} cannot be", i));
+      throw geom::InputError(archive.name(),
+                             fmt::format("expected boxes with min <= max, within 1e8 m; box "
+                                         "{} is not: the file is damaged",
+                                         i));
     }
     table.boxes.push_back(box);
   }
@@ -102,7 +109,11 @@ void add_columns(const ShardFile& shard, geom::ColumnGrid& grid) {
     constexpr std::int32_t kMost = 1 << 30;  // well inside what sums may reach
     if (std::abs(std::int64_t{rows[i]}) > kMost || std::abs(std::int64_t{rows[i + 1]}) > kMost ||
         rows[i + 2] >= rows[i + 3]) {
-      throw geom::InputError(shard.archive.name(), fmt::format("span {} cannot be", i / 4));
+      throw geom::InputError(
+          shard.archive.name(),
+          fmt::format("expected spans with bottom < top, within 2^30 cells; span {} is "
+                      "not: the file is damaged",
+                      i / 4));
     }
     grid.add_span(rows[i], rows[i + 1], rows[i + 2], rows[i + 3]);
   }
@@ -113,7 +124,10 @@ geom::ColumnSpec read_spec(const geom::JsonFields& fields) {
   const geom::ColumnSpec spec{number_of(fields, "cell"), number_of(fields, "step"),
                               number_of(fields, "gap"), unknown == 1};
   const bool sizes = spec.cell > 0 && spec.step > 0 && spec.gap >= 0;
-  if (!sizes || (unknown != 0 && unknown != 1)) fields.refuse("its cells cannot be");
+  if (!sizes || (unknown != 0 && unknown != 1))
+    fields.refuse(
+        "expected cell > 0, step > 0, gap >= 0 and unknown_blocked 0 or 1, found others: the file "
+        "is damaged");
   return spec;
 }
 
@@ -153,7 +167,10 @@ geom::MadeMap join_map(std::span<const ShardFile> shards) {
   MapMaking making = read_making(fields);
   for (const ShardFile& shard : shards) {
     if (shard.content == shards.front().content) continue;
-    throw geom::InputError(shard.archive.name(), "its map is to be made in another way");
+    throw geom::InputError(shard.archive.name(),
+                           fmt::format("expected the same options of the map as in {}, found "
+                                       "others: these are shards of different runs",
+                                       name));
   }
   geom::BoxTable table;
   if (shards.front().kind == "boxes") {
@@ -163,7 +180,8 @@ geom::MadeMap join_map(std::span<const ShardFile> shards) {
     for (const ShardFile& shard : shards) add_columns(shard, grid);
     table = grid.boxes(name);
   }
-  if (table.boxes.empty()) throw geom::InputError(name, "expected some boxes, found none");
+  if (table.boxes.empty())
+    throw geom::InputError(name, "expected at least one box in all shards, found none");
   return geom::make_map(std::move(table), making.frame, making.history, name, making.options);
 }
 

@@ -69,12 +69,16 @@ JoinedRuns::JoinedRuns(std::vector<ShardFile> shards) : shards_(std::move(shards
     const auto at = first.content.find(key);
     const bool known =
         first.kind == "runs" && at != first.content.end() && at->is_number_unsigned();
-    if (!known) throw geom::InputError(first.archive.name(), "its content is not that of runs");
+    if (!known)
+      throw geom::InputError(
+          first.archive.name(),
+          "expected a shard of --runs, found one of another kind, or a damaged one");
     return at->get<std::size_t>();
   };
   trajectories_ = count("trajectories");
   runs_ = count("runs");
-  if (runs_ == 0) throw geom::InputError(first.archive.name(), "expected some runs, found none");
+  if (runs_ == 0)
+    throw geom::InputError(first.archive.name(), "expected at least one run, found none");
   for (const ShardFile& shard : shards_) {
     const std::size_t taken = shard.shard.taken(runs_);
     const std::size_t rows = shard.archive.array<std::uint8_t>("lost").size();
@@ -83,16 +87,20 @@ JoinedRuns::JoinedRuns(std::vector<ShardFile> shards) : shards_(std::move(shards
                       shard.archive.array<std::uint64_t>("ends").size() == rows &&
                       shard.archive.array<double>("tracking", kColumns).size() == kColumns * rows;
     if (fits) continue;
-    throw geom::InputError(shard.archive.name(),
-                           fmt::format("expected {} of {} runs of {} trajectories, found {} rows",
-                                       taken, runs_, trajectories_, rows));
+    throw geom::InputError(
+        shard.archive.name(),
+        fmt::format("expected a row for each of its runs and trajectories, {} in "
+                    "all, found {}: the file is damaged",
+                    taken * trajectories_, rows));
   }
 }
 
 traj::RunOutcome JoinedRuns::outcome(const ShardFile& shard, std::size_t row,
                                      std::size_t periods) const {
   const auto refuse = [&] {
-    throw geom::InputError(shard.archive.name(), fmt::format("run {} of it cannot be", row + 1));
+    throw geom::InputError(
+        shard.archive.name(),
+        fmt::format("run {} does not fit the rest: the file is damaged", row + 1));
   };
   const auto lost = shard.archive.array<std::uint8_t>("lost")[row];
   const auto ends = shard.archive.array<std::uint64_t>("ends");

@@ -79,7 +79,7 @@ void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outp
   work_ = {app.get_name(), SKYWAY_VERSION, nlohmann::json::object(), nlohmann::json::object()};
   for (const auto& [name, file] : inputs) {
     if (file == "-") {
-      throw UsageError(fmt::format("{} reads its inputs from files: {} is stdin",
+      throw UsageError(fmt::format("{} reads its inputs from files: give a file for {}, not stdin",
                                    asked() ? "--shard" : "--join", name));
     }
     if (!file.empty()) work_.inputs[name] = hash_of(file);
@@ -113,7 +113,7 @@ std::vector<ShardFile> Sharding::shards() const {
   const std::string why = difference(work_, shards.front().work);
   if (!why.empty()) {
     throw geom::InputError(shards.front().archive.name(),
-                           fmt::format("expected a shard of this command, found {}", why));
+                           fmt::format("expected a shard of this command, found one with {}", why));
   }
   return shards;
 }
@@ -133,7 +133,7 @@ std::optional<Exit> Sharding::finished(const Common& common) const {
     } catch (const geom::InputError&) {
       return std::nullopt;  // something else, or damaged: it will be written anew
     }
-    common.note(fmt::format("{}: {} is this shard already\n", work_.tool, file));
+    common.note(fmt::format("{}: {} holds this shard already\n", work_.tool, file));
   }
   common.write_stats({{"skipped", true}});
   return worst;

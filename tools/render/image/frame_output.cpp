@@ -42,8 +42,8 @@ FrameOutput::FrameOutput(std::string name, std::size_t frames, bool video)
     : name_(std::move(name)), each_(!video && is_numbered(name_)) {
   if (wanted() && frames > 1 && !video && !each_) {
     throw cli::UsageError(
-        fmt::format("{} frames need numbers in the name, as in \"frame-%05d.png\", or one of them "
-                    "--at a time; found \"{}\"",
+        fmt::format("expected a name with a number for {} frames, as \"frame-%05d.png\", found "
+                    "\"{}\"; or draw one frame with --at SECONDS",
                     frames, name_));
   }
 }

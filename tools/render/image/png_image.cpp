@@ -138,8 +138,9 @@ Pixels read_png(std::string_view bytes, std::string_view name) {
   Decoder decoder;
   png_image& image = decoder.image;
   if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) {
-    throw geom::InputError(std::string(name),
-                           fmt::format("expected a PNG picture, found: {}", image.message));
+    throw geom::InputError(
+        std::string(name),
+        fmt::format("expected a PNG picture, found none (libpng: {})", image.message));
   }
   if (std::uint64_t{image.width} * image.height > kMostPixels) {
     throw geom::InputError(std::string(name),
@@ -151,8 +152,11 @@ Pixels read_png(std::string_view bytes, std::string_view name) {
   out.rgb.resize(PNG_IMAGE_SIZE(image));
   const png_color black{};
   if (!png_image_finish_read(&image, &black, out.rgb.data(), 0, nullptr)) {
-    throw geom::InputError(std::string(name),
-                           fmt::format("expected a whole PNG picture, found: {}", image.message));
+    throw geom::InputError(
+        std::string(name),
+        fmt::format(
+            "expected a whole PNG picture, found a damaged or cut one (libpng: {}): draw it again",
+            image.message));
   }
   return out;
 }

@@ -1,0 +1,67 @@
+#include "cli/option/parse_error.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "cli/option/word_for.h"
+
+namespace {
+
+enum class Colour { red, green };
+
+// What is said of these arguments.
+std::string said(std::vector<std::string> arguments) {
+  CLI::App app{"", "tool"};
+  std::string map, word;
+  std::vector<double> pair;
+  double size = 0, scale = 0;
+  unsigned seed = 0;
+  Colour colour = Colour::red;
+  app.add_option("map", map)->required();
+  app.add_option("--word", word)->check(CLI::IsMember({"a", "b", "c"}));
+  app.add_option("--size", size)->check(CLI::Range(1e-9, 2.0));
+  app.add_option("--scale", scale)->check(CLI::PositiveNumber);
+  app.add_option("--pair", pair)->expected(2);
+  app.add_option("--seed", seed)->needs("--scale")->excludes("--size");
+  app.add_option("--colour", colour)
+      ->transform(cli::word_for<Colour>({{"green", Colour::green}, {"red", Colour::red}}));
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ParseError& error) {
+    return cli::in_words(app, error);
+  }
+  return colour == Colour::green ? "green" : "";
+}
+
+TEST(ParseError, SaysWhatWasExpectedAndFound) {
+  EXPECT_EQ(said({"m", "--word", "d"}), "--word: expected a, b or c, found \"d\"");
+  EXPECT_EQ(said({"m", "--size", "3"}), "--size: expected a number from 1e-09 to 2, found \"3\"");
+  EXPECT_EQ(said({"m", "--scale", "x"}), "--scale: expected a number > 0, found \"x\"");
+  EXPECT_EQ(said({"m", "--scale", "1", "--seed", "x"}),
+            "--seed: expected a whole number >= 0, found \"x\"");
+  EXPECT_EQ(said({"m", "--pair", "3"}), "--pair: expected 2 values, found fewer");
+  EXPECT_EQ(said({"m", "--word"}), "--word: expected a value, found none");
+  EXPECT_EQ(said({"m", "--word", "a", "--word", "b"}),
+            "--word: expected a value, found more: give it once");
+}
+
+TEST(ParseError, NamesUnknownAndMissingArguments) {
+  EXPECT_EQ(said({}), "expected an argument (map), found none");
+  EXPECT_EQ(said({"--sise", "3"}), "there is no option --sise");
+  EXPECT_EQ(said({"m", "n"}), "expected no more arguments, found \"n\"");
+  EXPECT_EQ(said({"m", "--sise"}), "there is no option --sise");
+}
+
+TEST(ParseError, SaysWhichOptionsGoTogether) {
+  EXPECT_EQ(said({"m", "--seed", "1"}), "--seed needs --scale: give both");
+  EXPECT_EQ(said({"m", "--seed", "1", "--scale", "1", "--size", "1"}),
+            "--size and --seed exclude each other: give one of them");
+}
+
+TEST(WordFor, TakesWordsAndNotTheNumbersBehindThem) {
+  EXPECT_EQ(said({"m", "--colour", "green"}), "green");
+  EXPECT_EQ(said({"m", "--colour", "1"}), "--colour: expected green or red, found \"1\"");
+}
+
+}  // namespace
