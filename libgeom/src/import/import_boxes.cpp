@@ -13,6 +13,7 @@
 #include "geom/import/voxel_3dmap.h"
 #include "geom/import/world_json.h"
 #include "geom/text/counted.h"
+#include "geom/text/json_line.h"
 
 namespace geom {
 namespace {
@@ -132,7 +133,7 @@ MadeMap make_map(ImportedBoxes boxes, std::string_view source, MakeMapOptions op
                                            counted(boxes.skipped.count(), "possible obstacle"),
                                            boxes.skipped.text()));
     }
-    history = fmt::format(R"([{{"skipped":{}}}])", boxes.skipped.count());
+    history = '[' + JsonLine().add("skipped", boxes.skipped.count()).object() + ']';
   }
   if (!options.source_bounds) options.source_bounds = boxes.bounds;
   if (!options.floor) options.floor = boxes.floor;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <numeric>
 #include <ostream>
+#include <tuple>
 #include <utility>
 
 #include "geom/archive/bytes.h"
@@ -15,34 +17,35 @@ namespace {
 
 constexpr std::size_t kMostBytes = 0xf0000000u;  // of the buffer: the file counts in 32 bits
 
-template <class List, class F>
-std::string joined(const List& list, const F& json_of) {
-  std::string out;
-  for (const auto& item : list) {
-    if (!out.empty()) out += ',';
-    out += json_of(item);
-  }
-  return out;
+// Numbers of a list, single precision in its own shortest text.
+std::string list_of(const auto& numbers) { return fmt::format("[{}]", fmt::join(numbers, ",")); }
+
+JsonLine object_of(const GltfMaterial& m) {
+  const auto& [r, g, b] = m.colour;
+  JsonLine surface;
+  surface.add_json("baseColorFactor", fmt::format("[{:.3f},{:.3f},{:.3f},{}]", r, g, b, m.opacity));
+  surface.add("metallicFactor", 0);
+  JsonLine line;
+  if (!m.name.empty()) line.add("name", m.name);
+  line.add("pbrMetallicRoughness", surface);
+  if (m.emissive) line.add_json("emissiveFactor", list_of(*m.emissive));
+  if (m.opacity < 1) line.add("alphaMode", "BLEND").add("doubleSided", true);
+  return line;
 }
 
-std::string json_of(const GltfMaterial& m) {
-  const std::string named = m.name.empty() ? "" : "\"name\":" + json_text(m.name) + ',';
-  const std::string emissive =
-      m.emissive ? fmt::format(R"(,"emissiveFactor":[{}])", fmt::join(*m.emissive, ",")) : "";
-  return fmt::format(
-      R"({{{}"pbrMetallicRoughness":{{"baseColorFactor":[{:.3f},{:.3f},{:.3f},{}],"metallicFactor":0}}{}{}}})",
-      named, m.colour[0], m.colour[1], m.colour[2], m.opacity, emissive,
-      m.opacity < 1 ? R"(,"alphaMode":"BLEND","doubleSided":true)" : "");
+JsonLine object_of(const GltfPrimitive& p) {
+  JsonLine line;
+  line.add("attributes", JsonLine().add("POSITION", p.positions));
+  line.add("indices", p.indices).add("material", p.material);
+  if (p.mode != GltfMode::triangles) line.add("mode", static_cast<int>(p.mode));
+  return line;
 }
 
-std::string json_of(const GltfPrimitive& p) {
-  std::string out = fmt::format(R"({{"attributes":{{"POSITION":{}}})", p.positions);
-  if (p.indices) out += fmt::format(R"(,"indices":{})", *p.indices);
-  out += fmt::format(R"(,"material":{})", p.material);
-  if (p.mode != GltfMode::triangles) {
-    out += fmt::format(R"(,"mode":{})", static_cast<int>(p.mode));
-  }
-  return out + '}';
+// The numbers below `count`.
+std::vector<std::size_t> numbers_below(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
 }
 
 }  // namespace
@@ -87,48 +90,49 @@ void Gltf::add_node(std::string name, std::vector<GltfPrimitive> primitives) {
   nodes_.push_back({std::move(name), std::move(primitives)});
 }
 
-std::string Gltf::json_of(std::size_t array) const {
+JsonLine Gltf::accessor(std::size_t array) const {
   const Array& a = arrays_[array];
-  if (!a.extent) {
-    return fmt::format(R"({{"bufferView":{},"componentType":5125,"count":{},"type":"SCALAR"}})",
-                       array, a.count);
-  }
+  JsonLine line;
+  line.add("bufferView", array).add("componentType", a.extent ? 5126 : 5125);
+  line.add("count", a.count).add("type", a.extent ? "VEC3" : "SCALAR");
+  if (!a.extent) return line;
   const auto& [low, high] = *a.extent;
-  return fmt::format(
-      R"({{"bufferView":{},"componentType":5126,"count":{},"type":"VEC3","min":[{},{},{}],"max":[{},{},{}]}})",
-      array, a.count, low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
+  return line.add_json("min", list_of(low)).add_json("max", list_of(high));
+}
+
+JsonLine Gltf::view(std::size_t array) const {
+  const Array& a = arrays_[array];
+  JsonLine line;
+  line.add("buffer", 0).add("byteOffset", a.begin);
+  line.add("byteLength", (a.extent ? 12 : 4) * a.count);
+  return line.add("target", a.extent ? 34962 : 34963);
 }
 
 std::string Gltf::json(std::string_view note) const {
-  std::string out = R"({"asset":{"version":"2.0","generator":"skyway")";
-  if (!note.empty()) out += R"(,"extras":{"note":)" + json_text(note) + '}';
-  out += R"(},"scene":0,"scenes":[)";
-  if (nodes_.empty()) return out + "{}]}";
-  const Vec3 at = to_gltf(origin_);
-  std::string shown, nodes, accessors, views;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const char* const comma = i ? "," : "";
-    shown += fmt::format("{}{}", comma, i);
-    nodes += fmt::format(R"({}{{"mesh":{},"name":{},"translation":[{},{},{}]}})", comma, i,
-                         json_text(nodes_[i].name), at.x(), at.y(), at.z());
-  }
-  for (std::size_t i = 0; i < arrays_.size(); ++i) {
-    const char* const comma = i ? "," : "";
-    accessors += comma + json_of(i);
-    views += fmt::format(R"({}{{"buffer":0,"byteOffset":{},"byteLength":{},"target":{}}})", comma,
-                         arrays_[i].begin, (arrays_[i].extent ? 12 : 4) * arrays_[i].count,
-                         arrays_[i].extent ? 34962 : 34963);
-  }
-  const auto mesh = [](const Node& node) {
-    return fmt::format(R"({{"name":{},"primitives":[{}]}})", json_text(node.name),
-                       joined(node.primitives, [](const auto& p) { return geom::json_of(p); }));
-  };
-  const auto material = [](const GltfMaterial& m) { return geom::json_of(m); };
-  return out +
-         fmt::format(
-             R"({{"nodes":[{}]}}],"nodes":[{}],"meshes":[{}],"materials":[{}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
-             shown, nodes, joined(nodes_, mesh), joined(materials_, material), accessors, views,
-             bin_.size());
+  JsonLine asset;
+  asset.add("version", "2.0").add("generator", "skyway");
+  if (!note.empty()) asset.add("extras", JsonLine().add("note", note));
+  JsonLine out;
+  out.add("asset", asset).add("scene", 0);
+  if (nodes_.empty()) return out.add("scenes", std::tuple(JsonLine())).object();
+  const std::vector<std::size_t> nodes = numbers_below(nodes_.size());
+  const std::vector<std::size_t> arrays = numbers_below(arrays_.size());
+  out.add("scenes", std::tuple(JsonLine().add("nodes", nodes)));
+  out.add("nodes", nodes, [&](std::size_t i) {
+    return JsonLine()
+        .add("mesh", i)
+        .add("name", nodes_[i].name)
+        .add_json("translation", list_of(to_gltf(origin_)));
+  });
+  const auto primitive = [](const GltfPrimitive& p) { return object_of(p); };
+  out.add("meshes", nodes_, [&](const Node& node) {
+    return JsonLine().add("name", node.name).add("primitives", node.primitives, primitive);
+  });
+  out.add("materials", materials_, [](const GltfMaterial& m) { return object_of(m); });
+  out.add("accessors", arrays, [&](std::size_t i) { return accessor(i); });
+  out.add("bufferViews", arrays, [&](std::size_t i) { return view(i); });
+  out.add("buffers", std::tuple(JsonLine().add("byteLength", bin_.size())));
+  return out.object();
 }
 
 // A chunk of JSON and, unless it is empty, one of bytes.

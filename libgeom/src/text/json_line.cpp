@@ -16,10 +16,6 @@ bool is_plain(std::string_view text) {
 
 }  // namespace
 
-std::string json_text(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 JsonLine& JsonLine::add_json(std::string_view key, std::string_view json) {
   append_key(key);
   text_ += json;
@@ -41,7 +37,7 @@ void JsonLine::append_double(double value) { append_number(text_, value); }
 
 void JsonLine::append_text(std::string_view text) {
   if (!is_plain(text)) {
-    text_ += json_text(text);
+    text_ += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     return;
   }
   text_ += '"';

@@ -16,6 +16,8 @@
 
 namespace geom {
 
+class JsonLine;
+
 // From east-north-up to glTF's axes: x east, y up, z south.
 Vec3 to_gltf(const Vec3& enu);
 
@@ -68,7 +70,8 @@ class Gltf {
 
   void require_room(std::size_t bytes) const;
   std::string json(std::string_view note) const;
-  std::string json_of(std::size_t array) const;
+  JsonLine accessor(std::size_t array) const;
+  JsonLine view(std::size_t array) const;
 
   Vec3 origin_;
   std::string bin_;

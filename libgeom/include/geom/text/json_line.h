@@ -17,16 +17,13 @@
 
 namespace geom {
 
-// `text` in quotes, escaped. What is not UTF-8 becomes U+FFFD: a name that nobody can read must not
-// stop a report about it.
-std::string json_text(std::string_view text);
-
 // An object whose members are added one by one, in the order in which they will stand. Nobody looks
 // whether a key comes twice.
 //
-// Values are doubles (as append_number of number.h writes them), whole numbers, bool, nullptr, text
-// (as json_text), other lines, and lists: ranges of values, such as a Vec3, and tuples of values of
-// several types. An optional without a value is null in a list; as a member it is left out.
+// Values are doubles (as append_number of number.h writes them), whole numbers, bool, nullptr,
+// text, other lines, and lists: ranges of values, such as a Vec3, and tuples of values of several
+// types. An optional without a value is null in a list; as a member it is left out. What is not
+// UTF-8 in a text becomes U+FFFD: a name that nobody can read must not stop a report about it.
 class JsonLine {
  public:
   template <class Value>
