@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/base/error.h"
+#include "geom/text/json_fields.h"
 
 namespace geom {
 namespace {
@@ -43,6 +44,23 @@ TEST(PathRecord, RefusesHoldsAndVelocitiesThatCannotBe) {
   EXPECT_EQ(refusal(R"("velocity":3)"), "p:1: velocity must be a list of 2, one a point, found 3");
   EXPECT_EQ(refusal(R"("hold":[0,1],"velocity":[null,[1,0,0]])"),
             "p:1: velocity[1] must be zero or null where the path holds, found [1,0,0]");
+}
+
+TEST(Provenance, IsWhatARecordSaysOfItsOrigin) {
+  const auto read = [](const char* json) { return read_provenance(JsonFields(json, "p", 1)); };
+  const Provenance none = read("{}");
+  EXPECT_FALSE(none.map || none.frame || none.vehicle || none.margin);
+  const Provenance all = read(R"({"map":"sha256:1","frame":"neu","margin":0.5,)"
+                              R"("vehicle":{"name":"quad","half":[1,2,0],"limits":{"vmax":8}}})");
+  EXPECT_EQ(all.map, "sha256:1");
+  EXPECT_EQ(all.frame, Axes::neu);
+  EXPECT_EQ(all.margin, 0.5);
+  EXPECT_EQ(all.vehicle, (Vehicle{"quad", {1, 2, 0}, {{Limit::speed, 8}}}));
+  for (const char* wrong :
+       {R"({"frame":"ned"})", R"({"vehicle":{}})", R"({"vehicle":{"half":[1,-1,1]}})",
+        R"({"margin":-1})", R"({"margin":1e9})"}) {
+    EXPECT_THROW(read(wrong), InputError) << wrong;
+  }
 }
 
 }  // namespace

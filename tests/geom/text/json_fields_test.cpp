@@ -69,35 +69,5 @@ TEST(JsonFields, KnowWordsAndTheirFallback) {
                  "small large");
 }
 
-TEST(JsonFields, LimitsAreAboveZeroAndOfKnownNames) {
-  const auto limits = [](const JsonFields& f) { f.limits(); };
-  EXPECT_EQ(fields("{}").limits(), Limits{});
-  EXPECT_EQ(fields(R"({"limits":{"vmax":8,"tilt":1.5}})").limits(),
-            (Limits{{Limit::speed, 8}, {Limit::tilt, 1.5}}));
-  expect_refusal(R"({"limits":{"vmax":0}})", limits, "limits.vmax");
-  expect_refusal(R"({"limits":{"tilt":1.5708}})", limits, "limits.tilt");
-  expect_refusal(R"({"limits":{"thrust":9.80665}})", limits, "limits.thrust");
-  expect_refusal(R"({"limits":{"climb":3}})", limits, "\"climb\"");
-  expect_refusal(R"({"limits":3})", limits, "limits");
-}
-
-TEST(JsonFields, ProvenanceIsWhatIsSaidOfIt) {
-  const Provenance none = fields("{}").provenance();
-  EXPECT_FALSE(none.map || none.frame || none.vehicle || none.margin);
-  const Provenance all = fields(R"({"map":"sha256:1","frame":"neu","margin":0.5,)"
-                                R"("vehicle":{"name":"quad","half":[1,2,0],"limits":{"vmax":8}}})")
-                             .provenance();
-  EXPECT_EQ(all.map, "sha256:1");
-  EXPECT_EQ(all.frame, Axes::neu);
-  EXPECT_EQ(all.margin, 0.5);
-  EXPECT_EQ(all.vehicle, (Vehicle{"quad", {1, 2, 0}, {{Limit::speed, 8}}}));
-  const auto read = [](const JsonFields& f) { f.provenance(); };
-  expect_refusal(R"({"frame":"ned"})", read, "frame");
-  expect_refusal(R"({"vehicle":{}})", read, "vehicle");
-  expect_refusal(R"({"vehicle":{"half":[1,-1,1]}})", read, "vehicle.half");
-  expect_refusal(R"({"margin":-1})", read, "margin");
-  expect_refusal(R"({"margin":1e9})", read, "margin");
-}
-
 }  // namespace
 }  // namespace geom
