@@ -1,6 +1,8 @@
 // Queries of the collision structure in which something goes wrong: they throw, or their answer is
 // right all the same.
 
+#include "collision/embree_queries.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,7 +19,6 @@
 #include <stdexcept>
 
 #include "collision/embree_groups.h"
-#include "collision/embree_queries.h"
 #include "geom/archive/array_archive.h"
 #include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "geom/record/record.h"
 #include "geom/text/json_fields.h"
 #include "support/cases.h"
@@ -60,6 +61,15 @@ TEST(Limits, TravelWithTheVehicleOfARecord) {
   EXPECT_EQ(through_a_line(record).provenance.vehicle, record.provenance.vehicle);
   record.provenance.vehicle->limits = {};
   EXPECT_EQ(to_json_line(record).find("limits"), std::string::npos);
+}
+
+TEST(Limits, OfARecordAreWhatItSays) {
+  const auto read = [](const char* json) { return read_limits(JsonFields(json, "r.jsonl", 3)); };
+  EXPECT_EQ(read("{}"), Limits{});
+  EXPECT_EQ(read(R"({"limits":{"vmax":8,"tilt":1.5,"thrust":9.8067}})"),
+            (Limits{{Limit::speed, 8}, {Limit::tilt, 1.5}, {Limit::thrust, 9.8067}}));
+  EXPECT_THROW(read(R"({"limits":{"tilt":1.5708}})"), InputError);
+  EXPECT_THROW(read(R"({"limits":{"thrust":9.80665}})"), InputError);
 }
 
 TEST(Limits, OfARecordAreObeyedOrRefused) {

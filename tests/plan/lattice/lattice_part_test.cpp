@@ -61,7 +61,8 @@ TEST(LatticeParts, OfOtherTilesAreRefused) {
   more[0].blocks.records = more[0].blocks.records.first(more[0].blocks.records.size() / 2);
   EXPECT_THROW(write_lattice(written, more), geom::InputError);
   more = fine;
-  const std::vector<std::uint32_t> free(more[0].blocks.record.size(), 0xfffffffe);  // none has a record
+  const std::vector<std::uint32_t> free(more[0].blocks.record.size(),
+                                        0xfffffffe);  // none has a record
   more[0].blocks.record = free;
   EXPECT_THROW(write_lattice(written, more), geom::InputError);
 }
