@@ -18,7 +18,7 @@ double draw(std::mt19937& random) {
     case 0:
       return std::round(x);
     case 1:
-      return next_up(std::round(x));
+      return next_up(std::round(x) + (x < 0 ? -1 : 1));
     default:
       return x;
   }
