@@ -20,12 +20,13 @@ step() {
 }
 
 number() { grep -o "\"$1\":[0-9.]*" "$2" | head -n 1 | cut -d: -f2; }
+last_number() { grep -o "\"$1\":[0-9.]*" "$2" | tail -n 1 | cut -d: -f2; }  # behind those of the search's steps
 
 step "city table to box map" 'skyway-info "$map" | grep boxes' \
   skyway-import -q "$here/data/downtown.csv" -o "$map"
 step "lattice, 10 m, 26 neighbours" 'skyway-info "$out/city.lattice" | grep -E "nodes|edges" | paste -sd" "' \
   skyway-lattice -q "$map" --spacing 10 --connect 26 "${vehicle[@]}" -o "$out/city.lattice"
-step "path across the city" 'printf "length: %.1f m" "$(number length "$out/path.jsonl")"' \
+step "path across the city" 'printf "length: %.1f m" "$(last_number length "$out/path.jsonl")"' \
   skyway-plan -q "$map" --lattice "$out/city.lattice" "${vehicle[@]}" --from=-425,-320.5,7 --to=357,204,5 \
   --snap-ends 5 -o "$out/path.jsonl"
 step "minimum-snap trajectory" 'printf "duration: %.1f s, by %s" "$(number duration "$out/trajectory.jsonl")" "$(grep -o "\"rung\":\"[a-z_]*" "$out/trajectory.jsonl" | cut -d\" -f4)"' \

@@ -28,17 +28,48 @@ bool starts_with_number(std::string_view line) {
   return parse_number(split_fields(line).front()).has_value();
 }
 
-// "lat0 37.79, lon0 -122.39" and "37.79,-122.39,,,," give the two numbers; other lines nothing.
+// What stands between commas, blanks, or both.
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view kBetween = ",; \t\r";
+  std::vector<std::string_view> words;
+  for (std::size_t at = line.find_first_not_of(kBetween); at != line.npos;) {
+    const std::size_t end = std::min(line.find_first_of(kBetween, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(kBetween, end);
+  }
+  return words;
+}
+
+// The number behind a word; nothing where the word or its number is missing.
+std::optional<double> number_after(std::string_view word, std::span<const std::string_view> words) {
+  const auto at = std::find(words.begin(), words.end(), word);
+  if (at == words.end() || at + 1 == words.end()) return std::nullopt;
+  return parse_number(*(at + 1));
+}
+
+// Whether words are pairs of a name and a number: "lat0 37.79 lon0 -122.39 lat1 37.8 lon1 -122.4".
+bool are_named_numbers(std::span<const std::string_view> words) {
+  if (words.empty() || words.size() % 2) return false;
+  for (std::size_t i = 0; i < words.size(); i += 2) {
+    const bool name = words[i].starts_with("lat") || words[i].starts_with("lon");
+    if (!name || !parse_number(words[i + 1])) return false;
+  }
+  return true;
+}
+
+// Of "lat0 37.79, lon0 -122.39", perhaps with further pairs (lat1, lon1), and of "37.79,-122.39";
+// other lines give nothing.
 std::optional<GeodeticOrigin> parse_origin(const TextLines& lines) {
-  std::vector<std::string> fields = split_fields(lines.line());
-  while (!fields.empty() && fields.back().empty()) fields.pop_back();
-  if (fields.size() != 2) return std::nullopt;
-  const auto number_after = [](std::string_view field, std::string_view word) {
-    if (field.starts_with(word)) field = trimmed(field.substr(word.size()));
-    return parse_number(field);
-  };
-  const auto latitude = number_after(fields[0], "lat0");
-  const auto longitude = number_after(fields[1], "lon0");
+  const std::vector<std::string_view> words = words_of(lines.line());
+  std::optional<double> latitude;
+  std::optional<double> longitude;
+  if (are_named_numbers(words)) {
+    latitude = number_after("lat0", words);
+    longitude = number_after("lon0", words);
+  } else if (words.size() == 2) {
+    latitude = parse_number(words[0]);
+    longitude = parse_number(words[1]);
+  }
   if (!latitude || !longitude) return std::nullopt;
   if (!(std::abs(*latitude) <= 90 && std::abs(*longitude) <= 360)) {
     lines.refuse(

@@ -30,7 +30,9 @@ TEST(FcndCsv, ReadsEveryHeaderVariant) {
   const std::string row = "1,2,3,1,1,3\n";
   for (const std::string& head :
        {std::string(), kHeader, "lat0 37.5, lon0 -122.25\n" + kHeader,
-        "37.5,-122.25,,,,\n" + kHeader, "lat0,lon0\n37.5,-122.25\n" + kHeader}) {
+        "37.5,-122.25,,,,\n" + kHeader, "lat0 37.5 lon0 -122.25\n" + kHeader,
+        "lat0 37.5, lon0 -122.25, lat1 37.6, lon1 -122.5\n" + kHeader, "37.5 -122.25\n" + kHeader,
+        "lat0, 37.5, lon0, -122.25\n" + kHeader, "lat0,lon0\n37.5,-122.25\n" + kHeader}) {
     const FcndTable t = fcnd(head + row);
     ASSERT_EQ(t.table.boxes.size(), 1u) << head;
     EXPECT_EQ(t.table.boxes[0], (Aabb{{0, 1, 0}, {2, 3, 6}})) << head;
