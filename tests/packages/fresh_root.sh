@@ -76,12 +76,16 @@ for example in read query plan solve check; do
   in_root python3 "/usr/share/doc/python3-skyway/examples/$example.py" /srv/out
 done
 
+echo "== the README"
+cp "$here/tests/tools/readme/readme_test.py" "$here/README.md" "$root/srv"
+in_root python3 /srv/readme_test.py /usr/bin /srv/README.md /usr/lib/python3/dist-packages
+
 echo "== libskyway-dev"
 install g++ cmake "$(deb libskyway-dev)"
 cp -r "$here/tests/consumer" "$root/srv/consumer"
 in_root cmake -S /srv/consumer -B /srv/consumer/build > /dev/null
 in_root cmake --build /srv/consumer/build > /dev/null
-in_root /srv/consumer/build/consumer
+printf 'boundary 0 0 0 10 10 10\nblock 4 0 0 5 8 8\n' | in_root /srv/consumer/build/consumer > /dev/null
 echo "find_package(skyway) works"
 
 echo "== sizes"
