@@ -16,10 +16,11 @@ struct OptionView {
   std::string description;
   Takes takes = Takes::file;
   std::vector<std::string> words;  // of Takes::word
+  bool file_too = false;           // or the name of a file instead of a word
   bool repeats = false;
 };
 
-// CLI11 names what a value may be by validators: "TEXT:{a,b}".
+// CLI11 names what a value may be by validators: "TEXT:{a,b}"; ours is "TEXT:{a,b}|FILE".
 std::vector<std::string> words_of(const std::string& type) {
   const std::size_t begin = type.find('{');
   const std::size_t end = type.find('}', begin);
@@ -43,6 +44,7 @@ OptionView view(const CLI::Option& option) {
   out.description = option.get_description();
   out.words = words_of(option.get_type_name());
   out.takes = takes(option, out.words);
+  out.file_too = option.get_type_name().ends_with("}|FILE");
   out.repeats = option.get_items_expected_max() > 1;
   return out;
 }
@@ -156,7 +158,9 @@ std::string zsh_text(std::string_view text) {
 }
 
 std::string zsh_value(const OptionView& option) {
-  if (option.takes == Takes::word) return fmt::format(":word:({})", joined(option.words, " "));
+  const std::string words = joined(option.words, " ");
+  if (option.file_too) return fmt::format(":word or file:{{compadd {}; _files}}", words);
+  if (option.takes == Takes::word) return fmt::format(":word:({})", words);
   if (option.takes == Takes::number) return ":number: ";
   return option.takes == Takes::file ? ":file:_files" : "";
 }

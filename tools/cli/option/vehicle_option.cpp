@@ -12,7 +12,8 @@ namespace cli {
 void VehicleOptions::add_to(CLI::App& app) {
   app.add_option("--vehicle", word,
                  fmt::format("{}, FILE.json, box:HX,HY,HZ or sphere:R (metres)",
-                             fmt::join(traj::vehicle_names(), ", ")));
+                             fmt::join(traj::vehicle_names(), ", ")))
+      ->type_name(fmt::format("TEXT:{{{}}}|FILE", fmt::join(traj::vehicle_names(), ",")));
   app.add_option("--margin", margin, "metres added to each half size of the vehicle")
       ->check(CLI::Range(0.0, 1e6));
 }
