@@ -68,6 +68,8 @@ void walk(const std::string& bytes, std::size_t& at, int level, std::string_view
   const unsigned bits = static_cast<unsigned char>(bytes[at]) |
                         static_cast<unsigned>(static_cast<unsigned char>(bytes[at + 1])) << 8;
   at += 2;
+  if (bits == 0)
+    refuse(source, "expected at least one child of each inner node, found one with none");
   for (int child = 0; child < 8; ++child) {
     if ((bits >> (2 * child) & 3) == 3) walk(bytes, at, level + 1, source);
   }

@@ -68,8 +68,9 @@ TEST(Octomap, RefusesOtherFilesAndTreesThatDoNotEndWhereTheyShould) {
   for (int level = 0; level < 17; ++level) deep += node({{0, kInner}});
   for (const std::string& bad :
        {std::string(), std::string("# Octomap OcTree file\n"), tree(good.substr(1)),
-        tree(good + "x"), tree(good, "0"), tree(good, "-1"), tree(good, "nan"),
-        tree(node({{0, kInner}})), tree(deep), tree(node({{0, kFree}}))}) {
+        tree(good + "x"), tree(good, "0"), tree(good, "-1"), tree(good, "nan"), tree(node({})),
+        tree(node({{0, kInner}, {1, kOccupied}}) + node({})), tree(node({{0, kInner}})), tree(deep),
+        tree(node({{0, kFree}}))}) {
     EXPECT_TRUE(support::refusal_of([&] { read(bad); }).starts_with("t.bt: ")) << bad;
   }
 }

@@ -23,8 +23,9 @@ struct Octomap {
 };
 
 // Throws InputError(source, …) for another kind of file, a resolution that is not a positive
-// number, a tree that is cut short, deeper than OctoMap's 16 levels or followed by more bytes, and
-// a tree without occupied cells (with unknown_blocked: without cells).
+// number, a tree that is cut short, deeper than OctoMap's 16 levels or followed by more bytes, an
+// inner node without children, and a tree without occupied cells (with unknown_blocked: without
+// cells).
 Octomap read_octomap(std::istream& in, std::string_view source, const OctomapOptions& options);
 
 }  // namespace geom

@@ -24,7 +24,7 @@ struct MapStatistics {
 MapStatistics statistics(const BoxMap& map);
 
 struct Overlaps {
-  std::size_t pairs = 0;      // of boxes whose interiors meet
+  std::size_t pairs = 0;      // of boxes with more in common than a face; flat boxes count, too
   std::size_t contained = 0;  // boxes inside another (of equal ones all but one)
 };
 

@@ -44,8 +44,8 @@ struct Gains {
 };
 
 // Gains that follow from the motors' lag: rates of damping 0.8, where in roll and pitch the
-// derivative gain makes the lag three times shorter; each outer loop a quarter as fast as the next
-// inner one.
+// derivative gain makes the lag three times shorter; attitude and velocity each a quarter as fast as
+// the next inner loop, and the position half as fast as the velocity.
 Gains nominal_gains(const Quadrotor& quadrotor, double tilt_max);
 
 // "stack-a" and "stack-b": the position and velocity tables of two older stacks, without
