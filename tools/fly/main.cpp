@@ -50,14 +50,28 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
   }
 }
 
-void write_gains(const cli::Common& common, const fly::Mission& mission,
+// "0.0118" or, where a flight was lost, that.
+std::string shown(const std::optional<double>& cost) {
+  return cost ? fmt::format("{:.4g}", *cost) : "a lost flight";
+}
+
+void write_gains(const cli::Common& common, const fly::Mission& mission, const std::string& cost,
                  const std::string& output) {
   cli::OutputFile out(output, cli::OutputKind::text);
   const traj::TuneResult tuned = mission.tune(common.execution("flights"));
   out.stream() << traj::to_json(tuned.gains);
   out.commit();
-  common.write_stats(
-      {{"flights", tuned.flights}, {"velocity_cost", tuned.velocity_cost}, {"cost", tuned.cost}});
+  common.note(fmt::format(
+      "cost ({}) before: {}, after: {}{}\n", cost, shown(tuned.before), shown(tuned.cost),
+      tuned.improved ? "" : "; no better gains were found, so none were changed"));
+  nlohmann::ordered_json stats = {{"flights", tuned.flights},
+                                  {"velocity_cost", tuned.velocity_cost},
+                                  {"before", nullptr},
+                                  {"cost", nullptr},
+                                  {"improved", tuned.improved}};
+  if (tuned.before) stats["before"] = *tuned.before;
+  if (tuned.cost) stats["cost"] = *tuned.cost;
+  common.write_stats(stats);
 }
 
 // The runs of a share, for --join.
@@ -131,7 +145,7 @@ int main(int argc, char** argv) {
     if (!options.tune && !runs_only) {
       return write_flights(common, mission, sharding, total, output, report);
     }
-    if (options.tune) write_gains(common, mission, output);
+    if (options.tune) write_gains(common, mission, options.cost, output);
     if (runs_only) write_runs(common, mission, sharding, options.runs, output);
     return cli::Exit::yes;
   });

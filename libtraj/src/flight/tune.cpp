@@ -29,7 +29,7 @@ class Search {
 
   // The best parameters from `at` on, and their cost.
   double improve(Parameters& at, const Apply& apply, const Judge& judge) {
-    double best = costs({at}, apply, judge).front();
+    double best = cost(at, apply, judge);
     double step = kFirstStep;
     for (int round = 0; round < kMostRounds && step > kLastStep; ++round) {
       std::vector<Parameters> around;
@@ -49,6 +49,10 @@ class Search {
       }
     }
     return best;
+  }
+
+  double cost(const Parameters& at, const Apply& apply, const Judge& judge) {
+    return costs({at}, apply, judge).front();
   }
 
   std::size_t flights() const { return flights_; }
@@ -115,6 +119,51 @@ double weighed(const FlightCost& cost, const Flight& flight, const ReferenceTrac
          cost.final_distance * t.final_distance + cost.saturated * flight.saturated;
 }
 
+// The position loop around the velocity loop of `gains`, and what the flights then cost.
+struct Closed {
+  Gains gains;
+  double cost = 0;
+  std::size_t flights = 0;
+};
+
+class ClosedLoops {
+ public:
+  ClosedLoops(std::span<const ReferenceTrack> tracks, const FlightOptions& base,
+              const FlightCost& cost, const geom::Execution& run)
+      : tracks_(tracks), base_(base), cost_(cost), run_(run) {}
+
+  // As they are.
+  Closed flown() const {
+    Search search(tracks_, base_, run_);
+    const double cost = search.cost(
+        {}, [](const Parameters&, Gains&) {}, judge());
+    return {base_.gains, cost, search.flights()};
+  }
+
+  Closed improved(const Gains& gains) const {
+    FlightOptions options = base_;
+    options.gains = gains;
+    const auto apply = [&](const Parameters& p, Gains& g) { apply_position(base_.law, p, g); };
+    Search search(tracks_, options, run_);
+    Parameters position = position_start(base_.law, gains);
+    Closed out{gains, search.improve(position, apply, judge()), search.flights()};
+    apply(position, out.gains);
+    return out;
+  }
+
+ private:
+  Judge judge() const {
+    return [this](const Flight& flight, const ReferenceTrack& track) {
+      return weighed(cost_, flight, track);
+    };
+  }
+
+  std::span<const ReferenceTrack> tracks_;
+  const FlightOptions& base_;
+  const FlightCost& cost_;
+  const geom::Execution& run_;
+};
+
 }  // namespace
 
 TuneResult tune(std::span<const ReferenceTrack> tracks, const FlightOptions& base,
@@ -125,23 +174,30 @@ TuneResult tune(std::span<const ReferenceTrack> tracks, const FlightOptions& bas
   open.gains.geometric.position.setZero();
   Search inner(tracks, open, run);
   Parameters velocity = velocity_start(law, base.gains);
-  const auto set_velocity = [&](const Parameters& v, Gains& g) { apply_velocity(law, v, g); };
   TuneResult out;
   out.velocity_cost = inner.improve(
-      velocity, set_velocity,
+      velocity, [&](const Parameters& v, Gains& g) { apply_velocity(law, v, g); },
       [](const Flight& flight, const ReferenceTrack&) { return flight.velocity_error; });
-  FlightOptions closed = base;
-  set_velocity(velocity, closed.gains);
-  Search outer(tracks, closed, run);
-  Parameters position = position_start(law, base.gains);
-  const auto set_position = [&](const Parameters& p, Gains& g) { apply_position(law, p, g); };
-  out.cost =
-      outer.improve(position, set_position, [&](const Flight& flight, const ReferenceTrack& track) {
-        return weighed(cost, flight, track);
-      });
-  out.gains = closed.gains;
-  set_position(position, out.gains);
-  out.flights = inner.flights() + outer.flights();
+  out.flights = inner.flights();
+
+  const ClosedLoops closed(tracks, base, cost, run);
+  const Closed before = closed.flown();
+  Closed best = before;
+  const auto take = [&](const Closed& found) {
+    out.flights += found.flights;
+    if (found.cost < best.cost) best = found;
+    out.improved = best.cost < before.cost;
+  };
+  take(before);
+  Gains gains = base.gains;
+  apply_velocity(law, velocity, gains);
+  take(closed.improved(gains));
+  if (!out.improved) take(closed.improved(base.gains));
+
+  const double lost = kLost / static_cast<double>(tracks.size());
+  if (before.cost < lost) out.before = before.cost;
+  if (best.cost < lost) out.cost = best.cost;
+  out.gains = best.gains;
   return out;
 }
 
