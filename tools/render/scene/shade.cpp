@@ -234,6 +234,11 @@ std::array<Colour, kRays> Shader::colours(const Rays& rays, int x, int y,
 
 std::vector<Colour> box_colours(const geom::BoxMap& map) {
   const bool labelled = map.labels().size() > 1;
+  std::vector<geom::Rgb8> label_colours;
+  for (const std::string& label : map.labels()) {
+    const auto number = static_cast<std::uint32_t>(label_colours.size());
+    label_colours.push_back(geom::label_colour(number, label));
+  }
   const double floor = map.spec().bounds.min.z();
   double top = floor + 1;
   for (const geom::Aabb& box : map.boxes()) top = std::max(top, box.max.z());
@@ -241,7 +246,7 @@ std::vector<Colour> box_colours(const geom::BoxMap& map) {
   out.reserve(map.size());
   for (std::size_t i = 0; i < map.size(); ++i) {
     if (labelled) {
-      const auto c = geom::label_colour(map.label()[i]);
+      const geom::Rgb8& c = label_colours[map.label()[i]];
       out.push_back({c[0], c[1], c[2]});
       continue;
     }

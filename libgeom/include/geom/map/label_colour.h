@@ -1,21 +1,23 @@
 #pragma once
 
-// The colours in which meshes and pictures show labels.
+// The colours in which meshes, pictures and pages show labels.
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace geom {
 
-// Red, green, blue. Distinct enough, the same for the same label number: grey first.
-inline std::array<std::uint8_t, 3> label_colour(std::uint32_t label) {
-  constexpr std::array<std::array<std::uint8_t, 3>, 6> kColours = {{{176, 176, 176},
-                                                                    {204, 102, 85},
-                                                                    {86, 140, 196},
-                                                                    {104, 164, 104},
-                                                                    {196, 164, 76},
-                                                                    {150, 110, 180}}};
-  return kColours[label % kColours.size()];
-}
+using Rgb8 = std::array<std::uint8_t, 3>;  // red, green, blue
+
+// The colour that a label is, as those of block texts and worlds are: three numbers between blanks,
+// each 0 to 255, or each 0 to 1 where none is larger. "255 0 0" and "1 0 0" are red. Nothing for
+// any other label.
+std::optional<Rgb8> written_colour(std::string_view label);
+
+// The colour to show a label in: the one that it is, or else one of six by its number in the map,
+// grey first, which can be told apart.
+Rgb8 label_colour(std::uint32_t number, std::string_view label = {});
 
 }  // namespace geom
