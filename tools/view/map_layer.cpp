@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
+#include "geom/map/label_colour.h"
 #include "layers.h"
 
 namespace view {
@@ -22,6 +25,16 @@ Json label_array(const geom::BoxMap& map, Bundle& bundle) {
   return bundle.add(std::span<const std::uint16_t>(small));
 }
 
+// Of each label the colour that it is, as "#ff0000", or null.
+Json written_colours(const std::vector<std::string>& labels) {
+  Json out = Json::array();
+  for (const std::string& label : labels) {
+    const auto c = geom::written_colour(label);
+    out.push_back(c ? Json(fmt::format("#{:02x}{:02x}{:02x}", (*c)[0], (*c)[1], (*c)[2])) : Json());
+  }
+  return out;
+}
+
 }  // namespace
 
 Json map_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle) {
@@ -34,11 +47,15 @@ Json map_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle)
     append(corners, frame.at(axes, box.max));
   }
   const geom::Aabb bounds = geom::to_enu(axes, spec.bounds);
-  Json out = {
-      {"hash", map.hash()},         {"boxes", map.size()},
-      {"frame", geom::name(axes)},  {"min", as_json(bounds.min)},
-      {"max", as_json(bounds.max)}, {"corners", bundle.add(std::span<const float>(corners))},
-      {"labels", map.labels()}};
+  Json out = {{"hash", map.hash()},
+              {"boxes", map.size()},
+              {"frame", geom::name(axes)},
+              {"min", as_json(bounds.min)},
+              {"max", as_json(bounds.max)},
+              {"corners", bundle.add(std::span<const float>(corners))},
+              {"bounds_from", spec.bounds_from},
+              {"labels", map.labels()},
+              {"colours", written_colours(map.labels())}};
   if (map.labels().size() > 1) out["label"] = label_array(map, bundle);
   const auto ids = short_ids(map.ids());
   if (!ids.empty()) out["ids"] = bundle.add(std::span<const std::uint32_t>(ids));

@@ -52,6 +52,8 @@ def check_map(page, folder):
     rows = [line.split(",") for line in run("skyway-map", "to-csv", folder / "map").splitlines()[1:]]
     corners = page.points(page.meta["map"]["corners"])
     assert page.meta["map"]["boxes"] == len(rows) == len(corners) // 2
+    assert page.meta["map"]["bounds_from"] == "option"
+    assert len(page.meta["map"]["colours"]) == len(page.meta["map"]["labels"])
     for i, row in enumerate(rows):
         values = [float(v) for v in row[:6]]
         close(corners[2 * i], enu(values[:3]))

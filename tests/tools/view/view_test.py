@@ -4,6 +4,7 @@ Pictures of what was seen are left in the folder PICTURES; with SKYWAY_TIME_FRAM
 """
 
 import base64
+import itertools
 import json
 import os
 import pathlib
@@ -11,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 
+import colour_vision
 from webdriver import Browser
 
 bin_dir, source = (pathlib.Path(a).resolve() for a in sys.argv[1:3])
@@ -177,9 +179,44 @@ def looks_around(viewer):
         assert viewer.get("camera") == mode
     viewer.until("Math.hypot(...skyway.target.map((x, i) => x - skyway.position[i])) < 1e-3")
     viewer.picture("demo-ride")
+    follows_after_top(viewer)
     browser.key("h")
     assert viewer.get("camera") == "free"
     viewer.until(f"Math.abs(skyway.distance - {distance}) < 1e-6")
+
+
+def follows_after_top(viewer):
+    """From above to behind the vehicle: a slanted view in which no box hides it, wherever it is."""
+    browser = viewer.browser
+    for share in (0.2, 0.5, 0.8):
+        browser.pointer(("move", *browser.centre("#scrub", share)), ("down",), ("up",))
+        browser.run("document.activeElement.blur()")
+        browser.key("2")
+        assert viewer.get("elevation") > 1.5
+        frames = viewer.get("frames")
+        browser.key("3")
+        viewer.until(f"skyway.frames > {frames}")
+        assert viewer.get("camera") == "follow" and 0.3 < viewer.get("elevation") < 1.2, viewer.get("elevation")
+        assert viewer.get("seen")
+    viewer.picture("follow-after-top")
+
+
+def lists_keys(viewer):
+    browser = viewer.browser
+    is_open = "return document.getElementById('help').open"
+    browser.run("document.activeElement.blur()")
+    browser.key("?")
+    assert browser.run(is_open)
+    words = browser.run("return document.getElementById('help').textContent")
+    for key in ("Space", "1", "2", "3", "4", "H", "?", "Esc", "+", "wheel", "drag"):
+        assert key in words, (key, words)
+    viewer.picture("keys")
+    browser.key("\ue00c")  # escape
+    assert not browser.run(is_open)
+    browser.click("#keys")
+    assert browser.run(is_open)
+    browser.click("#help button")
+    assert not browser.run(is_open)
 
 
 def grows_tree(viewer):
@@ -203,16 +240,18 @@ def shows_demo(browser, folder, page):
     plays_and_scrubs(viewer, folder)
     reads_plots(viewer, folder)
     looks_around(viewer)
+    lists_keys(viewer)
     grows_tree(viewer)
     calls = viewer.get("drawCalls")
     browser.run("[...document.querySelectorAll('#layers .head')].find(l => l.textContent.startsWith('Lattice')).click()")
     viewer.until(f"skyway.drawCalls > {calls}")
-    browser.run("const s = document.querySelector('#side select'); s.value = '1'; s.dispatchEvent(new Event('change'))")
+    browser.click(".kinds [data-value='1']")
     assert viewer.get("motion") == "q1 (flown)"
     assert abs(viewer.get("values")["error"]["from the setpoint"] - 0.2) < 1e-3
     browser.click("#theme")
     assert viewer.get("theme") == "dark"
     viewer.picture("demo-dark")
+    fits_a_phone(browser, page)
     narrow = Viewer(browser, page, "dark", (390, 844))
     narrow.picture("demo-narrow")
     distance = narrow.get("distance")
@@ -271,7 +310,7 @@ def shows_frames(browser, folder, page):
     browser.pointer(("move", *browser.centre("#scrub", 0.4)), ("down",), ("up",))
     assert unlike(viewer, pathlib.Path(str(names) % viewer.get("frame"))) < 4
     viewer.picture("frames")
-    browser.run("const s = document.querySelector('#side select'); s.value = '1'; s.dispatchEvent(new Event('change'))")
+    browser.click(".kinds [data-value='1']")
     assert viewer.get("motion") == "q1 (flown)" and viewer.get("frame") is None
     assert browser.run("return document.querySelector('.frame').getBoundingClientRect().height") == 0
     viewer.quiet()
@@ -300,8 +339,8 @@ def shows_large_city(browser, folder, page):
     run("skyway-import", "-q", "-", "-o", folder / "large", text=table)
     run("skyway-view", folder / "large", "--title", "A large city", "-o", page)
     viewer = Viewer(browser, page, "dark")
-    assert viewer.get("boxes") >= 100000 and viewer.get("triangles") <= 6 * viewer.get("boxes") + 100
-    assert viewer.get("drawCalls") <= 4
+    assert viewer.get("boxes") >= 100000 and viewer.get("triangles") <= 2 * 6 * viewer.get("boxes") + 100
+    assert viewer.get("drawCalls") <= 5  # the boxes twice: first for their outlines
     viewer.figures("large city")
     viewer.picture("large-dark")
 
@@ -319,6 +358,113 @@ def shows_labels(browser, folder, page):
     assert keys == ["</script><b>house", "shed"], keys
     assert browser.run("return document.querySelectorAll('b').length") == 0
     viewer.picture("labels")
+
+
+def shows_buildings(browser, folder, page):
+    """Strips that touch are one building: by label, or else by the height of their tops."""
+    strips = [f"{i},0,0,{i + 1},{5 + i % 2},9," for i in range(6)]
+    for name, rows in (("labelled", [r + "hall" for r in strips] + ["20,0,0,25,5,9,hall", "6,0,0,9,5,9,shed"]),
+                       ("plain", strips + ["20,0,0,25,5,9,", "6,0,0,9,5,8.5,"])):
+        table = folder / f"{name}.csv"
+        table.write_text("\n".join(["min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label", *rows]) + "\n")
+        run("skyway-import", "-q", table, "-o", folder / name)
+        run("skyway-view", folder / name, "-o", page)
+        viewer = Viewer(browser, page)
+        assert viewer.get("boxes") == 8 and viewer.get("buildings") == 3, (name, viewer.get("buildings"))
+        viewer.picture(f"buildings-{name}")
+
+
+def shows_room(browser, folder, page):
+    """A block's colour is its own, and the room has walls; those of a city that only end with its boxes are not drawn."""
+    (folder / "room.txt").write_text("boundary 0 0 0 6 8 3\nblock 1 2 0 2 3 3 255 0 0\nblock 3 5 0 4 6 2 0 0 255\n")
+    run("skyway-import", "-q", folder / "room.txt", "-o", folder / "room")
+    run("skyway-view", folder / "room", "--title", "A room", "-o", page)
+    viewer = Viewer(browser, page)
+    layers = "return document.getElementById('layers').textContent"
+    assert "6.0 × 8.0 × 3.0" in browser.run(layers)
+    colours = browser.run("return [...document.querySelectorAll('#layers .keys .swatch')].map("
+                          "s => getComputedStyle(s).backgroundColor)")
+    assert colours == ["rgb(255, 0, 0)", "rgb(0, 0, 255)"], colours
+    viewer.picture("room")
+    (folder / "west.csv").write_text("lat0 37.79248, lon0 -122.39745\nposX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n0,0,5,5,5,5\n")
+    run("skyway-import", "-q", folder / "west.csv", "-o", folder / "west")
+    run("skyway-view", folder / "west", "-o", page)
+    viewer = Viewer(browser, page)
+    assert "Bounds" not in browser.run(layers)
+    contents = browser.run("return document.getElementById('side').textContent")
+    assert "37.79248° N, 122.39745° W" in contents, contents
+    viewer.quiet()
+
+
+def make_missions(folder, count):
+    """Side by side over a few houses, each with path and trajectory."""
+    rows = [f"{x},{y},0,{x + 12},{y + 20},{8 + x % 9},house" for x in range(10, 190, 30) for y in range(20, 180, 40)]
+    (folder / "houses.csv").write_text("\n".join(["min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label", *rows]) + "\n")
+    queries = ["id,from_x,from_y,from_z,to_x,to_y,to_z"]
+    queries += [f"m{i},{10 + 180 * i / (count - 1)},10,30,{10 + 180 * i / (count - 1)},190,30" for i in range(count)]
+    (folder / "queries.csv").write_text("\n".join(queries) + "\n")
+    run("skyway-import", "-q", folder / "houses.csv", "--bounds", "0,0,0,200,200,60", "-o", folder / "houses")
+    run("skyway-plan", "-q", folder / "houses", "--vehicle", "box:0.5,0.5,0.3", "--queries", folder / "queries.csv",
+        "-o", folder / "paths")
+    run("skyway-traj", "-q", folder / "houses", folder / "paths", "--vmax", "8", "--amax", "6", "--solver", "closed",
+        "-o", folder / "trajectories")
+
+
+def told_apart(missions):
+    """Any two have different patterns, or colours that are far apart to every eye."""
+    for one, other in itertools.combinations(missions, 2):
+        if one["pattern"] != other["pattern"]:
+            continue
+        for eye in colour_vision.EYES:
+            apart = colour_vision.distance(one["colour"], other["colour"], eye)
+            assert apart > 15, (eye, one, other, apart)
+
+
+def shows_missions(browser, folder, page):
+    make_missions(folder, 10)
+    run("skyway-view", folder / "houses", folder / "paths", folder / "trajectories", "--title", "Ten missions", "-o", page)
+    chosen = "return [...document.querySelectorAll('.mission[aria-pressed=true]')].map(b => b.dataset.mission)"
+    for scheme in ("light", "dark"):
+        viewer = Viewer(browser, page, scheme)
+        missions = viewer.get("missions")
+        assert [m["id"] for m in missions] == [f"m{i}" for i in range(10)]
+        assert sum(m["label"] for m in missions) >= 8 and missions[0]["label"], missions
+        told_apart(missions)
+        viewer.picture(f"missions-{scheme}")
+    assert browser.run("return document.querySelectorAll('#side select').length") == 0
+    for i in (7, 3):  # its line
+        browser.pointer(("move", *missions[i]["at"]), ("down",), ("up",))
+        assert viewer.get("mission") == f"m{i}" and viewer.get("motion") == f"m{i} (planned)", viewer.get("mission")
+        assert browser.run(chosen) == [f"m{i}"] and viewer.get("picked") is None
+    browser.click("[data-mission=m9]")  # its entry in the list
+    assert viewer.get("mission") == "m9" and browser.run(chosen) == ["m9"]
+    browser.key("n")
+    assert viewer.get("mission") == "m0"
+    browser.key("p")
+    assert viewer.get("mission") == "m9"
+    label = browser.run("const l = [...document.querySelectorAll('.mission-label')].find(e => e.textContent === 'm5')"
+                        ".getBoundingClientRect(); return [l.left + l.width / 2, l.top + l.height / 2]")
+    browser.pointer(("move", *label), ("down",), ("up",))  # its name
+    assert viewer.get("mission") == "m5"
+    viewer.quiet()
+    run("skyway-view", folder / "houses", folder / "paths", "-o", page)  # paths alone
+    viewer = Viewer(browser, page)
+    browser.click("[data-mission=m4]")
+    assert viewer.get("mission") == "m4" and viewer.get("motion") is None
+    viewer.picture("missions-paths")
+
+
+def fits_a_phone(browser, page):
+    """The time axis lies below the plots, and nothing shines between the parts."""
+    narrow = Viewer(browser, page, "light", (390, 844))
+    boxes = browser.run("""
+      const of = s => document.querySelector(s).getBoundingClientRect();
+      const plots = [...document.querySelectorAll('.plot')].map(p => p.getBoundingClientRect().bottom);
+      return {axis: of('.time-axis').top, plots: Math.max(...plots), side: of('#side').bottom + scrollY,
+              page: document.documentElement.scrollHeight, wide: document.documentElement.scrollWidth}""")
+    assert boxes["axis"] >= boxes["plots"] - 1, boxes
+    assert boxes["side"] >= boxes["page"] - 1 and boxes["wide"] <= 390, boxes
+    narrow.picture("phone")
 
 
 def shows_hostile_names(browser, folder, page):
@@ -397,6 +543,9 @@ def main(folder):
         shows_frames(browser, demo, page)
         shows_failure(browser, demo, page)
         shows_large_city(browser, folder, page)
+        shows_missions(browser, folder, page)
+        shows_buildings(browser, folder, page)
+        shows_room(browser, folder, page)
         shows_labels(browser, folder, page)
         shows_hostile_names(browser, folder, page)
         if os.environ.get("SKYWAY_REALDATA"):

@@ -3,13 +3,13 @@
 const cameraModes = [["free", "Free", "turn, move and zoom freely (1)"], ["top", "Top", "from above, north up (2)"],
   ["follow", "Follow", "keeps the vehicle in the middle (3)"], ["ride", "Ride", "flies along behind it (4)"]];
 
+const usualPitch = 0.62;
+
 class View {
   constructor() {
     this.camera = new THREE.PerspectiveCamera(45, 1, 0.1, 1e5);
     this.orbit = new Orbit();
     this.mode = "free";
-    this.rideHeading = null;
-    this.followDistance = null;
     this.home();
   }
 
@@ -23,29 +23,48 @@ class View {
     this.orbit.target.set((meta.min[0] + meta.max[0]) / 2 - origin[0], (meta.min[1] + meta.max[1]) / 2 - origin[1],
       meta.min[2] - origin[2] + Math.min(h / 4, across / 10));
     this.orbit.heading = -0.45;
-    this.orbit.elevation = 0.62;
+    this.orbit.elevation = usualPitch;
     const box = byId("view").getBoundingClientRect();
     const free = box.width - this.covered(box.width);
     const narrow = free > 0 ? Math.max(1, box.height / free) : 1;
     this.orbit.distance = (across * 1.02 + 0.6 * h) * narrow;
   }
 
-  set(mode) {
+  // `sight`: the motion to follow, the time, and what tells whether it is hidden from a place.
+  set(mode, sight) {
     const followed = this.mode === "follow" || this.mode === "ride";
     if ((mode === "free" || mode === "top") && followed) this.home();
     if (mode === "top") {
       this.orbit.heading = 0;
       this.orbit.elevation = tallest;
-    } else if (this.mode === "top") this.orbit.elevation = 0.62;
-    if ((mode === "follow" || mode === "ride") && !followed) {
-      this.orbit.distance = mode === "follow" ? Math.min(this.extent().across / 6, 90) : 30;
-      this.orbit.elevation = 0.6;
-    }
+    } else if (this.mode === "top") this.orbit.elevation = usualPitch;
+    if (mode === "follow" && this.mode !== "follow") this.lookAfter(sight);
     if (mode === "ride") {
-      this.orbit.distance = Math.min(this.orbit.distance, 16);
+      this.orbit.distance = Math.min(followed ? this.orbit.distance : 30, 16);
       this.orbit.elevation = 0.28;
     }
     this.mode = mode;
+  }
+
+  // From behind the vehicle and above it, or the nearest such place that it is not hidden from.
+  lookAfter({ motion, time, hidden }) {
+    const { orbit } = this;
+    orbit.distance = Math.min(this.extent().across / 6, 90);
+    orbit.elevation = usualPitch;
+    if (!motion) return;
+    const t = Math.min(time, motion.duration), east = motion.heading(t, 1.2);
+    const behind = east === null ? orbit.heading : Math.PI / 2 - east;
+    motion.vector(motion.position, t, orbit.target);
+    for (const steeper of [0, 0.2, 0.4]) {
+      for (const turn of [0.5, -0.5, 0, 1, -1, 1.6, -1.6, 2.3, -2.3, Math.PI]) {
+        orbit.heading = behind + turn;
+        orbit.elevation = usualPitch + steeper;
+        orbit.place(this.camera);
+        if (!hidden(this.camera.position, orbit.target)) return;
+      }
+    }
+    orbit.heading = behind + 0.5;
+    orbit.elevation = usualPitch + 0.2;
   }
 
   // Where the motion is at the time, for the modes that go with it.

@@ -38,9 +38,9 @@ function goToFailure(check) {
   stage.goTo(check.place, 60);
   if (stage.picked) stage.picked.choose(stage.boxes.withId(check.box));
   transport.cameras.choose("free");
-  const index = motions.findIndex(m => m.id === check.id);
+  const motion = motions.find(m => m.id === check.id);
   if (check.checked !== "path" && check.time !== undefined && clock.duration > 0) {
-    if (index >= 0 && motionPanel) motionPanel.choose(index);
+    if (motion) selection.chooseMotion(motion);
     clock.play(false);
     clock.set(check.time);
   }

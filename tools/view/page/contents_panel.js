@@ -14,7 +14,7 @@ function mapFacts() {
     ["Upper corner", place(...map.max)],
     ["Labels", map.labels.length > 1 ? decimals(map.labels.length - 1, 0) : null],
     ["Axes in the file", map.frame === "enu" ? "east, north, up" : "north, east, up; shown east, north, up"],
-    ["Origin", map.latitude === undefined ? null : `${decimals(map.latitude, 5)}° N, ${decimals(map.longitude, 5)}° E`],
+    ["Origin", map.latitude === undefined ? null : geographic(map.latitude, map.longitude)],
     ["CRS", map.crs || null],
     ["Hash", map.hash.replace("sha256:", "").slice(0, 16) + "…"],
   ]);

@@ -29,6 +29,11 @@ function place(x, y, z) {
   return `E ${decimals(x, 1)}, N ${decimals(y, 1)}, U ${decimals(z, 1)}${thinSpace}m`;
 }
 
+function geographic(latitude, longitude) {
+  const side = (value, [above, below]) => `${decimals(Math.abs(value), 5)}° ${value < 0 ? below : above}`;
+  return `${side(latitude, "NS")}, ${side(longitude, "EW")}`;
+}
+
 // The next of 1, 2, 5, 10, … at or above a value > 0, or at or below it.
 function roundUp(value) {
   const power = 10 ** Math.floor(Math.log10(value));

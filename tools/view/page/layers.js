@@ -2,7 +2,7 @@
 
 function makeLayers() {
   const card = byId("layers");
-  const body = element("div", {}, boxLayer(), pathLayer(), motionLayer(), checkLayer(),
+  const body = element("div", {}, boxLayer(), roomLayer(), pathLayer(), motionLayer(), checkLayer(),
     stage.parts.corridors.map(corridorLayer),
     stage.parts.trees.map(treeLayer), stage.parts.lattices.map(latticeLayer));
   const fold = element("button", { type: "button", class: "quiet", "aria-expanded": "true",
@@ -41,12 +41,12 @@ function boxLayer() {
     boxes.colourBy(what);
     legend.replaceChildren(...(what === "label" ? [labelKeys(boxes)] : rampLegend(
       ["var(--low)", "var(--middle)", "var(--high)"], `top ${metres(boxes.lowest + origin[2])}`,
-      metres(boxes.highest + origin[2]))));
+      metres(boxes.highest + origin[2]) + (boxes.cut ? " and more" : ""))));
     stage.redraw();
   };
   const by = element("div", { class: "row" }, element("span", {}, "Colour"), choice("Colour boxes by",
-    [["height", "height of the top"], ...(boxes.label ? [["label", "label"]] : [])], "height", show));
-  show("height");
+    [["height", "height of the top"], ...(boxes.label ? [["label", "label"]] : [])], boxes.usualColour(), show));
+  show(boxes.usualColour());
   return layer("Obstacles", count(boxes.count, "box", "boxes"), boxes.mesh, [boxes.label ? by : null, legend]);
 }
 
@@ -55,10 +55,18 @@ function labelKeys(boxes) {
     element("span", {}, key.name), element("span", { class: "note soft" }, decimals(key.boxes, 0)))));
 }
 
+const roomDigits = () => (meta.max[0] - meta.min[0] < 100 ? 1 : 0);
+
+function roomLayer() {
+  if (!stage.room) return null;
+  return layer("Bounds", [0, 1, 2].map(k => decimals(meta.max[k] - meta.min[k], roomDigits())).join(" × ") + `${thinSpace}m`,
+    stage.room.object, []);
+}
+
 function pathLayer() {
   const found = meta.paths.filter(p => p.points);
   if (!found.length) return null;
-  const key = element("ul", { class: "keys" }, element("li", {}, swatch("var(--path)", "line"),
+  const key = element("ul", { class: "keys" }, element("li", {}, manyMissions ? null : swatch("var(--path)", "line"),
     element("span", {}, "ring: start; disc: goal")));
   return layer(found.length === 1 ? "Path" : "Paths", found.length === 1 ? metres(found[0].length)
     : count(found.length, "path"), stage.pathGroup, key);
@@ -91,15 +99,23 @@ function colourMotions(quantity, legend) {
     const on = able.includes(ribbon.motion);
     ribbon.colourBy(on ? mainCurve(quantity, ribbon.motion) : null, low, high);
   }
+  legend.replaceChildren(...(able.length ? rampLegend(valueStops, withUnit(low, quantity.digits, quantity.unit),
+    withUnit(high, quantity.digits, quantity.unit)) : [manyMissions ? missionKeys() : motionKeys()]));
+  legend.append(element("p", { class: "soft" }, "The vehicle is enlarged from afar."));
+  stage.redraw();
+}
+
+function motionKeys() {
   const keys = [];
   if (motions.some(m => !m.isFlight)) keys.push(["--motion", "planned"]);
   if (motions.some(m => m.isFlight)) keys.push(["--flown", "flown"]);
-  const plain = element("ul", { class: "keys" }, keys.map(([colour, words]) =>
+  return element("ul", { class: "keys" }, keys.map(([colour, words]) =>
     element("li", {}, swatch(`var(${colour})`, "line"), element("span", {}, words))));
-  legend.replaceChildren(...(able.length ? rampLegend(valueStops, withUnit(low, quantity.digits, quantity.unit),
-    withUnit(high, quantity.digits, quantity.unit)) : [plain]));
-  legend.append(element("p", { class: "soft" }, "The vehicle is enlarged from afar."));
-  stage.redraw();
+}
+
+function missionKeys() {
+  const both = motions.some(m => m.isFlight) && motions.some(m => !m.isFlight);
+  return element("p", { class: "soft" }, `One colour for each mission, as in the list${both ? "; flown: the darker line" : ""}.`);
 }
 
 function checkLayer() {

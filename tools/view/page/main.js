@@ -8,7 +8,7 @@ const transport = makeTransport();
 const motionPanel = motions.length ? new MotionPanel() : null;
 makeLayers();
 const tabs = makeTabs([
-  ...(motionPanel ? [["Motion", motionPanel.element]] : []),
+  ...(motionPanel ? [["Motion", motionPanel.element]] : manyMissions ? [["Missions", element("div", {}, makeMissionList())]] : []),
   ...(meta.reports.length ? [["Checks", makeChecksPanel()]] : []),
   ["Contents", makeContentsPanel()]]);
 if (meta.reports.some(r => !r.ok)) tabs.show("Checks");

@@ -1,8 +1,10 @@
-// Signs of one size on the screen: where a path starts and ends, where a check failed.
+// Signs of one size on the screen: where a path starts and ends, what a vehicle is above,
+// where a check failed.
 
 const markerShapes = {
   start(c, colour) { ring(c, colour, false); },
   goal(c, colour) { ring(c, colour, true); },
+  foot(c, colour) { ring(c, colour, false); },
   failed(c, colour) {
     disc(c, colour);
     c.strokeStyle = theme.css("panel");

@@ -1,4 +1,4 @@
-// Plots of one motion, linked to the time.
+// Numbers and plots of the motion that is looked at, linked to the time.
 
 class MotionPanel {
   constructor() {
@@ -8,32 +8,40 @@ class MotionPanel {
     this.note = element("p", { class: "cursor-note" });
     this.axis = new TimeAxis();
     this.holder = element("div");
-    const select = motions.length > 1 ? choice("Motion that is plotted and followed",
-      motions.map((m, i) => [String(i), m.name]), "0", value => this.choose(Number(value))) : null;
+    this.kinds = element("div", { class: "kinds" });
     this.numbers = element("div");
     this.frames = meta.frames ? new FrameView(meta.frames) : null;
-    this.element.append(...[select, this.numbers, this.frames && this.frames.element, this.note, this.holder,
-      this.axis.element].filter(Boolean));
-    if (select && this.frames) select.value = String(this.frames.motion);
-    this.choose(this.frames ? this.frames.motion : 0);
+    this.element.append(...[manyMissions ? makeMissionList() : null, this.kinds, this.numbers,
+      this.frames && this.frames.element, this.note, this.holder, this.axis.element].filter(Boolean));
+    if (this.frames) selection.chooseMotion(motions[this.frames.motion]);
+    selection.follow(() => this.show(selection.mission, selection.motion));
     new ResizeObserver(() => this.paint()).observe(this.holder);
     theme.follow(() => this.paint());
     clock.follow(() => this.update());
   }
 
-  choose(index) {
-    stage.selected = index;
-    const motion = motions[index];
-    this.numbers.replaceChildren(facts(motionFacts(motion)));
+  show(mission, motion) {
+    this.kinds.replaceChildren(...(mission.motions.length > 1 ? [this.kindsOf(mission, motion)] : []));
+    this.numbers.replaceChildren(motion ? facts(motionFacts(motion)) : element("p", { class: "soft" },
+      `No motion: ${(mission.failure || "only a path").replaceAll("_", " ")}`));
     this.hover = null;
     const on = {
       hover: (time, plot) => { this.hover = time === null ? null : { time, plot }; this.update(); },
       set: time => { this.hover = null; clock.set(time); },
     };
-    this.plots = quantities.filter(q => available(q, motion)).map(q => new Plot(q, motion, on));
+    this.plots = motion ? quantities.filter(q => available(q, motion)).map(q => new Plot(q, motion, on)) : [];
     this.holder.replaceChildren(...this.plots.map(plot => plot.element));
+    this.axis.element.hidden = !motion;
     this.paint();
     stage.redraw();
+  }
+
+  // Planned or flown: the mission's motions as buttons.
+  kindsOf(mission, motion) {
+    const twice = flown => mission.motions.filter(m => m.isFlight === flown).length > 1;
+    const words = (m, i) => (m.isFlight ? "Flown" : "Planned") + (twice(m.isFlight) ? ` ${i + 1}` : "");
+    return buttonGroup("Motion that is plotted and followed", mission.motions.map((m, i) => [String(i), words(m, i)]),
+      String(mission.motions.indexOf(motion)), value => selection.chooseMotion(mission.motions[Number(value)])).element;
   }
 
   paint() {
@@ -45,7 +53,7 @@ class MotionPanel {
 
   update() {
     const shown = this.hover ? this.hover.time : clock.time;
-    if (this.frames) this.frames.show(stage.selected, shown);
+    if (this.frames) this.frames.show(motions.indexOf(selection.motion), shown);
     for (const plot of this.plots) plot.update(clock.time, shown);
     const words = this.hover ? `At ${withUnit(shown, 2, "s")}, under the pointer`
       : `At ${withUnit(shown, 2, "s")} · dashed: limit${this.plots.some(p => p.motion.joints) ? " · thin uprights: joints of segments" : ""}`;

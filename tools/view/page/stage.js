@@ -1,11 +1,12 @@
 // The scene and its picture: drawn only when something changed.
 
+const mostDrops = 24;
+
 class Stage {
   constructor() {
     this.scene = new THREE.Scene();
     this.view = new View();
-    this.parts = { paths: [], trees: [], lattices: [], ribbons: [], vehicles: [], markers: [] };
-    this.selected = motions.length ? 0 : -1;
+    this.parts = { paths: [], trees: [], lattices: [], ribbons: [], vehicles: [], markers: [], lines: [] };
     this.due = true;
     this.frames = 0;
     this.frameMs = 0;
@@ -21,13 +22,15 @@ class Stage {
       this.scene.background = theme.colour("sky");
       this.redraw();
     });
+    this.labels = new MissionLabels(this);
+    selection.follow(() => this.showChosen());
     this.listen();
   }
 
   makeRenderer() {
     try {
       const renderer = new THREE.WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
-      renderer.info.autoReset = true;
+      renderer.info.autoReset = false;  // a picture is drawn in two passes
       this.surface.append(renderer.domElement);
       renderer.domElement.setAttribute("aria-hidden", "true");
       return renderer;
@@ -45,9 +48,14 @@ class Stage {
     this.add(this.ground.mesh);
     if (meta.map) {
       this.boxes = new Boxes(meta.map);
+      this.outlines = new Outlines(this.boxes);
       this.picked = new PickedBox(this.boxes);
       this.add(this.boxes.mesh);
       this.add(this.picked.object);
+    }
+    if (hasWalls()) {
+      this.room = new Room();
+      this.add(this.room.object);
     }
     parts.lattices = meta.lattices.map(data => new LatticeLevel(data));
     parts.trees = meta.trees.map(data => new SearchTree(data));
@@ -72,31 +80,45 @@ class Stage {
   addPath(data) {
     const points = arrayOf(data.points);
     if (!points) return;
-    if (points.length >= 6) {
-      const ribbon = new Ribbon(points, "path", 2);
-      this.parts.paths.push(ribbon);
-      this.pathGroup.add(ribbon.object);
-    }
+    const mission = missionOfPath.get(data);
+    const style = lineStyle(mission, "path", manyMissions && mission.motions.length ? 1.25 : 2);
+    if (points.length >= 6) this.addLine(this.pathGroup, points, mission, style);
     if (meta.paths.length <= 50) {
-      this.addMarker(this.pathGroup, points.subarray(0, 3), "start", "path", 15);
-      this.addMarker(this.pathGroup, points.subarray(points.length - 3), "goal", "path", 15);
+      this.addMarker(this.pathGroup, points.subarray(0, 3), "start", style.colour, 15);
+      this.addMarker(this.pathGroup, points.subarray(points.length - 3), "goal", style.colour, 15);
     }
   }
 
   addMotion(motion) {
-    const colour = motion.isFlight ? "flown" : "motion";
     if (motion.samples >= 2) {
-      const ribbon = new Ribbon(motion.position, colour, 3);
-      ribbon.motion = motion;
-      this.parts.ribbons.push(ribbon);
-      this.motionGroup.add(ribbon.object);
+      const style = lineStyle(motion.mission, motion.isFlight ? "flown" : "motion", 3);
+      // Of many missions what was flown has the mission's colour, nearer to that of ink.
+      const share = manyMissions && motion.isFlight ? 0.25 : 0;
+      const line = this.addLine(this.motionGroup, motion.position, motion.mission, { ...style, share });
+      line.ribbon.motion = motion;
+      this.parts.ribbons.push(line.ribbon);
     }
-    const vehicle = new Vehicle(motion);
+    const vehicle = new Vehicle(motion, this.ground.height);
     this.parts.vehicles.push(vehicle);
     this.motionGroup.add(vehicle.object);
   }
 
-  motion() { return motions[this.selected] || null; }
+  addLine(group, points, mission, style) {
+    const line = { group, points, mission, width: style.width, ribbon: new Ribbon(points, style) };
+    this.parts.lines.push(line);
+    group.add(line.ribbon.object);
+    return line;
+  }
+
+  // The chosen mission is drawn bolder, and has its line down to the floor.
+  showChosen() {
+    const bold = manyMissions ? 1.6 : 1;
+    for (const line of this.parts.lines) line.ribbon.setWidth(line.width * (line.mission === selection.mission ? bold : 1));
+    for (const vehicle of this.parts.vehicles) {
+      vehicle.drop.object.visible = vehicle.motion === selection.motion || motions.length <= mostDrops;
+    }
+    this.redraw();
+  }
 
   redraw() { this.due = true; }
 
@@ -129,6 +151,22 @@ class Stage {
       },
       click: (x, y) => this.pick(x, y),
     });
+    this.surface.addEventListener("pointermove", e => {
+      if (e.buttons || !manyMissions) return;
+      const box = this.surface.getBoundingClientRect();
+      this.surface.classList.toggle("on-line", Boolean(this.lineAt(e.clientX - box.left, e.clientY - box.top)));
+    });
+  }
+
+  lineAt(x, y) {
+    const lines = this.parts.lines.filter(line => line.group.visible);
+    return pickLine(lines, this.view.camera, x, y, this.surface.clientWidth, this.surface.clientHeight);
+  }
+
+  // Whether a box stands between two points.
+  hidden(from, to) {
+    const along = to.clone().sub(from);
+    return Boolean(this.boxes) && pickBox(this.boxes.corners, from, along, 0.97) !== null;
   }
 
   drag(dx, dy) {
@@ -151,10 +189,19 @@ class Stage {
     orbit.target.y += (ray.origin.y + ray.direction.y * away - orbit.target.y) * share;
   }
 
+  // A click means a line where one is near, else a box.
   pick(x, y) {
-    if (!this.picked) return;
-    const ray = this.ray(x, y);
-    this.picked.choose(this.boxes.mesh.visible ? pickBox(this.boxes.corners, ray.origin, ray.direction) : null);
+    const line = manyMissions ? this.lineAt(x, y) : null;
+    if (line) selection.choose(line.mission);
+    if (this.picked) {
+      const ray = this.ray(x, y);
+      this.picked.choose(!line && this.boxes.mesh.visible ? pickBox(this.boxes.corners, ray.origin, ray.direction) : null);
+    }
+    this.redraw();
+  }
+
+  look(mode) {
+    this.view.set(mode, { motion: selection.motion, time: clock.time, hidden: (from, to) => this.hidden(from, to) });
     this.redraw();
   }
 
@@ -173,18 +220,25 @@ class Stage {
     const width = this.surface.clientWidth, height = this.surface.clientHeight;
     if (!width || !height) return;
     this.fit(width, height);
-    this.view.track(this.motion(), clock.time);
+    this.view.track(selection.motion, clock.time);
     this.view.apply(width, height);
     const perPixel = this.view.perPixel(height);
+    patternPeriod.value = roundUp(this.metresPerPixel() * 12);
     for (const marker of this.parts.markers) marker.resize(perPixel);
     for (const vehicle of this.parts.vehicles) vehicle.update(clock.time, this.view.camera.position, perPixel);
     const reach = this.view.orbit.distance + this.view.extent().across * 0.6;
     if (this.boxes) {
       this.boxes.setHaze(reach);
+      this.boxes.setScale(perPixel / this.ratio);
       this.cutAway(width, height);
     }
     this.ground.setHaze(reach);
+    this.renderer.info.reset();
+    if (this.boxes && this.boxes.mesh.visible) {
+      this.outlines.draw(this.renderer, this.view.camera, Math.round(width * this.ratio), Math.round(height * this.ratio));
+    }
     this.renderer.render(this.scene, this.view.camera);
+    this.labels.update(this.view.camera, width, height);
     this.frames += 1;
     this.frameMs = performance.now() - begin;
     showCompass(this.view.orbit.heading);
@@ -194,9 +248,7 @@ class Stage {
   // Opens the view onto the followed vehicle where boxes stand before it.
   cutAway(width, height) {
     const { camera, orbit, mode } = this.view;
-    if (mode !== "follow" && mode !== "ride") return this.boxes.setHole(0, 0, 0, 0);
-    const along = orbit.target.clone().sub(camera.position).normalize();
-    const hidden = pickBox(this.boxes.corners, camera.position, along, orbit.distance * 0.97) !== null;
+    const hidden = (mode === "follow" || mode === "ride") && this.hidden(camera.position, orbit.target);
     if (!hidden) return this.boxes.setHole(0, 0, 0, 0);
     const at = orbit.target.clone().project(camera);
     const half = (v, size) => (v + 1) / 2 * size * this.ratio;
@@ -211,26 +263,4 @@ class Stage {
     this.renderer.setSize(width, height, false);
     stagePixels.set(width, height);
   }
-}
-
-function showCompass(heading) {
-  const compass = byId("compass");
-  if (!compass.firstChild) {
-    compass.innerHTML = '<svg viewBox="-22 -22 44 44" width="44" height="44"><circle r="20" fill="var(--panel)" ' +
-      'stroke="var(--line)"/><g><path d="M0-13 4 0-4 0Z" fill="var(--bad)"/><path d="M0 13 4 0-4 0Z" fill="var(--soft)"/>' +
-      '</g><text y="3.5" text-anchor="middle" font-size="0"></text></svg>';
-  }
-  compass.querySelector("g").setAttribute("transform", `rotate(${(-heading * 180 / Math.PI).toFixed(1)})`);
-  const degree = ((heading * 180 / Math.PI) % 360 + 360) % 360;
-  compass.setAttribute("aria-label", `Compass: looking towards ${decimals(degree, 0)} degrees from north`);
-}
-
-function showScale(perPixel) {
-  const round = roundDown(perPixel * 120);
-  const bar = byId("scale");
-  const text = withUnit(round, round < 1 ? 2 : 0, "m");
-  bar.style.width = `${round / perPixel}px`;
-  if (!bar.firstChild) bar.append(element("span"));
-  bar.firstChild.textContent = text;
-  bar.setAttribute("aria-label", `Scale at the middle of the view: ${text}`);
 }

@@ -11,8 +11,25 @@ function tellProblem(words) {
 
 addEventListener("error", e => tellProblem(`Something went wrong: ${e.message}`));
 
+// How a mission is told apart from the others, and where on the page a point of its line is.
+function missionState(mission) {
+  const line = stage.parts.lines.find(l => l.mission === mission);
+  const middle = line && new THREE.Vector3().fromArray(line.points, 3 * Math.floor(line.points.length / 6));
+  const box = stage.surface.getBoundingClientRect(), at = middle && middle.clone().project(stage.view.camera);
+  const label = stage.labels.labels.find(l => l.mission === mission);
+  return { id: mission.id, colour: theme.css(mission.colour), pattern: mission.pattern,
+    label: Boolean(label && label.element.style.visibility === "visible"),
+    at: at ? [box.left + (at.x + 1) / 2 * box.width, box.top + (1 - at.y) / 2 * box.height] : null };
+}
+
+// Whether no box stands between the camera and the vehicle that is followed.
+function seesVehicle() {
+  const { motion } = selection;
+  const at = motion && motion.vector(motion.position, Math.min(clock.time, motion.duration));
+  return Boolean(at) && !stage.hidden(stage.view.camera.position, at);
+}
+
 function exposeState() {
-  const motionAt = () => stage.motion();
   const values = () => {
     const out = {};
     const time = motionPanel && motionPanel.hover ? motionPanel.hover.time : clock.time;
@@ -22,14 +39,16 @@ function exposeState() {
     return out;
   };
   const position = () => {
-    const motion = motionAt();
+    const { motion } = selection;
     return motion && motion.vector(motion.position, clock.time).toArray().map((x, i) => x + origin[i]);
   };
   const info = () => (stage.renderer ? stage.renderer.info.render : { calls: 0, triangles: 0 });
   const getters = {
     ready: () => true, problems: () => [...problems], time: () => clock.time, duration: () => clock.duration,
     playing: () => clock.playing, rate: () => clock.rate, camera: () => stage.view.mode, theme: () => theme.current(),
-    motion: () => (motionAt() ? motionAt().name : null), boxes: () => (stage.boxes ? stage.boxes.count : 0),
+    motion: () => (selection.motion ? selection.motion.name : null), boxes: () => (stage.boxes ? stage.boxes.count : 0),
+    mission: () => (selection.mission ? selection.mission.id : null), missions: () => missions.map(missionState),
+    buildings: () => (stage.boxes ? stage.boxes.buildings : 0), seen: () => seesVehicle(),
     drawCalls: () => info().calls, triangles: () => info().triangles, frames: () => stage.frames,
     frameMs: () => stage.frameMs,
     trees: () => stage.parts.trees.map(t => ({ id: t.data.id, nodes: t.count, shown: t.shown })),
@@ -40,6 +59,7 @@ function exposeState() {
     checks: () => meta.reports.map(r => ({ id: r.id, ok: r.ok, reason: r.reason || null })),
     target: () => stage.view.orbit.target.toArray().map((x, i) => x + origin[i]),
     distance: () => stage.view.orbit.distance, heading: () => stage.view.orbit.heading,
+    elevation: () => stage.view.orbit.elevation,
   };
   const state = {};
   for (const [name, get] of Object.entries(getters)) Object.defineProperty(state, name, { get, enumerable: true });

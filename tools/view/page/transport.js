@@ -27,9 +27,8 @@ function timeControls() {
 }
 
 function setCamera(mode) {
-  stage.view.set(mode);
+  stage.look(mode);
   transport.cameras.choose(mode);
-  stage.redraw();
 }
 
 function goHome() {

@@ -1,4 +1,5 @@
-// A quadrotor where a motion is; drawn larger than it is where it would be too small to see.
+// A quadrotor where a motion is, with a line to the floor; drawn larger than it is where it would be too small to see,
+// and through walls.
 
 const vehiclePixels = 36;  // at least, from tip to tip
 
@@ -38,25 +39,43 @@ function quadrotor() {
 const vehicleShape = quadrotor();
 
 class Vehicle {
-  constructor(motion) {
+  // Over the floor of the map, in metres.
+  constructor(motion, floor) {
     this.motion = motion;
+    this.colour = manyMissions ? motion.mission.colour : "vehicle";
     const half = motion.data.vehicle ? motion.data.vehicle.half : [0.25, 0.25, 0.1];
     this.radius = Math.max(half[0], half[1], 0.05);
-    this.material = new THREE.MeshLambertMaterial();
-    this.object = new THREE.Mesh(vehicleShape, this.material);
-    this.object.renderOrder = 6;
-    theme.follow(() => {
-      this.material.color.copy(theme.colour("vehicle"));
-      this.material.emissive.copy(theme.colour("vehicle")).multiplyScalar(0.3);
-    });
+    this.seen = new THREE.MeshLambertMaterial();
+    this.hidden = new THREE.MeshLambertMaterial({ transparent: true, opacity: 0.5, depthTest: false, depthWrite: false });
+    this.body = new THREE.Group();
+    this.body.add(this.part(this.hidden, 5.5), this.part(this.seen, 6));
+    this.drop = new DropLine(this.colour, floor);
+    this.object = new THREE.Group();
+    this.object.add(this.body, this.drop.object);
+    theme.follow(() => this.recolour());
+  }
+
+  // The whole is drawn twice: faintly through what hides it, then where it is seen.
+  part(material, order) {
+    const mesh = new THREE.Mesh(vehicleShape, material);
+    mesh.renderOrder = order;
+    return mesh;
+  }
+
+  recolour() {
+    for (const material of [this.seen, this.hidden]) {
+      material.color.copy(theme.colour(this.colour));
+      material.emissive.copy(theme.colour(this.colour)).multiplyScalar(manyMissions ? 0.1 : 0.3);
+    }
   }
 
   update(time, eye, perPixel) {
     const t = Math.min(time, this.motion.duration);
-    this.motion.vector(this.motion.position, t, this.object.position);
-    this.motion.orientation(t, this.object.quaternion);
-    const seen = this.object.position.distanceTo(eye) * perPixel * vehiclePixels / 2;
+    this.motion.vector(this.motion.position, t, this.body.position);
+    this.motion.orientation(t, this.body.quaternion);
+    const seen = this.body.position.distanceTo(eye) * perPixel * vehiclePixels / 2;
     this.enlarged = seen > this.radius;
-    this.object.scale.setScalar(Math.max(this.radius, seen));
+    this.body.scale.setScalar(Math.max(this.radius, seen));
+    if (this.drop.object.visible) this.drop.hang(this.body.position, perPixel);
   }
 }
