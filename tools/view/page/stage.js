@@ -6,7 +6,7 @@ class Stage {
   constructor() {
     this.scene = new THREE.Scene();
     this.view = new View();
-    this.parts = { paths: [], trees: [], lattices: [], ribbons: [], vehicles: [], markers: [], lines: [] };
+    this.parts = { trees: [], lattices: [], ribbons: [], vehicles: [], markers: [], lines: [] };
     this.due = true;
     this.frames = 0;
     this.frameMs = 0;
