@@ -213,8 +213,9 @@ class Trajectory(_MadeFor):
 
 
 class FlightLog:
-    """ENU, whatever the map's axes; attitude is w, x, y, z."""
+    """ENU, whatever the map's axes; attitude is w, x, y, z. `map` is the hash of its map, or ""."""
     id: str
+    map: str
 
     def __len__(self) -> int: ...
 
