@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tune.sh BIN_DIR DATA: what skyway-fly --tune makes of the gains of a profile, on four courses, as a table.
-# DATA has colliders and blockmaps, as SKYWAY_REALDATA does. Fails where gains got worse.
+# DATA has colliders and blockmaps, as SKYWAY_REALDATA does. COURSES names some of the courses. Fails where gains got worse.
 set -euo pipefail
 export PATH="$(cd "$1" && pwd):$PATH"
 data=$(cd "$2" && pwd)
@@ -28,7 +28,7 @@ number() { sed -n "s/^  \"$1\": \([0-9.e-]*\|null\),*$/\1/p" stats; }
 worse=0
 echo '| course | noise | seed | rms before, m | rms after, m | flights |'
 echo '|---|---|---|---|---|---|'
-for name in wpi pocket demo street; do
+for name in ${COURSES:-wpi pocket demo street}; do
   case $name in wpi) vehicle=tello ;; pocket) vehicle=crazyflie ;; *) vehicle=quad2kg ;; esac
   for noise in 0.005,0.02,0.1,0.2 0.005,0.05,0.5,3; do
     for seed in 0 1 2; do

@@ -66,8 +66,8 @@ class Viewer:
     def get(self, name):
         return self.browser.run(f"return skyway.{name}")
 
-    def until(self, condition):
-        self.browser.until(condition)
+    def until(self, condition, seconds=180):
+        self.browser.until(condition, seconds)
 
     def picture(self, name):
         if pictures:
@@ -226,7 +226,7 @@ def grows_tree(viewer):
     viewer.until(f"skyway.trees[0].shown < {nodes}")
     shown = viewer.get("trees")[0]["shown"]
     viewer.until(f"skyway.trees[0].shown > {shown}")
-    viewer.until(f"skyway.trees[0].shown === {nodes}")
+    viewer.until(f"skyway.trees[0].shown === {nodes}", 400)  # at least 32 frames, however slow
 
 
 def shows_demo(browser, folder, page):
