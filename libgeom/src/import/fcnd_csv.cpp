@@ -40,10 +40,11 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-// The number behind a word; nothing where the word or its number is missing.
+// The number behind a word that stands there once; nothing where it does not, or has no number.
 std::optional<double> number_after(std::string_view word, std::span<const std::string_view> words) {
   const auto at = std::find(words.begin(), words.end(), word);
   if (at == words.end() || at + 1 == words.end()) return std::nullopt;
+  if (std::find(at + 1, words.end(), word) != words.end()) return std::nullopt;
   return parse_number(*(at + 1));
 }
 

@@ -41,6 +41,10 @@ JsonLine object_of(const GltfPrimitive& p) {
   return line;
 }
 
+[[noreturn]] void refuse_size() {
+  throw InputError("glTF", "the mesh takes more than the 4 GB of a .glb: crop the map");
+}
+
 // The numbers below `count`.
 std::vector<std::size_t> numbers_below(std::size_t count) {
   std::vector<std::size_t> numbers(count);
@@ -53,8 +57,7 @@ std::vector<std::size_t> numbers_below(std::size_t count) {
 Vec3 to_gltf(const Vec3& enu) { return {enu.x(), enu.z(), -enu.y()}; }
 
 void Gltf::require_room(std::size_t bytes) const {
-  if (bin_.size() + bytes <= kMostBytes) return;
-  throw InputError("glTF", "the mesh takes more than the 4 GB of a .glb: crop the map");
+  if (bin_.size() + bytes > kMostBytes) refuse_size();
 }
 
 std::size_t Gltf::add_positions(std::size_t count, const std::function<Vec3(std::size_t)>& enu) {
@@ -139,10 +142,11 @@ std::string Gltf::json(std::string_view note) const {
 void Gltf::write(std::ostream& out, std::string_view note) const {
   std::string json = this->json(note);
   while (json.size() % 4) json += ' ';  // chunks are whole words; the buffer holds nothing else
+  const std::size_t size = 20 + json.size() + (bin_.empty() ? 0 : 8 + bin_.size());
+  if (size > std::numeric_limits<std::uint32_t>::max()) refuse_size();
   std::string head = "glTF";
   append_bytes(head, std::uint32_t{2});
-  append_bytes(head,
-               static_cast<std::uint32_t>(20 + json.size() + (bin_.empty() ? 0 : 8 + bin_.size())));
+  append_bytes(head, static_cast<std::uint32_t>(size));
   append_bytes(head, static_cast<std::uint32_t>(json.size()));
   out << head << "JSON" << json;
   if (bin_.empty()) return;

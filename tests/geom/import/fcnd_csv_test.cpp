@@ -43,6 +43,14 @@ TEST(FcndCsv, ReadsEveryHeaderVariant) {
   }
 }
 
+TEST(FcndCsv, RefusesALineThatNamesTwoOriginsOrHalfOfOne) {
+  for (const char* head :
+       {"lat0 37.5, lon0 -122.25, lat0 38, lon0 -121\n", "lat0 37.5, lat1 38, lon1 -121\n",
+        "lat0 37.5, lon0\n", "lat0 37.5, lon0 west\n", "37.5, -122.25, 10\n"}) {
+    EXPECT_NE(refusal(std::string(head) + kHeader + "1,2,3,1,1,3\n"), "accepted") << head;
+  }
+}
+
 TEST(FcndCsv, TakesColumnsByNameInAnyOrder) {
   const FcndTable t = fcnd("halfSizeZ,posX,note,posY,posZ,halfSizeX,halfSizeY\n3,1,tree,2,3,1,1\n");
   EXPECT_EQ(t.table.boxes[0], (Aabb{{0, 1, 0}, {2, 3, 6}}));

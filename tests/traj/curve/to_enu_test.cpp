@@ -4,15 +4,12 @@
 
 #include <numbers>
 
+#include "traj/drone_file/examples.h"
+
 namespace traj {
 namespace {
 
-Trajectory example() {
-  const State a{{300.25, -120.5, 20}, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  const State b{{340, -100, 25}, {5, 1, 0.5}, {0.1, 0, 0}, Vec3::Zero()};
-  const State c{{380, -130, 22}, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  return {{hermite(a, b, 9.5), hermite(b, c, 11.25)}};
-}
+using testing::example;
 
 TEST(InEnu, SwapsXAndYAndTurnsYawAndIsItsOwnInverse) {
   Trajectory t = example();

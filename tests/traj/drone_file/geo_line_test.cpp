@@ -6,13 +6,14 @@
 
 #include "geom/base/error.h"
 #include "support/refusal.h"
+#include "traj/drone_file/examples.h"
 #include "traj/drone_file/mission.h"
 
 namespace traj {
 namespace {
 
-const MissionFrame kFrame{{37.79248, -122.39745, 12.5}, -32};
-const std::vector<Vec3> kPoints = {{-315.25, 440.5, 20}, {10, -3, 31.25}, {250, 700, 8}};
+using testing::kFrame;
+using testing::kPoints;
 
 TEST(GeoLine, ComesBackToATenthOfAMillimetre) {
   const geom::GeographicFrame earth(kFrame.origin);

@@ -5,11 +5,12 @@
 #include <sstream>
 
 #include "geom/base/error.h"
+#include "traj/drone_file/examples.h"
 
 namespace traj {
 namespace {
 
-const std::vector<geom::Vec3> kPoints = {{-315.25, 440.5, 20}, {10, -3, 31.25}, {250, 700, 8}};
+using testing::kPoints;
 
 TEST(GltfLine, ComesBackToSinglePrecisionAndRefusesOtherBytes) {
   std::stringstream file;

@@ -4,22 +4,16 @@
 
 #include <sstream>
 
+#include "traj/drone_file/examples.h"
 #include "traj/drone_file/qgc_plan.h"
 #include "traj/drone_file/wpl.h"
 
 namespace traj {
 namespace {
 
-const MissionFrame kFrame{{37.79248, -122.39745, 12.5}, -32};
-const std::vector<Vec3> kPoints = {{-315.25, 440.5, 20}, {10, -3, 31.25}, {250, 700, 8}};
-
-MissionOptions options() {
-  MissionOptions o;
-  o.home = 2;
-  o.landing_on = 6.5;
-  o.speed = 4.5;
-  return o;
-}
+using testing::kFrame;
+using testing::kPoints;
+using testing::mission_options;
 
 void expect_flown(const FlownMission& flown) {
   ASSERT_EQ(flown.path.size(), kPoints.size());
@@ -35,7 +29,7 @@ void expect_flown(const FlownMission& flown) {
 }
 
 TEST(Mission, ComesBackFromBothFilesAsItWasMade) {
-  const Mission mission = make_mission(kPoints, kFrame, options());
+  const Mission mission = make_mission(kPoints, kFrame, mission_options());
   expect_flown(flown_mission(mission, kFrame, {}, "mission"));
   std::stringstream wpl;
   write_wpl(wpl, mission);
@@ -46,7 +40,7 @@ TEST(Mission, ComesBackFromBothFilesAsItWasMade) {
 }
 
 TEST(Mission, AHomeThatIsGivenCountsBeforeTheFiles) {
-  const Mission mission = make_mission(kPoints, kFrame, options());
+  const Mission mission = make_mission(kPoints, kFrame, mission_options());
   const FlownMission flown = flown_mission(mission, kFrame, 102.0, "mission");
   EXPECT_NEAR(flown.path[1].z(), kPoints[1].z() + 100, 0.0006);
 }

@@ -5,25 +5,21 @@
 #include <sstream>
 
 #include "geom/base/error.h"
+#include "traj/drone_file/examples.h"
 #include "traj/drone_file/mission.h"
 
 namespace traj {
 namespace {
 
-const MissionFrame kFrame{{37.79248, -122.39745, 12.5}, -32};
-const std::vector<Vec3> kPoints = {{-315.25, 440.5, 20}, {10, -3, 31.25}, {250, 700, 8}};
-
-MissionOptions options() {
-  MissionOptions o;
-  o.home = 2;
-  o.landing_on = 6.5;
-  o.speed = 4.5;
-  return o;
-}
+using testing::every_item;
+using testing::expect_same;
+using testing::kFrame;
+using testing::kPoints;
+using testing::mission_options;
 
 std::string plan_refusal(const std::string& from, const std::string& to) {
   std::stringstream made;
-  write_qgc_plan(made, make_mission(kPoints, kFrame, options()), "test");
+  write_qgc_plan(made, make_mission(kPoints, kFrame, mission_options()), "test");
   std::string text = made.str();
   const std::size_t at = text.find(from);
   if (at == text.npos) return "not there";
@@ -60,28 +56,11 @@ TEST(QgcPlan, BadFilesAreRefused) {
 }
 
 TEST(QgcPlan, ComesBackItemByItem) {
-  Mission mission;
-  mission.home = geom::GeodeticPlace{47, 8, 410.5};
-  mission.items = {{kGlobalRelative, kTakeoff, {0, 0, 0, 0}, 47, 8, 15},
-                   {kMissionFrame, kSpeed, {1, 4.5, -1, 0}, 0, 0, 0},
-                   {kGlobalRelative, kWaypoint, {2, 0.25, 0, 0}, 47.0012345, 8.0054321, 20.125},
-                   {kGlobalRelative, kLand, {0, 0, 0, 0}, 47.0012345, 8.0054321, 0}};
+  const Mission mission = every_item();
   std::stringstream file;
   write_qgc_plan(file, mission, "test");
   const Mission back = read_qgc_plan(file, "m.plan");
-  ASSERT_TRUE(back.home);
-  EXPECT_EQ(*back.home, *mission.home);
-  ASSERT_EQ(back.items.size(), mission.items.size());
-  for (std::size_t i = 0; i < mission.items.size(); ++i) {
-    const MissionItem& a = back.items[i];
-    const MissionItem& b = mission.items[i];
-    EXPECT_EQ(a.frame, b.frame) << i;
-    EXPECT_EQ(a.command, b.command) << i;
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(a.param[k], b.param[k]) << i;
-    EXPECT_EQ(a.latitude, b.latitude) << i;
-    EXPECT_EQ(a.longitude, b.longitude) << i;
-    EXPECT_EQ(a.altitude, b.altitude) << i;
-  }
+  expect_same(back, mission);
 }
 
 }  // namespace

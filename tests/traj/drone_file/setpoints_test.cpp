@@ -6,21 +6,13 @@
 #include <sstream>
 
 #include "support/refusal.h"
+#include "traj/drone_file/examples.h"
 
 namespace traj {
 namespace {
 
-Trajectory example() {
-  const State a{{300.25, -120.5, 20}, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  const State b{{340, -100, 25}, {5, 1, 0.5}, {0.1, 0, 0}, Vec3::Zero()};
-  const State c{{380, -130, 22}, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  return {{hermite(a, b, 9.5), hermite(b, c, 11.25)}};
-}
-
-std::string refusal(const std::string& text, void (*read)(std::istream&)) {
-  std::istringstream in(text);
-  return support::refusal_of([&] { read(in); });
-}
+using testing::example;
+using testing::refusal;
 
 TEST(Setpoints, AreTheStatesAtTheirInstants) {
   Trajectory t = example();

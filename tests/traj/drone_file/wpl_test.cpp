@@ -6,10 +6,14 @@
 
 #include "geom/base/error.h"
 #include "support/refusal.h"
+#include "traj/drone_file/examples.h"
 #include "traj/drone_file/mission.h"
 
 namespace traj {
 namespace {
+
+using testing::every_item;
+using testing::expect_same;
 
 FlownMission fly(const std::string& items) {
   std::istringstream in("QGC WPL 110\n" + items);
@@ -109,28 +113,11 @@ TEST(Wpl, WhatIsNotKnownToMoveNothingIsRefused) {
 }
 
 TEST(Wpl, ComesBackItemByItem) {
-  Mission mission;
-  mission.home = geom::GeodeticPlace{47, 8, 410.5};
-  mission.items = {{kGlobalRelative, kTakeoff, {0, 0, 0, 0}, 47, 8, 15},
-                   {kMissionFrame, kSpeed, {1, 4.5, -1, 0}, 0, 0, 0},
-                   {kGlobalRelative, kWaypoint, {2, 0.25, 0, 0}, 47.0012345, 8.0054321, 20.125},
-                   {kGlobalRelative, kLand, {0, 0, 0, 0}, 47.0012345, 8.0054321, 0}};
+  const Mission mission = every_item();
   std::stringstream file;
   write_wpl(file, mission);
   const Mission back = read_wpl(file, "m.wpl");
-  ASSERT_TRUE(back.home);
-  EXPECT_EQ(*back.home, *mission.home);
-  ASSERT_EQ(back.items.size(), mission.items.size());
-  for (std::size_t i = 0; i < mission.items.size(); ++i) {
-    const MissionItem& a = back.items[i];
-    const MissionItem& b = mission.items[i];
-    EXPECT_EQ(a.frame, b.frame) << i;
-    EXPECT_EQ(a.command, b.command) << i;
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(a.param[k], b.param[k]) << i;
-    EXPECT_EQ(a.latitude, b.latitude) << i;
-    EXPECT_EQ(a.longitude, b.longitude) << i;
-    EXPECT_EQ(a.altitude, b.altitude) << i;
-  }
+  expect_same(back, mission);
 }
 
 }  // namespace

@@ -56,12 +56,12 @@ std::string expectation(const std::string& type) {
 std::optional<std::string> refused_value(const std::string& message, const std::string& name) {
   std::string_view rest(message);
   rest.remove_prefix(std::min(rest.size(), name.size() + 2));  // "name: "
-  if (const std::size_t end = rest.rfind(" not in range "); end != rest.npos) {
-    constexpr std::string_view kValue = "Value ";
-    return std::string(rest.substr(kValue.size(), end - kValue.size()));
-  }
-  if (const std::size_t end = rest.rfind(" not in {"); end != rest.npos) {
-    return std::string(rest.substr(0, end));
+  constexpr std::string_view kValue = "Value ";
+  const std::size_t range = rest.rfind(" not in range ");
+  const std::size_t words = rest.rfind(" not in {");
+  if (rest.ends_with('}') && words != rest.npos) return std::string(rest.substr(0, words));
+  if (rest.starts_with(kValue) && range != rest.npos) {
+    return std::string(rest.substr(kValue.size(), range - kValue.size()));
   }
   return std::nullopt;
 }

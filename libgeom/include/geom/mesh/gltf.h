@@ -42,7 +42,7 @@ struct GltfPrimitive {
 };
 
 // One scene, put together part by part and then written. Each function that adds something returns
-// its number. Throws InputError where more is added than the format's 4 GB.
+// its number. Throws InputError where more is added or written than the format's 4 GB.
 class Gltf {
  public:
   // Positions are kept relative to `origin` (ENU), which becomes the translation of every node.
