@@ -120,6 +120,8 @@ std::string fault(const traj::CheckResult& result) {
 
 namespace {
 
+constexpr double kHighestRate = 10000;  // Hz, of --rate
+
 // What to do about it.
 std::string remedy(const Task& task, const traj::CheckResult& result) {
   using traj::Reason;
@@ -128,14 +130,16 @@ std::string remedy(const Task& task, const traj::CheckResult& result) {
   const bool limit = std::any_of(
       traj::kLimitKinds.begin(), traj::kLimitKinds.end(),
       [&](const traj::LimitKind& kind) { return result.reason == traj::broken(kind.limit); });
-  if (setpoints && (near || limit)) {
-    return fmt::format("write more setpoints a second (--rate {:g})", 4 * task.rate);
+  if (setpoints && (near || limit) && task.rate < kHighestRate) {
+    return fmt::format("write more setpoints a second (--rate {:g})",
+                       std::min(4 * task.rate, kHighestRate));
   }
   if (near) return "make the path anew with more room (skyway-plan --margin)";
   if (limit && exporting::has_legs(task.format)) return "fly slower (--speed)";
   if (limit) return "solve it again with stricter limits (skyway-traj)";
   if (result.reason == Reason::takeoff) {
-    return "take off higher (--takeoff-height), or say where the ground is (--ground)";
+    return task.format == "tello" ? "take off higher (--takeoff-height)"
+                                  : "begin the path higher, or say where the ground is (--ground)";
   }
   if (result.reason == Reason::ceiling) return "plan a lower path";
   if (result.reason == Reason::range || result.reason == Reason::endurance) {
