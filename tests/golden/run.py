@@ -1,4 +1,4 @@
-"""run.py BIN_DIR TOOL: runs the golden cases of TOOL.txt; UPDATE_GOLDEN=1 rewrites what they expect.
+"""run.py BIN_DIR NAME: runs the golden cases of NAME.txt, a tool's or others; UPDATE_GOLDEN=1 rewrites what they expect.
 
 transcript.py says how a case is written. Each runs in an own folder that holds the files of data/ and what
 its set-up made, its commands in one bash: variables and `cd` last from one to the next. stdout, stderr
@@ -133,7 +133,8 @@ def main():
             found, differences = run_case(case, folders, update)
             results.update(found)
             wrong += differences
-    wrong += [f"{tool}: {line}" for line in lacks(cases, results, tool)]
+    if tool.startswith("skyway"):
+        wrong += [f"{tool}: {line}" for line in lacks(cases, results, tool)]
     if update:
         path.write_text(transcript.rewritten(golden, results), encoding="utf-8", newline="\n")
     print(*wrong, f"{tool}: {len(cases)} cases, {len(wrong)} failures", sep="\n")

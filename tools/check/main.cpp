@@ -1,6 +1,7 @@
 // skyway-check: prove that trajectories and paths are clear of a map and inside their limits.
 
 #include "checker.h"
+#include "cli/batch.h"
 #include "cli/option/limit_options.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
@@ -67,6 +68,8 @@ class Reports {
     const bool ok = traj::accepted(report);
     failed_ += !ok;
     ++count_;
+    ok ? batch_.add_good()
+       : batch_.add_failed(report.result.ok ? "exact" : name(report.result.reason));
     if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
     profile_.finish_record();
     out_.add(traj::to_json_line(report, map_));
@@ -84,6 +87,7 @@ class Reports {
 
   std::size_t count() const { return count_; }
   std::size_t failed() const { return failed_; }
+  const cli::Batch& batch() const { return batch_; }
 
  private:
   std::string certificate(const traj::ReportRecord& report) const {
@@ -98,6 +102,7 @@ class Reports {
   std::optional<cli::RecordOutput> certificates_;
   std::size_t count_ = 0;
   std::size_t failed_ = 0;
+  cli::Batch batch_;
 };
 
 }  // namespace
@@ -130,6 +135,7 @@ int main(int argc, char** argv) {
         checker.each(file, options.drone_file, sharding.shard(),
                      [&](const traj::ReportRecord& report) { reports.add(report); });
     const cli::Exit exit = reports.commit(total);
+    reports.batch().tell(common, "skyway-check", "records failed");
     common.write_stats({{"records", reports.count()}, {"failed", reports.failed()}});
     return exit;
   });

@@ -6,13 +6,15 @@
 #include <chrono>
 #include <new>
 #include <sstream>
+#include <system_error>
 #include <thread>
 
 #include "cli/file/cut_file.h"
 #include "cli/file/files.h"
-#include "cli/file/recognise.h"
+#include "cli/file/missing_file.h"
 #include "cli/file/run_files.h"
 #include "cli/file/standard_streams.h"
+#include "cli/file/wrong_file.h"
 #include "cli/option/completion.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
@@ -112,9 +114,11 @@ int guarded(CLI::App& app, const std::function<int()>& body) {
   } catch (const CLI::ParseError& error) {
     return usage(app, in_words(app, error));
   } catch (const geom::InputError& error) {
-    return fail(app, Exit::bad_input, error.what() + other_kind(app.get_name(), error.what()));
+    return fail(app, Exit::bad_input, wrong_file(app, error.what()).value_or(error.what()));
   } catch (const std::bad_alloc&) {
     return fail(app, Exit::failed, "out of memory");
+  } catch (const std::system_error& error) {
+    return fail(app, Exit::failed, error.what() + missing_file_advice(error));
   } catch (const std::exception& error) {
     return fail(app, Exit::failed, error.what());
   }

@@ -13,6 +13,7 @@
 #include "cli/option/skipped_option.h"
 #include "cli/run.h"
 #include "cli/shard/map_shard.h"
+#include "cli/tell.h"
 #include "geom/base/error.h"
 #include "geom/cloud/point_cloud.h"
 #include "geom/map/column_grid.h"
@@ -294,7 +295,7 @@ std::string settled_history(const Cloud& points, const Options& options,
   Report step = step_of(points.hash(), options, map);
   options.skipped.settle(points.skipped(), name, common, step);
   const std::string report = options.placement.report();
-  if (!report.empty()) common.warn(name + ": " + report);
+  if (!report.empty()) cli::tell(common, "skyway-cloud", name + ": " + report);
   if (options.format == "las" && points.says_nothing() && !options.placement.units_given()) {
     common.warn(name +
                 ": the file does not say what its units are: taken as metres (--units says "
@@ -352,7 +353,7 @@ int main(int argc, char** argv) {
       throw geom::InputError(
           name, "expected at least one point to make boxes of, found none (" + line + ")");
     }
-    common.warn(name + ": " + line);
+    cli::tell(common, "skyway-cloud", name + ": " + line);
     const geom::MakeMapOptions map = options.map.make();
     const std::string history = settled_history(points, options, map, name, common);
     const geom::MadeMap made =

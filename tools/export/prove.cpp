@@ -118,13 +118,47 @@ std::string fault(const traj::CheckResult& result) {
 
 }  // namespace
 
+namespace {
+
+constexpr double kHighestRate = 10000;  // Hz, of --rate
+
+// What to do about it.
+std::string remedy(const Task& task, const traj::CheckResult& result) {
+  using traj::Reason;
+  const bool near = result.reason == Reason::collision || result.reason == Reason::bounds;
+  const bool setpoints = task.format == "setpoints";
+  const bool limit = std::any_of(
+      traj::kLimitKinds.begin(), traj::kLimitKinds.end(),
+      [&](const traj::LimitKind& kind) { return result.reason == traj::broken(kind.limit); });
+  if (setpoints && (near || limit) && task.rate < kHighestRate) {
+    return fmt::format("write more setpoints a second (--rate {:g})",
+                       std::min(4 * task.rate, kHighestRate));
+  }
+  if (near) return "make the path anew with more room (skyway-plan --margin)";
+  if (limit && exporting::has_legs(task.format)) return "fly slower (--speed)";
+  if (limit) return "solve it again with stricter limits (skyway-traj)";
+  if (result.reason == Reason::takeoff) {
+    return task.format == "tello" ? "take off higher (--takeoff-height)"
+                                  : "begin the path higher, or say where the ground is (--ground)";
+  }
+  if (result.reason == Reason::ceiling) return "plan a lower path";
+  if (result.reason == Reason::range || result.reason == Reason::endurance) {
+    return "cut the flight into shorter ones";
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string refusal(const Task& task, const traj::CheckResult& result) {
+  const std::string advice = remedy(task, result);
   const std::string when = exporting::has_legs(task.format)
                                ? fmt::format("on leg {:.0f}", std::floor(result.time))
                                : fmt::format("at t = {:.3f} s", result.time);
-  return fmt::format("{}: refused: flown as the file says, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]",
-                     task.id, fault(result), when, result.place[0], result.place[1],
-                     result.place[2]);
+  return fmt::format(
+      "{}: refused: flown as the file says, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", task.id,
+      fault(result), when, result.place[0], result.place[1], result.place[2],
+      advice.empty() ? "" : ": ", advice);
 }
 
 }  // namespace exporting

@@ -93,6 +93,7 @@ cli::Exit write_flights(const cli::Common& common, fly::Mission& mission,
   const cli::Exit exit = tally.failed ? cli::Exit::no : cli::Exit::yes;
   out.commit(total, exit);
   if (told) told->commit(total, exit);
+  tally.batch.tell(common, "skyway-fly", "flights failed");
   common.write_stats({{"records", tally.records},
                       {"failed", tally.failed},
                       {"flown_s", tally.flown},

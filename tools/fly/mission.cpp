@@ -217,7 +217,12 @@ Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::Reco
         tally.cpu += flown[i].cpu;
       }
       ++tally.records;
-      tally.failed += !traj::accepted(told);
+      if (traj::accepted(told)) {
+        tally.batch.add_good();
+      } else {
+        ++tally.failed;
+        tally.batch.add_failed(traj::reason(told));
+      }
       if (report) report->add(traj::to_json_line(told, profile_.airframe, map));
       if (run.progress) run.progress(first + i + 1, entries_.size());
     }

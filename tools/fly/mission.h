@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/batch.h"
 #include "cli/file/files.h"
 #include "cli/file/record_output.h"
 #include "cli/option/scenes.h"
@@ -20,6 +21,7 @@ namespace fly {
 struct Tally {
   std::size_t records = 0;
   std::size_t failed = 0;
+  cli::Batch batch;
   double flown = 0;  // s of simulated flight, hovering included
   double cpu = 0;    // s that simulating it took, of all threads
 };

@@ -10,6 +10,7 @@
 #include "cli/option/units.h"
 #include "cli/run.h"
 #include "cli/shard/map_shard.h"
+#include "cli/tell.h"
 #include "formats.h"
 #include "geom/base/error.h"
 #include "place.h"
@@ -102,7 +103,8 @@ nlohmann::ordered_json counts_of(const footprints::Source& source, const std::st
     report += fmt::format("; {}: {}", what, n);
   }
   if (!report.empty()) {
-    common.warn(fmt::format("{}: footprints: {}{}", name, source.footprints.size(), report));
+    cli::tell(common, "skyway-footprints",
+              fmt::format("{}: footprints: {}{}", name, source.footprints.size(), report));
   }
   for (const std::string& warning : source.warnings) common.warn(name + ": " + warning);
   if (!source.skipped.empty()) counts["skipped"] = source.skipped.count();

@@ -10,6 +10,7 @@
 #include "cli/option/skipped_option.h"
 #include "cli/option/units.h"
 #include "cli/run.h"
+#include "cli/tell.h"
 #include "geom/base/error.h"
 #include "geom/import/import_boxes.h"
 #include "geom/map/make_map.h"
@@ -52,8 +53,9 @@ void warn(const geom::ImportedBoxes& boxes, bool unknown_blocked, const std::str
                     file, geom::counted(boxes.unknown, "cell was", "cells were")));
   }
   if (boxes.flat > 0)
-    common.warn(fmt::format("{}: {} kept", file,
-                            geom::counted(boxes.flat, "flat box is", "flat boxes are")));
+    cli::tell(common, "skyway-import",
+              fmt::format("{}: {} kept", file,
+                          geom::counted(boxes.flat, "flat box is", "flat boxes are")));
 }
 
 nlohmann::ordered_json step_of(const std::string& hash, const Options& options,

@@ -10,6 +10,7 @@
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/skipped_option.h"
+#include "cli/tell.h"
 #include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
 #include "geom/map/join.h"
@@ -89,9 +90,10 @@ void run_merge(const Files& files, const cli::Common& common) {
   const BoxMap map = open(files.map, common);
   const geom::Merged merged = geom::merge(geom::table_of(map));
   write(files, map.spec(), merged.table, step_of("merge", map));
-  common.warn(fmt::format("{}: {} before, {} after: {} contained in others, {} joined", files.map,
-                          geom::counted(map.size(), "box", "boxes"), merged.table.boxes.size(),
-                          merged.contained, merged.joined));
+  cli::tell(common, "skyway-map",
+            fmt::format("{}: {} before, {} after: {} contained in others, {} joined", files.map,
+                        geom::counted(map.size(), "box", "boxes"), merged.table.boxes.size(),
+                        merged.contained, merged.joined));
   common.write_stats({{"before", map.size()},
                       {"after", merged.table.boxes.size()},
                       {"contained", merged.contained},
@@ -105,8 +107,9 @@ void run_simplify(const Files& files, double slack, const cli::Common& common) {
   Json step = step_of("simplify", map);
   step["slack"] = slack;
   write(files, map.spec(), simple.table, step);
-  common.warn(fmt::format("{}: {} before, {} after", files.map,
-                          geom::counted(map.size(), "box", "boxes"), simple.table.boxes.size()));
+  cli::tell(common, "skyway-map",
+            fmt::format("{}: {} before, {} after", files.map,
+                        geom::counted(map.size(), "box", "boxes"), simple.table.boxes.size()));
   const double ratio = static_cast<double>(simple.table.boxes.size()) /
                        static_cast<double>(std::max<std::size_t>(1, map.size()));
   common.write_stats({{"before", map.size()},

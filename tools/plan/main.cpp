@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "cli/batch.h"
 #include "cli/file/artefacts.h"
 #include "cli/file/files.h"
 #include "cli/file/record_output.h"
@@ -58,6 +59,7 @@ struct Asked {
 struct Planned {
   std::size_t records = 0;
   std::size_t found = 0;
+  cli::Batch batch;
   geom::PathRecord last;
   plan::SearchTree tree;  // of the last query, where it is to be written
 };
@@ -83,7 +85,9 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       geom::trim_mapped_files();
     });
     for (const geom::PathRecord& record : records) {
-      planned.found += record.status == geom::PathStatus::found;
+      const bool found = record.status == geom::PathStatus::found;
+      planned.found += found;
+      found ? planned.batch.add_good() : planned.batch.add_failed(name(record.status));
       out.add(geom::to_json_line(record));
     }
     out.flush();
@@ -158,6 +162,7 @@ int main(int argc, char** argv) {
       write_tree(search.tree_file, planned.tree, planned.last, scene.map().spec().frame.axes);
     }
     common.write_stats({{"queries", planned.records}, {"found", planned.found}});
+    planned.batch.tell(common, "skyway-plan", "queries have no path");
     if (queries.size() == 1 && !planned.found) {
       cli::complain("skyway-plan", planned.last.message);
     }

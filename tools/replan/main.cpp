@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "cli/batch.h"
 #include "cli/file/artefacts.h"
 #include "cli/file/files.h"
 #include "cli/option/degrees.h"
@@ -103,6 +104,7 @@ struct Tally {
   std::size_t kept = 0;
   std::size_t mended = 0;
   std::size_t failed = 0;
+  cli::Batch batch;
 };
 
 // The output may take the place of the paths.
@@ -112,6 +114,7 @@ Tally write_records(const std::vector<geom::PathRecord>& records, const std::str
   Tally tally;
   for (const geom::PathRecord& record : records) {
     const bool kept = found(record) && record.origin->mended.empty();
+    found(record) ? tally.batch.add_good() : tally.batch.add_failed(name(record.status));
     ++(!found(record) ? tally.failed : kept ? tally.kept : tally.mended);
     if (found(record) && !record.message.empty()) {
       common.warn(fmt::format("{}: {}", record.id, record.message));
@@ -152,9 +155,10 @@ int main(int argc, char** argv) {
     }
     const std::vector<geom::PathRecord> records =
         replan_each(paths, scenes, artefacts, quality, common.execution("paths"));
-    const auto [kept, mended, failed] = write_records(records, output, paths_file, common);
+    const auto [kept, mended, failed, batch] = write_records(records, output, paths_file, common);
     common.write_stats(
         {{"paths", records.size()}, {"kept", kept}, {"mended", mended}, {"failed", failed}});
+    batch.tell(common, "skyway-replan", "paths could be neither kept nor mended");
     if (records.size() == 1 && failed) {
       cli::complain("skyway-replan", records[0].message);
     }

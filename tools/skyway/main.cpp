@@ -14,6 +14,7 @@
 
 #include "cli/file/standard_streams.h"
 #include "cli/option/completion.h"
+#include "cli/option/nearest_word.h"
 #include "cli/run.h"
 
 namespace {
@@ -88,7 +89,14 @@ int main(int argc, char** argv) {
     cli::complain("skyway", fmt::format("cannot run {}: {}", tool, std::strerror(errno)));
     return 4;
   }
-  if (!verb.empty()) cli::complain("skyway", fmt::format("unknown verb \"{}\"", verb));
-  cli::say(usage());
+  if (verb.empty()) {
+    cli::say(usage());
+    return 2;
+  }
+  std::vector<std::string> verbs;
+  for (const auto& [known, what] : kVerbs) verbs.emplace_back(known);
+  cli::complain("skyway",
+                fmt::format("unknown verb \"{}\"{}", verb, cli::did_you_mean(verb, verbs)));
+  cli::say("Try 'skyway help', which lists the verbs.\n");
   return 2;
 }

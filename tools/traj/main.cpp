@@ -1,9 +1,11 @@
 // skyway-traj: minimum-snap trajectories along paths, each proved before it is written.
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
 #include "answer.h"
+#include "cli/batch.h"
 #include "cli/file/files.h"
 #include "cli/file/record_output.h"
 #include "cli/option/output_option.h"
@@ -84,6 +86,18 @@ Counts solve_each(const Share& share, const solving::Options& options, cli::Scen
   return counts;
 }
 
+bool is_failure(std::string_view found) { return found == "no_path" || found == "infeasible"; }
+
+cli::Batch batch_of(const Counts& counts) {
+  cli::Batch batch;
+  for (const auto& [found, count] : counts) {
+    for (std::size_t i = 0; i < count; ++i) {
+      is_failure(found) ? batch.add_failed(found) : batch.add_good();
+    }
+  }
+  return batch;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -116,9 +130,11 @@ int main(int argc, char** argv) {
       out.corridors.emplace(options.corridor_file, "corridor-file", sharding);
     }
     const Counts counts = solve_each(share, options, scenes, common.execution("trajectories"), out);
-    const bool no = counts.contains("no_path") || counts.contains("infeasible");
+    const bool no = std::any_of(counts.begin(), counts.end(),
+                                [](const auto& count) { return is_failure(count.first); });
     const cli::Exit exit = no ? cli::Exit::no : cli::Exit::yes;
     out.commit(share.total, exit);
+    batch_of(counts).tell(common, "skyway-traj", "paths have no trajectory");
     common.write_stats({{"records", counts}});
     return exit;
   });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "geom/base/error.h"
+#include "geom/record/made_for_another.h"
 
 namespace plan {
 
@@ -10,9 +11,8 @@ void require_made_for(const geom::Provenance& made_for, const geom::CollisionSce
                       const char* kind) {
   geom::Provenance ours = geom::provenance_of(scene);
   ours.map = made_for.map;  // of an older map, as patches are
-  if (const auto what = geom::mismatch(made_for, ours)) {
-    throw geom::InputError(
-        kind, fmt::format("it was made for another {}: make it again for this one", *what));
+  if (const auto another = geom::made_for_another(made_for, ours)) {
+    throw geom::InputError(kind, fmt::format("it was {}: make it again for this one", *another));
   }
 }
 

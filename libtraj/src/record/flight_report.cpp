@@ -9,21 +9,19 @@ namespace {
 
 using geom::JsonLine;
 
-// `"reason":…` and where, of what is not clear.
+// Where it is not clear.
 void add_violation(JsonLine& line, const FlightPathCheck& check, const geom::BoxMap* map) {
-  line.add("reason", name(check.reason)).add("time", check.time).add("place", check.place);
+  line.add("time", check.time).add("place", check.place);
   if (check.box && map) line.add("box", map->ids()[*check.box]);
 }
 
 void add_failure(JsonLine& line, const FlightReport& r, const geom::BoxMap* map) {
-  if (r.status != TrajectoryStatus::solved) {
-    line.add("reason", name(r.status));
-  } else if (r.lost) {
-    line.add("reason", "lost").add("time", *r.lost);
+  line.add("reason", reason(r));
+  if (r.status != TrajectoryStatus::solved) return;
+  if (r.lost) {
+    line.add("time", *r.lost);
   } else if (r.check && !r.check->clear) {
     add_violation(line, *r.check, map);
-  } else {
-    line.add("reason", r.tube.lost ? "lost_runs" : "tube");
   }
 }
 
@@ -106,6 +104,13 @@ void add_flight(JsonLine& line, const FlightReport& r, const Airframe& airframe,
 bool accepted(const FlightReport& r) {
   return r.status == TrajectoryStatus::solved && !r.lost && (!r.check || r.check->clear) &&
          r.tube.lost == 0 && (!r.tube_check || r.tube_check->clear);
+}
+
+std::string_view reason(const FlightReport& r) {
+  if (r.status != TrajectoryStatus::solved) return name(r.status);
+  if (r.lost) return "lost";
+  if (r.check && !r.check->clear) return name(r.check->reason);
+  return r.tube.lost ? "lost_runs" : "tube";
 }
 
 std::string to_json_line(const FlightReport& r, const Airframe& airframe, const geom::BoxMap* map) {

@@ -20,7 +20,7 @@ std::string said(std::vector<std::string> arguments) {
   Colour colour = Colour::red;
   app.add_option("map", map)->required();
   app.add_option("--word", word)->check(CLI::IsMember({"a", "b", "c"}));
-  app.add_option("--size", size)->check(CLI::Range(1e-9, 2.0));
+  app.add_option("--size", size, "metres")->check(CLI::Range(1e-9, 2.0));
   app.add_option("--scale", scale)->check(CLI::PositiveNumber);
   app.add_option("--pair", pair)->expected(2);
   app.add_option("--seed", seed)->needs("--scale")->excludes("--size");
@@ -48,9 +48,20 @@ TEST(ParseError, SaysWhatWasExpectedAndFound) {
 
 TEST(ParseError, NamesUnknownAndMissingArguments) {
   EXPECT_EQ(said({}), "expected an argument (map), found none");
-  EXPECT_EQ(said({"--sise", "3"}), "there is no option --sise");
+  EXPECT_EQ(said({"--sise", "3"}), "there is no option --sise; did you mean --size?");
   EXPECT_EQ(said({"m", "n"}), "expected no more arguments, found \"n\"");
-  EXPECT_EQ(said({"m", "--sise"}), "there is no option --sise");
+  EXPECT_EQ(said({"m", "--sise"}), "there is no option --sise; did you mean --size?");
+  EXPECT_EQ(said({"m", "--elsewhere"}), "there is no option --elsewhere");
+}
+
+TEST(ParseError, SuggestsTheNearestWordAndTheNumberWithoutItsUnit) {
+  EXPECT_EQ(said({"m", "--colour", "Gren"}),
+            "--colour: expected green or red, found \"Gren\"; did you mean green?");
+  EXPECT_EQ(said({"m", "--size", "500mm"}),
+            "--size: expected a number from 1e-09 to 2, found \"500mm\"; give metres without the "
+            "unit, 0.5");
+  EXPECT_EQ(said({"m", "--scale", "0,5"}),
+            "--scale: expected a number > 0, found \"0,5\"; write 0.5");
 }
 
 TEST(ParseError, SaysWhichOptionsGoTogether) {

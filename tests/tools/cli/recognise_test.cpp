@@ -79,6 +79,27 @@ TEST(Recognise, NamesOurOwnFiles) {
   EXPECT_EQ(what(R"({"type":"path","id":"a")"), "a stream of paths");
   EXPECT_EQ(what(R"({"type":"trajectory","id":"a")"), "a stream of trajectories");
   EXPECT_EQ(what(R"({"type":"report","id":"a")"), "a stream of reports");
+  EXPECT_EQ(what(R"({"id":"q1","from":[0,0,0],"to":[1,0,0]})"), "a stream of queries");
+  EXPECT_EQ(what("id,from_x,from_y,from_z,to_x,to_y,to_z\n"), "a table of queries");
+  EXPECT_EQ(what("id,t_s,x_m,y_m,z_m,"), "a flight log");
+  EXPECT_EQ(what(R"({"name": "quad", "tilt_max_deg": 35})"), "a vehicle profile");
+}
+
+TEST(Recognise, NamesTextsByHowTheyBegin) {
+  EXPECT_EQ(what("duration,x^0,x^1\n"), "a Crazyflie trajectory");
+  EXPECT_EQ(what("t_s,x_m,y_m\n"), "a table of setpoints");
+  EXPECT_EQ(what("command\ntakeoff\n"), "a Tello script");
+  EXPECT_EQ(what("boundary 0 0 0 1 1 1\n"), "a block text");
+  EXPECT_EQ(what("voxel 4 5 6\n"), "a list of voxels (.3dmap)");
+  EXPECT_EQ(what("ncols 4\n"), "a height model (ASCII grid)");
+  EXPECT_EQ(what(R"({"bounds": {"extents": [0, 1]}})"), "a RotorPy world");
+}
+
+TEST(Recognise, NamesTablesOfPointsByTwoRows) {
+  EXPECT_EQ(what("1 2 3\n4 5 6\n"), "a table of points");
+  EXPECT_EQ(what("x y z\n0.2,0.3,1e-3,7\n"), "a table of points");
+  EXPECT_EQ(what("1 2 3\n4 5\n"), "nothing");
+  EXPECT_EQ(what("1 2 3 4 5\n1 2 3 4 5\n"), "nothing");
 }
 
 TEST(Recognise, NamesWhatNobodyReads) {
@@ -106,8 +127,7 @@ TEST(Recognise, NamesTablesOfBoxesByTheirHeaders) {
 
 TEST(Recognise, SaysNothingOfPlainText) {
   for (const char* const text :
-       {"", "posX,posY,posZ\n", "boundary 0 0 0 1 1 1\n", "1 2 3\n", "P", "{",
-        R"({"id":"q1","from":[0,0,0]})", "lat0 37.7, lon0 -122.4\n"}) {
+       {"", "posX,posY,posZ\n", "1 2 3\n", "P", "{", "lat0 37.7, lon0 -122.4\n"}) {
     EXPECT_EQ(what(text), "nothing") << text;
   }
 }

@@ -9,9 +9,10 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <system_error>
 
 #include "geom/text/excerpt.h"
-#include "run_files.h"
+#include "geom/text/number.h"
 
 namespace cli {
 namespace {
@@ -25,10 +26,13 @@ constexpr std::string_view kToTrajectory =
 constexpr std::string_view kToMission =
     "convert it to a WPL or a QGroundControl plan, which skyway-check and "
     "skyway-import-trajectory read";
-constexpr std::string_view kRecordTools =
-    "skyway-traj skyway-check skyway-replan skyway-fly skyway-export skyway-plot skyway-view "
-    "skyway-render skyway-map skyway-plan skyway-query skyway-bench skyway-info";
-constexpr std::string_view kDroneTools = "skyway-check skyway-import-trajectory";
+constexpr std::string_view kPathTools =
+    "skyway-traj skyway-check skyway-replan skyway-plot skyway-view skyway-render skyway-map "
+    "skyway-query skyway-info";
+constexpr std::string_view kTrajectoryTools =
+    "skyway-check skyway-export skyway-fly skyway-plot skyway-view skyway-render skyway-map "
+    "skyway-query skyway-info";
+constexpr std::string_view kLogTools = "skyway-plot skyway-view skyway-render skyway-map";
 constexpr std::string_view kMapTools =
     "skyway-map skyway-plan skyway-replan skyway-lattice skyway-roadmap skyway-traj skyway-check "
     "skyway-export skyway-fly skyway-query skyway-plot skyway-view skyway-render skyway-bench "
@@ -118,8 +122,8 @@ constexpr std::array kJson = {
     Word{R"("type":"CityJSON")", "a CityJSON model", "skyway-footprints", ""},
     Word{R"("type":"CityJSONFeature")", "a CityJSON sequence", "",
          "join its features into one CityJSON"},
-    Word{R"("type":"path")", "a stream of paths", kRecordTools, ""},
-    Word{R"("type":"trajectory")", "a stream of trajectories", kRecordTools, ""},
+    Word{R"("type":"path")", "a stream of paths", kPathTools, ""},
+    Word{R"("type":"trajectory")", "a stream of trajectories", kTrajectoryTools, ""},
     Word{R"("type":"tree")", "a stream with search trees",
          "skyway-plot skyway-view skyway-render skyway-map skyway-info", ""},
     Word{R"("type":"corridor")", "a stream of corridors", "skyway-view skyway-map skyway-info", ""},
@@ -132,6 +136,10 @@ constexpr std::array kJson = {
     Word{R"("type":"FeatureCollection")", "a GeoJSON file",
          "skyway-footprints skyway-map skyway-check skyway-import-trajectory", ""},
     Word{R"("type":"Feature")", "a GeoJSON feature", "skyway-footprints skyway-map", ""},
+    Word{R"("type":"benchmark")", "a report of skyway-bench", "skyway-plot", ""},
+    Word{R"("bounds":{"extents")", "a RotorPy world", "skyway-import", ""},
+    Word{R"("tilt_max_deg":)", "a vehicle profile", "", "give it with --vehicle"},
+    Word{R"("from":[)", "a stream of queries", "skyway-plan skyway-bench skyway-info", ""},
 };
 
 // In ZIP archives, by the name or the text of the first entry. A shard tells of what it is a part
@@ -215,6 +223,49 @@ bool is_fence(std::string_view head) {
   return head.starts_with("QGC WPL") && head.find("\t500") != head.npos;
 }
 
+// In plain text, by how it begins.
+constexpr std::array kBeginnings = {
+    Word{"min_x_m,", "a table of boxes (box CSV)", "skyway-import skyway-map", ""},
+    Word{"voxel ", "a list of voxels (.3dmap)", "skyway-import", ""},
+    Word{"boundary ", "a block text", "skyway-import", ""},
+    Word{"ncols ", "a height model (ASCII grid)", "skyway-footprints", ""},
+    Word{"duration,x^0,", "a Crazyflie trajectory", kDroneTools, ""},
+    Word{"t_s,x_m,", "a table of setpoints", kDroneTools, ""},
+    Word{"id,t_s,x_m,", "a flight log", kLogTools, ""},
+    Word{"id,from_x,", "a table of queries", "skyway-plan skyway-bench", ""},
+    Word{"id,x,y,z", "a table of paths", kDroneTools, ""},
+    Word{"command\n", "a Tello script", kDroneTools, ""},
+};
+
+// Three or four numbers, with blanks or commas between.
+bool is_row_of_point(std::string_view line) {
+  constexpr std::string_view kBetween = " \t\r,;";
+  std::size_t numbers = 0;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(kBetween), line.size()));
+    if (line.empty()) return numbers == 3 || numbers == 4;
+    double value = 0;
+    const auto [rest, error] = geom::read_number(line.data(), line.data() + line.size(), value);
+    if (error != std::errc()) return false;
+    ++numbers;
+    line.remove_prefix(static_cast<std::size_t>(rest - line.data()));
+    if (!line.empty() && kBetween.find(line.front()) == kBetween.npos) return false;
+  }
+}
+
+// Two rows of numbers, behind one line of names at most.
+bool is_table_of_points(std::string_view text) {
+  const auto next = [&] {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+  };
+  const std::string_view first = next();
+  if (!is_row_of_point(first) && first != "x y z" && first != "x,y,z") return false;
+  return is_row_of_point(next());
+}
+
 std::optional<FileKind> text_kind(std::string_view head) {
   if (head.starts_with("\xef\xbb\xbf")) head.remove_prefix(3);
   head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
@@ -224,11 +275,14 @@ std::optional<FileKind> text_kind(std::string_view head) {
   if (start.find("halfSizeX") != start.npos) {
     return FileKind{"an FCND table of boxes", "skyway-import", ""};
   }
-  if (start.starts_with("min_x_m,")) {
-    return FileKind{"a table of boxes (box CSV)", "skyway-import skyway-map", ""};
-  }
   if (start.find("\nFIELDS ") != start.npos && start.find("\nDATA ") != start.npos) {
     return FileKind{"a PCD point cloud", "skyway-cloud", ""};
+  }
+  for (const Word& word : kBeginnings) {
+    if (start.starts_with(word.in)) return kind_of(word);
+  }
+  if (is_table_of_points(start)) {
+    return FileKind{"a table of points", "skyway-cloud skyway-check skyway-import-trajectory", ""};
   }
   return std::nullopt;
 }
@@ -244,19 +298,6 @@ std::string head_of(const std::string& path) {
   ::close(file);
   head.resize(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
   return head;
-}
-
-bool names(std::string_view tools, std::string_view tool) {
-  return fmt::format(" {} ", tools).find(fmt::format(" {} ", tool)) != std::string::npos;
-}
-
-// Who reads it, where that is not half of all tools, or what to do.
-std::string advice(const FileKind& kind) {
-  if (kind.tools.empty()) return kind.otherwise.empty() ? "" : fmt::format(": {}", kind.otherwise);
-  std::string list;
-  for (const char c : kind.tools) list += c == ' ' ? ", " : std::string(1, c);
-  const bool many = std::count(kind.tools.begin(), kind.tools.end(), ' ') > 2;
-  return many ? "" : fmt::format(", for {}", list);
 }
 
 }  // namespace
@@ -279,16 +320,10 @@ std::optional<FileKind> recognise(std::string_view head) {
   return text_kind(head);
 }
 
-std::string other_kind(std::string_view tool, std::string_view message) {
-  const RunFiles* const files = RunFiles::current();
-  if (!files) return "";
-  for (const RunFiles::Input& input : files->inputs()) {
-    if (!message.starts_with(input.path + ":")) continue;
-    const auto kind = recognise(input.path == "stdin" ? input.head : head_of(input.path));
-    if (!kind || names(kind->tools, tool) || names(kind->named_by, tool)) return "";
-    return fmt::format("; the file is {}{}", kind->what, advice(*kind));
-  }
-  return "";
+std::optional<FileKind> recognise_file(const std::string& path) { return recognise(head_of(path)); }
+
+bool reads(std::string_view tools, std::string_view tool) {
+  return fmt::format(" {} ", tools).find(fmt::format(" {} ", tool)) != std::string::npos;
 }
 
 }  // namespace cli

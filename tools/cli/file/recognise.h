@@ -21,8 +21,14 @@ constexpr std::size_t kHead = 4096;  // bytes that recognise() looks at
 // to read a file in one way or another.
 std::optional<FileKind> recognise(std::string_view head);
 
-// What to add to a refusal: what the file is that `message` is about, where it is an input of this
-// run and of a kind that `tool` does not read; else nothing.
-std::string other_kind(std::string_view tool, std::string_view message);
+// Of a regular file by its first bytes; nothing of what is not one, so that nothing waits or is
+// eaten.
+std::optional<FileKind> recognise_file(const std::string& path);
+
+// Tools of drones' own files, as FileKind::tools has them.
+constexpr std::string_view kDroneTools = "skyway-check skyway-import-trajectory";
+
+// Whether `tool` is one of `tools`, names with blanks between.
+bool reads(std::string_view tools, std::string_view tool);
 
 }  // namespace cli

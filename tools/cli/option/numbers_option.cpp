@@ -31,7 +31,9 @@ CLI::Option* add_point(CLI::App& app, const std::string& flag, std::optional<geo
           [&point, flag](const std::string& text) {
             const auto v = parse_numbers(text, 3);
             if (!v)
-              throw CLI::ValidationError(flag, "expected x,y,z in metres, found \"" + text + '"');
+              throw CLI::ValidationError(
+                  flag,
+                  "expected x,y,z in metres, as one word such as 12.5,30,5, found \"" + text + '"');
             point = geom::Vec3((*v)[0], (*v)[1], (*v)[2]);
           },
           description)

@@ -7,6 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "nearest_word.h"
+#include "unit_hint.h"
+
 namespace cli {
 namespace {
 
@@ -52,6 +55,19 @@ std::string expectation(const std::string& type) {
   return type.starts_with("UINT") ? "a whole number >= 0" : number;
 }
 
+// What may have been meant by a value: another word, or a number that has a unit.
+std::string meant(const CLI::Option& option, const std::string& value) {
+  if (const auto words = between(option.get_type_name(), "{", "}")) {
+    return did_you_mean(value, CLI::detail::split(*words, ','));
+  }
+  return unit_hint(value, option.get_description());
+}
+
+std::string refused(const CLI::Option& option, const std::string& name, const std::string& value) {
+  return fmt::format("{}: expected {}, found \"{}\"{}", name, expectation(option.get_type_name()),
+                     value, meant(option, value));
+}
+
 // The value that a validator refused; nothing where the message is the tool's own.
 std::optional<std::string> refused_value(const std::string& message, const std::string& name) {
   std::string_view rest(message);
@@ -71,8 +87,7 @@ std::optional<std::string> wrong_value(const CLI::App& app, const std::string& m
   const CLI::Option* const option = option_named(app, name);
   const auto value = refused_value(message, name);
   if (!option || !value) return std::nullopt;
-  return fmt::format("{}: expected {}, found \"{}\"", name, expectation(option->get_type_name()),
-                     *value);
+  return refused(*option, name, *value);
 }
 
 // Of a value that is no number.
@@ -80,17 +95,39 @@ std::optional<std::string> not_converted(const CLI::App& app, const std::string&
   const auto name = between(message, "Could not convert: ", " = ");
   const CLI::Option* const option = name ? option_named(app, *name) : nullptr;
   if (!option) return std::nullopt;
-  return fmt::format("{}: expected {}, found \"{}\"", *name, expectation(option->get_type_name()),
-                     message.substr(message.find(" = ") + 3));
+  return refused(*option, *name, message.substr(message.find(" = ") + 3));
 }
 
 std::string values(int count) { return count == 1 ? "a value" : fmt::format("{} values", count); }
+
+// All that --help lists.
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  for (const CLI::App* verb : app.get_subcommands()) {
+    for (std::string& name : option_names(*verb)) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+// An option that is not known, among what was left.
+std::optional<std::string> unknown_option(const CLI::App& app) {
+  for (const std::string& word : app.remaining(true)) {
+    if (!word.starts_with('-') || word == "-") continue;
+    const std::string name = word.substr(0, word.find('='));
+    return fmt::format("there is no option {}{}", name, did_you_mean(name, option_names(app)));
+  }
+  return std::nullopt;
+}
 
 // Of too few or too many values.
 std::optional<std::string> wrong_count(const CLI::App& app, const std::string& message) {
   const std::string name = message.substr(0, message.find(": "));
   const CLI::Option* const option = option_named(app, name);
   if (!option) return std::nullopt;
+  if (auto unknown = unknown_option(app)) return unknown;  // its value was taken for an argument
   if (message.find(" missing") != message.npos || message.find("At least ") != message.npos) {
     const int least = option->get_items_expected_min();
     return fmt::format("{}: expected {}, found {}", name, values(least),
@@ -105,29 +142,26 @@ std::optional<std::string> wrong_count(const CLI::App& app, const std::string& m
 
 // The first argument that no option or place takes; options before others.
 std::optional<std::string> unknown_argument(const CLI::App& app) {
+  if (auto option = unknown_option(app)) return option;
   const std::vector<std::string> left = app.remaining(true);
-  const auto option =
-      std::find_if(left.begin(), left.end(), [](const auto& word) { return word[0] == '-'; });
-  if (option != left.end()) return fmt::format("there is no option {}", *option);
   if (!left.empty()) return fmt::format("expected no more arguments, found \"{}\"", left.front());
   return std::nullopt;
 }
 
 std::string missing_verb(const CLI::App& app) {
-  std::string verbs;
+  std::vector<std::string> verbs;
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (!verb->get_name().empty()) verbs += (verbs.empty() ? "" : ",") + verb->get_name();
+    if (!verb->get_name().empty()) verbs.push_back(verb->get_name());
   }
   const std::vector<std::string> left = app.remaining();
-  return fmt::format("expected {}, found {}", alternatives(verbs),
-                     left.empty() ? "none" : fmt::format("\"{}\"", left.front()));
+  const std::string found =
+      left.empty() ? "none"
+                   : fmt::format("\"{}\"{}", left.front(), did_you_mean(left.front(), verbs));
+  return fmt::format("expected {}, found {}", alternatives(CLI::detail::join(verbs, ",")), found);
 }
 
 std::optional<std::string> missing_argument(const CLI::App& app, const std::string& message) {
-  const std::vector<std::string> left = app.remaining(true);
-  const bool unknown =
-      std::any_of(left.begin(), left.end(), [](const auto& word) { return word[0] == '-'; });
-  if (unknown) return unknown_argument(app);  // a misspelt option explains what is missing
+  if (auto option = unknown_option(app)) return option;  // explains what is missing
   if (message == "A subcommand is required") return missing_verb(app);
   const std::string name = message.substr(0, message.rfind(" is required"));
   const CLI::Option* const option = option_named(app, name);

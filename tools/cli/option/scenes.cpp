@@ -4,6 +4,7 @@
 
 #include "cli/run.h"
 #include "geom/base/error.h"
+#include "geom/record/made_for_another.h"
 
 namespace cli {
 
@@ -38,10 +39,10 @@ const geom::CollisionScene& Scenes::scene_for(const geom::Provenance& record,
 
 void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
                   const std::string& source, const char* kind) {
-  if (const auto what = geom::mismatch(made_for, geom::provenance_of(scene))) {
+  if (const auto another = geom::made_for_another(made_for, geom::provenance_of(scene))) {
     throw geom::InputError(
         source,
-        fmt::format("the {} was made for another {}: make it again for this one", kind, *what));
+        fmt::format("the {} was {}: ask for that one, or make the {} anew", kind, *another, kind));
   }
 }
 

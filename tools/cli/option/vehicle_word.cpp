@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "cli/file/files.h"
 #include "cli/run.h"
+#include "nearest_word.h"
 #include "numbers_option.h"
 
 namespace cli {
@@ -15,8 +18,11 @@ namespace {
 geom::Vec3 half_sizes(std::string_view numbers, std::size_t count, const std::string& word) {
   const auto values = parse_numbers(numbers, count);
   if (!values || *std::min_element(values->begin(), values->end()) < 0) {
-    throw UsageError(fmt::format("--vehicle: expected {}, metres >= 0, found \"{}\"",
-                                 count == 1 ? "sphere:R" : "box:HX,HY,HZ", word));
+    throw UsageError(
+        fmt::format("--vehicle: expected {}, half sizes in metres >= 0 such as {}, "
+                    "found \"{}\"",
+                    count == 1 ? "sphere:R" : "box:HX,HY,HZ",
+                    count == 1 ? "sphere:0.3" : "box:0.5,0.5,0.3", word));
   }
   return count == 1 ? geom::Vec3::Constant(values->front())
                     : geom::Vec3((*values)[0], (*values)[1], (*values)[2]);
@@ -31,9 +37,11 @@ traj::VehicleProfile parse_vehicle(const std::string& word) {
   if (word.ends_with(".json")) {
     return traj::parse_vehicle_profile(InputFile(word).read_all(), word);
   }
+  const auto names = traj::vehicle_names();
   throw UsageError(
-      fmt::format("--vehicle: expected {}, FILE.json, box:HX,HY,HZ or sphere:R, found \"{}\"",
-                  fmt::join(traj::vehicle_names(), ", "), word));
+      fmt::format("--vehicle: expected {}, FILE.json, box:HX,HY,HZ or sphere:R, found \"{}\"{}",
+                  fmt::join(names, ", "), word,
+                  did_you_mean(word, std::vector<std::string>(names.begin(), names.end()))));
 }
 
 }  // namespace cli

@@ -1,0 +1,16 @@
+#pragma once
+
+// In words, what something was made for where that is not what is at hand.
+
+#include <optional>
+#include <string>
+
+#include "geom/record/record.h"
+
+namespace geom {
+
+// "made for another margin, 0 m, not 0.5 m", by the first in which the two differ: map, frame,
+// vehicle, margin. Nothing where they agree.
+std::optional<std::string> made_for_another(const Provenance& made_for, const Provenance& ours);
+
+}  // namespace geom

@@ -1,0 +1,35 @@
+#include "geom/record/made_for_another.h"
+
+#include <fmt/format.h>
+
+namespace geom {
+namespace {
+
+// Half sizes in as many digits as people read, or in all where that would hide how they differ.
+std::string in_words(const std::optional<Vehicle>& vehicle, bool exact) {
+  if (!vehicle) return "none";
+  const Vec3& half = vehicle->half;
+  return exact
+             ? fmt::format("{} (half sizes {}, {}, {} m)", vehicle->name, half[0], half[1], half[2])
+             : fmt::format("{} (half sizes {:.4g}, {:.4g}, {:.4g} m)", vehicle->name, half[0],
+                           half[1], half[2]);
+}
+
+std::string value_of(const Provenance& p, std::string_view what, bool exact) {
+  if (what == "map") return p.map.value_or("none");
+  if (what == "frame") return p.frame ? std::string(name(*p.frame)) : "none";
+  if (what == "vehicle") return in_words(p.vehicle, exact);
+  return p.margin ? fmt::format("{} m", *p.margin) : "none";
+}
+
+}  // namespace
+
+std::optional<std::string> made_for_another(const Provenance& made_for, const Provenance& ours) {
+  const auto what = mismatch(made_for, ours);
+  if (!what) return std::nullopt;
+  const bool exact = value_of(made_for, *what, false) == value_of(ours, *what, false);
+  return fmt::format("made for another {}, {}, not {}", *what, value_of(made_for, *what, exact),
+                     value_of(ours, *what, exact));
+}
+
+}  // namespace geom

@@ -1,0 +1,74 @@
+#include "missing_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "cli/option/nearest_word.h"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kRead = "cannot read ";
+constexpr std::string_view kWrite = "cannot write ";
+
+// The path in "cannot read PATH: why".
+fs::path path_in(std::string_view message, std::string_view begin, const std::string& why) {
+  message.remove_prefix(begin.size());
+  const std::size_t tail = why.size() + 2;
+  return message.size() > tail ? fs::path(message.substr(0, message.size() - tail)) : fs::path();
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+// The folder that is missing first on the way to the file.
+fs::path missing_folder(const fs::path& path) {
+  std::error_code error;
+  fs::path missing;
+  for (fs::path at = folder_of(path); !fs::exists(at, error); at = folder_of(at)) {
+    missing = at;
+    if (at == folder_of(at)) break;
+  }
+  return missing;
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<std::string> names;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    names.push_back(at->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string similar_file(const fs::path& path) {
+  const auto near = nearest_word(path.filename().string(), names_in(folder_of(path)));
+  if (!near) return "";
+  return "; did you mean " +
+         (path.has_parent_path() ? path.parent_path() / *near : fs::path(*near)).string() + "?";
+}
+
+}  // namespace
+
+std::string missing_file_advice(const std::system_error& error) {
+  const std::string_view message = error.what();
+  const std::string why = error.code().message();
+  const bool read = message.starts_with(kRead);
+  if (!read && !message.starts_with(kWrite)) return "";
+  const fs::path path = path_in(message, read ? kRead : kWrite, why);
+  if (error.code() == std::errc::is_a_directory) return "; name a file in it";
+  if (error.code() != std::errc::no_such_file_or_directory || path.empty()) return "";
+  const fs::path missing = missing_folder(path);
+  if (missing.empty()) return read ? similar_file(path) : "";
+  return read ? fmt::format("; there is no folder {} here", missing.string())
+              : fmt::format("; there is no folder {}: make it first", missing.string());
+}
+
+}  // namespace cli

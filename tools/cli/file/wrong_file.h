@@ -1,0 +1,18 @@
+#pragma once
+
+// What to say of a file that is of another kind than its place takes.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cli {
+
+// The refusal that takes the place of `message`, where `message` is about an input of this run that
+// recognise() knows and that its option or argument does not take: what was expected, what the file
+// is, and what to do: swap two arguments, make what was expected, or another tool. Nothing where
+// `message` says more: of damage in a file of the right kind. `app` is as the parser left it.
+std::optional<std::string> wrong_file(const CLI::App& app, std::string_view message);
+
+}  // namespace cli

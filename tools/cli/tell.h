@@ -1,0 +1,14 @@
+#pragma once
+
+// What a run tells people that warns of nothing: counts, and how a batch came out.
+
+#include <string_view>
+
+#include "run.h"
+
+namespace cli {
+
+// One line on stderr, as complain() writes it; nothing with -q.
+void tell(const Common& common, std::string_view tool, std::string_view message);
+
+}  // namespace cli
