@@ -39,6 +39,20 @@ done
 for text in "$SKYWAY_REALDATA"/blockmaps/*.json "$SKYWAY_REALDATA"/voxels/*.3dmap; do
   skyway-import "$text" | skyway-map info - > /dev/null
 done
+# The default RRT solves every course: map, vehicle, margin, start and goal.
+while read -r course vehicle margin from to; do
+  skyway-import -q "$SKYWAY_REALDATA/blockmaps/$course" -o course
+  skyway-plan course --vehicle "$vehicle" --margin "$margin" --from="$from" --to="$to" --method rrt | skyway-check -q course > /dev/null
+done <<'TABLE'
+double_pillar.json crazyflie 0.05 1.1,-4,1 1.1,4,1
+grid_forest.json crazyflie 0.05 0.25,1.25,1 2.25,5.25,2
+ece276b_notu97_maze.txt crazyflie 0.1 0,0,1 12,12,5
+ece276b_notu97_single_cube.txt crazyflie 0.1 2.3,2.3,1.3 7,7,5.5
+ece276b_notu97_window.txt tello 0.1 0.3,-4.7,0.3 6,18,3
+upenn_akhibhat_map0.txt tello 0.1 2,2.5,1 19.5,2.5,1
+upenn_akhibhat_map1.txt tello 0.1 0.3,-4.7,0.3 6,18,3
+wpi_pear_p2b_map1.txt tello 0.05 0,0,0.5 -0.59,6.81,0.5
+TABLE
 count() { skyway-map info "$1" | sed -n 's/^boxes: //p'; }
 skyway-import -q "$SKYWAY_REALDATA/clouds/octomap/geb079.bt" -o tree
 [ "$(count tree)" -eq 143729 ]  # what octomap-tools' bt2vrml counts

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 
+#include "plan/lattice/fitting_length.h"
 #include "plan/lattice/visible_nodes.h"
 #ifdef SKYWAY_OMPL
 #include "ompl_planners.h"
@@ -28,12 +29,22 @@ Method automatic(const CollisionScene& scene, const MethodOptions& options) {
           std::nullopt};
 }
 
+plan::LatticeSpec spec_for(const CollisionScene& scene, const MethodOptions& options) {
+  plan::LatticeSpec spec = options.spec;
+  if (options.spacing) {
+    spec.spacing = *options.spacing;
+  } else if (scene.free_bounds()) {
+    spec.spacing = plan::fitting_length(*scene.free_bounds(), spec.spacing);
+  }
+  return spec;
+}
+
 // A* on one lattice, nothing before and nothing after it.
 class Astar {
  public:
   Astar(const CollisionScene& scene, const MethodOptions& options)
       : scene_(scene),
-        lattice_(plan::build_lattice(scene, options.spec, options.build)),
+        lattice_(plan::build_lattice(scene, spec_for(scene, options), options.build)),
         search_(lattice_) {}
 
   Answer plan(const PlanQuery& query) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -19,8 +20,9 @@ struct MethodOptions {
   const plan::Lattice* lattice = nullptr;  // of auto; must outlive the method
   const plan::Roadmap* roadmap = nullptr;
   plan::Quality quality = plan::Quality::normal;
-  plan::LatticeSpec spec;  // of astar
-  geom::Execution build;   // of what is built before the first query
+  plan::LatticeSpec spec;         // of astar, but for the spacing
+  std::optional<double> spacing;  // metres, of astar's lattice; absent: one that fits the map
+  geom::Execution build;          // of what is built before the first query
   double ompl_seconds = 1;
 };
 

@@ -67,8 +67,8 @@ void add_methods(CLI::App& app, Files& files, Options& options) {
       ->expected(1);
   files.artefacts.add_to(app);
   cli::add_quality(app, options.method.quality);
-  app.add_option("--spacing", options.method.spec.spacing,
-                 "astar: spacing of the lattice, metres (default 25)")
+  app.add_option("--spacing", options.method.spacing,
+                 "astar: spacing of the lattice, metres (default 25, less on maps under 300 m)")
       ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--connectivity", options.connect, "astar: 6, 18 or 26 neighbours (default 6)")
       ->check(CLI::IsMember({6, 18, 26}));

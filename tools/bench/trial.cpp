@@ -6,7 +6,9 @@ namespace bench {
 
 Verdict judge(const geom::CollisionScene& scene, const geom::PlanQuery& query,
               const Answer& answer) {
-  if (answer.status == geom::PathStatus::unreachable) return Verdict::unreachable;
+  if (answer.status == geom::PathStatus::unreachable) {
+    return scene.free(query.from) && scene.free(query.to) ? Verdict::unreachable : Verdict::failed;
+  }
   if (answer.status != geom::PathStatus::found) return Verdict::failed;
   const geom::Polyline& path = answer.path;
   if (path.empty() || path.front() != query.from || path.back() != query.to) {

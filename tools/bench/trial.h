@@ -24,12 +24,14 @@ struct Answer {
 
 enum class Verdict {
   found,        // a path, and every leg of it is free
-  unreachable,  // the planner says that there is none
-  failed,       // it gave no answer
+  unreachable,  // the planner says that there is none between ends that are free
+  failed,       // it gave no answer; or there can be none, as an end is not free
   invalid       // it gave a path that is none
 };
 
-// Exact: the ends must be the query's, bit for bit, and every leg must pass scene.free().
+// Exact: the ends must be the query's, bit for bit, and every leg must pass scene.free(). Whether
+// an end is free is decided here too, so that planners that call such a query unreachable and those
+// that call it blocked count alike.
 Verdict judge(const geom::CollisionScene& scene, const geom::PlanQuery& query,
               const Answer& answer);
 

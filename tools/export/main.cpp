@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <list>
 #include <optional>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
+#include "output_names.h"
 #include "prove.h"
 #include "traj/curve/to_enu.h"
 #include "traj/drone_file/crazyflie.h"
@@ -23,41 +25,33 @@
 
 namespace {
 
+using exporting::OutputNames;
 using exporting::Task;
 using exporting::Written;
 using traj::TrajectoryRecord;
 
-// The one record of the stream. Two flights do not fit one drone file.
-TrajectoryRecord read_one(const std::string& input) {
+// The records of the stream, or those of one id. Two flights do not fit one drone file, so there is
+// one, unless there is a file for each.
+std::vector<TrajectoryRecord> read(const std::string& input, const std::string& id, bool each) {
   cli::InputFile file(input);
-  std::optional<TrajectoryRecord> record;
-  file.for_each_line([&](const std::string& line, std::size_t number) {
-    if (record) {
-      throw geom::InputError(file.name(), number,
-                             "expected one trajectory, found another: choose one with --id");
-    }
-    record = traj::parse_trajectory_record(line, file.name(), number);
-  });
-  return *record;
-}
-
-TrajectoryRecord read_named(const std::string& input, const std::string& id) {
-  cli::InputFile file(input);
-  std::optional<TrajectoryRecord> found;
+  std::vector<TrajectoryRecord> records;
   file.for_each_line([&](const std::string& line, std::size_t number) {
     TrajectoryRecord record = traj::parse_trajectory_record(line, file.name(), number);
-    if (record.id != id) return;
-    if (found) {
+    if (!id.empty() && record.id != id) return;
+    if (!records.empty() && (!each || !id.empty())) {
       throw geom::InputError(
           file.name(), number,
-          fmt::format("expected one trajectory of id \"{}\", found another", id));
+          id.empty() ? "expected one trajectory, found another: choose one with --id, or write a "
+                       "file for each with -o '%s.csv'"
+                     : fmt::format("expected one trajectory of id \"{}\", found another", id));
     }
-    found = std::move(record);
+    records.push_back(std::move(record));
   });
-  if (!found)
+  if (records.empty()) {
     throw geom::InputError(file.name(),
                            fmt::format("expected a trajectory of id \"{}\", found none", id));
-  return *found;
+  }
+  return records;
 }
 
 nlohmann::ordered_json statistics(const Task& task, const Written& written) {
@@ -128,15 +122,16 @@ struct Options {
     if (std::count(std::begin(outputs), std::end(outputs), "-") > 1) {
       throw cli::UsageError("the script, --python and --table cannot share stdout");
     }
-  }
-
-  void save(const Task& task, const Written& written) const {
-    const auto kind = task.format == "gltf" ? cli::OutputKind::artefact : cli::OutputKind::text;
-    std::list<cli::OutputFile> outputs;
-    outputs.emplace_back(output, kind).stream() << written.text;
-    if (!python.empty()) outputs.emplace_back(python, kind).stream() << written.python;
-    if (!table.empty()) outputs.emplace_back(table, kind).stream() << written.csv;
-    for (cli::OutputFile& file : outputs) file.commit();
+    const bool each = OutputNames(output, "--output").each();
+    for (const auto& [name, option] :
+         {std::pair(python, "--python"), std::pair(table, "--table")}) {
+      if (!name.empty() && OutputNames(name, option).each() != each) {
+        throw cli::UsageError(
+            fmt::format("--output and {}: expected %s in both or in neither, found \"{}\" and "
+                        "\"{}\"",
+                        option, output, name));
+      }
+    }
   }
 };
 
@@ -158,13 +153,17 @@ void add_options(CLI::App& app, Options& options, Task& task) {
                  "check refuses them, their points are moved off obstacles, and this is halved")
       ->check(CLI::Range(1e-3, 100.0));
   app.add_option("--speed", task.speed,
-                 "m/s along straight legs (default: what the limits allow, and 1 for a Tello)")
+                 "m/s along straight legs (default: what the limits allow; a Tello's are flown at "
+                 "0.1 to 1, its default is 1 where the limits allow it)")
       ->check(CLI::Range(0.1, 100.0));
   app.add_flag("--hover", options.hover, "end a mission hovering, without landing");
   task.placement.add_to(app);
   app.add_option("--id", options.id, "which trajectory of the stream (default: its only one)");
   app.add_flag("--unchecked", options.unchecked, "write without a map and without a proof");
-  cli::add_output(app, "-o,--output", options.output, "file to write (default: stdout)");
+  cli::add_output(
+      app, "-o,--output", options.output,
+      "file to write (default: stdout); with %s in the name, a file for each trajectory, %s "
+      "being its id");
   cli::add_output(app, "--python", options.python,
                   "Tello: also write a program for the library DJITelloPy that flies it");
   cli::add_output(app, "--table", options.table,
@@ -185,6 +184,14 @@ void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked)
   cli::only_for(app, tello, {"--takeoff-height", "--heading", "--python", "--table"},
                 "--format tello");
   cli::only_for(app, !unchecked, {"--margin"}, "an export that is checked");
+}
+
+// A Tello's go has no other speeds, so one that is asked for is not changed in silence.
+void require_flyable(const Task& task) {
+  if (task.format != "tello" || task.speed.value_or(1) <= 1) return;
+  throw cli::UsageError(
+      fmt::format("--speed: expected 0.1 to 1 m/s, as a Tello's go takes 10 to 100 cm/s, found {}",
+                  *task.speed));
 }
 
 // Without a map nothing judges the speed of each leg, so that it must suit legs in any direction.
@@ -224,24 +231,98 @@ void warn_of_unmeasured(const cli::Common& common, const Task& task,
                           task.id, task.format, fmt::join(missing, ", ")));
 }
 
-// Nothing where it is refused, which it says.
-std::optional<Written> write_checked(const cli::Common& common, const Options& options,
-                                     const TrajectoryRecord& record, Task& task) {
-  cli::Scenes scenes(cli::open_map(options.files[0], geom::Verified::contents), options.vehicle,
-                     cli::Scenes::Differences::refused);
-  const auto& scene = scenes.scene_for(record.provenance, options.input(), 0);
-  task.limits = geom::limits_that_hold({{}, record.limits, scene.vehicle().limits});
-  task.frame = scene.map().spec().frame;
-  task.enu = traj::to_enu(task.frame.axes, record.trajectory);
-  set_ground(scene, record, task);
-  auto [written, result] = exporting::write_proved(scene, task);
-  if (result.ok) {
-    warn_of_unmeasured(common, task, result);
-    return std::move(written);
+// The exports of a run, one record at a time.
+class Exporter {
+ public:
+  Exporter(const cli::Common& common, const Options& options, Task task)
+      : common_(common), options_(options), task_(std::move(task)) {
+    if (options.unchecked) return;
+    scenes_.emplace(cli::open_map(options.files[0], geom::Verified::contents), options.vehicle,
+                    cli::Scenes::Differences::refused);
   }
-  cli::complain("skyway-export", refusal(task, result));
-  return std::nullopt;
-}
+
+  // What a record gives.
+  struct Export {
+    Task task;
+    std::optional<Written> written;  // nothing where it was refused, which stderr says
+  };
+  Export make(const TrajectoryRecord& record) {
+    Export made{task_, {}};
+    made.task.id = record.id;
+    if (record.status != traj::TrajectoryStatus::solved) {
+      cli::complain("skyway-export",
+                    fmt::format("{}: refused: the record holds no trajectory (status {})",
+                                record.id, name(record.status)));
+      return made;
+    }
+    made.written = options_.unchecked ? write_unchecked(options_, record, made.task)
+                                      : write_checked(record, made.task);
+    if (!made.written) return made;
+    if (made.task.format == "crazyflie") warn_of_memory(common_, made.task);
+    warn_of_holds(common_, made.task);
+    return made;
+  }
+
+ private:
+  std::optional<Written> write_checked(const TrajectoryRecord& record, Task& task) {
+    const auto& scene = scenes_->scene_for(record.provenance, options_.input(), 0);
+    task.limits = geom::limits_that_hold({{}, record.limits, scene.vehicle().limits});
+    task.frame = scene.map().spec().frame;
+    task.enu = traj::to_enu(task.frame.axes, record.trajectory);
+    set_ground(scene, record, task);
+    auto [written, result] = exporting::write_proved(scene, task);
+    if (result.ok) {
+      warn_of_unmeasured(common_, task, result);
+      return std::move(written);
+    }
+    cli::complain("skyway-export", refusal(task, result));
+    return std::nullopt;
+  }
+
+  const cli::Common& common_;
+  const Options& options_;
+  const Task task_;  // but for what a record says
+  std::optional<cli::Scenes> scenes_;
+};
+
+// The files of one record, or of all.
+class Outputs {
+ public:
+  explicit Outputs(const Options& options)
+      : names_{OutputNames(options.output, "--output"), OutputNames(options.python, "--python"),
+               OutputNames(options.table, "--table")},
+        source_(options.input()),
+        wanted_{true, !options.python.empty(), !options.table.empty()} {}
+
+  bool each() const { return names_[0].each(); }
+
+  // Throws where two records would be one file.
+  void add(const std::string& id) {
+    Files files;
+    for (int i = 0; i < 3; ++i) {
+      if (wanted_[i]) files[i] = names_[i].of(id, source_);
+    }
+    files_.push_back(files);
+  }
+
+  // Of the record that was added as the `index`-th. Of many, each appears as it is whole.
+  void save(std::size_t index, const std::string& format, const Written& written) const {
+    const auto kind = format == "gltf" ? cli::OutputKind::artefact : cli::OutputKind::text;
+    const std::string* const texts[] = {&written.text, &written.python, &written.csv};
+    std::list<cli::OutputFile> outputs;
+    for (int i = 0; i < 3; ++i) {
+      if (wanted_[i]) outputs.emplace_back(files_[index][i], kind).stream() << *texts[i];
+    }
+    for (cli::OutputFile& file : outputs) each() ? file.commit_now() : file.commit();
+  }
+
+ private:
+  using Files = std::array<std::string, 3>;
+  std::array<OutputNames, 3> names_;
+  std::string source_;
+  std::array<bool, 3> wanted_;
+  std::vector<Files> files_;
+};
 
 }  // namespace
 
@@ -254,27 +335,31 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     options.require_sound();
     refuse_idle(app, task.format, options.unchecked);
-    const std::string input = options.input();
-    const TrajectoryRecord record =
-        options.id.empty() ? read_one(input) : read_named(input, options.id);
-    if (record.status != traj::TrajectoryStatus::solved) {
-      cli::complain("skyway-export",
-                    fmt::format("{}: refused: the record holds no trajectory (status {})",
-                                record.id, name(record.status)));
-      return cli::Exit::no;
-    }
-    task.id = record.id;
+    require_flyable(task);
+    Outputs outputs(options);
+    const auto records = read(options.input(), options.id, outputs.each());
+    for (const TrajectoryRecord& record : records) outputs.add(record.id);
     task.ned = options.axes == "ned";
     task.lands = !options.hover;
     task.checked = !options.unchecked;
-    const std::optional<Written> written = options.unchecked
-                                               ? write_unchecked(options, record, task)
-                                               : write_checked(common, options, record, task);
-    if (!written) return cli::Exit::no;
-    if (task.format == "crazyflie") warn_of_memory(common, task);
-    warn_of_holds(common, task);
-    options.save(task, *written);
-    common.write_stats(statistics(task, *written));
-    return cli::Exit::yes;
+    Exporter exporter(common, options, task);
+    std::size_t refused = 0;
+    nlohmann::ordered_json stats;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      const auto [made, written] = exporter.make(records[i]);
+      refused += !written;
+      if (!written) continue;
+      outputs.save(i, made.format, *written);
+      if (!outputs.each()) stats = statistics(made, *written);
+    }
+    if (outputs.each()) {
+      stats = {{"format", task.format}, {"records", records.size()}, {"refused", refused}};
+      if (refused) {
+        cli::complain("skyway-export", fmt::format("{} of {} were refused, and have no file",
+                                                   refused, records.size()));
+      }
+    }
+    if (!stats.is_null()) common.write_stats(stats);
+    return refused ? cli::Exit::no : cli::Exit::yes;
   });
 }

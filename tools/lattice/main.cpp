@@ -11,6 +11,7 @@
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
 #include "plan/lattice/build_lattice.h"
+#include "plan/lattice/fitting_length.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
 
@@ -40,6 +41,19 @@ plan::Lattice patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
   return plan::patch_lattice(old, scene, patch.change(old.made_for(), scene), run);
 }
 
+// A spacing that nobody asked for fits the map.
+plan::LatticeSpec spec_for(const geom::CollisionScene& scene, std::optional<double> spacing,
+                           plan::Connectivity connectivity) {
+  plan::LatticeSpec spec;
+  spec.connectivity = connectivity;
+  if (spacing) {
+    spec.spacing = *spacing;
+  } else if (scene.free_bounds()) {
+    spec.spacing = plan::fitting_length(*scene.free_bounds(), spec.spacing);
+  }
+  return spec;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -48,16 +62,18 @@ int main(int argc, char** argv) {
   cli::VehicleOptions vehicle;
   std::string map_file;
   std::string output = "-";
-  plan::LatticeSpec spec;
+  std::optional<double> spacing_asked;
   int connect = 6;
   std::optional<geom::Vec3> origin;
   cli::PatchOptions patch;
   cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   cli::add_output(app, "-o,--output", output, "lattice to write (default: stdout)");
-  auto* spacing = app.add_option("--spacing", spec.spacing,
-                                 "distance of neighbouring nodes, metres (default 25)")
-                      ->check(CLI::Range(1e-3, 1e6));
+  auto* spacing =
+      app.add_option(
+             "--spacing", spacing_asked,
+             "distance of neighbouring nodes, metres (default 25, less on maps under 300 m)")
+          ->check(CLI::Range(1e-3, 1e6));
   auto* connectivity =
       app.add_option("--connect", connect, "neighbours of a node: 6, 18 or 26 (default 6)")
           ->check(CLI::IsMember({6, 18, 26}));
@@ -72,15 +88,17 @@ int main(int argc, char** argv) {
     if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
                        vehicle, cli::Scenes::Differences::refused);
-    spec.connectivity = static_cast<plan::Connectivity>(connect);
+    const auto spec = [&] {
+      return spec_for(scenes.scene(), spacing_asked, static_cast<plan::Connectivity>(connect));
+    };
     const geom::Execution run = common.execution("layers");
     if (sharding.asked()) {
-      const auto counts = write_shard(sharding, output, scenes.scene(), spec, origin, run);
+      const auto counts = write_shard(sharding, output, scenes.scene(), spec(), origin, run);
       common.write_stats({{"nodes", counts.nodes}, {"edges", counts.edges}});
       return cli::Exit::yes;
     }
     const plan::Lattice lattice =
-        patch.asked() ? patched(scenes, patch, run) : built(scenes.scene(), spec, origin, run);
+        patch.asked() ? patched(scenes, patch, run) : built(scenes.scene(), spec(), origin, run);
     cli::OutputFile out(output, cli::OutputKind::artefact, patch.artefact);
     plan::write_lattice(out.stream(), lattice);
     out.commit();

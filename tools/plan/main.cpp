@@ -23,6 +23,7 @@
 #include "plan/planner/path_record.h"
 #include "plan/sampling/search_tree_file.h"
 #include "search_options.h"
+#include "snapped_ends.h"
 
 namespace {
 
@@ -60,6 +61,7 @@ struct Planned {
   std::size_t records = 0;
   std::size_t found = 0;
   cli::Batch batch;
+  planning::SnappedEnds snapped;
   geom::PathRecord last;
   plan::SearchTree tree;  // of the last query, where it is to be written
 };
@@ -74,6 +76,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
   Planned planned;
   for (std::size_t begin = 0; begin < chosen.size(); begin += kBlock) {
     std::vector<geom::PathRecord> records(std::min(kBlock, chosen.size() - begin));
+    std::vector<std::vector<std::string>> moved(records.size());
     const auto progress = [&](std::size_t done, std::size_t) {
       if (run.progress) run.progress(begin + done, chosen.size());
     };
@@ -81,6 +84,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       const geom::PlanQuery& query = queries[chosen[begin + i]];
       plan::PlanResult result = planner.plan(query.from, query.to, search.started());
       records[i] = plan::path_record(scene, query.id, result);
+      moved[i] = planning::moved_ends(scene, query, result);
       if (!search.tree_file.empty()) planned.tree = std::move(result.tree);
       geom::trim_mapped_files();
     });
@@ -91,6 +95,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       out.add(geom::to_json_line(record));
     }
     out.flush();
+    for (const auto& ends : moved) planned.snapped.add(ends);
     planned.records += records.size();
     planned.last = std::move(records.back());
   }
@@ -161,6 +166,7 @@ int main(int argc, char** argv) {
     if (!search.tree_file.empty()) {
       write_tree(search.tree_file, planned.tree, planned.last, scene.map().spec().frame.axes);
     }
+    planned.snapped.say(common);
     common.write_stats({{"queries", planned.records}, {"found", planned.found}});
     planned.batch.tell(common, "skyway-plan", "queries have no path");
     if (queries.size() == 1 && !planned.found) {

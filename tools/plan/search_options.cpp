@@ -9,9 +9,12 @@
 #include "cli/option/output_option.h"
 #include "cli/option/word_for.h"
 #include "cli/run.h"
+#include "plan/lattice/fitting_length.h"
 
 namespace planning {
 namespace {
+
+constexpr double kSpacing = 10;  // metres, in a city
 
 const std::map<std::string, plan::Method> kMethod = [] {
   std::map<std::string, plan::Method> out;
@@ -27,22 +30,28 @@ void add_path_options(CLI::App& app, plan::PlanOptions& options) {
   app.add_flag("--raw", options.raw, "the search's own path, not shortened");
   app.add_option("--resample", options.resample, "cut the path into parts of at most this, metres")
       ->check(CLI::Range(1e-3, 1e6));
-  app.add_option("--snap-ends", options.snap_ends,
-                 "move a blocked or outside end to a free place within this, metres")
+  app.add_option(
+         "--snap-ends", options.snap_ends,
+         "move a blocked or outside end to the nearest free place within this, metres; stderr "
+         "says where to")
       ->check(CLI::Range(0.0, 1e4));
 }
 
 void add_sampling_options(CLI::App& app, plan::SamplingOptions& sampling) {
-  app.add_option("--step", sampling.step, "sampling methods: longest edge, metres (default 15)")
+  app.add_option("--step", sampling.step,
+                 "sampling methods: longest edge, metres (default 15, less on maps under 300 m)")
       ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--goal-bias", sampling.goal_bias,
                  "sampling methods: how often the goal is the sample (default 0.05)")
       ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--iterations", sampling.iterations,
-                 "sampling methods: at most this many (default 20000)")
+  app.add_option(
+         "--iterations", sampling.iterations,
+         "sampling methods: at most this many (default 20000; 100000 of rrt and rrt-connect on "
+         "maps under 300 m)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
   app.add_option("--radius", sampling.radius,
-                 "rrt-star, informed-rrt-star: largest neighbourhood, metres (default 30)")
+                 "rrt-star, informed-rrt-star: largest neighbourhood, metres (default 30, less on "
+                 "maps under 300 m)")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--patience", sampling.patience,
                  "rrt-star, informed-rrt-star: end after this many iterations that together "
@@ -57,8 +66,9 @@ void SearchOptions::add_to(CLI::App& app) {
                  "auto (default), astar, rrt, rrt-connect, rrt-star or informed-rrt-star")
       ->transform(cli::word_for(kMethod))
       ->type_name("TEXT");
-  app.add_option("--spacing", lattice.spacing,
-                 "astar without --lattice: distance of neighbouring nodes, metres (default 10)")
+  app.add_option("--spacing", spacing,
+                 "astar without --lattice: distance of neighbouring nodes, metres (default 10, "
+                 "less on maps under 300 m)")
       ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--connect", connect,
                  "astar without --lattice: neighbours of a node: 6, 18 or 26 (default 26)")
@@ -111,10 +121,9 @@ plan::PlanOptions SearchOptions::started() const {
 
 std::optional<plan::Lattice> SearchOptions::named_lattice(const geom::CollisionScene& scene) const {
   if (plan.method != plan::Method::astar || !scene.free_bounds()) return std::nullopt;
-  plan::LatticeSpec spec = lattice;
-  spec.connectivity = static_cast<plan::Connectivity>(connect);
-  spec.origin = scene.free_bounds()->min;
-  return plan::lazy_lattice(scene, spec);
+  const geom::Aabb& inner = *scene.free_bounds();
+  const double between = spacing ? *spacing : plan::fitting_length(inner, kSpacing);
+  return plan::lazy_lattice(scene, {between, static_cast<plan::Connectivity>(connect), inner.min});
 }
 
 }  // namespace planning

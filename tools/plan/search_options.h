@@ -14,10 +14,10 @@ namespace planning {
 
 struct SearchOptions {
   plan::PlanOptions plan;
-  plan::LatticeSpec lattice{10, plan::Connectivity::twenty_six, {}};  // of astar without a file
-  int connect = 26;                                                   // its neighbours of a node
-  double seconds = 0;                                                 // a search; 0: no end
-  std::string tree_file;                                              // empty: none
+  std::optional<double> spacing;  // metres, of astar's lattice where no file gives one
+  int connect = 26;               // its neighbours of a node
+  double seconds = 0;             // a search; 0: no end
+  std::string tree_file;          // empty: none
 
   void add_to(CLI::App& app);
 

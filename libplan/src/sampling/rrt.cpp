@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geom/base/error.h"
+#include "plan/lattice/fitting_length.h"
 #include "roadmap/point_index.h"
 #include "rrt_star.h"
 #include "sampling_search.h"
@@ -15,18 +16,26 @@ namespace {
 
 using geom::Polyline;
 
+constexpr double kStep = 15;    // metres, in a city
+constexpr double kRadius = 30;  // metres, in a city
+constexpr std::size_t kIterations = 20000;
+constexpr std::size_t kSmallIterations = 100000;  // of searches that end with the first path
+
 void check(const SamplingOptions& options) {
   const auto need = [](bool holds, std::string_view what, double found) {
     if (!holds) {
       throw geom::InputError("sampling", fmt::format("expected {}, found {}", what, found));
     }
   };
-  need(options.step > 0, "a step > 0 metres", options.step);
+  const double step = options.step.value_or(kStep);
+  const double radius = options.radius.value_or(kRadius);
+  need(step > 0, "a step > 0 metres", step);
   need(options.goal_bias >= 0 && options.goal_bias <= 1, "a goal bias in [0, 1]",
        options.goal_bias);
-  need(options.radius >= 0, "a radius >= 0 metres", options.radius);
-  need(options.iterations >> 31 == 0, "fewer than 2^31 iterations",  // nodes have 32-bit indices
-       static_cast<double>(options.iterations));
+  need(radius >= 0, "a radius >= 0 metres", radius);
+  const std::size_t iterations = options.iterations.value_or(kIterations);
+  need(iterations >> 31 == 0, "fewer than 2^31 iterations",  // nodes have 32-bit indices
+       static_cast<double>(iterations));
 }
 
 class Rrt : SamplingSearch {
@@ -119,6 +128,18 @@ SamplingResult straight_line(const Vec3& from, const Vec3& to) {
   return result;
 }
 
+// With what was left open.
+SamplingOptions fitted(const SamplingOptions& options, const geom::Aabb& free_bounds,
+                       SamplingMethod method) {
+  SamplingOptions out = options;
+  if (!out.step) out.step = fitting_length(free_bounds, kStep);
+  if (!out.radius) out.radius = fitting_length(free_bounds, kRadius);
+  const bool ends_early = method == SamplingMethod::rrt || method == SamplingMethod::rrt_connect;
+  const bool small = (free_bounds.max - free_bounds.min).maxCoeff() < kCity;
+  if (!out.iterations) out.iterations = ends_early && small ? kSmallIterations : kIterations;
+  return out;
+}
+
 }  // namespace
 
 std::string_view name(SamplingMethod method) {
@@ -141,15 +162,16 @@ SamplingResult sample_path(const geom::CollisionScene& scene, const Vec3& from, 
   if (!scene.free(from) || !scene.free(to)) return {};
   if (from == to || (options.straight_first && scene.free(from, to)))
     return straight_line(from, to);
+  const SamplingOptions fitting = fitted(options, *scene.free_bounds(), method);
   switch (method) {
     case SamplingMethod::rrt:
-      return Rrt(scene, from, to, options).run();
+      return Rrt(scene, from, to, fitting).run();
     case SamplingMethod::rrt_connect:
-      return RrtConnect(scene, from, to, options).run();
+      return RrtConnect(scene, from, to, fitting).run();
     case SamplingMethod::rrt_star:
-      return grow_rrt_star(scene, from, to, options, false);
+      return grow_rrt_star(scene, from, to, fitting, false);
     case SamplingMethod::informed_rrt_star:
-      return grow_rrt_star(scene, from, to, options, true);
+      return grow_rrt_star(scene, from, to, fitting, true);
   }
   return {};
 }

@@ -120,9 +120,9 @@ class RrtStar : SamplingSearch {
   }
 
   double neighbourhood() const {
-    if (!(promising_volume_ > 0)) return options_.radius;
+    if (!(promising_volume_ > 0)) return *options_.radius;
     const double n = static_cast<double>(std::max<std::size_t>(promising_, 1));
-    return std::min(options_.radius,
+    return std::min(*options_.radius,
                     2 * cube_root(promising_volume_ * natural_log(n) / (std::numbers::pi * n)));
   }
 

@@ -13,9 +13,16 @@ namespace plan {
 // What every method works with: one search, from its first sample to its result.
 class SamplingSearch {
  public:
+  // The options have all that they may leave open.
   SamplingSearch(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
                  const SamplingOptions& options)
-      : scene_(scene), from_(from), to_(to), options_(options), random_(options.seed) {}
+      : scene_(scene),
+        from_(from),
+        to_(to),
+        options_(options),
+        step_(*options.step),
+        most_(*options.iterations),
+        random_(options.seed) {}
 
  protected:
   // By value: nodes move while the tree grows.
@@ -24,7 +31,7 @@ class SamplingSearch {
 
   // Whether there is another iteration to do, which is counted.
   bool next_iteration() {
-    if (result_.iterations == options_.iterations) return false;
+    if (result_.iterations == most_) return false;
     if (options_.stop && result_.iterations % kAskStop == 0 && options_.stop()) {
       result_.stopped = true;
       return false;
@@ -68,14 +75,13 @@ class SamplingSearch {
   std::optional<Vec3> step_towards(std::uint32_t near, const Vec3& target) const {
     const Vec3 at = point(near);
     const double distance = (target - at).norm();
-    const Vec3 p =
-        distance <= options_.step ? target : Vec3(at + (target - at) * (options_.step / distance));
+    const Vec3 p = distance <= step_ ? target : Vec3(at + (target - at) * (step_ / distance));
     if (p == at || !scene_.free(at, p)) return std::nullopt;
     return p;
   }
 
   bool sees_goal_within_step(std::uint32_t node) const {
-    return (to_ - point(node)).norm() <= options_.step && scene_.free(point(node), to_);
+    return (to_ - point(node)).norm() <= step_ && scene_.free(point(node), to_);
   }
 
   geom::Polyline path_to_root(std::uint32_t node) const {
@@ -96,6 +102,8 @@ class SamplingSearch {
   const Vec3 from_;
   const Vec3 to_;
   const SamplingOptions& options_;
+  const double step_;
+  const std::size_t most_;  // iterations
   geom::SplitMix64 random_;
   SamplingResult result_;
 

@@ -117,20 +117,24 @@ TEST(Planner, SaysThatAnEndIsBlockedAndHowFarTheNearestFreePointIs) {
   const PlanResult start = planned(scene, {14.5, 20, 5}, {38, 20, 5});
   EXPECT_EQ(start.status, PathStatus::start_blocked);
   EXPECT_EQ(start.message,
-            "start (14.5, 20, 5) is inside obstacle 1; the nearest free point is 0.501 m away");
+            "start (14.5, 20, 5) is inside obstacle 1; the nearest free point is (13.97, 20, 5), "
+            "0.530 m away");
   const PlanResult goal = planned(scene, {2, 20, 5}, {20, 20, 29});
   EXPECT_EQ(goal.status, PathStatus::goal_blocked);
   EXPECT_NE(goal.message.find("goal (20, 20, 29) is inside obstacle 1"), std::string::npos);
-  EXPECT_NE(goal.message.find("2.001 m away"), std::string::npos);
+  EXPECT_NE(goal.message.find("(20, 20, 31.03), 2.030 m away"), std::string::npos);
 }
 
 TEST(Planner, SaysThatAnEndIsOutside) {
   const auto scene = tower();
   const PlanResult start = planned(scene, {0.5, 5, 5}, {38, 20, 5});
   EXPECT_EQ(start.status, PathStatus::start_outside);
-  EXPECT_NE(start.message.find("outside the bounds; the nearest free point is 0.500 m"),
-            std::string::npos);
+  EXPECT_EQ(start.message,
+            "start (0.5, 5, 5) is outside the bounds: the vehicle box with margin 0 m may be from "
+            "(1, 1, 1) to (39, 39, 39); the nearest free point is (1.03, 5, 5), 0.530 m away");
   EXPECT_EQ(planned(scene, {2, 20, 5}, {1e6, 0, 0}).status, PathStatus::goal_outside);
+  EXPECT_NE(planned(scene, {2, 20, 5}, {1e6, 0, 0}).message.find("(38.97, 1.03, 1.03), 999961"),
+            std::string::npos);
   const auto no_room = scene_of({}, kCube, {21, 1, 1});
   EXPECT_EQ(planned(no_room, {20, 20, 5}, {20, 20, 5}).status, PathStatus::start_outside);
 }
@@ -149,8 +153,8 @@ TEST(Planner, SnapsEndsWithinTheDistanceAskedFor) {
   const PlanResult result = planned(scene, inside, outside, {.snap_ends = 1.5});
   ASSERT_EQ(result.status, PathStatus::found);
   ASSERT_TRUE(result.snapped_start && result.snapped_goal);
-  EXPECT_NEAR((*result.snapped_start - inside).norm(), 0.501, 1e-6);
-  EXPECT_EQ(*result.snapped_goal, Vec3(39, 20, 5));
+  EXPECT_NEAR((*result.snapped_start - inside).norm(), 0.530, 1e-5);
+  EXPECT_NEAR((*result.snapped_goal - Vec3(38.97, 20, 5)).norm(), 0, 1e-5);
   EXPECT_EQ(result.path.front(), *result.snapped_start);
   EXPECT_EQ(result.path.back(), *result.snapped_goal);
   expect_free(scene, result.path);

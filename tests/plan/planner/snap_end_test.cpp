@@ -21,7 +21,7 @@ TEST(NearestFree, LeavesOverlappingBoxesTogether) {
   const auto scene = scene_of({{{10, 10, 0}, {20, 20, 8}}, {{6, 6, 0}, {11, 24, 8}}}, kCube);
   const auto found = nearest_free(scene, {10.5, 15, 6}, 50);
   ASSERT_TRUE(found);
-  EXPECT_NEAR((*found - Vec3(10.5, 15, 8.001)).norm(), 0, 1e-6);
+  EXPECT_NEAR((*found - Vec3(10.5, 15, 8.03)).norm(), 0, 1e-5);
   EXPECT_EQ(nearest_free(scene, {10.5, 15, 6}, 1.9), std::nullopt);
 }
 
@@ -35,13 +35,18 @@ TEST(NearestFree, IsAsNearAsAnyRandomFreePoint) {
       const Vec3 p(random.uniform(-1, 13), random.uniform(-1, 13), random.uniform(-1, 13));
       const auto found = nearest_free(scene, p, 30);
       if (!found) continue;
-      EXPECT_TRUE(scene.free(*found));
+      if (scene.free(p)) {
+        EXPECT_EQ(*found, p);
+        continue;
+      }
+      const double room = has_room(scene, *found, kSnapRoom) ? kSnapRoom : kTightRoom;
+      EXPECT_TRUE(has_room(scene, *found, room));
       const double d = (*found - p).norm();
       for (int k = 0; k < 300; ++k) {
         const Vec3 q =
             p + Vec3(random.uniform(-d, d), random.uniform(-d, d), random.uniform(-d, d));
-        if (!scene.free(q)) continue;
-        EXPECT_GT((q - p).norm(), d - 2e-3);  // a millimetre along each axis
+        if (!has_room(scene, q, room)) continue;
+        EXPECT_GT((q - p).norm(), d - 1e-5);  // a micrometre along each axis
       }
     }
   }
@@ -58,8 +63,9 @@ TEST(NearestFree, IsCloserThanAnyPointOfAFineGrid) {
       EXPECT_EQ(*found, p);
       continue;
     }
+    const double room = found && has_room(scene, *found, kSnapRoom) ? kSnapRoom : kTightRoom;
     if (found) {
-      ASSERT_TRUE(scene.free(*found));
+      ASSERT_TRUE(has_room(scene, *found, room));
     }
     const double bound = found ? (*found - p).norm() : 8;
     for (double x = -8; x <= 8; x += 0.5) {
@@ -67,13 +73,40 @@ TEST(NearestFree, IsCloserThanAnyPointOfAFineGrid) {
         for (double z = -8; z <= 8; z += 0.5) {
           const Vec3 d(x, y, z);
           if (d.norm() >= bound - 1e-5) continue;
-          ASSERT_FALSE(scene.free(p + d)) << "case " << i;
+          ASSERT_FALSE(has_room(scene, p + d, room)) << "case " << i;
         }
       }
     }
     ++compared;
   }
   EXPECT_GT(compared, 5);
+}
+
+TEST(NearestFree, KeepsRoomToRoundFromBoundsToo) {
+  const auto scene = scene_of({}, kCube);
+  const auto found = nearest_free(scene, {-3, 20, 50}, 20);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(has_room(scene, *found, kSnapRoom));
+  EXPECT_FALSE(has_room(scene, *found, 1.01 * kSnapRoom));
+}
+
+TEST(NearestFree, TakesANarrowGapWhereRoomIsFar) {
+  // Between two walls with 2 cm for the reference point; the next room is 4 m away.
+  const auto scene = scene_of({{{10, 0, 0}, {14, 40, 40}}, {{14.02, 0, 0}, {20, 40, 40}}}, kCube);
+  const auto found = nearest_free(scene, {13.9, 20, 20}, 20);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(has_room(scene, *found, kTightRoom));
+  EXPECT_FALSE(has_room(scene, *found, kSnapRoom));
+}
+
+TEST(HasRoom, IsOfTheWholeCubeAroundAPoint) {
+  const auto scene = scene_of({{{10, 10, 0}, {20, 20, 8}}}, kCube);
+  const Vec3 half = scene.half();
+  const Vec3 beside(10 - half[0] - 0.5, 15, 5);
+  EXPECT_TRUE(has_room(scene, beside, 0.49));
+  EXPECT_FALSE(has_room(scene, beside, 0.51));
+  EXPECT_TRUE(has_room(scene, half, 0));  // in the corner of the bounds, touching them
+  EXPECT_FALSE(has_room(scene, half, 1e-3));
 }
 
 }  // namespace

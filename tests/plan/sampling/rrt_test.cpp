@@ -26,6 +26,7 @@ const geom::Aabb kRoom{{0, 0, 0}, {100, 100, 100}};
 
 // A pillar from floor to ceiling that stands in the way; the shorter way is around its lower side.
 CollisionScene pillar() { return scene_of({{{45, 20, -1}, {55, 80, 101}}}, kRoom); }
+const SamplingOptions kCityWide{.step = 15, .radius = 30};
 const Vec3 kFrom(20, 45, 50);
 const Vec3 kTo(80, 45, 50);
 const double kAround = 2 * std::hypot(25, 25) + 10;
@@ -151,8 +152,9 @@ TEST(SamplePath, OfConnectGrowsOneTreeFromEachEnd) {
 
 TEST(SamplePath, OfStarsComesCloseToTheShortestWayRoundABox) {
   const auto scene = pillar();
-  const auto star = sample_path(scene, kFrom, kTo, SamplingMethod::rrt_star);
-  const auto informed = sample_path(scene, kFrom, kTo, SamplingMethod::informed_rrt_star);
+  const auto star = sample_path(scene, kFrom, kTo, SamplingMethod::rrt_star, kCityWide);
+  const auto informed =
+      sample_path(scene, kFrom, kTo, SamplingMethod::informed_rrt_star, kCityWide);
   for (const auto* result : {&star, &informed}) {
     ASSERT_TRUE(result->found);
     EXPECT_EQ(result->iterations, 20000u);
@@ -205,8 +207,9 @@ TEST(SamplePath, IsTheSameOnEveryMachine) {
                                            "ae316435a36a07f4", "24807fc9a8962119"};
   const auto scene = pillar();
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    const SearchTree tree =
-        sample_path(scene, kFrom, kTo, kMethods[i], {.iterations = 3000, .seed = 1}).tree;
+    const SearchTree tree = sample_path(scene, kFrom, kTo, kMethods[i],
+                                        {.step = 15, .iterations = 3000, .radius = 30, .seed = 1})
+                                .tree;
     geom::Sha256 sum;
     for (const Vec3& p : tree.points) sum.update(std::as_bytes(std::span(p.data(), 3)));
     sum.update(std::as_bytes(std::span(tree.parent)));
@@ -299,6 +302,22 @@ TEST(SamplePath, TakesExtremeOptions) {
   }
 }
 
+// What is left open fits the bounds: 100 m here, a third of what counts as a city.
+TEST(SamplePath, TakesDefaultsThatFitTheMap) {
+  const auto scene = pillar();
+  for (const SamplingMethod method : kMethods) {
+    const SamplingOptions fitting{.step = 5, .iterations = 3000, .radius = 10};
+    const auto asked = sample_path(scene, kFrom, kTo, method, fitting);
+    EXPECT_EQ(sample_path(scene, kFrom, kTo, method, {.iterations = 3000}).tree, asked.tree);
+  }
+}
+
+TEST(SamplePath, GoesOnForLongerWhereTheMapIsSmallAndTheFirstPathEndsIt) {
+  const auto scene = walled_in(kTo);
+  EXPECT_EQ(sample_path(scene, kFrom, kTo, SamplingMethod::rrt).iterations, 100000u);
+  EXPECT_EQ(sample_path(scene, kFrom, kTo, SamplingMethod::rrt_star).iterations, 20000u);
+}
+
 TEST(SamplePath, StopsWhenAsked) {
   const auto scene = walled_in(kTo);
   for (const SamplingMethod method : kMethods) {
@@ -316,7 +335,8 @@ TEST(SamplePath, OfStarsEndsOncePatienceDoes) {
   const auto scene = pillar();
   for (const SamplingMethod method :
        {SamplingMethod::rrt_star, SamplingMethod::informed_rrt_star}) {
-    const auto result = sample_path(scene, kFrom, kTo, method, {.patience = 1000});
+    const auto result =
+        sample_path(scene, kFrom, kTo, method, {.step = 15, .radius = 30, .patience = 1000});
     EXPECT_TRUE(result.found);
     EXPECT_FALSE(result.stopped);
     EXPECT_GE(result.iterations, result.first_found + 1000);
@@ -328,7 +348,8 @@ TEST(SamplePath, OfStarsEndsOncePatienceDoes) {
 TEST(SamplePath, WorksWhereTheBoundsAreFlat) {
   const auto scene = scene_of({{{45, 20, -1}, {55, 80, 101}}}, {{0, 0, 50}, {100, 100, 50}});
   for (const SamplingMethod method : kMethods) {
-    const auto result = sample_path(scene, kFrom, kTo, method, {.iterations = 2000});
+    const auto result =
+        sample_path(scene, kFrom, kTo, method, {.step = 15, .iterations = 2000, .radius = 30});
     EXPECT_TRUE(result.found);
     expect_sound(scene, result, kFrom, kTo);
   }

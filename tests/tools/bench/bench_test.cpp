@@ -51,6 +51,19 @@ TEST(Judge, TellsUnreachableFromFailed) {
   EXPECT_EQ(judged({}, geom::PathStatus::start_blocked), Verdict::failed);
 }
 
+TEST(Judge, CountsABlockedOrOutsideEndAsFailedWhateverThePlannerCallsIt) {
+  for (const geom::Vec3& end : {geom::Vec3(50, 50, 10), geom::Vec3(-9, 50, 10)}) {
+    for (const geom::PlanQuery& query : {geom::PlanQuery{"a", end, {90, 50, 10}, {}, 0},
+                                         geom::PlanQuery{"b", {90, 50, 10}, end, {}, 0}}) {
+      ASSERT_FALSE(scene().free(end));
+      for (const auto status : {geom::PathStatus::unreachable, geom::PathStatus::start_blocked,
+                                geom::PathStatus::goal_outside, geom::PathStatus::stopped}) {
+        EXPECT_EQ(judge(scene(), query, {status, {}, std::nullopt}), Verdict::failed);
+      }
+    }
+  }
+}
+
 TEST(QuerySet, DrawsWhatWasAskedForAndTheSameEachTime) {
   RandomSpec spec;
   spec.ends = Ends::street_blocked;

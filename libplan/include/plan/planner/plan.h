@@ -44,7 +44,7 @@ struct PlanOptions {
   Quality quality = Quality::normal;
   bool raw = false;      // the search's own path, not shortened
   double resample = 0;   // metres; 0: not
-  double snap_ends = 0;  // metres a blocked or outside end may move; 0: not at all
+  double snap_ends = 0;  // metres a blocked or outside end may move (nearest_free()); 0: not
 };
 
 // What is left of a path after a step: "search", "shortcut", "taut", "resample".

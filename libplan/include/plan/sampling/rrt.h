@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "geom/collision/collision.h"
@@ -25,11 +26,15 @@ enum class SamplingMethod { rrt, rrt_connect, rrt_star, informed_rrt_star };
 std::string_view name(SamplingMethod method);  // as on a command line: "rrt-connect"
 
 struct SamplingOptions {
-  double step = 15;         // metres, > 0: the longest edge grown towards a sample
+  // Metres, > 0: the longest edge grown towards a sample. Absent: fitting_length() of 15 m.
+  std::optional<double> step;
   double goal_bias = 0.05;  // how often the goal is the sample, until it is reached; in [0, 1].
                             // rrt_connect does without
-  std::size_t iterations = 20000;  // edges tried towards samples; the star methods use all of them
-  double radius = 30;              // metres, >= 0: the star methods' largest neighbourhood
+  // Edges tried towards samples; the star methods use all of them. Absent: 20,000, and 100,000 of
+  // the others where the longest side of the free bounds is below kCity, as in a maze of a room.
+  std::optional<std::size_t> iterations;
+  // Metres, >= 0: the star methods' largest neighbourhood. Absent: fitting_length() of 30 m.
+  std::optional<double> radius;
   std::uint64_t seed = 0;
   bool straight_first = true;  // whether a free straight line is the answer, and no tree grown
 

@@ -1,0 +1,31 @@
+#pragma once
+
+// Where the files of a stream of trajectories go: a name with one %s, which stands for the id.
+
+#include <map>
+#include <string>
+
+namespace exporting {
+
+// The id as part of a file's name: letters, digits, ".", "_" and "-" stay, all else becomes "_",
+// and so does a "." at the beginning. Never empty, at most 100 characters. Different ids may give
+// the same.
+std::string safe_name(const std::string& id);
+
+class OutputNames {
+ public:
+  // Throws cli::UsageError for a name with more than one %s. `option` names it there.
+  OutputNames(std::string pattern, const char* option);
+
+  bool each() const { return at_ != std::string::npos; }  // a file for each id
+
+  // Throws geom::InputError(source, …) where another id has that name.
+  std::string of(const std::string& id, const std::string& source);
+
+ private:
+  std::string pattern_;
+  std::size_t at_;  // of %s
+  std::map<std::string, std::string> id_of_;
+};
+
+}  // namespace exporting
