@@ -106,7 +106,8 @@ std::vector<MeshPart> box_parts(const BoxMap& map) {
     const auto boxes = map.boxes();
     const std::string& name = map.labels()[label];
     parts.push_back(
-        {name.empty() ? "boxes" : name, label_colour(label), 8 * rows->size(), 12 * rows->size(),
+        {name.empty() ? "boxes" : name, label_colour(label, name), 8 * rows->size(),
+         12 * rows->size(),
          [=](std::size_t i) { return corner(to_enu(axes, boxes[(*rows)[i / 8]]), i % 8); },
          [](std::size_t i) {
            Triangle t = kBox[i % 12];

@@ -18,5 +18,22 @@ TEST(LabelColour, IsGreyFirstAndThenOneOfFiveOthers) {
   EXPECT_TRUE(seen.count(label_colour(0xffffffff)));
 }
 
+TEST(ColourOfLabel, IsThreeWholeNumbersUpTo255) {
+  EXPECT_EQ(colour_of_label("255 0 0"), (Rgb{255, 0, 0}));
+  EXPECT_EQ(colour_of_label("0 128 7"), (Rgb{0, 128, 7}));
+}
+
+TEST(ColourOfLabel, IsNothingForAnythingElse) {
+  for (const char* label : {"", "tower", "255", "255 0", "255 0 0 0", "256 0 0", "-1 0 0",
+                            "0.5 0 0", "255,0,0", "255  0 0", " 255 0 0", "255 0 0 "}) {
+    EXPECT_FALSE(colour_of_label(label)) << label;
+  }
+}
+
+TEST(LabelColour, IsWhatTheLabelSaysElseOfItsNumber) {
+  EXPECT_EQ(label_colour(2, "255 0 0"), (Rgb{255, 0, 0}));
+  EXPECT_EQ(label_colour(2, "house"), label_colour(2));
+}
+
 }  // namespace
 }  // namespace geom

@@ -241,7 +241,7 @@ std::vector<Colour> box_colours(const geom::BoxMap& map) {
   out.reserve(map.size());
   for (std::size_t i = 0; i < map.size(); ++i) {
     if (labelled) {
-      const auto c = geom::label_colour(map.label()[i]);
+      const auto c = geom::label_colour(map.label()[i], map.labels()[map.label()[i]]);
       out.push_back({c[0], c[1], c[2]});
       continue;
     }

@@ -4,18 +4,21 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace geom {
 
-// Red, green, blue. Distinct enough, the same for the same label number: grey first.
-inline std::array<std::uint8_t, 3> label_colour(std::uint32_t label) {
-  constexpr std::array<std::array<std::uint8_t, 3>, 6> kColours = {{{176, 176, 176},
-                                                                    {204, 102, 85},
-                                                                    {86, 140, 196},
-                                                                    {104, 164, 104},
-                                                                    {196, 164, 76},
-                                                                    {150, 110, 180}}};
-  return kColours[label % kColours.size()];
-}
+using Rgb = std::array<std::uint8_t, 3>;  // red, green, blue
+
+// The colour that a label itself says: three whole numbers from 0 to 255 between single blanks, as
+// block texts give them ("255 0 0" is red). Nothing for any other label.
+std::optional<Rgb> colour_of_label(std::string_view label);
+
+// Distinct enough, the same for the same label number: grey first.
+Rgb label_colour(std::uint32_t label);
+
+// The colour that the label says, else the one of its number.
+Rgb label_colour(std::uint32_t label, std::string_view name);
 
 }  // namespace geom
