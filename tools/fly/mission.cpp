@@ -174,6 +174,10 @@ void Mission::take(cli::JoinedRuns runs) {
   joined_.emplace(std::move(runs));
 }
 
+std::string Mission::map_of(const Entry& entry) const {
+  return scenes_ ? scenes_->map().hash() : entry.record.provenance.map.value_or("");
+}
+
 Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::RecordOutput* report) {
   Tally tally;
   std::size_t solved = 0;
@@ -204,7 +208,9 @@ Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::Reco
       }
       solved += track != nullptr;
       std::ostringstream rows;
-      traj::write_flight(rows, {entry.record.id, std::move(flown[i].flight.samples)});
+      const geom::BoxMap* map = scenes_ ? &scenes_->map() : nullptr;
+      traj::write_flight(rows,
+                         {entry.record.id, map_of(entry), std::move(flown[i].flight.samples)});
       log.add(rows.str());
       if (track) {
         tally.flown += options_.hover + told.lost.value_or(told.duration + options_.settle);
@@ -212,7 +218,6 @@ Tally Mission::fly(const geom::Execution& run, cli::RecordOutput& log, cli::Reco
       }
       ++tally.records;
       tally.failed += !traj::accepted(told);
-      const geom::BoxMap* map = scenes_ ? &scenes_->map() : nullptr;
       if (report) report->add(traj::to_json_line(told, profile_.airframe, map));
       if (run.progress) run.progress(first + i + 1, entries_.size());
     }

@@ -51,6 +51,7 @@ class Mission {
   };
 
   geom::Axes axes(const Entry& entry) const;
+  std::string map_of(const Entry& entry) const;  // its hash; empty where nothing names one
   [[noreturn]] void refuse_size(const geom::Vehicle& made_for, std::size_t line) const;
   void require_vehicle(const Entry& entry) const;
   const geom::CollisionScene& scene_for(const Entry& entry);

@@ -42,6 +42,7 @@ void bind_flight_log(py::module_& module) {
   using S = FlightSample;
   py::class_<FlightLog>(module, "FlightLog")
       .def_readonly("id", &FlightLog::id)
+      .def_readonly("map", &FlightLog::map)
       .def("__len__", [](const FlightLog& log) { return log.samples.size(); })
       .def_property_readonly("time", column_of({}, [](const S& s) { return &s.time; }))
       .def_property_readonly("position",

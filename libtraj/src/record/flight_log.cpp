@@ -17,7 +17,7 @@
 namespace traj {
 namespace {
 
-constexpr std::array<std::string_view, 27> kColumns = {"id",
+constexpr std::array<std::string_view, 28> kColumns = {"id",
                                                        "t_s",
                                                        "x_m",
                                                        "y_m",
@@ -43,24 +43,30 @@ constexpr std::array<std::string_view, 27> kColumns = {"id",
                                                        "motor2",
                                                        "motor3",
                                                        "motor4",
-                                                       "saturated"};
+                                                       "saturated",
+                                                       "map"};
 
-std::string header() { return fmt::format("{}", fmt::join(kColumns, ",")); }
+constexpr std::size_t kWithoutMap = kColumns.size() - 1;  // as earlier releases wrote them
 
-// An id as a field that comes back.
-std::string field(const std::string& id) {
+std::string header(std::size_t columns = kColumns.size()) {
+  return fmt::format("{}", fmt::join(kColumns.begin(), kColumns.begin() + columns, ","));
+}
+
+// A text as a field that comes back.
+std::string field(const char* what, const std::string& id) {
   const auto at_end = [](char c) { return c == ' ' || c == '\t'; };
   if (id.find_first_of("\r\n") != std::string::npos || id.starts_with("\xef\xbb\xbf") ||
       (!id.empty() && (at_end(id.front()) || at_end(id.back())))) {
     throw geom::InputError(
         "flight log",
-        fmt::format("an id must have no line break and no white space at its ends, found \"{}\"",
+        fmt::format("{} must have no line break and no white space at its ends, found \"{}\"", what,
                     id));
   }
   return geom::csv_field(id);
 }
 
-void append_row(std::string& text, const std::string& id, const FlightSample& s) {
+void append_row(std::string& text, const std::string& id, const FlightSample& s,
+                const std::string& map) {
   text += id;
   const auto append = [&](double value) {
     text += ',';
@@ -75,20 +81,23 @@ void append_row(std::string& text, const std::string& id, const FlightSample& s)
   }
   append(s.setpoint_yaw);
   std::for_each(s.motors.begin(), s.motors.end(), append);
-  text += s.saturated ? ",1\n" : ",0\n";
+  text += s.saturated ? ",1," : ",0,";
+  text += map;
+  text += '\n';
 }
 
 // The fields of one row, taken in order.
 class Row {
  public:
-  explicit Row(const geom::TextLines& lines)
+  Row(const geom::TextLines& lines, std::size_t columns)
       : lines_(lines), fields_(geom::split_fields(lines.line(), true)) {
-    if (fields_.size() != kColumns.size()) {
-      lines.refuse(fmt::format("expected {} columns, found {}", kColumns.size(), fields_.size()));
+    if (fields_.size() != columns) {
+      lines.refuse(fmt::format("expected {} columns, found {}", columns, fields_.size()));
     }
   }
 
   const std::string& id() const { return fields_[0]; }
+  std::string map() const { return fields_.size() > kWithoutMap ? fields_[kWithoutMap] : ""; }
 
   double number(double least, double most) {
     const auto value = geom::parse_number(fields_[at_]);
@@ -143,10 +152,12 @@ FlightSample parse(Row& row, const geom::TextLines& lines) {
 void write_flight_log_header(std::ostream& out) { out << header() << '\n'; }
 
 void write_flight(std::ostream& out, const FlightLog& log) {
-  const std::string id = field(log.id);
+  const std::string id = field("an id", log.id);
+  std::string map = field("a map", log.map);
   std::string text;
   for (const FlightSample& sample : log.samples) {
-    append_row(text, id, sample);
+    append_row(text, id, sample, map);
+    map.clear();
     if (text.size() > 1u << 16) {
       out << text;
       text.clear();
@@ -162,7 +173,10 @@ void write_flight_log(std::ostream& out, std::span<const FlightLog> logs) {
 
 std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) {
   geom::TextLines lines(in, name);
-  if (!lines.next() || lines.line() != header()) {
+  const bool begun = lines.next();
+  const std::size_t columns =
+      begun && lines.line() == header(kWithoutMap) ? kWithoutMap : kColumns.size();
+  if (!begun || lines.line() != header(columns)) {
     lines.refuse(
         fmt::format("expected the header {}, found \"{}\"", header(), lines.line().substr(0, 80)));
   }
@@ -170,13 +184,16 @@ std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) 
   std::set<std::string> known;
   while (lines.next()) {
     if (lines.line().empty()) continue;
-    Row row(lines);
+    Row row(lines, columns);
     if (logs.empty() || logs.back().id != row.id()) {
       if (!known.insert(row.id()).second) {
         lines.refuse(fmt::format("the rows of a flight must stand together; \"{}\" was left before",
                                  row.id()));
       }
-      logs.push_back({row.id(), {}});
+      logs.push_back({row.id(), row.map(), {}});
+    } else if (!row.map().empty()) {
+      lines.refuse(fmt::format("the map must stand in the first row of a flight, found \"{}\"",
+                               row.map().substr(0, 80)));
     }
     std::vector<FlightSample>& samples = logs.back().samples;
     const FlightSample sample = parse(row, lines);

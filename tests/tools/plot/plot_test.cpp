@@ -78,7 +78,7 @@ TEST(MotionProfile, ShowsUnitsAndLimitsOnce) {
 }
 
 TEST(Tracking, StatesTheErrors) {
-  traj::FlightLog log{"f", {}};
+  traj::FlightLog log{"f", "", {}};
   for (int i = 0; i < 4; ++i) {
     traj::FlightSample s;
     s.time = i;

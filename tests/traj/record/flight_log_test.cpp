@@ -35,7 +35,7 @@ std::vector<FlightLog> random_flights(std::uint64_t seed) {
   };
   std::vector<FlightLog> logs;
   for (const char* id : {"q1", "a,\"b\"", "", "ü"}) {
-    logs.push_back({id, {}});
+    logs.push_back({id, logs.size() % 2 ? "sha256:0123" : "", {}});
     for (int i = 0; i < 5; ++i) {
       FlightSample s;
       s.time = i * 0.01 + random.uniform(0, 0.009);
@@ -55,17 +55,18 @@ std::vector<FlightLog> random_flights(std::uint64_t seed) {
   return logs;
 }
 
-const std::string kHeader =
+const std::string kOldHeader =
     "id,t_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_x_m,"
     "setpoint_y_m,setpoint_z_m,setpoint_vx_mps,setpoint_vy_mps,setpoint_vz_mps,setpoint_yaw_rad,"
     "motor1,motor2,motor3,motor4,saturated\n";
+const std::string kHeader = kOldHeader.substr(0, kOldHeader.size() - 1) + ",map\n";
 
 TEST(FlightLog, HasOneRowASample) {
-  FlightLog log{"q1", {FlightSample{}}};
+  FlightLog log{"q1", "sha256:a", {FlightSample{}}};
   log.samples[0].motors = {0.25, 0.5, 0.75, 1};
   log.samples[0].saturated = true;
   EXPECT_EQ(text_of({log}),
-            kHeader + "q1,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0.25,0.5,0.75,1,1\n");
+            kHeader + "q1,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0.25,0.5,0.75,1,1,sha256:a\n");
 }
 
 TEST(FlightLog, ComesBackBitForBit) {
@@ -75,6 +76,7 @@ TEST(FlightLog, ComesBackBitForBit) {
     ASSERT_EQ(back.size(), logs.size()) << "seed " << seed;
     for (std::size_t i = 0; i < logs.size(); ++i) {
       EXPECT_EQ(back[i].id, logs[i].id);
+      EXPECT_EQ(back[i].map, logs[i].map);
       ASSERT_EQ(back[i].samples.size(), logs[i].samples.size());
     }
     EXPECT_EQ(back[1].samples[3].attitude.coeffs(), logs[1].samples[3].attitude.coeffs());
@@ -83,17 +85,34 @@ TEST(FlightLog, ComesBackBitForBit) {
   }
 }
 
+TEST(FlightLog, NamesItsMapInTheFirstRowOfAFlight) {
+  const FlightLog log{"q", "sha256:a", {FlightSample{}, FlightSample{.time = 1}}};
+  const std::string text = text_of({log});
+  EXPECT_NE(text.find(",0,sha256:a\nq,1,"), std::string::npos) << text;
+  EXPECT_EQ(text.substr(text.size() - 3), "0,\n");
+  const std::string again = text.substr(0, text.size() - 1) + "sha256:b\n";
+  EXPECT_NE(refusal(again).find("log.csv:3: the map must stand in the first row"),
+            std::string::npos);
+}
+
+TEST(FlightLog, IsReadWithoutTheColumnOfTheMap) {
+  const auto logs = read(kOldHeader + "q,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n");
+  ASSERT_EQ(logs.size(), 1u);
+  EXPECT_EQ(logs[0].map, "");
+  EXPECT_EQ(logs[0].samples.size(), 1u);
+}
+
 TEST(FlightLog, IsReadWithCarriageReturnsAndBlankLines) {
   EXPECT_EQ(
-      read(kHeader + "\r\nq,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\r\n\n").size(), 1);
+      read(kHeader + "\r\nq,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,\r\n\n").size(), 1);
 }
 
 TEST(FlightLog, RefusesWhatIsNotOne) {
   const std::string row =
-      "q,0,0,0,0,0,0,0,1,0,0,0" + std::string(",0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n");
+      "q,0,0,0,0,0,0,0,1,0,0,0" + std::string(",0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,\n");
   EXPECT_NE(refusal("").find("expected the header id,t_s"), std::string::npos);
   EXPECT_NE(refusal(kHeader).find("at least one row"), std::string::npos);
-  EXPECT_NE(refusal(kHeader + "q,0,1\n").find("log.csv:2: expected 27 columns, found 3"),
+  EXPECT_NE(refusal(kHeader + "q,0,1\n").find("log.csv:2: expected 28 columns, found 3"),
             std::string::npos);
   EXPECT_NE(refusal(kHeader + row + row).find("log.csv:3: t_s must grow, found 0 after 0"),
             std::string::npos);
@@ -108,7 +127,7 @@ TEST(FlightLog, RefusesWhatIsNotOne) {
       refusal(kHeader + "q,0,0,0,0,0,0,0,1,1" + row.substr(19)).find("a quaternion of length 1"),
       std::string::npos);
   std::string saturated = row;
-  saturated[saturated.size() - 2] = '2';
+  saturated[saturated.size() - 3] = '2';
   EXPECT_NE(refusal(kHeader + saturated).find("saturated must be a number from 0 to 1"),
             std::string::npos);
 }
@@ -116,7 +135,7 @@ TEST(FlightLog, RefusesWhatIsNotOne) {
 TEST(FlightLog, RefusesIdsThatWouldNotComeBack) {
   for (const char* id : {"a\nb", " a", "a\t"}) {
     std::ostringstream out;
-    EXPECT_THROW(write_flight(out, {id, {FlightSample{}}}), geom::InputError) << id;
+    EXPECT_THROW(write_flight(out, {id, "", {FlightSample{}}}), geom::InputError) << id;
   }
 }
 

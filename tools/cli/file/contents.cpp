@@ -139,6 +139,9 @@ void require_same_map(const Contents& contents, const geom::BoxMap* map) {
   const auto all = [&](const auto& list) {
     for (const auto& [record, source, line] : list) same.require(record.provenance, source, line);
   };
+  for (const auto& [flight, source, line] : contents.flights) {
+    if (!flight.map.empty()) same.require({flight.map, {}, {}, {}}, source, line);
+  }
   all(contents.trees);
   all(contents.paths);
   all(contents.trajectories);

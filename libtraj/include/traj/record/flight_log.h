@@ -30,10 +30,12 @@ struct FlightSample {
 
 struct FlightLog {
   std::string id;
+  std::string map;  // geom::BoxMap::hash() of the map that it was flown on; empty: not known
   std::vector<FlightSample> samples;  // times grow
 };
 
-// The header, then the flights one after the other: parts of one file.
+// The header, then the flights one after the other: parts of one file. The map stands in the first
+// row of a flight.
 void write_flight_log_header(std::ostream& out);
 void write_flight(std::ostream& out, const FlightLog& log);
 
@@ -41,9 +43,11 @@ void write_flight(std::ostream& out, const FlightLog& log);
 // white space or a byte order mark at an end.
 void write_flight_log(std::ostream& out, std::span<const FlightLog> logs);
 
-// Throws geom::InputError(name, line, …) where the text is not such a table: another header, a
-// number that is missing, not finite or out of its range, a quaternion whose length is not 1 to
-// 1e-6, times that do not grow, rows of a flight that do not stand together, or no row at all.
+// Also of logs without the column `map`, as earlier releases wrote them. Throws
+// geom::InputError(name, line, …) where the text is not such a table: another header, a map in a
+// row that is not the first of its flight, a number that is missing, not finite or out of its
+// range, a quaternion whose length is not 1 to 1e-6, times that do not grow, rows of a flight that
+// do not stand together, or no row at all.
 std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name);
 
 }  // namespace traj
