@@ -18,14 +18,18 @@ TEST(LabelColour, IsGreyFirstAndThenOneOfFiveOthers) {
   EXPECT_TRUE(seen.count(label_colour(0xffffffff)));
 }
 
-TEST(ColourOfLabel, IsThreeWholeNumbersUpTo255) {
+TEST(ColourOfLabel, IsThreeNumbersUpTo255OrShares) {
   EXPECT_EQ(colour_of_label("255 0 0"), (Rgb{255, 0, 0}));
   EXPECT_EQ(colour_of_label("0 128 7"), (Rgb{0, 128, 7}));
+  EXPECT_EQ(colour_of_label("1 0 0"), (Rgb{255, 0, 0}));
+  EXPECT_EQ(colour_of_label("0.5 1 0"), (Rgb{128, 255, 0}));
+  EXPECT_EQ(colour_of_label("0 0 0"), (Rgb{0, 0, 0}));
+  EXPECT_EQ(colour_of_label("1 0 2"), (Rgb{1, 0, 2}));
 }
 
 TEST(ColourOfLabel, IsNothingForAnythingElse) {
   for (const char* label : {"", "tower", "255", "255 0", "255 0 0 0", "256 0 0", "-1 0 0",
-                            "0.5 0 0", "255,0,0", "255  0 0", " 255 0 0", "255 0 0 "}) {
+                            "nan 0 0", "255,0,0", "255  0 0", " 255 0 0", "255 0 0 "}) {
     EXPECT_FALSE(colour_of_label(label)) << label;
   }
 }

@@ -11,8 +11,9 @@ namespace geom {
 
 using Rgb = std::array<std::uint8_t, 3>;  // red, green, blue
 
-// The colour that a label itself says: three whole numbers from 0 to 255 between single blanks, as
-// block texts give them ("255 0 0" is red). Nothing for any other label.
+// The colour that a label itself says: three numbers from 0 to 255 between single blanks, as block
+// texts give them ("255 0 0" is red), or, where none is over 1, shares of full colour, as RotorPy's
+// worlds give them ("1 0 0" is red too). Nothing for any other label.
 std::optional<Rgb> colour_of_label(std::string_view label);
 
 // Distinct enough, the same for the same label number: grey first.
