@@ -27,7 +27,7 @@ const render::PictureScene& scene() {
 }
 
 const render::Shader& shader() {
-  static const render::Shader one(scene(), render::box_colours(city()), {}, false);
+  static const render::Shader one(scene(), render::look_of(city()), {}, false);
   return one;
 }
 

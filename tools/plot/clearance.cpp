@@ -10,10 +10,30 @@
 namespace plot {
 namespace {
 
-constexpr double kFar = 50;  // metres
+constexpr double kFar = 50;      // metres
+constexpr double kNear = 1;      // metres that are shown at large, or twice the margin
+constexpr double kExact = 1e-3;  // metres: how well the clearance is known
+constexpr double kHeight = 220;  // pixels
 
-Panel panel_of(const geom::CollisionScene& scene, const ClearanceTrack& track) {
-  Series series{track.id, colour(0), {}};
+// What is nearer than the margin, and for how long in all.
+struct TooNear {
+  std::vector<Span> spans;
+  double length = 0;
+};
+
+TooNear too_near(const ClearanceTrack& track, double margin) {
+  TooNear out;
+  for (const traj::ClearanceSpan& span : track.spans) {
+    if (span.clearance >= margin - kExact) continue;
+    out.spans.push_back({{span.begin, span.clearance}, {span.end, margin}});
+    out.length += span.end - span.begin;
+  }
+  return out;
+}
+
+Panel panel_of(const geom::CollisionScene& scene, const ClearanceTrack& track,
+               std::string_view unit) {
+  Series series{"", colour(0), {}};
   for (const traj::ClearanceSpan& span : track.spans) {
     const double least = std::min(span.clearance, kFar);
     series.points.push_back({span.begin, least});
@@ -22,9 +42,17 @@ Panel panel_of(const geom::CollisionScene& scene, const ClearanceTrack& track) {
   const Point least = *std::min_element(series.points.begin(), series.points.end(),
                                         [](const Point& a, const Point& b) { return a.y < b.y; });
   Panel panel{"clearance, m", {std::move(series)}};
-  panel.marks = {{least, fmt::format("{:.3g} m", least.y)}};
+  panel.height = kHeight;
+  panel.near = std::max(kNear, 2 * scene.margin());
+  panel.marks = {{least, ""}};
+  panel.note = fmt::format("{}: least {:.3g} m at {:.4g} {}", track.id, least.y, least.x, unit);
   if (scene.margin() > 0) {
-    panel.levels = {{fmt::format("margin {:g}", scene.margin()), scene.margin()}};
+    panel.levels = {{fmt::format("margin {:g} m", scene.margin()), scene.margin()}};
+    TooNear near = too_near(track, scene.margin());
+    if (!near.spans.empty()) {
+      panel.note += fmt::format("; less than the margin for {:.3g} {}", near.length, unit);
+    }
+    panel.shaded = std::move(near.spans);
   }
   return panel;
 }
@@ -32,11 +60,14 @@ Panel panel_of(const geom::CollisionScene& scene, const ClearanceTrack& track) {
 }  // namespace
 
 std::string clearance(const geom::CollisionScene& scene, std::span<const ClearanceTrack> tracks,
-                      std::string_view x_label) {
+                      std::string_view x_label, std::string_view note) {
   Figure figure;
-  figure.title = fmt::format("Clearance of {}", scene.vehicle().name);
+  figure.title = fmt::format("Clearance of {}{}", scene.vehicle().name, note);
   figure.x_label = x_label;
-  for (const ClearanceTrack& track : tracks) figure.panels.push_back(panel_of(scene, track));
+  const std::string_view unit = x_label.substr(x_label.rfind(' ') + 1);
+  for (const ClearanceTrack& track : tracks) {
+    figure.panels.push_back(panel_of(scene, track, unit));
+  }
   return drawn(figure);
 }
 

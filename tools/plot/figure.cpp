@@ -14,8 +14,7 @@ constexpr double kLeft = 84;
 constexpr double kWidth = 760;
 constexpr double kRight = 26;
 constexpr double kTop = 56;
-constexpr double kHeight = 128;  // of a panel
-constexpr double kGap = 40;      // with the legend of the panel below
+constexpr double kGap = 40;  // with the legend of the panel below
 constexpr double kBottom = 56;
 constexpr std::size_t kColumns = 1500;
 
@@ -84,11 +83,13 @@ void draw_legend(Svg& svg, const Frame& frame, const Panel& panel) {
   double x = frame.left + frame.width;
   const double y = frame.top - 8;
   for (auto s = legend.rbegin(); s != legend.rend(); ++s) {
-    svg.text({x, y + 4}, s->label, 12, "end");
-    x -= text_width(s->label, 12) + 8;
-    svg.polyline({{x - 24, y}, {x, y}}, s->style);
-    x -= 40;
+    x -= text_width(s->label, 12);
+    svg.text({x, y + 4}, s->label, 12);
+    svg.polyline({{x - 32, y}, {x - 8, y}}, s->style);
+    x -= 48;
   }
+  if (panel.note.empty()) return;
+  svg.text({frame.left, y + 4}, panel.note, 12, "start", 0, panel.shaded.empty() ? kInk : kWarning);
 }
 
 void draw_level(Svg& svg, const Frame& frame, const Level& level) {
@@ -97,10 +98,19 @@ void draw_level(Svg& svg, const Frame& frame, const Level& level) {
                fmt::format("stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"7 4\"", kLimit));
 }
 
+// At least as wide as a line, so that the shortest is seen.
+void draw_shaded(Svg& svg, const Frame& frame, const Span& span) {
+  const Point low = frame.at(span.low);
+  const Point high = frame.at(span.high);
+  svg.rectangle({low.x, high.y}, std::max(1.5, high.x - low.x), low.y - high.y,
+                fmt::format("fill=\"{}\" fill-opacity=\"0.6\"", kWarning));
+}
+
 void draw_mark(Svg& svg, const Frame& frame, const Mark& mark) {
   const Point at = frame.at(mark.at);
   svg.circle(at, 4, fmt::format("fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"1.5\"", kInk));
   const bool right = at.x < frame.left + 0.6 * frame.width;
+  if (mark.label.empty()) return;
   const double y = std::max(at.y - 8, frame.top + 14);
   svg.text_on_white({at.x + (right ? 9 : -9), y}, mark.label, 12, right ? "start" : "end");
 }
@@ -112,6 +122,7 @@ void draw_panel(Svg& svg, const Figure& figure, const Panel& panel, const Frame&
     svg.polyline({{at, frame.top + frame.height - 6}, {at, frame.top + frame.height}},
                  "stroke=\"#999\" stroke-width=\"1\"");
   }
+  for (const Span& span : panel.shaded) draw_shaded(svg, frame, span);
   for (const Level& level : panel.levels) draw_level(svg, frame, level);
   for (const Series& s : panel.series) {
     std::vector<Point> curve = thinned(s.points, kColumns);
@@ -146,16 +157,18 @@ std::vector<Point> thinned(const std::vector<Point>& points, std::size_t columns
 }
 
 std::string drawn(const Figure& figure) {
-  const double count = static_cast<double>(figure.panels.size());
-  Svg svg(kLeft + kWidth + kRight, kTop + count * kHeight + (count - 1) * kGap + kBottom);
+  double below = kTop + kBottom - kGap;
+  for (const Panel& panel : figure.panels) below += panel.height + kGap;
+  Svg svg(std::max(kLeft + kWidth, kLeft + text_width(figure.title, 16)) + kRight, below);
   svg.text({kLeft, 26}, figure.title, 16);
   const Range x = x_range(figure);
   double top = kTop;
   for (const Panel& panel : figure.panels) {
     const Range y = y_range(panel);
-    const Frame frame{kLeft, top, kWidth, kHeight, {x.low, y.low}, {x.high, y.high}};
+    const Frame frame{kLeft,     top, kWidth, panel.height, {x.low, y.low}, {x.high, y.high},
+                      panel.near};
     draw_panel(svg, figure, panel, frame, &panel == &figure.panels.back());
-    top += kHeight + kGap;
+    top += panel.height + kGap;
   }
   return svg.str();
 }

@@ -28,12 +28,21 @@ struct Mark {  // a point that is pointed out
   std::string label;
 };
 
+struct Span {  // a stretch that is shaded: too little of something
+  Point low;
+  Point high;
+};
+
 struct Panel {
   std::string label;  // of the y axis, with the unit
   std::vector<Series> series;
   std::vector<Level> levels;
   std::vector<Mark> marks;
   bool from_zero = true;  // the y axis starts at 0
+  double near = 0;        // > 0: the y axis shows what is less at large (Frame::near)
+  std::vector<Span> shaded;
+  std::string note;     // above the panel
+  double height = 128;  // pixels
 };
 
 struct Figure {

@@ -7,6 +7,7 @@
 
 #include "clearance.h"
 #include "cli/file/contents.h"
+#include "cli/file/ending.h"
 #include "cli/file/files.h"
 #include "cli/option/output_option.h"
 #include "cli/option/scenes.h"
@@ -14,6 +15,8 @@
 #include "cli/run.h"
 #include "comparison.h"
 #include "geom/base/error.h"
+#include "geom/text/counted.h"
+#include "geom/text/excerpt.h"
 #include "motion_profile.h"
 #include "plan_view.h"
 #include "tracking.h"
@@ -22,6 +25,9 @@
 namespace {
 
 struct Options {
+  explicit Options(const cli::Common& shared) : common(shared) {}
+
+  const cli::Common& common;
   std::string map;
   std::vector<std::string> inputs;
   std::string output = "-";
@@ -33,7 +39,10 @@ struct Options {
 cli::Contents read(const Options& options, const geom::BoxMap* map) {
   cli::Contents contents = cli::read_contents(options.inputs);
   if (map) cli::require_same_map(contents, map);
-  cli::drop_failed(contents);
+  if (const std::size_t failed = cli::drop_failed(contents)) {
+    options.common.warn(fmt::format("{} no path or trajectory",
+                                    geom::counted(failed, "record holds", "records hold")));
+  }
   const auto other = [&](const auto& read) {
     return !options.id.empty() && read.record.id != options.id;
   };
@@ -52,6 +61,23 @@ const auto& first_of(const List& list, const Options& options, const char* what)
   return list.front();
 }
 
+// The first of the list, and what the title says of the others.
+template <class Record>
+struct Drawn {
+  const Record& record;
+  std::string note;
+};
+
+template <class Record>
+Drawn<Record> one_of(const std::vector<cli::Read<Record>>& list, const Options& options,
+                     const char* what) {
+  const Record& first = first_of(list, options, what).record;
+  if (list.size() == 1) return {first, ""};
+  options.common.warn(fmt::format("draws \"{}\", the first of {}: --id names another",
+                                  geom::excerpt(first.id), list.size()));
+  return {first, fmt::format(" (the first of {})", list.size())};
+}
+
 std::string plan(const Options& options) {
   const geom::BoxMap map = cli::open_map(options.map, geom::Verified::extents);
   const cli::Contents contents = read(options, &map);
@@ -60,12 +86,26 @@ std::string plan(const Options& options) {
 }
 
 std::string profile(const Options& options) {
-  return plot::motion_profile(
-      first_of(read(options, nullptr).trajectories, options, "a solved trajectory").record);
+  const cli::Contents contents = read(options, nullptr);
+  const auto drawn = one_of(contents.trajectories, options, "a solved trajectory");
+  return plot::motion_profile(drawn.record, drawn.note);
 }
 
 std::string tracking(const Options& options) {
-  return plot::tracking(first_of(read(options, nullptr).flights, options, "a flight log").record);
+  const cli::Contents contents = read(options, nullptr);
+  const auto drawn = one_of(contents.flights, options, "a flight log");
+  return plot::tracking(drawn.record, drawn.note);
+}
+
+// What the title says of paths that are not drawn, because what moves is.
+std::string paths_left_out(const cli::Contents& contents, const Options& options) {
+  if (contents.paths.empty() || contents.trajectories.size() + contents.flights.size() == 0) {
+    return "";
+  }
+  const std::string paths = geom::counted(contents.paths.size(), "path");
+  options.common.warn(fmt::format(
+      "draws trajectories and flights over time and leaves out {}: draw paths alone", paths));
+  return fmt::format(" ({} left out)", paths);
 }
 
 std::string clearance(const Options& options) {
@@ -82,7 +122,7 @@ std::string clearance(const Options& options) {
       scenes.scene_for(plot::provenance_of(contents), options.inputs[0], 0);
   const plot::Tracks tracks = plot::tracks_of(contents, scene);
   first_of(tracks.list, options, "a path, a trajectory or a flight of some length");
-  return plot::clearance(scene, tracks.list, tracks.x_label);
+  return plot::clearance(scene, tracks.list, tracks.x_label, paths_left_out(contents, options));
 }
 
 std::string bench(const Options& options) {
@@ -145,10 +185,13 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
 int main(int argc, char** argv) {
   CLI::App app{"Draw maps, motion and benchmarks as SVG.", "skyway-plot"};
   cli::Common common(app);
-  Options options;
+  Options options(common);
   const std::vector<Verb> verbs = add_verbs(app, options);
   app.require_subcommand(1);
   return cli::run_tool(app, argc, argv, [&] {
+    cli::require_ending("-o", options.output, {".svg"},
+                        ": rsvg-convert makes a PNG or a PDF of x.svg (rsvg-convert x.svg -o "
+                        "x.png), and so does printing it from a browser");
     cli::at_most_one_stdin(options.map, options.inputs);
     const auto asked =
         std::find_if(verbs.begin(), verbs.end(), [](const Verb& v) { return v.app->parsed(); });

@@ -41,7 +41,7 @@ double tilt(const traj::State& s) {
 
 }  // namespace
 
-std::string motion_profile(const traj::TrajectoryRecord& record) {
+std::string motion_profile(const traj::TrajectoryRecord& record, std::string_view note) {
   const geom::Axes axes = record.provenance.frame.value_or(geom::Axes::enu);
   const traj::Limits limits = traj::limits_of(record);
   const auto of = [&](const Value& value, const char* label, std::size_t i) {
@@ -72,6 +72,7 @@ std::string motion_profile(const traj::TrajectoryRecord& record) {
   figure.title = fmt::format("{}: {:.2f} s, {}{}", record.id, traj::duration(record.trajectory),
                              geom::counted(record.trajectory.segments.size(), "segment"),
                              record.rung ? fmt::format(", {}", name(*record.rung)) : "");
+  figure.title += note;
   figure.x_label = "time, s";
   figure.panels = {
       position,

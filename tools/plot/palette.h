@@ -15,5 +15,6 @@ inline std::string_view colour(std::size_t i) { return kPalette[i % kPalette.siz
 
 inline constexpr std::string_view kInk = "#222222";
 inline constexpr std::string_view kLimit = "#777777";
+inline constexpr std::string_view kWarning = "#d55e00";  // vermilion
 
 }  // namespace plot

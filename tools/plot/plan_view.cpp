@@ -5,15 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
+#include "geom/text/counted.h"
+#include "geom/text/excerpt.h"
 #include "palette.h"
 #include "svg.h"
 
 namespace plot {
 namespace {
 
-constexpr std::size_t kNamed = 8;  // lines in the legend
-constexpr double kSide = 900;      // pixels of the longer side of the map
+constexpr std::size_t kNamed = 8;     // lines in the legend
+constexpr double kSide = 900;         // pixels of the longer side of the map
+constexpr double kKey = 200;          // pixels beside the map, or more for long names
+constexpr std::size_t kLongest = 40;  // letters of a name in the legend
 
 // Light sand to dark slate: tops further up are darker, and paths stand out on all of them.
 std::string shade(double t) {
@@ -85,6 +90,39 @@ void draw_line(Svg& svg, const Frame& frame, const PlanLine& line, std::size_t i
   svg.circle(points.back(), 6, "fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"2\"");
 }
 
+std::string label_of(const PlanLine& line) {
+  return line.kind + ' ' + geom::excerpt(line.id, kLongest);
+}
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kKinds = {
+    {{"path", "paths"}, {"trajectory", "trajectories"}, {"flight", "flights"}}};
+
+// "2 paths of 31.0 m in all, 1 flight of 15.2 m"
+std::string counts_of(std::span<const PlanLine> lines) {
+  std::string out;
+  for (const auto& [one, many] : kKinds) {
+    std::size_t count = 0;
+    double length = 0;
+    for (const PlanLine& line : lines) {
+      if (line.kind != one) continue;
+      ++count;
+      length += geom::length(line.points);
+    }
+    if (count == 0) continue;
+    out += fmt::format(", {} of {:.1f} m{}", geom::counted(count, one, many), length,
+                       count > 1 ? " in all" : "");
+  }
+  return out;
+}
+
+double key_width(std::span<const PlanLine> lines) {
+  double out = kKey;
+  for (const PlanLine& line : lines.first(std::min(lines.size(), kNamed))) {
+    out = std::max(out, 20 + 28 + text_width(label_of(line), 12) + 12);
+  }
+  return out;
+}
+
 void draw_heights(Svg& svg, double x, double y, const geom::BoxMap& map) {
   constexpr int kSteps = 24;
   for (int i = 0; i < kSteps; ++i) {
@@ -110,7 +148,7 @@ void draw_key(Svg& svg, const Frame& frame, const geom::BoxMap& map,
   for (std::size_t i = 0; i < std::min(lines.size(), kNamed); ++i, y += 20) {
     svg.polyline({{x, y}, {x + 22, y}},
                  fmt::format("stroke=\"{}\" stroke-width=\"{}\"", colour(i), width_of(i)));
-    svg.text({x + 28, y + 4}, lines[i].label, 12);
+    svg.text({x + 28, y + 4}, label_of(lines[i]), 12);
   }
   if (lines.size() > kNamed) {
     svg.text({x + 28, y + 4}, fmt::format("and {} more", lines.size() - kNamed), 12);
@@ -123,19 +161,15 @@ std::string plan_view(const geom::BoxMap& map, std::span<const PlanTree> trees,
                       std::span<const PlanLine> lines) {
   const geom::Axes axes = map.spec().frame.axes;
   const Frame frame = frame_for(geom::to_enu(axes, map.spec().bounds));
-  Svg svg(frame.left + frame.width + 200, frame.top + std::max(frame.height + 60, 470.0));
+  const std::string title = geom::counted(map.size(), "box", "boxes") + counts_of(lines);
+  Svg svg(std::max(frame.left + frame.width + key_width(lines),
+                   frame.left + text_width(title, 16) + 20),
+          frame.top + std::max(frame.height + 60, 470.0));
   draw_boxes(svg, frame, map);
   for (const PlanTree& tree : trees) draw_tree(svg, frame, tree);
-  double length = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    draw_line(svg, frame, lines[i], i);
-    length += geom::length(lines[i].points);
-  }
+  for (std::size_t i = 0; i < lines.size(); ++i) draw_line(svg, frame, lines[i], i);
   svg.axes(frame, "east, m", "north, m");
   draw_key(svg, frame, map, lines);
-  std::string title = fmt::format("{} boxes", map.size());
-  if (lines.size() == 1) title += fmt::format(", path of {:.1f} m", length);
-  if (lines.size() > 1) title += fmt::format(", {} paths, {:.1f} m in all", lines.size(), length);
   svg.text({frame.left, 32}, title, 16);
   return svg.str();
 }

@@ -12,7 +12,8 @@
 namespace plot {
 
 struct PlanLine {
-  std::string label;      // for the legend
+  std::string kind;  // "path", "trajectory" or "flight"
+  std::string id;
   geom::Polyline points;  // ENU
   bool corners = false;   // its points are marked
 };

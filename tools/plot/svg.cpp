@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "geom/text/markup.h"
 #include "ticks.h"
 
@@ -14,13 +17,53 @@ std::string px(double value) {
   return digits == "-0.00" ? "0.00" : digits;
 }
 
-int y_ticks(const Frame& frame) { return frame.height > 300 ? 8 : 4; }
+constexpr double kNearShare = 0.45;  // of a frame's height
+
+bool is_broken(const Frame& f) { return f.near > f.low.y && f.near < f.high.y; }
+
+// How far up a value stands, 0 to 1.
+double share_of_height(const Frame& f, double y) {
+  if (!is_broken(f)) return (y - f.low.y) / (f.high.y - f.low.y);
+  if (y <= f.near) return kNearShare * (y - f.low.y) / (f.near - f.low.y);
+  return kNearShare + (1 - kNearShare) * std::log(y / f.near) / std::log(f.high.y / f.near);
+}
+
+std::vector<double> x_marks(const Frame& f) {
+  return ticks(f.low.x, f.high.x, std::clamp(static_cast<int>(f.width / 80), 1, 8));
+}
+
+std::vector<double> y_marks(const Frame& f) {
+  const int most = std::clamp(static_cast<int>(f.height / 30), 1, f.height > 300 ? 8 : 4);
+  if (!is_broken(f)) return ticks(f.low.y, f.high.y, most);
+  std::vector<double> out = ticks(f.low.y, f.near, 4);
+  for (double power = 1e-6; power <= f.high.y; power *= 10) {
+    for (const double lead : {1.0, 2.0, 5.0}) {
+      const double v = lead * power;
+      if (v > f.near * 1.01 && v <= f.high.y) out.push_back(v);
+    }
+  }
+  return out;
+}
+
+// As many digits as tell the marks apart, also far from zero.
+std::string mark_words(double value, double step) {
+  if (std::abs(value) < 1e5) return fmt::format("{:g}", value);
+  const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  return fmt::format("{:.{}f}", value, digits);
+}
+
+std::vector<std::string> words_of(const std::vector<double>& marks) {
+  const double step = marks.size() > 1 ? marks[1] - marks[0] : 1;
+  std::vector<std::string> out;
+  for (const double v : marks) out.push_back(mark_words(v, step));
+  return out;
+}
 
 }  // namespace
 
 Point Frame::at(Point data) const {
   return {left + (data.x - low.x) / (high.x - low.x) * width,
-          top + height - (data.y - low.y) / (high.y - low.y) * height};
+          top + height - share_of_height(*this, data.y) * height};
 }
 
 Svg::Svg(double width, double height) {
@@ -66,11 +109,11 @@ void Svg::text_on_white(Point at, std::string_view words, double size, std::stri
 
 void Svg::grid(const Frame& f) {
   const std::string_view line = "stroke=\"#e6e6e6\" stroke-width=\"1\"";
-  for (const double x : ticks(f.low.x, f.high.x, 8)) {
+  for (const double x : x_marks(f)) {
     const Point p = f.at({x, f.low.y});
     polyline({p, {p.x, f.top}}, line);
   }
-  for (const double y : ticks(f.low.y, f.high.y, y_ticks(f))) {
+  for (const double y : y_marks(f)) {
     const Point p = f.at({f.low.x, y});
     polyline({p, {f.left + f.width, p.y}}, line);
   }
@@ -79,24 +122,30 @@ void Svg::grid(const Frame& f) {
 void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_label) {
   const std::string_view line = "stroke=\"#444\" stroke-width=\"1\"";
   rectangle({f.left, f.top}, f.width, f.height, "fill=\"none\" stroke=\"#444\" stroke-width=\"1\"");
-  for (const double x : ticks(f.low.x, f.high.x, 8)) {
-    const Point p = f.at({x, f.low.y});
+  const std::vector<double> across = x_marks(f);
+  const std::vector<std::string> across_words = words_of(across);
+  for (std::size_t i = 0; i < across.size(); ++i) {
+    const Point p = f.at({across[i], f.low.y});
     polyline({p, {p.x, p.y + 5}}, line);
-    text({p.x, p.y + 18}, fmt::format("{:g}", x), 12, "middle");
+    text({p.x, p.y + 18}, across_words[i], 12, "middle");
   }
-  for (const double y : ticks(f.low.y, f.high.y, y_ticks(f))) {
-    const Point p = f.at({f.low.x, y});
+  const std::vector<double> up = y_marks(f);
+  const std::vector<std::string> up_words = words_of(up);
+  double widest = 0;
+  for (std::size_t i = 0; i < up.size(); ++i) {
+    const Point p = f.at({f.low.x, up[i]});
     polyline({p, {p.x - 5, p.y}}, line);
-    text({p.x - 8, p.y + 4}, fmt::format("{:g}", y), 12, "end");
+    text({p.x - 8, p.y + 4}, up_words[i], 12, "end");
+    widest = std::max(widest, text_width(up_words[i], 12));
   }
   if (!x_label.empty()) text({f.left + f.width / 2, f.top + f.height + 36}, x_label, 13, "middle");
-  text({f.left - 54, f.top + f.height / 2}, y_label, 13, "middle", -90);
+  text({f.left - std::max(54.0, widest + 16), f.top + f.height / 2}, y_label, 13, "middle", -90);
 }
 
 double text_width(std::string_view words, double size) {
   double letters = 0;  // of UTF-8: bytes that begin one
   for (const char c : words) letters += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  return 0.55 * size * letters;
+  return 0.6 * size * letters;
 }
 
 }  // namespace plot

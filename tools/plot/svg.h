@@ -13,10 +13,12 @@ struct Point {
   double y = 0;
 };
 
-// A rectangle on the page, in pixels, showing data from `low` to `high`; y grows upward.
+// A rectangle on the page, in pixels, showing data from `low` to `high`; y grows upward. With
+// `near`, y up to that has 45 % of the height, and what is more is logarithmic.
 struct Frame {
   double left, top, width, height;
   Point low, high;
+  double near = 0;
 
   Point at(Point data) const;
 };

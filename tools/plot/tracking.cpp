@@ -61,7 +61,7 @@ Panel motor_panel(const traj::FlightLog& flight) {
 
 }  // namespace
 
-std::string tracking(const traj::FlightLog& flight) {
+std::string tracking(const traj::FlightLog& flight, std::string_view note) {
   double squares = 0;
   for (const FlightSample& s : flight.samples) squares += error(s) * error(s);
   const double mean = squares / static_cast<double>(flight.samples.size());
@@ -69,6 +69,7 @@ std::string tracking(const traj::FlightLog& flight) {
   figure.title =
       fmt::format("{}: {:.2f} s flown, tracking error {:.3g} m root mean square", flight.id,
                   flight.samples.back().time - flight.samples.front().time, std::sqrt(mean));
+  figure.title += note;
   figure.x_label = "time, s";
   figure.panels = {
       error_panel(flight),

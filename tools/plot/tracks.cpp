@@ -67,16 +67,17 @@ std::vector<PlanTree> plan_trees(const cli::Contents& contents, geom::Axes axes)
 
 std::vector<PlanLine> plan_lines(const cli::Contents& contents, geom::Axes axes) {
   std::vector<PlanLine> out;
-  const auto add = [&](std::string label, const std::vector<geom::Vec3>& points, bool corners) {
-    PlanLine line{std::move(label), {}, corners};
+  const auto add = [&](const char* kind, const std::string& id,
+                       const std::vector<geom::Vec3>& points, bool corners) {
+    PlanLine line{kind, id, {}, corners};
     for (const geom::Vec3& p : points) line.points.push_back(geom::to_enu(axes, p));
     out.push_back(std::move(line));
   };
-  for (const auto& [path, source, n] : contents.paths) add("path " + path.id, path.points, true);
+  for (const auto& [path, source, n] : contents.paths) add("path", path.id, path.points, true);
   for (const auto& [t, source, n] : contents.trajectories)
-    add("trajectory " + t.id, points_of(t.trajectory), false);
+    add("trajectory", t.id, points_of(t.trajectory), false);
   for (const auto& [f, source, n] : contents.flights)
-    add("flight " + f.id, points_of(f, axes), false);
+    add("flight", f.id, points_of(f, axes), false);
   return out;
 }
 

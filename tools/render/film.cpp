@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "render/drawing/map_key.h"
+
 namespace render {
 namespace {
 
-constexpr int kSide = 480;    // width of the map in a combined frame
-constexpr int kCharts = 200;  // height of the charts below
+constexpr int kSide = 480;      // width of the map in a combined frame
+constexpr int kCharts = 200;    // height of the charts below
+constexpr double kRoom = 0.03;  // around the map in an overview, of its longer side
 
 geom::Aabb enu_bounds(const geom::BoxMap& map) {
   return geom::to_enu(map.spec().frame.axes, map.spec().bounds);
@@ -23,6 +26,23 @@ geom::Aabb around_lines(const std::vector<Line>& lines, const geom::Aabb& bounds
   out.min.z() = bounds.min.z();
   out.max.z() = std::max(bounds.max.z(), box->max.z());
   return out;
+}
+
+// With room for the scale bar beside it.
+geom::Aabb with_room(geom::Aabb bounds) {
+  const double room = kRoom * (bounds.max - bounds.min).head<2>().maxCoeff();
+  bounds.min.head<2>().array() -= room;
+  bounds.max.head<2>().array() += room;
+  return bounds;
+}
+
+// What the eye of a vehicle sees moves by: never wider than streets are.
+GroundGrid grid_for_eye(const GroundGrid& grid) {
+  return {std::min(grid.cell, 100.0), std::min(grid.fine, 10.0)};
+}
+
+bool has_ways(const std::vector<Line>& lines) {
+  return std::any_of(lines.begin(), lines.end(), [](const Line& line) { return line.way; });
 }
 
 std::vector<StripChart> charts_of(const Motion& motion, int width) {
@@ -48,29 +68,36 @@ Film::Film(const geom::BoxMap& map, std::vector<Line> lines, const Motion* motio
   const bool eye = options_.kind == "first-person" || combined;
   width_ = eye ? options_.camera.width + (combined ? kSide : 0) : options_.width;
   height_ = eye ? options_.camera.height + (combined ? kCharts : 0) : options_.height;
+  geom::Aabb shown = bounds;
   std::vector<Tubes> tubes;
   if (options_.kind == "overview") {
-    map_view_ = overview(bounds, width_, height_, options_.overview);
+    map_view_ = overview(with_room(bounds), width_, height_, options_.overview);
     const double away = (0.5 * (bounds.min + bounds.max) - map_view_.eye).norm();
     tubes = tubes_of(lines_, away / map_view_.fx);
   } else if (combined) {
-    map_view_ = plan_view(around_lines(lines_, bounds), kSide, options_.camera.height);
+    shown = around_lines(lines_, bounds);
+    map_view_ = plan_view(shown, kSide, options_.camera.height);
     charts_ = charts_of(*motion_, width_);
   } else {
     map_view_ = plan_view(bounds, width_, height_);
   }
   scene_ = std::make_unique<PictureScene>(map, tubes);
+  Look look = look_of(map);
   if (options_.kind != "first-person") {
     map_view_.eye.z() = options_.kind == "overview" ? map_view_.eye.z() : bounds.max.z() + 10;
     Light light = options_.light;
     light.haze = 0;
-    const Shader shader(*scene_, box_colours(map), light, true);
+    look.grid = ground_grid(shown);
+    const Shader shader(*scene_, look, light, true);
     Wanted wanted = options_.wanted;
     if (combined) wanted = {true, false, false, 3};
     map_ = std::move(take_pictures(*scene_, shader, std::span(&map_view_, 1), wanted, run)[0]);
     if (tubes.empty()) draw_lines(map_, map_view_, lines_);
+    draw_map_key(map_, map_view_, {shown, look.grid, has_ways(lines_)});
+    draw_ends(map_, map_view_, lines_, std::max(1, key_scale(map_)));
   }
-  shader_ = std::make_unique<Shader>(*scene_, box_colours(map), options_.light, false);
+  look.grid = grid_for_eye(ground_grid(bounds));
+  shader_ = std::make_unique<Shader>(*scene_, look, options_.light, false);
 }
 
 View Film::view(double time) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/file/ending.h"
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
@@ -99,7 +100,20 @@ void Options::refuse_idle(const CLI::App& app) const {
   cli::only_for(app, depth.ends_with(".png"), {"--depth-unit"}, "a --depth .png");
 }
 
+void Options::require_endings() const {
+  constexpr std::string_view kAdvice =
+      "; for another format write one of these and convert it: ffmpeg -i x.y4m -pix_fmt yuv420p "
+      "x.mp4, convert x.png x.jpg";
+  if (format == "auto") cli::require_ending("-o", colour, {".png", ".y4m"}, kAdvice);
+  if (format == "png")
+    cli::require_ending("-o", colour, {".png"}, ", as --format png is asked for");
+  if (format == "y4m")
+    cli::require_ending("-o", colour, {".y4m"}, ", as --format y4m is asked for");
+  cli::require_ending("--ids", ids, {".png"}, "");
+}
+
 void Options::settle() {
+  require_endings();
   if (!camera_file.empty()) {
     cli::InputFile file(camera_file);
     film.camera = parse_camera(geom::JsonFields(file.read_all(), camera_file, 0));

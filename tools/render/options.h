@@ -32,6 +32,8 @@ struct Options {
   // After parsing: fills in what depends on other options. Throws UsageError, or InputError for a
   // bad camera.
   void settle();
+  // UsageError for names that end in what is not written.
+  void require_endings() const;
   void refuse_idle(const CLI::App& app) const;  // UsageError for options that change nothing
 
   bool has_eye() const { return film.kind == "first-person" || film.kind == "combined"; }

@@ -9,6 +9,7 @@
 #include "plot/comparison.h"
 #include "plot/figure.h"
 #include "plot/motion_profile.h"
+#include "plot/plan_view.h"
 #include "plot/ticks.h"
 #include "plot/tracking.h"
 #include "support/random_city.h"
@@ -100,8 +101,41 @@ TEST(Clearance, IsThatOfTheScene) {
   const std::vector<geom::Vec3> path = {{20, 5, 5}, {30, 5, 5}, {20, 5, 5}};
   const plot::ClearanceTrack track{"path q", traj::clearance_profile(scene, path, 100)};
   const std::string svg = plot::clearance(scene, std::span(&track, 1), "length, m");
-  EXPECT_TRUE(holds(svg, ">9 m<"));  // 10 m less the vehicle, the margin not counted
-  EXPECT_TRUE(holds(svg, "margin 0.5"));
+  EXPECT_TRUE(holds(svg, "least 9 m at"));  // 10 m less the vehicle, the margin not counted
+  EXPECT_TRUE(holds(svg, "margin 0.5 m"));
+  EXPECT_FALSE(holds(svg, "less than the margin"));
+}
+
+TEST(Clearance, SaysAndShadesWhatIsLessThanTheMargin) {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{0, 0, 0}, {100, 100, 50}};
+  const geom::BoxMap map(spec, support::table_of({{{40, 0, 0}, {50, 10, 20}}}));
+  const geom::CollisionScene scene(map, {"box", {1, 1, 1}}, 0.5);
+  const plot::ClearanceTrack tracks[] = {{"path q", {{0, 2, 9}, {2, 5, 0.3}, {5, 6, 0.4995}}}};
+  const std::string svg = plot::clearance(scene, tracks, "length, m", " (1 path left out)");
+  EXPECT_TRUE(holds(svg, "least 0.3 m at 2 m; less than the margin for 3 m"));
+  EXPECT_TRUE(holds(svg, "fill-opacity"));
+  EXPECT_TRUE(holds(svg, "(1 path left out)"));
+}
+
+TEST(Frame, ShowsWhatIsNearAtLarge) {
+  plot::Frame frame{0, 0, 100, 200, {0, 0}, {1, 50}, 1};
+  EXPECT_DOUBLE_EQ(frame.at({0, 0}).y, 200);
+  EXPECT_DOUBLE_EQ(frame.at({0, 1}).y, 110);
+  EXPECT_DOUBLE_EQ(frame.at({0, 50}).y, 0);
+  frame.high.y = 0.8;  // all of it is near
+  EXPECT_DOUBLE_EQ(frame.at({0, 0.4}).y, 100);
+}
+
+TEST(PlanView, CountsEachKindByItsName) {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{0, 0, 0}, {100, 100, 50}};
+  const geom::BoxMap map(spec, support::table_of({{{40, 0, 0}, {50, 10, 20}}}));
+  const std::vector<geom::Vec3> way = {{0, 0, 5}, {10, 0, 5}};
+  const plot::PlanLine lines[] = {{"path", "a", way}, {"path", "b", way}, {"trajectory", "a", way}};
+  const std::string svg = plot::plan_view(map, {}, lines);
+  EXPECT_TRUE(holds(svg, ">1 box, 2 paths of 20.0 m in all, 1 trajectory of 10.0 m<"));
+  EXPECT_TRUE(holds(svg, ">trajectory a<"));
 }
 
 plot::Comparison parsed(const char* json) {

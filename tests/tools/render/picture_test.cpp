@@ -132,7 +132,7 @@ TEST(PictureProperty, DepthIsExactInACity) {
 TEST(PictureProperty, IdsNameTheBoxThatIsSeen) {
   const geom::BoxMap map = support::random_city(7, 100, 100);
   const render::PictureScene scene(map, {});
-  const render::Shader shader(scene, render::box_colours(map), {}, false);
+  const render::Shader shader(scene, render::look_of(map), {}, false);
   Random random(24);
   std::size_t named = 0;
   for (int round = 0; round < 4; ++round) {
@@ -170,7 +170,7 @@ TEST(Picture, TheSameForAnyNumberOfThreads) {
   const render::PictureScene scene(map, {});
   render::Light light;
   light.shadows = true;
-  const render::Shader shader(scene, render::box_colours(map), light, false);
+  const render::Shader shader(scene, render::look_of(map), light, false);
   Random random(25);
   const View views[] = {random_view(random, scene, map.spec().bounds),
                         random_view(random, scene, map.spec().bounds)};

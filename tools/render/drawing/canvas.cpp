@@ -67,10 +67,11 @@ void paint(Picture& picture, Spot low, Spot high, Colour colour, const Cover& co
 
 void fill(Picture& picture, Colour colour) { picture.colour.assign(picture.pixels(), colour); }
 
-void draw_rectangle(Picture& picture, Spot corner, double width, double height, Colour colour) {
+void draw_rectangle(Picture& picture, Spot corner, double width, double height, Colour colour,
+                    double share) {
   const Spot high{corner.x + width - 1, corner.y + height - 1};
   paint(picture, corner, high, colour, [&](int x, int y) {
-    return x >= corner.x && x <= high.x && y >= corner.y && y <= high.y ? 1 : 0;
+    return x >= corner.x && x <= high.x && y >= corner.y && y <= high.y ? share : 0.0;
   });
 }
 

@@ -38,17 +38,18 @@ std::vector<Line> lines_of(const cli::Contents& contents, std::span<const Motion
       out.push_back(
           {{geom::to_enu(axes, tree.points[tree.parent[i]]), geom::to_enu(axes, tree.points[i])},
            kTrees[tree.tree[i]],
-           1.2});
+           1.2,
+           false});
     }
   }
   std::size_t next = 0;
   for (const auto& [path, source, n] : contents.paths) {
-    Line line{{}, kWays[next++ % std::size(kWays)], 3};
+    Line line{{}, kWays[next++ % std::size(kWays)], 3, true};
     for (const Vec3& p : path.points) line.points.push_back(geom::to_enu(axes, p));
     out.push_back(std::move(line));
   }
   for (const Motion& motion : motions) {
-    out.push_back({motion.way(kStep), kWays[next++ % std::size(kWays)], 3});
+    out.push_back({motion.way(kStep), kWays[next++ % std::size(kWays)], 3, true});
   }
   return out;
 }
@@ -76,6 +77,26 @@ void draw_lines(Picture& picture, const View& view, std::span<const Line> lines)
     const auto path = spots(view, line.points);
     if (line.width >= 2) draw_line(picture, path, line.width + 3, kWhite);
     draw_line(picture, path, line.width, line.colour);
+  }
+}
+
+void draw_start(Picture& picture, Spot at, double scale) {
+  draw_disc(picture, at, 6.5 * scale, kVehicle);
+  draw_disc(picture, at, 4.5 * scale, kWhite);
+}
+
+void draw_goal(Picture& picture, Spot at, double scale) {
+  draw_disc(picture, at, 6.5 * scale, kWhite);
+  draw_disc(picture, at, 4.5 * scale, kVehicle);
+}
+
+void draw_ends(Picture& picture, const View& view, std::span<const Line> lines, double scale) {
+  for (const Line& line : lines) {
+    if (!line.way || line.points.empty()) continue;
+    const Vec3 start = project(view, line.points.front());
+    const Vec3 goal = project(view, line.points.back());
+    if (view.parallel || start.z() > 0) draw_start(picture, {start.x(), start.y()}, scale);
+    if (view.parallel || goal.z() > 0) draw_goal(picture, {goal.x(), goal.y()}, scale);
   }
 }
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geom/map/label_colour.h"
-
 namespace render {
 namespace {
 
@@ -20,6 +18,7 @@ const Rgb kHorizon(214, 226, 238);
 const Rgb kZenith(96, 150, 214);
 const Rgb kSoil(196, 194, 186);
 const Rgb kPaper(238, 238, 234);
+const Rgb kBeyond(222, 224, 224);  // the paper beyond the map
 const Rgb kClear(250, 250, 250);
 const Rgb kGlass(78, 92, 110);
 
@@ -44,12 +43,11 @@ struct Stripes {
   }
 };
 
-constexpr Stripes kStreetGrid{10, 0.2f};
-constexpr Stripes kBlockGrid{100, 0.8f};
+// Of a grid, as shares of a cell: how wide its lines are.
+constexpr float kFineLine = 0.02f;
+constexpr float kBoldLine = 0.008f;
 constexpr Stripes kWindowsAcross{4, 2.2f};
 constexpr Stripes kStoreys{3.5f, 1.6f};
-
-Rgb mixed(const Rgb& a, const Rgb& b, float share) { return a + (b - a) * share; }
 
 std::uint8_t byte(float value) {
   return static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, 255.0f));
@@ -94,18 +92,35 @@ struct Shader::Lanes {
     green *= by;
     blue *= by;
   }
+  void draw_grid(const GroundGrid& grid, const Row& at_u, const Row& at_v, const Row& wide,
+                 const Row& per_metre) {
+    const auto fine = static_cast<float>(grid.fine);
+    const auto cell = static_cast<float>(grid.cell);
+    const auto lines = [&](const Stripes& s) {
+      const float half = 0.5f * s.width;
+      return Row(s(at_u + half, wide, per_metre).max(s(at_v + half, wide, per_metre)));
+    };
+    // A grid whose lines nearly touch is only a pattern of the pixels.
+    const Row share = 0.24f * ground * (1.5f - wide * (10 / fine)).max(0.0f).min(1.0f);
+    scale(1 - share * lines({fine, kFineLine * fine}));
+    scale(1 - 0.25f * ground * lines({cell, kBoldLine * cell}));
+  }
 };
 
-Shader::Shader(const PictureScene& scene, const std::vector<Colour>& box_colour, const Light& light,
-               bool flat)
-    : scene_(scene), light_(light), flat_(flat) {
-  box_colour_.reserve(box_colour.size());
-  for (const Colour& c : box_colour) {
+Shader::Shader(const PictureScene& scene, const Look& look, const Light& light, bool flat)
+    : scene_(scene),
+      windows_(look.windows),
+      ground_(look.ground),
+      grid_(look.grid),
+      light_(light),
+      flat_(flat) {
+  box_colour_.reserve(look.colour.size());
+  for (const Colour& c : look.colour) {
     const auto i = static_cast<std::uint32_t>(box_colour_.size());
     box_colour_.push_back(rgb_of(c) * (flat ? 1 : variation(i)));
   }
-  grid_x_ = 100 * std::round(scene.middle().x() / 100);
-  grid_y_ = 100 * std::round(scene.middle().y() / 100);
+  grid_x_ = grid_.cell * std::round(scene.middle().x() / grid_.cell);
+  grid_y_ = grid_.cell * std::round(scene.middle().y() / grid_.cell);
   const double level = std::cos(light.elevation);
   sun_ = Vec3(level * std::sin(light.azimuth), level * std::cos(light.azimuth),
               std::sin(light.elevation))
@@ -140,8 +155,11 @@ void Shader::gather_ground(const Ray& ray, int i, Lanes& lanes) const {
   lanes.v0[i] = static_cast<float>(ray.origin.y() - grid_y_);
   lanes.du[i] = lanes.dx[i];
   lanes.dv[i] = lanes.dy[i];
-  lanes.light[i] = 0.94f * lit(ray.origin + double{lanes.depth[i]} * ray.direction, kUp);
-  lanes.paint(i, flat_ ? kPaper : kSoil);
+  const Vec3 at = ray.origin + double{lanes.depth[i]} * ray.direction;
+  lanes.light[i] = 0.94f * lit(at, kUp);
+  const bool inside = at.x() >= ground_.min.x() && at.x() <= ground_.max.x() &&
+                      at.y() >= ground_.min.y() && at.y() <= ground_.max.y();
+  lanes.paint(i, !flat_ ? kSoil : inside ? kPaper : kBeyond);
 }
 
 void Shader::gather_box(const Ray& ray, const Hit& hit, int i, Lanes& lanes) const {
@@ -149,7 +167,7 @@ void Shader::gather_box(const Ray& ray, const Hit& hit, int i, Lanes& lanes) con
   lanes.hazy[i] = 1;
   lanes.light[i] = lit(ray.origin + double{hit.depth} * ray.direction, hit.face);
   lanes.paint(i, box_colour_[hit.object]);
-  if (axis == 2 || flat_) return;
+  if (axis == 2 || flat_ || !windows_[hit.object]) return;
   const geom::Aabb& box = scene_.boxes()[hit.object];
   const int along = 1 - axis;
   lanes.wall[i] = 1;
@@ -209,13 +227,7 @@ std::array<Colour, kRays> Shader::colours(const Rays& rays, int x, int y,
       lanes.mix(kGlass, 0.45f * lanes.wall * window);
     }
     if (lanes.any_ground) {
-      // A grid whose lines nearly touch is only a pattern of the pixels.
-      const Row share = 0.24f * lanes.ground * (1.5f - wide).max(0.0f).min(1.0f);
-      lanes.scale(1 - share * kStreetGrid(u + 0.1f, wide, per_metre)
-                                  .max(kStreetGrid(v + 0.1f, wide, per_metre)));
-      lanes.scale(
-          1 - 0.25f * lanes.ground *
-                  kBlockGrid(u + 0.4f, wide, per_metre).max(kBlockGrid(v + 0.4f, wide, per_metre)));
+      lanes.draw_grid(grid_, u, v, wide, per_metre);
     }
   }
   lanes.scale(lanes.light);
@@ -228,33 +240,6 @@ std::array<Colour, kRays> Shader::colours(const Rays& rays, int x, int y,
   for (int i = 0; i < kRays; ++i) {
     out[static_cast<std::size_t>(i)] = {byte(lanes.red[i]), byte(lanes.green[i]),
                                         byte(lanes.blue[i])};
-  }
-  return out;
-}
-
-std::vector<Colour> box_colours(const geom::BoxMap& map) {
-  const bool labelled = map.labels().size() > 1;
-  std::vector<geom::Rgb8> label_colours;
-  for (const std::string& label : map.labels()) {
-    const auto number = static_cast<std::uint32_t>(label_colours.size());
-    label_colours.push_back(geom::label_colour(number, label));
-  }
-  const double floor = map.spec().bounds.min.z();
-  double top = floor + 1;
-  for (const geom::Aabb& box : map.boxes()) top = std::max(top, box.max.z());
-  std::vector<Colour> out;
-  out.reserve(map.size());
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    if (labelled) {
-      const geom::Rgb8& c = label_colours[map.label()[i]];
-      out.push_back({c[0], c[1], c[2]});
-      continue;
-    }
-    // From warm stone to cool steel with the height of the top.
-    const auto share =
-        static_cast<float>(std::sqrt((map.boxes()[i].max.z() - floor) / (top - floor)));
-    const Rgb c = mixed(Rgb(222, 206, 182), Rgb(126, 152, 186), std::clamp(share, 0.0f, 1.0f));
-    out.push_back({byte(c[0]), byte(c[1]), byte(c[2])});
   }
   return out;
 }

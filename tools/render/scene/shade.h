@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "embree_picture.h"
+#include "look.h"
 #include "render/image/picture.h"
 
 namespace render {
@@ -20,10 +21,9 @@ struct Light {
 
 class Shader {
  public:
-  // `box_colour` has one colour a box. `scene` must outlive this. `flat` leaves out storeys and
-  // windows, for maps.
-  Shader(const PictureScene& scene, const std::vector<Colour>& box_colour, const Light& light,
-         bool flat);
+  // `look` is that of the scene's map. `scene` must outlive this. `flat` leaves out storeys and
+  // windows and greys the ground beyond the map, for maps.
+  Shader(const PictureScene& scene, const Look& look, const Light& light, bool flat);
 
   // The colours of the pixels (x, y) to (x + 3, y + 3), whose rays met `block`. Threads may call
   // at once.
@@ -40,6 +40,9 @@ class Shader {
 
   const PictureScene& scene_;
   std::vector<Eigen::Vector3f> box_colour_;
+  std::vector<bool> windows_;
+  geom::Aabb ground_;
+  GroundGrid grid_;
   Light light_;
   bool flat_;
   double grid_x_;  // where the grid on the ground starts: near the middle, for single precision
@@ -49,8 +52,5 @@ class Shader {
   std::array<float, 6> ambient_;  // light of the sky on each face of a box, and of the sun
   std::array<float, 6> direct_;
 };
-
-// A colour a box: by label where the map has labels, else by the height of its top.
-std::vector<Colour> box_colours(const geom::BoxMap& map);
 
 }  // namespace render
