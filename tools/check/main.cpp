@@ -35,6 +35,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
   cli::add_output(app, "-o,--output", output, "reports (default: stdout)");
   vehicle.add_to(app);
+  vehicle.add_spare_to(app);
   limits.add_to(app);
   app.add_flag("--override", override_record,
                "let options and --vehicle be looser than what the records carry");

@@ -169,6 +169,7 @@ void add_options(CLI::App& app, Options& options, Task& task) {
   cli::add_output(app, "--table", options.table,
                   "Tello: also write a table of where and when each leg ends, CSV");
   options.vehicle.add_to(app);
+  options.vehicle.add_spare_to(app);
 }
 
 void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked) {
@@ -275,7 +276,7 @@ class Exporter {
       warn_of_unmeasured(common_, task, result);
       return std::move(written);
     }
-    cli::complain("skyway-export", refusal(task, result));
+    cli::complain("skyway-export", refusal(scene, task, result));
     return std::nullopt;
   }
 

@@ -116,14 +116,11 @@ std::string fault(const traj::CheckResult& result) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double kHighestRate = 10000;  // Hz, of --rate
 
 // What to do about it.
-std::string remedy(const Task& task, const traj::CheckResult& result) {
+std::string remedy(const geom::CollisionScene& scene, const Task& task,
+                   const traj::CheckResult& result) {
   using traj::Reason;
   const bool near = result.reason == Reason::collision || result.reason == Reason::bounds;
   const bool setpoints = task.format == "setpoints";
@@ -134,7 +131,14 @@ std::string remedy(const Task& task, const traj::CheckResult& result) {
     return fmt::format("write more setpoints a second (--rate {:g})",
                        std::min(4 * task.rate, kHighestRate));
   }
-  if (near) return "make the path anew with more room (skyway-plan --margin)";
+  if (near) {
+    const double spare = std::ceil(100 * result.worst) / 100;  // in whole centimetres
+    return "make the path anew with more room (skyway-plan --margin)" +
+           (spare <= scene.margin()
+                ? fmt::format(", or ask for {:g} m less than its margin (--spare {:g})", spare,
+                              spare)
+                : "");
+  }
   if (limit && exporting::has_legs(task.format)) return "fly slower (--speed)";
   if (limit) return "solve it again with stricter limits (skyway-traj)";
   if (result.reason == Reason::takeoff) {
@@ -150,8 +154,9 @@ std::string remedy(const Task& task, const traj::CheckResult& result) {
 
 }  // namespace
 
-std::string refusal(const Task& task, const traj::CheckResult& result) {
-  const std::string advice = remedy(task, result);
+std::string refusal(const geom::CollisionScene& scene, const Task& task,
+                    const traj::CheckResult& result) {
+  const std::string advice = remedy(scene, task, result);
   const std::string when = exporting::has_legs(task.format)
                                ? fmt::format("on leg {:.0f}", std::floor(result.time))
                                : fmt::format("at t = {:.3f} s", result.time);

@@ -21,7 +21,8 @@ std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& s
 // "horizontal speed" of "horizontal_speed".
 std::string in_words(std::string_view quantity);
 
-// The place and the reason in words. Times of straight legs are their numbers.
-std::string refusal(const Task& task, const traj::CheckResult& result);
+// The place, the reason and what to do, in words. Times of straight legs are their numbers.
+std::string refusal(const geom::CollisionScene& scene, const Task& task,
+                    const traj::CheckResult& result);
 
 }  // namespace exporting

@@ -100,6 +100,21 @@ TEST(AgreedRoom, KeepsTheMarginOfARecordThatNamesNoVehicle) {
   EXPECT_EQ(agreed(record_of({}, 0.5), {quad(), {}}, Differences::refused).margin, 0.5);
 }
 
+TEST(AgreedRoom, HasLessMarginByWhatIsToSpareAndNoMore) {
+  const auto record = record_of(quad(), 0.5);
+  EXPECT_EQ(agreed(record, {{}, {}, 0.125}, Differences::refused).margin, 0.375);
+  EXPECT_EQ(agreed(record, {quad(), 0.5, 0.5}, Differences::refused).margin, 0);
+  EXPECT_EQ(agreed(record, {{}, 1, 0.5}, Differences::stricter_allowed).margin, 0.5);
+  EXPECT_NE(
+      refusal(record, {{}, {}, 0.75})
+          .find("paths.jsonl:7: expected a margin of 0.75 m or more, which --spare takes from "
+                "it, found 0.5 m"),
+      std::string::npos);
+  // It takes from the margin that is agreed on, and makes no other margin agree.
+  EXPECT_NE(refusal(record, {quad(), 0.4, 0.1}), "");
+  EXPECT_EQ(agreed(record, {{}, {}, 0.125}, Differences::refused).vehicle, quad());
+}
+
 TEST(AgreedRoom, NeverHasLessRoomOrLooserLimitsThanEither) {
   constexpr std::uint64_t kSeed = 15;
   std::mt19937_64 random(kSeed);

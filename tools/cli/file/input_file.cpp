@@ -84,6 +84,7 @@ InputFile::InputFile(const std::string& path) : name_(path == "-" ? "stdin" : pa
     // One buffer for whoever reads it next.
     static const auto standard = std::make_shared<Source>(STDIN_FILENO, name_);
     source_ = standard;
+    if (::isatty(STDIN_FILENO)) fmt::print(stderr, "reads from the terminal; Ctrl-D ends it\n");
     return;
   }
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);

@@ -43,10 +43,8 @@ std::string difference(const geom::Limits& asked, const geom::Limits& found) {
   return {};
 }
 
-}  // namespace
-
-Room agreed_room(const geom::Provenance& record, const AskedRoom& asked, Differences differences,
-                 std::string_view source, std::size_t line) {
+Room agreed_in_full(const geom::Provenance& record, const AskedRoom& asked, Differences differences,
+                    std::string_view source, std::size_t line) {
   if (!asked.vehicle && !record.vehicle) {
     throw UsageError("no vehicle: the record names none; give --vehicle");
   }
@@ -72,6 +70,21 @@ Room agreed_room(const geom::Provenance& record, const AskedRoom& asked, Differe
                                        difference(ours, theirs), had.vehicle.name));
   }
   room.vehicle.limits = geom::stricter(ours, theirs);
+  return room;
+}
+
+}  // namespace
+
+Room agreed_room(const geom::Provenance& record, const AskedRoom& asked, Differences differences,
+                 std::string_view source, std::size_t line) {
+  Room room = agreed_in_full(record, asked, differences, source, line);
+  if (!(asked.spare <= room.margin)) {
+    throw geom::InputError(source, line,
+                           fmt::format("expected a margin of {} m or more, which --spare takes "
+                                       "from it, found {} m",
+                                       asked.spare, room.margin));
+  }
+  room.margin -= asked.spare;
   return room;
 }
 

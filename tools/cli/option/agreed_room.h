@@ -27,10 +27,12 @@ struct Room {
 struct AskedRoom {
   std::optional<geom::Vehicle> vehicle;
   std::optional<double> margin;
+  double spare = 0;  // metres of the agreed margin that need not be kept
 };
 
 // Throws geom::InputError(source, line, …) where the record asks for another vehicle, margin or
-// limits of the vehicle than `differences` lets pass; UsageError where neither says which vehicle.
+// limits of the vehicle than `differences` lets pass, or has less margin than may be spared;
+// UsageError where neither says which vehicle.
 // A vehicle without limits is one that nobody said them of, and takes the other's.
 Room agreed_room(const geom::Provenance& record, const AskedRoom& asked, Differences differences,
                  std::string_view source, std::size_t line);

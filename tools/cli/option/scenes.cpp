@@ -27,6 +27,9 @@ const geom::CollisionScene& Scenes::build(const Room& room) {
 
 const geom::CollisionScene& Scenes::scene() {
   if (!profile_) throw UsageError("no vehicle: give --vehicle (there is no default)");
+  if (asked_.spare > 0) {
+    throw UsageError("--spare: expected records, whose margin it takes from: give --margin alone");
+  }
   return build({profile_->vehicle, asked_.margin.value_or(0)});
 }
 

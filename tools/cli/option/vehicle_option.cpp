@@ -18,6 +18,12 @@ void VehicleOptions::add_to(CLI::App& app) {
       ->check(CLI::Range(0.0, 1e6));
 }
 
+void VehicleOptions::add_spare_to(CLI::App& app) {
+  app.add_option("--spare", spare,
+                 "metres of the margin that was planned with and need not be kept here")
+      ->check(CLI::Range(0.0, 1e6));
+}
+
 std::optional<traj::VehicleProfile> VehicleOptions::profile() const {
   if (word.empty()) return std::nullopt;
   return parse_vehicle(word);
@@ -27,7 +33,7 @@ AskedRoom VehicleOptions::asked(const std::optional<traj::VehicleProfile>& profi
   if (margin && !std::isfinite(*margin)) {
     throw UsageError(fmt::format("--margin: expected metres, found {}", *margin));
   }
-  return {profile ? std::optional(profile->vehicle) : std::nullopt, margin};
+  return {profile ? std::optional(profile->vehicle) : std::nullopt, margin, spare};
 }
 
 }  // namespace cli
