@@ -292,7 +292,7 @@ class Outputs {
   explicit Outputs(const Options& options)
       : names_{OutputNames(options.output, "--output"), OutputNames(options.python, "--python"),
                OutputNames(options.table, "--table")},
-        source_(options.input()),
+        source_(options.input() == "-" ? "stdin" : options.input()),
         wanted_{true, !options.python.empty(), !options.table.empty()} {}
 
   bool each() const { return names_[0].each(); }

@@ -13,6 +13,7 @@
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
+#include "cli/tell.h"
 #include "comparison.h"
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
@@ -40,8 +41,9 @@ cli::Contents read(const Options& options, const geom::BoxMap* map) {
   cli::Contents contents = cli::read_contents(options.inputs);
   if (map) cli::require_same_map(contents, map);
   if (const std::size_t failed = cli::drop_failed(contents)) {
-    options.common.warn(fmt::format("{} no path or trajectory",
-                                    geom::counted(failed, "record holds", "records hold")));
+    cli::tell(options.common, "skyway-plot",
+              fmt::format("{} no path or trajectory",
+                          geom::counted(failed, "record holds", "records hold")));
   }
   const auto other = [&](const auto& read) {
     return !options.id.empty() && read.record.id != options.id;
@@ -73,8 +75,9 @@ Drawn<Record> one_of(const std::vector<cli::Read<Record>>& list, const Options& 
                      const char* what) {
   const Record& first = first_of(list, options, what).record;
   if (list.size() == 1) return {first, ""};
-  options.common.warn(fmt::format("draws \"{}\", the first of {}: --id names another",
-                                  geom::excerpt(first.id), list.size()));
+  cli::tell(options.common, "skyway-plot",
+            fmt::format("draws \"{}\", the first of {}: --id names another",
+                        geom::excerpt(first.id), list.size()));
   return {first, fmt::format(" (the first of {})", list.size())};
 }
 
@@ -103,8 +106,10 @@ std::string paths_left_out(const cli::Contents& contents, const Options& options
     return "";
   }
   const std::string paths = geom::counted(contents.paths.size(), "path");
-  options.common.warn(fmt::format(
-      "draws trajectories and flights over time and leaves out {}: draw paths alone", paths));
+  cli::tell(
+      options.common, "skyway-plot",
+      fmt::format("draws trajectories and flights over time and leaves out {}: draw paths alone",
+                  paths));
   return fmt::format(" ({} left out)", paths);
 }
 

@@ -19,7 +19,7 @@ std::string px(double value) {
 
 constexpr double kNearShare = 0.45;  // of a frame's height
 
-bool is_broken(const Frame& f) { return f.near > f.low.y && f.near < f.high.y; }
+bool is_broken(const Frame& f) { return f.near > 0 && f.near > f.low.y && f.near < f.high.y; }
 
 // How far up a value stands, 0 to 1.
 double share_of_height(const Frame& f, double y) {

@@ -6,6 +6,7 @@
 #include "cli/file/files.h"
 #include "cli/option/scenes.h"
 #include "cli/run.h"
+#include "cli/tell.h"
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
 #include "options.h"
@@ -84,8 +85,9 @@ int main(int argc, char** argv) {
     cli::Contents contents = cli::read_contents(options.inputs);
     cli::require_same_map(contents, &map);
     if (const std::size_t failed = cli::drop_failed(contents)) {
-      common.warn(fmt::format("{} no path or trajectory",
-                              geom::counted(failed, "record holds", "records hold")));
+      cli::tell(common, "skyway-render",
+                fmt::format("{} no path or trajectory",
+                            geom::counted(failed, "record holds", "records hold")));
     }
     const geom::Axes axes = map.spec().frame.axes;
     const auto motions = motions_of(contents, axes);

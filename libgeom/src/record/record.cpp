@@ -138,7 +138,8 @@ void require_map_agrees(const Provenance& record, const Provenance& ours, std::s
                         std::size_t line) {
   if (record.map && ours.map && *record.map != *ours.map) {
     throw InputError(source, line,
-                     fmt::format("made for another map: this map is {}, the record names {}",
+                     fmt::format("made for another map: this map is {}, the record names {}: give "
+                                 "that map, or make the record anew for this one",
                                  *ours.map, *record.map));
   }
   if (record.frame && ours.frame && *record.frame != *ours.frame) {

@@ -42,8 +42,7 @@ double yaw_jump(const Segment& s, const Segment& next, int order) {
          std::abs((b[1] - b[0]) / next.duration - (a[kDegree] - a[kDegree - 1]) / s.duration);
 }
 
-void check_joints(const geom::CollisionScene& scene, const Trajectory& trajectory,
-                  const CheckOptions& options, CheckResult& result) {
+void check_joints(const Trajectory& trajectory, const CheckOptions& options, CheckResult& result) {
   double t = 0;
   for (std::size_t i = 0; i + 1 < trajectory.segments.size(); ++i) {
     const Segment& s = trajectory.segments[i];
@@ -64,8 +63,6 @@ void check_joints(const geom::CollisionScene& scene, const Trajectory& trajector
       note(result, Reason::discontinuous, {dy, t, s.point[kDegree]});
     } else if (const double dr = yaw_jump(s, next, 1); !(dr <= options.yaw_rate_gap)) {
       note(result, Reason::discontinuous, {dr, t, s.point[kDegree]});
-    } else if (gap > 0 && scene.hits(s.point[kDegree], next.point[0])) {
-      note(result, Reason::collision, {gap, t, s.point[kDegree]});
     } else {
       continue;
     }
@@ -74,12 +71,11 @@ void check_joints(const geom::CollisionScene& scene, const Trajectory& trajector
 }
 
 // The segments with what may be beside them, and where neighbours miss each other, the steps.
-std::vector<Piece> strayed_pieces(const Trajectory& trajectory, std::span<const Stray> stray) {
+std::vector<Piece> pieces_and_steps(const Trajectory& trajectory, std::span<const Stray> stray) {
   std::vector<Piece> pieces = pieces_of(trajectory);
-  if (stray.empty()) return pieces;
-  assert(stray.size() == trajectory.segments.size());
+  assert(stray.empty() || stray.size() == trajectory.segments.size());
   const std::size_t count = pieces.size();
-  for (std::size_t i = 0; i < count; ++i) pieces[i].stray = stray[i].position;
+  for (std::size_t i = 0; i < stray.size(); ++i) pieces[i].stray = stray[i].position;
   for (std::size_t i = 0; i + 1 < count; ++i) {
     const Vec3& a = pieces[i].q[kDegree];
     const Vec3& b = pieces[i + 1].q[0];
@@ -101,8 +97,8 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
     return result;
   }
   result.duration = duration(trajectory);
-  const std::vector<Piece> pieces = strayed_pieces(trajectory, options.stray);
-  check_joints(scene, trajectory, options, result);
+  const std::vector<Piece> pieces = pieces_and_steps(trajectory, options.stray);
+  check_joints(trajectory, options, result);
   if (result.reason == Reason::none) check_place(scene, pieces, result);
   check_limits(trajectory, options, result);
   result.jumps = largest_jumps(trajectory);

@@ -118,6 +118,13 @@ TEST(Clearance, SaysAndShadesWhatIsLessThanTheMargin) {
   EXPECT_TRUE(holds(svg, "(1 path left out)"));
 }
 
+TEST(Frame, IsLinearWhereNothingIsShownAtLarge) {
+  const plot::Frame frame{10, 20, 100, 200, {-1, -300}, {1, 500}};
+  for (const double y : {-300.0, -1.0, 0.0, 1.0, 100.0, 500.0}) {
+    EXPECT_NEAR(frame.at({0, y}).y, 20 + 200 * (500 - y) / 800, 1e-9) << y;
+  }
+}
+
 TEST(Frame, ShowsWhatIsNearAtLarge) {
   plot::Frame frame{0, 0, 100, 200, {0, 0}, {1, 50}, 1};
   EXPECT_DOUBLE_EQ(frame.at({0, 0}).y, 200);

@@ -16,10 +16,10 @@ namespace {
 
 using geom::CollisionScene;
 
-geom::BoxMap one_box() {
+geom::BoxMap one_box(const geom::Aabb& box = {{-1, -1, -1}, {1, 1, 1}}) {
   geom::BoxMapSpec spec;
   spec.bounds = {{-50, -50, -50}, {50, 50, 50}};
-  return geom::BoxMap(spec, support::table_of({{{-1, -1, -1}, {1, 1, 1}}}));
+  return geom::BoxMap(spec, support::table_of({box}));
 }
 
 State rest(const Vec3& p) { return {p, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
@@ -92,6 +92,31 @@ TEST(Check, NamesPlaceTimeAndBoxOfTheWorstCollision) {
   EXPECT_EQ(result.reason, Reason::collision);
   EXPECT_NEAR(result.worst, 1.5, 1e-3);
   EXPECT_NEAR(result.time, 4, 0.05);
+  EXPECT_EQ(result.box, 0u);
+}
+
+// A file's digits let segments miss each other by a little.
+TEST(Check, NamesTheWorstCollisionWhereSegmentsMissEachOtherInIt) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const Trajectory t{{hermite(rest({-10, 0, 0}), rest({-1, 0, 0}), 8),
+                      hermite(rest({-0.9999, 0, 0}), rest({10, 0, 0}), 8)}};
+  CheckOptions options;
+  options.position_gap = 1e-3;
+  const CheckResult result = check(scene, t, options);
+  EXPECT_EQ(result.reason, Reason::collision);
+  EXPECT_NEAR(result.worst, 1.5, 1e-3);
+  EXPECT_EQ(result.box, 0u);
+}
+
+TEST(Check, SeesAWallThatIsThinnerThanAGap) {
+  const CollisionScene scene(one_box({{0, -5, -5}, {1e-5, 5, 5}}), {"point", {0, 0, 0}}, 0);
+  const Trajectory t{{hermite(rest({-10, 0, 0}), rest({-1e-5, 0, 0}), 8),
+                      hermite(rest({3e-5, 0, 0}), rest({10, 0, 0}), 8)}};
+  CheckOptions options;
+  options.position_gap = 1e-3;
+  const CheckResult result = check(scene, t, options);
+  EXPECT_EQ(result.reason, Reason::collision);
+  EXPECT_NEAR(result.time, 8, 1e-9);
   EXPECT_EQ(result.box, 0u);
 }
 

@@ -113,7 +113,10 @@ void InputFile::for_each_line(const std::function<void(const std::string&, std::
     any = true;
     f(line, number);
   }
-  if (!any) throw geom::InputError(name_, "expected at least one record, found an empty stream");
+  if (!any)
+    throw geom::InputError(name_,
+                           "expected at least one record, found an empty stream: look at what "
+                           "the tool before said");
 }
 
 std::string InputFile::read_all() { return {std::istreambuf_iterator<char>(stream()), {}}; }

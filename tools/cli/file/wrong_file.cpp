@@ -46,12 +46,13 @@ const Place kSecond{"", "map_and_file", {kTrajectories}};
 
 // How what is expected is made of what was found.
 struct Step {
-  std::string_view expected;
-  std::string_view found;  // empty: of anything else
+  std::string_view expected;  // empty: anything
+  std::string_view found;     // empty: of anything else
   std::string_view advice;
 };
 
 constexpr std::array kSteps = {
+    Step{"", "a shard", "skyway-join puts the shards of a run together"},
     Step{kPaths, kQueries, "skyway-plan makes paths of them"},
     Step{kPaths, kTrajectories,
          "they are solved already, so prove them with skyway-check or write them with "
@@ -125,17 +126,20 @@ const Place* place_of_stdin(const CLI::App& app) {
   return nullptr;
 }
 
-const Place* place_of(const CLI::App& app, const RunFiles::Input& input) {
-  const bool standard = input.path == "stdin";
-  for (const Value& value : values_of(app)) {
-    if (value.text != (standard ? "-" : input.path)) continue;
-    if (const Place* const place = place_of(app, value)) return place;
-  }
-  return standard ? place_of_stdin(app) : nullptr;
-}
-
 bool takes(const Place& place, const FileKind& kind) {
   return std::find(place.takes.begin(), place.takes.end(), kind.what) != place.takes.end();
+}
+
+// Of a file that was given in two places, the one that does not take it.
+const Place* place_of(const CLI::App& app, const RunFiles::Input& input, const FileKind& kind) {
+  const bool standard = input.path == "stdin";
+  const Place* found = nullptr;
+  for (const Value& value : values_of(app)) {
+    if (value.text != (standard ? "-" : input.path)) continue;
+    const Place* const place = place_of(app, value);
+    if (place && (!found || takes(*found, kind))) found = place;
+  }
+  return found || !standard ? found : place_of_stdin(app);
 }
 
 std::vector<std::string_view> words_of(std::string_view list) {
@@ -178,7 +182,7 @@ std::string swapped(const CLI::App& app, const Place& place, const std::string& 
 }
 
 std::string made_of(const Place& place, const FileKind& kind) {
-  if (place.takes.front() == kMap) {
+  if (place.takes.front() == kMap && kind.what != "a shard") {
     for (const std::string_view maker : {"skyway-import", "skyway-footprints", "skyway-cloud"}) {
       const auto tools = words_of(kind.tools);
       if (std::find(tools.begin(), tools.end(), maker) == tools.end()) continue;
@@ -193,7 +197,7 @@ std::string made_of(const Place& place, const FileKind& kind) {
     return "skyway-import-trajectory makes records of it";
   }
   for (const Step& step : kSteps) {
-    const bool right = step.expected == place.takes.front();
+    const bool right = step.expected.empty() || step.expected == place.takes.front();
     if (right && (step.found.empty() || step.found == kind.what)) return std::string(step.advice);
   }
   return "";
@@ -242,7 +246,7 @@ std::optional<std::string> wrong_file(const CLI::App& app, std::string_view mess
   const auto kind = standard ? recognise(input->head) : recognise_file(input->path);
   const std::string& tool = app.get_name();
   if (!kind || reads(kind->named_by, tool)) return std::nullopt;
-  if (const Place* const place = place_of(app, *input)) {
+  if (const Place* const place = place_of(app, *input, *kind)) {
     if (takes(*place, *kind)) return std::nullopt;
     return refusal_here(app, *place, input->path, *kind);
   }

@@ -11,10 +11,12 @@ namespace {
 
 using geom::Vec3;
 
-std::string in_words(const Room& room) {
+std::string in_words(const Room& room, bool exact) {
   const Vec3& half = room.vehicle.half;
-  return fmt::format("{} (half sizes {}, {}, {} m) with margin {} m", room.vehicle.name, half[0],
-                     half[1], half[2], room.margin);
+  const auto sizes = exact ? fmt::format("{}, {}, {}", half[0], half[1], half[2])
+                           : fmt::format("{:.4g}, {:.4g}, {:.4g}", half[0], half[1], half[2]);
+  return fmt::format("{} (half sizes {} m) with margin {} m", room.vehicle.name, sizes,
+                     room.margin);
 }
 
 // What a record asks for; where it says nothing, what this run asks for.
@@ -46,7 +48,9 @@ std::string difference(const geom::Limits& asked, const geom::Limits& found) {
 Room agreed_in_full(const geom::Provenance& record, const AskedRoom& asked, Differences differences,
                     std::string_view source, std::size_t line) {
   if (!asked.vehicle && !record.vehicle) {
-    throw UsageError("no vehicle: the record names none; give --vehicle");
+    throw UsageError(
+        "no vehicle: the record names none; give --vehicle, such as tello or "
+        "box:0.5,0.5,0.3");
   }
   Room room;
   room.vehicle = asked.vehicle ? *asked.vehicle : *record.vehicle;
@@ -55,11 +59,12 @@ Room agreed_in_full(const geom::Provenance& record, const AskedRoom& asked, Diff
   const Room had = recorded(record, room);
   const bool same = room.vehicle.half == had.vehicle.half && room.margin == had.margin;
   if (!same && !(differences == Differences::stricter_allowed && holds(room, had))) {
+    const bool exact = in_words(room, false) == in_words(had, false);
     throw geom::InputError(
         source, line,
         fmt::format("expected the vehicle {}, as asked, found {}: ask for that one, or make "
                     "this anew",
-                    in_words(room), in_words(had)));
+                    in_words(room, exact), in_words(had, exact)));
   }
   const geom::Limits& ours = room.vehicle.limits;
   const geom::Limits& theirs = had.vehicle.limits;

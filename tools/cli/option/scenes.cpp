@@ -26,7 +26,9 @@ const geom::CollisionScene& Scenes::build(const Room& room) {
 }
 
 const geom::CollisionScene& Scenes::scene() {
-  if (!profile_) throw UsageError("no vehicle: give --vehicle (there is no default)");
+  if (!profile_)
+    throw UsageError(
+        "no vehicle: give --vehicle, such as tello or box:0.5,0.5,0.3 (there is no default)");
   if (asked_.spare > 0) {
     throw UsageError("--spare: expected records, whose margin it takes from: give --margin alone");
   }
