@@ -16,6 +16,7 @@
 #include "plan/planner/shortcut.h"
 #include "plan/planner/snap_end.h"
 #include "plan/planner/taut.h"
+#include "plan/reach/reach.h"
 
 namespace plan {
 namespace {
@@ -152,6 +153,7 @@ struct Planner::Impl {
   PlanResult by_method(const Task& task);
   PlanResult by_sampling(const Task& task);
   PlanResult by_lattices(const Task& task);
+  PlanResult by_cells(const Task& task, ReachResult reached, PlanResult tried) const;
   PlanResult by_level(LatticeLevel& level, const Task& task);
 
   // What follow give a path that is shorter than `than`, or any where `than` is empty.
@@ -168,6 +170,7 @@ struct Planner::Impl {
 
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;
+  Reach reach_;
   std::mutex mutex_;  // guards the workspaces
   std::vector<std::unique_ptr<RoadmapSearch>> idle_;
   std::vector<std::unique_ptr<LatticeLevel>> levels_;         // from the first to try to finer ones
@@ -187,7 +190,7 @@ std::string_view name(Method method) {
 
 Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
                     const Roadmap* roadmap)
-    : scene_(scene), roadmap_(roadmap) {
+    : scene_(scene), roadmap_(roadmap), reach_(scene) {
   const auto lazy = [&](double spacing) {
     const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
     return std::make_unique<LatticeLevel>(lazy_lattice(scene, spec), false);
@@ -217,6 +220,7 @@ PlanResult Planner::Impl::by_lattices(const Task& task) {
   };
   PlanResult result;
   result.route = Route::lattice;
+  std::optional<ReachResult> reached;
   for (const auto& level : levels_) {
     PlanResult tried = shortened(by_level(*level, task));
     if (!result.path.empty()) {  // a second opinion on a detour
@@ -227,14 +231,52 @@ PlanResult Planner::Impl::by_lattices(const Task& task) {
     if (found && (task.options.raw || geom::length(result.path) <= kDetour * task.straight())) {
       return result;
     }
+    if (found) continue;
     if (result.status == PathStatus::stopped) break;
+    if (!reached) reached = reach_.ask(task.from, task.to);
+    if (reached->answer == Reachable::no) break;
   }
-  if (result.status != PathStatus::stopped) return result;
-  for (const auto& level : coarse_levels_) {
-    PlanResult tried = by_level(*level, task);
-    if (tried.status == PathStatus::found) return shortened(std::move(tried));
+  if (!result.path.empty()) return result;
+  if (result.status == PathStatus::stopped) {
+    for (const auto& level : coarse_levels_) {
+      PlanResult tried = by_level(*level, task);
+      if (tried.status == PathStatus::found) return shortened(std::move(tried));
+    }
   }
-  return result;
+  if (!reached) reached = reach_.ask(task.from, task.to);
+  return by_cells(task, std::move(*reached), std::move(result));
+}
+
+// What the cells of free space say, once the lattices found no path: `tried` is the last one's.
+PlanResult Planner::Impl::by_cells(const Task& task, ReachResult reached, PlanResult tried) const {
+  if (reached.answer == Reachable::unknown) {
+    tried.message =
+        why_not(tried) + "; free space has too many parts to say whether there is a way";
+    tried.status = PathStatus::stopped;
+    return tried;
+  }
+  PlanResult result;
+  result.route = Route::cells;
+  result.expanded = reached.looked_at;
+  if (reached.answer == Reachable::no) {
+    result.message = fmt::format("there is no way: obstacles enclose the {}",
+                                 reached.from_start ? "start" : "goal");
+    if (task.options.keep_cells) {
+      result.enclosure = Enclosure{std::move(reached.cells), reached.from_start};
+    }
+    return result;
+  }
+  const Polyline way = way_through(reached.cells, task.from, task.to);
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    if (scene_.free(way[i - 1], way[i])) continue;
+    result.status = PathStatus::stopped;
+    result.message = fmt::format(
+        "there is a way, but it is too narrow for numbers to follow, near {}", shown(way[i]));
+    return result;
+  }
+  Found found = refined(way, task.options);
+  found.expanded = reached.looked_at;
+  return with(std::move(found), Route::cells, {});
 }
 
 // The component of the coarse lattice that a point sees; 0 where it sees none.
@@ -382,11 +424,7 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
     }
   }
   PlanResult result = by_lattices(task);
-  if (result.path.empty()) {
-    result.message = why_not(result);
-    return result;
-  }
-  if (!polished(task.options)) return result;
+  if (result.path.empty() || !polished(task.options)) return result;
   auto better =
       roadmap_ ? by_roadmap(task, {kCorridorBends}, result.path) : by_corridor(task, result.path);
   if (!better) return result;

@@ -80,7 +80,8 @@ void write_ply(std::ostream& out, const SearchTree& tree, geom::Axes axes) {
 }
 
 void write_glb(std::ostream& out, const SearchTree& tree, geom::Axes axes) {
-  const geom::Aabb extent = geom::bounds(tree.points).value_or(geom::Aabb{});
+  const geom::Aabb extent =
+      geom::bounds(tree.points).value_or(geom::Aabb{geom::Vec3::Zero(), geom::Vec3::Zero()});
   geom::Gltf gltf(geom::to_enu(axes, 0.5 * (extent.min + extent.max)));
   std::vector<geom::GltfPrimitive> lines;
   for (std::size_t which = 0; which < kColours.size(); ++which) {

@@ -104,12 +104,52 @@ TEST(Planner, ResamplesWhatItFinds) {
   }
 }
 
-TEST(Planner, IsUnreachableThroughASealedWallAndStatesTheResolution) {
-  const PlanResult result = planned(sealed(), {2, 20, 5}, {38, 20, 5});
+TEST(Planner, IsUnreachableThroughASealedWallAtAnyResolution) {
+  const auto scene = sealed();
+  const PlanResult result = planned(scene, {2, 20, 5}, {38, 20, 5}, {.keep_cells = true});
   EXPECT_EQ(result.status, PathStatus::unreachable);
   EXPECT_TRUE(result.path.empty());
-  EXPECT_GT(result.resolution, 0);
-  EXPECT_NE(result.message.find("no path on a lattice with nodes every"), std::string::npos);
+  EXPECT_EQ(result.resolution, 0);
+  EXPECT_EQ(result.route, Route::cells);
+  EXPECT_EQ(result.message.rfind("there is no way: obstacles enclose the ", 0), 0u);
+  ASSERT_TRUE(result.enclosure);
+  EXPECT_FALSE(result.enclosure->cells.empty());
+  EXPECT_FALSE(planned(scene, {2, 20, 5}, {38, 20, 5}).enclosure);
+}
+
+TEST(Planner, FindsASlitThatNoLatticeSees) {
+  const auto scene =
+      scene_of({{{19, 0, 0}, {21, 20, 40}}, {{19, 22.001, 0}, {21, 40, 40}}}, kCube, {1, 1, 1});
+  const PlanResult result = planned(scene, {2, 2.1, 5}, {38, 38.3, 5.7});
+  ASSERT_EQ(result.status, PathStatus::found);
+  expect_free(scene, result.path);
+  EXPECT_LT(geom::length(result.path), 55);
+  // Two metres are the vehicle's, so nothing is left.
+  const auto shut =
+      scene_of({{{19, 0, 0}, {21, 20, 40}}, {{19, 22, 0}, {21, 40, 40}}}, kCube, {1, 1, 1});
+  EXPECT_EQ(planned(shut, {2, 2.1, 5}, {38, 38.3, 5.7}).status, PathStatus::unreachable);
+}
+
+TEST(Planner, StopsWhereAWayIsTooNarrowForNumbers) {
+  // Walls of one ulp between them: their middle is one of them.
+  double open = 23;
+  double shut = 21;
+  const auto walls = [](double y) {
+    return scene_of({{{19, 0, 0}, {21, 20, 40}}, {{19, y, 0}, {21, 40, 40}}}, kCube, {1, 1, 1});
+  };
+  const auto leaves_gap = [&](double y) {
+    const auto scene = walls(y);
+    const auto a = scene.grown(0);
+    const auto b = scene.grown(1);
+    return std::max(a.min.y(), b.min.y()) > std::min(a.max.y(), b.max.y());
+  };
+  while (std::nextafter(open, shut) > shut) {
+    const double y = shut + 0.5 * (open - shut);
+    (leaves_gap(y) ? open : shut) = y;
+  }
+  const PlanResult result = planned(walls(open), {2, 2.1, 5}, {38, 38.3, 5.7});
+  EXPECT_EQ(result.status, PathStatus::stopped);
+  EXPECT_NE(result.message.find("too narrow"), std::string::npos);
 }
 
 TEST(Planner, SaysThatAnEndIsBlockedAndHowFarTheNearestFreePointIs) {

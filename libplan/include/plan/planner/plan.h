@@ -40,7 +40,8 @@ std::string_view name(Method method);  // as on a command line: "auto", "rrt-con
 struct PlanOptions {
   Method method = Method::automatic;
   SamplingOptions sampling;
-  bool keep_tree = false;  // of a sampling planner
+  bool keep_tree = false;   // of a sampling planner
+  bool keep_cells = false;  // that show that there is no way
   Quality quality = Quality::normal;
   bool raw = false;      // the search's own path, not shortened
   double resample = 0;   // metres; 0: not
@@ -54,6 +55,12 @@ struct PathStep {
   double length = 0;  // metres
 };
 
+// All of free space that can be reached from one end, in cells (plan/reach/reach.h).
+struct Enclosure {
+  std::vector<geom::Aabb> cells;
+  bool around_start = true;  // else around the goal
+};
+
 struct PlanResult {
   PathStatus status = PathStatus::unreachable;
   geom::Polyline path;  // start to goal, every leg free; empty unless found
@@ -62,9 +69,10 @@ struct PlanResult {
   // blocked or outside, or replan() kept a path whole.
   std::optional<Route> route;
   double resolution = 0;     // spacing of the path's lattice, or of the last searched; 0: none was
-  std::size_t expanded = 0;  // nodes of that lattice, bends, or iterations of a sampling method
+  std::size_t expanded = 0;  // nodes of that lattice, bends, cells, or iterations of sampling
   std::vector<PathStep> steps;        // from the search to the path
   SearchTree tree;                    // where it was to be kept
+  std::optional<Enclosure> enclosure;  // of what is unreachable, where it was to be kept
   std::optional<Vec3> snapped_start;  // where an end was moved to
   std::optional<Vec3> snapped_goal;
 };
@@ -79,6 +87,9 @@ struct PlanResult {
 //    too small for these) until one finds a path, each worked out only where the search goes. A
 //    shortened path of more than 1.2 times the straight line is compared with the next lattice's.
 //    Where a lattice has too many nodes to look at, spacings of 4 and 16 times the first are tried.
+//    Once a lattice finds none, Reach says whether there is any way: if not, the goal is
+//    unreachable, at no resolution. A way that no lattice finds goes from cell to cell of free
+//    space; where it is so narrow that rounding closes it, the search is stopped.
 // 4. A* over bends: those of the roadmap where there is one; else those around boxes within 40 m of
 //    that path (80 m for `best`), with a weight of 1.02, or 1.04 where the ends are over 1 km
 //    apart.

@@ -13,16 +13,18 @@ enum class Route {
   roadmap,
   corridor,  // the bends near a lattice's path
   lattice,
+  cells,  // the chain of free cells that shows that there is a way, or that there is none
   rrt,
   rrt_connect,
   rrt_star,
   informed_rrt_star
 };
-inline constexpr geom::Words<Route, 8> kRouteWords{{
+inline constexpr geom::Words<Route, 9> kRouteWords{{
     {Route::straight, "straight"},
     {Route::roadmap, "roadmap"},
     {Route::corridor, "corridor"},
     {Route::lattice, "lattice"},
+    {Route::cells, "cells"},
     {Route::rrt, "rrt"},
     {Route::rrt_connect, "rrt-connect"},
     {Route::rrt_star, "rrt-star"},
