@@ -139,9 +139,11 @@ def exports_hold_the_limits():
     for what in ("crazyflie", "setpoints"):
         done = run(f"skyway-export city fast --format {what} -o fast.{what}", exits=(1,))
         expect("speed" in done.stderr, f"{what} is held to the vehicle's limits", done.stderr)
-    for what in ("wpl --origin 60,24,0", "qgc-plan --origin 60,24,0", "tello"):
-        run(f"skyway-export city fast --format {what} --speed 5 -o fast.legs", exits=(1,))
-        run(f"skyway-export --unchecked fast --format {what} --speed 5 -o fast.legs", exits=(2,))
+    slow = {"name": "q", "half": [0.5, 0.5, 0.5], "limits": {"vmax": 0.5, "vmax_v": 0.2}}
+    pathlib.Path("slow").write_text(record_of(segment, vehicle=slow))
+    for what, record in (("wpl --origin 60,24,0 --speed 5", "fast"), ("qgc-plan --origin 60,24,0 --speed 5", "fast"), ("tello --speed 1", "slow")):
+        run(f"skyway-export city {record} --format {what} -o fast.legs", exits=(1,))
+        run(f"skyway-export --unchecked {record} --format {what} -o fast.legs", exits=(2,))
     run("skyway-export city fast --format wpl --origin 60,24,0 -o slow.wpl")
     speeds = [line.split("\t")[5] for line in pathlib.Path("slow.wpl").read_text().splitlines() if line.split("\t")[3:4] == ["178"]]
     expect([float(s) for s in speeds] == [1], "a mission flies no faster than the vehicle may in any direction", speeds)
