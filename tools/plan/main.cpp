@@ -21,6 +21,7 @@
 #include "geom/base/parallel.h"
 #include "geom/record/query_record.h"
 #include "plan/planner/path_record.h"
+#include "plan/reach/enclosure_record.h"
 #include "plan/sampling/search_tree_file.h"
 #include "search_options.h"
 #include "snapped_ends.h"
@@ -66,17 +67,49 @@ struct Planned {
   plan::SearchTree tree;  // of the last query, where it is to be written
 };
 
+// Paths and, where asked for, why there is none.
+class Outputs {
+ public:
+  Outputs(const std::string& paths, const std::string& certificates, const cli::Sharding& sharding)
+      : paths_(paths, "output", sharding) {
+    if (!certificates.empty()) certificates_.emplace(certificates, "certificate", sharding);
+  }
+
+  // `why`: a line, or nothing.
+  void add(const geom::PathRecord& record, const std::string& why) {
+    paths_.add(geom::to_json_line(record));
+    if (certificates_) certificates_->add(why);
+  }
+  void flush() { paths_.flush(); }
+  void commit(std::size_t total, cli::Exit exit) {
+    paths_.commit(total, exit);
+    if (certificates_) certificates_->commit(total, exit);
+  }
+
+ private:
+  cli::RecordOutput paths_;
+  std::optional<cli::RecordOutput> certificates_;
+};
+
+std::string certificate(const geom::CollisionScene& scene, const geom::PlanQuery& query,
+                        plan::PlanResult& result) {
+  if (!result.enclosure) return "";
+  return plan::to_json_line(plan::EnclosureRecord{
+      query.id, result.snapped_start.value_or(query.from), result.snapped_goal.value_or(query.to),
+      std::move(*result.enclosure), scene.map().spec().bounds, geom::provenance_of(scene)});
+}
+
 // Paths are written block by block, for the next tool of a pipe.
 Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
                   const std::vector<geom::PlanQuery>& queries, const geom::Shard& shard,
-                  const planning::SearchOptions& search, const geom::Execution& run,
-                  cli::RecordOutput& out) {
+                  const planning::SearchOptions& search, const geom::Execution& run, Outputs& out) {
   constexpr std::size_t kBlock = 1024;
   const std::vector<std::size_t> chosen = shard.items(queries.size());
   Planned planned;
   for (std::size_t begin = 0; begin < chosen.size(); begin += kBlock) {
     std::vector<geom::PathRecord> records(std::min(kBlock, chosen.size() - begin));
     std::vector<std::vector<std::string>> moved(records.size());
+    std::vector<std::string> why(records.size());
     const auto progress = [&](std::size_t done, std::size_t) {
       if (run.progress) run.progress(begin + done, chosen.size());
     };
@@ -85,14 +118,16 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       plan::PlanResult result = planner.plan(query.from, query.to, search.started());
       records[i] = plan::path_record(scene, query.id, result);
       moved[i] = planning::moved_ends(scene, query, result);
+      why[i] = certificate(scene, query, result);
       if (!search.tree_file.empty()) planned.tree = std::move(result.tree);
       geom::trim_mapped_files();
     });
-    for (const geom::PathRecord& record : records) {
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      const geom::PathRecord& record = records[i];
       const bool found = record.status == geom::PathStatus::found;
       planned.found += found;
       found ? planned.batch.add_good() : planned.batch.add_failed(name(record.status));
-      out.add(geom::to_json_line(record));
+      out.add(record, why[i]);
     }
     out.flush();
     for (const auto& ends : moved) planned.snapped.add(ends);
@@ -147,10 +182,13 @@ int main(int argc, char** argv) {
                     {"lattice", prepared.lattice},
                     {"roadmap", prepared.roadmap},
                     {"queries", asked.file}},
-                   {{"output", output}});
+                   {{"output", output}, {"certificate", search.certificate}});
     if (const auto done = sharding.finished(common)) return *done;
-    cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
-                       vehicle, cli::Scenes::Differences::refused);
+    // A certificate stands for the map.
+    const auto trust =
+        search.certificate.empty() ? geom::Verified::extents : geom::Verified::contents;
+    cli::Scenes scenes(cli::open_map(map_file, trust, common.execution("verify")), vehicle,
+                       cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
     const cli::Artefacts artefacts(prepared);
     artefacts.require_made_for(scene);
@@ -158,7 +196,7 @@ int main(int argc, char** argv) {
     const std::vector<geom::PlanQuery> queries = asked.queries(scene.map().spec().frame);
     search.check(queries.size());
     plan::Planner planner(scene, named ? &*named : artefacts.lattice(), artefacts.roadmap());
-    cli::RecordOutput out(output, "output", sharding);
+    Outputs out(output, search.certificate, sharding);
     const Planned planned = plan_each(planner, scene, queries, sharding.shard(), search,
                                       common.execution("paths"), out);
     const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;

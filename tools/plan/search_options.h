@@ -18,6 +18,7 @@ struct SearchOptions {
   int connect = 26;               // its neighbours of a node
   double seconds = 0;             // a search; 0: no end
   std::string tree_file;          // empty: none
+  std::string certificate;        // file of enclosures; empty: none
 
   void add_to(CLI::App& app);
 
