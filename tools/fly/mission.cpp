@@ -9,6 +9,7 @@
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
+#include "geom/record/made_for_another.h"
 #include "geom/text/counted.h"
 #include "traj/curve/to_enu.h"
 
@@ -45,13 +46,11 @@ Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle,
 }
 
 void Mission::refuse_size(const geom::Vehicle& made_for, std::size_t line) const {
-  const auto shown = [](const geom::Vehicle& v) {
-    return fmt::format("{} (half sizes {}, {}, {} m)", v.name, v.half[0], v.half[1], v.half[2]);
-  };
-  throw geom::InputError(
-      source_, line,
-      fmt::format("expected a trajectory for the vehicle {}, which is to fly, found one for {}",
-                  shown(profile_.vehicle), shown(made_for)));
+  const auto another =
+      geom::made_for_another({{}, {}, made_for, {}}, {{}, {}, profile_.vehicle, {}});
+  throw geom::InputError(source_, line,
+                         fmt::format("the trajectory was {}: fly that one, or plan anew for this",
+                                     another.value_or("made for another vehicle")));
 }
 
 // The vehicle that flies must be the one it was made for: in its limits, and over a map in its

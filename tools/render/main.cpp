@@ -35,7 +35,12 @@ const render::Motion* flown(const std::vector<render::Motion>& motions,
     throw cli::UsageError(fmt::format("--id: no solved trajectory or flight \"{}\"", options.id));
   }
   if (!best && (options.has_eye() || options.at || options.is_moving())) {
-    throw geom::InputError(options.inputs.empty() ? "skyway-render" : options.inputs[0],
+    if (options.inputs.empty()) {
+      throw cli::UsageError(
+          "nothing to fly along: give a trajectory or a flight log, or draw the map (--view plan or "
+          "overview)");
+    }
+    throw geom::InputError(options.inputs[0],
                            "expected a solved trajectory or a flight to fly along, found none");
   }
   return best;
