@@ -131,8 +131,9 @@ int main(int argc, char** argv) {
     for (bench::Options& part : bench::parts_of(options)) {
       bench::complete(part, scene.map());
       part.method.build = common.execution("layers");
-      bench::QuerySet queries = files.queries.empty() ? bench::QuerySet(scene, part.random)
-                                                      : bench::QuerySet(bench::read_queries(files));
+      bench::QuerySet queries = files.queries.empty()
+                                    ? bench::QuerySet(scene, part.random)
+                                    : bench::QuerySet(bench::read_queries(files, scene.map()));
       const std::vector<bench::Run> runs = run_all(scene, queries, part, common);
       Json set = describe(queries, files, part);
       Json all = {{"set", set}};

@@ -121,9 +121,10 @@ void complete(Options& options, const geom::BoxMap& map) {
   if (options.methods.empty() && options.commands.empty()) options.methods = {"auto"};
 }
 
-std::vector<geom::PlanQuery> read_queries(const Files& files) {
+std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::BoxMap& map) {
   cli::InputFile file(files.queries);
-  auto queries = geom::read_plan_queries(file.stream(), file.name());
+  const geom::Locator locator(map);
+  auto queries = geom::read_plan_queries(file.stream(), file.name(), &locator);
   if (files.reference.empty()) return queries;
   cli::InputFile reference(files.reference);
   const auto lengths = geom::read_reference_lengths(reference.stream(), reference.name());

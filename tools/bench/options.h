@@ -43,6 +43,6 @@ std::vector<Options> parts_of(const Options& options);
 void complete(Options& options, const geom::BoxMap& map);
 
 // The queries of a file, with the lengths of --reference.
-std::vector<geom::PlanQuery> read_queries(const Files& files);
+std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::BoxMap& map);
 
 }  // namespace bench

@@ -30,27 +30,34 @@ namespace {
 
 // The one query of the options, or those of a file.
 struct Asked {
-  std::optional<geom::Vec3> from;
-  std::optional<geom::Vec3> to;
+  std::optional<geom::Place> from;
+  std::optional<geom::Place> to;
   std::string file;
-  cli::MetresOption metres;
+  cli::MetresOption metres{true};
 
   CLI::Option* add_to(CLI::App& app) {
-    auto* queries = app.add_option("--queries", file, "JSON Lines or CSV; - for stdin");
-    auto* start = cli::add_point(app, "--from", from, "start, metres");
-    auto* goal = cli::add_point(app, "--to", to, "goal, metres");
+    auto* queries = app.add_option("--queries", file, "JSON Lines, CSV or GeoJSON; - for stdin");
+    auto* start = cli::add_place(app, "--from", from,
+                                 "start: x,y,z in metres, or 60.1719N,24.9414E,30 (degrees, and "
+                                 "metres above the map's zero; 2above: above what stands there)");
+    auto* goal = cli::add_place(app, "--to", to, "goal, in the same forms");
     start->needs(goal)->excludes(queries);
     goal->needs(start)->excludes(queries);
     metres.add_to(app);
     return queries;
   }
-  std::vector<geom::PlanQuery> queries(const geom::Frame& frame) const {
+  std::vector<geom::PlanQuery> queries(const geom::BoxMap& map) const {
+    const geom::Frame& frame = map.spec().frame;
+    const geom::Locator locator(map);
     if (from) {
-      metres.check_option(frame, std::array{*from, *to}, "--from and --to");
-      return {{"q1", *from, *to, {}, 0}};
+      const std::array ends = {locator.at(*from, "--from", 0), locator.at(*to, "--to", 0)};
+      if (std::holds_alternative<geom::Vec3>(*from) && std::holds_alternative<geom::Vec3>(*to)) {
+        metres.check_option(frame, ends, "--from and --to");
+      }
+      return {{"q1", ends[0], ends[1], {}, 0}};
     }
     cli::InputFile input(file);
-    auto queries = geom::read_plan_queries(input.stream(), input.name());
+    auto queries = geom::read_plan_queries(input.stream(), input.name(), &locator);
     for (const geom::PlanQuery& q : queries) {
       metres.check_input(frame, std::array{q.from, q.to}, input.name(), q.line);
     }
@@ -193,7 +200,7 @@ int main(int argc, char** argv) {
     const cli::Artefacts artefacts(prepared);
     artefacts.require_made_for(scene);
     const auto named = artefacts.lattice() ? std::nullopt : search.named_lattice(scene);
-    const std::vector<geom::PlanQuery> queries = asked.queries(scene.map().spec().frame);
+    const std::vector<geom::PlanQuery> queries = asked.queries(scene.map());
     search.check(queries.size());
     plan::Planner planner(scene, named ? &*named : artefacts.lattice(), artefacts.roadmap());
     Outputs out(output, search.certificate, sharding);

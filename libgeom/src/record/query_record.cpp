@@ -4,10 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
+#include "geojson_queries.h"
+#include "geom/base/error.h"
+#include "geom/text/excerpt.h"
 #include "geom/text/json_fields.h"
+#include "geom/text/parse_json.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -18,10 +24,29 @@ double path_length(const TextLines& lines, std::string_view name, double value) 
   return value;
 }
 
-PlanQuery parse_json(const TextLines& lines) {
+Vec3 located(const Place& place, const TextLines& lines, const Locator* locator) {
+  if (const auto* metres = std::get_if<Vec3>(&place)) return *metres;
+  if (!locator) lines.refuse("expected places in metres, found one in degrees");
+  return locator->at(place, lines.source(), lines.number());
+}
+
+// A point, or a text that says a place.
+Vec3 place(const JsonFields& fields, const char* key, const TextLines& lines,
+           const Locator* locator) {
+  if (!fields.has(key) || !fields.value(key).is_string()) return fields.point(key);
+  const std::string text = fields.text(key);
+  const auto place = parse_place(text);
+  if (!place) {
+    lines.refuse(fmt::format("{}: expected {}, found \"{}\"", key, kPlaceForms, excerpt(text)));
+  }
+  return located(*place, lines, locator);
+}
+
+PlanQuery parse_line(const TextLines& lines, const Locator* locator) {
   const JsonFields fields(lines.line(), lines.source(), lines.number());
-  PlanQuery query{fields.text("id", fmt::format("q{}", lines.number())), fields.point("from"),
-                  fields.point("to"), fields.number("best_known"), 0};
+  PlanQuery query{fields.text("id", fmt::format("q{}", lines.number())),
+                  place(fields, "from", lines, locator), place(fields, "to", lines, locator),
+                  fields.number("best_known"), 0};
   if (query.best_known) path_length(lines, "best_known", *query.best_known);
   return query;
 }
@@ -69,18 +94,66 @@ class Columns {
   std::optional<std::size_t> set_;
 };
 
+// The three columns of an end, "from" or "to": metres, or degrees and a height.
+class EndColumns {
+ public:
+  EndColumns(const Columns& columns, const TextLines& header, const std::string& end)
+      : on_earth_(columns.find(end + "_latitude").has_value()) {
+    static constexpr std::array kMetres = {"_x", "_y", "_z"};
+    static constexpr std::array kDegrees = {"_latitude", "_longitude", "_height"};
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      names_[i] = end + (on_earth_ ? kDegrees : kMetres)[i];
+      at_[i] = columns.need(header, names_[i]);
+    }
+  }
+
+  Vec3 parse(const TextLines& lines, const std::vector<std::string>& fields,
+             const Locator* locator) const {
+    if (!on_earth_)
+      return {number(lines, fields, 0), number(lines, fields, 1), number(lines, fields, 2)};
+    const EarthPlace there{degrees(lines, fields, 0, 90), degrees(lines, fields, 1, 180)};
+    const auto height = parse_height(fields[at_[2]]);
+    if (!height) {
+      lines.refuse(fmt::format("{} must be metres, or such as 2above, found \"{}\"", names_[2],
+                               excerpt(fields[at_[2]])));
+    }
+    return located(EarthPlace{there.latitude, there.longitude, height->metres, height->above},
+                   lines, locator);
+  }
+
+ private:
+  double number(const TextLines& lines, const std::vector<std::string>& fields,
+                std::size_t i) const {
+    return coordinate(lines, names_[i], fields[at_[i]]);
+  }
+  double degrees(const TextLines& lines, const std::vector<std::string>& fields, std::size_t i,
+                 double most) const {
+    const double value = number(lines, fields, i);
+    if (!(std::abs(value) <= most)) {
+      lines.refuse(fmt::format("{} must be degrees within {}, found {}", names_[i], most, value));
+    }
+    return value;
+  }
+
+  bool on_earth_;
+  std::array<std::string, 3> names_;
+  std::array<std::size_t, 3> at_{};
+};
+
 class CsvQueries {
  public:
-  explicit CsvQueries(const TextLines& header) : columns_(header) {
-    for (std::size_t i = 0; i < 6; ++i) numbers_[i] = columns_.need(header, kNames[i]);
+  explicit CsvQueries(const TextLines& header)
+      : columns_(header), from_(columns_, header, "from"), to_(columns_, header, "to") {
     best_known_ = columns_.find("best_known_m");
   }
 
-  PlanQuery parse(const TextLines& lines) const {
+  PlanQuery parse(const TextLines& lines, const Locator* locator) const {
     const auto fields = columns_.fields(lines);
-    double v[6];
-    for (std::size_t i = 0; i < 6; ++i) v[i] = coordinate(lines, kNames[i], fields[numbers_[i]]);
-    PlanQuery query{columns_.id(fields), {v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {}, 0};
+    PlanQuery query{columns_.id(fields),
+                    from_.parse(lines, fields, locator),
+                    to_.parse(lines, fields, locator),
+                    {},
+                    0};
     if (best_known_ && !fields[*best_known_].empty()) {
       query.best_known = path_length(lines, "best_known_m",
                                      coordinate(lines, "best_known_m", fields[*best_known_]));
@@ -89,27 +162,53 @@ class CsvQueries {
   }
 
  private:
-  static constexpr std::array<const char*, 6> kNames = {"from_x", "from_y", "from_z",
-                                                        "to_x",   "to_y",   "to_z"};
   Columns columns_;
-  std::array<std::size_t, 6> numbers_{};
+  EndColumns from_;
+  EndColumns to_;
   std::optional<std::size_t> best_known_;
 };
 
+// All that is left of the lines, with the one that was read.
+std::string rest_of(TextLines& lines) {
+  std::string text(lines.line());
+  while (lines.next()) text.append("\n").append(lines.line());
+  return text;
+}
+
+void require_each_id_once(const std::vector<PlanQuery>& queries, std::string_view source) {
+  std::set<std::string> ids;
+  for (const PlanQuery& query : queries) {
+    if (ids.insert(query.id).second) continue;
+    throw InputError(source, fmt::format("expected each id once, found \"{}\" again", query.id));
+  }
+}
+
+std::vector<PlanQuery> read_geojson(TextLines& lines, const Locator* locator) {
+  const nlohmann::json root = parse_json(rest_of(lines), lines.source());
+  if (!locator) lines.refuse("expected places in metres, found GeoJSON, which has degrees");
+  auto queries = geojson_queries(root, lines.source(), *locator);
+  require_each_id_once(queries, lines.source());
+  return queries;
+}
+
 }  // namespace
 
-std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view source) {
+std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view source,
+                                         const Locator* locator) {
   TextLines lines(in, source);
   std::vector<PlanQuery> queries;
   std::optional<CsvQueries> csv;
   std::set<std::string> ids;
   while (lines.next()) {
     if (lines.line().empty()) continue;
-    if (queries.empty() && !csv && !lines.line().starts_with('{')) {
-      csv.emplace(lines);
-      continue;
+    if (queries.empty() && !csv) {
+      if (looks_like_geojson(lines.line())) return read_geojson(lines, locator);
+      if (!lines.line().starts_with('{')) {
+        csv.emplace(lines);
+        continue;
+      }
     }
-    queries.push_back(csv ? csv->parse(lines) : parse_json(lines));
+    queries.push_back(csv ? csv->parse(lines, locator) : parse_line(lines, locator));
     queries.back().line = lines.number();
     if (!ids.insert(queries.back().id).second) {
       lines.refuse(fmt::format("expected each id once, found \"{}\" again", queries.back().id));

@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "geom/base/error.h"
+#include "support/random_city.h"
+#include "support/refusal.h"
 
 namespace geom {
 namespace {
@@ -51,6 +53,87 @@ TEST(ReferenceLengths, AreReadById) {
     std::istringstream bad_in(bad);
     EXPECT_THROW(read_reference_lengths(bad_in, "r"), InputError) << bad;
   }
+}
+
+// --- on Earth -----------------------------------------------------------------------------------
+
+const GeodeticOrigin kHelsinki{60.17, 24.94, 0};
+
+BoxMap helsinki() {
+  BoxMapSpec spec;
+  spec.bounds = {{-1000, -1000, 0}, {1000, 1000, 100}};
+  spec.frame.origin = kHelsinki;
+  return BoxMap(spec, support::table_of({{{-10, -10, 0}, {10, 10, 15}}}));
+}
+
+std::vector<PlanQuery> read(const std::string& text) {
+  const BoxMap map = helsinki();
+  const Locator locator(map);
+  std::istringstream in(text);
+  return read_plan_queries(in, "q", &locator);
+}
+
+void expect_near(const Vec3& a, const Vec3& b) { EXPECT_NEAR((a - b).norm(), 0, 1e-6); }
+
+TEST(PlanQueriesOnEarth, AreTextsColumnsOrGeoJson) {
+  const Vec3 to = GeographicFrame(kHelsinki).enu({60.171, 24.945, 30});
+  const auto json = read(R"({"id":"a","from":"60.17N,24.94E,2above","to":"60.171N,24.945E,30"})"
+                         "\n"
+                         R"({"from":[1,2,3],"to":"24.94E,60.17N,40"})");
+  ASSERT_EQ(json.size(), 2u);
+  expect_near(json[0].from, {0, 0, 17});
+  expect_near(json[0].to, to);
+  expect_near(json[1].from, {1, 2, 3});
+  expect_near(json[1].to, {0, 0, 40});
+  const auto csv = read(
+      "id,from_latitude,from_longitude,from_height,to_x,to_y,to_z\na,60.171,24.945,30,1,2,3\n");
+  expect_near(csv[0].from, to);
+  expect_near(csv[0].to, {1, 2, 3});
+  const auto lines = read(
+      "{\n\"type\": \"FeatureCollection\", \"features\": [\n"
+      R"({"type":"Feature","id":7,"geometry":{"type":"LineString","coordinates":[[24.94,60.17,20],[24.9,60.1,5],[24.945,60.171,30]]}},)"
+      R"({"type":"Feature","properties":{"id":"p","height":"3above"},"geometry":{"type":"Point","coordinates":[24.94,60.17]}},)"
+      R"({"type":"Feature","properties":{"height":4},"geometry":{"type":"LineString","coordinates":[[24.94,60.17],[24.945,60.171]]}},)"
+      R"({"type":"Feature","properties":{"id":"p"},"geometry":{"type":"Point","coordinates":[24.945,60.171,30]}}]})");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0].id, "7");
+  expect_near(lines[0].from, {0, 0, 20});
+  expect_near(lines[0].to, to);
+  EXPECT_EQ(lines[1].id, "q3");
+  expect_near(lines[1].from, {0, 0, 4});
+  EXPECT_EQ(lines[2].id, "p");
+  expect_near(lines[2].from, {0, 0, 18});
+  expect_near(lines[2].to, to);
+}
+
+TEST(PlanQueriesOnEarth, AreRefusedWithAReason) {
+  const auto refused = [](const std::string& text) {
+    return support::refusal_of([&] { read(text); });
+  };
+  const auto has = [&](const std::string& text, const char* why) {
+    EXPECT_NE(refused(text).find(why), std::string::npos) << text << ": " << refused(text);
+  };
+  const std::string feature = R"({"type":"Feature","geometry":{"type":)";
+  has(R"({"from":"60.17,24.94,3","to":"60.17N"})", "to: expected x,y,z in metres");
+  has("id,from_latitude,from_longitude,from_height,to_x,to_y,to_z\na,91,24,3,1,2,3\n",
+      "from_latitude must be degrees within 90, found 91");
+  has("id,from_latitude,from_longitude,from_height,to_x,to_y,to_z\na,60,24,3m,1,2,3\n",
+      "from_height must be metres");
+  has("id,from_latitude,from_longitude,to_x,to_y,to_z\na,60,24,1,2,3\n",
+      "expected a column from_height");
+  has(feature + R"("LineString","coordinates":[[24.94,60.17],[24.95,60.17]]}})",
+      "expected a height");
+  has(feature + R"("LineString","coordinates":[[24.94,60.17,1]]}})", "at least 2 positions");
+  has(feature + R"("LineString","coordinates":[[24.94,160.17,1],[24.9,60,1]]}})",
+      "must be degrees");
+  has(feature + R"("Polygon","coordinates":[]}})", "expected a LineString or a Point, found");
+  has(feature + R"("Point","coordinates":[24.94,60.17,1]}})", "expected an id");
+  has(R"({"type":"Feature","id":"a","geometry":{"type":"Point","coordinates":[24.94,60.17,1]}})",
+      "expected a second point of id \"a\"");
+  has(R"({"type":"FeatureCollection","features":[]})", "expected at least one query");
+  has(R"({"type":"FeatureCollection"})", "expected \"features\"");
+  std::istringstream in(R"({"from":"60.17N,24.94E,3","to":[1,2,3]})");
+  EXPECT_THROW(read_plan_queries(in, "q"), InputError);
 }
 
 }  // namespace

@@ -20,13 +20,6 @@ bool near_place(double latitude, double longitude, const geom::GeodeticOrigin& o
 
 bool fractional(double v) { return v != std::floor(v); }
 
-std::string what_stood_there(const geom::Frame& frame, const geom::Vec3& p) {
-  return fmt::format(
-      "[{}, {}] look like degrees: the map's origin is at latitude {}, longitude {}, and its "
-      "coordinates are metres from there; give metres, or insist with --metres",
-      p.x(), p.y(), frame.origin->latitude, frame.origin->longitude);
-}
-
 }  // namespace
 
 bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> points) {
@@ -39,6 +32,14 @@ bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> poi
     return false;
   return all([&](const geom::Vec3& p) { return near_place(p.x(), p.y(), at); }) ||
          all([&](const geom::Vec3& p) { return near_place(p.y(), p.x(), at); });
+}
+
+std::string MetresOption::what_stood_there(const geom::Frame& frame, const geom::Vec3& p) const {
+  return fmt::format(
+      "[{}, {}] look like degrees: the map's origin is at latitude {}, longitude {}, and its "
+      "coordinates are metres from there; give metres{}, or insist with --metres",
+      p.x(), p.y(), frame.origin->latitude, frame.origin->longitude,
+      takes_letters_ ? ", or degrees with letters (60.1719N,24.9414E,30)" : "");
 }
 
 void MetresOption::add_to(CLI::App& app) {

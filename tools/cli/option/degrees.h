@@ -17,6 +17,9 @@ bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> poi
 
 class MetresOption {
  public:
+  // Whether the points may also be degrees with letters (geom::parse_place).
+  explicit MetresOption(bool takes_letters = false) : takes_letters_(takes_letters) {}
+
   void add_to(CLI::App& app);  // --metres: insist
 
   // Throw cli::UsageError, and geom::InputError(source, line, …), where points look like degrees.
@@ -26,6 +29,9 @@ class MetresOption {
                    const std::string& source, std::size_t line) const;
 
  private:
+  std::string what_stood_there(const geom::Frame& frame, const geom::Vec3& p) const;
+
+  bool takes_letters_;
   bool insisted_ = false;
 };
 

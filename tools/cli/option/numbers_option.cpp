@@ -1,5 +1,7 @@
 #include "numbers_option.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "geom/text/number.h"
@@ -38,6 +40,21 @@ CLI::Option* add_point(CLI::App& app, const std::string& flag, std::optional<geo
           },
           description)
       ->type_name("X,Y,Z");
+}
+
+CLI::Option* add_place(CLI::App& app, const std::string& flag, std::optional<geom::Place>& place,
+                       const std::string& description) {
+  return app
+      .add_option_function<std::string>(
+          flag,
+          [&place, flag](const std::string& text) {
+            place = geom::parse_place(text);
+            if (place) return;
+            throw CLI::ValidationError(
+                flag, fmt::format("expected {}, found \"{}\"", geom::kPlaceForms, text));
+          },
+          description)
+      ->type_name("PLACE");
 }
 
 CLI::Option* add_box(CLI::App& app, const std::string& flag, std::optional<geom::Aabb>& box,

@@ -1,6 +1,6 @@
 #pragma once
 
-// Planning queries: JSON Lines, or CSV with a header.
+// Planning queries: JSON Lines, CSV with a header, or GeoJSON.
 
 #include <iosfwd>
 #include <map>
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/record/locator.h"
 #include "geom/shape/vec3.h"
 
 namespace geom {
@@ -26,7 +27,13 @@ struct PlanQuery {
 // SET-ID. The key "best_known", or the column best_known_m (a field may be empty), must be > 0.
 // Throws InputError(source, line, …) at the first malformed line, for an id that comes
 // twice, and for a stream without queries.
-std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view source);
+//
+// Places may be on Earth: a text that parse_place() takes in place of [x,y,z]; columns
+// from_latitude, from_longitude, from_height, to_latitude, … in place of from_x, …; or GeoJSON, of
+// which each LineString is a query from its first to its last position, and so are two Points of
+// one id. They need the locator of a map: without one they are refused.
+std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view source,
+                                         const Locator* locator = nullptr);
 
 // Lengths by id, of CSV with columns id,length and, as above, `set`. Throws InputError as above and
 // for a length that is not > 0.

@@ -1,0 +1,32 @@
+#pragma once
+
+// From places on Earth to the metres of a map.
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "geom/map/box_map.h"
+#include "geom/map/geographic_frame.h"
+#include "geom/record/place.h"
+
+namespace geom {
+
+// The map must outlive it. Places are counted as GeographicFrame counts them, heights as EarthPlace
+// says. A place `above` what stands there looks at all boxes: closed boxes under the point count.
+class Locator {
+ public:
+  explicit Locator(const BoxMap& map);
+
+  // Throws InputError(source, line, …) for a place on Earth where the map does not say where it is
+  // there, or where that is more than 1000 km away.
+  Vec3 at(const Place& place, std::string_view source, std::size_t line) const;
+
+ private:
+  double ground(const Vec3& p) const;
+
+  const BoxMap& map_;
+  std::optional<GeographicFrame> earth_;
+};
+
+}  // namespace geom

@@ -1,0 +1,149 @@
+#include "geojson_queries.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "geom/base/error.h"
+#include "geom/text/parse_json.h"
+
+namespace geom {
+namespace {
+
+using Json = nlohmann::json;
+
+class Features {
+ public:
+  Features(std::string_view source, const Locator& locator) : source_(source), locator_(locator) {}
+
+  std::vector<PlanQuery> read(const Json& root) {
+    const Json& list =
+        root.value("type", Json()) == "FeatureCollection" ? member(root, "features") : root;
+    if (list.is_array()) {
+      for (const Json& feature : list) add(feature);
+    } else {
+      add(list);
+    }
+    for (const auto& [id, start] : starts_) {
+      throw InputError(source_, fmt::format("expected a second point of id \"{}\", found one", id));
+    }
+    if (queries_.empty()) throw InputError(source_, "expected at least one query, found none");
+    return std::move(queries_);
+  }
+
+ private:
+  [[noreturn]] void refuse(std::string_view message) const {
+    throw InputError(source_, fmt::format("feature {}: {}", number_, message));
+  }
+
+  const Json& member(const Json& object, const char* key) const {
+    if (!object.is_object() || !object.contains(key)) {
+      refuse(fmt::format("expected \"{}\", found none", key));
+    }
+    return object[key];
+  }
+
+  void add(const Json& feature) {
+    ++number_;
+    const Json& geometry = member(feature, "geometry");
+    const Json& coordinates = member(geometry, "coordinates");
+    const Json& type = member(geometry, "type");
+    if (type == "LineString") {
+      if (!coordinates.is_array() || coordinates.size() < 2) {
+        refuse("a line must have at least 2 positions");
+      }
+      const std::string id = id_of(feature).value_or(fmt::format("q{}", number_));
+      queries_.push_back(
+          {id, place(feature, coordinates.front()), place(feature, coordinates.back()), {}, 0});
+    } else if (type == "Point") {
+      add_point(feature, coordinates);
+    } else {
+      refuse("expected a LineString or a Point, found " + shown(type));
+    }
+  }
+
+  void add_point(const Json& feature, const Json& position) {
+    const auto id = id_of(feature);
+    if (!id) refuse("expected an id, which the points of a query share, found none");
+    const Vec3 here = place(feature, position);
+    const auto start = starts_.find(*id);
+    if (start == starts_.end()) {
+      starts_.emplace(*id, here);
+      return;
+    }
+    queries_.push_back({*id, start->second, here, {}, 0});
+    starts_.erase(start);
+  }
+
+  std::optional<std::string> id_of(const Json& feature) const {
+    const Json properties = feature.value("properties", Json());
+    const auto text = [](const Json& object, const char* key) -> std::optional<std::string> {
+      if (!object.is_object() || !object.contains(key)) return std::nullopt;
+      if (object[key].is_string()) return object[key].get<std::string>();
+      return object[key].is_number() ? std::optional(object[key].dump()) : std::nullopt;
+    };
+    if (auto id = text(feature, "id")) return id;
+    if (auto id = text(properties, "id")) return id;
+    return text(properties, "name");
+  }
+
+  Vec3 place(const Json& feature, const Json& position) const {
+    if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
+        !position[1].is_number()) {
+      refuse("a position must be [longitude, latitude, height], found " + shown(position));
+    }
+    EarthPlace there{position[1].get<double>(), position[0].get<double>()};
+    if (!(std::abs(there.latitude) <= 90 && std::abs(there.longitude) <= 180)) {
+      refuse(fmt::format("a position must be degrees [longitude, latitude], found [{}, {}]",
+                         there.longitude, there.latitude));
+    }
+    const Height height = height_of(feature, position);
+    there.height = height.metres;
+    there.above = height.above;
+    return locator_.at(there, source_, 0);
+  }
+
+  Height height_of(const Json& feature, const Json& position) const {
+    const Json properties = feature.value("properties", Json());
+    Json value;
+    if (position.size() > 2) {
+      value = position[2];
+    } else if (properties.is_object()) {
+      value = properties.value("height", Json());
+    }
+    if (value.is_number() && std::abs(value.get<double>()) <= kLargestCoordinate) {
+      return {value.get<double>()};
+    }
+    if (value.is_string()) {
+      if (const auto height = parse_height(value.get<std::string>())) return *height;
+    }
+    refuse(
+        "expected a height, as third coordinate or as property height, in metres or such as "
+        "\"2above\", found " +
+        (value.is_null() ? "none" : shown(value)));
+  }
+
+  std::string source_;
+  const Locator& locator_;
+  std::size_t number_ = 0;
+  std::vector<PlanQuery> queries_;
+  std::map<std::string, Vec3> starts_;  // of points whose second is to come
+};
+
+}  // namespace
+
+bool looks_like_geojson(std::string_view text) {
+  const auto has = [&](std::string_view word) { return text.find(word) != text.npos; };
+  return text == "{" || ((has("\"FeatureCollection\"") || has("\"Feature\"")) && !has("\"from\""));
+}
+
+std::vector<PlanQuery> geojson_queries(const Json& root, std::string_view source,
+                                       const Locator& locator) {
+  return Features(source, locator).read(root);
+}
+
+}  // namespace geom

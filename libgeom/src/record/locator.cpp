@@ -1,0 +1,57 @@
+#include "geom/record/locator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geom/base/error.h"
+
+namespace geom {
+namespace {
+
+constexpr double kFar = 1e6;  // metres
+
+}  // namespace
+
+Locator::Locator(const BoxMap& map) : map_(map) {
+  const Frame& frame = map.spec().frame;
+  if (counts_from_origin(frame)) earth_.emplace(*frame.origin);
+}
+
+// The top of what stands there, or the floor.
+double Locator::ground(const Vec3& p) const {
+  double top = map_.spec().bounds.min.z();
+  for (std::size_t i = 0; i < map_.size(); ++i) {
+    const Aabb& box = map_.box(i);
+    if (box.min.x() <= p.x() && p.x() <= box.max.x() && box.min.y() <= p.y() &&
+        p.y() <= box.max.y()) {
+      top = std::max(top, box.max.z());
+    }
+  }
+  return top;
+}
+
+Vec3 Locator::at(const Place& place, std::string_view source, std::size_t line) const {
+  if (const auto* metres = std::get_if<Vec3>(&place)) return *metres;
+  const auto& there = std::get<EarthPlace>(place);
+  if (!earth_) {
+    throw InputError(source, line,
+                     "a place in degrees has no place on a map that does not say where on Earth "
+                     "it is: give metres, or make the map anew with an origin");
+  }
+  Vec3 enu(0, 0, 0);
+  earth_->from_geodetic(there.latitude, there.longitude, enu.x(), enu.y());
+  if (!(enu.norm() <= kFar)) {
+    throw InputError(
+        source, line,
+        fmt::format("latitude {}, longitude {} is more than 1000 km from the map, which is at "
+                    "latitude {}, longitude {}",
+                    there.latitude, there.longitude, map_.spec().frame.origin->latitude,
+                    map_.spec().frame.origin->longitude));
+  }
+  Vec3 p = to_enu(map_.spec().frame.axes, enu);
+  p.z() = there.height + (there.above ? ground(p) : 0);
+  return p;
+}
+
+}  // namespace geom
