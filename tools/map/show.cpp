@@ -1,8 +1,9 @@
-// Looking at maps: info, to-csv.
+// Looking at maps: info, to-csv, to-geojson.
 
 #include "cli/file/describe.h"
 #include "cli/file/files.h"
 #include "geom/import/box_csv.h"
+#include "geom/map/box_geojson.h"
 #include "geom/map/join.h"
 #include "geom/map/statistics.h"
 #include "verbs.h"
@@ -81,6 +82,19 @@ Verb to_csv(CLI::App& app, const cli::Common& common) {
             const BoxMap map = open(files->map, common);
             cli::OutputFile out(files->output, cli::OutputKind::text);
             geom::write_box_csv(out.stream(), geom::table_of(map));
+            out.commit();
+            return cli::Exit::yes;
+          }};
+}
+
+Verb to_geojson(CLI::App& app, const cli::Common& common) {
+  auto files = std::make_shared<Files>();
+  CLI::App* verb =
+      files->add(app, "to-geojson", "write the boxes as GeoJSON, in degrees, with base and height");
+  return {verb, [=, &common] {
+            const BoxMap map = open(files->map, common);
+            cli::OutputFile out(files->output, cli::OutputKind::text);
+            geom::write_box_geojson(out.stream(), map, files->map);
             out.commit();
             return cli::Exit::yes;
           }};

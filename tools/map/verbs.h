@@ -26,6 +26,7 @@ Verb tile(CLI::App& app, const cli::Common& common);
 Verb diff(CLI::App& app, const cli::Common& common);
 Verb patch(CLI::App& app, const cli::Common& common);
 Verb to_csv(CLI::App& app, const cli::Common& common);
+Verb to_geojson(CLI::App& app, const cli::Common& common);
 Verb to_ply(CLI::App& app, const cli::Common& common);
 Verb to_gltf(CLI::App& app, const cli::Common& common);
 
