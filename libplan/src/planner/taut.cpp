@@ -21,21 +21,91 @@ struct Flat {  // a point of the triangle: along its base and up towards its tip
   Vec3 point;
 };
 
+// A triangle over its base, which is longer than nothing, and not flat.
+struct Triangle {
+  Triangle(const Vec3& start, const Vec3& v, const Vec3& end)
+      : a(start), c(end), around{a.cwiseMin(v).cwiseMin(c), a.cwiseMax(v).cwiseMax(c)} {
+    const Vec3 base = c - a;
+    length = base.norm();
+    along = base / length;
+    up = (v - a) - (v - a).dot(along) * along;
+    height = up.norm();
+    up /= height;
+    normal = along.cross(up);
+    tip = (v - a).dot(along);
+  }
+
+  // Above its base and below both sides.
+  bool holds(double u, double w) const {
+    return w > 0 && w * tip <= height * u && w * (length - tip) <= height * (length - u);
+  }
+
+  Vec3 a;
+  Vec3 c;
+  geom::Aabb around;
+  double length;  // of the base, from a to c
+  double height;  // of the tip over it
+  double tip;     // where that is along the base
+  Vec3 along;     // unit vectors: of the base, up to the tip, and across
+  Vec3 up;
+  Vec3 normal;
+};
+
+// False only where a box of these grown half sizes around `middle` has no edge, kOff outside it,
+// through the triangle: seen along the base, upwards or across, they are apart.
+bool may_meet(const Triangle& triangle, const Vec3& middle, const Vec3& half) {
+  constexpr double kSpare = 2 * kOff;
+  const Vec3 from_a = middle - triangle.a;
+  const auto apart = [&](const Vec3& axis, double low, double high) {
+    const double at = axis.dot(from_a);
+    const double reach = axis.cwiseAbs().dot(half) + kSpare;
+    return at + reach < low || at - reach > high;
+  };
+  return !apart(triangle.normal, 0, 0) && !apart(triangle.up, 0, triangle.height) &&
+         !apart(triangle.along, std::min(0.0, triangle.tip),
+                std::max(triangle.length, triangle.tip));
+}
+
+// The boxes that come near the triangle, ascending: sought in pieces of it, since a box around a
+// long one holds much else.
+std::vector<std::size_t> boxes_near(const geom::CollisionScene& scene, const Triangle& triangle) {
+  constexpr double kPiece = 64;  // metres
+  const double pieces = std::ceil(triangle.length / kPiece);
+  if (pieces < 2 || triangle.tip < 0 || triangle.tip > triangle.length) {
+    return scene.boxes_meeting(triangle.around);
+  }
+  std::vector<std::size_t> near;
+  for (double n = 0; n < pieces; ++n) {
+    const double ends[] = {triangle.length * (n / pieces), triangle.length * ((n + 1) / pieces)};
+    const double top = triangle.height *
+                       std::min({1.0, ends[1] / triangle.tip,
+                                 (triangle.length - ends[0]) / (triangle.length - triangle.tip)});
+    const Vec3 low = triangle.a + ends[0] * triangle.along;
+    const Vec3 high = triangle.a + ends[1] * triangle.along;
+    const Vec3 rise = top * triangle.up;
+    const geom::Aabb piece{low.cwiseMin(high) + rise.cwiseMin(0),
+                           low.cwiseMax(high) + rise.cwiseMax(0)};
+    const auto boxes = scene.boxes_meeting(geom::grow(piece, Vec3::Constant(2 * kOff)));
+    near.insert(near.end(), boxes.begin(), boxes.end());
+  }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
 // Where the edges of the boxes, kOff outside them, pass through the triangle.
-std::vector<Flat> edge_points(const geom::CollisionScene& scene, const Vec3& a, const Vec3& v,
-                              const Vec3& c) {
-  const Vec3 base = c - a;
-  const double length = base.norm();
-  const Vec3 along = base / length;
-  Vec3 up = (v - a) - (v - a).dot(along) * along;
-  const double height = up.norm();
-  up /= height;
-  const Vec3 normal = along.cross(up);
-  const double tip = (v - a).dot(along);
-  const geom::Aabb around{a.cwiseMin(v).cwiseMin(c), a.cwiseMax(v).cwiseMax(c)};
+std::vector<Flat> edge_points(const geom::CollisionScene& scene, const Triangle& triangle) {
+  const Vec3& a = triangle.a;
+  const Vec3& normal = triangle.normal;
   std::vector<Flat> out;
-  for (const std::size_t i : scene.boxes_meeting(around)) {
+  for (const std::size_t i : boxes_near(scene, triangle)) {
+    const geom::Aabb& obstacle = scene.map().box(i);
+    if (!may_meet(triangle, 0.5 * (obstacle.min + obstacle.max),
+                  0.5 * (obstacle.max - obstacle.min) + scene.half())) {
+      continue;
+    }
     geom::Aabb box = scene.grown(i);
+    if (!geom::overlap(box, triangle.around)) continue;
     box.min.array() -= kOff;
     box.max.array() += kOff;
     for (int k = 0; k < 3; ++k) {
@@ -48,13 +118,9 @@ std::vector<Flat> edge_points(const geom::CollisionScene& scene, const Vec3& a, 
         p[i2] = corner & 2 ? box.max[i2] : box.min[i2];
         p[k] = a[k] - (normal[i1] * (p[i1] - a[i1]) + normal[i2] * (p[i2] - a[i2])) / normal[k];
         if (!(p[k] >= box.min[k] && p[k] <= box.max[k])) continue;
-        const double u = (p - a).dot(along);
-        const double w = (p - a).dot(up);
-        // Inside the triangle: above its base and below both sides.
-        if (!(w > 0 && w * tip <= height * u && w * (length - tip) <= height * (length - u))) {
-          continue;
-        }
-        out.push_back({u, w, p});
+        const double u = (p - a).dot(triangle.along);
+        const double w = (p - a).dot(triangle.up);
+        if (triangle.holds(u, w)) out.push_back({u, w, p});
       }
     }
   }
@@ -125,7 +191,7 @@ class Pull {
     const double old = (v - a).norm() + (c - v).norm();
     if (old - base < kLeast) return replace(i, {}, old);
     if (base < 1e-6 || (v - a).cross(c - a).norm() < 1e-9 * base) return 0;
-    return replace(i, chain(edge_points(scene_, a, v, c), base), old);
+    return replace(i, chain(edge_points(scene_, {a, v, c}), base), old);
   }
 
   double replace(std::size_t i, const std::vector<Vec3>& bends, double old) {

@@ -54,6 +54,18 @@ TEST(Taut, LeadsFromEdgeToEdgeOfWhatItGoesRound) {
   EXPECT_LE(geom::length(path), shortest + 0.01);
 }
 
+// Over 400 m, with a small pillar far from all bends.
+TEST(Taut, GoesRoundAllThatStandsAlongALongLeg) {
+  const auto scene = scene_of({{{190, -10, 0}, {210, 30, 90}}, {{60, 5, 0}, {62, 12, 90}}},
+                              {{-20, -20, 0}, {420, 220, 100}});
+  const geom::Polyline path = taut(scene, {{0, 0, 5}, {200, 120, 5}, {400, 0, 5}});
+  expect_free(scene, path);
+  const double shortest =
+      std::hypot(60.0, 12.0) + std::hypot(130.0, 18.0) + 20 + std::hypot(190.0, 30.0);
+  EXPECT_GE(geom::length(path), shortest);
+  EXPECT_LE(geom::length(path), shortest + 0.01);
+}
+
 TEST(Taut, IsTheStraightLineWhereNothingStandsBetween) {
   const auto scene = scene_of({{{4, -2, 0}, {6, 2, 90}}}, {{-20, -20, 0}, {20, 20, 100}});
   EXPECT_EQ(taut(scene, {{0, 9, 5}, {10, 9, 5}}), (geom::Polyline{{0, 9, 5}, {10, 9, 5}}));

@@ -1,0 +1,102 @@
+#include "bend_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geom/base/rounding.h"
+
+namespace plan {
+namespace {
+
+constexpr std::size_t kBendsOfLeaf = 8;
+constexpr std::size_t kChildren = 4;
+constexpr int kBits = 20;  // of each coordinate in a place on the curve
+
+// Every third bit, from the lowest on, is one of `x` (Morton 1966).
+std::uint64_t spread(std::uint64_t x) {
+  x = (x | x << 32) & 0x001f00000000ffff;
+  x = (x | x << 16) & 0x001f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  return (x | x << 2) & 0x1249249249249249;
+}
+
+BendTree::Node leaf_of(std::span<const Bend> bends, std::size_t first) {
+  const std::size_t count = std::min(kBendsOfLeaf, bends.size() - first);
+  BendTree::Node leaf{
+      {}, {}, static_cast<std::uint32_t>(first), static_cast<std::uint16_t>(count), true};
+  for (int k = 0; k < 3; ++k) {
+    double low = bends[first].position[k];
+    double high = low;
+    for (std::size_t i = first + 1; i < first + count; ++i) {
+      low = std::min(low, bends[i].position[k]);
+      high = std::max(high, bends[i].position[k]);
+    }
+    leaf.min[k] = geom::float_down(low);
+    leaf.max[k] = geom::float_up(high);
+  }
+  return leaf;
+}
+
+BendTree::Node parent_of(std::span<const BendTree::Node> children, std::size_t first) {
+  BendTree::Node parent = children[0];
+  parent.first = static_cast<std::uint32_t>(first);
+  parent.count = static_cast<std::uint16_t>(children.size());
+  parent.leaf = false;
+  for (const BendTree::Node& child : children) {
+    for (int k = 0; k < 3; ++k) {
+      parent.min[k] = std::min(parent.min[k], child.min[k]);
+      parent.max[k] = std::max(parent.max[k], child.max[k]);
+    }
+  }
+  return parent;
+}
+
+// Along a curve through the cube that holds all of them.
+void sort_leaves(std::vector<BendTree::Node>& leaves) {
+  if (leaves.empty()) return;
+  const BendTree::Node all = parent_of(leaves, 0);
+  double side = 0;
+  for (int k = 0; k < 3; ++k) side = std::max(side, double{all.max[k]} - all.min[k]);
+  const double scale = side > 0 ? ((1 << kBits) - 1) / side : 0;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
+  places.reserve(leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    std::uint64_t place = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double middle = 0.5 * (double{leaves[i].min[k]} + leaves[i].max[k]);
+      place |= spread(static_cast<std::uint64_t>((middle - all.min[k]) * scale)) << k;
+    }
+    places.emplace_back(place, static_cast<std::uint32_t>(i));
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<BendTree::Node> sorted;
+  sorted.reserve(leaves.size());
+  for (const auto& [place, i] : places) sorted.push_back(leaves[i]);
+  leaves = std::move(sorted);
+}
+
+}  // namespace
+
+BendTree::BendTree(std::span<const Bend> bends) {
+  for (std::size_t first = 0; first < bends.size(); first += kBendsOfLeaf) {
+    nodes_.push_back(leaf_of(bends, first));
+  }
+  sort_leaves(nodes_);
+  std::size_t begin = 0;
+  for (std::size_t end = nodes_.size(); end - begin > 1; end = nodes_.size()) {
+    for (; begin < end; begin += kChildren) {
+      const std::size_t count = std::min(kChildren, end - begin);
+      nodes_.push_back(parent_of(std::span(nodes_).subspan(begin, count), begin));
+    }
+    begin = end;
+  }
+}
+
+geom::Aabb BendTree::box(std::uint32_t i) const {
+  const Node& node = nodes_[i];
+  return {Vec3(node.min[0], node.min[1], node.min[2]), Vec3(node.max[0], node.max[1], node.max[2])};
+}
+
+}  // namespace plan

@@ -1,0 +1,74 @@
+#pragma once
+
+// The bends of a roadmap in boxes within boxes, so that a search meets first those that are near
+// and never those that are far.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "plan/roadmap/roadmap.h"
+
+namespace plan {
+
+// Leaves are runs of bends that follow each other, as the bends of one box do; leaves that are near
+// each other along a Morton curve have a common parent. Immutable; building sorts the leaves.
+class BendTree {
+ public:
+  // What is below node i lies in its box, the faces included. A leaf has the bends [first, first +
+  // count), another node has the nodes [first, first + count).
+  struct Node {
+    float min[3];
+    float max[3];
+    std::uint32_t first;
+    std::uint16_t count;
+    bool leaf;
+  };
+
+  explicit BendTree(std::span<const Bend> bends);
+
+  bool empty() const { return nodes_.empty(); }
+  std::uint32_t root() const { return static_cast<std::uint32_t>(nodes_.size() - 1); }
+  const Node& node(std::uint32_t i) const { return nodes_[i]; }
+
+  // How far `p` is from the node's box, in metres: no more than (p - q).norm() for any bend at q in
+  // it, as rounded too.
+  double distance(std::uint32_t i, const Vec3& p) const;
+
+  geom::Aabb box(std::uint32_t i) const;
+
+  // Calls f(bend) for all bends of leaves within `radius` metres of `p`.
+  template <class F>
+  void for_near(const Vec3& p, double radius, const F& f) const {
+    if (!empty()) for_near(root(), p, radius, f);
+  }
+
+ private:
+  template <class F>
+  void for_near(std::uint32_t i, const Vec3& p, double radius, const F& f) const {
+    if (distance(i, p) > radius) return;
+    const Node& node = nodes_[i];
+    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+      node.leaf ? f(k) : for_near(k, p, radius, f);
+    }
+  }
+
+  std::vector<Node> nodes_;  // children before their parents; the root is the last
+};
+
+// Rounding keeps the order of differences, squares, sums and square roots, so the distance to the
+// box is not above that to a point of it where both are worked out in the same way.
+inline double BendTree::distance(std::uint32_t i, const Vec3& p) const {
+  const Node& node = nodes_[i];
+  Vec3 off;
+  for (int k = 0; k < 3; ++k) {
+    const double below = node.min[k] - p[k];
+    const double above = p[k] - node.max[k];
+    const double out = below > above ? below : above;
+    off[k] = out > 0 ? out : 0;
+  }
+  return off.norm();
+}
+
+}  // namespace plan

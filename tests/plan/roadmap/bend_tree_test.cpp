@@ -1,0 +1,84 @@
+#include "roadmap/bend_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/random_city.h"
+
+namespace plan {
+namespace {
+
+// Some of them at the same place, far from the origin.
+std::vector<Bend> random_bends(support::Random& random, std::size_t count) {
+  std::vector<Bend> bends(count);
+  for (Bend& bend : bends) {
+    for (int k = 0; k < 3; ++k) {
+      bend.position[k] =
+          4e5 * k + (random.below(3) ? random.stepped(0, 20, 5) : random.uniform(0, 300));
+    }
+  }
+  return bends;
+}
+
+Vec3 random_place(support::Random& random) {
+  return {random.uniform(-50, 350), 4e5 + random.uniform(-50, 350), 8e5 + random.uniform(-50, 350)};
+}
+
+// The bends below a node, and whether each is no nearer to `p` than all boxes around it.
+void expect_below(const BendTree& tree, std::uint32_t i, const std::vector<Bend>& bends,
+                  const Vec3& p, double least, std::vector<int>& met) {
+  const BendTree::Node& node = tree.node(i);
+  least = std::max(least, tree.distance(i, p));
+  for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+    if (!node.leaf) {
+      expect_below(tree, k, bends, p, least, met);
+      continue;
+    }
+    ++met[k];
+    ASSERT_LE(least, (p - bends[k].position).norm());
+    ASSERT_LE(least, (bends[k].position - p).norm());
+  }
+}
+
+TEST(BendTree, HasEachBendInOneLeafAndNoBoxFartherThanWhatIsInIt) {
+  support::Random random(1);
+  for (const std::size_t count : {1u, 7u, 8u, 9u, 33u, 2000u}) {
+    const std::vector<Bend> bends = random_bends(random, count);
+    const BendTree tree(bends);
+    ASSERT_FALSE(tree.empty());
+    for (int n = 0; n < 50; ++n) {
+      const Vec3 p = n % 2 ? random_place(random) : bends[random.below(count)].position;
+      std::vector<int> met(count);
+      expect_below(tree, tree.root(), bends, p, 0, met);
+      ASSERT_EQ(std::count(met.begin(), met.end(), 1), static_cast<std::ptrdiff_t>(count));
+    }
+  }
+}
+
+TEST(BendTree, FindsAllBendsWithinADistance) {
+  support::Random random(2);
+  const std::vector<Bend> bends = random_bends(random, 1500);
+  const BendTree tree(bends);
+  for (int n = 0; n < 200; ++n) {
+    const Vec3 p = random_place(random);
+    const double radius = random.uniform(0, 150);
+    std::vector<int> met(bends.size());
+    tree.for_near(p, radius, [&](std::uint32_t i) { ++met[i]; });
+    for (std::size_t i = 0; i < bends.size(); ++i) {
+      ASSERT_LE(met[i], 1);
+      if ((bends[i].position - p).norm() <= radius) {
+        ASSERT_EQ(met[i], 1) << i;
+      }
+    }
+  }
+}
+
+TEST(BendTree, OfNoBendsIsEmpty) {
+  const BendTree tree({});
+  EXPECT_TRUE(tree.empty());
+  tree.for_near({0, 0, 0}, 1e9, [](std::uint32_t) { FAIL(); });
+}
+
+}  // namespace
+}  // namespace plan
