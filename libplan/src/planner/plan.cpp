@@ -158,6 +158,7 @@ struct Planner::Impl {
 
   // What follow give a path that is shorter than `than`, or any where `than` is empty.
   std::optional<Found> by_roadmap(const Task& task, RoadmapLimits limits, const Polyline& than);
+  std::optional<Found> by_roadmap_from_goal(const Task& task);
   std::optional<Found> by_corridor(const Task& task, const Polyline& than) const;
   std::optional<Found> by_close_bends(const Task& task, const Polyline& than) const;
   std::optional<Found> by_bends(RoadmapSearch& search, const Task& task, RoadmapLimits limits,
@@ -350,6 +351,13 @@ std::optional<Found> Planner::Impl::by_roadmap(const Task& task, RoadmapLimits l
   return found;
 }
 
+// From an end in a yard there are far fewer bends to settle than on the way to it.
+std::optional<Found> Planner::Impl::by_roadmap_from_goal(const Task& task) {
+  auto found = by_roadmap({task.to, task.from, task.options}, {kUnknownBends}, {});
+  if (found) std::reverse(found->path.begin(), found->path.end());
+  return found;
+}
+
 // Bends around the boxes near a path that a lattice gave.
 std::optional<Found> Planner::Impl::by_corridor(const Task& task, const Polyline& than) const {
   const double width = task.options.quality == Quality::best ? 2 * kCorridor : kCorridor;
@@ -416,7 +424,10 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
     return with({straight, {step_of("search", straight)}}, Route::straight, {});
   }
   if (roadmap_) {
-    if (auto found = by_roadmap(task, first_limits(task), {})) {
+    const RoadmapLimits limits = first_limits(task);
+    auto found = by_roadmap(task, limits, {});
+    if (!found && limits.settled > 0) found = by_roadmap_from_goal(task);
+    if (found) {
       if (task.options.quality == Quality::best && task.straight() < kCloseMost) {
         if (auto closer = by_close_bends(task, found->path)) found = std::move(closer);
       }

@@ -12,6 +12,7 @@ namespace plan {
 namespace {
 
 constexpr double kLoose = 0.08;  // how far a turn may miss wrapping: bends stand in for their part
+constexpr std::size_t kLinks = 8;    // blocked ones that cost as much as a bend settled
 constexpr double kBucket = 0x1p-10;  // of the straight line: how much longer paths of a bucket are
 
 // Whether a path that comes from one direction and leaves in another, both tangent, wraps around
@@ -59,12 +60,14 @@ struct RoadmapSearch::Impl {
   Vec3 from_;
   Vec3 to_;
   double weight_ = 1;
+  std::size_t blocked_ = 0;  // links from the start
 };
 
 void RoadmapSearch::Impl::begin(const Vec3& from, const Vec3& to, const RoadmapLimits& limits) {
   from_ = from;
   to_ = to;
   weight_ = limits.weight;
+  blocked_ = 0;
   if (++stamp_ == 0) {
     std::fill(visits_.begin(), visits_.end(), Visit{});
     stamp_ = 1;
@@ -171,7 +174,10 @@ bool RoadmapSearch::Impl::settle(const Open& top) {
   const std::uint32_t i = top.index;
   if (top.kind == Open::unlinked) {
     if (known_as_near(i, top.cost)) return false;
-    if (scene_->hits(from_, roadmap_->bends[i].position)) return false;
+    if (scene_->hits(from_, roadmap_->bends[i].position)) {
+      ++blocked_;
+      return false;
+    }
     visits_[i] = {top.cost, kStart, stamp_};
   } else if (visits_[i].cost < top.cost) {
     return false;
@@ -197,6 +203,7 @@ RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,
                                           const RoadmapLimits& limits) {
   RoadmapResult result;
   begin(from, to, limits);
+  const bool has_edges = !roadmap_->first.empty();
   double longest = std::numeric_limits<double>::infinity();
   while (!open_.empty() && open_.first().bound <= longest) {
     const Open top = open_.pop();
@@ -204,18 +211,22 @@ RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,
       open_node(top.index);
       continue;
     }
-    if (!settle(top)) continue;
-    if (++result.settled > limits.settled) break;
+    if (settle(top)) {
+      if (++result.settled > limits.settled) break;
+    } else {
+      if (has_edges && blocked_ / kLinks > limits.settled) break;
+      continue;
+    }
     const Across in = arrival(top.index);
     if (sees_goal(top.index, in)) {
       if (result.paths.empty()) longest = top.bound * (1 + limits.beyond);
       result.paths.push_back(trace(top.index));
       if (result.paths.size() == limits.paths) return result;
     }
-    if (roadmap_->first.empty()) {
-      look_around(top.index, top.cost, in);
-    } else {
+    if (has_edges) {
       expand(top.index, top.cost, in);
+    } else {
+      look_around(top.index, top.cost, in);
     }
   }
   result.gave_up = result.paths.empty();

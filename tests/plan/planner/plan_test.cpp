@@ -300,5 +300,37 @@ TEST(Planner, FindsTheHoleInAWallAndEveryLegIsFree) {
   }
 }
 
+// A chimney so narrow that no node of the 10 m lattice is in sight at its foot, and so high that
+// all bends of the wood around it are nearer than the way over its rim.
+TEST(Planner, LooksFromTheGoalWhereThereIsTooMuchOnTheWayToIt) {
+  std::vector<geom::Aabb> boxes;
+  for (int i = 0; i < 24; ++i) {
+    for (int j = 0; j < 24; ++j) {
+      const Vec3 low(10.0 * i - 120, 10.0 * j - 120, 0);
+      if (std::abs(low.x() + 1) < 12 && std::abs(low.y() + 1) < 12) continue;
+      boxes.push_back({low, low + Vec3(2, 2, 8 + (i * 7 + j * 5) % 9)});
+    }
+  }
+  boxes.push_back({{2, 2, 0}, {4, 9, 195}});
+  boxes.push_back({{7, 2, 0}, {9, 9, 195}});
+  boxes.push_back({{2, 2, 0}, {9, 4, 195}});
+  boxes.push_back({{2, 7, 0}, {9, 9, 195}});
+  const auto scene = scene_of(boxes, {{-130, -130, 0}, {130, 130, 250}}, {0.5, 0.5, 0.5});
+  const Roadmap roadmap = build_roadmap(scene, {10, 60, {}}, {2, {}});
+  Planner planner(scene, nullptr, &roadmap);
+  const Vec3 from(-115, -113, 2);
+  const Vec3 to(5.5, 5.5, 3);
+  const RoadmapResult there = RoadmapSearch(scene, roadmap).search(from, to, {4000});
+  const RoadmapResult back = RoadmapSearch(scene, roadmap).search(to, from, {4000});
+  EXPECT_TRUE(there.gave_up) << there.settled << " of " << roadmap.bends.size();
+  EXPECT_FALSE(back.gave_up) << back.settled;
+  const PlanResult result = planner.plan(from, to);
+  ASSERT_EQ(result.status, PathStatus::found);
+  EXPECT_EQ(result.route, Route::roadmap);
+  EXPECT_EQ(result.path.front(), from);
+  EXPECT_EQ(result.path.back(), to);
+  expect_free(scene, result.path);
+}
+
 }  // namespace
 }  // namespace plan

@@ -36,6 +36,29 @@ TEST(Roadmap, FindsTheShortestWayOverAWall) {
   EXPECT_NEAR(geom::length(path), std::hypot(flat, 40.0), 1e-3);
 }
 
+// However many bends a closed room does not see, only so many of them are looked at.
+TEST(Roadmap, GivesUpWhereTheStartSeesNothing) {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{-50, -50, 0}, {50, 50, 60}};
+  std::vector<geom::Aabb> boxes = {{{-10, -10, 0}, {10, -9, 9}},
+                                   {{-10, 9, 0}, {10, 10, 9}},
+                                   {{-10, -10, 0}, {-9, 10, 9}},
+                                   {{9, -10, 0}, {10, 10, 9}},
+                                   {{-10, -10, 9}, {10, 10, 10}}};
+  for (double x = -45; x < 45; x += 9) boxes.push_back({{x, 20, 0}, {x + 2, 22, 9}});
+  const geom::CollisionScene scene(geom::BoxMap(spec, support::table_of(boxes)), {"box", {1, 1, 1}},
+                                   0);
+  const Roadmap roadmap = build_roadmap(scene, {});
+  ASSERT_GT(roadmap.bends.size(), 50u);
+  RoadmapSearch search(scene, roadmap);
+  for (const std::size_t limit : {1u, 1000u}) {
+    const RoadmapResult none = search.search({0, 0, 4}, {0, 40, 4}, {limit});
+    EXPECT_TRUE(none.gave_up);
+    EXPECT_TRUE(none.paths.empty());
+    EXPECT_EQ(none.settled, 0u);
+  }
+}
+
 class RoadmapProperty : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RoadmapProperty, BendsAreFreeAndEdgesSeeEachOtherBothWays) {

@@ -81,7 +81,7 @@ struct PlanResult {
 // 1. The straight line.
 // 2. The roadmap, where one is given. Its coarse lattice says how far to search: 20,000 bends where
 //    both ends are in one component of it, 4,000 where it does not see an end, none where the ends
-//    are in different components.
+//    are in different components. Where that finds nothing, 4,000 bends from the goal on.
 // 3. A* on a lattice, joined to both ends by checked segments; the path is shortened by shortcut().
 //    Without a lattice from the caller it tries 26-connected ones of 10, 5 and 2.5 m (finer on maps
 //    too small for these) until one finds a path, each worked out only where the search goes. A

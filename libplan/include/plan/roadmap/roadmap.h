@@ -74,7 +74,8 @@ Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec
                       const geom::Execution& run = {});
 
 struct RoadmapLimits {
-  std::size_t settled = 20000;  // bends: gives up beyond
+  std::size_t settled = 20000;  // bends: gives up beyond, and in a roadmap with edges beyond eight
+                                // times as many that the start turns out not to see
   std::size_t paths = 1;        // how many to find
   double beyond = 0;            // none longer than the shortest by more than this share of it
   double weight = 1;            // >= 1, of the distance to the goal: more looks at fewer bends, and
