@@ -196,9 +196,8 @@ Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
     const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
     return std::make_unique<LatticeLevel>(lazy_lattice(scene, spec), false);
   };
-  if (lattice) {
-    levels_.push_back(std::make_unique<LatticeLevel>(*lattice, true));
-  } else if (scene.free_bounds()) {
+  if (lattice) levels_.push_back(std::make_unique<LatticeLevel>(*lattice, true));
+  if (scene.free_bounds()) {
     const auto spacings = spacings_for(*scene.free_bounds());
     for (const double spacing : spacings) levels_.push_back(lazy(spacing));
     for (const double times : {4, 16}) coarse_levels_.push_back(lazy(times * spacings[0]));

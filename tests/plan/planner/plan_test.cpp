@@ -300,6 +300,21 @@ TEST(Planner, FindsTheHoleInAWallAndEveryLegIsFree) {
   }
 }
 
+// Nodes at 1, 16 and 31 m see no way over the wall of 36 m.
+TEST(Planner, AGivenLatticeHelpsAndIsNoLimitButOfAstar) {
+  const auto scene = wall();
+  const Lattice lattice =
+      build_lattice(scene, {15, Connectivity::twenty_six, scene.free_bounds()->min});
+  Planner planner(scene, &lattice);
+  const Vec3 from(2, 20, 5);
+  const Vec3 to(38, 20, 5);
+  EXPECT_EQ(planner.plan(from, to, {.method = Method::astar}).status, PathStatus::unreachable);
+  const PlanResult result = planner.plan(from, to);
+  ASSERT_EQ(result.status, PathStatus::found);
+  expect_free(scene, result.path);
+  EXPECT_EQ(result.path, planned(scene, from, to).path);
+}
+
 // A chimney so narrow that no node of the 10 m lattice is in sight at its foot, and so high that
 // all bends of the wood around it are nearer than the way over its rim.
 TEST(Planner, LooksFromTheGoalWhereThereIsTooMuchOnTheWayToIt) {

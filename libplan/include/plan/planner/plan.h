@@ -83,9 +83,9 @@ struct PlanResult {
 //    both ends are in one component of it, 4,000 where it does not see an end, none where the ends
 //    are in different components. Where that finds nothing, 4,000 bends from the goal on.
 // 3. A* on a lattice, joined to both ends by checked segments; the path is shortened by shortcut().
-//    Without a lattice from the caller it tries 26-connected ones of 10, 5 and 2.5 m (finer on maps
-//    too small for these) until one finds a path, each worked out only where the search goes. A
-//    shortened path of more than 1.2 times the straight line is compared with the next lattice's.
+//    It tries the caller's, if there is one, then 26-connected ones of 10, 5 and 2.5 m (finer on
+//    maps too small for these) until one finds a path, each worked out only where the search goes.
+//    A shortened path of more than 1.2 times the straight line is compared with the next lattice's.
 //    Where a lattice has too many nodes to look at, spacings of 4 and 16 times the first are tried.
 //    Once a lattice finds none, Reach says whether there is any way: if not, the goal is
 //    unreachable, at no resolution. A way that no lattice finds goes from cell to cell of free
