@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
@@ -15,15 +18,34 @@
 
 namespace {
 
-constexpr std::size_t kManyBoxes = 100000;  // beyond, the reach must be named
+constexpr double kLong = 300;  // seconds of a core: beyond, the reach must be named
 
-// About: 9 bends a box, and for each a neighbour a metre of reach, as made-up cities have.
-std::string estimate(std::size_t boxes, double reach) {
-  const double bends = 9 * static_cast<double>(boxes);
-  const double edges = 0.5 * bends * reach;
-  return fmt::format("about {:.0f} million bends, {:.0f} million edges and {:.1f} GB", bends / 1e6,
-                     edges / 1e6, (bends * 46 + edges * 8) / 1e9);
-}
+// What building takes and gives, about: 9 bends a box, and for each a neighbour a metre of reach,
+// as made-up cities have; and all pairs of bends in neighbouring squares as wide as the reach are
+// looked at. On San Francisco a third of it.
+struct Estimate {
+  double bends;
+  double edges;
+  double seconds;  // of one core
+
+  // Of boxes spread over that area.
+  Estimate(std::size_t boxes, double reach, const geom::Aabb& area) {
+    constexpr double kPair = 40e-9;  // seconds
+    bends = 9 * static_cast<double>(boxes);
+    edges = 0.5 * bends * std::min(reach, bends);
+    const geom::Vec3 size = area.max - area.min;
+    const double share = std::min(1.0, 3 * reach / std::max(size.x(), 1.0)) *
+                         std::min(1.0, 3 * reach / std::max(size.y(), 1.0));
+    seconds = 0.5 * bends * bends * share * kPair;
+  }
+
+  std::string text() const {
+    return fmt::format(
+        "about {:.1f} million bends, {:.0f} million edges and {:.1f} GB, and take about {:.0f} "
+        "minutes of a core",
+        bends / 1e6, edges / 1e6, (bends * 46 + edges * 8) / 1e9, std::ceil(seconds / 60));
+  }
+};
 
 plan::Roadmap patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
                       const geom::Execution& run) {
@@ -57,8 +79,8 @@ int main(int argc, char** argv) {
   cli::add_output(app, "-o,--output", output, "roadmap to write (default: stdout)");
   auto* reach =
       app.add_option("--reach,--within", spec.reach,
-                     "longest edge, metres (default 500; to be named on maps of more than "
-                     "100,000 boxes)")
+                     "longest edge, metres (default 500; to be named where building would take "
+                     "over 5 minutes of a core)")
           ->check(CLI::Range(1.0, 1e5));
   auto* part = app.add_option("--part", spec.part,
                               "box edges are cut into parts of at most this, metres (default 10)")
@@ -78,16 +100,19 @@ int main(int argc, char** argv) {
     const auto checked_size = [&](const geom::CollisionScene& scene) {
       const std::size_t boxes =
           spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
-      if (boxes > kManyBoxes) {
-        const std::string size = estimate(boxes, spec.reach);
-        if (reach->empty()) {
-          throw cli::UsageError(
-              fmt::format("a roadmap of {} boxes would have {}: give --within (500 m is the "
-                          "default), or a smaller --region",
-                          boxes, size));
-        }
-        common.warn(fmt::format("{}: a roadmap of {} boxes has {}", map_file, boxes, size));
+      const geom::Aabb& bounds = scene.map().spec().bounds;
+      const geom::Aabb area = spec.region.value_or(bounds);
+      const Estimate estimate(boxes, spec.reach,
+                              {area.min.cwiseMax(bounds.min), area.max.cwiseMin(bounds.max)});
+      if (estimate.seconds <= kLong) return;
+      if (reach->empty()) {
+        throw cli::UsageError(
+            fmt::format("a roadmap of {} boxes would have {}: give --within (500 m is the "
+                        "default), or a smaller --region",
+                        boxes, estimate.text()));
       }
+      common.warn(
+          fmt::format("{}: a roadmap of {} boxes will have {}", map_file, boxes, estimate.text()));
     };
     if (!patch.asked()) checked_size(scenes.scene());
     if (sharding.asked()) {
