@@ -208,6 +208,9 @@ IpoptOutcome ipopt_solve(const Nlp& nlp, int max_iterations) {
   // No answer: with more memory there would be another.
   if (status == Ipopt::Insufficient_Memory) throw std::bad_alloc();
   outcome.status = words(status);
+  outcome.settled = status == Ipopt::Solve_Succeeded ||
+                    status == Ipopt::Solved_To_Acceptable_Level ||
+                    status == Ipopt::User_Requested_Stop;
   return outcome;
 }
 

@@ -13,6 +13,7 @@ struct IpoptOutcome {
   std::vector<double> x;  // the start when the solver broke down
   std::string status = "was not run";
   int iterations = 0;
+  bool settled = false;  // whether it ended because it was, nearly, at an optimum
 };
 
 // One at a time in a process: MUMPS crashes when two threads solve at once, so calls wait for each

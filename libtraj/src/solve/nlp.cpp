@@ -62,6 +62,15 @@ struct Nlp::Piece {
   double time;
   Powers power;
 
+  Vec3 value(int order, int index) const {
+    Vec3 sum = Vec3::Zero();
+    for (int m = 0; m < kStates; ++m) {
+      const double c = kTables[order][index][m];
+      if (c != 0) sum += (c * power(power_of(m) - order)) * state[m];
+    }
+    return sum;
+  }
+
   Point point(int order, int index) const {
     Point p;
     for (int m = 0; m < kStates; ++m) {
@@ -156,13 +165,15 @@ void Nlp::add_row(Row row) {
 
 void Nlp::add_rows() {
   for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    first_row_.push_back(rows_.size());
+    first_group_.push_back(groups_.size());
     for (int point = 0; point < 8; ++point) {
-      if (!moves(k, 0, point)) continue;
+      if (!moves(k, 0, point) || spec_.corridor[k].planes.empty()) continue;
+      const std::size_t first = rows_.size();
       for (const Plane& plane : spec_.corridor[k].planes) {
         add_row({k, 0, point, plane.normal, 0, false, 0});
         bound_.push_back(plane.offset);
       }
+      groups_.push_back({0, point, first, rows_.size()});
     }
     for (std::size_t l = 0; l < spec_.limits.size(); ++l) {
       const QuadraticLimit& limit = spec_.limits[l];
@@ -170,10 +181,23 @@ void Nlp::add_rows() {
         if (!moves(k, limit.order, point)) continue;
         add_row({k, limit.order, point, Vec3::Zero(), l, false, 0});
         bound_.push_back(limit.bound);
+        groups_.push_back({limit.order, point, rows_.size() - 1, rows_.size()});
       }
     }
   }
-  first_row_.push_back(rows_.size());
+  first_group_.push_back(groups_.size());
+}
+
+std::span<const Nlp::Group> Nlp::groups(std::size_t piece) const {
+  return std::span(groups_).subspan(first_group_[piece],
+                                    first_group_[piece + 1] - first_group_[piece]);
+}
+
+// The constraint's derivative by its Bernstein point.
+Vec3 Nlp::slope(const Row& row, const Vec3& z) const {
+  if (row.order == 0) return row.normal;
+  const QuadraticLimit& limit = spec_.limits[row.limit];
+  return 2 * limit.weight.cwiseProduct(z + limit.shift);
 }
 
 void Nlp::add_hessian_entries() {
@@ -260,15 +284,17 @@ std::vector<double> Nlp::constraint_values(std::span<const double> x) const {
   out.reserve(rows_.size());
   for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
     const Piece p = piece(k, x);
-    for (std::size_t r = first_row_[k]; r < first_row_[k + 1]; ++r) {
-      const Row& row = rows_[r];
-      const Vec3 z = p.point(row.order, row.point).value;
-      if (row.order == 0) {
-        out.push_back(row.normal.dot(z));
-        continue;
+    for (const Group& group : groups(k)) {
+      const Vec3 z = p.value(group.order, group.point);
+      for (std::size_t r = group.first_row; r < group.last_row; ++r) {
+        const Row& row = rows_[r];
+        if (row.order == 0) {
+          out.push_back(row.normal.dot(z));
+          continue;
+        }
+        const QuadraticLimit& limit = spec_.limits[row.limit];
+        out.push_back(limit.weight.dot((z + limit.shift).cwiseAbs2()));
       }
-      const QuadraticLimit& limit = spec_.limits[row.limit];
-      out.push_back(limit.weight.dot((z + limit.shift).cwiseAbs2()));
     }
   }
   return out;
@@ -279,18 +305,72 @@ std::vector<double> Nlp::jacobian(std::span<const double> x) const {
   out.reserve(jacobian_entries_.size());
   for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
     const Piece p = piece(k, x);
-    for (std::size_t r = first_row_[k]; r < first_row_[k + 1]; ++r) {
-      const Row& row = rows_[r];
-      const Point z = p.point(row.order, row.point);
-      Vec3 outer = row.normal;
-      if (row.order > 0) {
-        const QuadraticLimit& limit = spec_.limits[row.limit];
-        outer = 2 * limit.weight.cwiseProduct(z.value + limit.shift);
+    for (const Group& group : groups(k)) {
+      const Point z = p.point(group.order, group.point);
+      for (std::size_t r = group.first_row; r < group.last_row; ++r) {
+        const Row& row = rows_[r];
+        const Vec3 by_point = slope(row, z.value);
+        for_each_local(row, [&](int m, int i) {
+          out.push_back(by_point[i] * z.weight[static_cast<std::size_t>(m)] *
+                        scale(k, local_of(m, i)));
+        });
+        if (row.on_time) out.push_back(by_point.dot(z.dt));
       }
-      for_each_local(row, [&](int m, int i) {
-        out.push_back(outer[i] * z.weight[static_cast<std::size_t>(m)] * scale(k, local_of(m, i)));
-      });
-      if (row.on_time) out.push_back(outer.dot(z.dt));
+    }
+  }
+  return out;
+}
+
+std::vector<double> Nlp::jacobian_times(std::span<const double> x,
+                                        std::span<const double> d) const {
+  std::vector<double> out;
+  out.reserve(rows_.size());
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    const Piece p = piece(k, x);
+    std::array<Vec3, kStates> step;
+    for (int m = 0; m < kStates; ++m) {
+      for (int i = 0; i < 3; ++i) {
+        const int local = local_of(m, i);
+        const int g = global(k, local);
+        step[static_cast<std::size_t>(m)][i] =
+            g < 0 ? 0 : scale(k, local) * d[static_cast<std::size_t>(g)];
+      }
+    }
+    for (const Group& group : groups(k)) {
+      const Point z = p.point(group.order, group.point);
+      Vec3 moved = d[13 * k] * z.dt;
+      for (std::size_t m = 0; m < kStates; ++m) moved += z.weight[m] * step[m];
+      for (std::size_t r = group.first_row; r < group.last_row; ++r) {
+        out.push_back(slope(rows_[r], z.value).dot(moved));
+      }
+    }
+  }
+  return out;
+}
+
+std::vector<double> Nlp::transposed_jacobian_times(std::span<const double> x,
+                                                   std::span<const double> v) const {
+  std::vector<double> out(start_.size(), 0.0);
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    const Piece p = piece(k, x);
+    std::array<Vec3, kStates> pull;
+    pull.fill(Vec3::Zero());
+    for (const Group& group : groups(k)) {
+      const Point z = p.point(group.order, group.point);
+      Vec3 sum = Vec3::Zero();
+      for (std::size_t r = group.first_row; r < group.last_row; ++r) {
+        sum += v[r] * slope(rows_[r], z.value);
+      }
+      for (std::size_t m = 0; m < kStates; ++m) pull[m] += z.weight[m] * sum;
+      out[13 * k] += sum.dot(z.dt);
+    }
+    for (int m = 0; m < kStates; ++m) {
+      for (int i = 0; i < 3; ++i) {
+        const int local = local_of(m, i);
+        const int g = global(k, local);
+        if (g < 0) continue;
+        out[static_cast<std::size_t>(g)] += scale(k, local) * pull[static_cast<std::size_t>(m)][i];
+      }
     }
   }
   return out;
@@ -320,35 +400,24 @@ void add_snap(const std::array<Vec3, kStates>& absolute, const Powers& power, do
   }
 }
 
-// `pull`: the sum of multiplier * normal over the planes of this point.
-void add_plane(const Point& z, const Vec3& pull, Nlp::Block& h) {
-  for (int m = 0; m < kStates; ++m) {
-    for (int i = 0; i < 3; ++i) {
-      const double d = pull[i] * z.weight_dt[static_cast<std::size_t>(m)];
-      h(local_of(m, i), kTime) += d;
-      h(kTime, local_of(m, i)) += d;
-    }
-  }
-  h(kTime, kTime) += pull.dot(z.dtt);
-}
-
-void add_square(const Point& z, const QuadraticLimit& limit, double factor, Nlp::Block& h) {
-  const Vec3 twice = 2 * factor * limit.weight;
-  const Vec3 pull = twice.cwiseProduct(z.value + limit.shift);
+// Adds the second derivatives of a function of one Bernstein point, whose own first derivative is
+// `pull` and second `bend`: what the state and the duration do to the point, and how the point's
+// own derivatives change with the duration.
+void add_point(const Point& z, const Vec3& pull, const Eigen::Matrix3d& bend, Nlp::Block& h) {
+  const Vec3 in_time = bend * z.dt;
   for (int m = 0; m < kStates; ++m) {
     const double w = z.weight[static_cast<std::size_t>(m)];
-    const double dw = z.weight_dt[static_cast<std::size_t>(m)];
+    if (w == 0) continue;
+    const Eigen::Matrix3d part = w * bend;
     for (int n = 0; n < kStates; ++n) {
-      const double d = w * z.weight[static_cast<std::size_t>(n)];
-      for (int i = 0; i < 3; ++i) h(local_of(m, i), local_of(n, i)) += twice[i] * d;
+      const double other = z.weight[static_cast<std::size_t>(n)];
+      if (other != 0) h.block<3, 3>(local_of(m, 0), local_of(n, 0)) += other * part;
     }
-    for (int i = 0; i < 3; ++i) {
-      const double d = twice[i] * w * z.dt[i] + dw * pull[i];
-      h(local_of(m, i), kTime) += d;
-      h(kTime, local_of(m, i)) += d;
-    }
+    const Vec3 mixed = w * in_time + z.weight_dt[static_cast<std::size_t>(m)] * pull;
+    h.block<3, 1>(local_of(m, 0), kTime) += mixed;
+    h.block<1, 3>(kTime, local_of(m, 0)) += mixed.transpose();
   }
-  h(kTime, kTime) += twice.dot(z.dt.cwiseAbs2()) + pull.dot(z.dtt);
+  h(kTime, kTime) += in_time.dot(z.dt) + pull.dot(z.dtt);
 }
 
 // The block with its eigenvalues' signs dropped. Most are positive definite already, and Cholesky
@@ -368,22 +437,28 @@ Nlp::Block made_positive(const Nlp::Block& h, const std::array<bool, Nlp::kLocal
 
 Nlp::Block Nlp::hessian_block(std::size_t index, std::span<const double> x, double factor,
                               std::span<const double> multipliers) const {
+  return condensed_block(index, x, factor, multipliers, {});
+}
+
+Nlp::Block Nlp::condensed_block(std::size_t index, std::span<const double> x, double factor,
+                                std::span<const double> multipliers,
+                                std::span<const double> weights) const {
   const Piece p = piece(index, x);
   Block h = Block::Zero();
   add_snap(p.state, p.power, factor * spec_.rho, h);
-  std::array<Vec3, 8> pull;
-  pull.fill(Vec3::Zero());
-  for (std::size_t r = first_row_[index]; r < first_row_[index + 1]; ++r) {
-    const Row& row = rows_[r];
-    if (row.order == 0) {
-      pull[static_cast<std::size_t>(row.point)] += multipliers[r] * row.normal;
-    } else if (multipliers[r] != 0) {
-      add_square(p.point(row.order, row.point), spec_.limits[row.limit], multipliers[r], h);
+  for (const Group& group : groups(index)) {
+    const Point z = p.point(group.order, group.point);
+    Vec3 pull = Vec3::Zero();
+    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
+    for (std::size_t r = group.first_row; r < group.last_row; ++r) {
+      const Vec3 by_point = slope(rows_[r], z.value);
+      pull += multipliers[r] * by_point;
+      if (!weights.empty()) bend += (weights[r] * by_point) * by_point.transpose();
+      if (group.order > 0) {
+        bend.diagonal() += 2 * multipliers[r] * spec_.limits[rows_[r].limit].weight;
+      }
     }
-  }
-  for (int k = 0; k < 8; ++k) {
-    const Vec3& sum = pull[static_cast<std::size_t>(k)];
-    if (!sum.isZero(0)) add_plane(p.point(0, k), sum, h);
+    add_point(z, pull, bend, h);
   }
   for (int i = 0; i < kLocal; ++i) {
     const double s = global(index, i) < 0 ? 0 : scale(index, i);

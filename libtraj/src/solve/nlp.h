@@ -68,7 +68,16 @@ class Nlp {
   // The exact block of one piece; rows and columns of what is fixed are 0.
   Block hessian_block(std::size_t piece, std::span<const double> x, double factor,
                       std::span<const double> multipliers) const;
+  // The same plus the piece's part of J' diag(weights) J, where J is the constraints' Jacobian.
+  Block condensed_block(std::size_t piece, std::span<const double> x, double factor,
+                        std::span<const double> multipliers, std::span<const double> weights) const;
   int global(std::size_t piece, int local) const;  // -1 when fixed
+  std::size_t pieces() const { return spec_.corridor.size(); }
+
+  // J d, a number a constraint, and J' v, one a variable.
+  std::vector<double> jacobian_times(std::span<const double> x, std::span<const double> d) const;
+  std::vector<double> transposed_jacobian_times(std::span<const double> x,
+                                                std::span<const double> v) const;
 
   Trajectory trajectory(std::span<const double> x) const;
 
@@ -82,12 +91,20 @@ class Nlp {
     bool on_time;       // whether it depends on the duration
     std::size_t first_entry;
   };
+  struct Group {  // the rows of one Bernstein point
+    int order;
+    int point;
+    std::size_t first_row;
+    std::size_t last_row;  // one past
+  };
   struct Piece;  // states and duration in metres and seconds, and their derivative points
 
   State state(std::size_t joint, std::span<const double> x) const;
   Piece piece(std::size_t index, std::span<const double> x) const;
   double scale(std::size_t piece, int local) const;
   bool moves(std::size_t piece, int order, int point) const;
+  Vec3 slope(const Row& row, const Vec3& z) const;
+  std::span<const Group> groups(std::size_t piece) const;
   void add_variables();
   void add_rows();
   void add_row(Row row);
@@ -98,7 +115,8 @@ class Nlp {
   NlpSpec spec_;
   std::vector<double> start_, lower_, upper_, bound_;
   std::vector<Row> rows_;
-  std::vector<std::size_t> first_row_;  // of each piece, and one past the end
+  std::vector<Group> groups_;
+  std::vector<std::size_t> first_group_;  // of each piece, and one past the end
   std::vector<Entry> jacobian_entries_;
   std::vector<Entry> hessian_entries_;
 };

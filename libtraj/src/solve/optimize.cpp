@@ -4,9 +4,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "banded_solve.h"
 #include "curve/portable_math.h"
 #include "ipopt_solve.h"
 #include "nlp.h"
+#include "traj/solve/min_snap.h"
 #include "traj/solve/nominal.h"
 #include "traj/solve/time_allocation.h"
 
@@ -28,23 +30,21 @@ double length_of(const Corridor& corridor) {
   return sum;
 }
 
-Vec3 unit_or_zero(const Vec3& v) {
-  const double n = v.norm();
-  return n > 1e-9 ? Vec3(v / n) : Vec3(Vec3::Zero());
-}
-
-// Rolling along the path at half the acceleration, cutting no corner: near enough to feasible.
+// The curve of least snap through the joints, rolling at half the acceleration: near enough to
+// feasible. (With straight velocities and no acceleration at the joints, close turns took hundreds
+// of times what the limits allow.)
 void add_guess(const SpeedProfile& profile, NlpSpec& spec) {
   const std::vector<Vec3> points = points_of(spec.corridor);
   const SpeedProfile gentle{profile.vmax, profile.amax / 2};
   const std::vector<double> speeds =
-      corner_speeds(points, gentle, {profile.amax, kCornerDeviation});
+      corner_speeds(points, gentle, {gentle.amax, kCornerDeviation, true});
   spec.time = rolling_times(points, speeds, gentle);
   for (const Vec3& p : points) spec.state.push_back({p});
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const Vec3 in = unit_or_zero(points[i] - points[i - 1]);
-    const Vec3 out = unit_or_zero(points[i + 1] - points[i]);
-    spec.state[i].velocity = speeds[i] * unit_or_zero(in + out);
+  const Trajectory curve = min_snap(points, spec.time);
+  if (curve.segments.size() != spec.time.size()) return;  // lengths lost to rounding
+  for (std::size_t i = 1; i < curve.segments.size(); ++i) {
+    spec.state[i] = evaluate(curve.segments[i], 0);
+    spec.state[i].position = points[i];
   }
 }
 
@@ -144,6 +144,23 @@ Trajectory in_metres(Trajectory trajectory, const Units& units, const Corridor& 
   return trajectory;
 }
 
+// What a solver came back with, in metres, as the problem sees it.
+template <class Outcome>
+OptimizeResult judged(const Nlp& nlp, const Outcome& outcome, const Units& units,
+                      const Corridor& given) {
+  OptimizeResult result;
+  result.trajectory = in_metres(nlp.trajectory(outcome.x), units, given);
+  result.status = outcome.status;
+  result.settled = outcome.settled;
+  result.iterations = outcome.iterations;
+  result.objective = units.time * nlp.objective(outcome.x);
+  const std::vector<double> values = nlp.constraint_values(outcome.x);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    result.max_violation = std::max(result.max_violation, values[i] - nlp.bound()[i]);
+  }
+  return result;
+}
+
 }  // namespace
 
 OptimizeResult optimize(const Corridor& given, const OptimizeOptions& asked) {
@@ -152,17 +169,10 @@ OptimizeResult optimize(const Corridor& given, const OptimizeOptions& asked) {
   const Corridor corridor = in_units(given, units);
   const OptimizeOptions options = in_units(asked, units);
   const Nlp nlp(problem(corridor, options));
-  const IpoptOutcome outcome = ipopt_solve(nlp, options.max_iterations);
-  OptimizeResult result;
-  result.trajectory = in_metres(nlp.trajectory(outcome.x), units, given);
-  result.status = outcome.status;
-  result.iterations = outcome.iterations;
-  result.objective = units.time * nlp.objective(outcome.x);
-  const std::vector<double> values = nlp.constraint_values(outcome.x);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    result.max_violation = std::max(result.max_violation, values[i] - nlp.bound()[i]);
+  if (options.optimizer == Optimizer::banded) {
+    return judged(nlp, banded_solve(nlp, options.max_iterations), units, given);
   }
-  return result;
+  return judged(nlp, ipopt_solve(nlp, options.max_iterations), units, given);
 }
 
 }  // namespace traj

@@ -70,8 +70,10 @@ void accept(const Trajectory& trajectory, Rung rung, SolveResult& result) {
 }
 
 // Optimises until the result is proved, adding planes for what it ran into. The start is the same
-// each round: from the last result it would stay beside the obstacle it had just hit.
-std::optional<Trajectory> optimised_in(Corridor corridor, const geom::CollisionScene& scene,
+// each round: from the last result it would stay beside the obstacle it had just hit. Where Ipopt
+// may follow, the other optimiser gives up as soon as it does not settle.
+std::optional<Trajectory> optimised_in(Corridor corridor, Optimizer optimizer,
+                                       const geom::CollisionScene& scene,
                                        const SolveOptions& options, SolveResult& result) {
   if (corridor.empty()) return std::nullopt;
   const int most = result.rounds + kRounds;
@@ -79,11 +81,14 @@ std::optional<Trajectory> optimised_in(Corridor corridor, const geom::CollisionS
     ++result.rounds;
     result.corridor = corridor;
     const OptimizeResult round =
-        optimize(corridor, {options.limits, options.rho, options.max_iterations});
+        optimize(corridor, {options.limits, options.rho, options.max_iterations, optimizer});
     result.solver_status = round.status;
     result.iterations += round.iterations;
     result.objective = round.objective;
     result.max_violation = round.max_violation;
+    const bool ipopt_follows =
+        options.solver == Solver::automatic && optimizer == Optimizer::banded;
+    if (ipopt_follows && !round.settled) return std::nullopt;
     const Trajectory curve =
         slowed(round.trajectory, smallest_factor(round.trajectory, options.limits));
     if (proved(scene, curve, options.limits, result)) return curve;
@@ -101,17 +106,37 @@ Corridor corridor_of(CorridorKind kind, const geom::CollisionScene& scene,
   return corridor;
 }
 
+std::vector<Optimizer> optimizers(Solver solver) {
+  switch (solver) {
+    case Solver::automatic:
+      return {Optimizer::banded, Optimizer::ipopt};
+    case Solver::banded:
+      return {Optimizer::banded};
+    case Solver::ipopt:
+      return {Optimizer::ipopt};
+    default:
+      return {};
+  }
+}
+
 // In the corridor asked for, else in one of the other kind, which may leave more room. Cut off by
 // the iterations, a result may be proved and yet take longer than `most` seconds.
-std::optional<Trajectory> optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
-                                    const SolveOptions& options, double most, SolveResult& result) {
+bool optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
+               const SolveOptions& options, double most, SolveResult& result) {
   const bool boxes = options.corridor == CorridorKind::boxes;
   const auto other = boxes ? CorridorKind::planes : CorridorKind::boxes;
+  const std::vector<Optimizer> asked = optimizers(options.solver);
+  if (asked.empty()) return false;
   for (const CorridorKind kind : {options.corridor, other}) {
-    auto curve = optimised_in(corridor_of(kind, scene, path), scene, options, result);
-    if (curve && duration(*curve) <= most) return curve;
+    const Corridor corridor = corridor_of(kind, scene, path);
+    for (const Optimizer optimizer : asked) {
+      const auto curve = optimised_in(corridor, optimizer, scene, options, result);
+      if (!curve || duration(*curve) > most) continue;
+      accept(*curve, optimizer == Optimizer::banded ? Rung::banded : Rung::ipopt, result);
+      return true;
+    }
   }
-  return std::nullopt;
+  return false;
 }
 
 // The first rung that is proved, from what is left. The waypoints hold nowhere.
@@ -140,11 +165,8 @@ void climb(const geom::CollisionScene& scene, std::span<const Waypoint> waypoint
     if (result.reason.empty()) result.reason = "only the closed form keeps given velocities";
     return;
   }
-  if (all || options.solver == Solver::ipopt) {
-    const double most = all ? duration(stop_and_go(path, options.limits)) : kNoEnd;
-    const auto curve = optimised(scene, path, options, most, result);
-    if (curve) return accept(*curve, Rung::ipopt, result);
-  }
+  const double most = all ? duration(stop_and_go(path, options.limits)) : kNoEnd;
+  if (optimised(scene, path, options, most, result)) return;
   if (all || options.solver == Solver::stop_and_go) {
     const Trajectory curve = stop_and_go(path, options.limits);
     if (closed && duration(*closed) <= duration(curve) &&

@@ -91,6 +91,12 @@ std::vector<double> corner_speeds(std::span<const Vec3> points, const SpeedProfi
   for (std::size_t i = 1; i + 1 < n; ++i) {
     speed[i] = corner_speed(leg(i - 1).normalized(), leg(i).normalized(), profile, turns);
   }
+  if (turns.within_legs) {
+    const std::vector<double> radii = turn_radii(points);
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      speed[i] = std::min(speed[i], std::sqrt(turns.acceleration * radii[i]));
+    }
+  }
   const auto reachable = [&](double v, double length) {
     return std::sqrt(v * v + 2 * profile.amax * length);
   };

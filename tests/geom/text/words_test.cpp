@@ -41,7 +41,7 @@ TEST(Words, OfAValueThatTheTableForgotIsAnError) {
 }
 
 TEST(Words, AreListedForMessages) {
-  EXPECT_EQ(listed(traj::kRungWords), "closed ipopt stop_and_go");
+  EXPECT_EQ(listed(traj::kRungWords), "closed banded ipopt stop_and_go");
 }
 
 }  // namespace

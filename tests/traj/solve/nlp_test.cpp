@@ -144,6 +144,59 @@ TEST(Nlp, HessianBlocksMatchFiniteDifferencesBeforeTheirEigenvaluesAreTurned) {
   }
 }
 
+Eigen::MatrixXd dense_jacobian(const Nlp& nlp, const Vector& x) {
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(nlp.constraints(), nlp.variables());
+  const Vector values = nlp.jacobian(x);
+  for (std::size_t e = 0; e < values.size(); ++e) {
+    const Nlp::Entry entry = nlp.jacobian_entries()[e];
+    dense(entry.row, entry.column) += values[e];
+  }
+  return dense;
+}
+
+Eigen::VectorXd random_vector(int size, testing::Random& random) {
+  Eigen::VectorXd out(size);
+  for (double& v : out) v = random.number(-1, 1);
+  return out;
+}
+
+TEST(Nlp, ProductsWithTheJacobianAreThoseOfTheDenseOne) {
+  testing::Random random(6);
+  const Nlp nlp = random_problem(random);
+  const Vector x = perturbed(nlp, random);
+  const Eigen::MatrixXd dense = dense_jacobian(nlp, x);
+  const Eigen::VectorXd d = random_vector(nlp.variables(), random);
+  const Eigen::VectorXd v = random_vector(nlp.constraints(), random);
+  const Vector along = nlp.jacobian_times(x, {d.data(), static_cast<std::size_t>(d.size())});
+  const Vector back =
+      nlp.transposed_jacobian_times(x, {v.data(), static_cast<std::size_t>(v.size())});
+  EXPECT_TRUE(Eigen::VectorXd::Map(along.data(), v.size()).isApprox(dense * d, 1e-12));
+  EXPECT_TRUE(Eigen::VectorXd::Map(back.data(), d.size()).isApprox(dense.transpose() * v, 1e-12));
+}
+
+TEST(Nlp, CondensedBlocksAddTheWeightedRows) {
+  testing::Random random(7);
+  const Nlp nlp = random_problem(random);
+  const Vector x = perturbed(nlp, random);
+  const Vector lambda = multipliers(nlp, random);
+  const Vector weights = multipliers(nlp, random);
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(nlp.variables(), nlp.variables());
+  for (std::size_t k = 0; k < nlp.pieces(); ++k) {
+    const Nlp::Block added =
+        nlp.condensed_block(k, x, 1, lambda, weights) - nlp.condensed_block(k, x, 1, lambda, {});
+    for (int i = 0; i < Nlp::kLocal; ++i) {
+      for (int j = 0; j < Nlp::kLocal; ++j) {
+        const int row = nlp.global(k, i);
+        const int column = nlp.global(k, j);
+        if (row >= 0 && column >= 0) sum(row, column) += added(i, j);
+      }
+    }
+  }
+  const Eigen::MatrixXd dense = dense_jacobian(nlp, x);
+  const Eigen::VectorXd w = Eigen::VectorXd::Map(weights.data(), nlp.constraints());
+  EXPECT_TRUE(sum.isApprox(dense.transpose() * w.asDiagonal() * dense, 1e-10));
+}
+
 TEST(Nlp, HessianIsPositiveSemidefinite) {
   testing::Random random(4);
   const Nlp nlp = random_problem(random);

@@ -77,6 +77,17 @@ TEST(CornerSpeeds, PassForwardAndBackwardFromRest) {
   EXPECT_DOUBLE_EQ(times[2], 1);
 }
 
+// The deviation would allow more than an arc that begins half the short leg away.
+TEST(CornerSpeeds, RoundACornerOfAShortLegWithinTheLeg) {
+  const Turns turns{2, 0.5};
+  Turns within = turns;
+  within.within_legs = true;
+  const std::vector<Vec3> corner{Vec3::Zero(), Vec3(100, 0, 0), Vec3(100, 0.2, 0),
+                                 Vec3(200, 0.2, 0)};
+  EXPECT_NEAR(corner_speeds(corner, {50, 2}, within)[1], std::sqrt(2 * 0.1), 1e-12);
+  EXPECT_GT(corner_speeds(corner, {50, 2}, turns)[1], 1);
+}
+
 TEST(CornerSpeeds, RoundARightAngleWithinTheDeviation) {
   const std::vector<Vec3> corner{Vec3::Zero(), Vec3(100, 0, 0), Vec3(100, 100, 0)};
   const double s = std::sqrt(0.5);

@@ -9,6 +9,7 @@ namespace {
 
 const std::map<std::string, traj::Solver> kSolvers{{"auto", traj::Solver::automatic},
                                                    {"closed", traj::Solver::closed},
+                                                   {"banded", traj::Solver::banded},
                                                    {"ipopt", traj::Solver::ipopt},
                                                    {"stop-and-go", traj::Solver::stop_and_go}};
 
@@ -27,8 +28,8 @@ void choose_solver(const std::string& solver, const std::string& times,
                    traj::SolveOptions& options) {
   const auto named = kSolvers.find(solver);
   if (named == kSolvers.end()) {
-    throw UsageError(
-        fmt::format("--solver: expected auto, closed, ipopt or stop-and-go, found \"{}\"", solver));
+    throw UsageError(fmt::format(
+        "--solver: expected auto, closed, banded, ipopt or stop-and-go, found \"{}\"", solver));
   }
   options.solver = named->second;
   if (times.empty()) return;
@@ -39,15 +40,13 @@ void choose_solver(const std::string& solver, const std::string& times,
         "--times: expected stops, distance, cautious, trapezoid or optimised, found \"{}\"",
         times));
   }
-  if (solver != "auto" && solver != (optimised ? "ipopt" : "closed")) {
+  const bool fits = optimised ? solver == "ipopt" || solver == "banded" : solver == "closed";
+  if (solver != "auto" && !fits) {
     throw UsageError(fmt::format("--times {} needs --solver {} or auto, found {}", times,
-                                 optimised ? "ipopt" : "closed", solver));
+                                 optimised ? "banded, ipopt" : "closed", solver));
   }
-  if (optimised) {
-    options.solver = traj::Solver::ipopt;
-  } else {
-    options.times = allocation->second;
-  }
+  if (!optimised) options.times = allocation->second;
+  if (optimised && solver == "auto") options.solver = traj::Solver::ipopt;
 }
 
 }  // namespace cli

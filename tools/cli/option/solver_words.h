@@ -11,9 +11,9 @@ namespace cli {
 
 extern const std::map<std::string, traj::CorridorKind> kCorridors;
 
-// Sets what --solver (auto, closed, ipopt, stop-and-go) and --times (stops, distance, cautious,
-// trapezoid, optimised; empty: not given) say together; UsageError for another word, and where they
-// contradict each other.
+// Sets what --solver (auto, closed, banded, ipopt, stop-and-go) and --times (stops, distance,
+// cautious, trapezoid, optimised; empty: not given) say together; UsageError for another word, and
+// where they contradict each other.
 void choose_solver(const std::string& solver, const std::string& times,
                    traj::SolveOptions& options);
 

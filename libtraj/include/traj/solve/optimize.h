@@ -10,17 +10,23 @@
 
 namespace traj {
 
+// banded: an interior point method of our own, linear in the number of pieces. ipopt: Ipopt with
+// MUMPS, several times slower, which gets out of more corners.
+enum class Optimizer { banded, ipopt };
+
 struct OptimizeOptions {
   Limits limits;
   // Seconds of flight a unit of snap (m2/s7) is worth; on paths of l < 20 m times (l / 20 m)^2, as
   // snap grows without bound where the same curve is flown smaller with the same accelerations.
   double rho = 1e-3;
   int max_iterations = 200;
+  Optimizer optimizer = Optimizer::ipopt;
 };
 
 struct OptimizeResult {
   Trajectory trajectory;               // one segment a piece; whatever the solver came back with
   std::string status = "was not run";  // the solver's word; never a proof
+  bool settled = false;                // whether it ended because there was little left to gain
   int iterations = 0;
   double objective = 0;      // duration + rho * integral of snap^2
   double max_violation = 0;  // of the constraints, in their own units: metres, squared ratios
@@ -30,7 +36,7 @@ struct OptimizeResult {
 // at both ends, continuous to jerk, whose Bernstein points are behind the planes of their piece and
 // obey the limits. Tilt is a cone. The result need not be feasible: check it.
 // The corridor has at least two pieces of positive length, pieces at its ends included. Threads may
-// call at once, and wait for each other.
+// call at once; with Ipopt they wait for each other.
 OptimizeResult optimize(const Corridor& corridor, const OptimizeOptions& options);
 
 }  // namespace traj

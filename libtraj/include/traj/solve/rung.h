@@ -9,9 +9,10 @@
 namespace traj {
 
 // In the order in which they are tried: a later one is a lower rung.
-enum class Rung { closed, ipopt, stop_and_go };
-inline constexpr geom::Words<Rung, 3> kRungWords{{
+enum class Rung { closed, banded, ipopt, stop_and_go };
+inline constexpr geom::Words<Rung, 4> kRungWords{{
     {Rung::closed, "closed"},
+    {Rung::banded, "banded"},
     {Rung::ipopt, "ipopt"},
     {Rung::stop_and_go, "stop_and_go"},
 }};

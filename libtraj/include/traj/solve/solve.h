@@ -18,9 +18,10 @@
 namespace traj {
 
 // automatic: the closed form where it is proved and nearly as fast as the limits allow, else the
-// optimiser where that is proved and no slower than stop-and-go, else whichever of closed form and
-// stop-and-go is proved and faster. The others try that one alone.
-enum class Solver { automatic, closed, ipopt, stop_and_go };
+// optimisers (banded, and where that does not end well ipopt) where the result is proved and no
+// slower than stop-and-go, else whichever of closed form and stop-and-go is proved and faster. The
+// others try that one alone.
+enum class Solver { automatic, closed, banded, ipopt, stop_and_go };
 
 // What keeps the optimiser off the obstacles first: a plane for each near a piece, or the faces of
 // empty boxes along the path. Where one ends in no proof, the other is tried.
@@ -54,7 +55,7 @@ struct SolveResult {
 };
 
 // Whatever comes back as solved has passed traj::check for these limits. Every path whose legs are
-// free and inside the bounds is solved by `automatic`. One optimisation runs at a time in a process
+// free and inside the bounds is solved by `automatic`. Ipopt runs once at a time in a process
 // (MUMPS is not thread safe); threads that call this wait for each other there.
 SolveResult solve(const geom::CollisionScene& scene, const geom::Polyline& path,
                   const SolveOptions& options);

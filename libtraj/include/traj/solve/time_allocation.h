@@ -45,12 +45,13 @@ std::vector<double> cautious_times(std::span<const Vec3> points, std::span<const
 // The seconds of each leg when every point is a stop: a trapezoid of speed each.
 std::vector<double> stopping_times(std::span<const Vec3> points, const SpeedProfile& profile);
 
-// The speed at each point so that turns taken at `turn_acceleration` cut the corner by at most
+// The speed at each point so that turns taken at `acceleration` cut the corner by at most
 // `deviation` metres, and legs are feasible at profile.amax (a pass forward, then one backward); 0
 // at both ends.
 struct Turns {
-  double acceleration = 1;  // m/s2
-  double deviation = 1;     // metres
+  double acceleration = 1;   // m/s2
+  double deviation = 1;      // metres
+  bool within_legs = false;  // also with arcs that end half a leg away (turn_radii)
 };
 std::vector<double> corner_speeds(std::span<const Vec3> points, const SpeedProfile& profile,
                                   const Turns& turns);
