@@ -133,12 +133,6 @@ ColumnGrid::Impl::Impl(const ColumnSpec& spec) : spec_(spec) {
   gap_ = static_cast<std::int64_t>(std::floor(spec.gap / spec.step));
 }
 
-GroundGrid::GroundGrid(const GroundSpec& spec) : spec_(spec) {
-  require_size("ground cell", spec.cell);
-  require_length("ground slope", spec.slope, kLargestCoordinate);
-  require_length("ground height", spec.height, kLargestCoordinate);
-}
-
 void ColumnGrid::Impl::add(const Vec3& p) {
   Span span{floor_index(p.z(), spec_.step), ceil_index(p.z(), spec_.step)};
   if (span.low == span.high) ++span.high;  // on a step: some height, so that boxes join
@@ -319,48 +313,103 @@ BoxTable ColumnGrid::Impl::boxes(std::string_view source) {
   return table;
 }
 
-GroundGrid::Key GroundGrid::key(const Vec3& p) const {
-  return {floor_index(p.y(), spec_.cell), floor_index(p.x(), spec_.cell)};
-}
+struct GroundGrid::Impl {
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
 
-void GroundGrid::add(const Vec3& p) {
-  const auto [at, fresh] = lowest_.try_emplace(key(p), p.z());
-  if (!fresh) at->second = std::min(at->second, p.z());
+  struct Cell {
+    double lowest = kNone;
+    double top = -kNone;  // what is no higher is ground
+  };
+  struct Entry {
+    double z;
+    std::int32_t x;
+    std::int32_t y;
+    friend bool operator>(const Entry& a, const Entry& b) { return a.z > b.z; }
+  };
+
+  Cell& at(const Vec3& p) {
+    return cells.at(floor_index(p.x(), spec.cell), floor_index(p.y(), spec.cell));
+  }
+  const Cell* find(const Vec3& p) const {
+    return cells.find(floor_index(p.x(), spec.cell), floor_index(p.y(), spec.cell));
+  }
+  double lowest(std::int32_t x, std::int32_t y) const {
+    const Cell* cell = cells.find(x, y);
+    return cell ? cell->lowest : kNone;
+  }
+  std::vector<Entry> entries() const;
+  void lower();
+  void set_tops();
+
+  GroundSpec spec;
+  CellTiles<Cell> cells;
+};
+
+// Of the cells with returns.
+std::vector<GroundGrid::Impl::Entry> GroundGrid::Impl::entries() const {
+  constexpr int kSide = CellTiles<Cell>::kSide;
+  std::vector<Entry> out;
+  for (const auto* tile : cells.sorted()) {
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const double z = tile->cells[static_cast<std::size_t>(i)].lowest;
+      if (z < kNone) out.push_back({z, tile->x * kSide + i % kSide, tile->y * kSide + i / kSide});
+    }
+  }
+  return out;
 }
 
 // Dijkstra's order: the lowest cell first, so each is lowered once.
-void GroundGrid::finish() {
-  using Entry = std::pair<double, Key>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  for (const auto& [key, z] : lowest_) open.push({z, key});
+void GroundGrid::Impl::lower() {
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open(std::greater<>(), entries());
   while (!open.empty()) {
-    const auto [z, at] = open.top();
+    const auto [z, x, y] = open.top();
     open.pop();
-    if (z > lowest_[at]) continue;
+    if (z > lowest(x, y)) continue;
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
-        const auto next = lowest_.find({at.first + dy, at.second + dx});
-        if (next == lowest_.end()) continue;
-        const double allowed = z + spec_.slope * spec_.cell * std::hypot(dx, dy);
-        if (allowed >= next->second) continue;
-        next->second = allowed;
-        open.push({allowed, next->first});
+        const double next = lowest(x + dx, y + dy);
+        const double allowed = z + spec.slope * spec.cell * std::hypot(dx, dy);
+        if (next == kNone || allowed >= next) continue;
+        cells.at(x + dx, y + dy).lowest = allowed;
+        open.push({allowed, x + dx, y + dy});
       }
     }
   }
 }
 
 // Within its cell the ground may rise as it does to the neighbours.
-bool GroundGrid::is_ground(const Vec3& p) const {
-  const Key at = key(p);
-  const auto here = lowest_.find(at);
-  if (here == lowest_.end()) return false;
-  double rise = 0;
-  for (const auto& [dy, dx] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-    const auto next = lowest_.find({at.first + dy, at.second + dx});
-    if (next != lowest_.end()) rise = std::max(rise, std::abs(next->second - here->second));
+void GroundGrid::Impl::set_tops() {
+  for (const auto& [here, x, y] : entries()) {
+    double rise = 0;
+    for (const auto& [dy, dx] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+      const double next = lowest(x + dx, y + dy);
+      if (next < kNone) rise = std::max(rise, std::abs(next - here));
+    }
+    cells.at(x, y).top = here + rise + spec.height;
   }
-  return p.z() <= here->second + rise + spec_.height;
+}
+
+GroundGrid::GroundGrid(const GroundSpec& spec) : impl_(std::make_unique<Impl>(Impl{spec, {}})) {
+  require_size("ground cell", spec.cell);
+  require_length("ground slope", spec.slope, kLargestCoordinate);
+  require_length("ground height", spec.height, kLargestCoordinate);
+}
+GroundGrid::~GroundGrid() = default;
+GroundGrid::GroundGrid(GroundGrid&&) noexcept = default;
+
+void GroundGrid::add(const Vec3& p) {
+  Impl::Cell& cell = impl_->at(p);
+  cell.lowest = std::min(cell.lowest, p.z());
+}
+
+void GroundGrid::finish() {
+  impl_->lower();
+  impl_->set_tops();
+}
+
+bool GroundGrid::is_ground(const Vec3& p) const {
+  const Impl::Cell* cell = impl_->find(p);
+  return cell && p.z() <= cell->top;
 }
 
 ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}
