@@ -54,7 +54,7 @@ void Checker::refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& rep
 
 traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std::string& source,
                                        std::size_t line) const {
-  const auto record = traj::parse_trajectory_record(fields);
+  const auto record = traj::read_trajectory_record(fields);
   traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}, {}, {}};
   if (record.status != traj::TrajectoryStatus::solved) {
     report.result.reason = traj::reason_of(record.status);
@@ -81,7 +81,7 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
 
 traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::string& source,
                                  std::size_t line) const {
-  const auto record = geom::parse_path_record(fields);
+  const auto record = geom::read_path_record(fields);
   traj::ReportRecord report{record.id, "path", {}, record.provenance, {}, {}, {}};
   if (record.status != geom::PathStatus::found) {
     report.result.reason = traj::Reason::no_path;

@@ -83,10 +83,10 @@ std::string to_json_line(const TrajectoryRecord& record) {
 
 TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view source,
                                          std::size_t line) {
-  return parse_trajectory_record(JsonFields(json, source, line));
+  return read_trajectory_record(JsonFields(json, source, line));
 }
 
-TrajectoryRecord parse_trajectory_record(const JsonFields& fields) {
+TrajectoryRecord read_trajectory_record(const JsonFields& fields) {
   fields.require_type("trajectory");
   TrajectoryRecord record;
   record.id = fields.text("id");
