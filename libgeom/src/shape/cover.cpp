@@ -22,6 +22,7 @@ constexpr double kLeastSlack = 1e-6;  // metres
 // however it is rounded.
 constexpr double kSurelyNear = 0.978;
 constexpr double kSurelyFar = 1.0001;
+constexpr std::size_t kManyEdges = 32;  // near a slab: looking at each beside all is no short cut
 
 constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -251,6 +252,10 @@ class Slabs {
   // Their points are within the ranges of edges, or inside.
   std::optional<bool> clear_case(double y0, double y1) {
     unclear_.clear();
+    if (near_.size() > kManyEdges) {
+      unclear_.push_back({Vec2::Constant(-kInfinity), Vec2::Constant(kInfinity)});
+      return std::nullopt;
+    }
     bool close = false;
     const auto look_at = [&](const Edge& edge) {
       if (!(edge.high.y() > y0 && edge.low.y() < y1)) return true;
@@ -345,7 +350,8 @@ class Slabs {
     if (!inside && aside > slack_) return false;
     if (radius < 0.02 * slack_) return false;
     // A part beside an edge or wholly inside would be halved down to the slack for nothing.
-    if (std::any_of(near_.begin(), near_.end(), [&](const Edge* e) { return beside(r, *e); })) {
+    if (near_.size() <= kManyEdges &&
+        std::any_of(near_.begin(), near_.end(), [&](const Edge* e) { return beside(r, *e); })) {
       return true;
     }
     if (inside && clear_of_edges(r)) return true;
