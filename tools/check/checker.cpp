@@ -52,9 +52,9 @@ void Checker::refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& rep
   report.result.place = place;
 }
 
-traj::ReportRecord Checker::trajectory(const std::string& text, const std::string& source,
+traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std::string& source,
                                        std::size_t line) const {
-  const auto record = traj::parse_trajectory_record(text, source, line);
+  const auto record = traj::read_trajectory_record(fields);
   traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}, {}, {}};
   if (record.status != traj::TrajectoryStatus::solved) {
     report.result.reason = traj::reason_of(record.status);
@@ -65,7 +65,10 @@ traj::ReportRecord Checker::trajectory(const std::string& text, const std::strin
   report.overridden = loosened(record, scene.vehicle(), report.limits);
   if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
-  report.result = traj::check(scene, record.trajectory, report.limits);
+  traj::CheckOptions options;
+  options.limits = report.limits;
+  options.clearance = rules_.clearance;
+  report.result = traj::check(scene, record.trajectory, options);
   if (rules_.exact) {
     report.exact = traj::check_exactly(exact_task(scene, report.limits), record.trajectory);
   }
@@ -76,9 +79,9 @@ traj::ReportRecord Checker::trajectory(const std::string& text, const std::strin
   return report;
 }
 
-traj::ReportRecord Checker::path(const std::string& text, const std::string& source,
+traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::string& source,
                                  std::size_t line) const {
-  const auto record = geom::parse_path_record(text, source, line);
+  const auto record = geom::read_path_record(fields);
   traj::ReportRecord report{record.id, "path", {}, record.provenance, {}, {}, {}};
   if (record.status != geom::PathStatus::found) {
     report.result.reason = traj::Reason::no_path;
@@ -87,7 +90,7 @@ traj::ReportRecord Checker::path(const std::string& text, const std::string& sou
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
   if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
-  report.result = traj::check_path(scene, record.points);
+  report.result = traj::check_path(scene, record.points, {}, rules_.clearance);
   report.limits = rules_.limits;
   refuse_unmeasured(record.points.front(), report);
   if (rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), record.points);
@@ -109,7 +112,7 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   report.limits = limits_for({}, scene.vehicle());
   report.overridden = loosened({}, scene.vehicle(), report.limits);
   report.provenance = geom::provenance_of(scene);
-  report.result = traj::check_flown(scene, file.flown, report.limits);
+  report.result = traj::check_flown(scene, file.flown, report.limits, rules_.clearance);
   if (path) refuse_unmeasured(file.flown.path.front(), report);
   const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
   if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
@@ -126,7 +129,8 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
 traj::ReportRecord Checker::record(const std::string& text, const std::string& source,
                                    std::size_t line) const {
   const geom::JsonFields fields(text, source, line);
-  return fields.text("type") == "path" ? path(text, source, line) : trajectory(text, source, line);
+  return fields.text("type") == "path" ? path(fields, source, line)
+                                       : trajectory(fields, source, line);
 }
 
 std::size_t Checker::each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,

@@ -21,6 +21,7 @@ struct Rules {
   traj::Limits limits;           // by the options
   bool override_record = false;  // the options may be looser than what a record carries
   bool exact = false;            // check once more in exact numbers
+  traj::Clearance clearance = traj::Clearance::measured;  // in the reports
 };
 
 class Checker {
@@ -37,9 +38,9 @@ class Checker {
  private:
   traj::ReportRecord record(const std::string& text, const std::string& source,
                             std::size_t line) const;
-  traj::ReportRecord trajectory(const std::string& text, const std::string& source,
+  traj::ReportRecord trajectory(const geom::JsonFields& fields, const std::string& source,
                                 std::size_t line) const;
-  traj::ReportRecord path(const std::string& text, const std::string& source,
+  traj::ReportRecord path(const geom::JsonFields& fields, const std::string& source,
                           std::size_t line) const;
   traj::ReportRecord flown(const cli::DroneFile& file) const;
   traj::Limits limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const;

@@ -21,12 +21,14 @@ struct Options {
   cli::LimitOptions limits;
   bool override_record = false;
   bool exact = false;
+  bool no_clearance = false;
   cli::DroneFileOptions drone_file;
 
   void add_to(CLI::App& app);
   void refuse_idle(const CLI::App& app) const;
   checking::Rules rules() const {
-    return {limits.limits(), override_record, exact || !certificate.empty()};
+    return {limits.limits(), override_record, exact || !certificate.empty(),
+            no_clearance ? traj::Clearance::left_out : traj::Clearance::measured};
   }
 };
 
@@ -40,6 +42,8 @@ void Options::add_to(CLI::App& app) {
   app.add_flag("--override", override_record,
                "let options and --vehicle be looser than what the records carry");
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
+  app.add_flag("--no-clearance", no_clearance,
+               "leave the clearance out of the reports: it costs more than the verdict");
   profile.add_to(app);
   cli::add_output(
       app, "--certificate", certificate,

@@ -30,7 +30,8 @@ traj::CheckResult judge(const geom::CollisionScene& scene, const Task& task,
   const auto read = cli::read_drone_file(written.text, "what was written", written.reading, frame);
   if (read.size() != 1) throw geom::InputError("what was written", "expected one flight");
   const traj::Flown& flown = read.front().flown;
-  traj::CheckResult result = traj::check_flown(scene, flown, task.limits);
+  traj::CheckResult result =
+      traj::check_flown(scene, flown, task.limits, traj::Clearance::left_out);
   if (!result.ok || flown.path.empty()) return result;
   const geom::Vec3 end = geom::to_enu(frame.axes, task.enu.segments.back().point[traj::kDegree]);
   const double missed = (flown.path.back() - end).norm();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <numeric>
 #include <tuple>
 
 #include "box_map_data.h"
@@ -14,27 +13,48 @@
 namespace geom {
 namespace {
 
-std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable& table) {
-  static_assert(sizeof(Aabb) == 6 * sizeof(double) && std::endian::native == std::endian::little);
-  const std::size_t n = table.boxes.size();
-  std::vector<Place> place(n);
-  for (std::size_t i = 0; i < n; ++i) place[i] = place_of(table.boxes[i], spec.tile_size);
-  std::vector<std::size_t> order(n);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    if (place[a] != place[b]) return place[a] < place[b];
+struct Placed {
+  Place place;
+  std::size_t box;  // of the table
+};
+
+// By tile first, and the boxes of each tile among themselves: these are few, where a comparison of
+// any two boxes would look for both all over the table.
+std::vector<Placed> in_order(double tile_size, const BoxTable& table) {
+  std::vector<Placed> order;
+  order.reserve(table.boxes.size());
+  for (const Aabb& box : table.boxes) order.push_back({place_of(box, tile_size), order.size()});
+  std::sort(order.begin(), order.end(), [](const Placed& a, const Placed& b) {
+    return a.place != b.place ? a.place < b.place : a.box < b.box;
+  });
+  const auto comes_first = [&](const Placed& one, const Placed& other) {
+    const std::size_t a = one.box;
+    const std::size_t b = other.box;
     if (!(table.boxes[a] == table.boxes[b])) return comes_before(table.boxes[a], table.boxes[b]);
     return std::tie(table.ids[a], a) < std::tie(table.ids[b], b);
-  });
+  };
+  for (auto first = order.begin(); first != order.end();) {
+    const auto last =
+        std::find_if(first, order.end(), [&](const Placed& p) { return p.place != first->place; });
+    std::sort(first, last, comes_first);
+    first = last;
+  }
+  return order;
+}
 
+std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable& table) {
+  static_assert(sizeof(Aabb) == 6 * sizeof(double) && std::endian::native == std::endian::little);
+  const std::vector<Placed> order = in_order(spec.tile_size, table);
   auto data = std::make_shared<BoxMap::Data>();
   auto own = std::make_shared<BoxMap::Data::Owned>();
-  for (const std::size_t i : order) {
-    const bool new_tile = own->boxes.empty() || place[i] != place[order[own->boxes.size() - 1]];
+  own->boxes.reserve(order.size());
+  own->ids.reserve(order.size());
+  own->label.reserve(order.size());
+  for (const auto& [place, i] : order) {
+    const bool new_tile = own->boxes.empty() || place != order[own->boxes.size() - 1].place;
     const Aabb box = canonical(table.boxes[i]);
     if (new_tile) {
-      const auto [small, iy, ix] = place[i];
-      data->tiles.push_back({ix, iy, !small, box, own->boxes.size(), 0});
+      data->tiles.push_back({place.ix, place.iy, !place.small, box, own->boxes.size(), 0});
     }
     Tile& tile = data->tiles.back();
     tile.extent = merged(tile.extent, box);

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <span>
+#include <utility>
 
+#include "cell_tiles.h"
 #include "geom/base/error.h"
 #include "geom/base/precondition.h"
 #include "geom/shape/row_merge.h"
@@ -44,22 +48,16 @@ std::int32_t ceil_index(double v, double size) {
   return k;
 }
 
-std::int32_t tile_of(std::int32_t cell, int side) {
-  return cell >= 0 ? cell / side : -1 - (-1 - cell) / side;
-}
-
 }  // namespace
 
 struct ColumnGrid::Impl {
   explicit Impl(const ColumnSpec& spec);
 
   void add(const Vec3& p);
-  std::vector<std::int32_t> spans() const;
+  std::vector<std::int32_t> spans();
   void add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high);
-  BoxTable boxes(std::string_view source) const;
-  std::size_t cells() const;
-
-  static constexpr int kSide = 16;  // cells of a tile: a lone return takes 6 KiB
+  BoxTable boxes(std::string_view source);
+  std::size_t cells();
 
   struct Span {  // of heights, in steps: closed
     std::int32_t low;
@@ -67,16 +65,24 @@ struct ColumnGrid::Impl {
 
     friend bool operator==(const Span&, const Span&) = default;
   };
-  using Column = std::vector<Span>;  // ascending, further apart than the gap
-  using Tile = std::vector<Column>;
+  using Spans = std::span<const Span>;  // ascending, further apart than the gap
+  // The spans of a cell: a few in place, more in a list of their own. A lone return takes 6 KiB, as
+  // cells stand in tiles.
+  struct Column {
+    std::uint32_t count = 0;
+    std::uint32_t list = 0;  // 1 + the index of its list, where it ever had one
+    std::array<Span, 2> few{};
+  };
+  using Tiles = CellTiles<Column>;
+  using TileAt = std::vector<const Tiles::Tile*>::const_iterator;
+  static constexpr int kSide = Tiles::kSide;
+
   struct Labelled {
     Span span;
     std::uint32_t label;
 
     friend bool operator==(const Labelled&, const Labelled&) = default;
   };
-
-  using Tiles = std::map<std::pair<std::int32_t, std::int32_t>, Tile>;  // by y, then x
 
   // The rectangle of cells with returns, ends among them, and the heights of all; x0 > x1: none.
   struct Extent {
@@ -86,45 +92,45 @@ struct ColumnGrid::Impl {
     Span heights{kMost, -kMost};
   };
 
-  Column& column(std::int32_t x, std::int32_t y);
+  Spans spans_of(const Column& column) const {
+    if (column.count <= column.few.size()) return {column.few.data(), column.count};
+    return lists_[column.list - 1];
+  }
+  void merge_into(Column& column, const Span& span);
   Extent extent() const;
-  std::vector<Labelled> labelled(const Column& column, const Span& heights) const;
-  // Calls visit(y, x, column) by ascending y, then x, for each cell with returns and, with
+  std::vector<Labelled> labelled(Spans column, const Span& heights) const;
+  // Calls visit(y, x, spans) by ascending y, then x, for each cell with returns and, with
   // unknown_blocked, for all others of the rectangle; and the same for one row, whose tiles these
   // are.
   template <class Visit>
   void visit_cells(const Extent& e, const Visit& visit) const;
   template <class Visit>
-  void visit_row(Tiles::const_iterator tile, Tiles::const_iterator end, std::int32_t y,
-                 const Extent& e, const Visit& visit) const;
+  void visit_row(TileAt tile, TileAt end, std::int32_t y, const Extent& e,
+                 const Visit& visit) const;
+
+  // A span on its way into a column.
+  struct Pending {
+    Column* column = nullptr;
+    Span span{};
+  };
+  void settle(const Pending& pending);
+  void settle_all();
 
   ColumnSpec spec_;
+  std::int64_t gap_;  // steps
+  // Points come in no order, and each column is elsewhere in memory: a few wait for theirs.
+  std::array<Pending, 32> pending_;
+  std::size_t next_ = 0;  // of these, the one that has waited longest
   Tiles tiles_;
-  std::pair<std::int32_t, std::int32_t> last_key_{};
-  Tile* last_ = nullptr;
+  std::vector<std::vector<Span>> lists_;
+  std::vector<Span> merged_;  // of the column that changes
 };
 
 ColumnGrid::Impl::Impl(const ColumnSpec& spec) : spec_(spec) {
   require_size("cell", spec.cell);
   require_size("step", spec.step);
   require_length("gap", spec.gap, kLargestCoordinate);
-}
-
-GroundGrid::GroundGrid(const GroundSpec& spec) : spec_(spec) {
-  require_size("ground cell", spec.cell);
-  require_length("ground slope", spec.slope, kLargestCoordinate);
-  require_length("ground height", spec.height, kLargestCoordinate);
-}
-
-ColumnGrid::Impl::Column& ColumnGrid::Impl::column(std::int32_t x, std::int32_t y) {
-  const std::pair key(tile_of(y, kSide), tile_of(x, kSide));
-  if (!last_ || key != last_key_) {
-    last_ = &tiles_[key];
-    last_key_ = key;
-    if (last_->empty()) last_->resize(kSide * kSide);
-  }
-  return (
-      *last_)[static_cast<std::size_t>((y - key.first * kSide) * kSide + (x - key.second * kSide))];
+  gap_ = static_cast<std::int64_t>(std::floor(spec.gap / spec.step));
 }
 
 void ColumnGrid::Impl::add(const Vec3& p) {
@@ -133,13 +139,14 @@ void ColumnGrid::Impl::add(const Vec3& p) {
   add_span(floor_index(p.x(), spec_.cell), floor_index(p.y(), spec_.cell), span.low, span.high);
 }
 
-std::vector<std::int32_t> ColumnGrid::Impl::spans() const {
+std::vector<std::int32_t> ColumnGrid::Impl::spans() {
+  settle_all();
   std::vector<std::int32_t> rows;
-  for (const auto& [key, tile] : tiles_) {
+  for (const Tiles::Tile* tile : tiles_.sorted()) {
     for (int i = 0; i < kSide * kSide; ++i) {
-      for (const Span& span : tile[static_cast<std::size_t>(i)]) {
-        rows.insert(rows.end(), {key.second * kSide + i % kSide, key.first * kSide + i / kSide,
-                                 span.low, span.high});
+      for (const Span& span : spans_of(tile->cells[static_cast<std::size_t>(i)])) {
+        rows.insert(rows.end(), {tile->x * kSide + i % kSide, tile->y * kSide + i / kSide, span.low,
+                                 span.high});
       }
     }
   }
@@ -148,29 +155,59 @@ std::vector<std::int32_t> ColumnGrid::Impl::spans() const {
 
 void ColumnGrid::Impl::add_span(std::int32_t x, std::int32_t y, std::int32_t low,
                                 std::int32_t high) {
-  const Span span{low, high};
-  Column& spans = column(x, y);
-  const auto gap = static_cast<std::int64_t>(std::floor(spec_.gap / spec_.step));
+  Pending& pending = pending_[next_];
+  next_ = (next_ + 1) % pending_.size();
+  settle(pending);
+  pending = {&tiles_.at(x, y), {low, high}};
+  __builtin_prefetch(pending.column, 1);
+}
+
+void ColumnGrid::Impl::settle_all() {
+  for (Pending& pending : pending_) settle(std::exchange(pending, {}));
+}
+
+void ColumnGrid::Impl::settle(const Pending& pending) {
+  if (!pending.column) return;
+  const Spans known = spans_of(*pending.column);
+  const bool inside = std::any_of(known.begin(), known.end(), [&](const Span& s) {
+    return s.low <= pending.span.low && pending.span.high <= s.high;
+  });
+  if (!inside) merge_into(*pending.column, pending.span);
+}
+
+void ColumnGrid::Impl::merge_into(Column& column, const Span& span) {
+  const Spans known = spans_of(column);
+  merged_.assign(known.begin(), known.end());
   const auto near = [&](const Span& s) {
-    return static_cast<std::int64_t>(s.low) - span.high <= gap &&
-           static_cast<std::int64_t>(span.low) - s.high <= gap;
+    return static_cast<std::int64_t>(s.low) - span.high <= gap_ &&
+           static_cast<std::int64_t>(span.low) - s.high <= gap_;
   };
   // What is near is consecutive; it and the new one become one, which may reach no others: those
   // are further from it than the gap, or would be near themselves.
-  auto first = std::find_if(spans.begin(), spans.end(), near);
-  if (first == spans.end()) {
-    spans.insert(
-        std::find_if(spans.begin(), spans.end(), [&](const Span& s) { return s.low > span.high; }),
-        span);
+  const auto first = std::find_if(merged_.begin(), merged_.end(), near);
+  if (first == merged_.end()) {
+    merged_.insert(std::find_if(merged_.begin(), merged_.end(),
+                                [&](const Span& s) { return s.low > span.high; }),
+                   span);
+  } else {
+    const auto last = std::find_if_not(first, merged_.end(), near);
+    first->low = std::min(first->low, span.low);
+    first->high = std::max((last - 1)->high, span.high);
+    merged_.erase(first + 1, last);
+  }
+  column.count = static_cast<std::uint32_t>(merged_.size());
+  if (merged_.size() <= column.few.size()) {
+    std::copy(merged_.begin(), merged_.end(), column.few.begin());
     return;
   }
-  const auto last = std::find_if_not(first, spans.end(), near);
-  first->low = std::min(first->low, span.low);
-  first->high = std::max((last - 1)->high, span.high);
-  spans.erase(first + 1, last);
+  if (column.list == 0) {
+    lists_.emplace_back();
+    column.list = static_cast<std::uint32_t>(lists_.size());
+  }
+  lists_[column.list - 1] = merged_;
 }
 
-std::vector<ColumnGrid::Impl::Labelled> ColumnGrid::Impl::labelled(const Column& column,
+std::vector<ColumnGrid::Impl::Labelled> ColumnGrid::Impl::labelled(Spans column,
                                                                    const Span& heights) const {
   std::vector<Labelled> out;
   std::int32_t reached = heights.low;
@@ -183,46 +220,47 @@ std::vector<ColumnGrid::Impl::Labelled> ColumnGrid::Impl::labelled(const Column&
   return out;
 }
 
-std::size_t ColumnGrid::Impl::cells() const {
+std::size_t ColumnGrid::Impl::cells() {
+  settle_all();
   std::size_t count = 0;
-  for (const auto& [key, tile] : tiles_) {
-    count += static_cast<std::size_t>(
-        std::count_if(tile.begin(), tile.end(), [](const Column& c) { return !c.empty(); }));
+  for (const Tiles::Tile* tile : tiles_.sorted()) {
+    count +=
+        static_cast<std::size_t>(std::count_if(tile->cells.get(), tile->cells.get() + kSide * kSide,
+                                               [](const Column& c) { return c.count > 0; }));
   }
   return count;
 }
 
 ColumnGrid::Impl::Extent ColumnGrid::Impl::extent() const {
   Extent e;
-  for (const auto& [key, tile] : tiles_) {
+  for (const Tiles::Tile* tile : tiles_.sorted()) {
     for (int i = 0; i < kSide * kSide; ++i) {
-      const Column& c = tile[static_cast<std::size_t>(i)];
+      const Spans c = spans_of(tile->cells[static_cast<std::size_t>(i)]);
       if (c.empty()) continue;
       e.heights = {std::min(e.heights.low, c.front().low), std::max(e.heights.high, c.back().high)};
-      e.x0 = std::min(e.x0, key.second * kSide + i % kSide);
-      e.x1 = std::max(e.x1, key.second * kSide + i % kSide);
-      e.y0 = std::min(e.y0, key.first * kSide + i / kSide);
-      e.y1 = std::max(e.y1, key.first * kSide + i / kSide);
+      e.x0 = std::min(e.x0, tile->x * kSide + i % kSide);
+      e.x1 = std::max(e.x1, tile->x * kSide + i % kSide);
+      e.y0 = std::min(e.y0, tile->y * kSide + i / kSide);
+      e.y1 = std::max(e.y1, tile->y * kSide + i / kSide);
     }
   }
   return e;
 }
 
 template <class Visit>
-void ColumnGrid::Impl::visit_row(Tiles::const_iterator tile, Tiles::const_iterator end,
-                                 std::int32_t y, const Extent& e, const Visit& visit) const {
-  const Column none;
+void ColumnGrid::Impl::visit_row(TileAt tile, TileAt end, std::int32_t y, const Extent& e,
+                                 const Visit& visit) const {
   std::int32_t x = e.x0;  // the next cell
   const auto visit_to = [&](std::int32_t to) {
-    for (; spec_.unknown_blocked && x < to; ++x) visit(y, x, none);
+    for (; spec_.unknown_blocked && x < to; ++x) visit(y, x, Spans());
     x = std::max(x, to);
   };
   for (; tile != end; ++tile) {
-    const std::int32_t left = tile->first.second * kSide;
-    const std::int32_t row = (y - tile->first.first * kSide) * kSide;
+    const std::int32_t left = (*tile)->x * kSide;
+    const std::int32_t row = (y - (*tile)->y * kSide) * kSide;
     visit_to(std::clamp(left, e.x0, e.x1 + 1));
     for (; x < left + kSide && x <= e.x1; ++x) {
-      const Column& c = tile->second[static_cast<std::size_t>(row + (x - left))];
+      const Spans c = spans_of((*tile)->cells[static_cast<std::size_t>(row + (x - left))]);
       if (!c.empty() || spec_.unknown_blocked) visit(y, x, c);
     }
   }
@@ -231,11 +269,12 @@ void ColumnGrid::Impl::visit_row(Tiles::const_iterator tile, Tiles::const_iterat
 
 template <class Visit>
 void ColumnGrid::Impl::visit_cells(const Extent& e, const Visit& visit) const {
+  const auto tiles = tiles_.sorted();
   std::int32_t y = e.y0;  // the next row
-  for (auto tile = tiles_.begin(); tile != tiles_.end();) {
-    const std::int32_t ty = tile->first.first;
-    const auto end = std::find_if(tile, tiles_.end(),
-                                  [&](const auto& entry) { return entry.first.first != ty; });
+  for (TileAt tile = tiles.begin(); tile != tiles.end();) {
+    const std::int32_t ty = (*tile)->y;
+    const TileAt end =
+        std::find_if(tile, tiles.end(), [&](const Tiles::Tile* t) { return t->y != ty; });
     // Rows between those of tiles hold nothing.
     for (; spec_.unknown_blocked && y < ty * kSide; ++y) visit_row(end, end, y, e, visit);
     y = std::max(y, ty * kSide);
@@ -244,7 +283,8 @@ void ColumnGrid::Impl::visit_cells(const Extent& e, const Visit& visit) const {
   }
 }
 
-BoxTable ColumnGrid::Impl::boxes(std::string_view source) const {
+BoxTable ColumnGrid::Impl::boxes(std::string_view source) {
+  settle_all();
   BoxTable table;
   table.labels = {"", "unknown"};
   const Extent e = extent();
@@ -266,55 +306,110 @@ BoxTable ColumnGrid::Impl::boxes(std::string_view source) const {
     }
   };
   RowMerge<std::vector<Labelled>, decltype(emit)> merge(emit);
-  visit_cells(e, [&](std::int32_t y, std::int32_t x, const Column& column) {
+  visit_cells(e, [&](std::int32_t y, std::int32_t x, Spans column) {
     merge.add(y, x, labelled(column, e.heights));
   });
   merge.finish();
   return table;
 }
 
-GroundGrid::Key GroundGrid::key(const Vec3& p) const {
-  return {floor_index(p.y(), spec_.cell), floor_index(p.x(), spec_.cell)};
-}
+struct GroundGrid::Impl {
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
 
-void GroundGrid::add(const Vec3& p) {
-  const auto [at, fresh] = lowest_.try_emplace(key(p), p.z());
-  if (!fresh) at->second = std::min(at->second, p.z());
+  struct Cell {
+    double lowest = kNone;
+    double top = -kNone;  // what is no higher is ground
+  };
+  struct Entry {
+    double z;
+    std::int32_t x;
+    std::int32_t y;
+    friend bool operator>(const Entry& a, const Entry& b) { return a.z > b.z; }
+  };
+
+  Cell& at(const Vec3& p) {
+    return cells.at(floor_index(p.x(), spec.cell), floor_index(p.y(), spec.cell));
+  }
+  const Cell* find(const Vec3& p) const {
+    return cells.find(floor_index(p.x(), spec.cell), floor_index(p.y(), spec.cell));
+  }
+  double lowest(std::int32_t x, std::int32_t y) const {
+    const Cell* cell = cells.find(x, y);
+    return cell ? cell->lowest : kNone;
+  }
+  std::vector<Entry> entries() const;
+  void lower();
+  void set_tops();
+
+  GroundSpec spec;
+  CellTiles<Cell> cells;
+};
+
+// Of the cells with returns.
+std::vector<GroundGrid::Impl::Entry> GroundGrid::Impl::entries() const {
+  constexpr int kSide = CellTiles<Cell>::kSide;
+  std::vector<Entry> out;
+  for (const auto* tile : cells.sorted()) {
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const double z = tile->cells[static_cast<std::size_t>(i)].lowest;
+      if (z < kNone) out.push_back({z, tile->x * kSide + i % kSide, tile->y * kSide + i / kSide});
+    }
+  }
+  return out;
 }
 
 // Dijkstra's order: the lowest cell first, so each is lowered once.
-void GroundGrid::finish() {
-  using Entry = std::pair<double, Key>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  for (const auto& [key, z] : lowest_) open.push({z, key});
+void GroundGrid::Impl::lower() {
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open(std::greater<>(), entries());
   while (!open.empty()) {
-    const auto [z, at] = open.top();
+    const auto [z, x, y] = open.top();
     open.pop();
-    if (z > lowest_[at]) continue;
+    if (z > lowest(x, y)) continue;
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
-        const auto next = lowest_.find({at.first + dy, at.second + dx});
-        if (next == lowest_.end()) continue;
-        const double allowed = z + spec_.slope * spec_.cell * std::hypot(dx, dy);
-        if (allowed >= next->second) continue;
-        next->second = allowed;
-        open.push({allowed, next->first});
+        const double next = lowest(x + dx, y + dy);
+        const double allowed = z + spec.slope * spec.cell * std::hypot(dx, dy);
+        if (next == kNone || allowed >= next) continue;
+        cells.at(x + dx, y + dy).lowest = allowed;
+        open.push({allowed, x + dx, y + dy});
       }
     }
   }
 }
 
 // Within its cell the ground may rise as it does to the neighbours.
-bool GroundGrid::is_ground(const Vec3& p) const {
-  const Key at = key(p);
-  const auto here = lowest_.find(at);
-  if (here == lowest_.end()) return false;
-  double rise = 0;
-  for (const auto& [dy, dx] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-    const auto next = lowest_.find({at.first + dy, at.second + dx});
-    if (next != lowest_.end()) rise = std::max(rise, std::abs(next->second - here->second));
+void GroundGrid::Impl::set_tops() {
+  for (const auto& [here, x, y] : entries()) {
+    double rise = 0;
+    for (const auto& [dy, dx] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+      const double next = lowest(x + dx, y + dy);
+      if (next < kNone) rise = std::max(rise, std::abs(next - here));
+    }
+    cells.at(x, y).top = here + rise + spec.height;
   }
-  return p.z() <= here->second + rise + spec_.height;
+}
+
+GroundGrid::GroundGrid(const GroundSpec& spec) : impl_(std::make_unique<Impl>(Impl{spec, {}})) {
+  require_size("ground cell", spec.cell);
+  require_length("ground slope", spec.slope, kLargestCoordinate);
+  require_length("ground height", spec.height, kLargestCoordinate);
+}
+GroundGrid::~GroundGrid() = default;
+GroundGrid::GroundGrid(GroundGrid&&) noexcept = default;
+
+void GroundGrid::add(const Vec3& p) {
+  Impl::Cell& cell = impl_->at(p);
+  cell.lowest = std::min(cell.lowest, p.z());
+}
+
+void GroundGrid::finish() {
+  impl_->lower();
+  impl_->set_tops();
+}
+
+bool GroundGrid::is_ground(const Vec3& p) const {
+  const Impl::Cell* cell = impl_->find(p);
+  return cell && p.z() <= cell->top;
 }
 
 ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}

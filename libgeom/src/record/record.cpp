@@ -104,7 +104,10 @@ std::string to_json_line(const PathRecord& record) {
 }
 
 PathRecord parse_path_record(std::string_view json, std::string_view source, std::size_t line) {
-  const JsonFields fields(json, source, line);
+  return read_path_record(JsonFields(json, source, line));
+}
+
+PathRecord read_path_record(const JsonFields& fields) {
   fields.require_type("path");
   PathRecord record;
   record.id = fields.text("id");

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "geom/base/error.h"
@@ -16,7 +18,13 @@ namespace geom {
 namespace {
 
 constexpr double kLeastSlack = 1e-6;  // metres
+// Shares of the slack: what is nearer than the one or further than the other is no close decision,
+// however it is rounded.
+constexpr double kSurelyNear = 0.978;
+constexpr double kSurelyFar = 1.0001;
+constexpr std::size_t kManyEdges = 32;  // near a slab: looking at each beside all is no short cut
 
+constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Interval {
@@ -30,11 +38,28 @@ struct Edge {
   Vec2 high;
   int ring;  // 0 is the outer one
   int turn;  // 1 where the ring runs upward along it, -1 downward
+  Vec2 step = high - low;
+  double squared = step.squaredNorm();
 
   double x_at(double y) const {
     if (high.y() == low.y()) return low.x();
     const double t = std::clamp((y - low.y()) / (high.y() - low.y()), 0.0, 1.0);
     return low.x() + t * (high.x() - low.x());
+  }
+
+  double squared_distance(const Vec2& p) const {
+    const double t = squared > 0 ? std::clamp((p - low).dot(step) / squared, 0.0, 1.0) : 0;
+    return (low + t * step - p).squaredNorm();
+  }
+
+  // Whether the point is that near, to rounding. Quicker than the distance: no division.
+  bool is_within(double squared_reach, const Vec2& p) const {
+    const Vec2 to = p - low;
+    const double along = to.dot(step);
+    if (along <= 0) return to.squaredNorm() <= squared_reach;
+    if (along >= squared) return (p - high).squaredNorm() <= squared_reach;
+    const double across = step.x() * to.y() - step.y() * to.x();
+    return across * across <= squared_reach * squared;
   }
 };
 
@@ -79,12 +104,14 @@ class Slabs {
     levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
   }
 
-  std::vector<Rectangle> cover() {
+  // Ends early, with `most` or more rectangles, where there are not fewer.
+  std::vector<Rectangle> cover(std::size_t most) {
     std::vector<Rectangle> out;
     for (double y0 = edges_.empty() ? 0 : levels_.front();
          !edges_.empty() && y0 < levels_.back();) {
       const double y1 = furthest(y0);
       for (const Rectangle& r : rectangles(y0, y1)) out.push_back(r);
+      if (out.size() >= most) return out;
       y0 = y1;
       pass(y0);
     }
@@ -143,7 +170,7 @@ class Slabs {
   // Of what lies inside the open slab, and its closure: the edges' own ranges of x, and the gaps
   // between them that lie inside. An upright line through a gap meets no edge in the slab, so it is
   // inside as a whole or outside as a whole, and its middle tells; edges may cross as they like.
-  std::vector<Rectangle> rectangles(double y0, double y1) const {
+  std::vector<Rectangle> rectangles(double y0, double y1) {
     const double middle = 0.5 * (y0 + y1);
     std::vector<Interval> list;
     std::vector<std::pair<double, const Edge*>> across;
@@ -155,10 +182,10 @@ class Slabs {
       }
     });
     std::sort(across.begin(), across.end());
-    std::vector<int> turns(turns_);
+    std::fill(turns_.begin(), turns_.end(), 0);
     for (std::size_t i = 0; i + 1 < across.size(); ++i) {
-      turns[static_cast<std::size_t>(across[i].second->ring)] += across[i].second->turn;
-      if (i % 2 != 0 && !winds_inside(turns)) continue;
+      turns_[static_cast<std::size_t>(across[i].second->ring)] += across[i].second->turn;
+      if (i % 2 != 0 && !winds_inside(turns_)) continue;
       list.push_back({across[i].first, across[i + 1].first});
     }
     std::vector<Rectangle> out;
@@ -186,7 +213,7 @@ class Slabs {
 
   // How far the slab from y0 may reach. Each x of its rectangles is that of a point of the polygon
   // in the slab, so one no higher than the slack is always right; a higher one is looked at.
-  double furthest(double y0) const {
+  double furthest(double y0) {
     const double top = levels_.back();
     const double sure = std::min(top, y0 + slack_ - 4e-9 - 1e-14 * std::abs(y0));
     double good = sure;
@@ -209,57 +236,154 @@ class Slabs {
     return good;
   }
 
-  bool valid(double y0, double y1) const {
-    std::vector<const Edge*> near;  // all that a point of the slab may be within the slack of
+  // Whether the slab's rectangles stay within the slack.
+  bool valid(double y0, double y1) {
+    near_.clear();
     for_each_in(y0 - 1.5 * slack_, y1 + 1.5 * slack_,
-                [&](const Edge& edge) { near.push_back(&edge); });
+                [&](const Edge& edge) { near_.push_back(&edge); });
+    if (const auto clear = clear_case(y0, y1)) return *clear;
     for (const Rectangle& r : rectangles(y0, y1)) {
-      if (!within_slack(r, near)) return false;
+      if (!within_slack(r)) return false;
     }
     return true;
   }
 
-  // The distance to the polygon grows by no more than one goes, so a piece whose centre is near
-  // enough for its corners is settled.
-  bool within_slack(const Rectangle& r, const std::vector<const Edge*>& near) const {
-    const Vec2 half = 0.5 * (r.max - r.min);
-    const double at_centre = distance_to(Vec2(0.5 * (r.min + r.max)), near);
-    const double radius = half.norm() * (1 + 1e-12);
-    if (at_centre + radius <= slack_) return true;
-    if (at_centre > slack_ || radius < 0.02 * slack_) return false;
-    // A part wholly inside would be halved down to the slack for nothing.
-    if (at_centre == 0 && clear_of_edges(r, near)) return true;
-    Rectangle first = r;
-    Rectangle second = r;
-    const int axis = half.x() >= half.y() ? 0 : 1;
-    first.max[axis] = second.min[axis] = 0.5 * (r.min[axis] + r.max[axis]);
-    return within_slack(first, near) && within_slack(second, near);
+  // What within_slack() would say of all rectangles of the slab, where that is no close decision.
+  // Their points are within the ranges of edges, or inside.
+  std::optional<bool> clear_case(double y0, double y1) {
+    unclear_.clear();
+    if (near_.size() > kManyEdges) {
+      unclear_.push_back({Vec2::Constant(-kInfinity), Vec2::Constant(kInfinity)});
+      return std::nullopt;
+    }
+    bool close = false;
+    const auto look_at = [&](const Edge& edge) {
+      if (!(edge.high.y() > y0 && edge.low.y() < y1)) return true;
+      const Interval x = range(edge, y0, y1);
+      const Rectangle r{{x.low, y0}, {x.high, y1}};
+      if (beside(r, edge)) return true;
+      for (const Vec2& p : corners(r)) {
+        if (is_near(near_squared_, p) || is_inside(p)) continue;
+        if (!is_near(far_squared_, p)) return false;
+        close = true;
+      }
+      unclear_.push_back(r);
+      return true;
+    };
+    // The edge that refused the last slab refuses the next most often.
+    if (refusing_ && !look_at(*refusing_)) return false;
+    for (const Edge* edge : near_) {
+      if (edge == refusing_ || look_at(*edge)) continue;
+      refusing_ = edge;
+      return false;
+    }
+    if (close) return std::nullopt;
+    for (const Rectangle& r : unclear_) {
+      const auto near = clear_case(r);
+      if (!near || !*near) return near;
+    }
+    return true;
   }
 
-  // From p to the polygon where that is at most the slack; else more than it. 0 inside.
-  double distance_to(const Vec2& p, const std::vector<const Edge*>& near) const {
-    std::vector<int> turns(turns_);
+  // The same of one rectangle.
+  std::optional<bool> clear_case(const Rectangle& r) {
+    for (const Edge* edge : near_) {
+      if (beside(r, *edge)) return true;
+    }
+    const Vec2 centre = 0.5 * (r.min + r.max);
+    const bool inside = is_inside(centre);
+    if (!inside && !is_near(far_squared_, centre)) return false;
+    if (inside && clear_of_edges(r)) return true;
+    if ((r.max - r.min).maxCoeff() < 0.1 * slack_) return std::nullopt;
+    const auto [first, second] = halves(r);
+    const auto near = clear_case(first);
+    return near && *near ? clear_case(second) : near;
+  }
+
+  // Whether all of the rectangle is surely within the slack of the edge. The distance to an edge is
+  // convex, so it is largest at a corner.
+  bool beside(const Rectangle& r, const Edge& edge) const {
+    const std::array<Vec2, 4> all = corners(r);
+    return std::all_of(all.begin(), all.end(),
+                       [&](const Vec2& p) { return edge.is_within(near_squared_, p); });
+  }
+
+  // Whether an edge is that near.
+  bool is_near(double squared_reach, const Vec2& p) const {
+    return std::any_of(near_.begin(), near_.end(),
+                       [&](const Edge* edge) { return edge->is_within(squared_reach, p); });
+  }
+
+  // Whether they are no further apart than rectangles are rounded outward.
+  bool touch(const Rectangle& a, const Rectangle& b) const {
+    const double pad = 2e-3 * slack_;
+    return (a.min.array() <= b.max.array() + pad).all() &&
+           (b.min.array() <= a.max.array() + pad).all();
+  }
+
+  static std::array<Vec2, 4> corners(const Rectangle& r) {
+    return {r.min, r.max, Vec2(r.min.x(), r.max.y()), Vec2(r.max.x(), r.min.y())};
+  }
+
+  // Across its longer side.
+  static std::pair<Rectangle, Rectangle> halves(const Rectangle& r) {
+    const int axis = r.max.x() - r.min.x() >= r.max.y() - r.min.y() ? 0 : 1;
+    std::pair<Rectangle, Rectangle> out{r, r};
+    out.first.max[axis] = out.second.min[axis] = 0.5 * (r.min[axis] + r.max[axis]);
+    return out;
+  }
+
+  // The distance to the polygon grows by no more than one goes, so a piece whose centre is near
+  // enough for its corners is settled.
+  bool within_slack(const Rectangle& r) {
+    if (std::none_of(unclear_.begin(), unclear_.end(),
+                     [&](const Rectangle& u) { return touch(u, r); })) {
+      return true;
+    }
+    const Vec2 half = 0.5 * (r.max - r.min);
+    const Vec2 centre = 0.5 * (r.min + r.max);
+    const double radius = half.norm() * (1 + 1e-12);
+    const double aside = to_edge(centre);
+    if (aside + radius <= slack_) return true;
+    const bool inside = is_inside(centre);
+    if (inside && radius <= slack_) return true;
+    if (!inside && aside > slack_) return false;
+    if (radius < 0.02 * slack_) return false;
+    // A part beside an edge or wholly inside would be halved down to the slack for nothing.
+    if (near_.size() <= kManyEdges &&
+        std::any_of(near_.begin(), near_.end(), [&](const Edge* e) { return beside(r, *e); })) {
+      return true;
+    }
+    if (inside && clear_of_edges(r)) return true;
+    const auto [first, second] = halves(r);
+    return within_slack(first) && within_slack(second);
+  }
+
+  // From p to the nearest edge where that is at most the slack; else more than it.
+  double to_edge(const Vec2& p) const {
+    double best = kInfinity;  // squared
+    for (const Edge* edge : near_) best = std::min(best, edge->squared_distance(p));
+    return std::sqrt(best);
+  }
+
+  bool is_inside(const Vec2& p) {
+    std::fill(turns_.begin(), turns_.end(), 0);
     bool odd = false;
-    double best = kInfinity;
-    for (const Edge* edge : near) {
-      const Vec2 d = edge->high - edge->low;
-      const double square = d.squaredNorm();
-      const double t = square > 0 ? std::clamp((p - edge->low).dot(d) / square, 0.0, 1.0) : 0;
-      best = std::min(best, (edge->low + t * d - p).norm());
+    for (const Edge* edge : near_) {
       if (edge->low.y() > p.y() || edge->high.y() <= p.y() ||
           orientation(edge->low.x(), edge->low.y(), edge->high.x(), edge->high.y(), p.x(), p.y()) <=
               0) {
         continue;
       }
-      turns[static_cast<std::size_t>(edge->ring)] += edge->turn;
+      turns_[static_cast<std::size_t>(edge->ring)] += edge->turn;
       odd = !odd;
     }
-    return odd || winds_inside(turns) ? 0 : best;
+    return odd || winds_inside(turns_);
   }
 
   // Whether no edge meets the rectangle.
-  static bool clear_of_edges(const Rectangle& r, const std::vector<const Edge*>& near) {
-    return std::none_of(near.begin(), near.end(), [&](const Edge* edge) {
+  bool clear_of_edges(const Rectangle& r) const {
+    return std::none_of(near_.begin(), near_.end(), [&](const Edge* edge) {
       if (edge->low.y() > r.max.y() || edge->high.y() < r.min.y()) return false;
       const Interval x = range(*edge, r.min.y(), r.max.y());
       return outward(x.high, 1) >= r.min.x() && outward(x.low, -1) <= r.max.x();
@@ -267,8 +391,13 @@ class Slabs {
   }
 
   double slack_;
+  double near_squared_ = (kSurelyNear * slack_) * (kSurelyNear * slack_);
+  double far_squared_ = (kSurelyFar * slack_) * (kSurelyFar * slack_);
   bool at_corners_;
-  std::vector<int> turns_;          // a zero for each ring
+  std::vector<Rectangle> unclear_;
+  const Edge* refusing_ = nullptr;
+  std::vector<int> turns_;          // of each ring around the point that is asked about
+  std::vector<const Edge*> near_;   // all that a point of a slab may be within the slack of
   std::vector<Edge> edges_;         // by their lower end
   std::size_t next_ = 0;            // the first edge that begins above the slab's lower end
   std::vector<const Edge*> begun_;  // those before it that are still near
@@ -305,15 +434,15 @@ void require(const Polygon& polygon, double slack) {
 
 std::vector<Rectangle> cover(const Polygon& polygon, double slack) {
   require(polygon, slack);
-  std::vector<Rectangle> best = Slabs(polygon, slack, true).cover();
+  std::vector<Rectangle> best = Slabs(polygon, slack, true).cover(kAny);
   const auto consider = [&](std::vector<Rectangle> other) {
     if (other.size() < best.size()) best = std::move(other);
   };
   if (best.size() <= 1) return best;
-  consider(Slabs(polygon, slack, false).cover());
+  consider(Slabs(polygon, slack, false).cover(best.size()));
   const Polygon turned = transposed(polygon);
   for (const bool at_corners : {true, false}) {
-    std::vector<Rectangle> across = Slabs(turned, slack, at_corners).cover();
+    std::vector<Rectangle> across = Slabs(turned, slack, at_corners).cover(best.size());
     for (Rectangle& r : across) {
       std::swap(r.min.x(), r.min.y());
       std::swap(r.max.x(), r.max.y());

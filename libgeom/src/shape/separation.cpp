@@ -2,10 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "geom/base/precondition.h"
+#include "geom/shape/nearest_share.h"
 
 namespace geom {
 namespace {
@@ -28,29 +28,6 @@ double lower_support(const Aabb& box, const Vec3& n) {
 
 // The vector from a point to the nearest point of the box.
 Vec3 to_box(const Vec3& p, const Aabb& box) { return p.cwiseMax(box.min).cwiseMin(box.max) - p; }
-
-// Where on the segment the distance to the box is least. The squared distance is convex and
-// piecewise quadratic, so its slope is piecewise linear between the six face crossings.
-double nearest_parameter(const Vec3& from, const Vec3& step, const Aabb& box) {
-  std::array<double, 8> knot{0, 1, 0, 0, 0, 0, 0, 0};
-  for (int i = 0; i < 3; ++i) {
-    if (step[i] == 0) continue;
-    knot[2 + 2 * i] = std::clamp((box.min[i] - from[i]) / step[i], 0.0, 1.0);
-    knot[3 + 2 * i] = std::clamp((box.max[i] - from[i]) / step[i], 0.0, 1.0);
-  }
-  std::sort(knot.begin(), knot.end());
-  const auto slope = [&](double t) { return -to_box(from + t * step, box).dot(step); };
-  double left = slope(0);
-  if (left >= 0) return 0;
-  for (std::size_t k = 1; k < knot.size(); ++k) {
-    const double right = slope(knot[k]);
-    if (right >= 0) {
-      return knot[k - 1] + (knot[k] - knot[k - 1]) * (left / (left - right));
-    }
-    left = right;
-  }
-  return 1;
-}
 
 // The plane of that direction, on whichever side of the box the segment is.
 Separation across(const Vec3& normal, const Vec3& from, const Vec3& to, const Aabb& box) {
@@ -79,8 +56,7 @@ Separation best_axis(const Vec3& from, const Vec3& to, const Aabb& box) {
 
 Separation separation(const Vec3& from, const Vec3& to, const Aabb& box) {
   require(from, to, box);
-  const Vec3 step = to - from;
-  const Vec3 p = from + nearest_parameter(from, step, box) * step;
+  const Vec3 p = from + nearest_share(from, to, box) * (to - from);
   const Vec3 gap = to_box(p, box);
   const double distance = gap.norm();
   if (distance >= kSmallGap) {
@@ -96,7 +72,7 @@ bool behind(const Aabb& box, const Plane& plane) {
 
 double distance(const Vec3& from, const Vec3& to, const Aabb& box) {
   require(from, to, box);
-  return to_box(from + nearest_parameter(from, to - from, box) * (to - from), box).norm();
+  return to_box(from + nearest_share(from, to, box) * (to - from), box).norm();
 }
 
 }  // namespace geom

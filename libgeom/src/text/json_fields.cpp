@@ -12,6 +12,34 @@ namespace geom {
 
 using Json = nlohmann::json;
 
+namespace {
+
+bool is_finite_number(const Json& value) {
+  return value.is_number() && std::isfinite(value.get<double>());
+}
+
+// Most values are right, so `what` says what they are only where one is refused.
+template <class What>
+Vec3 read_point(const JsonFields& fields, const Json& value, const What& what) {
+  if (!value.is_array() || value.size() != 3) {
+    fields.refuse(fmt::format("{} must be [x,y,z], found {}", what(), shown(value)));
+  }
+  Vec3 v;
+  for (int i = 0; i < 3; ++i) {
+    const Json& coordinate = value[static_cast<std::size_t>(i)];
+    v[i] = is_finite_number(coordinate)
+               ? coordinate.get<double>()
+               : fields.number(coordinate, fmt::format("{}[{}]", what(), i));
+    if (std::abs(v[i]) > kLargestCoordinate) {
+      fields.refuse(
+          fmt::format("{}[{}] must be within 1e8 m, found {}", what(), i, shown(coordinate)));
+    }
+  }
+  return v;
+}
+
+}  // namespace
+
 JsonFields::JsonFields(std::string_view json, std::string_view source, std::size_t line)
     : object_(std::make_unique<Json>(parse_json(json, source, line))),
       source_(source),
@@ -62,7 +90,7 @@ void JsonFields::refuse_word(const char* key, const std::string& expected) const
 }
 
 double JsonFields::number(const Json& value, std::string_view what) const {
-  if (!value.is_number() || !std::isfinite(value.get<double>())) {
+  if (!is_finite_number(value)) {
     refuse(fmt::format("{} must be a finite number, found {}", what, shown(value)));
   }
   return value.get<double>();
@@ -74,17 +102,7 @@ std::optional<double> JsonFields::number(const char* key) const {
 }
 
 Vec3 JsonFields::point(const Json& value, std::string_view what) const {
-  if (!value.is_array() || value.size() != 3) {
-    refuse(fmt::format("{} must be [x,y,z], found {}", what, shown(value)));
-  }
-  Vec3 v;
-  for (int i = 0; i < 3; ++i) {
-    v[i] = number(value[i], fmt::format("{}[{}]", what, i));
-    if (std::abs(v[i]) > kLargestCoordinate) {
-      refuse(fmt::format("{}[{}] must be within 1e8 m, found {}", what, i, shown(value[i])));
-    }
-  }
-  return v;
+  return read_point(*this, value, [&] { return what; });
 }
 
 Vec3 JsonFields::point(const char* key) const { return point(value(key), key); }
@@ -96,7 +114,7 @@ std::vector<Vec3> JsonFields::points(const char* key) const {
   std::vector<Vec3> points;
   points.reserve(list.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
-    points.push_back(point(list[i], fmt::format("{}[{}]", key, i)));
+    points.push_back(read_point(*this, list[i], [&] { return fmt::format("{}[{}]", key, i); }));
   }
   return points;
 }

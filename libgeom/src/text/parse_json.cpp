@@ -72,10 +72,9 @@ class Builder {
   bool end_array() { return close(); }
 
   bool key(std::string& name) {
-    const std::string shown = excerpt(name);
     keyed_ = add_key(name);
     if (!keyed_) {
-      refuse_at(due().at, fmt::format("expected each key once, found \"{}\" again", shown));
+      refuse_at(due().at, fmt::format("expected each key once, found \"{}\" again", excerpt(name)));
     }
     fresh_ = false;
     understood_ = seen_;
@@ -155,11 +154,12 @@ class Builder {
     return true;
   }
 
-  // Where the value of the key goes; nothing where the object has that key already.
+  // Where the value of the key goes; nothing, and `name` as it was, where the object has that key
+  // already.
   Json* add_key(std::string& name) {
     auto& object = levels_.back().value->template get_ref<typename Json::object_t&>();
     if constexpr (std::is_same_v<Json, nlohmann::json>) {
-      const auto [at, fresh] = object.emplace(std::move(name), Json());
+      const auto [at, fresh] = object.try_emplace(std::move(name));
       return fresh ? &at->second : nullptr;
     } else {  // a vector, in which looking for each key would be quadratic
       if (!levels_.back().keys.insert(name).second) return nullptr;

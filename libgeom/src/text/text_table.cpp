@@ -33,13 +33,29 @@ void TextLines::refuse(std::string_view message) const {
   throw InputError(source_, number_, message);
 }
 
+namespace {
+
+std::vector<std::string> split_at(char separator, std::string_view line) {
+  std::vector<std::string> fields;
+  fields.reserve(8);
+  for (std::size_t end = line.find(separator); end != line.npos; end = line.find(separator)) {
+    fields.emplace_back(trimmed(line.substr(0, end)));
+    line.remove_prefix(end + 1);
+  }
+  fields.emplace_back(trimmed(line));
+  return fields;
+}
+
+}  // namespace
+
 std::vector<std::string> split_fields(std::string_view line, bool quoted) {
   const char separator = !quoted && line.find(';') != std::string_view::npos ? ';' : ',';
+  if (!quoted || line.find('"') == line.npos) return split_at(separator, line);
   std::vector<std::string> fields(1);
   bool inside = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
-    if (quoted && c == '"') {
+    if (c == '"') {
       if (inside && i + 1 < line.size() && line[i + 1] == '"') {
         fields.back() += '"';
         ++i;

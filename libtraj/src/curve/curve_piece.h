@@ -52,15 +52,6 @@ struct Piece {
   }
 };
 
-// A straight line run through at even speed: the Bernstein form of from + u (to - from).
-inline Piece straight_piece(const Vec3& from, const Vec3& to, double begin, double end) {
-  Piece piece{{}, begin, end};
-  for (int i = 0; i < kPoints; ++i) {
-    piece.q[static_cast<std::size_t>(i)] = from + (to - from) * (static_cast<double>(i) / kDegree);
-  }
-  return piece;
-}
-
 // Only what a report says hangs on these, never a verdict.
 struct Largest {
   double value = -kInfinity;

@@ -96,13 +96,14 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
     note(result, outside->reason, {outside->value, outside->time, Vec3::Zero()});
     return result;
   }
+  result.looked = true;
   result.duration = duration(trajectory);
   const std::vector<Piece> pieces = pieces_and_steps(trajectory, options.stray);
   check_joints(trajectory, options, result);
   if (result.reason == Reason::none) check_place(scene, pieces, result);
   check_limits(trajectory, options, result);
   result.jumps = largest_jumps(trajectory);
-  result.clearance = least_clearance(scene, pieces);
+  if (options.clearance == Clearance::measured) result.clearance = least_clearance(scene, pieces);
   result.ok = result.reason == Reason::none;
   return result;
 }
@@ -115,18 +116,20 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
 }
 
 CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points,
-                       std::span<const Vec3> stray) {
+                       std::span<const Vec3> stray, Clearance clearance) {
   CheckResult result;
   if (const auto outside = outside_domain(points)) {
     note(result, outside->reason, {outside->value, outside->time, Vec3::Zero()});
     return result;
   }
   std::vector<Piece> pieces;
+  std::vector<Leg> legs;
   const auto add = [&](const Vec3& a, const Vec3& b) {
     const std::size_t i = pieces.size();
     const auto index = static_cast<double>(i);
     const Vec3 beside = stray.empty() ? Vec3(Vec3::Zero()) : stray[i];
     pieces.push_back({{a, a, a, a, b, b, b, b}, index, index + 1, beside});  // exact without it
+    legs.push_back({a, b, index, index + 1, beside});
   };
   for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
   if (points.size() == 1) add(points[0], points[0]);
@@ -134,8 +137,9 @@ CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> 
     result.reason = Reason::no_path;
     return result;
   }
+  result.looked = true;
   check_place(scene, pieces, result);
-  result.clearance = least_clearance(scene, pieces);
+  if (clearance == Clearance::measured) result.clearance = least_clearance(scene, legs);
   result.ok = result.reason == Reason::none;
   return result;
 }

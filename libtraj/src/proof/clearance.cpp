@@ -19,10 +19,17 @@ std::pair<Points<kPoints>, Points<kPoints>> cut(Points<kPoints> q, double u) {
   return {before, after};
 }
 
+double parts_of(double length, double step) { return std::max(1.0, std::ceil(length / step)); }
+
+template <class Part>
+ClearanceSpan span_of(const geom::CollisionScene& scene, const Part& part) {
+  return {part.begin, part.end, least_clearance(scene, std::vector{part})->value};
+}
+
 void append_spans(const geom::CollisionScene& scene, Piece piece, double step,
                   std::vector<ClearanceSpan>& out) {
   const double length = piece.end - piece.begin;
-  const double count = std::max(1.0, std::ceil(length / step));
+  const double count = parts_of(length, step);
   const double first = piece.begin;
   for (double k = 1; k <= count; ++k) {
     Piece part = piece;
@@ -30,29 +37,25 @@ void append_spans(const geom::CollisionScene& scene, Piece piece, double step,
       std::tie(part.q, piece.q) = cut(piece.q, 1 / (count - k + 1));
       part.end = piece.begin = first + length * (k / count);
     }
-    out.push_back({part.begin, part.end, least_clearance(scene, {part})->value});
+    out.push_back(span_of(scene, part));
+  }
+}
+
+void append_spans(const geom::CollisionScene& scene, const Leg& leg, double step,
+                  std::vector<ClearanceSpan>& out) {
+  const double length = leg.end - leg.begin;
+  const double count = parts_of(length, step);
+  Leg part = leg;
+  for (double k = 1; k <= count; ++k) {
+    part.to = k < count ? Vec3(leg.from + (leg.to - leg.from) * (k / count)) : leg.to;
+    part.end = k < count ? leg.begin + length * (k / count) : leg.end;
+    out.push_back(span_of(scene, part));
+    part.from = part.to;
+    part.begin = part.end;
   }
 }
 
 }  // namespace
-
-std::optional<Extreme> least_clearance(const geom::CollisionScene& scene,
-                                       const std::vector<Piece>& pieces) {
-  if (scene.map().size() == 0) return std::nullopt;
-  Largest best;
-  // The distance moves by at most 1 per metre; what is too far to matter is not looked up, and
-  // below 0 there is nothing to look for.
-  const auto nearness = [&](const Piece& piece, const Vec3& middle) {
-    if (best.value >= 0) return Estimate{0, 0};
-    const double r = radius_around(piece.q, middle);
-    const double beside = piece.stray.norm();
-    const auto near = scene.nearest(middle, r + beside - best.value);
-    const double value = near ? beside - near->distance : best.value - r;
-    return Estimate{value, value + r};
-  };
-  search_largest(pieces, 1e-3, nearness, best);
-  return Extreme{std::max(0.0, -best.value), best.time};
-}
 
 std::vector<ClearanceSpan> clearance_profile(const geom::CollisionScene& scene,
                                              const Trajectory& trajectory, double step) {
@@ -71,7 +74,7 @@ std::vector<ClearanceSpan> clearance_profile(const geom::CollisionScene& scene,
   double along = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const double length = (path[i] - path[i - 1]).norm();
-    append_spans(scene, straight_piece(path[i - 1], path[i], along, along + length), step, out);
+    append_spans(scene, Leg{path[i - 1], path[i], along, along + length}, step, out);
     along += length;
   }
   return out;
@@ -84,8 +87,7 @@ std::vector<ClearanceSpan> clearance_profile(const geom::CollisionScene& scene,
   std::vector<ClearanceSpan> out;
   if (scene.map().size() == 0) return out;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const Piece leg = straight_piece(path[i - 1], path[i], times[i - 1], times[i]);
-    out.push_back({leg.begin, leg.end, least_clearance(scene, {leg})->value});
+    out.push_back(span_of(scene, Leg{path[i - 1], path[i], times[i - 1], times[i]}));
   }
   return out;
 }

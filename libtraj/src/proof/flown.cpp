@@ -119,7 +119,7 @@ double time_at(const std::vector<Setpoint>& setpoints, double leg) {
 }
 
 CheckResult check_setpoints(const geom::CollisionScene& scene, const Flown& flown,
-                            const Limits& limits) {
+                            const Limits& limits, Clearance clearance) {
   const auto& setpoints = flown.setpoints;
   geom::Polyline way;
   std::vector<Vec3> stray;
@@ -127,7 +127,7 @@ CheckResult check_setpoints(const geom::CollisionScene& scene, const Flown& flow
     if (!way.empty()) stray.push_back(rounding_between(way.back(), s.state.position));
     way.push_back(s.state.position);
   }
-  CheckResult result = check_path(scene, way, stray);
+  CheckResult result = check_path(scene, way, stray, clearance);
   result.time = time_at(setpoints, result.time);
   if (result.clearance) result.clearance->time = time_at(setpoints, result.clearance->time);
   result.duration = setpoints.back().time - setpoints.front().time;
@@ -195,7 +195,8 @@ std::vector<Vec3> strays(const Flown& flown, std::size_t points) {
   return stray;
 }
 
-CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits) {
+CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,
+                      Clearance clearance) {
   const auto way = whole_way(scene, flown);
   if (!way) {
     CheckResult result;
@@ -203,7 +204,7 @@ CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, con
     refuse(result, Reason::takeoff, 0, flown.path.front(), room);
     return result;
   }
-  CheckResult result = check_path(scene, *way, strays(flown, way->size()));
+  CheckResult result = check_path(scene, *way, strays(flown, way->size()), clearance);
   if (flown.speed) check_legs(*way, *flown.speed, limits, result);
   if (flown.envelope) check_envelope(flown, result);
   if (flown.returns) {
@@ -244,11 +245,12 @@ CheckOptions file_tolerance(const Limits& limits) {
   return options;
 }
 
-CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown,
-                        const Limits& limits) {
-  if (!flown.path.empty()) return check_way(scene, flown, limits);
-  if (!flown.setpoints.empty()) return check_setpoints(scene, flown, limits);
+CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,
+                        Clearance clearance) {
+  if (!flown.path.empty()) return check_way(scene, flown, limits, clearance);
+  if (!flown.setpoints.empty()) return check_setpoints(scene, flown, limits, clearance);
   CheckOptions options = file_tolerance(limits);
+  options.clearance = clearance;
   options.stray = flown.stray;
   return check(scene, flown.trajectory, options);
 }

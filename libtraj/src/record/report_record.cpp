@@ -37,7 +37,7 @@ void add_violation(JsonLine& line, const CheckResult& result, const geom::BoxMap
 // Why a report refuses.
 void add_reason(JsonLine& line, const ReportRecord& record, const geom::BoxMap& map) {
   const CheckResult& result = record.result;
-  if (!result.ok && !result.clearance && result.duration == 0) {
+  if (!result.ok && !result.looked) {
     line.add("reason", name(result.reason));
   } else if (!result.ok) {
     add_violation(line, result, map);

@@ -83,7 +83,10 @@ std::string to_json_line(const TrajectoryRecord& record) {
 
 TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view source,
                                          std::size_t line) {
-  const JsonFields fields(json, source, line);
+  return read_trajectory_record(JsonFields(json, source, line));
+}
+
+TrajectoryRecord read_trajectory_record(const JsonFields& fields) {
   fields.require_type("trajectory");
   TrajectoryRecord record;
   record.id = fields.text("id");

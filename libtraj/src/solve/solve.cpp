@@ -56,7 +56,10 @@ std::string words(const CheckResult& verdict) {
 bool proved(const geom::CollisionScene& scene, const Trajectory& trajectory, const Limits& limits,
             SolveResult& result) {
   ++result.proofs;
-  const CheckResult verdict = check(scene, trajectory, limits);
+  CheckOptions options;
+  options.limits = limits;
+  options.clearance = Clearance::left_out;
+  const CheckResult verdict = check(scene, trajectory, options);
   if (!verdict.ok) result.reason = words(verdict);
   return verdict.ok;
 }

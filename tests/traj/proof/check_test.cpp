@@ -8,6 +8,7 @@
 
 #include "geom/base/error.h"
 #include "support/random_city.h"
+#include "support/segment_distance.h"
 #include "traj/scenes.h"
 #include "traj/solve/stop_and_go.h"
 
@@ -261,6 +262,78 @@ TEST(CheckPath, IsExactOnEveryLeg) {
   const std::vector<Vec3> through = {{-10, 0, 0}, {10, 0, 0}};
   EXPECT_EQ(check_path(scene, through).reason, Reason::collision);
   EXPECT_EQ(check_path(scene, {}).reason, Reason::no_path);
+}
+
+// By a look at every box.
+double least_by_far(const CollisionScene& scene, const Vec3& a, const Vec3& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const geom::Aabb& box : scene.map().boxes()) {
+    least = std::min(least, oracle::segment_distance(a, b, geom::grow(box, scene.vehicle().half)));
+  }
+  return least;
+}
+
+TEST(CheckPath, MeasuresTheClearanceToRounding) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    // Few boxes, many, and many that are nothing beside the vehicle.
+    const int count = seed % 3 == 0 ? 12 : 150;
+    const double half = seed % 3 == 2 ? 6 : 0.5;
+    const CollisionScene scene(support::random_city(seed, count, 120), {"box", {half, half, 0.5}},
+                               seed % 2 ? 0.75 : 0);
+    support::Random random(seed);
+    for (int i = 0; i < 12; ++i) {
+      std::vector<Vec3> path;
+      for (int k = 0; k < 4; ++k) {
+        path.emplace_back(random.stepped(-90, 90, 1), random.stepped(-90, 90, 1),
+                          random.uniform(60, 115));
+      }
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 1; k < path.size(); ++k) {
+        least = std::min(least, least_by_far(scene, path[k - 1], path[k]));
+      }
+      const CheckResult result = check_path(scene, path);
+      ASSERT_TRUE(result.clearance);
+      EXPECT_NEAR(result.clearance->value, least, 1e-9) << "seed " << seed << " path " << i;
+      const double at = std::min(result.clearance->time, 2.999999999);
+      const auto leg = static_cast<std::size_t>(at);
+      const Vec3 place = path[leg] + (at - static_cast<double>(leg)) * (path[leg + 1] - path[leg]);
+      EXPECT_NEAR(scene.nearest(place, 1e3)->distance, least, 1e-6);
+    }
+  }
+}
+
+TEST(Check, MeasuresTheClearanceOfCurvesToOneMillimetre) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const CollisionScene scene(support::random_city(seed, 60, 60), {"box", {0.5, 0.5, 0.5}}, 0);
+    const Trajectory curve = moved(testing::random_trajectory(seed), {0, 0, 70});
+    const CheckResult result = check(scene, curve, Limits{});
+    ASSERT_TRUE(result.clearance) << name(result.reason);
+    const double whole = duration(curve);
+    double least = std::numeric_limits<double>::infinity();
+    double step = 0;  // the longest between samples
+    Vec3 before = evaluate(curve, 0).position;
+    constexpr int kSamples = 20000;
+    for (int k = 0; k <= kSamples; ++k) {
+      const Vec3 p = evaluate(curve, whole * k / kSamples).position;
+      least = std::min(least, scene.nearest(p, 1e3)->distance);
+      step = std::max(step, (p - before).norm());
+      before = p;
+    }
+    EXPECT_LE(result.clearance->value, least + 1e-3) << "seed " << seed;
+    EXPECT_GE(result.clearance->value, least - step) << "seed " << seed;
+  }
+}
+
+TEST(Check, LeavesTheClearanceOutWhereItIsNotAskedFor) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
+  CheckOptions options;
+  options.clearance = Clearance::left_out;
+  EXPECT_TRUE(check(scene, line, options).ok);
+  EXPECT_FALSE(check(scene, line, options).clearance);
+  const std::vector<Vec3> path = {{-10, 4, 0}, {10, 4, 0}};
+  EXPECT_TRUE(check_path(scene, path).clearance);
+  EXPECT_FALSE(check_path(scene, path, {}, Clearance::left_out).clearance);
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   table.add({{1, 1, 1}, {2, 2, 2}}, 41);
   const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}}, table);
   ReportRecord record{"q1", "trajectory", {}, {.margin = 0.25}, {{Limit::speed, 8}}};
+  record.result.looked = true;
   record.result.reason = Reason::collision;
   record.result.time = 1.5;
   record.result.place = {1, 2, 3};
@@ -51,6 +52,7 @@ TEST(ReportSummary, SaysNothingOfWhatIsNotFinite) {
   table.add({{1, 1, 1}, {2, 2, 2}}, 41);
   const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}}, table);
   ReportRecord record{"q1", "trajectory", {}, {}, {}};
+  record.result.looked = true;
   record.result.reason = Reason::body_rate;
   record.result.worst = std::numeric_limits<double>::infinity();
   record.result.duration = 4;

@@ -3,7 +3,6 @@
 // Points as columns: the boxes of a laser scan.
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -60,17 +59,16 @@ struct GroundSpec {
 class GroundGrid {
  public:
   explicit GroundGrid(const GroundSpec& spec);
+  ~GroundGrid();
+  GroundGrid(GroundGrid&&) noexcept;
 
   void add(const Vec3& p);
   void finish();
   bool is_ground(const Vec3& p) const;
 
  private:
-  using Key = std::pair<std::int32_t, std::int32_t>;
-  Key key(const Vec3& p) const;
-
-  GroundSpec spec_;
-  std::map<Key, double> lowest_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace geom

@@ -77,5 +77,6 @@ std::string to_json_line(const PathRecord& record);  // ends with a newline
 // missing key, a number that is not finite, holds or velocities that are not one a point, a
 // velocity other than zero where the path holds.
 PathRecord parse_path_record(std::string_view json, std::string_view source, std::size_t line);
+PathRecord read_path_record(const JsonFields& fields);
 
 }  // namespace geom

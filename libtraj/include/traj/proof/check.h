@@ -24,6 +24,9 @@ struct Stray {
   double yaw_rate = 0;  // rad/s
 };
 
+// Whether a check measures the clearance too. No verdict hangs on it, and it costs more than one.
+enum class Clearance { measured, left_out };
+
 struct CheckOptions {
   Limits limits;
   // Of each segment, and then the curve with all that is so near to it must be clear and inside the
@@ -37,6 +40,7 @@ struct CheckOptions {
   double yaw_gap = 1e-9;           // radians
   double yaw_rate_gap = 1e-6;      // rad/s
   double limit_slack = 0;          // relative, on every limit
+  Clearance clearance = Clearance::measured;
 };
 
 struct Extreme {
@@ -46,6 +50,7 @@ struct Extreme {
 
 struct CheckResult {
   bool ok = false;
+  bool looked = false;  // at all of it; else only the reason is known
   // The first that holds, in the order of Reason, limits in that of kOrderOfLimits. Outside of
   // domain.h nothing is measured.
   Reason reason = Reason::none;
@@ -56,9 +61,10 @@ struct CheckResult {
 
   std::size_t looked_at = 0;  // obstacles near the pieces it was cut into: what the place cost
 
-  double duration = 0;               // seconds
-  std::optional<Extreme> clearance;  // metres to the obstacles grown by the vehicle without its
-                                     // margin, the least, to 1 mm; absent without obstacles
+  double duration = 0;  // seconds
+  // Metres to the obstacles grown by the vehicle without its margin, the least: of trajectories to
+  // 1 mm, of paths to rounding. Absent without obstacles, and where it was left out.
+  std::optional<Extreme> clearance;
   // The largest of what was measured, to a relative 1e-4; absent: not measured, as of a path, which
   // has no times, and of a yaw that no segment says.
   PerLimit<std::optional<Extreme>> largest;
@@ -78,7 +84,7 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
 // The same for a path: bounds and collision of every leg, exact, or of all that is within its
 // `stray`, metres along each axis, one a leg (empty: none). `time` is then the index of the leg.
 CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> points,
-                       std::span<const Vec3> stray = {});
+                       std::span<const Vec3> stray = {}, Clearance clearance = Clearance::measured);
 
 // The limits that were asked for and are not measured in a result, in the order of kOrderOfLimits.
 std::vector<Limit> not_measured(const CheckResult& result, const Limits& limits);

@@ -47,7 +47,7 @@ CheckOptions file_tolerance(const Limits& limits);
 // legs where the speed is known, "ceiling", "range", "endurance", and "return" where it ends by a
 // way that is not said. How a vehicle speeds up and slows down along legs is its own affair, and
 // not measured. Times of a path count legs from 0, the ascent being one.
-CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown,
-                        const Limits& limits);
+CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,
+                        Clearance clearance = Clearance::measured);
 
 }  // namespace traj

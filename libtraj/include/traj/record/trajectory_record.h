@@ -34,5 +34,6 @@ std::string to_json_line(const TrajectoryRecord& record);  // ends with a newlin
 // a missing key, a segment without 8 values an axis, a duration that is not positive and finite.
 TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view source,
                                          std::size_t line);
+TrajectoryRecord read_trajectory_record(const geom::JsonFields& fields);
 
 }  // namespace traj

@@ -1,0 +1,13 @@
+#pragma once
+
+// Where a segment comes nearest to a box.
+
+#include "geom/shape/aabb.h"
+
+namespace geom {
+
+// The share of the way from `from` to `to`, 0 to 1, at which the closed segment is nearest to the
+// closed box, to rounding; the first such place. Coordinates must be finite.
+double nearest_share(const Vec3& from, const Vec3& to, const Aabb& box);
+
+}  // namespace geom
