@@ -15,8 +15,9 @@ double nearest_share(const Vec3& from, const Vec3& to, const Aabb& box) {
   };
   double left = slope(0);
   if (left >= 0) return 0;
-  std::array<double, 7> knot{1};
-  std::size_t count = 1;
+  std::array<double, 7> knot;
+  knot.fill(1);
+  std::size_t count = 0;
   const auto add = [&](double t) {
     if (t > 0 && t < 1) knot[count++] = t;
   };
@@ -25,13 +26,13 @@ double nearest_share(const Vec3& from, const Vec3& to, const Aabb& box) {
     add((box.min[i] - from[i]) / step[i]);
     add((box.max[i] - from[i]) / step[i]);
   }
-  std::sort(knot.begin(), knot.begin() + static_cast<std::ptrdiff_t>(count));
+  std::sort(knot.begin(), knot.end());
   double before = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double right = slope(knot[k]);
-    if (right >= 0) return before + (knot[k] - before) * (left / (left - right));
+  for (const double t : knot) {
+    const double right = slope(t);
+    if (right >= 0) return before + (t - before) * (left / (left - right));
     left = right;
-    before = knot[k];
+    before = t;
   }
   return 1;
 }
