@@ -171,6 +171,7 @@ struct Planner::Impl {
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;
   Reach reach_;
+  Bounder bounder_;
   std::mutex mutex_;  // guards the workspaces
   std::vector<std::unique_ptr<RoadmapSearch>> idle_;
   std::vector<std::unique_ptr<LatticeLevel>> levels_;         // from the first to try to finer ones
@@ -190,7 +191,7 @@ std::string_view name(Method method) {
 
 Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
                     const Roadmap* roadmap)
-    : scene_(scene), roadmap_(roadmap), reach_(scene) {
+    : scene_(scene), roadmap_(roadmap), reach_(scene), bounder_(scene) {
   const auto lazy = [&](double spacing) {
     const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
     return std::make_unique<LatticeLevel>(lazy_lattice(scene, spec), false);
@@ -474,6 +475,9 @@ PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptio
   if (options.resample > 0 && !result.path.empty()) {
     result.path = resample_free(scene_, result.path, options.resample);
     result.steps.push_back(step_of("resample", result.path));
+  }
+  if (options.gap != 0 && !result.path.empty()) {
+    result.bound = bounder_.ask(task.from, task.to, geom::length(result.path), {options.gap});
   }
   result.snapped_start = snapped[0];
   result.snapped_goal = snapped[1];

@@ -10,6 +10,7 @@
 
 #include "geom/collision/collision.h"
 #include "geom/record/path_status.h"
+#include "plan/bound/bound.h"
 #include "plan/lattice/astar.h"
 #include "plan/lattice/lattice.h"
 #include "plan/planner/route.h"
@@ -43,8 +44,9 @@ struct PlanOptions {
   bool keep_tree = false;   // of a sampling planner
   bool keep_cells = false;  // that show that there is no way
   Quality quality = Quality::normal;
-  bool raw = false;      // the search's own path, not shortened
-  double resample = 0;   // metres; 0: not
+  bool raw = false;     // the search's own path, not shortened
+  double resample = 0;  // metres; 0: not
+  double gap = 0;  // of a proved lower bound: wanted at length / (1 + gap), 0 < gap <= 1; 0: none
   double snap_ends = 0;  // metres a blocked or outside end may move (nearest_free()); 0: not
 };
 
@@ -70,10 +72,11 @@ struct PlanResult {
   std::optional<Route> route;
   double resolution = 0;     // spacing of the path's lattice, or of the last searched; 0: none was
   std::size_t expanded = 0;  // nodes of that lattice, bends, cells, or iterations of sampling
-  std::vector<PathStep> steps;        // from the search to the path
-  SearchTree tree;                    // where it was to be kept
+  std::vector<PathStep> steps;         // from the search to the path
+  SearchTree tree;                     // where it was to be kept
   std::optional<Enclosure> enclosure;  // of what is unreachable, where it was to be kept
-  std::optional<Vec3> snapped_start;  // where an end was moved to
+  std::optional<LengthBound> bound;    // of what was found, where a gap was given
+  std::optional<Vec3> snapped_start;   // where an end was moved to
   std::optional<Vec3> snapped_goal;
 };
 
