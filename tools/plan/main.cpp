@@ -213,8 +213,8 @@ int main(int argc, char** argv) {
     planned.snapped.say(common);
     if (planned.open > 0) {
       cli::tell(common, "skyway-plan",
-                fmt::format("{} of {} have a wider gap than {}: there may be shorter ones",
-                            planned.open, geom::counted(planned.found, "path"), search.plan.gap));
+                fmt::format("no proof within {} for {} of {}: there may be shorter ones",
+                            search.plan.gap, planned.open, geom::counted(planned.found, "path")));
     }
     common.write_stats({{"queries", planned.records}, {"found", planned.found}});
     planned.batch.tell(common, "skyway-plan", "queries have no path");
