@@ -33,6 +33,7 @@ struct Set {
   std::vector<double> ms;
   std::size_t closed = 0;
   std::size_t above = 0;
+  std::size_t shortened = 0;
   double largest = 0;
 
   double rank(double share) const {
@@ -69,16 +70,19 @@ int main(int argc, char** argv) {
     Set& set = sets[query.id.substr(0, query.id.rfind('-'))];
     set.ms.push_back(1e3 * (cpu_seconds() - asked));
     set.closed += found.closed;
+    set.shortened += !found.path.empty();
     set.above += query.best_known > 0 && found.bound > query.best_known;
-    set.largest = std::max(set.largest, length / found.bound - 1);
+    set.largest = std::max(
+        set.largest, (found.path.empty() ? length : geom::length(found.path)) / found.bound - 1);
   }
   for (auto& [name, set] : sets) {
     std::sort(set.ms.begin(), set.ms.end());
     fmt::print(
-        "{}: {} of {} closed, {} above the best known, largest gap {:.2e}, ms {:.2f} median, "
+        "{}: {} of {} closed, {} after a shorter path, {} above the best known, largest gap "
+        "{:.2e}, ms {:.2f} median, "
         "{:.1f} "
         "p95, {:.0f} most\n",
-        name, set.closed, set.ms.size(), set.above, set.largest, set.rank(0.5), set.rank(0.95),
-        set.ms.back());
+        name, set.closed, set.ms.size(), set.shortened, set.above, set.largest, set.rank(0.5),
+        set.rank(0.95), set.ms.back());
   }
 }

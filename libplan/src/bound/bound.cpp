@@ -17,6 +17,7 @@
 #include "geom/base/precondition.h"
 #include "line_label.h"
 #include "occluders.h"
+#include "plan/planner/taut.h"
 
 namespace plan {
 namespace {
@@ -28,11 +29,55 @@ constexpr double kAgain = 10;  // metres that a label may become less before its
 // last two levels gained.
 constexpr int kTried = 9;
 constexpr double kHope = 4;
+constexpr double kOff = 1e-3;     // metres that a path tried keeps from the edges
+constexpr int kSlides = 20;       // rounds of moving its bends along them
+constexpr std::size_t kKeep = 8;  // steps that a link counts: they take memory
 constexpr std::size_t kLook = 4;  // steps that looking for an occluder counts
 constexpr std::uint32_t kStart = 0;
 constexpr std::uint32_t kGoal = 1;
 
 enum class Sight : std::uint8_t { unknown, open, hidden };
+
+// What a bound must be for a path of `length` to have the gap.
+double target_of(double length, double gap) {
+  double target = length / (1 + gap);
+  while (length / target - 1 > gap) {
+    target = std::nextafter(target, std::numeric_limits<double>::infinity());
+  }
+  return target;
+}
+
+// A short path over the parts in turn, a little outside of each.
+geom::Polyline over(const std::vector<EdgePart>& parts, const Vec3& from, const Vec3& to) {
+  geom::Polyline path{from};
+  for (const EdgePart& part : parts) path.push_back(0.5 * (part.low + part.high));
+  path.push_back(to);
+  const auto off_line = [](const EdgePart& part, const Vec3& p) {
+    const int a = (part.axis + 1) % 3;
+    const int b = (part.axis + 2) % 3;
+    return std::hypot(p[a] - part.low[a], p[b] - part.low[b]);
+  };
+  for (int round = 0; round < kSlides; ++round) {
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      const EdgePart& part = parts[i - 1];
+      if (part.is_corner()) continue;
+      // As a straight line once both legs lie in a plane.
+      const double before = off_line(part, path[i - 1]);
+      const double after = off_line(part, path[i + 1]);
+      if (!(before + after > 0)) continue;
+      const int k = part.axis;
+      const double at = (path[i - 1][k] * after + path[i + 1][k] * before) / (before + after);
+      path[i][k] = std::clamp(at, part.low[k], part.high[k]);
+    }
+  }
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const EdgePart& part = parts[i - 1];
+    if (part.is_corner()) continue;
+    path[i][(part.axis + 1) % 3] += kOff * part.outward[0];
+    path[i][(part.axis + 2) % 3] += kOff * part.outward[1];
+  }
+  return path;
+}
 
 // From a part to another: which of their sides the two lie on, as sides() says.
 struct Link {
@@ -58,8 +103,14 @@ struct Level {
 
 class Search {
  public:
-  Search(const Occluders& occluders, double target, std::size_t most, double slack)
-      : occluders_(occluders), target_(target), most_(most), slack_(slack) {}
+  Search(const geom::CollisionScene& scene, const Occluders& occluders, const BoundOptions& options,
+         double length, double slack)
+      : scene_(scene),
+        occluders_(occluders),
+        options_(options),
+        shortest_(length),
+        target_(target_of(length, options.gap)),
+        slack_(slack) {}
 
   LengthBound bound(Level level) {
     LengthBound result;
@@ -78,6 +129,11 @@ class Search {
         break;
       }
       result.bound = std::max(result.bound, end.low);
+      shorten(level, result);
+      if (result.bound >= target_) {
+        result.closed = true;
+        break;
+      }
       const auto h = backward(level, g);
       if (spent()) break;
       const LineLabel& begin = h[2 * kStart];
@@ -103,7 +159,7 @@ class Search {
   using Queued = std::pair<double, State>;
   using Queue = std::priority_queue<Queued, std::vector<Queued>, std::greater<>>;
 
-  bool spent() const { return steps_ > most_; }
+  bool spent() const { return steps_ > options_.most; }
 
   static bool leaves(const EdgePart& part, int side, std::uint8_t here) {
     return part.is_corner() || (here >> (1 - side) & 1);
@@ -171,6 +227,7 @@ class Search {
     if (here == 0) return;
     const int there = sides(part, from.part);
     if (there == 0) return;
+    steps_ += kKeep;
     links.push_back(
         {j, static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(there), sight, d});
   }
@@ -182,6 +239,7 @@ class Search {
     std::vector<char> waits(g.size(), 0);
     Queue queue;
     g[2 * kStart] = {0, 0};
+    before_.assign(g.size(), 2 * kStart);
     queue.push({0, 2 * kStart});
     waits[2 * kStart] = 1;
     while (!queue.empty()) {
@@ -210,6 +268,7 @@ class Search {
           if (now == g[next]) continue;
           if (!in_sight(level, i, link)) break;
           g[next] = now;
+          before_[next] = state;
           if (link.to == kGoal) continue;
           const double key = (g[next] + level.go[next]).least();
           if (key >= target_) continue;
@@ -267,6 +326,32 @@ class Search {
       }
     }
     return h;
+  }
+
+  // The parts that the goal's label came over, without the ends; empty where that is not a chain.
+  std::vector<EdgePart> chain(const Level& level) const {
+    std::vector<EdgePart> out;
+    for (State s = before_[2 * kGoal]; s != 2 * kStart; s = before_[s]) {
+      if (out.size() > level.parts.size()) return {};
+      out.push_back(level.parts[s / 2]);
+    }
+    std::reverse(out.begin(), out.end());
+    return out;
+  }
+
+  // Where labels show that a path could run, it is pulled taut: a shorter one takes the target
+  // down.
+  void shorten(const Level& level, LengthBound& result) {
+    geom::Polyline path = over(chain(level), level.parts[kStart].low, level.parts[kGoal].low);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      if (!scene_.free(path[i - 1], path[i])) return;
+    }
+    path = taut(scene_, path);
+    const double length = geom::length(path);
+    if (!(length < shortest_)) return;
+    result.path = std::move(path);
+    shortest_ = length;
+    target_ = target_of(length, options_.gap);
   }
 
   // What may be left of a label on a part of its part.
@@ -346,10 +431,13 @@ class Search {
     return false;
   }
 
+  const geom::CollisionScene& scene_;
   const Occluders& occluders_;
-  const double target_;
-  const std::size_t most_;
+  const BoundOptions& options_;
+  double shortest_;  // metres: of a path that is known
+  double target_;    // falls with it
   const double slack_;
+  std::vector<State> before_;  // of each state: the one that its label came from last
   std::size_t steps_ = 0;
 };
 
@@ -417,10 +505,7 @@ LengthBound Bounder::ask(const Vec3& from, const Vec3& to, double length,
   }
   const auto& bounds = impl_->scene.free_bounds();
   const double straight = (to - from).norm() * (1 - 0x1p-50);
-  double target = length / (1 + options.gap);
-  while (length / target - 1 > options.gap) {
-    target = std::nextafter(target, std::numeric_limits<double>::infinity());
-  }
+  const double target = target_of(length, options.gap);
   LengthBound result;
   result.bound = straight;
   result.closed = straight >= target;
@@ -428,7 +513,7 @@ LengthBound Bounder::ask(const Vec3& from, const Vec3& to, double length,
   const Vec3 size = bounds->min.cwiseAbs().cwiseMax(bounds->max.cwiseAbs());
   const double slack = std::ldexp(size.sum() + length, -43);
   impl_->prepare();
-  Search search(*impl_->occluders, target, options.most, slack);
+  Search search(impl_->scene, *impl_->occluders, options, length, slack);
   result = search.bound(impl_->first_level(from, to, target, slack));
   result.bound = std::max(result.bound, straight);
   return result;

@@ -472,12 +472,18 @@ PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptio
   }
   const Task task{ends[0], ends[1], options};
   PlanResult result = options.method == Method::automatic ? by_recipe(task) : by_method(task);
+  if (options.gap != 0 && !result.path.empty()) {
+    result.bound = bounder_.ask(task.from, task.to, geom::length(result.path), {options.gap});
+    if (!result.bound->path.empty() && options.raw) {
+      result.bound->closed = false;  // of the path that was found first
+    } else if (!result.bound->path.empty()) {
+      result.path = result.bound->path;
+      result.steps.push_back(step_of("bound", result.path));
+    }
+  }
   if (options.resample > 0 && !result.path.empty()) {
     result.path = resample_free(scene_, result.path, options.resample);
     result.steps.push_back(step_of("resample", result.path));
-  }
-  if (options.gap != 0 && !result.path.empty()) {
-    result.bound = bounder_.ask(task.from, task.to, geom::length(result.path), {options.gap});
   }
   result.snapped_start = snapped[0];
   result.snapped_goal = snapped[1];

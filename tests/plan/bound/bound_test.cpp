@@ -42,13 +42,29 @@ TEST(Bound, OverAWallClosesOnTheTautPath) {
   }
 }
 
-TEST(Bound, OfALongPathComesNearTheShortest) {
+void expect_shorter(const geom::CollisionScene& scene, const LengthBound& bound, double length) {
+  if (bound.path.empty()) return;
+  EXPECT_LT(geom::length(bound.path), length);
+  EXPECT_LE(bound.bound, geom::length(bound.path));
+  for (std::size_t i = 1; i < bound.path.size(); ++i) {
+    EXPECT_TRUE(scene.free(bound.path[i - 1], bound.path[i]));
+  }
+}
+
+TEST(Bound, OfALongPathFindsAShorterOne) {
   const auto scene = scene_of({{{10, 0, 0}, {30, 40, 10}}}, kRoom);
   const double shortest = 2 * std::hypot(6, 8) + 20;
-  const LengthBound bound = Bounder(scene).ask({4, 20, 2}, {36, 20, 2}, 1.2 * shortest, {1e-3});
-  EXPECT_FALSE(bound.closed);
+  const Vec3 from(4, 20, 2);
+  const Vec3 to(36, 20, 2);
+  const LengthBound bound = Bounder(scene).ask(from, to, 1.2 * shortest, {1e-3});
+  EXPECT_TRUE(bound.closed);
   EXPECT_LE(bound.bound, shortest + 1e-8);
-  EXPECT_GT(bound.bound, 0.999 * shortest);
+  EXPECT_GT(bound.bound, 0.998 * shortest);
+  ASSERT_FALSE(bound.path.empty());
+  expect_shorter(scene, bound, 1.2 * shortest);
+  EXPECT_EQ(bound.path.front(), from);
+  EXPECT_EQ(bound.path.back(), to);
+  EXPECT_LT(geom::length(bound.path), 1.001 * shortest);
 }
 
 TEST(Bound, WithoutStepsKnowsTheLine) {
@@ -129,7 +145,7 @@ TEST(Bound, IsNeverAboveAPath) {
     Bounder bounder(scene);
     const LengthBound near = bounder.ask(*from, *to, 1.05 * length, {1e-6, 300'000});
     ASSERT_LE(near.bound, length) << seed;
-    EXPECT_FALSE(near.closed);
+    expect_shorter(scene, near, 1.05 * length);
     EXPECT_GT(near.bound, 0.97 * length) << seed;
     ASSERT_LE(bounder.ask(*from, *to, length, {1e-3, 300'000}).bound, length) << seed;
     ++asked;

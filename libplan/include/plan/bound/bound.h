@@ -6,12 +6,14 @@
 // A shortest path that may touch obstacles bends only on convex edges of the union of the grown
 // boxes (docs/bound.md). These are cut into parts; a path is covered by a chain of parts, and what
 // lines below its length say of every chain is below its length. Parts that no path shorter than
-// wanted can use are dropped, the others halved, until the bound is near enough.
+// wanted can use are dropped, the others halved, until the bound is near enough. Where the chain with
+// the least label is a path, once pulled taut, and a shorter one, the search goes on with its length.
 
 #include <cstddef>
 #include <memory>
 
 #include "geom/collision/collision.h"
+#include "geom/shape/polyline.h"
 
 namespace plan {
 
@@ -26,7 +28,9 @@ struct LengthBound {
   // Metres: no path of the free space between the two places is shorter. At least a hair less than
   // the straight line.
   double bound = 0;
-  bool closed = false;    // whether it is what was wanted
+  bool closed = false;  // whether it is what was wanted, of the path below where there is one
+  // Shorter than the length given, every leg free: found where the bound would not close. Or empty.
+  geom::Polyline path;
   std::size_t steps = 0;  // as of BoundOptions
   std::size_t levels = 0;
 };

@@ -50,7 +50,7 @@ struct PlanOptions {
   double snap_ends = 0;  // metres a blocked or outside end may move (nearest_free()); 0: not
 };
 
-// What is left of a path after a step: "search", "shortcut", "taut", "resample".
+// What is left of a path after a step: "search", "shortcut", "taut", "bound", "resample".
 struct PathStep {
   std::string_view name;
   std::size_t points = 0;
@@ -97,7 +97,9 @@ struct PlanResult {
 //    that path (80 m for `best`), with a weight of 1.02, or 1.04 where the ends are over 1 km
 //    apart.
 // 5. taut() pulls the result tight.
-// Quality::fast leaves out steps 4 and 5.
+// Quality::fast leaves out steps 4 and 5. With PlanOptions::gap, a shorter path that the search for
+// a bound comes upon is taken, by whichever method the first was found; but not where it was to be
+// raw.
 //
 // An edge of a given lattice or roadmap that is blocked on this map throws geom::InputError. The
 // scene and the roadmap must outlive the planner. Threads may plan at once; no answer depends on
