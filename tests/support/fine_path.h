@@ -3,6 +3,8 @@
 // A path that is near to shortest, found the slow way: over points close together along all edges
 // of all grown boxes, every leg asked of the scene; then pulled taut.
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 

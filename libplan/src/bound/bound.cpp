@@ -348,7 +348,7 @@ class Search {
     }
     path = taut(scene_, path);
     const double length = geom::length(path);
-    if (!(length < shortest_)) return;
+    if (!(length < shortest_ - kOff)) return;
     result.path = std::move(path);
     shortest_ = length;
     target_ = target_of(length, options_.gap);
