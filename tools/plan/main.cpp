@@ -17,9 +17,11 @@
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
+#include "cli/tell.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/parallel.h"
 #include "geom/record/query_record.h"
+#include "geom/text/counted.h"
 #include "plan/planner/path_record.h"
 #include "plan/reach/enclosure_record.h"
 #include "plan/sampling/search_tree_file.h"
@@ -69,6 +71,7 @@ struct Planned {
   std::size_t records = 0;
   std::size_t found = 0;
   cli::Batch batch;
+  std::size_t open = 0;  // paths whose bound is further away than was asked for
   planning::SnappedEnds snapped;
   geom::PathRecord last;
   plan::SearchTree tree;  // of the last query, where it is to be written
@@ -117,6 +120,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
     std::vector<geom::PathRecord> records(std::min(kBlock, chosen.size() - begin));
     std::vector<std::vector<std::string>> moved(records.size());
     std::vector<std::string> why(records.size());
+    std::vector<char> open(records.size());
     const auto progress = [&](std::size_t done, std::size_t) {
       if (run.progress) run.progress(begin + done, chosen.size());
     };
@@ -126,6 +130,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       records[i] = plan::path_record(scene, query.id, result);
       moved[i] = planning::moved_ends(scene, query, result);
       why[i] = certificate(scene, query, result);
+      open[i] = result.bound && !result.bound->closed;
       if (!search.tree_file.empty()) planned.tree = std::move(result.tree);
       geom::trim_mapped_files();
     });
@@ -133,6 +138,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       const geom::PathRecord& record = records[i];
       const bool found = record.status == geom::PathStatus::found;
       planned.found += found;
+      planned.open += static_cast<std::size_t>(open[i]);
       found ? planned.batch.add_good() : planned.batch.add_failed(name(record.status));
       out.add(record, why[i]);
     }
@@ -212,6 +218,11 @@ int main(int argc, char** argv) {
       write_tree(search.tree_file, planned.tree, planned.last, scene.map().spec().frame.axes);
     }
     planned.snapped.say(common);
+    if (planned.open > 0) {
+      cli::tell(common, "skyway-plan",
+                fmt::format("no proof within {} for {} of {}: there may be shorter ones",
+                            search.plan.gap, planned.open, geom::counted(planned.found, "path")));
+    }
     common.write_stats({{"queries", planned.records}, {"found", planned.found}});
     planned.batch.tell(common, "skyway-plan", "queries have no path");
     if (queries.size() == 1 && !planned.found) {

@@ -80,6 +80,10 @@ void SearchOptions::add_to(CLI::App& app) {
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--seed", plan.sampling.seed,
                  "sampling methods: seed of the random numbers (default 0)");
+  app.add_option("--bound", plan.gap,
+                 "prove how short a path can be at all, to within this share of the length found "
+                 "(keys bound and gap)")
+      ->check(CLI::Range(1e-6, 1.0));
   cli::add_output(app, "--certificate", certificate,
                   "auto: write for each unreachable goal the cells that show it "
                   "(docs/certificates.md)");

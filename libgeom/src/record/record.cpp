@@ -80,6 +80,19 @@ void parse_velocities(const JsonFields& fields, PathRecord& record) {
   }
 }
 
+// With how much longer than it the path is.
+void add_bound(JsonLine& line, const PathRecord& record) {
+  line.add("bound", record.bound);
+  if (record.bound && *record.bound > 0 && !record.points.empty()) {
+    line.add("gap", length(record.points) / *record.bound - 1);
+  }
+}
+
+void parse_bound(const JsonFields& fields, PathRecord& record) {
+  record.bound = fields.number("bound");
+  if (record.bound && *record.bound < 0) fields.refuse("bound must be >= 0");
+}
+
 }  // namespace
 
 void add(JsonLine& line, const Provenance& provenance) {
@@ -97,6 +110,7 @@ std::string to_json_line(const PathRecord& record) {
   if (!record.search.empty()) line.add_json("search", record.search);
   if (record.origin) add_origin(line, *record.origin);
   if (!record.points.empty()) line.add("length", length(record.points));
+  add_bound(line, record);
   line.add("points", record.points);
   if (!record.hold.empty()) line.add("hold", record.hold);
   if (!record.velocity.empty()) line.add("velocity", record.velocity);
@@ -123,6 +137,7 @@ PathRecord read_path_record(const JsonFields& fields) {
     record.origin = {parse_ranges(fields, "kept", record.points.size()),
                      parse_ranges(fields, "mended", record.points.size())};
   }
+  parse_bound(fields, record);
   parse_holds(fields, record);
   parse_velocities(fields, record);
   return record;

@@ -172,6 +172,7 @@ struct Planner::Impl {
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;
   Reach reach_;
+  Bounder bounder_;
   std::mutex mutex_;  // guards the workspaces
   std::vector<std::unique_ptr<RoadmapSearch>> idle_;
   std::vector<std::unique_ptr<LatticeLevel>> levels_;         // from the first to try to finer ones
@@ -191,7 +192,7 @@ std::string_view name(Method method) {
 
 Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
                     const Roadmap* roadmap)
-    : scene_(scene), roadmap_(roadmap), reach_(scene) {
+    : scene_(scene), roadmap_(roadmap), reach_(scene), bounder_(scene) {
   const auto lazy = [&](double spacing) {
     const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
     return std::make_unique<LatticeLevel>(lazy_lattice(scene, spec), false);
@@ -481,6 +482,15 @@ PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptio
   }
   const Task task{ends[0], ends[1], options};
   PlanResult result = options.method == Method::automatic ? by_recipe(task) : by_method(task);
+  if (options.gap != 0 && !result.path.empty()) {
+    result.bound = bounder_.ask(task.from, task.to, geom::length(result.path), {options.gap});
+    if (!result.bound->path.empty() && options.raw) {
+      result.bound->closed = false;  // of the path that was found first
+    } else if (!result.bound->path.empty()) {
+      result.path = result.bound->path;
+      result.steps.push_back(step_of("bound", result.path));
+    }
+  }
   if (options.resample > 0 && !result.path.empty()) {
     result.path = resample_free(scene_, result.path, options.resample);
     result.steps.push_back(step_of("resample", result.path));

@@ -36,6 +36,18 @@ TEST(PathRecordOf, SaysWhatWasFoundAndForWhat) {
   EXPECT_EQ(Json::parse(record.search), (Json{{"method", "lattice"}, {"expanded", 42}}));
 }
 
+TEST(PathRecordOf, SaysWhatNoPathIsShorterThan) {
+  PlanResult result = found();
+  EXPECT_FALSE(Json::parse(to_json_line(path_record(yard(), "q", result))).contains("bound"));
+  result.path = {{1, 1, 1}, {1, 1, 9}};
+  result.bound = LengthBound{6.4};
+  const geom::PathRecord record = path_record(yard(), "q", result);
+  const Json json = Json::parse(to_json_line(record));
+  EXPECT_EQ(json["bound"], 6.4);
+  EXPECT_EQ(json["gap"], 8 / 6.4 - 1);
+  EXPECT_EQ(geom::parse_path_record(to_json_line(record), "s", 1).bound, 6.4);
+}
+
 TEST(PathRecordOf, ReportsResolutionStepsAndMovedEnds) {
   PlanResult result = found();
   result.resolution = 2.5;

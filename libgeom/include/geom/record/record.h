@@ -58,6 +58,7 @@ struct PathRecord {
   std::string message;               // why there is no path, in words; may be empty
   std::string search;                // the planner's own report: a JSON object, or empty
   std::optional<PathOrigin> origin;  // of a replanned path
+  std::optional<double> bound;       // metres: no path between its ends is shorter
   std::vector<double> hold;          // seconds to stand still at each point, >= 0; empty: nowhere
   std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
 };

@@ -10,6 +10,7 @@
 
 #include "geom/collision/collision.h"
 #include "geom/record/path_status.h"
+#include "plan/bound/bound.h"
 #include "plan/lattice/astar.h"
 #include "plan/lattice/lattice.h"
 #include "plan/planner/route.h"
@@ -43,12 +44,13 @@ struct PlanOptions {
   bool keep_tree = false;   // of a sampling planner
   bool keep_cells = false;  // that show that there is no way
   Quality quality = Quality::normal;
-  bool raw = false;      // the search's own path, not shortened
-  double resample = 0;   // metres; 0: not
+  bool raw = false;     // the search's own path, not shortened
+  double resample = 0;  // metres; 0: not
+  double gap = 0;  // of a proved lower bound: wanted at length / (1 + gap), 0 < gap <= 1; 0: none
   double snap_ends = 0;  // metres a blocked or outside end may move (nearest_free()); 0: not
 };
 
-// What is left of a path after a step: "search", "shortcut", "taut", "resample".
+// What is left of a path after a step: "search", "shortcut", "taut", "bound", "resample".
 struct PathStep {
   std::string_view name;
   std::size_t points = 0;
@@ -70,10 +72,11 @@ struct PlanResult {
   std::optional<Route> route;
   double resolution = 0;     // spacing of the path's lattice, or of the last searched; 0: none was
   std::size_t expanded = 0;  // nodes of that lattice, bends, cells, or iterations of sampling
-  std::vector<PathStep> steps;        // from the search to the path
-  SearchTree tree;                    // where it was to be kept
+  std::vector<PathStep> steps;         // from the search to the path
+  SearchTree tree;                     // where it was to be kept
   std::optional<Enclosure> enclosure;  // of what is unreachable, where it was to be kept
-  std::optional<Vec3> snapped_start;  // where an end was moved to
+  std::optional<LengthBound> bound;    // of what was found, where a gap was given
+  std::optional<Vec3> snapped_start;   // where an end was moved to
   std::optional<Vec3> snapped_goal;
 };
 
@@ -94,7 +97,9 @@ struct PlanResult {
 //    that path (80 m for `best`), with a weight of 1.02, or 1.04 where the ends are over 1 km
 //    apart.
 // 5. taut() pulls the result tight.
-// Quality::fast leaves out steps 4 and 5.
+// Quality::fast leaves out steps 4 and 5. With PlanOptions::gap, a shorter path that the search for
+// a bound comes upon is taken, by whichever method the first was found; but not where it was to be
+// raw.
 //
 // An edge of a given lattice or roadmap that is blocked on this map throws geom::InputError. The
 // scene and the roadmap must outlive the planner. Threads may plan at once; no answer depends on

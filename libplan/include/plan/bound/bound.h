@@ -1,0 +1,55 @@
+#pragma once
+
+// How long a path must be at least: a lower bound, proved, on the length of every path between two
+// places.
+//
+// A shortest path that may touch obstacles bends only on convex edges of the union of the grown
+// boxes (docs/bound.md). These are cut into parts; a path is covered by a chain of parts, and what
+// lines below its length say of every chain is below its length. Parts that no path shorter than
+// wanted can use are dropped, the others halved, until the bound is near enough. Where the chain with
+// the least label is a path, once pulled taut, and a shorter one, the search goes on with its length.
+
+#include <cstddef>
+#include <memory>
+
+#include "geom/collision/collision.h"
+#include "geom/shape/polyline.h"
+
+namespace plan {
+
+using geom::Vec3;
+
+struct BoundOptions {
+  double gap = 1e-2;              // the bound wanted is length / (1 + gap); > 0
+  std::size_t most = 60'000'000;  // steps: pairs of parts looked at
+};
+
+struct LengthBound {
+  // Metres: no path of the free space between the two places is shorter. At least a hair less than
+  // the straight line.
+  double bound = 0;
+  bool closed = false;  // whether it is what was wanted, of the path below where there is one
+  // Shorter than the length given, every leg free: found where the bound would not close. Or empty.
+  geom::Polyline path;
+  std::size_t steps = 0;  // as of BoundOptions
+  std::size_t levels = 0;
+};
+
+// May be asked from several threads at once; the scene must outlive it. The first question costs
+// some microseconds a box of the map. Along an axis of no length in free_bounds() it knows the
+// straight line only.
+class Bounder {
+ public:
+  explicit Bounder(const geom::CollisionScene& scene);
+  ~Bounder();
+
+  // Of paths between two places of which one has `length` metres.
+  LengthBound ask(const Vec3& from, const Vec3& to, double length,
+                  const BoundOptions& options = {});
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace plan

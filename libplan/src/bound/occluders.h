@@ -1,0 +1,45 @@
+#pragma once
+
+// Convex pieces of what is blocked, and whether one of them stands between two parts of edges.
+//
+// An occluder is a box inside the union of the closed grown boxes: a grown box made longer through
+// others that hold its whole cross-section there. A segment that meets the inside of an occluder
+// meets the inside of the union, so it is in no path. Each occluder is shrunk on every side by
+// 2^-47 of the largest coordinate of it and the bounds. A segment is said to meet what is left
+// where the slab test says so in rounded numbers. Its fractions of the segment are wrong by 3
+// roundings and so the places by 2^-50 of that coordinate at most: the segment does meet the inside
+// of the whole occluder.
+
+#include <cstdint>
+#include <vector>
+
+#include "convex_edges.h"
+
+namespace plan {
+
+class Occluders {
+ public:
+  explicit Occluders(const geom::CollisionScene& scene);
+
+  std::size_t size() const { return boxes_.size(); }
+
+  // Whether one occluder meets every segment from a point of `a` to a point of `b`: it does where
+  // it meets the four from end to end, for the points of a line from which the segments to one
+  // point meet a convex set are an interval. `hint` is an occluder to try first, and becomes the
+  // one found.
+  bool between(const EdgePart& a, const EdgePart& b, std::uint32_t& hint) const;
+
+ private:
+  struct Node {
+    geom::Aabb box;
+    std::uint32_t begin = 0;  // of the boxes, of a leaf; else the first of two children
+    std::uint32_t count = 0;  // 0: not a leaf
+  };
+
+  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
+
+  std::vector<geom::Aabb> boxes_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace plan

@@ -1,0 +1,90 @@
+// bound MAP QUERIES GAP [known]: lower bounds on the lengths of the paths that the planner finds
+// without a roadmap, or of the best known, for box:1,1,1. For each set of queries (their ids
+// without the number): how many closed, how many paths became shorter on the way, how many bounds
+// lie above a best known length (none may), the largest gap, and thread CPU milliseconds of asking,
+// the path not included: median, 95th percentile and the most. The first question, which looks at
+// the whole map, stands alone.
+
+#include "plan/bound/bound.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <vector>
+
+#include "geom/archive/box_map_file.h"
+#include "geom/record/query_record.h"
+#include "geom/shape/polyline.h"
+#include "plan/planner/plan.h"
+
+namespace {
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Set {
+  std::vector<double> ms;
+  std::size_t closed = 0;
+  std::size_t above = 0;
+  std::size_t shortened = 0;
+  double largest = 0;
+
+  double rank(double share) const {
+    const auto n = static_cast<std::size_t>(std::ceil(share * static_cast<double>(ms.size())));
+    return ms[std::max<std::size_t>(n, 1) - 1];
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4 && argc != 5) return 2;
+  const auto map = geom::read_box_map(geom::ArrayArchive::map(argv[1]));
+  const geom::CollisionScene scene(map, {"box:1,1,1", {1, 1, 1}}, 0);
+  std::ifstream in(argv[2]);
+  const auto queries = geom::read_plan_queries(in, argv[2]);
+  plan::BoundOptions options;
+  options.gap = std::atof(argv[3]);
+  plan::Planner planner(scene);
+  plan::Bounder bounder(scene);
+  std::map<std::string, Set> sets;
+  bool first = true;
+  for (const geom::PlanQuery& query : queries) {
+    const double length = argc == 5 ? query.best_known.value_or(0)
+                                    : geom::length(planner.plan(query.from, query.to).path);
+    if (length == 0) continue;
+    const double begin = cpu_seconds();
+    if (first) {
+      bounder.ask(query.from, query.to, 2 * length, {options.gap, 1});
+      fmt::print("first {:.3f} s\n", cpu_seconds() - begin);
+      first = false;
+    }
+    const double asked = cpu_seconds();
+    const plan::LengthBound found = bounder.ask(query.from, query.to, length, options);
+    Set& set = sets[query.id.substr(0, query.id.rfind('-'))];
+    set.ms.push_back(1e3 * (cpu_seconds() - asked));
+    set.closed += found.closed;
+    set.shortened += !found.path.empty();
+    set.above += query.best_known && found.bound > *query.best_known;
+    set.largest = std::max(
+        set.largest, (found.path.empty() ? length : geom::length(found.path)) / found.bound - 1);
+  }
+  for (auto& [name, set] : sets) {
+    std::sort(set.ms.begin(), set.ms.end());
+    fmt::print(
+        "{}: {} of {} closed, {} after a shorter path, {} above the best known, largest gap "
+        "{:.2e}, ms {:.2f} median, "
+        "{:.1f} "
+        "p95, {:.0f} most\n",
+        name, set.closed, set.ms.size(), set.shortened, set.above, set.largest, set.rank(0.5),
+        set.rank(0.95), set.ms.back());
+  }
+}

@@ -1,0 +1,179 @@
+#include "plan/bound/bound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "geom/base/error.h"
+#include "plan/scenes.h"
+#include "support/cases.h"
+#include "support/fine_path.h"
+
+namespace plan {
+namespace {
+
+using geom::Aabb;
+
+const Aabb kRoom{{0, 0, 0}, {40, 40, 20}};
+
+TEST(Bound, OfAFreeLineIsTheLine) {
+  const auto scene = scene_of({}, kRoom);
+  const LengthBound bound = Bounder(scene).ask({1, 1, 1}, {31, 41, 1}, 50, {1e-9});
+  EXPECT_TRUE(bound.closed);
+  EXPECT_LE(bound.bound, 50);
+  EXPECT_GT(bound.bound, 50 - 1e-12);
+}
+
+// Over a wall, 30 m long and 10 m high, that reaches across the room.
+TEST(Bound, OverAWallClosesOnTheTautPath) {
+  const auto scene = scene_of({{{10, 0, 0}, {30, 40, 10}}}, kRoom);
+  const Aabb wall = scene.grown(0);
+  const double side = std::hypot(wall.min.x() - 4, wall.max.z() - 2);
+  const double length = 2 * side + (wall.max.x() - wall.min.x());
+  Bounder bounder(scene);
+  const double end = wall.max.x() + wall.min.x() - 4;
+  for (const double gap : {1e-2, 1e-3, 1e-5}) {
+    const LengthBound bound = bounder.ask({4, 20, 2}, {end, 20, 2}, length, {gap});
+    EXPECT_TRUE(bound.closed) << gap;
+    EXPECT_LE(length / bound.bound - 1, gap);
+    EXPECT_LE(bound.bound, length);
+  }
+}
+
+void expect_shorter(const geom::CollisionScene& scene, const LengthBound& bound, double length) {
+  if (bound.path.empty()) return;
+  EXPECT_LT(geom::length(bound.path), length);
+  EXPECT_LE(bound.bound, geom::length(bound.path));
+  for (std::size_t i = 1; i < bound.path.size(); ++i) {
+    EXPECT_TRUE(scene.free(bound.path[i - 1], bound.path[i]));
+  }
+}
+
+TEST(Bound, OfALongPathFindsAShorterOne) {
+  const auto scene = scene_of({{{10, 0, 0}, {30, 40, 10}}}, kRoom);
+  const double shortest = 2 * std::hypot(6, 8) + 20;
+  const Vec3 from(4, 20, 2);
+  const Vec3 to(36, 20, 2);
+  const LengthBound bound = Bounder(scene).ask(from, to, 1.2 * shortest, {1e-3});
+  EXPECT_TRUE(bound.closed);
+  EXPECT_LE(bound.bound, shortest + 1e-8);
+  EXPECT_GT(bound.bound, 0.998 * shortest);
+  ASSERT_FALSE(bound.path.empty());
+  expect_shorter(scene, bound, 1.2 * shortest);
+  EXPECT_EQ(bound.path.front(), from);
+  EXPECT_EQ(bound.path.back(), to);
+  EXPECT_LT(geom::length(bound.path), 1.001 * shortest);
+}
+
+TEST(Bound, WithoutStepsKnowsTheLine) {
+  const auto scene = scene_of({{{10, 0, 0}, {30, 40, 10}}}, kRoom);
+  const LengthBound bound = Bounder(scene).ask({4, 20, 2}, {36, 20, 2}, 40, {1e-3, 1});
+  EXPECT_FALSE(bound.closed);
+  EXPECT_NEAR(bound.bound, 32, 1e-12);
+}
+
+TEST(Bound, OfNoWayAtAllIsNothing) {
+  const auto scene = scene_of({}, kRoom);
+  const LengthBound bound = Bounder(scene).ask({4, 4, 4}, {4, 4, 4}, 0, {1e-2});
+  EXPECT_TRUE(bound.closed);
+  EXPECT_EQ(bound.bound, 0);
+}
+
+TEST(Bound, InFlatBoundsKnowsTheLine) {
+  const auto scene =
+      scene_of({{{10, 10, 0}, {30, 30, 2}}}, {{0, 0, 0}, {40, 40, 2}}, Vec3(1, 1, 1));
+  const auto& bounds = *scene.free_bounds();
+  ASSERT_LE(bounds.max.z() - bounds.min.z(), 1e-8);
+  const double z = bounds.min.z();
+  const LengthBound bound = Bounder(scene).ask({4, 20, z}, {36, 20, z}, 44, {1e-2});
+  EXPECT_LE(bound.bound, 44);
+}
+
+TEST(Bound, NeedsPlaces) {
+  const auto scene = scene_of({}, kRoom);
+  Bounder bounder(scene);
+  EXPECT_THROW(bounder.ask({1, 1, NAN}, {2, 2, 2}, 3), geom::InputError);
+  EXPECT_THROW(bounder.ask({1, 1, 1}, {2, 2, 2}, 3, {0}), geom::InputError);
+}
+
+// Boxes whose faces are often flush, half of them.
+geom::CollisionScene scene_for(std::uint64_t seed) {
+  support::Random random(seed);
+  std::vector<Aabb> boxes;
+  if (seed % 2) {
+    boxes = random_boxes(random, 2 + random.below(7), 10);
+  } else {
+    for (int i = 2 + random.below(9); i > 0; --i) {
+      Vec3 low;
+      Vec3 size;
+      for (int k = 0; k < 3; ++k) {
+        low[k] = random.stepped(0, 8, 1);
+        size[k] = random.stepped(1, 5, 1);
+      }
+      boxes.push_back({low, low + size});
+    }
+  }
+  return scene_of(boxes, {{0, 0, 0}, {10, 10, 10}}, Vec3::Constant(random.below(2) ? 0.25 : 0.5));
+}
+
+std::optional<Vec3> free_place(const geom::CollisionScene& scene, support::Random& random) {
+  for (int i = 0; i < 100; ++i) {
+    Vec3 p;
+    for (int k = 0; k < 3; ++k) {
+      p[k] = random.below(3) ? random.uniform(0.5, 9.5) : random.stepped(0.5, 9.5, 0.25);
+    }
+    if (scene.free(p)) return p;
+  }
+  return std::nullopt;
+}
+
+// Asked for more than there can be, it comes near the shortest path from below.
+TEST(Bound, IsNeverAboveAPath) {
+  int asked = 0;
+  const auto seeds = static_cast<std::uint64_t>(support::cases(150));
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    const auto scene = scene_for(seed);
+    support::Random random(seed + 1000);
+    const auto from = free_place(scene, random);
+    const auto to = free_place(scene, random);
+    if (!from || !to || scene.free(*from, *to)) continue;
+    const geom::Polyline path = oracle::fine_path(scene, *from, *to, 1);
+    if (path.empty()) continue;
+    const double length = geom::length(path);
+    Bounder bounder(scene);
+    const LengthBound near = bounder.ask(*from, *to, 1.05 * length, {1e-6, 300'000});
+    ASSERT_LE(near.bound, length) << seed;
+    expect_shorter(scene, near, 1.05 * length);
+    EXPECT_GT(near.bound, 0.97 * length) << seed;
+    ASSERT_LE(bounder.ask(*from, *to, length, {1e-3, 300'000}).bound, length) << seed;
+    ++asked;
+  }
+  EXPECT_GT(asked, 20);
+}
+
+TEST(Bound, IsTheSameFromAnyThread) {
+  const auto scene = scene_for(12);
+  const auto answers = [&](Bounder& bounder) {
+    std::vector<double> out;
+    support::Random random(3);
+    for (int i = 0; i < 20; ++i) {
+      const auto from = free_place(scene, random);
+      const auto to = free_place(scene, random);
+      out.push_back(bounder.ask(*from, *to, 1.3 * (*to - *from).norm(), {1e-3, 50'000}).bound);
+    }
+    return out;
+  };
+  Bounder alone(scene);
+  const std::vector<double> expected = answers(alone);
+  Bounder shared(scene);
+  std::vector<double> found[3];
+  std::vector<std::thread> threads;
+  for (auto& some : found) threads.emplace_back([&] { some = answers(shared); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& some : found) EXPECT_EQ(some, expected);
+}
+
+}  // namespace
+}  // namespace plan
