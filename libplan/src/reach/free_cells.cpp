@@ -92,10 +92,16 @@ FreeCells::Cut FreeCells::best_cut(const Aabb& region,
   return best;
 }
 
-// Says what an open node is.
+// Room for two more nodes, so that they are added without a failure.
+void FreeCells::make_room() {
+  if (nodes_.capacity() - nodes_.size() < 2) nodes_.reserve(2 * nodes_.size() + 2);
+}
+
+// Says what an open node is. Where memory runs out it stays open, with its boxes: nothing is
+// changed before all that may fail is done.
 void FreeCells::settle(std::uint32_t node) {
-  const std::vector<std::uint32_t> boxes = std::move(nodes_[node].boxes);
-  nodes_[node].boxes = {};
+  make_room();
+  const std::vector<std::uint32_t>& boxes = nodes_[node].boxes;
   const Aabb region = nodes_[node].region;
   if (boxes.empty()) {
     nodes_[node].kind = Kind::free;
@@ -104,6 +110,7 @@ void FreeCells::settle(std::uint32_t node) {
   if (std::any_of(boxes.begin(), boxes.end(),
                   [&](std::uint32_t i) { return covers(scene_.grown(i), region); })) {
     nodes_[node].kind = Kind::blocked;
+    std::vector<std::uint32_t>().swap(nodes_[node].boxes);
     return;
   }
   const Cut cut = best_cut(region, boxes);
@@ -116,12 +123,15 @@ void FreeCells::settle(std::uint32_t node) {
     if (box.min[cut.axis] < cut.at) low.boxes.push_back(i);
     if (box.max[cut.axis] > cut.at) high.boxes.push_back(i);
   }
-  nodes_[node].kind = Kind::cut;
-  nodes_[node].axis = static_cast<std::uint8_t>(cut.axis);
-  nodes_[node].at = cut.at;
-  nodes_[node].low = static_cast<std::uint32_t>(nodes_.size());
+  const auto first = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(std::move(low));
   nodes_.push_back(std::move(high));
+  Node& settled = nodes_[node];
+  settled.kind = Kind::cut;
+  settled.axis = static_cast<std::uint8_t>(cut.axis);
+  settled.at = cut.at;
+  settled.low = first;
+  std::vector<std::uint32_t>().swap(settled.boxes);
 }
 
 std::uint32_t FreeCells::cell_at(const Vec3& p) {

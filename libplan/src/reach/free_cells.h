@@ -44,6 +44,7 @@ class FreeCells {
   };
   struct Face;  // of a cell, and the side to look to
 
+  void make_room();
   void settle(std::uint32_t node);
   Cut best_cut(const geom::Aabb& region, const std::vector<std::uint32_t>& boxes) const;
   bool meets_inside(const geom::Aabb& box, const geom::Aabb& region) const;
