@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <list>
 #include <optional>
 #include <utility>
@@ -184,7 +185,7 @@ void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked)
   // --origin and --geoid say where the map is: that is true whatever the format needs of it.
   cli::only_for(app, tello, {"--takeoff-height", "--heading", "--python", "--table"},
                 "--format tello");
-  cli::only_for(app, !unchecked, {"--margin"}, "an export that is checked");
+  cli::only_for(app, !unchecked, {"--margin", "--spare"}, "an export that is checked");
 }
 
 // A Tello's go has no other speeds, so one that is asked for is not changed in silence.
@@ -306,6 +307,15 @@ class Outputs {
     files_.push_back(files);
   }
 
+  // Files of an earlier run that would be taken for the record's, though it was refused.
+  std::vector<std::string> stale(std::size_t index) const {
+    std::vector<std::string> stale;
+    for (const std::string& file : files_[index]) {
+      if (!file.empty() && std::filesystem::exists(file)) stale.push_back(file);
+    }
+    return stale;
+  }
+
   // Of the record that was added as the `index`-th. Of many, each appears as it is whole.
   void save(std::size_t index, const std::string& format, const Written& written) const {
     const auto kind = format == "gltf" ? cli::OutputKind::artefact : cli::OutputKind::text;
@@ -324,6 +334,12 @@ class Outputs {
   std::array<bool, 3> wanted_;
   std::vector<Files> files_;
 };
+
+void warn_of_stale(const cli::Common& common, const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    common.warn(file + " is of an earlier run, and not what was refused now: do not fly it");
+  }
+}
 
 }  // namespace
 
@@ -348,16 +364,20 @@ int main(int argc, char** argv) {
     nlohmann::ordered_json stats;
     for (std::size_t i = 0; i < records.size(); ++i) {
       const auto [made, written] = exporter.make(records[i]);
-      refused += !written;
-      if (!written) continue;
+      if (!written) {
+        ++refused;
+        if (outputs.each()) warn_of_stale(common, outputs.stale(i));
+        continue;
+      }
       outputs.save(i, made.format, *written);
       if (!outputs.each()) stats = statistics(made, *written);
     }
     if (outputs.each()) {
       stats = {{"format", task.format}, {"records", records.size()}, {"refused", refused}};
       if (refused) {
-        cli::complain("skyway-export", fmt::format("{} of {} were refused, and have no file",
-                                                   refused, records.size()));
+        cli::complain("skyway-export",
+                      fmt::format("{} of {} were refused: no file was written for them", refused,
+                                  records.size()));
       }
     }
     if (!stats.is_null()) common.write_stats(stats);

@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "cli/batch.h"
 #include "cli/file/artefacts.h"
 #include "cli/file/files.h"
 #include "cli/file/record_output.h"
-#include "cli/option/degrees.h"
-#include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/quality_option.h"
 #include "cli/option/scenes.h"
@@ -25,47 +22,11 @@
 #include "plan/planner/path_record.h"
 #include "plan/reach/enclosure_record.h"
 #include "plan/sampling/search_tree_file.h"
+#include "queries_option.h"
 #include "search_options.h"
 #include "snapped_ends.h"
 
 namespace {
-
-// The one query of the options, or those of a file.
-struct Asked {
-  std::optional<geom::Place> from;
-  std::optional<geom::Place> to;
-  std::string file;
-  cli::MetresOption metres{true};
-
-  CLI::Option* add_to(CLI::App& app) {
-    auto* queries = app.add_option("--queries", file, "JSON Lines, CSV or GeoJSON; - for stdin");
-    auto* start = cli::add_place(app, "--from", from,
-                                 "start: x,y,z in metres, or 60.1719N,24.9414E,30 (degrees, and "
-                                 "metres above the map's zero; 2above: above what stands there)");
-    auto* goal = cli::add_place(app, "--to", to, "goal, in the same forms");
-    start->needs(goal)->excludes(queries);
-    goal->needs(start)->excludes(queries);
-    metres.add_to(app);
-    return queries;
-  }
-  std::vector<geom::PlanQuery> queries(const geom::BoxMap& map) const {
-    const geom::Frame& frame = map.spec().frame;
-    const geom::Locator locator(map);
-    if (from) {
-      const std::array ends = {locator.at(*from, "--from", 0), locator.at(*to, "--to", 0)};
-      if (std::holds_alternative<geom::Vec3>(*from) && std::holds_alternative<geom::Vec3>(*to)) {
-        metres.check_option(frame, ends, "--from and --to");
-      }
-      return {{"q1", ends[0], ends[1], {}, 0}};
-    }
-    cli::InputFile input(file);
-    auto queries = geom::read_plan_queries(input.stream(), input.name(), &locator);
-    for (const geom::PlanQuery& q : queries) {
-      metres.check_input(frame, std::array{q.from, q.to}, input.name(), q.line);
-    }
-    return queries;
-  }
-};
 
 struct Planned {
   std::size_t records = 0;
@@ -172,7 +133,7 @@ int main(int argc, char** argv) {
   cli::VehicleOptions vehicle;
   cli::ArtefactFiles prepared;
   planning::SearchOptions search;
-  Asked asked;
+  planning::QueriesOption asked;
   std::string map_file;
   std::string output = "-";
   cli::Sharding sharding;
@@ -185,16 +146,14 @@ int main(int argc, char** argv) {
   vehicle.add_to(app);
   sharding.add_to(app)->needs(queries_option)->excludes("--tree");
   return cli::run_tool(app, argc, argv, [&] {
-    if (asked.file.empty() && !asked.from) {
-      throw cli::UsageError("give --from and --to, or --queries");
-    }
+    asked.require_some();
     search.refuse_idle(app, prepared);
-    cli::at_most_one_stdin({map_file, prepared.lattice, prepared.roadmap, asked.file});
+    cli::at_most_one_stdin({map_file, prepared.lattice, prepared.roadmap, asked.file()});
     sharding.begin(app,
                    {{"map", map_file},
                     {"lattice", prepared.lattice},
                     {"roadmap", prepared.roadmap},
-                    {"queries", asked.file}},
+                    {"queries", asked.file()}},
                    {{"output", output}, {"certificate", search.certificate}});
     if (const auto done = sharding.finished(common)) return *done;
     // A certificate stands for the map.
@@ -206,7 +165,7 @@ int main(int argc, char** argv) {
     const cli::Artefacts artefacts(prepared);
     artefacts.require_made_for(scene);
     const auto named = artefacts.lattice() ? std::nullopt : search.named_lattice(scene);
-    const std::vector<geom::PlanQuery> queries = asked.queries(scene.map());
+    const std::vector<geom::PlanQuery> queries = asked.read(scene.map());
     search.check(queries.size());
     plan::Planner planner(scene, named ? &*named : artefacts.lattice(), artefacts.roadmap());
     Outputs out(output, search.certificate, sharding);

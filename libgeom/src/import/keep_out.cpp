@@ -9,6 +9,7 @@
 
 #include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"
+#include "geom/text/geojson_crs.h"
 #include "geom/text/parse_json.h"
 
 namespace geom {
@@ -31,6 +32,7 @@ class Reader {
   KeepOut read(std::istream& in) {
     const Json root = parse_json(in, source_);
     if (!root.is_object()) refuse("expected a GeoJSON object, found another value");
+    require_wgs84(root);
     const std::string type = root.value("type", Json()).dump();
     if (type == "\"FeatureCollection\"") {
       const Json features = root.value("features", Json());
@@ -48,11 +50,17 @@ class Reader {
     throw InputError(source_, fmt::format("feature {}: {}", feature_, message));
   }
 
+  void require_wgs84(const Json& object) const {
+    if (!options_.local && has_foreign_crs(object)) throw InputError(source_, kForeignCrs);
+  }
+
   void read_feature(const Json& feature) {
     const Json properties =
         feature.is_object() ? feature.value("properties", Json::object()) : Json();
     const Json geometry = feature.is_object() ? feature.value("geometry", Json()) : Json();
     if (!geometry.is_object()) refuse("expected a feature with a geometry, found none");
+    require_wgs84(feature);
+    require_wgs84(geometry);
     Footprint volume;
     volume.id = feature_;
     volume.bottom = altitude(properties, {"lower", "lower_altitude_m"}, options_.floor);

@@ -28,7 +28,7 @@ std::string ring(const GeographicFrame& earth, const Aabb& box) {
 }
 
 std::string feature(const GeographicFrame& earth, const BoxMap& map, std::size_t i) {
-  const Aabb box = to_enu(map.spec().frame.axes, map.box(i));
+  const Aabb box = to_enu(map.spec().frame.axes, map.boxes()[i]);
   JsonLine properties;
   properties.add("id", map.ids()[i]);
   const std::string& label = map.labels()[map.label()[i]];

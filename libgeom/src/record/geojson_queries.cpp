@@ -9,6 +9,7 @@
 #include <string>
 
 #include "geom/base/error.h"
+#include "geom/text/geojson_crs.h"
 #include "geom/text/parse_json.h"
 
 namespace geom {
@@ -21,6 +22,7 @@ class Features {
   Features(std::string_view source, const Locator& locator) : source_(source), locator_(locator) {}
 
   std::vector<PlanQuery> read(const Json& root) {
+    require_wgs84(root);
     const Json& list =
         root.value("type", Json()) == "FeatureCollection" ? member(root, "features") : root;
     if (list.is_array()) {
@@ -40,6 +42,10 @@ class Features {
     throw InputError(source_, fmt::format("feature {}: {}", number_, message));
   }
 
+  void require_wgs84(const Json& object) const {
+    if (has_foreign_crs(object)) throw InputError(source_, kForeignCrs);
+  }
+
   const Json& member(const Json& object, const char* key) const {
     if (!object.is_object() || !object.contains(key)) {
       refuse(fmt::format("expected \"{}\", found none", key));
@@ -50,6 +56,8 @@ class Features {
   void add(const Json& feature) {
     ++number_;
     const Json& geometry = member(feature, "geometry");
+    require_wgs84(feature);
+    require_wgs84(geometry);
     const Json& coordinates = member(geometry, "coordinates");
     const Json& type = member(geometry, "type");
     if (type == "LineString") {
@@ -57,8 +65,7 @@ class Features {
         refuse("a line must have at least 2 positions");
       }
       const std::string id = id_of(feature).value_or(fmt::format("q{}", number_));
-      queries_.push_back(
-          {id, place(feature, coordinates.front()), place(feature, coordinates.back()), {}, 0});
+      add_query(id, place(feature, coordinates.front()), place(feature, coordinates.back()));
     } else if (type == "Point") {
       add_point(feature, coordinates);
     } else {
@@ -75,8 +82,12 @@ class Features {
       starts_.emplace(*id, here);
       return;
     }
-    queries_.push_back({*id, start->second, here, {}, 0});
+    add_query(*id, start->second, here);
     starts_.erase(start);
+  }
+
+  void add_query(const std::string& id, const Vec3& from, const Vec3& to) {
+    queries_.push_back({id, from, to, {}, 0, true, true});
   }
 
   std::optional<std::string> id_of(const Json& feature) const {
@@ -112,6 +123,7 @@ class Features {
     Json value;
     if (position.size() > 2) {
       value = position[2];
+      if (value.is_number()) value = value.get<double>() - locator_.zero();
     } else if (properties.is_object()) {
       value = properties.value("height", Json());
     }

@@ -18,14 +18,23 @@ Locator::Locator(const BoxMap& map) : map_(map) {
   if (counts_from_origin(frame)) earth_.emplace(*frame.origin);
 }
 
+double Locator::zero() const {
+  const auto& origin = map_.spec().frame.origin;
+  return origin ? origin->height : 0;
+}
+
 // The top of what stands there, or the floor.
 double Locator::ground(const Vec3& p) const {
   double top = map_.spec().bounds.min.z();
-  for (std::size_t i = 0; i < map_.size(); ++i) {
-    const Aabb& box = map_.box(i);
-    if (box.min.x() <= p.x() && p.x() <= box.max.x() && box.min.y() <= p.y() &&
-        p.y() <= box.max.y()) {
-      top = std::max(top, box.max.z());
+  const auto under = [&](const Aabb& box) {
+    return box.min.x() <= p.x() && p.x() <= box.max.x() && box.min.y() <= p.y() &&
+           p.y() <= box.max.y();
+  };
+  const auto tiles = map_.tiles();
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    if (!under(tiles[t].extent)) continue;
+    for (const Aabb& box : map_.boxes_of(t)) {
+      if (under(box)) top = std::max(top, box.max.z());
     }
   }
   return top;

@@ -32,21 +32,24 @@ Vec3 located(const Place& place, const TextLines& lines, const Locator* locator)
 
 // A point, or a text that says a place.
 Vec3 place(const JsonFields& fields, const char* key, const TextLines& lines,
-           const Locator* locator) {
+           const Locator* locator, bool& on_earth) {
   if (!fields.has(key) || !fields.value(key).is_string()) return fields.point(key);
   const std::string text = fields.text(key);
   const auto place = parse_place(text);
   if (!place) {
     lines.refuse(fmt::format("{}: expected {}, found \"{}\"", key, kPlaceForms, excerpt(text)));
   }
+  on_earth = std::holds_alternative<EarthPlace>(*place);
   return located(*place, lines, locator);
 }
 
 PlanQuery parse_line(const TextLines& lines, const Locator* locator) {
   const JsonFields fields(lines.line(), lines.source(), lines.number());
-  PlanQuery query{fields.text("id", fmt::format("q{}", lines.number())),
-                  place(fields, "from", lines, locator), place(fields, "to", lines, locator),
-                  fields.number("best_known"), 0};
+  PlanQuery query;
+  query.id = fields.text("id", fmt::format("q{}", lines.number()));
+  query.from = place(fields, "from", lines, locator, query.from_on_earth);
+  query.to = place(fields, "to", lines, locator, query.to_on_earth);
+  query.best_known = fields.number("best_known");
   if (query.best_known) path_length(lines, "best_known", *query.best_known);
   return query;
 }
@@ -121,6 +124,8 @@ class EndColumns {
                    lines, locator);
   }
 
+  bool on_earth() const { return on_earth_; }
+
  private:
   double number(const TextLines& lines, const std::vector<std::string>& fields,
                 std::size_t i) const {
@@ -153,7 +158,9 @@ class CsvQueries {
                     from_.parse(lines, fields, locator),
                     to_.parse(lines, fields, locator),
                     {},
-                    0};
+                    0,
+                    from_.on_earth(),
+                    to_.on_earth()};
     if (best_known_ && !fields[*best_known_].empty()) {
       query.best_known = path_length(lines, "best_known_m",
                                      coordinate(lines, "best_known_m", fields[*best_known_]));

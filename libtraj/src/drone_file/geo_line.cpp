@@ -12,6 +12,7 @@
 #include <ostream>
 
 #include "geom/base/error.h"
+#include "geom/text/geojson_crs.h"
 #include "geom/text/json_line.h"
 #include "geom/text/markup.h"
 #include "geom/text/parse_json.h"
@@ -240,20 +241,8 @@ class GeoJsonReader {
                     where, shown(*mode)));
   }
 
-  // RFC 7946 knows no "crs"; the older GeoJSON of 2008 did, and some programs say the usual one.
   void require_wgs84(const Json& object) const {
-    const auto crs = object.find("crs");
-    if (crs == object.end()) return;
-    const auto named = [&](const char* name) {
-      return *crs == Json{{"type", "name"}, {"properties", {{"name", name}}}};
-    };
-    if (named("urn:ogc:def:crs:OGC:1.3:CRS84") || named("urn:ogc:def:crs:OGC::CRS84") ||
-        named("urn:ogc:def:crs:OGC::CRS84h")) {
-      return;
-    }
-    refuse(
-        "crs must be CRS84 (WGS 84 longitude, latitude) or absent, found another: convert the "
-        "file to WGS 84");
+    if (geom::has_foreign_crs(object)) refuse(std::string(geom::kForeignCrs));
   }
 
   GeoPoints points(const Json& line, const std::string& where) const {

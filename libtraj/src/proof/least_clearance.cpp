@@ -14,7 +14,7 @@ namespace traj {
 namespace {
 
 constexpr std::size_t kMany = 16;   // boxes around a part that is halved first
-constexpr int kMostParts = 20000;   // that are halved for that
+constexpr int kMostParts = 20000;   // that are halved; others meet all boxes around them
 constexpr int kDeepest = 60;        // halvings of a curve beside a few boxes
 constexpr double kClose = 1e-3;     // metres
 constexpr double kRounding = 1e-6;  // metres: more than growing rounds
@@ -73,7 +73,7 @@ class Search {
 
   Extreme over(const std::vector<Part>& parts) {
     for (const Part& part : parts) add(part);
-    while (!open_.empty() && halvings_ < kMostParts) {
+    while (!open_.empty()) {
       const Open next = open_.top();
       open_.pop();
       if (std::max(0.0, next.bound) >= enough()) break;
@@ -130,7 +130,8 @@ class Search {
     const geom::Aabb region{hull.min - pad, hull.max + pad};
     // Halving what is small beside its surroundings would leave as many boxes around it.
     const bool large = (hull.max - hull.min).norm() > std::max(reach, kClose);
-    const auto found = large ? scene_.boxes_meeting(region, kMany) : scene_.boxes_meeting(region);
+    const auto found = large && halvings_ < kMostParts ? scene_.boxes_meeting(region, kMany)
+                                                       : scene_.boxes_meeting(region);
     if (!found) {
       const auto [first, second] = halved(part);
       add(first);

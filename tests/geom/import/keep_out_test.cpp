@@ -6,6 +6,7 @@
 
 #include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"
+#include "support/refusal.h"
 
 namespace geom {
 namespace {
@@ -49,6 +50,26 @@ TEST(KeepOut, StandsWhereItsDegreesSay) {
   EXPECT_EQ(zones.volumes[0].top, 50);
   EXPECT_NEAR(zones.volumes[0].polygon.outer[2].x(), 55.80, 0.01);
   EXPECT_NEAR(zones.volumes[0].polygon.outer[2].y(), 111.41, 0.01);
+}
+
+TEST(KeepOut, RefusesDegreesOfAnotherKind) {
+  const std::string crs = R"("crs":{"type":"name","properties":{"name":"EPSG:3857"}},)";
+  const std::string polygon =
+      R"("type":"Polygon","coordinates":[[[25,60],[25.001,60],[25,60.001],[25,60]]]})";
+  for (const std::string& text :
+       {"{" + crs + polygon, R"({"type":"Feature",)" + crs + R"("geometry":{)" + polygon + "}",
+        R"({"type":"Feature","geometry":{)" + crs + polygon + "}",
+        R"({"type":"FeatureCollection",)" + crs + R"("features":[{"geometry":{)" + polygon +
+            "}]}"}) {
+    std::istringstream in(text);
+    EXPECT_NE(support::refusal_of([&] {
+                read_keep_out(in, "zones", at(60, 25), {});
+              }).find("zones: crs must be CRS84"),
+              std::string::npos)
+        << text;
+    std::istringstream again(text);
+    EXPECT_EQ(read_keep_out(again, "zones", at(60, 25), {.local = true}).volumes.size(), 1u);
+  }
 }
 
 TEST(KeepOut, RefusesWhatIsNoVolume) {

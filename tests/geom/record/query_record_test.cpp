@@ -59,15 +59,16 @@ TEST(ReferenceLengths, AreReadById) {
 
 const GeodeticOrigin kHelsinki{60.17, 24.94, 0};
 
-BoxMap helsinki() {
+BoxMap helsinki(double zero = 0) {
   BoxMapSpec spec;
   spec.bounds = {{-1000, -1000, 0}, {1000, 1000, 100}};
   spec.frame.origin = kHelsinki;
+  spec.frame.origin->height = zero;
   return BoxMap(spec, support::table_of({{{-10, -10, 0}, {10, 10, 15}}}));
 }
 
-std::vector<PlanQuery> read(const std::string& text) {
-  const BoxMap map = helsinki();
+std::vector<PlanQuery> read(const std::string& text, double zero = 0) {
+  const BoxMap map = helsinki(zero);
   const Locator locator(map);
   std::istringstream in(text);
   return read_plan_queries(in, "q", &locator);
@@ -106,6 +107,36 @@ TEST(PlanQueriesOnEarth, AreTextsColumnsOrGeoJson) {
   expect_near(lines[2].to, to);
 }
 
+TEST(PlanQueriesOnEarth, SayWhichEndsAreInDegrees) {
+  const auto expect = [](const PlanQuery& query, bool from, bool to) {
+    EXPECT_EQ(query.from_on_earth, from);
+    EXPECT_EQ(query.to_on_earth, to);
+  };
+  expect(read(R"({"from":[1,2,3],"to":"24.94E,60.17N,40"})")[0], false, true);
+  expect(read(R"({"from":"24.94E,60.17N,40","to":"1,2,3"})")[0], true, false);
+  expect(read("id,from_latitude,from_longitude,from_height,to_x,to_y,to_z\na,60.171,24.945,30,1,2,"
+              "3\n")[0],
+         true, false);
+  expect(read(R"({"type":"Feature","geometry":{"type":"LineString",)"
+              R"("coordinates":[[24.94,60.17,20],[24.945,60.171,30]]}})")[0],
+         true, true);
+}
+
+// As skyway-export writes it, a third coordinate has the datum of the map's origin.
+TEST(PlanQueriesOnEarth, HaveTheThirdCoordinateOfGeoJsonOnEarthAndHeightsOnTheMap) {
+  const std::string line =
+      R"("geometry":{"type":"LineString","coordinates":[[24.94,60.17,20],[24.94,60.17,30]]}})";
+  const auto given = read(R"({"type":"Feature",)" + line, 12);
+  expect_near(given[0].from, {0, 0, 8});
+  expect_near(given[0].to, {0, 0, 18});
+  const auto height = read(
+      R"({"type":"Feature","properties":{"height":20},"geometry":{"type":"LineString","coordinates":)"
+      R"([[24.94,60.17],[24.94,60.17]]}})",
+      12);
+  expect_near(height[0].from, {0, 0, 20});
+  expect_near(read(R"({"from":"60.17N,24.94E,20","to":[1,2,3]})", 12)[0].from, {0, 0, 20});
+}
+
 TEST(PlanQueriesOnEarth, AreRefusedWithAReason) {
   const auto refused = [](const std::string& text) {
     return support::refusal_of([&] { read(text); });
@@ -130,6 +161,11 @@ TEST(PlanQueriesOnEarth, AreRefusedWithAReason) {
   has(feature + R"("Point","coordinates":[24.94,60.17,1]}})", "expected an id");
   has(R"({"type":"Feature","id":"a","geometry":{"type":"Point","coordinates":[24.94,60.17,1]}})",
       "expected a second point of id \"a\"");
+  const std::string crs = R"("crs":{"type":"name","properties":{"name":"EPSG:3857"}},)";
+  const std::string line = R"("type":"LineString","coordinates":[[24.9,60,1],[24.9,60,1]]})";
+  has(R"({"type":"FeatureCollection",)" + crs + R"("features":[]})", "crs must be CRS84");
+  has(R"({"type":"Feature",)" + crs + R"("geometry":{)" + line + "}", "crs must be CRS84");
+  has(R"({"type":"Feature","geometry":{)" + crs + line + "}", "crs must be CRS84");
   has(R"({"type":"FeatureCollection","features":[]})", "expected at least one query");
   has(R"({"type":"FeatureCollection"})", "expected \"features\"");
   std::istringstream in(R"({"from":"60.17N,24.94E,3","to":[1,2,3]})");

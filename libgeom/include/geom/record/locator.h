@@ -13,7 +13,7 @@
 namespace geom {
 
 // The map must outlive it. Places are counted as GeographicFrame counts them, heights as EarthPlace
-// says. A place `above` what stands there looks at all boxes: closed boxes under the point count.
+// says. A place `above` what stands there looks at all tiles: closed boxes under the point count.
 class Locator {
  public:
   explicit Locator(const BoxMap& map);
@@ -21,6 +21,9 @@ class Locator {
   // Throws InputError(source, line, …) for a place on Earth where the map does not say where it is
   // there, or where that is more than 1000 km away.
   Vec3 at(const Place& place, std::string_view source, std::size_t line) const;
+
+  // The height of the map's zero in the vertical datum of its origin, metres; 0 without an origin.
+  double zero() const;
 
  private:
   double ground(const Vec3& p) const;

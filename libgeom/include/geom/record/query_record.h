@@ -20,6 +20,8 @@ struct PlanQuery {
   Vec3 to;
   std::optional<double> best_known;  // metres: the length of the best path known
   std::size_t line = 0;              // of the source; 0: none
+  bool from_on_earth = false;        // given as degrees, not in the map's metres
+  bool to_on_earth = false;
 };
 
 // `{"id":"q1","from":[x,y,z],"to":[x,y,z]}` a line (without id: "q" and the line number), or CSV

@@ -1,0 +1,28 @@
+#pragma once
+
+// The coordinate reference system that a GeoJSON file names.
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace geom {
+
+inline constexpr std::string_view kForeignCrs =
+    "crs must be CRS84 (WGS 84 longitude, latitude) or absent, found another: convert the file to "
+    "WGS 84";
+
+// Whether an object of the file says that its coordinates are not WGS 84 longitudes and latitudes.
+// RFC 7946 knows no "crs"; the older GeoJSON of 2008 did, and some programs say the usual one.
+template <class Json>
+bool has_foreign_crs(const Json& object) {
+  if (!object.is_object()) return false;
+  const auto crs = object.find("crs");
+  if (crs == object.end()) return false;
+  for (const char* name : {"urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:OGC::CRS84",
+                           "urn:ogc:def:crs:OGC::CRS84h"}) {
+    if (*crs == Json{{"type", "name"}, {"properties", {{"name", name}}}}) return false;
+  }
+  return true;
+}
+
+}  // namespace geom

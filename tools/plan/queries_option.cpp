@@ -1,0 +1,60 @@
+#include "queries_option.h"
+
+#include "cli/file/files.h"
+#include "cli/option/numbers_option.h"
+#include "cli/run.h"
+#include "geom/record/locator.h"
+
+namespace planning {
+namespace {
+
+std::vector<geom::Vec3> ends_in_metres(const geom::PlanQuery& query) {
+  std::vector<geom::Vec3> ends;
+  if (!query.from_on_earth) ends.push_back(query.from);
+  if (!query.to_on_earth) ends.push_back(query.to);
+  return ends;
+}
+
+bool on_earth(const geom::Place& place) { return std::holds_alternative<geom::EarthPlace>(place); }
+
+}  // namespace
+
+CLI::Option* QueriesOption::add_to(CLI::App& app) {
+  auto* queries = app.add_option("--queries", file_, "JSON Lines, CSV or GeoJSON; - for stdin");
+  auto* start = cli::add_place(app, "--from", from_,
+                               "start: x,y,z in metres, or 60.1719N,24.9414E,30 (degrees, and "
+                               "metres above the map's zero; 2above: above what stands there)");
+  auto* goal = cli::add_place(app, "--to", to_, "goal, in the same forms");
+  start->needs(goal)->excludes(queries);
+  goal->needs(start)->excludes(queries);
+  metres_.add_to(app);
+  return queries;
+}
+
+void QueriesOption::require_some() const {
+  if (file_.empty() && !from_) throw cli::UsageError("give --from and --to, or --queries");
+}
+
+std::vector<geom::PlanQuery> QueriesOption::read(const geom::BoxMap& map) const {
+  const geom::Frame& frame = map.spec().frame;
+  const geom::Locator locator(map);
+  if (from_) {
+    const geom::PlanQuery query{"q1",
+                                locator.at(*from_, "--from", 0),
+                                locator.at(*to_, "--to", 0),
+                                {},
+                                0,
+                                on_earth(*from_),
+                                on_earth(*to_)};
+    metres_.check_option(frame, ends_in_metres(query), "--from and --to");
+    return {query};
+  }
+  cli::InputFile input(file_);
+  auto queries = geom::read_plan_queries(input.stream(), input.name(), &locator);
+  for (const geom::PlanQuery& query : queries) {
+    metres_.check_input(frame, ends_in_metres(query), input.name(), query.line);
+  }
+  return queries;
+}
+
+}  // namespace planning
