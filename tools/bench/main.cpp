@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "bounds.h"
 #include "cli/file/artefacts.h"
 #include "cli/file/files.h"
 #include "cli/option/scenes.h"
@@ -103,6 +104,34 @@ bool sound(const bench::Run& run) {
   return bench::count(run, bench::Verdict::invalid) == 0 && !run.missing && !run.extra;
 }
 
+struct Part {
+  Json report;
+  Json counts;
+  bool sound = true;
+};
+
+Part run_part(const geom::CollisionScene& scene, const bench::Files& files, bench::Options& part,
+              const cli::Common& common) {
+  bench::complete(part, scene.map());
+  part.method.build = common.execution("layers");
+  bench::QuerySet queries = files.queries.empty()
+                                ? bench::QuerySet(scene, part.random)
+                                : bench::QuerySet(bench::read_queries(files, scene.map()));
+  std::vector<bench::Run> runs = run_all(scene, queries, part, common);
+  if (part.bound) {
+    bench::add_bounds(runs, scene, queries, *part.bound, common.execution("bounds"));
+  }
+  const Json set = describe(queries, files, part);
+  Part done{{{"set", set}}, {{"set", set}}};
+  for (const bench::Run& run : runs) {
+    done.report["methods"].push_back(bench::report(run, runs.front()));
+    done.counts["methods"].push_back(bench::counts(run));
+    done.sound = done.sound && sound(run);
+  }
+  common.note(bench::table(runs));
+  return done;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -129,27 +158,14 @@ int main(int argc, char** argv) {
     Json report = describe(scene);
     Json stats;
     for (bench::Options& part : bench::parts_of(options)) {
-      bench::complete(part, scene.map());
-      part.method.build = common.execution("layers");
-      bench::QuerySet queries = files.queries.empty()
-                                    ? bench::QuerySet(scene, part.random)
-                                    : bench::QuerySet(bench::read_queries(files, scene.map()));
-      const std::vector<bench::Run> runs = run_all(scene, queries, part, common);
-      Json set = describe(queries, files, part);
-      Json all = {{"set", set}};
-      Json counts = {{"set", set}};
-      for (const bench::Run& run : runs) {
-        all["methods"].push_back(bench::report(run, runs.front()));
-        counts["methods"].push_back(bench::counts(run));
-        all_sound = all_sound && sound(run);
-      }
-      common.note(bench::table(runs));
+      const Part done = run_part(scene, files, part, common);
+      all_sound = all_sound && done.sound;
       if (options.older_protocol) {
-        report["parts"].push_back(all);
-        stats["parts"].push_back(counts);
+        report["parts"].push_back(done.report);
+        stats["parts"].push_back(done.counts);
       } else {
-        report.update(all);
-        stats = counts;
+        report.update(done.report);
+        stats = done.counts;
       }
     }
     cli::OutputFile out(files.output, cli::OutputKind::text);

@@ -89,6 +89,10 @@ void add_options(CLI::App& app, Files& files, Options& options) {
                "(25 m, 6 neighbours), then rrt, rrt-connect and auto on 45-50 m until the mean "
                "time is known to 1 %")
       ->excludes("--queries", "--set", "--length", "--method", "--trials", "--within");
+  app.add_option("--bound", options.bound,
+                 "prove how short the paths of each query can be at all, to within this share of "
+                 "the shortest that was found, and compare all with that")
+      ->check(CLI::Range(1e-6, 1.0));
   cli::add_output(app, "-o,--output", files.output, "report, JSON (default: stdout)");
 }
 

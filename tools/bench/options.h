@@ -3,6 +3,7 @@
 // The options of skyway-bench: what is asked, of whom, and until when.
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct Options {
   double within = 1;                  // percent
   int connect = 6;                    // neighbours of a node
   bool older_protocol = false;
+  std::optional<double> bound;  // the gap wanted between the shortest path and a proved bound
 };
 
 void add_options(CLI::App& app, Files& files, Options& options);

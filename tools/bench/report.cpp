@@ -45,6 +45,20 @@ std::vector<double> over_reference(const Run& run) {
   return out;
 }
 
+std::vector<double> over_bound(const Run& run) {
+  std::vector<double> out;
+  for (const Trial& trial : run.trials) {
+    if (trial.bound && trial.bound->length > 0) out.push_back(trial.length / trial.bound->length);
+  }
+  return out;
+}
+
+std::size_t closed_bounds(const Run& run) {
+  return static_cast<std::size_t>(
+      std::count_if(run.trials.begin(), run.trials.end(),
+                    [](const Trial& trial) { return trial.bound && trial.bound->closed; }));
+}
+
 std::vector<double> expanded(const Run& run) {
   std::vector<double> out;
   for (const Trial& trial : run.trials) {
@@ -88,12 +102,13 @@ std::string cell_mean(const std::vector<double>& values) {
 
 constexpr const char* kRow =
     "{:<24.24} {:>7} {:>7} {:>7} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8} {:>8} {:>8} {:>9} "
-    "{:>8}\n";
+    "{:>8} {:>9} {:>8}\n";
 
 std::string row(const Run& run, const Run& first) {
   const std::vector<double> ms = milliseconds(run);
   const std::vector<double> straight = over_straight(run);
   const std::vector<double> reference = over_reference(run);
+  const std::vector<double> bound = over_bound(run);
   const Comparison against = compare(run, first);
   const auto time = [&](double share) {
     return run.one_process ? "-" : fmt::format("{:.4f}", percentile(ms, share));
@@ -103,7 +118,8 @@ std::string row(const Run& run, const Run& first) {
                      count(run, Verdict::invalid), fmt::format("{:.4f}", mean(ms)), time(0.5),
                      time(0.99), cell_mean(straight), cell(straight, 0.99), cell_mean(reference),
                      cell(reference, 0.99), fmt::format("{:.3g}", against.time),
-                     against.length ? fmt::format("{:.4f}", *against.length) : "-");
+                     against.length ? fmt::format("{:.4f}", *against.length) : "-",
+                     cell_mean(bound), cell(bound, 0.99));
 }
 
 }  // namespace
@@ -161,6 +177,10 @@ Json report(const Run& run, const Run& first) {
   if (const auto values = over_reference(run); !values.empty()) {
     out["length_over_reference"] = ratios(values);
   }
+  if (const auto values = over_bound(run); !values.empty()) {
+    out["length_over_bound"] = ratios(values);
+    out["length_over_bound"]["closed"] = closed_bounds(run);
+  }
   if (const auto nodes = expanded(run); !nodes.empty()) {
     out["expanded"] = {{"mean", mean(nodes)},
                        {"p50", percentile(nodes, 0.5)},
@@ -175,9 +195,9 @@ Json report(const Run& run, const Run& first) {
 }
 
 std::string table(std::span<const Run> runs) {
-  std::string out =
-      fmt::format(kRow, "method", "trials", "found", "unreach", "failed", "invalid", "mean ms",
-                  "p50 ms", "p99 ms", "len/line", "p99", "len/best", "p99", "time/1st", "len/1st");
+  std::string out = fmt::format(kRow, "method", "trials", "found", "unreach", "failed", "invalid",
+                                "mean ms", "p50 ms", "p99 ms", "len/line", "p99", "len/best", "p99",
+                                "time/1st", "len/1st", "len/bound", "p99");
   for (const Run& run : runs) out += row(run, runs.front());
   for (const Run& run : runs) {
     if (run.build_seconds) {

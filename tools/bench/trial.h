@@ -35,12 +35,19 @@ enum class Verdict {
 Verdict judge(const geom::CollisionScene& scene, const geom::PlanQuery& query,
               const Answer& answer);
 
+// How short a path of the query can be at all, as far as it was proved.
+struct Bound {
+  double length = 0;    // metres: no path is shorter
+  bool closed = false;  // within what was wanted of the shortest path that is known
+};
+
 struct Trial {
   Verdict verdict = Verdict::failed;
   double seconds = 0;
   double length = 0;    // metres, of a path that was found
   double straight = 0;  // metres between the ends
   std::optional<double> best_known;
+  std::optional<Bound> bound;  // where asked for, of a path that was found
   std::optional<std::size_t> expanded;
 };
 
