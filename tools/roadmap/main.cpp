@@ -64,6 +64,26 @@ void write_shard(const cli::Sharding& sharding, const cli::Common& common,
   common.write_stats({{"bends", part.bends.size()}, {"edges", part.edges.to.size()}});
 }
 
+// Refuses what would take long, unless its reach was named: then it is said.
+void check_size(const cli::Common& common, const std::string& map_file,
+                const geom::CollisionScene& scene, const plan::RoadmapSpec& spec, bool named) {
+  const std::size_t boxes =
+      spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
+  const geom::Aabb& bounds = scene.map().spec().bounds;
+  const geom::Aabb area = spec.region.value_or(bounds);
+  const Estimate estimate(boxes, spec.reach,
+                          {area.min.cwiseMax(bounds.min), area.max.cwiseMin(bounds.max)});
+  if (estimate.seconds <= kLong) return;
+  if (!named) {
+    throw cli::UsageError(
+        fmt::format("a roadmap of {} boxes would have {}: give --within (500 m is the "
+                    "default), or a smaller --region",
+                    boxes, estimate.text()));
+  }
+  common.warn(
+      fmt::format("{}: a roadmap of {} boxes will have {}", map_file, boxes, estimate.text()));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -97,24 +117,7 @@ int main(int argc, char** argv) {
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
                        vehicle, cli::Scenes::Differences::refused);
     const geom::Execution run = common.execution("bends");
-    const auto checked_size = [&](const geom::CollisionScene& scene) {
-      const std::size_t boxes =
-          spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
-      const geom::Aabb& bounds = scene.map().spec().bounds;
-      const geom::Aabb area = spec.region.value_or(bounds);
-      const Estimate estimate(boxes, spec.reach,
-                              {area.min.cwiseMax(bounds.min), area.max.cwiseMin(bounds.max)});
-      if (estimate.seconds <= kLong) return;
-      if (reach->empty()) {
-        throw cli::UsageError(
-            fmt::format("a roadmap of {} boxes would have {}: give --within (500 m is the "
-                        "default), or a smaller --region",
-                        boxes, estimate.text()));
-      }
-      common.warn(
-          fmt::format("{}: a roadmap of {} boxes will have {}", map_file, boxes, estimate.text()));
-    };
-    if (!patch.asked()) checked_size(scenes.scene());
+    if (!patch.asked()) check_size(common, map_file, scenes.scene(), spec, !reach->empty());
     if (sharding.asked()) {
       write_shard(sharding, common, output, scenes.scene(), spec);
       return cli::Exit::yes;

@@ -5,24 +5,21 @@
 namespace geom {
 namespace {
 
-// Half sizes in as many digits as people read, or in all where that would hide how they differ.
-std::string in_words(const std::optional<Vehicle>& vehicle, bool exact) {
-  if (!vehicle) return "none";
-  const Vec3& half = vehicle->half;
-  return exact
-             ? fmt::format("{} (half sizes {}, {}, {} m)", vehicle->name, half[0], half[1], half[2])
-             : fmt::format("{} (half sizes {:.4g}, {:.4g}, {:.4g} m)", vehicle->name, half[0],
-                           half[1], half[2]);
-}
-
 std::string value_of(const Provenance& p, std::string_view what, bool exact) {
   if (what == "map") return p.map.value_or("none");
   if (what == "frame") return p.frame ? std::string(name(*p.frame)) : "none";
-  if (what == "vehicle") return in_words(p.vehicle, exact);
+  if (what == "vehicle") return p.vehicle ? in_words(*p.vehicle, exact) : "none";
   return p.margin ? fmt::format("{} m", *p.margin) : "none";
 }
 
 }  // namespace
+
+std::string in_words(const Vehicle& vehicle, bool exact) {
+  const Vec3& half = vehicle.half;
+  const auto sizes = exact ? fmt::format("{}, {}, {}", half[0], half[1], half[2])
+                           : fmt::format("{:.4g}, {:.4g}, {:.4g}", half[0], half[1], half[2]);
+  return fmt::format("{} (half sizes {} m)", vehicle.name, sizes);
+}
 
 std::optional<std::string> made_for_another(const Provenance& made_for, const Provenance& ours) {
   const auto what = mismatch(made_for, ours);

@@ -17,6 +17,8 @@
 #include "plan/planner/snap_end.h"
 #include "plan/planner/taut.h"
 #include "plan/reach/reach.h"
+#include "refused_end.h"
+#include "shown_point.h"
 
 namespace plan {
 namespace {
@@ -36,25 +38,6 @@ constexpr double kBend = 10;  // metres that bends in the middle of their parts 
 constexpr double kCorridorReach = 300;        // metres
 constexpr std::size_t kUnknownBends = 4000;   // settled where it is not known that there is a way
 constexpr std::size_t kCorridorBends = 3000;  // settled at most
-constexpr double kLookAround = 50;            // metres: how far a message looks for a free place
-
-std::string shown(const Vec3& p) { return fmt::format("({}, {}, {})", p[0], p[1], p[2]); }
-
-// A place that is free with a millimetre to spare is so as it is shown.
-std::string to_millimetres(const Vec3& p) {
-  return shown((p * 1e3).array().round().matrix() / 1e3);
-}
-
-// Where the reference point may be, rounded inward to millimetres.
-std::string in_words(const geom::CollisionScene& scene) {
-  const std::string vehicle =
-      fmt::format("the vehicle {} with margin {} m", scene.vehicle().name, scene.margin());
-  if (!scene.free_bounds()) return vehicle + " does not fit into them";
-  const geom::Aabb& inner = *scene.free_bounds();
-  const Vec3 min = (inner.min * 1e3).array().ceil() / 1e3;
-  const Vec3 max = (inner.max * 1e3).array().floor() / 1e3;
-  return fmt::format("{} may be from {} to {}", vehicle, shown(min), shown(max));
-}
 
 double nodes_at(const geom::Aabb& inner, double spacing) {
   double nodes = 1;
@@ -167,7 +150,6 @@ struct Planner::Impl {
   Found refined(const Polyline& raw, const PlanOptions& options) const;
   RoadmapLimits first_limits(const Task& task) const;
   std::uint32_t component(const Vec3& p) const;
-  PlanResult refused_end(const Vec3& p, bool start) const;
 
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;
@@ -442,30 +424,6 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
   return with(std::move(*better), roadmap_ ? Route::roadmap : Route::corridor, std::move(result));
 }
 
-// Of an end that is not free.
-PlanResult Planner::Impl::refused_end(const Vec3& p, bool start) const {
-  PlanResult result;
-  std::string what;
-  if (!scene_.inside_bounds(p)) {
-    result.status = start ? PathStatus::start_outside : PathStatus::goal_outside;
-    what = "outside the bounds: " + in_words(scene_);
-  } else {
-    result.status = start ? PathStatus::start_blocked : PathStatus::goal_blocked;
-    const auto boxes = scene_.boxes_meeting({p, p});
-    what = fmt::format("inside obstacle {}", scene_.map().ids()[boxes.front()]);
-  }
-  result.message = fmt::format("{} {} is {}", start ? "start" : "goal", shown(p), what);
-  if (!scene_.free_bounds()) return result;
-  const geom::Aabb& inner = *scene_.free_bounds();
-  const double away = (p.cwiseMax(inner.min).cwiseMin(inner.max) - p).norm();
-  const double looked = std::ceil(away) + kLookAround;
-  const auto free = nearest_free(scene_, p, looked);
-  result.message += free ? fmt::format("; the nearest free point is {}, {:.3f} m away",
-                                       to_millimetres(*free), (*free - p).norm())
-                         : fmt::format("; no free point within {:.0f} m", looked);
-  return result;
-}
-
 PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptions& options) {
   geom::require_point("start", from);
   geom::require_point("goal", to);
@@ -477,7 +435,7 @@ PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptio
     const Vec3 p = ends[i];
     if (scene_.free(p)) continue;
     const auto free = nearest_free(scene_, p, options.snap_ends);
-    if (!free) return refused_end(p, i == 0);
+    if (!free) return refused_end(scene_, p, i == 0);
     snapped[i] = ends[i] = *free;
   }
   const Task task{ends[0], ends[1], options};

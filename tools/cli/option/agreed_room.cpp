@@ -4,6 +4,7 @@
 
 #include "cli/run.h"
 #include "geom/base/error.h"
+#include "geom/record/made_for_another.h"
 #include "limit_options.h"
 
 namespace cli {
@@ -12,11 +13,7 @@ namespace {
 using geom::Vec3;
 
 std::string in_words(const Room& room, bool exact) {
-  const Vec3& half = room.vehicle.half;
-  const auto sizes = exact ? fmt::format("{}, {}, {}", half[0], half[1], half[2])
-                           : fmt::format("{:.4g}, {:.4g}, {:.4g}", half[0], half[1], half[2]);
-  return fmt::format("{} (half sizes {} m) with margin {} m", room.vehicle.name, sizes,
-                     room.margin);
+  return fmt::format("{} with margin {} m", geom::in_words(room.vehicle, exact), room.margin);
 }
 
 // What a record asks for; where it says nothing, what this run asks for.

@@ -13,4 +13,8 @@ namespace geom {
 // vehicle, margin. Nothing where they agree.
 std::optional<std::string> made_for_another(const Provenance& made_for, const Provenance& ours);
 
+// "tello (half sizes 0.1, 0.1, 0.03 m)". Sizes have as many digits as people read, or `exact`, for
+// where that would hide how two vehicles differ.
+std::string in_words(const Vehicle& vehicle, bool exact);
+
 }  // namespace geom
