@@ -74,7 +74,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--step", step,
                  "period of the position, velocity and attitude loops, s (default: 0.01 and 0.004)")
       ->check(CLI::Range(0.001, 0.1));
-  app.add_option("--wind", wind, "velocity of the air, east, north, up, m/s")->type_name("X,Y,Z");
+  app.add_option("--wind", wind, "velocity of the air, east, north, up, m/s")->type_name("E,N,U");
   app.add_option("--gusts", gusts,
                  "Dryden gusts for this wind speed at a height of 20 feet, m/s (default: 0)")
       ->check(CLI::Range(0.0, 50.0));
@@ -128,11 +128,11 @@ traj::FlightOptions Options::flight(const traj::VehicleProfile& profile) const {
   }
   out.mass_error = mass_error;
   if (!wind.empty()) {
-    const auto v = numbers("--wind", wind, 3, "x,y,z in m/s within 100");
+    const auto v = numbers("--wind", wind, 3, "east,north,up in m/s within 100");
     out.wind.mean = {v[0], v[1], v[2]};
     if (out.wind.mean.cwiseAbs().maxCoeff() > 100) {
       throw cli::UsageError(
-          fmt::format("--wind: expected x,y,z in m/s within 100, found \"{}\"", wind));
+          fmt::format("--wind: expected east,north,up in m/s within 100, found \"{}\"", wind));
     }
   }
   out.wind.gusts = gusts;

@@ -95,7 +95,9 @@ int main(int argc, char** argv) {
       ->excludes(map_option);
   vehicle.add_to(app);
   options.placement.add_to(app);
-  cli::add_point(app, "--start", options.start, "where a Tello stands before it takes off");
+  cli::add_point(
+      app, "--start", options.start,
+      "where a Tello stands before it takes off, along the axes of --frame or of the map");
   app.add_option(
          "--gap", gap,
          "metres by which segments of a trajectory may miss each other (default 0.001); ten "

@@ -78,7 +78,8 @@ int main(int argc, char** argv) {
       app.add_option("--connect", connect, "neighbours of a node: 6, 18 or 26 (default 6)")
           ->check(CLI::IsMember({6, 18, 26}));
   auto* node =
-      cli::add_point(app, "--origin", origin, "a node (default: the lower corner of the bounds)");
+      cli::add_point(app, "--origin", origin,
+                     "a node, along the map's axes (default: the lower corner of the bounds)");
   patch.add_to(app, "a lattice", {spacing, connectivity, node});
   vehicle.add_to(app);
   sharding.add_to(app)->excludes("--patch");

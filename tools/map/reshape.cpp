@@ -167,7 +167,7 @@ Verb crop(CLI::App& app, const cli::Common& common) {
   auto region = std::make_shared<std::optional<Aabb>>();
   CLI::App* verb = files->add(app, "crop", "keep the boxes that meet a region");
   auto metres = std::make_shared<cli::MetresOption>();
-  cli::add_box(*verb, "--bounds", *region, "the region to keep")->required();
+  cli::add_box(*verb, "--bounds", *region, "the region to keep, along the map's axes")->required();
   metres->add_to(*verb);
   return {verb, [=, &common] {
             run_crop(*files, **region, *metres, common);

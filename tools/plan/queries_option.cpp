@@ -21,9 +21,10 @@ bool on_earth(const geom::Place& place) { return std::holds_alternative<geom::Ea
 
 CLI::Option* QueriesOption::add_to(CLI::App& app) {
   auto* queries = app.add_option("--queries", file_, "JSON Lines, CSV or GeoJSON; - for stdin");
-  auto* start = cli::add_place(app, "--from", from_,
-                               "start: x,y,z in metres, or 60.1719N,24.9414E,30 (degrees, and "
-                               "metres above the map's zero; 2above: above what stands there)");
+  auto* start = cli::add_place(
+      app, "--from", from_,
+      "start: x,y,z in metres along the map's axes, or 60.1719N,24.9414E,30 (degrees, and "
+      "metres above the map's zero; 2above: above what stands there)");
   auto* goal = cli::add_place(app, "--to", to_, "goal, in the same forms");
   start->needs(goal)->excludes(queries);
   goal->needs(start)->excludes(queries);

@@ -105,8 +105,8 @@ int main(int argc, char** argv) {
   auto* part = app.add_option("--part", spec.part,
                               "box edges are cut into parts of at most this, metres (default 10)")
                    ->check(CLI::Range(0.1, 1e4));
-  auto* region =
-      cli::add_box(app, "--region", spec.region, "bend only around boxes that meet this region");
+  auto* region = cli::add_box(app, "--region", spec.region,
+                              "bend only around boxes that meet this region, along the map's axes");
   patch.add_to(app, "a roadmap", {reach, part, region});
   vehicle.add_to(app);
   sharding.add_to(app)->excludes("--patch");

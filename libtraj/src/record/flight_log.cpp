@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <set>
 
@@ -17,39 +17,70 @@
 namespace traj {
 namespace {
 
-constexpr std::array<std::string_view, 28> kColumns = {"id",
-                                                       "t_s",
-                                                       "x_m",
+using Columns = std::array<std::string_view, 28>;
+
+constexpr Columns kColumns = {"id",
+                              "t_s",
+                              "east_m",
+                              "north_m",
+                              "up_m",
+                              "v_east_mps",
+                              "v_north_mps",
+                              "v_up_mps",
+                              "qw",
+                              "qx",
+                              "qy",
+                              "qz",
+                              "p_radps",
+                              "q_radps",
+                              "r_radps",
+                              "setpoint_east_m",
+                              "setpoint_north_m",
+                              "setpoint_up_m",
+                              "setpoint_v_east_mps",
+                              "setpoint_v_north_mps",
+                              "setpoint_v_up_mps",
+                              "setpoint_yaw_rad",
+                              "motor1",
+                              "motor2",
+                              "motor3",
+                              "motor4",
+                              "saturated",
+                              "map"};
+
+constexpr std::size_t kWithoutMap = kColumns.size() - 1;
+
+std::string header(const Columns& names = kColumns, std::size_t columns = kColumns.size()) {
+  return fmt::format("{}", fmt::join(names.begin(), names.begin() + columns, ","));
+}
+
+// East, north, up as x, y, z: the same columns in earlier releases, the first of them without a
+// map.
+Columns older_columns() {
+  Columns older = kColumns;
+  constexpr std::array<std::size_t, 4> kFirst = {2, 5, 15, 18};
+  constexpr std::array<std::string_view, 12> kNames = {"x_m",
                                                        "y_m",
                                                        "z_m",
                                                        "vx_mps",
                                                        "vy_mps",
                                                        "vz_mps",
-                                                       "qw",
-                                                       "qx",
-                                                       "qy",
-                                                       "qz",
-                                                       "p_radps",
-                                                       "q_radps",
-                                                       "r_radps",
                                                        "setpoint_x_m",
                                                        "setpoint_y_m",
                                                        "setpoint_z_m",
                                                        "setpoint_vx_mps",
                                                        "setpoint_vy_mps",
-                                                       "setpoint_vz_mps",
-                                                       "setpoint_yaw_rad",
-                                                       "motor1",
-                                                       "motor2",
-                                                       "motor3",
-                                                       "motor4",
-                                                       "saturated",
-                                                       "map"};
+                                                       "setpoint_vz_mps"};
+  for (std::size_t i = 0; i < kNames.size(); ++i) older[kFirst[i / 3] + i % 3] = kNames[i];
+  return older;
+}
 
-constexpr std::size_t kWithoutMap = kColumns.size() - 1;  // as earlier releases wrote them
-
-std::string header(std::size_t columns = kColumns.size()) {
-  return fmt::format("{}", fmt::join(kColumns.begin(), kColumns.begin() + columns, ","));
+// How many columns a log with this header has; nothing for another header.
+std::optional<std::size_t> columns_of(std::string_view line) {
+  const Columns older = older_columns();
+  if (line == header() || line == header(older)) return kColumns.size();
+  if (line == header(older, kWithoutMap)) return kWithoutMap;
+  return std::nullopt;
 }
 
 // A text as a field that comes back.
@@ -173,10 +204,8 @@ void write_flight_log(std::ostream& out, std::span<const FlightLog> logs) {
 
 std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) {
   geom::TextLines lines(in, name);
-  const bool begun = lines.next();
-  const std::size_t columns =
-      begun && lines.line() == header(kWithoutMap) ? kWithoutMap : kColumns.size();
-  if (!begun || lines.line() != header(columns)) {
+  const auto columns = lines.next() ? columns_of(lines.line()) : std::nullopt;
+  if (!columns) {
     lines.refuse(
         fmt::format("expected the header {}, found \"{}\"", header(), lines.line().substr(0, 80)));
   }
@@ -184,7 +213,7 @@ std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) 
   std::set<std::string> known;
   while (lines.next()) {
     if (lines.line().empty()) continue;
-    Row row(lines, columns);
+    Row row(lines, *columns);
     if (logs.empty() || logs.back().id != row.id()) {
       if (!known.insert(row.id()).second) {
         lines.refuse(fmt::format("the rows of a flight must stand together; \"{}\" was left before",

@@ -81,12 +81,14 @@ TEST(Recognise, NamesOurOwnFiles) {
   EXPECT_EQ(what(R"({"type":"report","id":"a")"), "a stream of reports");
   EXPECT_EQ(what(R"({"id":"q1","from":[0,0,0],"to":[1,0,0]})"), "a stream of queries");
   EXPECT_EQ(what("id,from_x,from_y,from_z,to_x,to_y,to_z\n"), "a table of queries");
+  EXPECT_EQ(what("id,t_s,east_m,north_m,up_m,"), "a flight log");
   EXPECT_EQ(what("id,t_s,x_m,y_m,z_m,"), "a flight log");
   EXPECT_EQ(what(R"({"name": "quad", "tilt_max_deg": 35})"), "a vehicle profile");
 }
 
 TEST(Recognise, NamesTextsByHowTheyBegin) {
   EXPECT_EQ(what("duration,x^0,x^1\n"), "a Crazyflie trajectory");
+  EXPECT_EQ(what("t_s,east_m,north_m\n"), "a table of setpoints");
   EXPECT_EQ(what("t_s,x_m,y_m\n"), "a table of setpoints");
   EXPECT_EQ(what("command\ntakeoff\n"), "a Tello script");
   EXPECT_EQ(what("boundary 0 0 0 1 1 1\n"), "a block text");

@@ -59,7 +59,12 @@ const std::string kOldHeader =
     "id,t_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_x_m,"
     "setpoint_y_m,setpoint_z_m,setpoint_vx_mps,setpoint_vy_mps,setpoint_vz_mps,setpoint_yaw_rad,"
     "motor1,motor2,motor3,motor4,saturated\n";
-const std::string kHeader = kOldHeader.substr(0, kOldHeader.size() - 1) + ",map\n";
+const std::string kOldHeaderWithMap = kOldHeader.substr(0, kOldHeader.size() - 1) + ",map\n";
+const std::string kHeader =
+    "id,t_s,east_m,north_m,up_m,v_east_mps,v_north_mps,v_up_mps,qw,qx,qy,qz,p_radps,q_radps,r_"
+    "radps,"
+    "setpoint_east_m,setpoint_north_m,setpoint_up_m,setpoint_v_east_mps,setpoint_v_north_mps,"
+    "setpoint_v_up_mps,setpoint_yaw_rad,motor1,motor2,motor3,motor4,saturated,map\n";
 
 TEST(FlightLog, HasOneRowASample) {
   FlightLog log{"q1", "sha256:a", {FlightSample{}}};
@@ -102,6 +107,19 @@ TEST(FlightLog, IsReadWithoutTheColumnOfTheMap) {
   EXPECT_EQ(logs[0].samples.size(), 1u);
 }
 
+TEST(FlightLog, IsReadWithTheNamesOfEarlierReleases) {
+  const auto logs = random_flights(3);
+  std::string text = text_of(logs);
+  text.replace(0, kHeader.size(), kOldHeaderWithMap);
+  const auto back = read(text);
+  ASSERT_EQ(back.size(), logs.size());
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    EXPECT_EQ(back[i].map, logs[i].map);
+    EXPECT_EQ(back[i].samples.back().position, logs[i].samples.back().position);
+    EXPECT_EQ(back[i].samples.back().setpoint_velocity, logs[i].samples.back().setpoint_velocity);
+  }
+}
+
 TEST(FlightLog, IsReadWithCarriageReturnsAndBlankLines) {
   EXPECT_EQ(
       read(kHeader + "\r\nq,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,\r\n\n").size(), 1);
@@ -118,9 +136,9 @@ TEST(FlightLog, RefusesWhatIsNotOne) {
             std::string::npos);
   EXPECT_NE(refusal(kHeader + row + "p" + row.substr(1) + row).find("must stand together; \"q\""),
             std::string::npos);
-  EXPECT_NE(refusal(kHeader + "q,0,nan" + row.substr(5)).find("x_m must be a number from"),
+  EXPECT_NE(refusal(kHeader + "q,0,nan" + row.substr(5)).find("east_m must be a number from"),
             std::string::npos);
-  EXPECT_NE(refusal(kHeader + "q,0,1e9" + row.substr(5)).find("x_m must be a number from"),
+  EXPECT_NE(refusal(kHeader + "q,0,1e9" + row.substr(5)).find("east_m must be a number from"),
             std::string::npos);
   EXPECT_NE(refusal(kHeader + "q,-1,0" + row.substr(5)).find("t_s must be"), std::string::npos);
   EXPECT_NE(

@@ -255,7 +255,8 @@ void DroneFileOptions::add_to(CLI::App& app) {
   app.add_flag_callback(
       "--paths-csv", [this] { format = "paths-csv"; },
       "FILE is a table of paths with columns id,x,y,z");
-  add_point(app, "--start", start, "where a Tello stands before it takes off");
+  add_point(app, "--start", start,
+            "where a Tello stands before it takes off, along the map's axes");
   placement.add_to(app);
 }
 

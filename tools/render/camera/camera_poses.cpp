@@ -5,11 +5,15 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "geom/text/text_table.h"
 
 namespace render {
 namespace {
+
+// The same columns in earlier releases.
+constexpr std::string_view kOlderHeader = "frame,t_s,x_m,y_m,z_m,qw,qx,qy,qz";
 
 using Row = std::array<double, 9>;  // as the header has them
 
@@ -33,7 +37,7 @@ Row parse(const geom::TextLines& lines) {
 
 }  // namespace
 
-const std::string_view kPosesHeader = "frame,t_s,x_m,y_m,z_m,qw,qx,qy,qz";
+const std::string_view kPosesHeader = "frame,t_s,east_m,north_m,up_m,qw,qx,qy,qz";
 
 std::string pose_row(const View& view, std::size_t frame, double time) {
   const Eigen::Quaterniond q(view.axes);
@@ -43,7 +47,7 @@ std::string pose_row(const View& view, std::size_t frame, double time) {
 
 std::vector<CameraPose> read_camera_poses(std::istream& in, std::string_view name) {
   geom::TextLines lines(in, name);
-  if (!lines.next() || lines.line() != kPosesHeader) {
+  if (!lines.next() || (lines.line() != kPosesHeader && lines.line() != kOlderHeader)) {
     lines.refuse(fmt::format("expected the header {}, found \"{}\"", kPosesHeader,
                              lines.line().substr(0, 80)));
   }
