@@ -1,4 +1,5 @@
-// skyway-export: drone files, read back and proved as the drone will fly them.
+// skyway-export: drone files of trajectories and paths, read back and proved as the drone will fly
+// them.
 
 #include <fmt/format.h>
 
@@ -15,45 +16,21 @@
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
+#include "flight.h"
 #include "geom/base/error.h"
 #include "output_names.h"
 #include "prove.h"
 #include "traj/curve/to_enu.h"
 #include "traj/drone_file/crazyflie.h"
 #include "traj/drone_file/straight_legs.h"
-#include "traj/record/trajectory_record.h"
 #include "writer.h"
 
 namespace {
 
+using exporting::Flight;
 using exporting::OutputNames;
 using exporting::Task;
 using exporting::Written;
-using traj::TrajectoryRecord;
-
-// The records of the stream, or those of one id. Two flights do not fit one drone file, so there is
-// one, unless there is a file for each.
-std::vector<TrajectoryRecord> read(const std::string& input, const std::string& id, bool each) {
-  cli::InputFile file(input);
-  std::vector<TrajectoryRecord> records;
-  file.for_each_line([&](const std::string& line, std::size_t number) {
-    TrajectoryRecord record = traj::parse_trajectory_record(line, file.name(), number);
-    if (!id.empty() && record.id != id) return;
-    if (!records.empty() && (!each || !id.empty())) {
-      throw geom::InputError(
-          file.name(), number,
-          id.empty() ? "expected one trajectory, found another: choose one with --id, or write a "
-                       "file for each with -o '%s.csv'"
-                     : fmt::format("expected one trajectory of id \"{}\", found another", id));
-    }
-    records.push_back(std::move(record));
-  });
-  if (records.empty()) {
-    throw geom::InputError(file.name(),
-                           fmt::format("expected a trajectory of id \"{}\", found none", id));
-  }
-  return records;
-}
 
 nlohmann::ordered_json statistics(const Task& task, const Written& written) {
   nlohmann::ordered_json stats = {{"format", task.format}, {"bytes", written.text.size()}};
@@ -78,24 +55,24 @@ void warn_of_memory(const cli::Common& common, const Task& task) {
           : ", nor do they fit compressed"));
 }
 
-// Straight legs end in rests of their own, not in those of the trajectory.
-void warn_of_holds(const cli::Common& common, const Task& task) {
+// Straight legs end in rests of their own, not in those of the record.
+void warn_of_what_is_left_out(const cli::Common& common, const Task& task, const Flight& flight) {
   if (!exporting::has_legs(task.format)) return;
-  double held = 0;
-  for (const traj::Segment& s : task.enu.segments) {
-    const auto here = [&](const geom::Vec3& p) { return p == s.point.front(); };
-    if (std::all_of(s.point.begin(), s.point.end(), here)) held += s.duration;
-  }
-  if (held > 0) {
+  if (flight.holds > 0) {
     common.warn(
         fmt::format("{}: it stands still for {:.4g} s in all; a {} file has no such pauses, "
                     "so they are left out",
-                    task.id, held, task.format));
+                    task.id, flight.holds, task.format));
+  }
+  if (flight.has_velocities) {
+    common.warn(
+        fmt::format("{}: a {} file has no velocities at points, so those of the path are left out",
+                    task.id, task.format));
   }
 }
 
-void set_ground(const geom::CollisionScene& scene, const TrajectoryRecord& record, Task& task) {
-  const auto& segments = record.trajectory.segments;
+void set_ground(const geom::CollisionScene& scene, const Flight& flight, Task& task) {
+  const auto& segments = flight.trajectory.segments;
   task.ground =
       task.placement.ground.value_or(traj::ground_below(scene, segments.front().point.front()));
   task.landing = traj::ground_below(scene, segments.back().point.back());
@@ -138,8 +115,8 @@ struct Options {
 
 void add_options(CLI::App& app, Options& options, Task& task) {
   app.add_option("map_and_file", options.files,
-                 "box map, then trajectories (default: stdin); with "
-                 "--unchecked trajectories alone")
+                 "box map, then trajectories or paths (default: stdin); with "
+                 "--unchecked no map")
       ->expected(0, 2);
   app.add_option("--format", task.format, "what to write")
       ->required()
@@ -151,7 +128,8 @@ void add_options(CLI::App& app, Options& options, Task& task) {
       ->check(CLI::IsMember({"enu", "ned"}));
   app.add_option("--tolerance", task.tolerance,
                  "how far straight legs may be from the curve, metres (default 0.2); while the "
-                 "check refuses them, their points are moved off obstacles, and this is halved")
+                 "check refuses them, their points are moved off obstacles, and this is halved; "
+                 "how far the points of a path may be moved")
       ->check(CLI::Range(1e-3, 100.0));
   app.add_option("--speed", task.speed,
                  "m/s along straight legs (default: what the limits allow; a Tello's are flown at "
@@ -159,7 +137,7 @@ void add_options(CLI::App& app, Options& options, Task& task) {
       ->check(CLI::Range(0.1, 100.0));
   app.add_flag("--hover", options.hover, "end a mission hovering, without landing");
   task.placement.add_to(app);
-  app.add_option("--id", options.id, "which trajectory of the stream (default: its only one)");
+  app.add_option("--id", options.id, "which record of the stream (default: its only one)");
   app.add_flag("--unchecked", options.unchecked, "write without a map and without a proof");
   cli::add_output(
       app, "-o,--output", options.output,
@@ -205,20 +183,25 @@ void require_slow_enough(const Task& task) {
                   *most, task.id, *task.speed));
 }
 
-Written write_unchecked(const Options& options, const TrajectoryRecord& record, Task& task) {
-  TrajectoryRecord made_for = record;
+void set_way(const Flight& flight, geom::Axes axes, Task& task) {
+  task.enu = traj::to_enu(axes, flight.trajectory);
+  task.path = traj::to_enu(axes, flight.path);
+}
+
+Written write_unchecked(const Options& options, const Flight& flight, Task& task) {
+  task.limits = flight.limits;
   const auto asked = options.vehicle.asked(options.vehicle.profile());
-  if (asked.vehicle || record.provenance.vehicle) {
-    made_for.provenance.vehicle =
-        cli::agreed_room(record.provenance, asked, cli::Differences::refused, options.input(), 0)
-            .vehicle;
+  if (asked.vehicle || flight.provenance.vehicle) {
+    const auto room =
+        cli::agreed_room(flight.provenance, asked, cli::Differences::refused, options.input(), 0);
+    task.limits = geom::limits_that_hold({{}, flight.limits, room.vehicle.limits});
   }
-  task.limits = traj::limits_of(made_for);
   require_slow_enough(task);
-  task.frame.axes = record.provenance.frame.value_or(geom::Axes::enu);
+  task.frame.axes = flight.provenance.frame.value_or(geom::Axes::enu);
   task.ground = task.landing = task.placement.ground.value_or(0);
-  task.enu = traj::to_enu(task.frame.axes, record.trajectory);
-  return exporting::write(task, traj::straight_legs(task.enu, task.tolerance));
+  set_way(flight, task.frame.axes, task);
+  return exporting::write(
+      task, task.path.empty() ? traj::straight_legs(task.enu, task.tolerance) : task.path);
 }
 
 // What a file of straight legs does not command, and its check cannot hold.
@@ -248,30 +231,38 @@ class Exporter {
     Task task;
     std::optional<Written> written;  // nothing where it was refused, which stderr says
   };
-  Export make(const TrajectoryRecord& record) {
+  Export make(const Flight& flight) {
     Export made{task_, {}};
-    made.task.id = record.id;
-    if (record.status != traj::TrajectoryStatus::solved) {
-      cli::complain("skyway-export",
-                    fmt::format("{}: refused: the record holds no trajectory (status {})",
-                                record.id, name(record.status)));
+    made.task.id = flight.id;
+    const std::string missing = flight.missing.empty() ? not_for(flight) : flight.missing;
+    if (!missing.empty()) {
+      cli::complain("skyway-export", fmt::format("{}: refused: {}", flight.id, missing));
       return made;
     }
-    made.written = options_.unchecked ? write_unchecked(options_, record, made.task)
-                                      : write_checked(record, made.task);
+    made.written = options_.unchecked ? write_unchecked(options_, flight, made.task)
+                                      : write_checked(flight, made.task);
     if (!made.written) return made;
     if (made.task.format == "crazyflie") warn_of_memory(common_, made.task);
-    warn_of_holds(common_, made.task);
+    warn_of_what_is_left_out(common_, made.task, flight);
     return made;
   }
 
  private:
-  std::optional<Written> write_checked(const TrajectoryRecord& record, Task& task) {
-    const auto& scene = scenes_->scene_for(record.provenance, options_.input(), 0);
-    task.limits = geom::limits_that_hold({{}, record.limits, scene.vehicle().limits});
+  // Why the format cannot have it, or nothing.
+  std::string not_for(const Flight& flight) const {
+    if (flight.path.empty() || exporting::has_legs(task_.format)) return "";
+    return fmt::format(
+        "a {} file has times, and a path has none: make a trajectory of it "
+        "(skyway-traj)",
+        task_.format);
+  }
+
+  std::optional<Written> write_checked(const Flight& flight, Task& task) {
+    const auto& scene = scenes_->scene_for(flight.provenance, options_.input(), 0);
+    task.limits = geom::limits_that_hold({{}, flight.limits, scene.vehicle().limits});
     task.frame = scene.map().spec().frame;
-    task.enu = traj::to_enu(task.frame.axes, record.trajectory);
-    set_ground(scene, record, task);
+    set_way(flight, task.frame.axes, task);
+    set_ground(scene, flight, task);
     auto [written, result] = exporting::write_proved(scene, task);
     if (result.ok) {
       warn_of_unmeasured(common_, task, result);
@@ -354,16 +345,16 @@ int main(int argc, char** argv) {
     refuse_idle(app, task.format, options.unchecked);
     require_flyable(task);
     Outputs outputs(options);
-    const auto records = read(options.input(), options.id, outputs.each());
-    for (const TrajectoryRecord& record : records) outputs.add(record.id);
+    const auto flights = exporting::read_flights(options.input(), options.id, outputs.each());
+    for (const Flight& flight : flights) outputs.add(flight.id);
     task.ned = options.axes == "ned";
     task.lands = !options.hover;
     task.checked = !options.unchecked;
     Exporter exporter(common, options, task);
     std::size_t refused = 0;
     nlohmann::ordered_json stats;
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      const auto [made, written] = exporter.make(records[i]);
+    for (std::size_t i = 0; i < flights.size(); ++i) {
+      const auto [made, written] = exporter.make(flights[i]);
       if (!written) {
         ++refused;
         if (outputs.each()) warn_of_stale(common, outputs.stale(i));
@@ -373,11 +364,11 @@ int main(int argc, char** argv) {
       if (!outputs.each()) stats = statistics(made, *written);
     }
     if (outputs.each()) {
-      stats = {{"format", task.format}, {"records", records.size()}, {"refused", refused}};
+      stats = {{"format", task.format}, {"records", flights.size()}, {"refused", refused}};
       if (refused) {
         cli::complain("skyway-export",
                       fmt::format("{} of {} were refused: no file was written for them", refused,
-                                  records.size()));
+                                  flights.size()));
       }
     }
     if (!stats.is_null()) common.write_stats(stats);

@@ -66,11 +66,19 @@ std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& s
     attempt({});
     return made;
   }
+  const double rounding = rounding_of(task.format);
+  if (!task.path.empty()) {
+    if (attempt(task.path)) return made;
+    for (double off = rounding; off <= task.tolerance; off *= 2) {
+      if (attempt(pushed_legs(scene, task, task.path, off))) break;
+    }
+    return made;
+  }
   double tolerance = task.tolerance;
   for (int i = 0; i < kAttempts; ++i, tolerance /= 2) {
     const geom::Polyline legs = traj::straight_legs(task.enu, tolerance);
     if (attempt(legs)) break;
-    if (attempt(pushed_legs(scene, task, legs, tolerance + rounding_of(task.format)))) break;
+    if (attempt(pushed_legs(scene, task, legs, tolerance + rounding))) break;
   }
   return made;
 }

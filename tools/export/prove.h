@@ -14,7 +14,8 @@ namespace exporting {
 
 // The file and the verdict on what its bytes, read again, make the drone fly ("end": straight legs
 // that end over 2 cm from the goal). Straight legs are tried with the tolerance asked for or, where
-// that fails, with points moved off what the legs would cut, and with ever finer legs.
+// that fails, with points moved off what the legs would cut, and with ever finer legs; a path as it
+// is, then with its points moved off by up to the tolerance.
 std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& scene,
                                                    const Task& task);
 

@@ -15,6 +15,7 @@ struct Task {
   std::string format;
   std::string id;
   traj::Trajectory enu;
+  geom::Polyline path;  // ENU: what the trajectory runs through where it was made of a path
   traj::Limits limits;
   cli::Placement placement;
   geom::Frame frame;       // of the map, or what the record says of it

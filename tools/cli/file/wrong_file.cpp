@@ -40,9 +40,14 @@ const std::array kPlaces = {
     Place{"skyway-join", "shards", {"a shard"}},
 };
 
-// Of two files that one argument takes, a map and trajectories.
+// Of two files that one argument takes, a map and what flies.
 const Place kFirst{"", "map_and_file", {kMap}};
 const Place kSecond{"", "map_and_file", {kTrajectories}};
+const Place kSecondOfExport{"skyway-export", "map_and_file", {kTrajectories, kPaths}};
+
+const Place& second_of(const CLI::App& app) {
+  return app.get_name() == kSecondOfExport.tool ? kSecondOfExport : kSecond;
+}
 
 // How what is expected is made of what was found.
 struct Step {
@@ -104,7 +109,7 @@ bool takes_more(const CLI::App& app, const Place& place) {
 const Place* place_of(const CLI::App& app, const Value& value) {
   if (is_named(*value.option, "map_and_file")) {
     if (value.option->results().size() < 2) return nullptr;
-    return value.index == 0 ? &kFirst : &kSecond;
+    return value.index == 0 ? &kFirst : &second_of(app);
   }
   for (const Place& place : kPlaces) {
     if (!place.tool.empty() && place.tool != app.get_name()) continue;
@@ -117,7 +122,7 @@ const Place* place_of(const CLI::App& app, const Value& value) {
 // Of an argument that was left out, and is stdin then.
 const Place* place_of_stdin(const CLI::App& app) {
   const auto* const two = app.get_option_no_throw("map_and_file");
-  if (two) return two->count() == 1 ? &kSecond : nullptr;
+  if (two) return two->count() == 1 ? &second_of(app) : nullptr;
   for (const Place& place : kPlaces) {
     if (place.tool != app.get_name()) continue;
     const auto* const option = app.get_option_no_throw(std::string(place.option));
