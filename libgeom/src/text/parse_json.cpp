@@ -55,6 +55,12 @@ class Builder {
     const Reading begin(text_.data(), &seen_);
     const Reading end(text_.data() + text_.size(), &seen_);
     Json::sax_parse(begin, end, this);
+    // The parser takes a byte of zero behind the value for the end of the text.
+    if (const std::size_t zero = text_.find('\0'); zero != text_.npos) {
+      refuse_at(text_.data() + zero,
+                fmt::format("this is not JSON: expected nothing after the value, found {}",
+                            found(text_.data() + zero)));
+    }
     return std::move(root_);
   }
 

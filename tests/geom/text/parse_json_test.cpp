@@ -160,5 +160,12 @@ TEST(ParseJson, IsWhatEveryReaderUses) {
   }
 }
 
+TEST(ParseJson, ReadsPastNoByteOfZero) {
+  EXPECT_EQ(refused({"{}\0{}", 5}),
+            "f:1: column 3: this is not JSON: expected nothing after the value, found \\x00{");
+  EXPECT_NE(refused({"[1\0]", 4}), "accepted");
+  EXPECT_NE(refused({"\0", 1}), "accepted");
+}
+
 }  // namespace
 }  // namespace geom
