@@ -117,7 +117,7 @@ struct ColumnGrid::Impl {
   void settle_all();
 
   ColumnSpec spec_;
-  std::int64_t gap_;  // steps
+  std::int64_t gap_;  // steps; no two are 2^33 apart
   // Points come in no order, and each column is elsewhere in memory: a few wait for theirs.
   std::array<Pending, 32> pending_;
   std::size_t next_ = 0;  // of these, the one that has waited longest
@@ -130,7 +130,7 @@ ColumnGrid::Impl::Impl(const ColumnSpec& spec) : spec_(spec) {
   require_size("cell", spec.cell);
   require_size("step", spec.step);
   require_length("gap", spec.gap, kLargestCoordinate);
-  gap_ = static_cast<std::int64_t>(std::floor(spec.gap / spec.step));
+  gap_ = static_cast<std::int64_t>(std::min(std::floor(spec.gap / spec.step), 0x1p33));
 }
 
 void ColumnGrid::Impl::add(const Vec3& p) {
@@ -259,7 +259,8 @@ void ColumnGrid::Impl::visit_row(TileAt tile, TileAt end, std::int32_t y, const 
     const std::int32_t left = (*tile)->x * kSide;
     const std::int32_t row = (y - (*tile)->y * kSide) * kSide;
     visit_to(std::clamp(left, e.x0, e.x1 + 1));
-    for (; x < left + kSide && x <= e.x1; ++x) {
+    // By what is left of the tile: its end may be 2^31, one more than an index holds.
+    for (; x - left < kSide && x <= e.x1; ++x) {
       const Spans c = spans_of((*tile)->cells[static_cast<std::size_t>(row + (x - left))]);
       if (!c.empty() || spec_.unknown_blocked) visit(y, x, c);
     }

@@ -103,6 +103,40 @@ TEST(ColumnGrid, RefusesARectangleBeyondThirtyOneBits) {
   EXPECT_THROW(boxes({{1e8, 0, 0}, {-1e8, 0, 0}}, {0.05, 0.5, 2, true}), InputError);
 }
 
+// The tile of these cells ends at index 2^31.
+TEST(ColumnGrid, HoldsPointsOfTheLastCellsThatItTakes) {
+  const double cell = 1e8 / (0x1p31 - 3);
+  const ColumnSpec spec{cell, 0.5, 2, false};
+  for (const double sign : {1.0, -1.0}) {
+    const double last = sign * (0x1p31 - 4.5) * cell;
+    const std::vector<Vec3> points = {{last, last, 1}, {last - sign * 9 * cell, last, 1}};
+    const BoxTable table = boxes(points, spec);
+    for (const Vec3& p : points) {
+      EXPECT_TRUE(std::any_of(table.boxes.begin(), table.boxes.end(), [&](const Aabb& box) {
+        return contains(box, p);
+      })) << p.transpose();
+    }
+  }
+  EXPECT_THROW(boxes({{1e8, 0, 0}}, {1e8 / 0x1p31, 0.5, 2, false}), InputError);
+}
+
+TEST(ColumnGrid, OfTheFinestStepsJoinsWhatIsLevel) {
+  const BoxTable table = boxes({{0.5, 0.5, 0}, {0.5, 0.5, 1e-300}}, {1, 1e-300, 1e8, false});
+  EXPECT_EQ(table.boxes.size(), 1u);
+}
+
+TEST(GroundGrid, KnowsTheLastCellsThatItTakes) {
+  const double cell = 1e8 / (0x1p31 - 3);
+  for (const double sign : {1.0, -1.0}) {
+    const double last = sign * (0x1p31 - 4.5) * cell;
+    GroundGrid ground({cell, 0.1, 0.3});
+    ground.add({last, last, 1});
+    ground.finish();
+    EXPECT_TRUE(ground.is_ground({last, last, 1.2}));
+    EXPECT_FALSE(ground.is_ground({last, last, 1.5}));
+  }
+}
+
 TEST(GroundGrid, TellsAHouseOnASlopeFromTheSlope) {
   GroundGrid ground({2, 1, 0.3});
   std::vector<Vec3> slope;
