@@ -4,7 +4,9 @@
 // nearest double or its neighbour; exact where the real result is a double. Arguments and results
 // must be finite.
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace geom {
@@ -17,7 +19,10 @@ inline double next_down(double x) {
 }
 
 // From |x| to the next larger double.
-inline double ulp(double x) { return next_up(std::abs(x)) - std::abs(x); }
+inline double ulp(double x) {
+  const double size = std::abs(x);
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) + 1) - size;
+}
 
 // The rounding error of `sum`, which is a + b as doubles add: TwoSum (Knuth 1969). Exact.
 inline double sum_error(double a, double b, double sum) {

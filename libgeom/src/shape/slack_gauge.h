@@ -1,0 +1,69 @@
+#pragma once
+
+// Whether rectangles reach no further outside a polygon than a slack.
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cover_edge.h"
+
+namespace geom {
+
+// The distance to the polygon grows by no more than one goes, so a piece of a rectangle whose
+// centre is near enough for its corners is settled, and others are halved. Most slabs are settled
+// before, at the corners of what each of their edges bounds: the distance to an edge is convex. A
+// point of a slab is asked about with the edges alone that come within 1.5 slacks of the slab's
+// heights: those that it can be near, and all that it can be inside of.
+class SlackGauge {
+ public:
+  SlackGauge(double slack, std::size_t rings);
+
+  // Forgets the edges of the slab before.
+  void begin(double y0, double y1);
+  void add(const CoverEdge& edge) { near_.push_back(&edge); }
+
+  // What allows() would say of all rectangles of the slab, where that is no close decision. Their
+  // points are within the ranges of edges, or inside.
+  std::optional<bool> clear_case();
+
+  // Whether the rectangle, a part of the slab, stays within the slack of the polygon. After
+  // clear_case().
+  bool allows(const Rectangle& r);
+
+ private:
+  bool meets(const CoverEdge& edge) const { return edge.high.y() > y0_ && edge.low.y() < y1_; }
+  // Whether what has this x is surely too far from it. By a comparison alone.
+  bool out_of_reach(const CoverEdge& edge, double x) const {
+    return x < edge.left - reach_ || x > edge.right + reach_;
+  }
+  Rectangle around(const CoverEdge& edge) const;
+  bool refuses_again();
+  bool look_at(const CoverEdge& edge);
+  void add_unclear(const Rectangle& r, const CoverEdge& edge);
+  std::optional<bool> clear_case(const Rectangle& r);
+  bool is_near(double squared_reach, const Vec2& p) const;
+  bool beside(const Rectangle& r, const CoverEdge& edge) const;
+  bool beside_any(const Rectangle& r) const;
+  bool touches_unclear(const Rectangle& r) const;
+  double to_edge(const Vec2& p, double enough) const;
+  bool is_inside(const Vec2& p);
+  bool clear_of_edges(const Rectangle& r) const;
+
+  double slack_;
+  double near_squared_;
+  double far_squared_;
+  double reach_;  // more than that of what is surely far
+  double y0_ = 0;
+  double y1_ = 0;
+  std::vector<const CoverEdge*> near_;
+  std::vector<Rectangle> unclear_;  // what is not surely within the slack of an edge
+  bool close_ = false;              // whether a corner around an edge is
+  // The corner that refused the last slab refuses the next most often.
+  const CoverEdge* refusing_ = nullptr;
+  std::size_t refusing_corner_ = 0;
+  Winding winding_;
+};
+
+}  // namespace geom

@@ -1,0 +1,118 @@
+#include "shape/slack_gauge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/cover_oracle.h"
+#include "support/random_city.h"
+
+namespace geom {
+namespace {
+
+// The edges of a polygon, and what the gauge says of a slab's rectangle.
+class Gauged {
+ public:
+  Gauged(Polygon polygon, double slack)
+      : polygon_(std::move(polygon)), gauge_(slack, polygon_.holes.size() + 1) {
+    add(polygon_.outer, 0);
+    for (std::size_t i = 0; i < polygon_.holes.size(); ++i) {
+      add(polygon_.holes[i], static_cast<int>(i) + 1);
+    }
+  }
+
+  std::optional<bool> clear_case(double y0, double y1) {
+    gauge_.begin(y0, y1);
+    for (const CoverEdge& edge : edges_) gauge_.add(edge);
+    return gauge_.clear_case();
+  }
+
+  bool allows(const Rectangle& r) { return gauge_.allows(r); }
+
+  double furthest(const Rectangle& r) const { return oracle::furthest_outside(polygon_, r, 1e-4); }
+
+ private:
+  void add(const std::vector<Vec2>& ring, int index) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2& a = ring[i];
+      const Vec2& b = ring[(i + 1) % ring.size()];
+      const bool up = a.y() <= b.y();
+      edges_.push_back({up ? a : b, up ? b : a, index, up ? 1 : -1});
+    }
+  }
+
+  Polygon polygon_;
+  std::vector<CoverEdge> edges_;
+  SlackGauge gauge_;
+};
+
+const Polygon kTriangle{{{0, 0}, {10, 0}, {0, 10}}, {}};
+
+TEST(SlackGauge, TellsClearCasesOfASlab) {
+  Gauged gauged(kTriangle, 1);
+  EXPECT_EQ(gauged.clear_case(2, 3), true);   // the corner is 0.71 m from the slope
+  EXPECT_EQ(gauged.clear_case(2, 4), false);  // 1.41 m
+  EXPECT_EQ(gauged.clear_case(2, 4), false);  // by the corner that refused before
+  EXPECT_EQ(gauged.clear_case(2, 2 + std::sqrt(2.0) - 1e-6), std::nullopt);
+}
+
+TEST(SlackGauge, HalvesWhatIsClose) {
+  Gauged gauged(kTriangle, 1);
+  for (const double share : {0.98, 0.999, 1.00005}) {
+    const double high = 2 + share * std::sqrt(2.0);
+    ASSERT_EQ(gauged.clear_case(2, high), std::nullopt) << share;
+    EXPECT_EQ(gauged.allows({{0, 2}, {8, high}}), share < 1) << share;
+    EXPECT_TRUE(gauged.allows({{0, 2}, {7, high}}));  // away from the slab's corner
+  }
+}
+
+TEST(SlackGauge, RefusesWhatFillsAHole) {
+  const Polygon ring{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, {{{5, 5}, {15, 5}, {15, 15}, {5, 15}}}};
+  Gauged gauged(ring, 1);
+  EXPECT_EQ(gauged.clear_case(6, 8), true);
+  EXPECT_EQ(gauged.clear_case(2, 8), false);  // what the hole's lower side bounds
+}
+
+TEST(SlackGauge, AllowsNoRectangleThatReachesFurtherThanTheSlack) {
+  support::Random random(2);
+  int allowed = 0;
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Polygon star;
+    const int corners = 3 + random.below(i % 50 == 0 ? 60 : 9);  // more than 32: halving alone
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * M_PI * k / corners;
+      star.outer.push_back(random.uniform(2, 9) * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    Gauged gauged(star, 0.5);
+    const Vec2& a = star.outer[0];
+    const Vec2& b = star.outer[1];
+    const CoverEdge edge{a.y() <= b.y() ? a : b, a.y() <= b.y() ? b : a, 0, 1};
+    // A slab whose rectangle around an edge has a corner about the slack away from it.
+    const double y0 = edge.low.y() + random.uniform(0, 0.2);
+    const double y1 = y0 + random.uniform(0.48, 0.51) * edge.step.norm() / std::abs(edge.step.x());
+    const auto clear = gauged.clear_case(y0, y1);
+    if (edge.low.y() >= y1 || edge.high.y() <= y0) continue;
+    const Interval x = edge.range(y0, y1);
+    const Rectangle r{{x.low, y0}, {x.high, y1}};
+    const double furthest = gauged.furthest(r);
+    if (clear.value_or(false)) {
+      ASSERT_LE(furthest, 0.5) << i;
+      continue;
+    }
+    if (clear) continue;  // another edge's may reach further
+    const bool allows = gauged.allows(r);
+    if (allows) {
+      ASSERT_LE(furthest, 0.5 * (1 + 2e-4)) << i;
+      ++allowed;
+    } else {
+      ASSERT_GT(furthest, 0.5 * 0.9) << i;
+      ++refused;
+    }
+  }
+  EXPECT_GT(allowed, 20);
+  EXPECT_GT(refused, 20);
+}
+
+}  // namespace
+}  // namespace geom
