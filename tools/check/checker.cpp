@@ -72,6 +72,7 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
   if (rules_.exact) {
     report.exact = traj::check_exactly(exact_task(scene, report.limits), record.trajectory);
   }
+  traj::add_bounds(record, report);
   if (profile_.is_open() && report.result.duration > 0) {
     profile_.require_room(report.result.duration);
     profile_.add(record.id, traj::clearance_profile(scene, record.trajectory, profile_.step()));

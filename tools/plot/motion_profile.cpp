@@ -9,6 +9,7 @@
 #include "geom/text/counted.h"
 #include "palette.h"
 #include "traj/curve/flatness.h"
+#include "traj/record/duration_bound.h"
 
 namespace plot {
 namespace {
@@ -32,6 +33,12 @@ std::vector<Point> curve(const traj::TrajectoryRecord& record, geom::Axes axes,
 std::vector<Level> level(const char* name, const std::optional<double>& limit, double scale = 1) {
   if (!limit) return {};
   return {{fmt::format("{} {:.4g}", name, *limit * scale), *limit * scale}};
+}
+
+// How much faster another flight could be, where the record has a bound.
+std::string gap_words(const traj::TrajectoryRecord& record) {
+  const auto gap = traj::duration_gap(record);
+  return gap ? ", " + traj::slower_words(*gap) : "";
 }
 
 double tilt(const traj::State& s) {
@@ -72,6 +79,7 @@ std::string motion_profile(const traj::TrajectoryRecord& record, std::string_vie
   figure.title = fmt::format("{}: {:.2f} s, {}{}", record.id, traj::duration(record.trajectory),
                              geom::counted(record.trajectory.segments.size(), "segment"),
                              record.rung ? fmt::format(", {}", name(*record.rung)) : "");
+  figure.title += gap_words(record);
   figure.title += note;
   figure.x_label = "time, s";
   figure.panels = {

@@ -142,6 +142,8 @@ void bind_trajectory(py::module_& module) {
                              [](const TrajectoryRecord& t) { return from_json(t.solver); })
       .def_property_readonly("duration",
                              [](const TrajectoryRecord& t) { return traj::duration(t.trajectory); })
+      .def_readonly("bound", &TrajectoryRecord::bound)
+      .def_readonly("duration_bound", &TrajectoryRecord::duration_bound)
       .def_property_readonly("durations",
                              [=](const py::object& self) {
                                const auto& s = segments(self);

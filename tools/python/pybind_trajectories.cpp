@@ -15,6 +15,7 @@
 #include "traj/curve/yaw.h"
 #include "traj/proof/check.h"
 #include "traj/proof/exact/exact_check.h"
+#include "traj/record/duration_bound.h"
 #include "traj/record/report_record.h"
 #include "traj/record/solved_record.h"
 
@@ -97,6 +98,7 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   const py::gil_scoped_release released;
   const auto result = traj::solve(self.scene, traj::waypoints_of(record), options);
   auto out = traj::trajectory_record(self.scene, record.id, result, options.limits);
+  traj::add_bounds(record, out);
   if (yaw && !out.trajectory.segments.empty()) traj::add_yaw(*yaw, out.trajectory);
   return out;
 }
@@ -119,6 +121,7 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
         {self.scene.map(), self.scene.vehicle(), self.scene.margin(), report.limits},
         record.trajectory);
   }
+  traj::add_bounds(record, report);
   return report;
 }
 

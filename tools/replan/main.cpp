@@ -48,6 +48,7 @@ bool same_scene(const geom::PathRecord& a, const geom::PathRecord& b) {
 }
 
 geom::PathRecord passed_on(geom::PathRecord record) {
+  record.bound.reset();  // of another map
   record.message = "no path to replan" + (record.message.empty() ? "" : ": " + record.message);
   return record;
 }

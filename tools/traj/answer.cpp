@@ -1,6 +1,7 @@
 #include "answer.h"
 
 #include "traj/record/corridor_record.h"
+#include "traj/record/duration_bound.h"
 #include "traj/record/solved_record.h"
 
 namespace solving {
@@ -14,6 +15,7 @@ Solved solve(const geom::CollisionScene& scene, const geom::PathRecord& path, co
   const traj::SolveResult result = traj::solve(scene, traj::waypoints_of(path), task.options);
   traj::TrajectoryRecord record =
       traj::trajectory_record(scene, path.id, result, task.options.limits);
+  traj::add_bounds(path, record);
   if (task.yaw && !record.trajectory.segments.empty()) {
     traj::add_yaw(*task.yaw, record.trajectory);
   }

@@ -4,6 +4,7 @@
 #include "layers.h"
 #include "traj/curve/yaw.h"
 #include "traj/proof/clearance.h"
+#include "traj/record/duration_bound.h"
 
 namespace view {
 namespace {
@@ -149,6 +150,7 @@ Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& read, std::size_t
   }
   Json out = {{"kind", "trajectory"}, {"id", record.id}, {"duration", end}, {"samples", samples}};
   if (record.rung) out["rung"] = name(*record.rung);
+  if (const auto gap = traj::duration_gap(record)) out["slower"] = traj::slower_words(*gap);
   out["segments"] = record.trajectory.segments.size();
   out["limits"] = as_json(traj::limits_of(record));
   out["position"] = added(position, bundle);

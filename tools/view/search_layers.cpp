@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "layers.h"
+#include "traj/record/duration_bound.h"
 
 namespace view {
 
@@ -70,6 +71,9 @@ Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const Loca
   if (report.worst) out["worst"] = *report.worst;
   if (report.box) out["box"] = *report.box;
   if (report.duration) out["duration"] = *report.duration;
+  if (report.duration && report.duration_bound && *report.duration_bound > 0) {
+    out["slower"] = traj::slower_words(*report.duration / *report.duration_bound - 1);
+  }
   if (report.exact_ok) out["exact"] = *report.exact_ok;
   Json extremes = Json::array();
   for (const auto& [name, value, time] : report.extremes) {

@@ -52,6 +52,10 @@ std::optional<OutsideDomain> outside_domain(const Trajectory& trajectory, const 
     }
     time = end;
   }
+  return outside_domain(limits);
+}
+
+std::optional<OutsideDomain> outside_domain(const Limits& limits) {
   if (const auto limit = odd_limit(limits)) return OutsideDomain{Reason::limits, *limit};
   return std::nullopt;
 }

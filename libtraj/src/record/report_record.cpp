@@ -7,6 +7,7 @@
 
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
+#include "traj/record/duration_bound.h"
 
 namespace traj {
 namespace {
@@ -109,6 +110,22 @@ std::vector<ReportSummary::Named> parse_extremes(const geom::JsonFields& fields)
 
 }  // namespace
 
+void add_bounds(const TrajectoryRecord& record, ReportRecord& report) {
+  CheckResult& result = report.result;
+  if (!accepted(report) || !report.overridden.empty()) return;
+  if (claims_too_much(record)) {
+    result.ok = false;
+    result.reason = Reason::duration_bound;
+    result.time = 0;
+    result.place = record.trajectory.segments.front().point.front();
+    result.worst = record.duration_bound.value_or(0);
+    return;
+  }
+  if (geom::mismatch(record.provenance, report.provenance)) return;
+  report.claimed_bound = record.bound;
+  report.duration_bound = duration_bound(record, report.limits);
+}
+
 bool accepted(const ReportRecord& record) {
   return record.result.ok && (!record.exact || record.exact->ok);
 }
@@ -121,6 +138,8 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   line.add("checked", record.checked);
   add_extreme(line, "clearance", result.clearance);
   if (result.duration > 0) line.add("duration", result.duration);
+  line.add("claimed_bound", record.claimed_bound).add("duration_bound", record.duration_bound);
+  if (record.duration_bound) line.add("gap", result.duration / *record.duration_bound - 1);
   for (const Limit limit : kOrderOfLimits) {
     add_extreme(line, kind_of(limit).quantity, result.largest[limit]);
   }
@@ -148,6 +167,7 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
   report.worst = fields.number("worst");
   report.box = parse_box(fields);
   report.duration = fields.number("duration");
+  report.duration_bound = fields.number("duration_bound");
   report.extremes = parse_extremes(fields);
   if (fields.has("exact")) {
     const nlohmann::json& exact = fields.value("exact");

@@ -23,6 +23,23 @@ geom::JsonLine object_of(const Segment& s) {
   return line.add("yaw", s.yaw);
 }
 
+// With how much longer than it the flight takes.
+void add_bounds(geom::JsonLine& line, const TrajectoryRecord& record) {
+  line.add("bound", record.bound).add("duration_bound", record.duration_bound);
+  if (record.duration_bound && *record.duration_bound > 0) {
+    line.add("gap", duration(record.trajectory) / *record.duration_bound - 1);
+  }
+}
+
+void read_bounds(const JsonFields& fields, TrajectoryRecord& record) {
+  record.bound = fields.number("bound");
+  record.duration_bound = fields.number("duration_bound");
+  if (record.bound && *record.bound < 0) fields.refuse("bound must be >= 0");
+  if (record.duration_bound && *record.duration_bound < 0) {
+    fields.refuse("duration_bound must be >= 0");
+  }
+}
+
 std::array<double, kPoints> parse_values(const JsonFields& fields, const Json& segment,
                                          const char* key, std::string_view where) {
   const std::string what = fmt::format("{}.{}", where, key);
@@ -73,6 +90,7 @@ std::string to_json_line(const TrajectoryRecord& record) {
   line.add("type", "trajectory").add("id", record.id).add("status", name(record.status));
   const std::vector<Segment>& segments = record.trajectory.segments;
   if (!segments.empty()) line.add("duration", duration(record.trajectory));
+  add_bounds(line, record);
   if (record.rung) line.add("rung", name(*record.rung));
   add(line, record.provenance);
   add(line, record.limits);
@@ -96,6 +114,7 @@ TrajectoryRecord read_trajectory_record(const JsonFields& fields) {
   record.message = fields.text("message", "");
   if (fields.has("rung")) record.rung = fields.word("rung", kRungWords, Rung::closed);
   if (fields.has("solver")) record.solver = fields.value("solver").dump();
+  read_bounds(fields, record);
   if (fields.has("segments")) {
     const Json& list = fields.value("segments");
     if (!list.is_array()) fields.refuse("segments must be a list, found " + list.dump());

@@ -78,6 +78,22 @@ TEST(MotionProfile, ShowsUnitsAndLimitsOnce) {
   EXPECT_FALSE(holds(svg, "nan"));
 }
 
+TEST(MotionProfile, SaysHowMuchFasterAnyOtherCouldBe) {
+  traj::TrajectoryRecord record;
+  record.id = "a";
+  record.status = traj::TrajectoryStatus::solved;
+  traj::State end;
+  end.position = {10, 0, 0};
+  record.trajectory.segments = {traj::hermite({}, end, 5)};
+  record.limits[geom::Limit::speed] = 4;
+  EXPECT_FALSE(holds(plot::motion_profile(record), "slower"));
+  record.bound = 10;
+  record.duration_bound = 2.4;
+  EXPECT_TRUE(holds(plot::motion_profile(record), "at most 100.1 % slower than any"));
+  record.duration_bound = 2.6;  // 10 m at 4 m/s take 2.5 s
+  EXPECT_FALSE(holds(plot::motion_profile(record), "slower"));
+}
+
 TEST(Tracking, StatesTheErrors) {
   traj::FlightLog log{"f", "", {}};
   for (int i = 0; i < 4; ++i) {

@@ -11,7 +11,7 @@ const extremeRows = {
 
 const reasons = { collision: "collides with an obstacle", bounds: "leaves the bounds", no_path: "there is no path",
   speed: "too fast", acceleration: "accelerates too much", jerk: "jerks too much", tilt: "tilts too far",
-  discontinuous: "segments do not meet", duration: "has no valid duration", exact: "refused by the exact check" };
+  discontinuous: "segments do not meet", duration_bound: "claims a bound on its duration that cannot be", duration: "has no valid duration", exact: "refused by the exact check" };
 
 function worstOf(check) {
   const lengths = ["collision", "bounds", "discontinuous"];
@@ -60,6 +60,7 @@ function checkCard(check) {
     element("h3", {}, check.id, element("span", { class: `verdict ${check.ok ? "good" : "bad"}` },
       `${check.ok ? "✓" : "✕"} ${words}`)),
     element("p", { class: "soft" }, [check.checked || "record", check.duration ? `, ${withUnit(check.duration, 2, "s")}` : "",
+      check.slower ? `, ${check.slower} (if no path is shorter than the record claims)` : "",
       check.exact === undefined ? "" : `; exact check ${check.exact ? "passed" : "failed"}`].join("")),
     where, checkTable(check),
     !check.ok && check.place ? element("button", { type: "button", onclick: () => goToFailure(check) }, "Show the place") : null);

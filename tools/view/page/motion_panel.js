@@ -65,6 +65,7 @@ function motionFacts(motion) {
   const { data } = motion, { summary, vehicle } = data;
   return [
     ["Duration", withUnit(motion.duration, 2, "s")],
+    ["Beside the fastest", data.slower || null],
     ["Segments", data.segments ? `${decimals(data.segments, 0)}${data.rung ? `, ${data.rung.replaceAll("_", " ")}` : ""}` : null],
     ["Vehicle", vehicle ? `${vehicle.name || "box"}: ${vehicle.half.map(h => decimals(2 * h, 2)).join(" × ")}${thinSpace}m` : null],
     ["Tracking error", summary ? `${metres(summary.error_rms)} RMS, ${metres(summary.error_max)} at most` : null],

@@ -30,6 +30,9 @@ struct OutsideDomain {
 // is no segment. NaN is never within.
 std::optional<OutsideDomain> outside_domain(const Trajectory& trajectory, const Limits& limits);
 
+// The same for limits alone.
+std::optional<OutsideDomain> outside_domain(const Limits& limits);
+
 // The same for the points of a path.
 std::optional<OutsideDomain> outside_domain(std::span<const Vec3> points);
 

@@ -53,9 +53,11 @@ enum class Reason {
   range,
   endurance,
   return_home,
-  end
+  end,
+  // A record's own bound on its duration, or on the length of paths, that cannot be.
+  duration_bound
 };
-inline constexpr geom::Words<Reason, 36> kReasonWords{{
+inline constexpr geom::Words<Reason, 37> kReasonWords{{
     {Reason::none, ""},
     {Reason::no_path, "no_path"},
     {Reason::infeasible, "infeasible"},
@@ -92,6 +94,7 @@ inline constexpr geom::Words<Reason, 36> kReasonWords{{
     {Reason::endurance, "endurance"},
     {Reason::return_home, "return"},
     {Reason::end, "end"},
+    {Reason::duration_bound, "duration_bound"},
 }};
 constexpr std::string_view name(Reason reason) { return geom::word_of(kReasonWords, reason); }
 

@@ -12,6 +12,7 @@
 #include "geom/record/record.h"
 #include "traj/proof/check.h"
 #include "traj/proof/exact/exact_check.h"
+#include "traj/record/trajectory_record.h"
 
 namespace traj {
 
@@ -23,7 +24,15 @@ struct ReportRecord {
   Limits limits;                        // those it was held to
   std::optional<ExactResult> exact;     // where it was asked for
   std::vector<std::string> overridden;  // limits, and "vehicle" for its room, that were loosened
+  // Of a trajectory: what its record claims of the length of paths, which no check here verifies,
+  // and the seconds that follow for any flight within `limits` (duration_bound.h).
+  std::optional<double> claimed_bound = {};
+  std::optional<double> duration_bound = {};
 };
+
+// Gives `report`, which holds what was checked of `record`, its bounds; refuses what is accepted
+// but claims too much. A bound of another map, vehicle or margin, or of none, is left out.
+void add_bounds(const TrajectoryRecord& record, ReportRecord& report);
 
 // Whether every check that was made accepts it.
 bool accepted(const ReportRecord& record);
@@ -48,8 +57,9 @@ struct ReportSummary {
   std::optional<double> worst;
   std::optional<std::uint64_t> box;  // its id in the source
   std::optional<double> duration;
-  std::vector<Named> extremes;   // of what was measured
-  std::optional<bool> exact_ok;  // where the exact check was asked for
+  std::optional<double> duration_bound;  // seconds
+  std::vector<Named> extremes;           // of what was measured
+  std::optional<bool> exact_ok;          // where the exact check was asked for
   geom::Provenance provenance;
   Limits limits;
 };

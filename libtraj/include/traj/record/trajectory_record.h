@@ -23,6 +23,9 @@ struct TrajectoryRecord {
   std::string message;       // why there is none, in words; may be empty
   std::optional<Rung> rung;  // what made it, where that is known
   std::string solver;        // the solver's own report: a JSON object, or empty
+  // Claims (duration_bound.h). Metres: no path between its ends is shorter; seconds: no flight is.
+  std::optional<double> bound;
+  std::optional<double> duration_bound;
 };
 
 // What holds for it: its own limits and its vehicle's.

@@ -1,0 +1,29 @@
+#pragma once
+
+// How long a flight must last at least: from what it must bridge, and what the limits allow.
+
+#include <optional>
+
+#include "geom/shape/vec3.h"
+#include "traj/proof/limits.h"
+
+namespace traj {
+
+// Two places, and metres that no path between them is shorter than.
+struct Stretch {
+  geom::Vec3 from = geom::Vec3::Zero();
+  geom::Vec3 to = geom::Vec3::Zero();
+  double length = 0;  // >= 0
+};
+
+// Seconds: no motion over the stretch lasts less that is at rest at both ends, of continuous
+// velocity, and within the limits. Never above the real least time: every step is rounded down. On
+// a straight line, with limits on speed and acceleration alone, it is that time. Uses the limits on
+// speeds, acceleration, thrust and tilt; jerk, body rate and yaw rate could only make it longer.
+// Nothing where there is nothing to bridge, where these limit nothing, and where a limit cannot be
+// judged (domain.h). docs/bound.md has the proof.
+//
+//   least_duration({from, to, 100}, {{Limit::speed, 8}, {Limit::acceleration, 6}});  // 13.83 s
+std::optional<double> least_duration(const Stretch& stretch, const Limits& limits);
+
+}  // namespace traj

@@ -1,0 +1,34 @@
+#pragma once
+
+// How much faster than a trajectory record any other flight could be. All of it stands on the bound
+// on length that the record names and that nothing here can verify.
+
+#include <optional>
+#include <string>
+
+#include "geom/record/record.h"
+#include "traj/record/trajectory_record.h"
+
+namespace traj {
+
+// Seconds: least_duration() between the record's ends, for its bound on length. Nothing without
+// such a bound, and where the record does not begin and end at rest.
+std::optional<double> duration_bound(const TrajectoryRecord& record, const Limits& limits);
+
+// Takes over the path's bound on length, and with it the one on the duration, where both hold for
+// the record: it is solved, of the same map, frame, vehicle and margin, and has the path's ends.
+void add_bounds(const geom::PathRecord& path, TrajectoryRecord& record);
+
+// Whether the record claims more than can be: a duration bound that does not follow from its bound
+// on length and its limits, or that it undercuts itself; or a bound on length that is longer than
+// its own curve. To be asked of what is free and within its limits.
+bool claims_too_much(const TrajectoryRecord& record);
+
+// Its duration over duration_bound() for its own limits, less 1; nothing where there is no such
+// bound, or where the record claims too much.
+std::optional<double> duration_gap(const TrajectoryRecord& record);
+
+// "at most 3.2 % slower than any", of duration / bound - 1; rounded up.
+std::string slower_words(double gap);
+
+}  // namespace traj
