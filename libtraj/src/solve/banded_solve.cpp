@@ -15,7 +15,8 @@ namespace {
 
 using Vector = std::vector<double>;
 
-constexpr double kFirstBarrier = 0.1;
+// A larger one drives some curves away from their start, to another optimum that is slower.
+constexpr double kFirstBarrier = 0.05;
 constexpr double kLeastBarrier = 1e-5;
 constexpr double kBarrierShare = 0.2;  // of one weight the next has at most
 // Loose steps from one weight to the next: short durations keep the dual error large long after the
@@ -24,8 +25,10 @@ constexpr double kBarrierTolerance = 1e4;
 constexpr double kFirstSlack = 0.02;       // at least
 constexpr double kToTheWall = 0.99;        // of the way to a slack of 0 that one step may go
 constexpr double kTolerance = 1e-4;        // of optimality and feasibility
-constexpr double kSettled = 3e-4;          // relative change of the objective ...
+constexpr double kSettled = 3e-5;          // relative change of the objective ...
 constexpr std::size_t kRecent = 7;         // ... over so many iterations
+constexpr int kPatience = 100;             // iterations: a point that still gains then ...
+constexpr double kNearlySettled = 3e-4;    // ... has settled with a change of so much
 constexpr double kLowBarrier = 2e-3;       // from which on it may settle
 constexpr int kHalvings = 25;              // of a step
 constexpr double kMultiplierReach = 1e10;  // of barrier / slack, either way
@@ -106,7 +109,7 @@ class InteriorPoint {
 
   bool ended(BandedOutcome& out) {
     const double violation = most_violated(at_);
-    const bool flat = objective_is_flat();
+    const bool flat = objective_is_flat(out.iterations < kPatience ? kSettled : kNearlySettled);
     // Full weight on the durations brings a point that has settled to the constraints.
     landing_ = flat;
     error_ = error(violation);
@@ -122,12 +125,12 @@ class InteriorPoint {
     return out.status != BandedOutcome().status;
   }
 
-  bool objective_is_flat() {
+  bool objective_is_flat(double change) {
     recent_.push_back(at_.objective);
     if (recent_.size() > kRecent) recent_.pop_front();
     if (recent_.size() < kRecent || barrier_ > kLowBarrier) return false;
     const auto [least, most] = std::minmax_element(recent_.begin(), recent_.end());
-    return *most - *least < kSettled * std::max(1.0, std::abs(at_.objective));
+    return *most - *least < change * std::max(1.0, std::abs(at_.objective));
   }
 
   double residual(const Point& p, std::size_t row) const {

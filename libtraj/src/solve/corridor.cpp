@@ -91,6 +91,20 @@ void append_cuts(const Vec3& from, const Vec3& to, geom::Polyline& out) {
   out.push_back(to);
 }
 
+// A bend in place of the last of `way` and of `p`, on the outer side of their turn.
+std::optional<Vec3> one_bend(const geom::CollisionScene& scene, const geom::Polyline& way,
+                             const Vec3& p, const Vec3& next, double least) {
+  if (way.size() < 2) return std::nullopt;
+  const Vec3& before = way[way.size() - 2];
+  const Vec3 middle = 0.5 * (way.back() + p);
+  const Vec3 out = (middle - before).normalized() + (middle - next).normalized();
+  for (const double far : {0.5, 1.0, 2.0}) {
+    const Vec3 bend = middle + far * least * out.normalized();
+    if (scene.free(before, bend) && scene.free(bend, next)) return bend;
+  }
+  return std::nullopt;
+}
+
 bool has_plane(const CorridorPiece& piece, const Plane& plane) {
   return std::any_of(piece.planes.begin(), piece.planes.end(), [&](const Plane& other) {
     return other.normal == plane.normal && other.offset == plane.offset;
@@ -98,6 +112,28 @@ bool has_plane(const CorridorPiece& piece, const Plane& plane) {
 }
 
 }  // namespace
+
+geom::Polyline without_short_legs(const geom::CollisionScene& scene, const geom::Polyline& path,
+                                  double least) {
+  geom::Polyline out;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Vec3& p = path[i];
+    if (out.empty() || (p - out.back()).norm() >= least) {
+      out.push_back(p);
+    } else if (out.size() > 1 && scene.free(out[out.size() - 2], p)) {
+      out.back() = p;
+    } else if (i + 1 == path.size()) {
+      out.push_back(p);
+    } else if (scene.free(out.back(), path[i + 1])) {
+      continue;
+    } else if (const auto one = one_bend(scene, out, p, path[i + 1], least)) {
+      out.back() = *one;
+    } else {
+      out.push_back(p);
+    }
+  }
+  return out;
+}
 
 geom::Polyline joints(const geom::Polyline& path) {
   geom::Polyline out{path.front()};

@@ -25,7 +25,9 @@ namespace {
 // How much slower than the trapezoid along the path a proved closed form may be before the
 // optimiser is worth its time.
 constexpr double kNearlyAsFast = 1.1;
-constexpr double kReach = 10;  // metres: obstacles further off get a plane only when met
+constexpr double kReach = 10;   // metres: obstacles further off get a plane only when met
+constexpr double kShort = 0.1;  // metres: shorter legs are left to the optimiser only where needed
+constexpr double kUsual = 20;   // metres: on shorter paths in proportion
 constexpr int kRounds = 5;
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 constexpr const char* kNotRun = "was not run";
@@ -102,7 +104,9 @@ std::optional<Trajectory> optimised_in(Corridor corridor, Optimizer optimizer,
 }
 
 Corridor corridor_of(CorridorKind kind, const geom::CollisionScene& scene,
-                     const geom::Polyline& path) {
+                     const geom::Polyline& given) {
+  const double least = kShort * std::min(1.0, geom::length(given) / kUsual);
+  const geom::Polyline path = without_short_legs(scene, given, least);
   if (kind == CorridorKind::boxes) return box_corridor(scene, path, kReach);
   Corridor corridor = pieces_between(joints(path));
   add_planes(scene, kReach, corridor);

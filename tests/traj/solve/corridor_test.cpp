@@ -39,6 +39,58 @@ TEST(Joints, KeepThePathsOwnPointsAndDropRepeatedOnes) {
   EXPECT_TRUE(joints({Vec3(1, 1, 1)}).empty());
 }
 
+TEST(WithoutShortLegs, LeavesOutWhatTheWayNeedNotPass) {
+  const geom::CollisionScene open = testing::scene_of({}, {Vec3(-90, -90, 0), Vec3(90, 90, 90)});
+  const Vec3 a(0, 0, 5), b(30, 0, 5), c(30, 40, 5);
+  const Vec3 near(0.01, 0, 0);
+  EXPECT_EQ(without_short_legs(open, {a, b, c}, 0.1), (geom::Polyline{a, b, c}));
+  EXPECT_EQ(without_short_legs(open, {a, a + near, b, c}, 0.1), (geom::Polyline{a, b, c}));
+  EXPECT_EQ(without_short_legs(open, {a, b, c - near, c}, 0.1), (geom::Polyline{a, b, c}));
+  EXPECT_EQ(without_short_legs(open, {a, b - near, b, c}, 0.1), (geom::Polyline{a, b, c}));
+  EXPECT_EQ(without_short_legs(open, {a, a + near}, 0.1), (geom::Polyline{a, a + near}));
+  EXPECT_EQ(without_short_legs(open, {a}, 0.1), (geom::Polyline{a}));
+  EXPECT_TRUE(without_short_legs(open, {}, 0.1).empty());
+}
+
+// Round the end of a wall of 2 cm, whose two corners both need a bend.
+TEST(WithoutShortLegs, TakesOneBendForTwoRoundACorner) {
+  const geom::CollisionScene scene = testing::scene_of({{Vec3(9.99, -20, 0), Vec3(10.01, 0, 40)}},
+                                                       {Vec3(-9, -90, 0), Vec3(90, 90, 90)});
+  const geom::Polyline path{{0, -10, 5}, {9.98, 0.001, 5}, {10.02, 0.001, 5}, {20, -10, 5}};
+  const geom::Polyline got = without_short_legs(scene, path, 0.1);
+  ASSERT_EQ(got.size(), 3u);
+  EXPECT_TRUE(scene.free(got[0], got[1]) && scene.free(got[1], got[2]));
+  EXPECT_LT((got[1] - path[1]).norm(), 0.25);
+  const geom::CollisionScene slit =  // no room outside of the turn
+      testing::scene_of(
+          {{Vec3(9.99, -20, 0), Vec3(10.01, 0, 40)}, {Vec3(0, 0.002, 0), Vec3(20, 9, 40)}},
+          {Vec3(-9, -90, 0), Vec3(90, 90, 90)});
+  EXPECT_EQ(without_short_legs(slit, path, 0.1), path);
+}
+
+TEST(WithoutShortLegs, IsFreeWhereThePathIs) {
+  testing::Random random(5);
+  const geom::CollisionScene scene = testing::scene_of(boxes_in_the_air(random, 200, 4, 20),
+                                                       {Vec3(-90, -90, 0), Vec3(90, 90, 150)});
+  int left_out = 0;
+  for (int ways = 0; ways < 50;) {
+    geom::Polyline path{random.vector(40) + Vec3(0, 0, 60)};
+    for (int tries = 0; tries < 40; ++tries) {
+      const double step = random.number(0, 1) < 0.7 ? 0.05 : 10;
+      const Vec3 next = path.back() + random.vector(step);
+      if (scene.free(path.back(), next)) path.push_back(next);
+    }
+    if (path.size() < 10) continue;
+    ++ways;
+    const geom::Polyline got = without_short_legs(scene, path, 0.1);
+    EXPECT_EQ(got.front(), path.front());
+    EXPECT_EQ(got.back(), path.back());
+    for (std::size_t i = 1; i < got.size(); ++i) EXPECT_TRUE(scene.free(got[i - 1], got[i]));
+    left_out += static_cast<int>(path.size() - got.size());
+  }
+  EXPECT_GT(left_out, 100);
+}
+
 TEST(AddPlanes, HidesEveryBoxInReachFromItsPiece) {
   testing::Random random(3);
   const std::vector<geom::Aabb> boxes = boxes_in_the_air(random, 300, 4, 20);

@@ -46,6 +46,24 @@ TEST(Solve, EveryRungIsProved) {
   }
 }
 
+// Points of a path that nearly coincide are no reason for a piece of a hair's breadth, which is
+// flown with 1e5 times the snap.
+TEST(Solve, IsAsSmoothWherePointsNearlyCoincide) {
+  const geom::CollisionScene scene = block();
+  const SolveResult usual = solved(scene, kAround, Solver::automatic);
+  for (const double apart : {1e-9, 1e-6, 1e-4, 1e-2, 0.09}) {
+    for (std::size_t at = 1; at < kAround.size(); ++at) {
+      geom::Polyline path = kAround;
+      const Vec3 before = path[at] + apart * (path[at - 1] - path[at]).normalized();
+      path.insert(path.begin() + static_cast<std::ptrdiff_t>(at), before);
+      const SolveResult result = solved(scene, path, Solver::automatic);
+      ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+      EXPECT_LT(result.snap, 2 * usual.snap) << apart << ' ' << at;
+      EXPECT_LT(duration(result.trajectory), 1.05 * duration(usual.trajectory)) << apart;
+    }
+  }
+}
+
 TEST(Solve, EmptyBoxesLeadAroundTheBlockToo) {
   SolveOptions options;
   options.limits = kLimits;

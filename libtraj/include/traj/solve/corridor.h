@@ -25,6 +25,13 @@ struct CorridorPiece {
 
 using Corridor = std::vector<CorridorPiece>;  // each piece starts where the one before ends
 
+// The path without legs shorter than `least` metres, as far as it stays free; both ends stay. Of
+// two points so near each other one is left out, or, round a corner that needs both, one takes the
+// place of both, up to 2.5 `least` from them. A piece of millimetres between others of metres has
+// durations that no optimiser finds.
+geom::Polyline without_short_legs(const geom::CollisionScene& scene, const geom::Polyline& path,
+                                  double least);
+
 // Where an optimiser gets its joints: legs of up to 10 m are one piece, up to 20 m two halves,
 // others 8 m, equal middles of at most 40 m, and 8 m; the first and the last piece are cut once
 // more a quarter from the end where the vehicle rests. Equal neighbouring points count once. Empty
