@@ -5,28 +5,16 @@
 #include <tuple>
 #include <utility>
 
+#include "roadmap/uncovered.h"
+
 namespace plan {
 namespace {
 
 using geom::Aabb;
-using Interval = std::pair<double, double>;
 
 // Whether the box holds what is just beside `at` on the side of `sign`.
 bool beside(double min, double max, double at, int sign) {
   return sign > 0 ? min <= at && at < max : min < at && at <= max;
-}
-
-// The stretches of [low, high] of which no inner point is in an interval.
-std::vector<Interval> uncovered(double low, double high, std::vector<Interval> covered) {
-  std::sort(covered.begin(), covered.end());
-  std::vector<Interval> out;
-  for (const auto& [from, to] : covered) {
-    if (from > low) out.push_back({low, std::min(from, high)});
-    low = std::max(low, to);
-    if (low >= high) return out;
-  }
-  out.push_back({low, high});
-  return out;
 }
 
 class Finder {

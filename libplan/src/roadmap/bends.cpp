@@ -8,25 +8,12 @@
 
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
+#include "uncovered.h"
 
 namespace plan {
 namespace {
 
 constexpr double kOff = 1e-3;  // metres that bends keep from their box
-
-// The parts of [low, high] that none of the intervals covers.
-std::vector<std::pair<double, double>> uncovered(double low, double high,
-                                                 std::vector<std::pair<double, double>> covered) {
-  std::sort(covered.begin(), covered.end());
-  std::vector<std::pair<double, double>> out;
-  for (const auto& [from, to] : covered) {
-    if (from > low) out.push_back({low, std::min(from, high)});
-    low = std::max(low, to);
-    if (low >= high) return out;
-  }
-  out.push_back({low, high});
-  return out;
-}
 
 // One edge of a grown box: along `axis`, at the lower or upper ends of the next two.
 class BoxEdge {
@@ -64,10 +51,10 @@ class BoxEdge {
   }
 
   // Where the three outer quadrants are free, each looked at along a line just off the edge.
-  std::vector<std::pair<double, double>> exposed() const {
+  std::vector<Interval> exposed() const {
     const Vec3 a = beside(1, 1, box_.min[k_]);
     const Vec3 b = beside(-1, -1, box_.max[k_]);
-    std::vector<std::pair<double, double>> covered;
+    std::vector<Interval> covered;
     for (const std::size_t i : scene_.boxes_meeting({a.cwiseMin(b), a.cwiseMax(b)})) {
       const geom::Aabb other = scene_.grown(i);
       for (const auto& [side1, side2] : {std::pair{1, 1}, {-1, 1}, {1, -1}}) {

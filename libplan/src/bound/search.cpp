@@ -1,0 +1,316 @@
+#include "search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "chain_path.h"
+#include "plan/planner/taut.h"
+
+namespace plan {
+namespace {
+
+constexpr int kLevels = 16;    // at most, each of parts half as long
+constexpr double kAgain = 10;  // metres that a label may become less before its links are made anew
+// From this level on the search ends where the target is further away than so many times what the
+// last two levels gained.
+constexpr int kTried = 9;
+constexpr double kHope = 4;
+constexpr double kWorth = 1e-3;   // metres that a path must be shorter to be taken
+constexpr std::size_t kKeep = 8;  // steps that a link counts: they take memory
+constexpr std::size_t kLook = 4;  // steps that looking for an occluder counts
+
+// A label with a line put into it: what is left is below both, or is `floor`, which holds anyway.
+LineLabel lowered(const LineLabel& label, const LineLabel& by, const LineLabel& floor) {
+  const LineLabel now{std::min(label.low, by.low), std::min(label.high, by.high)};
+  return floor.covers(now) ? floor : now;
+}
+
+// What may be left of a label on a piece of its part.
+LineLabel within(const LineLabel& label, const EdgePart& part, const EdgePart& piece,
+                 double slack) {
+  if (!label.is_set() || part.is_corner()) return label;
+  const int k = part.axis;
+  const double length = part.high[k] - part.low[k];
+  if (!(length > 0)) return label;
+  const auto at = [&](double x) {
+    const double t = (x - part.low[k]) / length;
+    return label.low * (1 - t) + label.high * t - slack;
+  };
+  return {at(piece.low[k]), at(piece.high[k])};
+}
+
+}  // namespace
+
+double bound_for(double length, double gap) {
+  double target = length / (1 + gap);
+  while (length / target - 1 > gap) {
+    target = std::nextafter(target, std::numeric_limits<double>::infinity());
+  }
+  return target;
+}
+
+BoundSearch::BoundSearch(const geom::CollisionScene& scene, const Occluders& occluders,
+                         const BoundOptions& options, double length, double slack)
+    : scene_(scene),
+      occluders_(occluders),
+      options_(options),
+      shortest_(length),
+      target_(bound_for(length, options.gap)),
+      slack_(slack) {}
+
+bool BoundSearch::closes(const LineLabel& label, LengthBound& result) const {
+  const double found = label.is_set() ? label.low : target_;
+  result.bound = std::max(result.bound, std::min(found, target_));
+  result.closed = result.bound >= target_;
+  return result.closed;
+}
+
+LengthBound BoundSearch::bound(Level level) {
+  LengthBound result;
+  std::vector<double> reached;
+  for (int n = 0; n < kLevels; ++n) {
+    const auto g = forward(level);
+    if (spent()) break;
+    ++result.levels;
+    if (closes(g[2 * kGoal], result)) break;
+    shorten(level, result);
+    if (closes(g[2 * kGoal], result)) break;
+    const auto h = backward(level, g);
+    if (spent() || closes(h[2 * kStart], result)) break;
+    reached.push_back(result.bound);
+    if (n >= kTried &&
+        target_ - result.bound > kHope * (result.bound - reached[reached.size() - 3])) {
+      break;
+    }
+    level = finer(level, g, h, std::ldexp(kPart, -n - 1));
+    if (spent()) break;
+  }
+  result.steps = steps_;
+  return result;
+}
+
+BoundSearch::Pass BoundSearch::pass(bool forward, const Level& level,
+                                    const std::vector<LineLabel>& ahead) {
+  const State begin = 2 * (forward ? kStart : kGoal);
+  Pass out{forward, forward ? level.come : level.go, ahead, {}, {}, {}};
+  out.labels.resize(2 * level.parts.size());
+  out.waits.assign(out.labels.size(), 0);
+  out.labels[begin] = {0, 0};
+  out.waits[begin] = 1;
+  out.queue.push({0, begin});
+  return out;
+}
+
+std::optional<State> BoundSearch::next(Pass& pass) {
+  while (!pass.queue.empty()) {
+    const State state = pass.queue.top().second;
+    pass.queue.pop();
+    if (!pass.waits[state]) continue;
+    pass.waits[state] = 0;
+    return state;
+  }
+  return std::nullopt;
+}
+
+std::vector<LineLabel> BoundSearch::forward(Level& level) {
+  Pass all = pass(true, level, level.go);
+  before_.assign(all.labels.size(), 2 * kStart);
+  while (const auto state = next(all)) {
+    const std::uint32_t i = *state / 2;
+    if (!level.linked.empty()) link(level, i, all.labels[*state].least());
+    if (spent()) break;
+    for (Link& link : level.links[i]) carry(level, all, *state, i, link);
+  }
+  return std::move(all.labels);
+}
+
+std::vector<LineLabel> BoundSearch::backward(Level& level, const std::vector<LineLabel>& come) {
+  std::vector<std::vector<std::pair<std::uint32_t, Link*>>> into(level.parts.size());
+  for (std::uint32_t i = 0; i < level.parts.size(); ++i) {
+    for (Link& link : level.links[i]) into[link.to].push_back({i, &link});
+  }
+  Pass all = pass(false, level, come);
+  while (const auto state = next(all)) {
+    if (spent()) break;
+    for (const auto& [i, link] : into[*state / 2]) carry(level, all, *state, i, *link);
+  }
+  return std::move(all.labels);
+}
+
+void BoundSearch::carry(Level& level, Pass& pass, State state, std::uint32_t owner, Link& link) {
+  if (link.sight == Sight::hidden) return;
+  const std::uint32_t to = pass.forward ? link.to : owner;
+  const EdgePart& part = level.parts[state / 2];
+  const EdgePart& other = level.parts[to];
+  const bool departs = pass.forward ? leaves(part, state & 1, link.here)
+                                    : part.is_corner() || (link.there >> (state & 1) & 1);
+  if (!departs) return;
+  const double least_there = pass.labels[state].least() + link.distance;
+  if (least_there + least(pass.ahead, to) >= target_) return;
+  ++steps_;
+  if (is_idle(pass, to, other, least_there, link.distance)) return;
+  const LineLabel by = carried(part, pass.labels[state], other, link.distance, slack_);
+  for (State side = 0; side < sides_of(other); ++side) {
+    const bool arrives = pass.forward ? link.there >> side & 1 : leaves(other, side, link.here);
+    const State next = 2 * to + side;
+    if (!arrives || !pass.ahead[next].is_set()) continue;
+    if ((by + pass.ahead[next]).least() >= target_) continue;
+    const LineLabel now = lowered(pass.labels[next], by, pass.floors[next]);
+    if (now == pass.labels[next]) continue;
+    if (!in_sight(level, owner, link)) return;
+    pass.labels[next] = now;
+    if (pass.forward) before_[next] = state;
+    if (to == (pass.forward ? kGoal : kStart)) continue;
+    const double key = (now + pass.ahead[next]).least();
+    if (key >= target_) continue;
+    pass.waits[next] = 1;
+    pass.queue.push({key, next});
+  }
+}
+
+// Whether no label of a part can become lower by a line that is carried over `d` metres to `least`
+// or more, less what a distance can sag.
+bool BoundSearch::is_idle(const Pass& pass, std::uint32_t to, const EdgePart& part, double least,
+                          double d) const {
+  const double length = part.length();
+  const double by = least - length * length / (8 * d) - slack_;
+  for (const State s : {2 * to, 2 * to + 1}) {
+    const LineLabel& label = pass.labels[s];
+    if (label != pass.floors[s] && !(std::max(label.low, label.high) <= by)) return false;
+  }
+  return true;
+}
+
+bool BoundSearch::in_sight(Level& level, std::uint32_t owner, Link& link) {
+  if (link.sight == Sight::unknown) {
+    steps_ += kLook;
+    const bool hidden =
+        occluders_.between(level.parts[owner], level.parts[link.to], level.hints[owner]);
+    link.sight = hidden ? Sight::hidden : Sight::open;
+  }
+  return link.sight == Sight::open;
+}
+
+// All links of a part that a path shorter than wanted may have which comes to it in `come` metres
+// at least: made anew where that is less than before.
+void BoundSearch::link(Level& level, std::uint32_t i, double come) {
+  if (come >= level.linked[i]) return;
+  come = std::max(least(level.come, i), come - kAgain);
+  level.linked[i] = come;
+  auto& links = level.links[i];
+  links.clear();
+  for (std::uint32_t j = 0; j < level.parts.size(); ++j) {
+    if (j != i) consider(level, i, come, j, Sight::unknown, links);
+  }
+}
+
+void BoundSearch::consider(const Level& level, std::uint32_t i, double come, std::uint32_t j,
+                           Sight sight, std::vector<Link>& links) {
+  ++steps_;
+  const EdgePart& from = level.parts[i];
+  const EdgePart& part = level.parts[j];
+  const double d = least_distance(from, part);
+  if (come + d + least(level.go, j) >= target_) return;
+  const int here = sides(from, part);
+  if (here == 0) return;
+  const int there = sides(part, from);
+  if (there == 0) return;
+  steps_ += kKeep;
+  links.push_back({j, static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(there), sight, d});
+}
+
+// The parts that the goal's label came over, without the ends; empty where that is not a chain.
+std::vector<EdgePart> BoundSearch::chain(const Level& level) const {
+  std::vector<EdgePart> out;
+  for (State s = before_[2 * kGoal]; s != 2 * kStart; s = before_[s]) {
+    if (out.size() > level.parts.size()) return {};
+    out.push_back(level.parts[s / 2]);
+  }
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
+// Where labels show that a path could run, it is pulled taut: a shorter one takes the target down.
+void BoundSearch::shorten(const Level& level, LengthBound& result) {
+  geom::Polyline path = chain_path(chain(level), level.parts[kStart].low, level.parts[kGoal].low);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!scene_.free(path[i - 1], path[i])) return;
+  }
+  path = taut(scene_, path);
+  const double length = geom::length(path);
+  if (!(length < shortest_ - kWorth)) return;
+  result.path = std::move(path);
+  shortest_ = length;
+  target_ = bound_for(length, options_.gap);
+}
+
+std::vector<char> BoundSearch::kept(const std::vector<LineLabel>& g,
+                                    const std::vector<LineLabel>& h) const {
+  std::vector<char> out(g.size());
+  for (State s = 0; s < g.size(); ++s) {
+    out[s] = g[s].is_set() && h[s].is_set() && (g[s] + h[s]).least() < target_;
+  }
+  out[2 * kStart] = out[2 * kGoal] = 1;
+  return out;
+}
+
+Level BoundSearch::finer(Level& level, const std::vector<LineLabel>& g,
+                         const std::vector<LineLabel>& h, double most) {
+  const std::vector<char> kept = this->kept(g, h);
+  const auto count = static_cast<std::uint32_t>(level.parts.size());
+  Level out;
+  std::vector<std::uint32_t> first(count + 1);  // of each part: the first of its pieces
+  for (std::uint32_t i = 0; i < count; ++i) {
+    first[i] = static_cast<std::uint32_t>(out.parts.size());
+    if (!kept[2 * i] && !kept[2 * i + 1]) continue;
+    const EdgePart& part = level.parts[i];
+    cut(part, part.length() > most ? 2 : 1, out.parts);
+    for (std::size_t piece = first[i]; piece < out.parts.size(); ++piece) {
+      for (const State s : {2 * i, 2 * i + 1}) {
+        out.come.push_back(kept[s] ? within(g[s], part, out.parts[piece], slack_) : LineLabel{});
+        out.go.push_back(kept[s] ? within(h[s], part, out.parts[piece], slack_) : LineLabel{});
+      }
+      out.hints.push_back(level.hints[i]);
+    }
+  }
+  first[count] = static_cast<std::uint32_t>(out.parts.size());
+  out.links.resize(out.parts.size());
+  const auto pieces = [&](std::uint32_t i) { return first[i + 1] - first[i]; };
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (Link& link : level.links[i]) {
+      if (spent()) return out;
+      if (pieces(i) == 0 || pieces(link.to) == 0 || link.sight == Sight::hidden) continue;
+      if (!may_use(level, g, h, kept, i, link) || !in_sight(level, i, link)) continue;
+      const bool halved = pieces(i) > 1 || pieces(link.to) > 1;
+      for (std::uint32_t a = first[i]; a < first[i + 1]; ++a) {
+        for (std::uint32_t b = first[link.to]; b < first[link.to + 1]; ++b) {
+          consider(out, a, least(out.come, a), b, halved ? Sight::unknown : Sight::open,
+                   out.links[a]);
+        }
+      }
+    }
+  }
+  return out;
+}
+
+// Whether a path shorter than wanted may have the link.
+bool BoundSearch::may_use(const Level& level, const std::vector<LineLabel>& g,
+                          const std::vector<LineLabel>& h, const std::vector<char>& kept,
+                          std::uint32_t i, const Link& link) {
+  const EdgePart& part = level.parts[i];
+  const EdgePart& other = level.parts[link.to];
+  for (State side = 0; side < sides_of(part); ++side) {
+    const State s = 2 * i + side;
+    if (!kept[s] || !leaves(part, side, link.here)) continue;
+    const LineLabel by = carried(part, g[s], other, link.distance, slack_);
+    ++steps_;
+    for (State to = 0; to < sides_of(other); ++to) {
+      const State t = 2 * link.to + to;
+      if ((link.there >> to & 1) && kept[t] && (by + h[t]).least() < target_) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace plan

@@ -1,0 +1,84 @@
+#pragma once
+
+// The search for a bound: level by level, forward and backward, over parts that are halved.
+
+#include <functional>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "geom/collision/collision.h"
+#include "level.h"
+#include "occluders.h"
+#include "plan/bound/bound.h"
+
+namespace plan {
+
+inline constexpr double kPart = 10;  // metres: the longest part of the first level
+
+// What a bound must be for a path of `length` to have the gap.
+double bound_for(double length, double gap);
+
+// Of one question. What it refers to must outlive it.
+class BoundSearch {
+ public:
+  // `slack`: see line_label.h.
+  BoundSearch(const geom::CollisionScene& scene, const Occluders& occluders,
+              const BoundOptions& options, double length, double slack);
+
+  LengthBound bound(Level level);
+
+ private:
+  // One way through a level. Links are followed as they point, or against that.
+  struct Pass {
+    bool forward;
+    const std::vector<LineLabel>& floors;  // known lower bounds of what is labelled
+    const std::vector<LineLabel>& ahead;   // … and of what is left of the way
+    std::vector<LineLabel> labels;         // of each state that a short path may use
+    std::vector<char> waits;               // whether the label is to be carried on
+    std::priority_queue<std::pair<double, State>, std::vector<std::pair<double, State>>,
+                        std::greater<>>
+        queue;
+  };
+
+  // Lower bounds of the way to each state, where it is short enough.
+  std::vector<LineLabel> forward(Level& level);
+  // … and from each state that `come` reaches to the goal.
+  std::vector<LineLabel> backward(Level& level, const std::vector<LineLabel>& come);
+  static Pass pass(bool forward, const Level& level, const std::vector<LineLabel>& ahead);
+  static std::optional<State> next(Pass& pass);
+  // The state's label to the other end of a link, which starts at part `owner`.
+  void carry(Level& level, Pass& pass, State state, std::uint32_t owner, Link& link);
+  bool is_idle(const Pass& pass, std::uint32_t to, const EdgePart& part, double least,
+               double d) const;
+  bool in_sight(Level& level, std::uint32_t owner, Link& link);
+
+  void link(Level& level, std::uint32_t i, double come);
+  void consider(const Level& level, std::uint32_t i, double come, std::uint32_t j, Sight sight,
+                std::vector<Link>& links);
+
+  // What both passes leave of a level, its parts of more than `most` metres halved.
+  Level finer(Level& level, const std::vector<LineLabel>& g, const std::vector<LineLabel>& h,
+              double most);
+  std::vector<char> kept(const std::vector<LineLabel>& g, const std::vector<LineLabel>& h) const;
+  bool may_use(const Level& level, const std::vector<LineLabel>& g, const std::vector<LineLabel>& h,
+               const std::vector<char>& kept, std::uint32_t i, const Link& link);
+
+  std::vector<EdgePart> chain(const Level& level) const;
+  void shorten(const Level& level, LengthBound& result);
+  // Takes up what a pass says of the whole way; whether it is enough.
+  bool closes(const LineLabel& label, LengthBound& result) const;
+  bool spent() const { return steps_ > options_.most; }
+
+  const geom::CollisionScene& scene_;
+  const Occluders& occluders_;
+  const BoundOptions& options_;
+  double shortest_;  // metres: of a path that is known
+  double target_;    // falls with it
+  const double slack_;
+  std::vector<State> before_;  // of each state: the one that its label came from last
+  std::size_t steps_ = 0;
+};
+
+}  // namespace plan
