@@ -19,6 +19,7 @@
 #include "geom/base/parallel.h"
 #include "geom/record/query_record.h"
 #include "geom/text/counted.h"
+#include "plan/bound/bound_record.h"
 #include "plan/planner/path_record.h"
 #include "plan/reach/enclosure_record.h"
 #include "plan/sampling/search_tree_file.h"
@@ -64,10 +65,17 @@ class Outputs {
 
 std::string certificate(const geom::CollisionScene& scene, const geom::PlanQuery& query,
                         plan::PlanResult& result) {
-  if (!result.enclosure) return "";
-  return plan::to_json_line(plan::EnclosureRecord{
-      query.id, result.snapped_start.value_or(query.from), result.snapped_goal.value_or(query.to),
-      std::move(*result.enclosure), scene.map().spec().bounds, geom::provenance_of(scene)});
+  const geom::Vec3 from = result.snapped_start.value_or(query.from);
+  const geom::Vec3 to = result.snapped_goal.value_or(query.to);
+  const geom::Aabb& bounds = scene.map().spec().bounds;
+  if (result.enclosure) {
+    return plan::to_json_line(plan::EnclosureRecord{
+        query.id, from, to, std::move(*result.enclosure), bounds, geom::provenance_of(scene)});
+  }
+  if (!result.bound || !result.bound->proof) return "";
+  return plan::to_json_line(plan::BoundRecord{query.id, from, to, result.bound->bound,
+                                              std::move(*result.bound->proof), bounds,
+                                              geom::provenance_of(scene)});
 }
 
 // Paths are written block by block, for the next tool of a pipe.

@@ -85,7 +85,7 @@ void SearchOptions::add_to(CLI::App& app) {
                  "(keys bound and gap)")
       ->check(CLI::Range(1e-6, 1.0));
   cli::add_output(app, "--certificate", certificate,
-                  "auto: write for each unreachable goal the cells that show it "
+                  "write for each unreachable goal (auto) and each bound what shows it "
                   "(docs/certificates.md)");
   cli::add_output(app, "--tree", tree_file,
                   "sampling methods: write the search tree, of one query only: as .ply or .glb by "
@@ -102,7 +102,8 @@ void SearchOptions::refuse_idle(const CLI::App& app, const cli::ArtefactFiles& f
   cli::only_for(app, star, {"--radius", "--patience"}, "rrt-star and informed-rrt-star");
   cli::only_for(app, astar && files.lattice.empty(), {"--spacing", "--connect"},
                 "--method astar without --lattice");
-  cli::only_for(app, plan.method == Method::automatic, {"--certificate"}, "the method auto");
+  cli::only_for(app, plan.method == Method::automatic || plan.gap > 0, {"--certificate"},
+                "the method auto, and for --bound");
   cli::only_for(app, !sampling, {"--lattice", "--roadmap"}, "the methods auto and astar");
 }
 
@@ -119,7 +120,7 @@ void SearchOptions::check(std::size_t queries) const {
 plan::PlanOptions SearchOptions::started() const {
   plan::PlanOptions options = plan;
   options.keep_tree = !tree_file.empty();
-  options.keep_cells = !certificate.empty();
+  options.keep_cells = options.keep_proof = !certificate.empty();
   if (seconds <= 0) return options;
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(

@@ -50,12 +50,13 @@ LengthBound Bounder::ask(const Vec3& from, const Vec3& to, double length,
   LengthBound result;
   result.bound = straight;
   result.closed = straight >= target;
+  if (options.keep_proof) result.proof.emplace();
   if (result.closed || !bounds || (bounds->max.array() <= bounds->min.array()).any()) return result;
   const Vec3 size = bounds->min.cwiseAbs().cwiseMax(bounds->max.cwiseAbs());
   const double slack = std::ldexp(size.sum() + length, -43);
   impl_->prepare();
   BoundSearch search(impl_->scene, *impl_->occluders, options, length, slack);
-  result = search.bound(first_level(impl_->parts, from, to, target, slack));
+  result = search.bound(impl_->parts, from, to);
   result.bound = std::max(result.bound, straight);
   return result;
 }

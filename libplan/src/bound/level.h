@@ -45,6 +45,7 @@ struct Level {
   std::vector<LineLabel> go;    // … and to the goal; not set: no path uses it
   std::vector<std::vector<Link>> links;  // of each part
   std::vector<double> linked;            // of each part of the first level: for which label
+  std::vector<std::uint32_t> parents;    // of each part: in the level before; none of the first
   std::vector<std::uint32_t> hints;      // of each part: an occluder that hid another from it
 };
 

@@ -22,6 +22,7 @@ class Occluders {
   explicit Occluders(const geom::CollisionScene& scene);
 
   std::size_t size() const { return boxes_.size(); }
+  const geom::Aabb& box(std::uint32_t i) const { return boxes_[i]; }  // shrunk
 
   // Whether one occluder meets every segment from a point of `a` to a point of `b`: it does where
   // it meets the four from end to end, for the points of a line from which the segments to one

@@ -16,7 +16,9 @@ constexpr double kAgain = 10;  // metres that a label may become less before its
 // last two levels gained.
 constexpr int kTried = 9;
 constexpr double kHope = 4;
-constexpr double kWorth = 1e-3;   // metres that a path must be shorter to be taken
+constexpr double kWorth = 1e-3;  // metres that a path must be shorter to be taken
+// Slacks that the target is above the bound wanted. Whoever follows the proof may round otherwise.
+constexpr double kSpare = 4;
 constexpr std::size_t kKeep = 8;  // steps that a link counts: they take memory
 constexpr std::size_t kLook = 4;  // steps that looking for an occluder counts
 
@@ -56,37 +58,51 @@ BoundSearch::BoundSearch(const geom::CollisionScene& scene, const Occluders& occ
       occluders_(occluders),
       options_(options),
       shortest_(length),
-      target_(bound_for(length, options.gap)),
-      slack_(slack) {}
+      wanted_(bound_for(length, options.gap)),
+      target_(wanted_ + kSpare * slack),
+      slack_(slack) {
+  if (options.keep_proof) log_.emplace();
+}
 
 bool BoundSearch::closes(const LineLabel& label, LengthBound& result) const {
-  const double found = label.is_set() ? label.low : target_;
-  result.bound = std::max(result.bound, std::min(found, target_));
-  result.closed = result.bound >= target_;
+  const double found = label.is_set() ? label.low : wanted_;
+  result.bound = std::max(result.bound, std::min(found, wanted_));
+  result.closed = result.bound >= wanted_;
   return result.closed;
 }
 
-LengthBound BoundSearch::bound(Level level) {
+LengthBound BoundSearch::bound(const std::vector<EdgePart>& parts, const Vec3& from,
+                               const Vec3& to) {
+  LengthBound result = levels(first_level(parts, from, to, target_, slack_));
+  result.steps = steps_;
+  if (log_) result.proof = std::move(*log_).take(occluders_);
+  return result;
+}
+
+LengthBound BoundSearch::levels(Level level) {
   LengthBound result;
   std::vector<double> reached;
   for (int n = 0; n < kLevels; ++n) {
+    if (log_) log_->begin(level);
     const auto g = forward(level);
     if (spent()) break;
+    if (log_) log_->come(g);
     ++result.levels;
     if (closes(g[2 * kGoal], result)) break;
     shorten(level, result);
     if (closes(g[2 * kGoal], result)) break;
     const auto h = backward(level, g);
-    if (spent() || closes(h[2 * kStart], result)) break;
+    if (spent()) break;
+    if (log_) log_->go(h);
+    if (closes(h[2 * kStart], result)) break;
     reached.push_back(result.bound);
     if (n >= kTried &&
-        target_ - result.bound > kHope * (result.bound - reached[reached.size() - 3])) {
+        wanted_ - result.bound > kHope * (result.bound - reached[reached.size() - 3])) {
       break;
     }
     level = finer(level, g, h, std::ldexp(kPart, -n - 1));
     if (spent()) break;
   }
-  result.steps = steps_;
   return result;
 }
 
@@ -188,6 +204,7 @@ bool BoundSearch::in_sight(Level& level, std::uint32_t owner, Link& link) {
     const bool hidden =
         occluders_.between(level.parts[owner], level.parts[link.to], level.hints[owner]);
     link.sight = hidden ? Sight::hidden : Sight::open;
+    if (hidden && log_) log_->hide(owner, link.to, level.hints[owner]);
   }
   return link.sight == Sight::open;
 }
@@ -242,7 +259,8 @@ void BoundSearch::shorten(const Level& level, LengthBound& result) {
   if (!(length < shortest_ - kWorth)) return;
   result.path = std::move(path);
   shortest_ = length;
-  target_ = bound_for(length, options_.gap);
+  wanted_ = bound_for(length, options_.gap);
+  target_ = wanted_ + kSpare * slack_;
 }
 
 std::vector<char> BoundSearch::kept(const std::vector<LineLabel>& g,
@@ -271,6 +289,7 @@ Level BoundSearch::finer(Level& level, const std::vector<LineLabel>& g,
         out.come.push_back(kept[s] ? within(g[s], part, out.parts[piece], slack_) : LineLabel{});
         out.go.push_back(kept[s] ? within(h[s], part, out.parts[piece], slack_) : LineLabel{});
       }
+      out.parents.push_back(i);
       out.hints.push_back(level.hints[i]);
     }
   }

@@ -12,6 +12,7 @@
 #include "level.h"
 #include "occluders.h"
 #include "plan/bound/bound.h"
+#include "proof_log.h"
 
 namespace plan {
 
@@ -27,7 +28,8 @@ class BoundSearch {
   BoundSearch(const geom::CollisionScene& scene, const Occluders& occluders,
               const BoundOptions& options, double length, double slack);
 
-  LengthBound bound(Level level);
+  // `parts`: all that a path of the map may bend at.
+  LengthBound bound(const std::vector<EdgePart>& parts, const Vec3& from, const Vec3& to);
 
  private:
   // One way through a level. Links are followed as they point, or against that.
@@ -67,6 +69,7 @@ class BoundSearch {
 
   std::vector<EdgePart> chain(const Level& level) const;
   void shorten(const Level& level, LengthBound& result);
+  LengthBound levels(Level level);
   // Takes up what a pass says of the whole way; whether it is enough.
   bool closes(const LineLabel& label, LengthBound& result) const;
   bool spent() const { return steps_ > options_.most; }
@@ -75,9 +78,11 @@ class BoundSearch {
   const Occluders& occluders_;
   const BoundOptions& options_;
   double shortest_;  // metres: of a path that is known
-  double target_;    // falls with it
+  double wanted_;    // falls with it
+  double target_;    // a little more: what is left out leads to paths of this length or more
   const double slack_;
   std::vector<State> before_;  // of each state: the one that its label came from last
+  std::optional<ProofLog> log_;
   std::size_t steps_ = 0;
 };
 

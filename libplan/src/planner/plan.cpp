@@ -441,7 +441,10 @@ PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptio
   const Task task{ends[0], ends[1], options};
   PlanResult result = options.method == Method::automatic ? by_recipe(task) : by_method(task);
   if (options.gap != 0 && !result.path.empty()) {
-    result.bound = bounder_.ask(task.from, task.to, geom::length(result.path), {options.gap});
+    BoundOptions bound;
+    bound.gap = options.gap;
+    bound.keep_proof = options.keep_proof;
+    result.bound = bounder_.ask(task.from, task.to, geom::length(result.path), bound);
     if (!result.bound->path.empty() && options.raw) {
       result.bound->closed = false;  // of the path that was found first
     } else if (!result.bound->path.empty()) {

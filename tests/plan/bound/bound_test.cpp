@@ -67,6 +67,21 @@ TEST(Bound, OfALongPathFindsAShorterOne) {
   EXPECT_LT(geom::length(bound.path), 1.001 * shortest);
 }
 
+TEST(Bound, KeepsItsProofWhereAsked) {
+  const auto scene = scene_of({{{10, 0, 0}, {30, 40, 10}}}, kRoom);
+  Bounder bounder(scene);
+  BoundOptions options{1e-3};
+  const LengthBound without = bounder.ask({4, 20, 2}, {36, 20, 2}, 40, options);
+  EXPECT_FALSE(without.proof);
+  options.keep_proof = true;
+  const LengthBound with = bounder.ask({4, 20, 2}, {36, 20, 2}, 40, options);
+  EXPECT_EQ(with.bound, without.bound);
+  ASSERT_TRUE(with.proof);
+  EXPECT_EQ(with.proof->levels.size(), with.levels);
+  EXPECT_FALSE(with.proof->occluders.empty());
+  EXPECT_TRUE(bounder.ask({4, 20, 2}, {5, 20, 2}, 1, options).proof->levels.empty());
+}
+
 TEST(Bound, WithoutStepsKnowsTheLine) {
   const auto scene = scene_of({{{10, 0, 0}, {30, 40, 10}}}, kRoom);
   const LengthBound bound = Bounder(scene).ask({4, 20, 2}, {36, 20, 2}, 40, {1e-3, 1});

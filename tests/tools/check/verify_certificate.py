@@ -527,16 +527,21 @@ def verify_files(record_file, map_file, certificate_file):
     return len(refused)
 
 
-def main():
-    if len(sys.argv) != 4:
-        print(__doc__, file=sys.stderr)
+def run_main(usage, files, verified):
+    """Of a script like this one: how many are refused of what its arguments name, as an exit code."""
+    if len(sys.argv) != files + 1:
+        print(usage, file=sys.stderr)
         sys.exit(2)
     try:
-        sys.exit(verify_files(*sys.argv[1:]) > 0)
+        sys.exit(verified(*sys.argv[1:]) > 0)
     except (Refused, EOFError, KeyError, OSError, RecursionError, SyntaxError, ValueError, NotImplementedError,
             RuntimeError, struct.error, zipfile.BadZipFile, zlib.error) as reason:
         print(f"refused: {type(reason).__name__}: {reason}".replace("Refused: ", ""), file=sys.stderr)
         sys.exit(3)
+
+
+def main():
+    run_main(__doc__, 3, verify_files)
 
 
 if __name__ == "__main__":

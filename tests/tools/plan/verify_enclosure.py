@@ -1,20 +1,17 @@
 """verify_enclosure.py MAP.boxmap ENCLOSURES: follows every proof that there is no way, in exact numbers.
 
-ENCLOSURES is what `skyway-plan --certificate` wrote (JSON Lines). The map's hash is worked out of its frame, bounds and
+ENCLOSURES is what `skyway-plan --certificate` wrote (JSON Lines); records of bounds are left to verify_bound.py. The map's hash is worked out of its frame, bounds and
 boxes. Exit 0 when there is a record and each holds, a line each saying what it proves; 1 when one is refused, with the
 reason; 2 for wrong usage; 3 when a file cannot be read as what it should be. docs/certificates.md says what is checked.
 """
 
 import math
 import pathlib
-import struct
 import sys
-import zipfile
-import zlib
 from fractions import Fraction as F
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "check"))
-from verify_certificate import BoxMap, Refused, an_object, by_id, corners, entries, number, numbers, require, text
+from verify_certificate import BoxMap, Refused, an_object, by_id, corners, entries, number, numbers, require, run_main, text
 
 LARGEST = 1e8
 
@@ -116,8 +113,11 @@ def verify(record, box_map):
 
 def verify_files(map_file, enclosures):
     box_map = BoxMap(map_file)
-    refused = 0
+    refused = found = 0
     for name, record in by_id(enclosures).items():
+        if record.get("type") == "bound":
+            continue
+        found += 1
         try:
             verify(record, box_map)
             half = ", ".join(f"{v:g}" for v in record["vehicle"]["half"])
@@ -125,19 +125,12 @@ def verify_files(map_file, enclosures):
         except Refused as reason:
             refused += 1
             print(f"{name}: refused: {reason}", file=sys.stderr)
+    require(found, f"{enclosures}: there is no enclosure")
     return refused
 
 
 def main():
-    if len(sys.argv) != 3:
-        print(__doc__, file=sys.stderr)
-        sys.exit(2)
-    try:
-        sys.exit(verify_files(*sys.argv[1:]) > 0)
-    except (Refused, EOFError, KeyError, OSError, RecursionError, SyntaxError, ValueError, NotImplementedError,
-            RuntimeError, struct.error, zipfile.BadZipFile, zlib.error) as reason:
-        print(f"refused: {type(reason).__name__}: {reason}".replace("Refused: ", ""), file=sys.stderr)
-        sys.exit(3)
+    run_main(__doc__, 2, verify_files)
 
 
 if __name__ == "__main__":

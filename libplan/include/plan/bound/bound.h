@@ -6,14 +6,17 @@
 // A shortest path that may touch obstacles bends only on convex edges of the union of the grown
 // boxes (docs/bound.md). These are cut into parts; a path is covered by a chain of parts, and what
 // lines below its length say of every chain is below its length. Parts that no path shorter than
-// wanted can use are dropped, the others halved, until the bound is near enough. Where the chain with
-// the least label is a path, once pulled taut, and a shorter one, the search goes on with its length.
+// wanted can use are dropped, the others halved, until the bound is near enough. Where the chain
+// with the least label is a path, once pulled taut, and a shorter one, the search goes on with its
+// length.
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "geom/collision/collision.h"
 #include "geom/shape/polyline.h"
+#include "plan/bound/length_proof.h"
 
 namespace plan {
 
@@ -22,6 +25,7 @@ using geom::Vec3;
 struct BoundOptions {
   double gap = 1e-2;              // the bound wanted is length / (1 + gap); > 0
   std::size_t most = 60'000'000;  // steps: pairs of parts looked at
+  bool keep_proof = false;        // what the bound follows from
 };
 
 struct LengthBound {
@@ -33,6 +37,7 @@ struct LengthBound {
   geom::Polyline path;
   std::size_t steps = 0;  // as of BoundOptions
   std::size_t levels = 0;
+  std::optional<LengthProof> proof;  // where it was to be kept
 };
 
 // May be asked from several threads at once; the scene must outlive it. The first question costs

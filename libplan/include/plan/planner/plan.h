@@ -43,6 +43,7 @@ struct PlanOptions {
   SamplingOptions sampling;
   bool keep_tree = false;   // of a sampling planner
   bool keep_cells = false;  // that show that there is no way
+  bool keep_proof = false;  // of the lower bound
   Quality quality = Quality::normal;
   bool raw = false;     // the search's own path, not shortened
   double resample = 0;  // metres; 0: not
