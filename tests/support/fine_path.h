@@ -39,10 +39,14 @@ inline std::vector<geom::Vec3> beside_edges(const geom::CollisionScene& scene, d
   return out;
 }
 
-// Empty where there is none.
+// Empty where there is none. Also by way of the free ones of some other points.
 inline geom::Polyline fine_path(const geom::CollisionScene& scene, const geom::Vec3& from,
-                                const geom::Vec3& to, double step) {
+                                const geom::Vec3& to, double step,
+                                const std::vector<geom::Vec3>& others = {}) {
   std::vector<geom::Vec3> points = beside_edges(scene, step, 1e-6);
+  for (const geom::Vec3& p : others) {
+    if (scene.free(p)) points.push_back(p);
+  }
   points.push_back(from);
   points.push_back(to);
   const std::size_t goal = points.size() - 1;

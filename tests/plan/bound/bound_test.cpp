@@ -6,6 +6,7 @@
 #include <thread>
 #include <vector>
 
+#include "bound/convex_edges.h"
 #include "geom/base/error.h"
 #include "plan/scenes.h"
 #include "support/cases.h"
@@ -166,6 +167,87 @@ TEST(Bound, IsNeverAboveAPath) {
     ++asked;
   }
   EXPECT_GT(asked, 20);
+}
+
+// What is to be a box so that it ends exactly at `at` once grown.
+double grown_to(double at, int side) {
+  double out = at - side * 5e-10;
+  for (int i = 0; i < 64; ++i) {
+    const Aabb box{{out, out, out}, {out, out, out}};
+    const double grown =
+        side > 0 ? geom::grow(box, Vec3::Zero()).max.x() : geom::grow(box, Vec3::Zero()).min.x();
+    if (grown == at) return out;
+    out = std::nextafter(out, grown < at ? 100 : -100);
+  }
+  ADD_FAILURE() << "no box ends at " << at;
+  return out;
+}
+
+constexpr double kMiddle = 5;
+
+// Some of the eight octants around the middle of a room blocked, each by a box that meets the
+// others exactly there.
+geom::CollisionScene octants(unsigned blocked) {
+  std::vector<Aabb> boxes;
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    if (!(blocked >> octant & 1)) continue;
+    Aabb box{{2, 2, 2}, {8, 8, 8}};
+    for (int k = 0; k < 3; ++k) {
+      if (octant >> (2 - k) & 1) {
+        box.min[k] = grown_to(kMiddle, -1);
+      } else {
+        box.max[k] = grown_to(kMiddle, 1);
+      }
+    }
+    boxes.push_back(box);
+  }
+  return scene_of(boxes, {{0, 0, 0}, {10, 10, 10}});
+}
+
+// Places just beside the middle, in each octant and on each face between them.
+std::vector<Vec3> around_the_middle() {
+  std::vector<Vec3> out;
+  for (int n = 0; n < 27; ++n) {
+    out.push_back(Vec3::Constant(kMiddle) + 1e-6 * Vec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1));
+  }
+  return out;
+}
+
+Vec3 near_the_middle(const geom::CollisionScene& scene, support::Random& random) {
+  Vec3 p;
+  do {
+    for (int k = 0; k < 3; ++k) p[k] = kMiddle + random.uniform(-1, 1);
+  } while (!scene.free(p));
+  return p;
+}
+
+// However boxes meet at a corner, by each way to block the octants around it. Where just two
+// opposite ones are free, only a path that touches gets through: the bound is on these, too.
+TEST(Bound, IsNeverAboveAPathByACorner) {
+  int asked = 0;
+  int bends = 0;
+  for (unsigned blocked = 1; blocked < 255; ++blocked) {
+    if (plain(blocked)) continue;
+    const auto scene = octants(blocked);
+    support::Random random(blocked);
+    Bounder bounder(scene);
+    for (int i = support::cases(6); i > 0; --i) {
+      const Vec3 from = near_the_middle(scene, random);
+      const Vec3 to = near_the_middle(scene, random);
+      if (scene.free(from, to)) continue;
+      const Vec3 middle = Vec3::Constant(kMiddle);
+      double length = (from - middle).norm() + (middle - to).norm();
+      const geom::Polyline path = oracle::fine_path(scene, from, to, 3, around_the_middle());
+      if (!path.empty()) length = std::min(length, geom::length(path));
+      const LengthBound bound = bounder.ask(from, to, 1.02 * length, {1e-4, 300'000});
+      ASSERT_LE(bound.bound, length + 1e-9)
+          << blocked << ": " << from.transpose() << " to " << to.transpose();
+      ++asked;
+      bends += path.empty() || (path[path.size() / 2] - middle).norm() < 1e-3;
+    }
+  }
+  EXPECT_GT(asked, 300);
+  EXPECT_GT(bends, 20);
 }
 
 TEST(Bound, IsTheSameFromAnyThread) {
