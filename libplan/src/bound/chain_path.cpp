@@ -25,7 +25,19 @@ void slide(const EdgePart& part, const Vec3& before, const Vec3& after, Vec3& be
   bend[k] = std::clamp(at, part.low[k], part.high[k]);
 }
 
+void move_outside(const EdgePart& part, Vec3& bend) {
+  if (part.is_corner()) return;
+  bend[(part.axis + 1) % 3] += kOff * part.outward[0];
+  bend[(part.axis + 2) % 3] += kOff * part.outward[1];
+}
+
 }  // namespace
+
+Vec3 beside_middle(const EdgePart& part) {
+  Vec3 p = 0.5 * (part.low + part.high);
+  move_outside(part, p);
+  return p;
+}
 
 geom::Polyline chain_path(const std::vector<EdgePart>& parts, const Vec3& from, const Vec3& to) {
   geom::Polyline path{from};
@@ -37,12 +49,7 @@ geom::Polyline chain_path(const std::vector<EdgePart>& parts, const Vec3& from, 
       slide(parts[i - 1], path[i - 1], path[i + 1], path[i]);
     }
   }
-  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-    const EdgePart& part = parts[i - 1];
-    if (part.is_corner()) continue;
-    path[i][(part.axis + 1) % 3] += kOff * part.outward[0];
-    path[i][(part.axis + 2) % 3] += kOff * part.outward[1];
-  }
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) move_outside(parts[i - 1], path[i]);
   return path;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "chain_path.h"
+#include "link_path.h"
 #include "plan/planner/taut.h"
 
 namespace plan {
@@ -19,8 +20,9 @@ constexpr double kHope = 4;
 constexpr double kWorth = 1e-3;  // metres that a path must be shorter to be taken
 // Slacks that the target is above the bound wanted. Whoever follows the proof may round otherwise.
 constexpr double kSpare = 4;
-constexpr std::size_t kKeep = 8;  // steps that a link counts: they take memory
-constexpr std::size_t kLook = 4;  // steps that looking for an occluder counts
+constexpr std::size_t kShare = 20;  // of all steps: what one look for a shorter path may take
+constexpr std::size_t kKeep = 8;    // steps that a link counts: they take memory
+constexpr std::size_t kLook = 4;    // steps that looking for an occluder counts
 
 // A label with a line put into it: what is left is below both, or is `floor`, which holds anyway.
 LineLabel lowered(const LineLabel& label, const LineLabel& by, const LineLabel& floor) {
@@ -89,11 +91,13 @@ LengthBound BoundSearch::levels(Level level) {
     if (log_) log_->come(g);
     ++result.levels;
     if (closes(g[2 * kGoal], result)) break;
-    shorten(level, result);
+    shorten_by_chain(level, result);
     if (closes(g[2 * kGoal], result)) break;
     const auto h = backward(level, g);
     if (spent()) break;
     if (log_) log_->go(h);
+    if (closes(h[2 * kStart], result)) break;
+    shorten_by_links(level, h, result);
     if (closes(h[2 * kStart], result)) break;
     reached.push_back(result.bound);
     if (n >= kTried &&
@@ -248,12 +252,22 @@ std::vector<EdgePart> BoundSearch::chain(const Level& level) const {
   return out;
 }
 
-// Where labels show that a path could run, it is pulled taut: a shorter one takes the target down.
-void BoundSearch::shorten(const Level& level, LengthBound& result) {
+void BoundSearch::shorten_by_chain(const Level& level, LengthBound& result) {
   geom::Polyline path = chain_path(chain(level), level.parts[kStart].low, level.parts[kGoal].low);
   for (std::size_t i = 1; i < path.size(); ++i) {
     if (!scene_.free(path[i - 1], path[i])) return;
   }
+  take(std::move(path), result);
+}
+
+void BoundSearch::shorten_by_links(const Level& level, const std::vector<LineLabel>& go,
+                                   LengthBound& result) {
+  geom::Polyline path = link_path(scene_, level, go, shortest_, options_.most / kShare, steps_);
+  if (!path.empty()) take(std::move(path), result);
+}
+
+// A free path is pulled taut: a shorter one takes the target down.
+void BoundSearch::take(geom::Polyline path, LengthBound& result) {
   path = taut(scene_, path);
   const double length = geom::length(path);
   if (!(length < shortest_ - kWorth)) return;

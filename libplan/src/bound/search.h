@@ -68,7 +68,10 @@ class BoundSearch {
                const std::vector<char>& kept, std::uint32_t i, const Link& link);
 
   std::vector<EdgePart> chain(const Level& level) const;
-  void shorten(const Level& level, LengthBound& result);
+  // Looks for a shorter path: along the chain of the goal's label, or along any links.
+  void shorten_by_chain(const Level& level, LengthBound& result);
+  void shorten_by_links(const Level& level, const std::vector<LineLabel>& go, LengthBound& result);
+  void take(geom::Polyline path, LengthBound& result);
   LengthBound levels(Level level);
   // Takes up what a pass says of the whole way; whether it is enough.
   bool closes(const LineLabel& label, LengthBound& result) const;
