@@ -2,8 +2,8 @@
 // without a roadmap, or of the best known, for box:1,1,1. For each set of queries (their ids
 // without the number): how many closed, how many paths became shorter on the way, how many bounds
 // lie above a best known length (none may), the largest gap, and thread CPU milliseconds of asking,
-// the path not included: median, 95th percentile and the most. The first question, which looks at
-// the whole map, stands alone.
+// the path not included, the least of 3 times: median, 95th percentile and the most. The first
+// question, which looks at the whole map, stands alone.
 
 #include "plan/bound/bound.h"
 
@@ -67,10 +67,15 @@ int main(int argc, char** argv) {
       fmt::print("first {:.3f} s\n", cpu_seconds() - begin);
       first = false;
     }
-    const double asked = cpu_seconds();
-    const plan::LengthBound found = bounder.ask(query.from, query.to, length, options);
+    plan::LengthBound found;
+    double least = 1e9;
+    for (int repeat = 0; repeat < 3; ++repeat) {
+      const double asked = cpu_seconds();
+      found = bounder.ask(query.from, query.to, length, options);
+      least = std::min(least, cpu_seconds() - asked);
+    }
     Set& set = sets[query.id.substr(0, query.id.rfind('-'))];
-    set.ms.push_back(1e3 * (cpu_seconds() - asked));
+    set.ms.push_back(1e3 * least);
     set.closed += found.closed;
     set.shortened += !found.path.empty();
     set.above += query.best_known && found.bound > *query.best_known;

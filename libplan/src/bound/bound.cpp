@@ -21,14 +21,14 @@ struct Bounder::Impl {
 
   void prepare() {
     std::call_once(once, [&] {
-      parts = parts_of(convex_edges(scene), kPart);
+      parts = PartTree(parts_of(convex_edges(scene), kPart));
       occluders.emplace(scene);
     });
   }
 
   const geom::CollisionScene& scene;
   std::once_flag once;
-  std::vector<EdgePart> parts;
+  PartTree parts;
   std::optional<Occluders> occluders;
 };
 

@@ -2,11 +2,13 @@
 
 // The parts of edges of one size, with what is known of each: what a search for a bound goes over.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "convex_edges.h"
 #include "line_label.h"
+#include "part_tree.h"
 
 namespace plan {
 
@@ -38,19 +40,32 @@ inline double least(const std::vector<LineLabel>& labels, std::uint32_t part) {
   return std::min(labels[2 * part].least(), labels[2 * part + 1].least());
 }
 
+// Boxes around parts, coordinate by coordinate: what a loop over all goes through quickly.
+struct PartBoxes {
+  std::array<std::vector<double>, 3> low;
+  std::array<std::vector<double>, 3> high;
+  std::vector<double> go;  // metres: to the goal, at least
+
+  void add(const EdgePart& part, double to_goal);
+  // The square of the distance of a part from each, into `out`; wrong by 4 roundings.
+  void squares(const EdgePart& from, std::vector<double>& out) const;
+};
+
 // The parts of one size that a path shorter than wanted may use.
 struct Level {
   std::vector<EdgePart> parts;  // the start, the goal, then the others
   std::vector<LineLabel> come;  // of each state: known lower bounds of the way from the start
   std::vector<LineLabel> go;    // … and to the goal; not set: no path uses it
   std::vector<std::vector<Link>> links;  // of each part
-  std::vector<double> linked;            // of each part of the first level: for which label
-  std::vector<std::uint32_t> parents;    // of each part: in the level before; none of the first
-  std::vector<std::uint32_t> hints;      // of each part: an occluder that hid another from it
+  // Of the first level, whose links are made where they are needed.
+  std::vector<double> linked;  // of each part: for which label
+  PartBoxes boxes;
+  std::vector<std::uint32_t> parents;  // of each part: in the level before; none of the first
+  std::vector<std::uint32_t> hints;    // of each part: an occluder that hid another from it
 };
 
 // The parts that a path of `target` metres can reach, with what the straight line says of them.
-Level first_level(const std::vector<EdgePart>& parts, const Vec3& from, const Vec3& to,
-                  double target, double slack);
+Level first_level(const PartTree& parts, const Vec3& from, const Vec3& to, double target,
+                  double slack);
 
 }  // namespace plan

@@ -73,8 +73,7 @@ bool BoundSearch::closes(const LineLabel& label, LengthBound& result) const {
   return result.closed;
 }
 
-LengthBound BoundSearch::bound(const std::vector<EdgePart>& parts, const Vec3& from,
-                               const Vec3& to) {
+LengthBound BoundSearch::bound(const PartTree& parts, const Vec3& from, const Vec3& to) {
   LengthBound result = levels(first_level(parts, from, to, target_, slack_));
   result.steps = steps_;
   if (log_) result.proof = std::move(*log_).take(occluders_);
@@ -219,26 +218,27 @@ void BoundSearch::link(Level& level, std::uint32_t i, double come) {
   if (come >= level.linked[i]) return;
   come = std::max(least(level.come, i), come - kAgain);
   level.linked[i] = come;
-  auto& links = level.links[i];
-  links.clear();
-  for (std::uint32_t j = 0; j < level.parts.size(); ++j) {
-    if (j != i) consider(level, i, come, j, Sight::unknown, links);
+  level.links[i].clear();
+  level.boxes.squares(level.parts[i], squares_);
+  const auto count = static_cast<std::uint32_t>(level.parts.size());
+  steps_ += count;
+  for (std::uint32_t j = 0; j < count; ++j) {
+    const double left = target_ - come - level.boxes.go[j];
+    if (j == i || left <= 0 || squares_[j] > left * left * (1 + 0x1p-40)) continue;
+    const double d = least_distance(level.parts[i], level.parts[j]);
+    if (come + d + level.boxes.go[j] >= target_) continue;
+    add_link(level, i, j, d, Sight::unknown);
   }
 }
 
-void BoundSearch::consider(const Level& level, std::uint32_t i, double come, std::uint32_t j,
-                           Sight sight, std::vector<Link>& links) {
-  ++steps_;
-  const EdgePart& from = level.parts[i];
-  const EdgePart& part = level.parts[j];
-  const double d = least_distance(from, part);
-  if (come + d + least(level.go, j) >= target_) return;
-  const int here = sides(from, part);
+void BoundSearch::add_link(Level& level, std::uint32_t i, std::uint32_t j, double d, Sight sight) {
+  const int here = sides(level.parts[i], level.parts[j]);
   if (here == 0) return;
-  const int there = sides(part, from);
+  const int there = sides(level.parts[j], level.parts[i]);
   if (there == 0) return;
   steps_ += kKeep;
-  links.push_back({j, static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(there), sight, d});
+  level.links[i].push_back(
+      {j, static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(there), sight, d});
 }
 
 // The parts that the goal's label came over, without the ends; empty where that is not a chain.
@@ -318,8 +318,10 @@ Level BoundSearch::finer(Level& level, const std::vector<LineLabel>& g,
       const bool halved = pieces(i) > 1 || pieces(link.to) > 1;
       for (std::uint32_t a = first[i]; a < first[i + 1]; ++a) {
         for (std::uint32_t b = first[link.to]; b < first[link.to + 1]; ++b) {
-          consider(out, a, least(out.come, a), b, halved ? Sight::unknown : Sight::open,
-                   out.links[a]);
+          ++steps_;
+          const double d = least_distance(out.parts[a], out.parts[b]);
+          if (least(out.come, a) + d + least(out.go, b) >= target_) continue;
+          add_link(out, a, b, d, halved ? Sight::unknown : Sight::open);
         }
       }
     }

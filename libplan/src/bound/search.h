@@ -29,7 +29,7 @@ class BoundSearch {
               const BoundOptions& options, double length, double slack);
 
   // `parts`: all that a path of the map may bend at.
-  LengthBound bound(const std::vector<EdgePart>& parts, const Vec3& from, const Vec3& to);
+  LengthBound bound(const PartTree& parts, const Vec3& from, const Vec3& to);
 
  private:
   // One way through a level. Links are followed as they point, or against that.
@@ -57,8 +57,8 @@ class BoundSearch {
   bool in_sight(Level& level, std::uint32_t owner, Link& link);
 
   void link(Level& level, std::uint32_t i, double come);
-  void consider(const Level& level, std::uint32_t i, double come, std::uint32_t j, Sight sight,
-                std::vector<Link>& links);
+  // A link of parts `d` metres apart, if their sides allow it.
+  void add_link(Level& level, std::uint32_t i, std::uint32_t j, double d, Sight sight);
 
   // What both passes leave of a level, its parts of more than `most` metres halved.
   Level finer(Level& level, const std::vector<LineLabel>& g, const std::vector<LineLabel>& h,
@@ -84,7 +84,8 @@ class BoundSearch {
   double wanted_;    // falls with it
   double target_;    // a little more: what is left out leads to paths of this length or more
   const double slack_;
-  std::vector<State> before_;  // of each state: the one that its label came from last
+  std::vector<State> before_;    // of each state: the one that its label came from last
+  std::vector<double> squares_;  // of distances from one part to all
   std::optional<ProofLog> log_;
   std::size_t steps_ = 0;
 };

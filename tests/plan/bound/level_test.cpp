@@ -10,7 +10,8 @@ const EdgePart kFar{{5, 50, 0}, {5, 50, 4}, 2, {1, 1}};
 const EdgePart kCornerPart{{5, 2, 0}, {5, 2, 0}, kCorner, {}};
 
 TEST(Level, TheFirstHasWhatAShortPathReaches) {
-  const Level level = first_level({kNear, kFar, kCornerPart}, {0, 0, 0}, {10, 0, 0}, 20, 1e-12);
+  const Level level =
+      first_level(PartTree({kNear, kFar, kCornerPart}), {0, 0, 0}, {10, 0, 0}, 20, 1e-12);
   ASSERT_EQ(level.parts.size(), 4u);  // the ends, the near part and the corner
   EXPECT_EQ(level.parts[kStart].low, Vec3(0, 0, 0));
   EXPECT_EQ(level.parts[kGoal].low, Vec3(10, 0, 0));
@@ -20,7 +21,7 @@ TEST(Level, TheFirstHasWhatAShortPathReaches) {
 }
 
 TEST(Level, TheFirstKnowsStraightLines) {
-  const Level level = first_level({kNear, kCornerPart}, {0, 0, 0}, {10, 0, 0}, 20, 1e-12);
+  const Level level = first_level(PartTree({kNear, kCornerPart}), {0, 0, 0}, {10, 0, 0}, 20, 1e-12);
   EXPECT_EQ(level.come[2 * kStart], (LineLabel{0, 0}));
   EXPECT_EQ(level.go[2 * kGoal], (LineLabel{0, 0}));
   EXPECT_NEAR(level.go[2 * kStart].low, 10, 1e-9);

@@ -9,7 +9,7 @@ namespace {
 
 const EdgePart kPartOne{{5, 1, 0}, {5, 1, 4}, 2, {1, -1}};
 
-Level some_level() { return first_level({kPartOne}, {0, 0, 0}, {10, 0, 0}, 20, 1e-12); }
+Level some_level() { return first_level(PartTree({kPartOne}), {0, 0, 0}, {10, 0, 0}, 20, 1e-12); }
 
 Occluders two_boxes() {
   return Occluders(

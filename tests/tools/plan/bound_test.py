@@ -79,7 +79,10 @@ def states(record, keys=("come", "go")):
 
 
 def raise_label(record, chance):
-    n, key, i, at = chance.choice(list(states(record)))
+    lines = list(states(record))
+    if not lines:
+        return
+    n, key, i, at = chance.choice(lines)
     record["levels"][n][key][i][at] += chance.choice((1e-6, 0.01, 1.0)) * (1 + record["bound"])
 
 
