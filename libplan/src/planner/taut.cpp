@@ -147,6 +147,34 @@ std::vector<Vec3> chain(std::vector<Flat> points, double length) {
   return out;
 }
 
+// scene.free() for a bend that slides. Most of its legs are blocked, and by the boxes that it bends
+// around, which are asked first.
+class Beside {
+ public:
+  Beside(const geom::CollisionScene& scene, const Vec3& bend) : scene_(scene), bend_(bend) {}
+
+  bool free(const Vec3& a, const Vec3& b) {
+    for (const geom::Aabb& box : boxes_) {
+      if (geom::segment_hits(a, b, box)) return false;
+    }
+    if (scene_.free(a, b)) return true;
+    if (boxes_.empty()) look();
+    return false;
+  }
+
+ private:
+  void look() {
+    const Vec3 off = Vec3::Constant(2 * kOff);
+    for (const std::size_t i : scene_.boxes_meeting({bend_ - off, bend_ + off})) {
+      boxes_.push_back(scene_.grown(i));
+    }
+  }
+
+  const geom::CollisionScene& scene_;
+  Vec3 bend_;
+  std::vector<geom::Aabb> boxes_;  // once a leg was blocked
+};
+
 class Pull {
  public:
   Pull(const geom::CollisionScene& scene, Polyline path)
@@ -216,6 +244,7 @@ class Pull {
   // Moves bend i along an axis to where the two legs, unfolded around that line, are straight.
   double slide(std::size_t i) {
     double gained = 0;
+    Beside beside(scene_, path_[i]);
     for (int k = 0; k < 3; ++k) {
       const Vec3& a = path_[i - 1];
       const Vec3& c = path_[i + 1];
@@ -235,7 +264,7 @@ class Pull {
         moved[k] += step;
         const double gain = old - (moved - a).norm() - (c - moved).norm();
         if (gain < kLeast) break;
-        if (!scene_.free(a, moved) || !scene_.free(moved, c)) continue;
+        if (!beside.free(a, moved) || !beside.free(moved, c)) continue;
         path_[i] = moved;
         if (gain > 1e-6) touch_around(i, i);
         gained += gain;

@@ -38,19 +38,20 @@ class BendTree {
 
   geom::Aabb box(std::uint32_t i) const;
 
-  // Calls f(bend) for all bends of leaves within `radius` metres of `p`.
-  template <class F>
-  void for_near(const Vec3& p, double radius, const F& f) const {
-    if (!empty()) for_near(root(), p, radius, f);
+  // Calls f(bend) for all bends of leaves within `radius` metres of `p`, but for those below nodes
+  // for which skip(node) is true.
+  template <class Skip, class F>
+  void for_near(const Vec3& p, double radius, const Skip& skip, const F& f) const {
+    if (!empty()) for_near(root(), p, radius, skip, f);
   }
 
  private:
-  template <class F>
-  void for_near(std::uint32_t i, const Vec3& p, double radius, const F& f) const {
-    if (distance(i, p) > radius) return;
+  template <class Skip, class F>
+  void for_near(std::uint32_t i, const Vec3& p, double radius, const Skip& skip, const F& f) const {
     const Node& node = nodes_[i];
+    if (skip(node) || distance(i, p) > radius) return;
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      node.leaf ? f(k) : for_near(k, p, radius, f);
+      node.leaf ? f(k) : for_near(k, p, radius, skip, f);
     }
   }
 

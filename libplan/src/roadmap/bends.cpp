@@ -15,18 +15,21 @@ namespace {
 
 constexpr double kOff = 1e-3;  // metres that bends keep from their box
 
-// One edge of a grown box: along `axis`, at the lower or upper ends of the next two.
+// One edge of a grown box: along `axis`, at the lower or upper ends of the next two. `near` are the
+// grown boxes that meet the box, or come within kOff of it.
 class BoxEdge {
  public:
-  BoxEdge(const geom::CollisionScene& scene, const geom::Aabb& box, int axis, int corner)
-      : scene_(scene), box_(box), k_(axis), i1_((axis + 1) % 3), i2_((axis + 2) % 3) {
+  BoxEdge(const geom::CollisionScene& scene, std::span<const geom::Aabb> near,
+          const geom::Aabb& box, int axis, int corner)
+      : scene_(scene), near_(near), box_(box), k_(axis), i1_((axis + 1) % 3), i2_((axis + 2) % 3) {
     outward_ = {static_cast<std::int8_t>(corner & 1 ? 1 : -1),
                 static_cast<std::int8_t>(corner & 2 ? 1 : -1)};
   }
 
   // In the middle of what is exposed of each part.
   void add_bends(double part, std::vector<Bend>& out) const {
-    const auto open = exposed();
+    const std::vector<Interval> blocked = covered(1, 1);
+    const auto open = exposed(blocked);
     const double length = box_.max[k_] - box_.min[k_];
     const double parts = std::max(1.0, std::ceil(length / part));
     for (double n = 0; n < parts; ++n) {
@@ -36,7 +39,7 @@ class BoxEdge {
         if (high < from || low > to) continue;
         const double middle = 0.5 * (std::max(low, from) + std::min(high, to));
         const Bend bend{beside(1, 1, middle), static_cast<std::int8_t>(k_), outward_};
-        if (scene_.free(bend.position)) out.push_back(bend);
+        if (free(bend.position, blocked)) out.push_back(bend);
       }
     }
   }
@@ -50,24 +53,37 @@ class BoxEdge {
     return p;
   }
 
-  // Where the three outer quadrants are free, each looked at along a line just off the edge.
-  std::vector<Interval> exposed() const {
-    const Vec3 a = beside(1, 1, box_.min[k_]);
-    const Vec3 b = beside(-1, -1, box_.max[k_]);
-    std::vector<Interval> covered;
-    for (const std::size_t i : scene_.boxes_meeting({a.cwiseMin(b), a.cwiseMax(b)})) {
-      const geom::Aabb other = scene_.grown(i);
-      for (const auto& [side1, side2] : {std::pair{1, 1}, {-1, 1}, {1, -1}}) {
-        const Vec3 p = beside(side1, side2, 0);
-        const bool inside = p[i1_] >= other.min[i1_] && p[i1_] <= other.max[i1_] &&
-                            p[i2_] >= other.min[i2_] && p[i2_] <= other.max[i2_];
-        if (inside && !(other == box_)) covered.push_back({other.min[k_], other.max[k_]});
-      }
+  // What other boxes cover of the line just off the edge, in one of its quadrants.
+  std::vector<Interval> covered(double side1, double side2) const {
+    const Vec3 p = beside(side1, side2, 0);
+    std::vector<Interval> out;
+    for (const geom::Aabb& other : near_) {
+      const bool inside = p[i1_] >= other.min[i1_] && p[i1_] <= other.max[i1_] &&
+                          p[i2_] >= other.min[i2_] && p[i2_] <= other.max[i2_];
+      if (inside && !(other == box_)) out.push_back({other.min[k_], other.max[k_]});
     }
-    return uncovered(box_.min[k_], box_.max[k_], std::move(covered));
+    return out;
+  }
+
+  // Where the three outer quadrants are free, each looked at along a line just off the edge.
+  std::vector<Interval> exposed(std::vector<Interval> blocked) const {
+    for (const double side : {-1.0, 1.0}) {
+      const auto more = covered(side, -side);
+      blocked.insert(blocked.end(), more.begin(), more.end());
+    }
+    return uncovered(box_.min[k_], box_.max[k_], std::move(blocked));
+  }
+
+  // scene.free() of a point of the line in the outermost quadrant, of which this is `blocked`.
+  bool free(const Vec3& p, const std::vector<Interval>& blocked) const {
+    for (const auto& [low, high] : blocked) {
+      if (p[k_] >= low && p[k_] <= high) return false;
+    }
+    return scene_.inside_bounds(p);
   }
 
   const geom::CollisionScene& scene_;
+  std::span<const geom::Aabb> near_;
   const geom::Aabb& box_;
   int k_;
   int i1_;
@@ -77,9 +93,14 @@ class BoxEdge {
 
 void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double part,
                std::vector<Bend>& out) {
+  const Vec3 off = Vec3::Constant(2 * kOff);
+  std::vector<geom::Aabb> near;
+  for (const std::size_t i : scene.boxes_meeting(geom::grow(box, off))) {
+    near.push_back(scene.grown(i));
+  }
   for (int k = 0; k < 3; ++k) {
     for (int corner = 0; corner < 4; ++corner) {
-      BoxEdge(scene, box, k, corner).add_bends(part, out);
+      BoxEdge(scene, near, box, k, corner).add_bends(part, out);
     }
   }
 }

@@ -64,7 +64,7 @@ class Frontier {
   Open pop() { return heap_pop(heap_, before); }
 
  private:
-  static constexpr std::size_t kBuckets = 64;
+  static constexpr std::size_t kBuckets = 256;
 
   static bool before(const Open& a, const Open& b) { return a.before(b); }
 

@@ -1,19 +1,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "bend_tree.h"
 #include "bends.h"
 #include "frontier.h"
 #include "plan/roadmap/roadmap.h"
+#include "shadows.h"
 
 namespace plan {
 namespace {
 
 constexpr double kLoose = 0.08;  // how far a turn may miss wrapping: bends stand in for their part
 constexpr std::size_t kLinks = 8;    // blocked ones that cost as much as a bend settled
-constexpr double kBucket = 0x1p-10;  // of the straight line: how much longer paths of a bucket are
+constexpr std::size_t kBlind = 32;   // blocked ones, after which it pays to know what hides
+constexpr double kBucket = 0x1p-12;  // of the straight line: how much longer paths of a bucket are
 
 // Whether a path that comes from one direction and leaves in another, both tangent, wraps around
 // the box: seen from outside it turns by at least a half circle.
@@ -21,6 +25,39 @@ bool wraps(const Across& in, const Across& out) {
   if (in.second_side() == out.second_side()) return false;
   return in.second_side() ? out.ratio() <= in.ratio() + kLoose : out.ratio() >= in.ratio() - kLoose;
 }
+
+// Where a path may leave a bend that it came to from a direction, as tangent() and wraps() have it:
+// a quadrant across the box edge, less what is on the near side of a line. They forgive a
+// millimetre, so this forgives more.
+class Onward {
+ public:
+  Onward(const Bend& bend, const Across& in) : bend_(bend), second_(!in.second_side()) {
+    ratio_ = second_ ? std::max(0.0, in.ratio() - kLoose) : std::min(1.0, in.ratio() + kLoose);
+  }
+
+  // Whether none of the node's bends can be where.
+  bool misses(const BendTree::Node& node) const {
+    constexpr double kForgiven = 4e-3;  // metres
+    const auto [x0, x1] = range(node, 0);
+    const auto [y0, y1] = range(node, 1);
+    if (second_ ? x1 < -kForgiven || y0 > kForgiven : x0 > kForgiven || y1 < -kForgiven)
+      return true;
+    return ratio_ * x0 + (1 - ratio_) * y0 > kForgiven;
+  }
+
+ private:
+  // Along the first or second axis across, outward from the bend.
+  std::pair<double, double> range(const BendTree::Node& node, int which) const {
+    const int k = (bend_.axis + 1 + which) % 3;
+    const double low = node.min[k] - bend_.position[k];
+    const double high = node.max[k] - bend_.position[k];
+    return bend_.outward[which] > 0 ? std::pair(low, high) : std::pair(-high, -low);
+  }
+
+  const Bend& bend_;
+  bool second_;   // side to leave on
+  double ratio_;  // of Across, at most on the first side, at least on the second
+};
 
 }  // namespace
 
@@ -48,7 +85,8 @@ struct RoadmapSearch::Impl {
   std::span<const std::uint32_t> onward(std::uint32_t bend, const Across& in) const;
   void expand(std::uint32_t bend, double cost, const Across& in);
   Across arrival(std::uint32_t bend) const;
-  bool sees_goal(std::uint32_t bend, const Across& in) const;
+  bool linked_to_start(std::uint32_t bend);
+  bool sees_goal(std::uint32_t bend, const Across& in);
   geom::Polyline trace(std::uint32_t bend) const;
 
   const geom::CollisionScene* scene_;
@@ -61,6 +99,9 @@ struct RoadmapSearch::Impl {
   Vec3 to_;
   double weight_ = 1;
   std::size_t blocked_ = 0;  // links from the start
+  std::size_t unseen_ = 0;   // by the goal
+  std::optional<Shadows> hidden_from_start_;
+  std::optional<Shadows> hidden_from_goal_;
 };
 
 void RoadmapSearch::Impl::begin(const Vec3& from, const Vec3& to, const RoadmapLimits& limits) {
@@ -68,6 +109,9 @@ void RoadmapSearch::Impl::begin(const Vec3& from, const Vec3& to, const RoadmapL
   to_ = to;
   weight_ = limits.weight;
   blocked_ = 0;
+  unseen_ = 0;
+  hidden_from_start_.reset();
+  hidden_from_goal_.reset();
   if (++stamp_ == 0) {
     std::fill(visits_.begin(), visits_.end(), Visit{});
     stamp_ = 1;
@@ -83,6 +127,7 @@ void RoadmapSearch::Impl::push_node(std::uint32_t node) {
 }
 
 void RoadmapSearch::Impl::open_node(std::uint32_t index) {
+  if (hidden_from_start_ && hidden_from_start_->hides(tree_.box(index))) return;
   const BendTree::Node& node = tree_.node(index);
   for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
     if (!node.leaf) {
@@ -112,15 +157,17 @@ void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across
   const Roadmap& map = *roadmap_;
   const Bend& bend = map.bends[i];
   const double reach2 = map.spec.reach * map.spec.reach;
-  tree_.for_near(bend.position, map.spec.reach, [&](std::uint32_t j) {
+  const Onward onward(bend, in);
+  const auto skip = [&](const BendTree::Node& node) { return onward.misses(node); };
+  tree_.for_near(bend.position, map.spec.reach, skip, [&](std::uint32_t j) {
     const Bend& other = map.bends[j];
     const Vec3 d = other.position - bend.position;
     const double square = d.squaredNorm();
     if (j == i || square > reach2) return;
-    const double through = cost + std::sqrt(square);
-    if (known_as_near(j, through)) return;
     const Across out = across(bend, d);
     if (!out.tangent() || !wraps(in, out) || !across(other, -d).tangent()) return;
+    const double through = cost + std::sqrt(square);
+    if (known_as_near(j, through)) return;
     if (!scene_->hits(bend.position, other.position)) reach(i, j, through);
   });
 }
@@ -169,15 +216,20 @@ geom::Polyline RoadmapSearch::Impl::trace(std::uint32_t bend) const {
   return path;
 }
 
+bool RoadmapSearch::Impl::linked_to_start(std::uint32_t i) {
+  const Vec3& bend = roadmap_->bends[i].position;
+  if (hidden_from_start_ && hidden_from_start_->hides(bend)) return false;
+  if (!scene_->hits(from_, bend)) return true;
+  if (++blocked_ == kBlind) hidden_from_start_.emplace(*scene_, from_);
+  return false;
+}
+
 // Whether this is the shortest way to a bend that was not settled yet.
 bool RoadmapSearch::Impl::settle(const Open& top) {
   const std::uint32_t i = top.index;
   if (top.kind == Open::unlinked) {
     if (known_as_near(i, top.cost)) return false;
-    if (scene_->hits(from_, roadmap_->bends[i].position)) {
-      ++blocked_;
-      return false;
-    }
+    if (!linked_to_start(i)) return false;
     visits_[i] = {top.cost, kStart, stamp_};
   } else if (visits_[i].cost < top.cost) {
     return false;
@@ -193,10 +245,14 @@ Across RoadmapSearch::Impl::arrival(std::uint32_t i) const {
 }
 
 // Whether a path that comes from `in` may end with the straight line to the goal.
-bool RoadmapSearch::Impl::sees_goal(std::uint32_t i, const Across& in) const {
+bool RoadmapSearch::Impl::sees_goal(std::uint32_t i, const Across& in) {
   const Bend& bend = roadmap_->bends[i];
   const Across out = across(bend, to_ - bend.position);
-  return out.tangent() && wraps(in, out) && !scene_->hits(bend.position, to_);
+  if (!out.tangent() || !wraps(in, out)) return false;
+  if (hidden_from_goal_ && hidden_from_goal_->hides(bend.position)) return false;
+  if (!scene_->hits(bend.position, to_)) return true;
+  if (++unseen_ == kBlind) hidden_from_goal_.emplace(*scene_, to_);
+  return false;
 }
 
 RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,

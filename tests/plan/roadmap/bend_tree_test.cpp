@@ -9,6 +9,8 @@
 namespace plan {
 namespace {
 
+constexpr auto kAll = [](const BendTree::Node&) { return false; };  // nothing is skipped
+
 // Some of them at the same place, far from the origin.
 std::vector<Bend> random_bends(support::Random& random, std::size_t count) {
   std::vector<Bend> bends(count);
@@ -64,7 +66,7 @@ TEST(BendTree, FindsAllBendsWithinADistance) {
     const Vec3 p = random_place(random);
     const double radius = random.uniform(0, 150);
     std::vector<int> met(bends.size());
-    tree.for_near(p, radius, [&](std::uint32_t i) { ++met[i]; });
+    tree.for_near(p, radius, kAll, [&](std::uint32_t i) { ++met[i]; });
     for (std::size_t i = 0; i < bends.size(); ++i) {
       ASSERT_LE(met[i], 1);
       if ((bends[i].position - p).norm() <= radius) {
@@ -74,10 +76,26 @@ TEST(BendTree, FindsAllBendsWithinADistance) {
   }
 }
 
+TEST(BendTree, SkipsWhatIsBelowANode) {
+  support::Random random(3);
+  const std::vector<Bend> bends = random_bends(random, 1500);
+  const BendTree tree(bends);
+  const Vec3 p = random_place(random);
+  const auto west = [&](const BendTree::Node& node) { return node.max[0] < p.x(); };
+  std::vector<int> met(bends.size());
+  tree.for_near(p, 1e9, west, [&](std::uint32_t i) { ++met[i]; });
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    if (bends[i].position.x() >= p.x()) {
+      ASSERT_EQ(met[i], 1) << i;
+    }
+  }
+  EXPECT_LT(std::count(met.begin(), met.end(), 1), 1500);
+}
+
 TEST(BendTree, OfNoBendsIsEmpty) {
   const BendTree tree({});
   EXPECT_TRUE(tree.empty());
-  tree.for_near({0, 0, 0}, 1e9, [](std::uint32_t) { FAIL(); });
+  tree.for_near({0, 0, 0}, 1e9, kAll, [](std::uint32_t) { FAIL(); });
 }
 
 }  // namespace

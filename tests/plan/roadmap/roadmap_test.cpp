@@ -93,6 +93,33 @@ TEST_P(RoadmapProperty, IsTheSameForAnyThreads) {
   }
 }
 
+TEST_P(RoadmapProperty, FindsTheSameWaysWhereEdgesAreYetToBeLookedFor) {
+  const auto scene = city(GetParam());
+  const Roadmap roadmap = build_roadmap(scene, {10, 120, {}}, {2, {}});
+  Roadmap bends;
+  bends.spec = roadmap.spec;
+  bends.made_for = roadmap.made_for;
+  bends.bends = roadmap.bends;
+  RoadmapSearch by_edges(scene, roadmap);
+  RoadmapSearch by_bends(scene, bends);
+  support::Random random(GetParam());
+  int compared = 0;
+  while (compared < 40) {
+    const auto point = [&] {
+      return Vec3(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 20));
+    };
+    const Vec3 from = point();
+    const Vec3 to = point();
+    if (!scene.free(from) || !scene.free(to) || scene.free(from, to)) continue;
+    ++compared;
+    const RoadmapResult a = by_edges.search(from, to, {});
+    const RoadmapResult b = by_bends.search(from, to, {});
+    ASSERT_EQ(a.paths.size(), b.paths.size());
+    if (a.paths.empty()) continue;
+    ASSERT_NEAR(geom::length(a.paths[0]), geom::length(b.paths[0]), 1e-9);
+  }
+}
+
 TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
   const auto scene = city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {});
