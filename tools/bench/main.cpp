@@ -143,6 +143,7 @@ int main(int argc, char** argv) {
   bench::Options options;
   bench::add_options(app, files, options);
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({files.map, files.artefacts.lattice, files.artefacts.roadmap,
                             files.queries, files.reference});

@@ -37,6 +37,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
   cli::add_output(app, "-o,--output", output, "reports (default: stdout)");
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   vehicle.add_spare_to(app);
   limits.add_to(app);
   app.add_flag("--override", override_record,
@@ -141,7 +142,9 @@ int main(int argc, char** argv) {
                      [&](const traj::ReportRecord& report) { reports.add(report); });
     const cli::Exit exit = reports.commit(total);
     reports.batch().tell(common, "skyway-check", "records failed");
-    common.write_stats({{"records", reports.count()}, {"failed", reports.failed()}});
+    common.write_stats({{"records", reports.count()},
+                        {"failed", reports.failed()},
+                        {"collision", scenes.stats()}});
     return exit;
   });
 }

@@ -148,6 +148,7 @@ void add_options(CLI::App& app, Options& options, Task& task) {
   cli::add_output(app, "--table", options.table,
                   "Tello: also write a table of where and when each leg ends, CSV");
   options.vehicle.add_to(app);
+  options.vehicle.add_memory_to(app);
   options.vehicle.add_spare_to(app);
 }
 

@@ -119,6 +119,7 @@ int main(int argc, char** argv) {
                   "flight log, CSV; with --tune gains (default: stdout)");
   cli::add_output(app, "--report", report, "reports of the flights, JSON Lines");
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   options.add_to(app);
   cli::Sharding sharding;
   sharding.add_to(app)->excludes("--tune");

@@ -82,6 +82,7 @@ int main(int argc, char** argv) {
                      "a node, along the map's axes (default: the lower corner of the bounds)");
   patch.add_to(app, "a lattice", {spacing, connectivity, node});
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   sharding.add_to(app)->excludes("--patch");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});

@@ -152,6 +152,7 @@ int main(int argc, char** argv) {
   cli::add_output(app, "-o,--output", output, "paths (default: stdout)");
   search.add_to(app);
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   sharding.add_to(app)->needs(queries_option)->excludes("--tree");
   return cli::run_tool(app, argc, argv, [&] {
     asked.require_some();
@@ -190,7 +191,8 @@ int main(int argc, char** argv) {
                 fmt::format("no proof within {} for {} of {}: there may be shorter ones",
                             search.plan.gap, planned.open, geom::counted(planned.found, "path")));
     }
-    common.write_stats({{"queries", planned.records}, {"found", planned.found}});
+    common.write_stats(
+        {{"queries", planned.records}, {"found", planned.found}, {"collision", scenes.stats()}});
     planned.batch.tell(common, "skyway-plan", "queries have no path");
     if (queries.size() == 1 && !planned.found) {
       cli::complain("skyway-plan", planned.last.message);

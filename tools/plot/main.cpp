@@ -178,6 +178,7 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
     verb->add_option("--id", options.id, "only this one");
   }
   options.vehicle.add_to(*clearance_verb);
+  options.vehicle.add_memory_to(*clearance_verb);
   return {{plan_verb, plan},
           {profile_verb, profile},
           {tracking_verb, tracking},

@@ -220,11 +220,11 @@ int main(int argc, char** argv) {
   cli::add_output(app, "-o,--output", output, "answers (default: stdout)");
   metres.add_to(app);
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
-    // Questions may jump all over the map.
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
-                       vehicle, cli::Scenes::Differences::refused, geom::CollisionOptions().budget);
+                       vehicle, cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
@@ -242,6 +242,7 @@ int main(int argc, char** argv) {
     });
     answer();
     out.commit();
+    common.write_stats({{"collision", scenes.stats()}});
     return cli::Exit::yes;
   });
 }

@@ -145,6 +145,7 @@ int main(int argc, char** argv) {
   cli::add_output(app, "-o,--output", output, "paths (default: stdout)");
   metres.add_to(app);
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, paths_file, artefact_files.lattice, artefact_files.roadmap});
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),

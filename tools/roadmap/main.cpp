@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
                               "bend only around boxes that meet this region, along the map's axes");
   patch.add_to(app, "a roadmap", {reach, part, region});
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   sharding.add_to(app)->excludes("--patch");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});

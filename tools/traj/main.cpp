@@ -113,6 +113,7 @@ int main(int argc, char** argv) {
   app.add_option("paths", input, "paths, JSON Lines (default: stdin)");
   cli::add_output(app, "-o,--output", output, "trajectories (default: stdout)");
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   options.add_to(app);
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {

@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
   frames_option->needs(poses_option);
   poses_option->needs(frames_option);
   vehicle.add_to(app);
+  vehicle.add_memory_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     require_one_stdin(files, pictures.poses);
     const cli::Contents contents = read(files);

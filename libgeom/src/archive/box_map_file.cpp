@@ -97,32 +97,33 @@ BoxMapSpec spec_of(const JsonFields& meta) {
   return spec;
 }
 
+// The rows are looked at where they stand, and not copied.
 void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
-  const auto index = archive.array<std::int32_t>("tile_index", 2);
-  const auto large = archive.array<std::uint8_t>("tile_large");
-  const auto extent = archive.array<double>("tile_extent", 6);
-  const auto range = archive.array<std::uint64_t>("tile_range", 2);
-  const std::size_t n = large.size();
-  if (index.size() != 2 * n || extent.size() != 6 * n || range.size() != 2 * n) {
+  const TileTable::Columns columns{
+      archive.array<std::int32_t>("tile_index", 2), archive.array<std::uint8_t>("tile_large"),
+      archive.array<double>("tile_extent", 6), archive.array<std::uint64_t>("tile_range", 2)};
+  const std::size_t n = columns.large.size();
+  if (columns.index.size() != 2 * n || columns.extent.size() != 6 * n ||
+      columns.range.size() != 2 * n) {
     refuse(archive, "the tile arrays must have one row a tile, and their lengths differ");
   }
+  data.tiles.set(columns);
   std::size_t next = 0;
+  const auto key = [](const Tile& x) { return std::tuple(!x.large, x.iy, x.ix); };
+  auto last = key({});
   for (std::size_t t = 0; t < n; ++t) {
-    Tile tile{index[2 * t], index[2 * t + 1], large[t] != 0, {}, range[2 * t], range[2 * t + 1]};
-    const double* const e = &extent[6 * t];
-    tile.extent = {{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+    const Tile tile = data.tiles[t];
     const bool finite = (tile.extent.min.array() >= -kLargestCoordinate).all() &&
                         (tile.extent.max.array() <= kLargestCoordinate).all() &&
                         (tile.extent.min.array() <= tile.extent.max.array()).all();
     const bool in_order = tile.first == next && tile.count > 0 &&
                           tile.count <= data.boxes.size() - next && (!tile.large || t == 0);
-    const auto key = [](const Tile& x) { return std::tuple(!x.large, x.iy, x.ix); };
-    const bool sorted = t == 0 || key(data.tiles.back()) < key(tile);
+    const bool sorted = t == 0 || last < key(tile);
     if (!finite || !in_order || !sorted) {
       refuse(archive, fmt::format("tile {} is out of order, empty, or beyond the boxes", t));
     }
     next += tile.count;
-    data.tiles.push_back(tile);
+    last = key(tile);
   }
   if (next != data.boxes.size()) {
     refuse(archive,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "embree_groups.h"
 #include "geom/base/parallel.h"
 #include "geom/base/precondition.h"
 
@@ -17,6 +18,34 @@ constexpr std::size_t kBatch = 256;  // segments of one task
 constexpr double kStretch = 20;      // metres of a sweep that are looked around at once
 constexpr double kMostStretches = 1e5;
 
+// The bits of a number of 16 bits, with one between each two.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | x << 8) & 0x00ff00ff;
+  x = (x | x << 4) & 0x0f0f0f0f;
+  x = (x | x << 2) & 0x33333333;
+  return (x | x << 1) & 0x55555555;
+}
+
+// The segments from neighbour to neighbour, in plan (Morton 1966): groups of tiles that were given
+// up meanwhile are then not built for each segment anew.
+std::vector<std::size_t> by_place(std::span<const std::pair<Vec3, Vec3>> segments,
+                                  const Aabb& reach) {
+  const Eigen::Array2d low = reach.min.head<2>();
+  const Eigen::Array2d size = (reach.max - reach.min).head<2>().cwiseMax(1.0);
+  std::vector<std::pair<std::uint32_t, std::size_t>> keys(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto& [a, b] = segments[i];
+    require_points("segment", a, b);
+    const Eigen::Array2d share = ((a.head<2>().array() - low) / size).max(0.0).min(1.0);
+    const Eigen::Array2<std::uint32_t> cell = (share * 65535).cast<std::uint32_t>();
+    keys[i] = {spread(cell.x()) | spread(cell.y()) << 1, i};
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::size_t> order(segments.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = keys[i].second;
+  return order;
+}
+
 Aabb around(const Vec3& a, const Vec3& b, const Vec3& pad) {
   return {a.cwiseMin(b) - pad, a.cwiseMax(b) + pad};
 }
@@ -26,9 +55,12 @@ Aabb around(const Vec3& a, const Vec3& b, const Vec3& pad) {
 std::vector<std::uint8_t> CollisionScene::hits(std::span<const std::pair<Vec3, Vec3>> segments,
                                                const Execution& run) const {
   std::vector<std::uint8_t> out(segments.size());
+  std::vector<std::size_t> order;
+  if (!impl_->keeps_all) order = by_place(segments, impl_->reach);
   parallel_for((segments.size() + kBatch - 1) / kBatch, run, [&](std::size_t batch) {
     const std::size_t end = std::min(segments.size(), (batch + 1) * kBatch);
-    for (std::size_t i = batch * kBatch; i < end; ++i) {
+    for (std::size_t k = batch * kBatch; k < end; ++k) {
+      const std::size_t i = order.empty() ? k : order[k];
       out[i] = hits(segments[i].first, segments[i].second);
     }
   });

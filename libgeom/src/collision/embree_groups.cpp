@@ -2,39 +2,83 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
+#include <new>
+#include <numeric>
 #include <utility>
 
 #include "embree_queries.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/precondition.h"
 #include "geom/base/rounding.h"
+#include "map/box_map_data.h"
 
 namespace geom {
 namespace {
 
+constexpr double kBoxesPerGroup = 4096;
+constexpr double kOneGroup = 2;                 // times as many boxes as wanted are one group still
 constexpr std::size_t kEmbreeBytesPerBox = 80;  // measured: 78
+constexpr std::size_t kMostBytesPerBox = 256;
+constexpr std::size_t kMostBytesPerGroup = std::size_t{1} << 16;
+constexpr std::size_t kReadBetweenTrims = std::size_t{1} << 22;  // bytes
 
-// The tiles by squares of so many tiles that a square has about `wanted` boxes; the tile of large
-// boxes is a group of its own unless the whole map is one group.
-std::vector<std::vector<std::size_t>> grouped(const BoxMap& map, double wanted) {
-  const auto tiles = map.tiles();
-  if (tiles.empty()) return {};
-  const double per_tile = static_cast<double>(map.size()) / static_cast<double>(tiles.size());
-  const bool one = static_cast<double>(map.size()) <= 2 * wanted;
-  const auto side = static_cast<std::int32_t>(std::ceil(std::sqrt(wanted / per_tile)));
-  const auto square = [&](std::int32_t i) {
-    return one ? 0 : i >= 0 ? i / side : -1 - (-1 - i) / side;
-  };
-  std::map<std::tuple<bool, std::int32_t, std::int32_t>, std::vector<std::size_t>> groups;
-  for (std::size_t t = 0; t < tiles.size(); ++t) {
-    groups[{!one && tiles[t].large, square(tiles[t].iy), square(tiles[t].ix)}].push_back(t);
+// What shares a group: a square of so many tiles a side, and the tile of large boxes for itself;
+// everything where `side` is 0.
+struct Square {
+  bool small;
+  std::int32_t y;
+  std::int32_t x;
+
+  friend auto operator<=>(const Square&, const Square&) = default;
+};
+
+// Which group each tile belongs to.
+class Grouping {
+ public:
+  Grouping(const BoxMap& map, double wanted) {
+    const auto tiles = static_cast<double>(map.tile_count());
+    const auto boxes = static_cast<double>(map.size());
+    if (boxes > kOneGroup * wanted) {
+      side_ =
+          static_cast<std::int32_t>(std::max(1.0, std::ceil(std::sqrt(wanted * tiles / boxes))));
+    }
   }
-  std::vector<std::vector<std::size_t>> out;
-  for (auto& [key, members] : groups) out.push_back(std::move(members));
-  return out;
-}
+
+  // Tiles come in the order of the map: row after row, and in a row from left to right.
+  std::size_t group_of(const Tile& tile) {
+    const Square square = square_of(tile);
+    if (groups_ == 0 || square.y != band_y_ || square.small != band_small_) {
+      band_.clear();
+      band_y_ = square.y;
+      band_small_ = square.small;
+      next_ = 0;
+    } else if (tile.iy != row_) {
+      next_ = 0;
+    }
+    row_ = tile.iy;
+    while (next_ < band_.size() && band_[next_].first < square.x) ++next_;
+    if (next_ == band_.size() || band_[next_].first != square.x) {
+      band_.insert(band_.begin() + static_cast<std::ptrdiff_t>(next_), {square.x, groups_++});
+    }
+    return band_[next_].second;
+  }
+
+ private:
+  Square square_of(const Tile& tile) const {
+    if (side_ == 0) return {true, 0, 0};
+    if (tile.large) return {false, 0, 0};
+    const auto square = [&](std::int32_t i) { return i >= 0 ? i / side_ : -1 - (-1 - i) / side_; };
+    return {true, square(tile.iy), square(tile.ix)};
+  }
+
+  std::int32_t side_ = 0;                                   // tiles; 0: one group
+  std::vector<std::pair<std::int32_t, std::size_t>> band_;  // the groups of this row of squares
+  std::size_t next_ = 0;                                    // in band_
+  std::int32_t band_y_ = 0;
+  bool band_small_ = false;
+  std::int32_t row_ = 0;
+  std::size_t groups_ = 0;
+};
 
 }  // namespace
 
@@ -53,72 +97,150 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
     : map(std::move(m)), vehicle(std::move(v)), margin(mg), budget(options.budget) {
   for (const double size : vehicle.half) require_length("vehicle", size, kLargestCoordinate);
   require_length("margin", margin, kLargestCoordinate);
-  for (const Tile& tile :
-       map.tiles()) {  // Embree leaves out what is further away than a float goes
-    require_point("box map", tile.extent.min);
-    require_point("box map", tile.extent.max);
-  }
   map.require(Verified::extents);  // one that lies would hide boxes from every query
+  boxes = map.boxes();
   for (int i = 0; i < 3; ++i) {
     half[i] = vehicle.half[i] + margin;
     if (margin > 0) half[i] = next_up(half[i]);
   }
   free_bounds = shrink(map.spec().bounds, half);
-  auto members = grouped(map, std::max(1.0, static_cast<double>(options.boxes_per_group)));
-  groups = std::vector<Group>(members.size());
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    groups[g].tiles = std::move(members[g]);
-    Aabb extent = map.tiles()[groups[g].tiles.front()].extent;
-    for (const std::size_t t : groups[g].tiles) extent = merged(extent, map.tiles()[t].extent);
-    group_extent.push_back(grow(extent, half));
-  }
+  group_tiles(options.boxes_per_group > 0 ? static_cast<double>(options.boxes_per_group)
+                                          : kBoxesPerGroup);
+  counts.groups = groups.size();
+  keeps_all = groups.size() <= 1 ||
+              map.size() * kMostBytesPerBox + groups.size() * kMostBytesPerGroup <= budget;
   if (const auto all = bounds(group_extent)) reach = *all;
   if (groups.size() > 1) {
     top = build(group_extent, segment_against_group, visit_candidate);
   }
 }
 
+void CollisionScene::Impl::group_tiles(double wanted) {
+  struct Member {
+    BoxRun run;
+    std::size_t group;
+  };
+  const TileTable& tiles = map.data().tiles;
+  std::vector<Member> members;
+  Grouping grouping(map, wanted);
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    const Tile tile = tiles[t];
+    require_point("box map", tile.extent.min);
+    require_point("box map", tile.extent.max);
+    const std::size_t g = grouping.group_of(tile);
+    if (g == group_extent.size()) {
+      group_extent.push_back(tile.extent);
+    } else {
+      group_extent[g] = merged(group_extent[g], tile.extent);
+    }
+    if (!members.empty() && members.back().group == g) {
+      members.back().run.count += tile.count;  // the next tile's boxes come next
+    } else {
+      members.push_back({{tile.first, tile.count}, g});
+    }
+  }
+  for (Aabb& extent : group_extent) extent = grow(extent, half);
+  groups = std::vector<Group>(group_extent.size());
+  std::vector<std::size_t> place(groups.size() + 1);  // of the runs of each group
+  for (const Member& member : members) ++place[member.group + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  runs.resize(members.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    groups[g].runs = std::span(runs).subspan(place[g], place[g + 1] - place[g]);
+  }
+  for (const Member& member : members) {
+    runs[place[member.group]++] = member.run;
+    groups[member.group].count += member.run.count;
+  }
+}
+
+// Where memory runs out, half of what there is makes room once.
 const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
   const std::lock_guard lock(building);
-  if (const GroupScene* scene = groups[g].scene.load()) return *scene;
+  if (const GroupScene* scene = kept_scene(groups[g])) return *scene;
+  std::unique_ptr<GroupScene> scene;
+  try {
+    scene = made_scene(groups[g]);
+  } catch (const std::bad_alloc&) {
+    if (!make_room()) throw;
+    scene = made_scene(groups[g]);
+  }
+  const GroupScene& made = *scene;
+  keep(g, std::move(scene));
+  return made;
+}
+
+std::unique_ptr<GroupScene> CollisionScene::Impl::made_scene(const Group& group) const {
   auto scene = std::make_unique<GroupScene>();
-  std::size_t count = 0;
-  for (const std::size_t t : groups[g].tiles) count += map.tiles()[t].count;
-  scene->box.reserve(count);
-  scene->grown.reserve(count);
-  if (margin > 0) scene->by_vehicle.reserve(count);
-  for (const std::size_t t : groups[g].tiles) {
-    std::size_t i = map.tiles()[t].first;
-    for (const Aabb& box : map.boxes_of(t)) {
-      scene->box.push_back(i++);
-      scene->grown.push_back(grow(box, half));
-      if (margin > 0) scene->by_vehicle.push_back(grow(box, vehicle.half));
+  scene->box.reserve(group.count);
+  scene->grown.reserve(group.count);
+  if (margin > 0) scene->by_vehicle.reserve(group.count);
+  for (const BoxRun& run : group.runs) {
+    for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+      scene->box.push_back(i);
+      scene->grown.push_back(grow(boxes[i], half));
+      if (margin > 0) scene->by_vehicle.push_back(grow(boxes[i], vehicle.half));
     }
   }
   scene->embree = build(scene->grown, segment_against_box, visit_candidate);
   scene->skyline = Skyline(scene->grown, scene->embree.extent);
   scene->hints = NearestHints(scene->embree.extent, scene->grown.size());
-  built.push_back(g);  // the last that can fail: from here on the group has its scene
-  bytes += scene->bytes();
-  const GroupScene& made = *scene.release();
-  groups[g].scene.store(&made);
-  if (bytes > budget) give_up_oldest(g);
-  trim_mapped_files();
-  return made;
+  return scene;
 }
 
-// A query counts itself among the users before it reads `scene`, and here `scene` is taken away
-// before the users are counted, so one of the two always sees the other.
-void CollisionScene::Impl::give_up_oldest(std::size_t keep) noexcept {
-  for (std::size_t tries = built.size(); tries > 0 && bytes > budget; --tries) {
-    const std::size_t g = built.front();
-    const GroupScene* scene = groups[g].scene.exchange(nullptr);
-    if (g == keep || groups[g].users.load() > 0) {
-      groups[g].scene.store(scene);
-      built.splice(built.end(), built, built.begin());
+bool CollisionScene::Impl::make_room() noexcept {
+  if (keeps_all) return false;
+  const std::lock_guard lock(keeping);
+  const std::size_t before = bytes;
+  budget = std::min(budget, bytes / 2);
+  give_up(groups.size());
+  return bytes < before;
+}
+
+// Not while it is taken away to see whether somebody uses it.
+const GroupScene* CollisionScene::Impl::kept_scene(const Group& group) {
+  const std::lock_guard lock(keeping);
+  return group.scene.load();
+}
+
+// The group's scene is there once nothing can fail any more.
+void CollisionScene::Impl::keep(std::size_t g, std::unique_ptr<GroupScene> scene) {
+  bool trim = false;
+  {
+    const std::lock_guard lock(keeping);
+    kept.push_back(static_cast<std::uint32_t>(g));
+    bytes += scene->bytes();
+    ++(groups[g].built ? counts.built_again : counts.built);
+    groups[g].built = true;
+    groups[g].scene.store(scene.release());
+    if (!keeps_all && bytes > budget) give_up(g);
+    counts.most_bytes = std::max(counts.most_bytes, bytes);
+    read += groups[g].count * sizeof(Aabb);
+    trim = read >= kReadBetweenTrims;
+    if (trim) read = 0;
+  }
+  if (trim) trim_mapped_files();
+}
+
+// Second chance (Corbato 1968): the hand goes around, passes what was touched since it last came
+// by, and gives up the rest. A query counts itself among the users before it reads `scene`, and
+// here `scene` is taken away before the users are counted, so one of the two always sees the other.
+void CollisionScene::Impl::give_up(std::size_t but) noexcept {
+  for (std::size_t tries = 2 * kept.size(); tries > 0 && bytes > budget; --tries) {
+    hand = hand < kept.size() ? hand : 0;
+    const std::size_t g = kept[hand];
+    if (g == but || groups[g].touched.exchange(false)) {
+      ++hand;
       continue;
     }
-    built.pop_front();
+    const GroupScene* scene = groups[g].scene.exchange(nullptr);
+    if (groups[g].users.load() > 0) {
+      groups[g].scene.store(scene);
+      ++hand;
+      continue;
+    }
+    kept[hand] = kept.back();
+    kept.pop_back();
     bytes -= scene->bytes();
     delete scene;
   }

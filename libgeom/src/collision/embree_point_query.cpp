@@ -95,8 +95,8 @@ bool visit_nearest(RTCPointQueryFunctionArguments* args, NearestContext& context
     if (distance(context.point, context.impl->group_extent[args->primID]) > context.radius) {
       return false;
     }
-    const Visit visit(*context.impl, args->primID);
-    search_group(context, visit.scene());
+    visit(*context.impl, args->primID,
+          [&](const GroupScene& group) { search_group(context, group); });
   }
   if (context.radius == before) return false;
   args->query->radius = float_up(std::max(0.0, context.radius + slack));
@@ -111,8 +111,8 @@ bool visit_region(RTCPointQueryFunctionArguments* args, RegionContext& context, 
       context.ended = context.found.size() > context.most;
     }
   } else if (overlap(*context.region, context.impl->group_extent[args->primID])) {
-    const Visit visit(*context.impl, args->primID);
-    search_group(context, visit.scene());
+    visit(*context.impl, args->primID,
+          [&](const GroupScene& group) { search_group(context, group); });
   }
   if (!context.ended) return false;
   args->query->radius = 0;  // leaves little to visit

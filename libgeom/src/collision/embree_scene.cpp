@@ -89,6 +89,11 @@ std::optional<std::vector<std::size_t>> CollisionScene::boxes_meeting(const Aabb
   return find_meeting(*impl_, part, most);
 }
 
+CollisionCounts CollisionScene::counts() const {
+  const std::lock_guard lock(impl_->keeping);
+  return impl_->counts;
+}
+
 Aabb CollisionScene::grown(std::size_t i) const { return grow(impl_->map.box(i), impl_->half); }
 
 }  // namespace geom

@@ -48,8 +48,8 @@ void segment_against_group(const RTCOccludedFunctionNArguments* args) noexcept {
   const auto& outer = *reinterpret_cast<const SegmentContext*>(args->context);
   decide(args, outer, [&] {
     if (!segment_hits(*outer.a, *outer.b, outer.impl->group_extent[args->primID])) return false;
-    const Visit visit(*outer.impl, args->primID);
-    return hits_group(outer, visit.scene());
+    return visit(*outer.impl, args->primID,
+                 [&](const GroupScene& group) { return hits_group(outer, group); });
   });
 }
 

@@ -47,6 +47,7 @@ std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable&
   const std::vector<Placed> order = in_order(spec.tile_size, table);
   auto data = std::make_shared<BoxMap::Data>();
   auto own = std::make_shared<BoxMap::Data::Owned>();
+  std::vector<Tile> tiles;
   own->boxes.reserve(order.size());
   own->ids.reserve(order.size());
   own->label.reserve(order.size());
@@ -54,9 +55,9 @@ std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable&
     const bool new_tile = own->boxes.empty() || place != order[own->boxes.size() - 1].place;
     const Aabb box = canonical(table.boxes[i]);
     if (new_tile) {
-      data->tiles.push_back({place.ix, place.iy, !place.small, box, own->boxes.size(), 0});
+      tiles.push_back({place.ix, place.iy, !place.small, box, own->boxes.size(), 0});
     }
-    Tile& tile = data->tiles.back();
+    Tile& tile = tiles.back();
     tile.extent = merged(tile.extent, box);
     ++tile.count;
     own->boxes.push_back(box);
@@ -69,7 +70,8 @@ std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable&
   data->boxes = own->boxes;
   data->ids = own->ids;
   data->label = own->label;
-  data->hash = hash_of(data->spec, data->tiles, data->boxes, {});
+  data->hash = hash_of(data->spec, tiles, data->boxes, {});
+  data->tiles.set(std::move(tiles));
   data->owned = std::move(own);
   return data;
 }
@@ -89,7 +91,8 @@ std::span<const Aabb> BoxMap::boxes() const {
 }
 std::span<const Aabb> BoxMap::boxes_of(std::size_t tile) const {
   require(Verified::extents);
-  return data_->boxes.subspan(data_->tiles[tile].first, data_->tiles[tile].count);
+  const Tile at = data_->tiles[tile];
+  return data_->boxes.subspan(at.first, at.count);
 }
 const Aabb& BoxMap::box(std::size_t i) const {
   assert(verified() >= Verified::extents);
@@ -103,7 +106,7 @@ std::span<const std::uint32_t> BoxMap::label() const {
 const std::vector<std::string>& BoxMap::labels() const { return data_->labels; }
 std::span<const Tile> BoxMap::tiles() const {
   require(Verified::extents);
-  return data_->tiles;
+  return data_->tiles.all();
 }
 const std::string& BoxMap::hash() const { return data_->hash; }
 

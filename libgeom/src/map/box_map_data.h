@@ -11,6 +11,7 @@
 
 #include "geom/archive/array_archive.h"
 #include "geom/map/box_map.h"
+#include "tile_table.h"
 
 namespace geom {
 
@@ -23,7 +24,7 @@ struct BoxMap::Data {
 
   BoxMapSpec spec;
   std::vector<std::string> labels;
-  std::vector<Tile> tiles;
+  TileTable tiles;
   std::string hash;
   std::span<const Aabb> boxes;
   std::span<const std::uint64_t> ids;

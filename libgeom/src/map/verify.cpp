@@ -31,15 +31,16 @@ std::string shown(const Aabb& box) {
 template <class F>
 void for_each_stretch_of_tiles(const BoxMap::Data& data, const Execution& run, const F& f) {
   const std::size_t n = data.boxes.size();
+  const std::span<const Tile> tiles = data.tiles.all();
   parallel_for((n + kStretch - 1) / kStretch, {run.threads, {}}, [&](std::size_t item) {
     std::size_t at = item * kStretch;
     const std::size_t end = std::min(n, at + kStretch);
     read_ahead(std::as_bytes(data.boxes.subspan(at, end - at)));
     const auto after =
-        std::upper_bound(data.tiles.begin(), data.tiles.end(), at,
+        std::upper_bound(tiles.begin(), tiles.end(), at,
                          [](std::size_t box, const Tile& tile) { return box < tile.first; });
-    for (auto t = static_cast<std::size_t>(after - data.tiles.begin()) - 1; at < end; ++t) {
-      const std::size_t last = std::min(end, data.tiles[t].first + data.tiles[t].count);
+    for (auto t = static_cast<std::size_t>(after - tiles.begin()) - 1; at < end; ++t) {
+      const std::size_t last = std::min(end, tiles[t].first + tiles[t].count);
       f(t, at, last);
       at = last;
     }
@@ -59,7 +60,7 @@ bool is_ordered_inside(const Aabb& box, const Aabb& extent) {
 }
 
 void check_extent(const BoxMap::Data& data, std::size_t t, std::size_t begin, std::size_t end) {
-  const Tile& tile = data.tiles[t];
+  const Tile tile = data.tiles[t];
   for (std::size_t i = begin; i < end; ++i) {
     if (!is_ordered_inside(data.boxes[i], tile.extent)) {
       refuse(data, fmt::format("box {} must be finite, with min <= max, inside the extent of its "
@@ -74,7 +75,7 @@ void check_extent(const BoxMap::Data& data, std::size_t t, std::size_t begin, st
 }
 
 void check_place(const BoxMap::Data& data, std::size_t t, std::size_t begin, std::size_t end) {
-  const Tile& tile = data.tiles[t];
+  const Tile tile = data.tiles[t];
   for (std::size_t i = begin; i < end; ++i) {
     if (place_of(data.boxes[i], data.spec.tile_size) != place_of(tile)) {
       refuse(data, fmt::format("box {} must lie in the square of its tile {}, column {}, row {}{}; "
@@ -102,7 +103,7 @@ void verify_contents(const BoxMap::Data& data, const Execution& run) {
   for_each_stretch_of_tiles(data, run, [&](std::size_t t, std::size_t begin, std::size_t end) {
     check_place(data, t, begin, end);
   });
-  const std::string found = hash_of(data.spec, data.tiles, data.boxes, run);
+  const std::string found = hash_of(data.spec, data.tiles.all(), data.boxes, run);
   if (found != data.hash) {
     refuse(data, fmt::format("the map names the hash {}, and its boxes have {}", data.hash, found));
   }

@@ -263,14 +263,33 @@ TEST(Collision, BuildsEachGroupOnceWhateverTheThreads) {
     ASSERT_GT(impl.groups.size(), 10u);
     parallel_for(segments.size(), {threads, {}},
                  [&](std::size_t i) { hits_any(impl, segments[i].a, segments[i].b); });
-    const std::set<std::size_t> built(impl.built.begin(), impl.built.end());
-    EXPECT_EQ(built.size(), impl.built.size());
+    const std::set<std::size_t> built(impl.kept.begin(), impl.kept.end());
+    EXPECT_EQ(built.size(), impl.kept.size());
+    EXPECT_EQ(impl.counts.built, built.size());
+    EXPECT_EQ(impl.counts.built_again, 0u);
     std::size_t bytes = 0;
     for (const std::size_t g : built) bytes += impl.groups[g].scene.load()->bytes();
     EXPECT_EQ(impl.bytes, bytes);
     if (threads == 1) bytes_of_one_thread = bytes;
     EXPECT_EQ(bytes, bytes_of_one_thread);
   }
+}
+
+// What is asked for again and again outlives what is asked for once.
+TEST(Collision, KeepsWhatWasTouchedSinceTheHandPassed) {
+  const BoxMap map = support::random_city(4, 600, 1200);
+  CollisionScene::Impl impl(map, {"box", {1, 1, 1}}, 0, {std::size_t{1} << 20, 12});
+  ASSERT_GT(impl.groups.size(), 30u);
+  const Vec3 often = map.box(0).min;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    hits_any(impl, often, often);
+    hits_any(impl, map.box(i).min, map.box(i).min);
+  }
+  const std::size_t other = impl.counts.built + impl.counts.built_again;
+  EXPECT_GT(impl.counts.built_again, 0u);  // the budget holds a part of the map
+  EXPECT_LE(impl.bytes, impl.budget);
+  hits_any(impl, often, often);
+  EXPECT_EQ(impl.counts.built + impl.counts.built_again, other);
 }
 
 TEST(Collision, AnEmptyMapIsFreeInsideItsBounds) {

@@ -306,7 +306,7 @@ TEST(FailedQuery, LeavesNoGroupInUse) {
     bytes += scene->bytes();
   }
   EXPECT_EQ(impl.bytes, bytes);
-  EXPECT_EQ(impl.built.size(), scenes);
+  EXPECT_EQ(impl.kept.size(), scenes);
 }
 
 // The bytes of a map whose box of that lowest x has another one.

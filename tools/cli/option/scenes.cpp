@@ -8,13 +8,12 @@
 
 namespace cli {
 
-Scenes::Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences,
-               std::size_t budget)
+Scenes::Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences)
     : map_(std::move(map)),
       profile_(options.profile()),
       asked_(options.asked(profile_)),
       differences_(differences),
-      budget_(budget) {}
+      budget_(options.budget()) {}
 
 const geom::CollisionScene& Scenes::build(const Room& room) {
   if (!scene_ || !(scene_->vehicle() == room.vehicle) || scene_->margin() != room.margin) {
@@ -40,6 +39,15 @@ const geom::CollisionScene& Scenes::scene_for(const geom::Provenance& record,
   geom::require_map_agrees(record, {map_.hash(), map_.spec().frame.axes, {}, {}}, source, line);
   const Room room = agreed_room(record, asked_, differences_, source, line);
   return build(room);
+}
+
+nlohmann::ordered_json Scenes::stats() const {
+  const geom::CollisionCounts counts = scene_ ? scene_->counts() : geom::CollisionCounts();
+  return {{"groups", counts.groups},
+          {"built", counts.built},
+          {"built_again", counts.built_again},
+          {"most_bytes", counts.most_bytes},
+          {"memory", budget_}};
 }
 
 void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,

@@ -2,6 +2,7 @@
 
 // How --vehicle and --margin meet what a record already says.
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -17,9 +18,7 @@ class Scenes {
  public:
   using Differences = cli::Differences;
 
-  // `budget`: geom::CollisionOptions. Records are local, and a group is built within 2 ms.
-  Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences,
-         std::size_t budget = std::size_t{1} << 26);
+  Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences);
 
   // Of agreed_room. Throws geom::InputError(source, line, …) where the record is of another map or
   // frame too.
@@ -27,6 +26,9 @@ class Scenes {
                                         std::size_t line);
   const geom::CollisionScene& scene();  // by the options alone
   const geom::BoxMap& map() const { return map_; }
+
+  // For --stats: how many groups of tiles the last scene built, and built again.
+  nlohmann::ordered_json stats() const;
   const std::optional<traj::VehicleProfile>& profile() const { return profile_; }
 
  private:

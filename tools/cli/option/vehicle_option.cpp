@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/run.h"
+#include "memory.h"
 
 namespace cli {
 
@@ -22,6 +23,21 @@ void VehicleOptions::add_spare_to(CLI::App& app) {
   app.add_option("--spare", spare,
                  "metres of the margin that was planned with and need not be kept here")
       ->check(CLI::Range(0.0, 1e6));
+}
+
+void VehicleOptions::add_memory_to(CLI::App& app) {
+  app.add_option(
+         "--memory", memory,
+         "bytes that collision trees may take, as 512M (default: a quarter of the machine's "
+         "memory or of a lower limit)")
+      ->check([](const std::string& text) {
+        if (parse_bytes(text)) return std::string();
+        return fmt::format("expected bytes as 1000000, 64k, 512M or 2G, found \"{}\"", text);
+      });
+}
+
+std::size_t VehicleOptions::budget() const {
+  return memory.empty() ? fair_share() : parse_bytes(memory).value();
 }
 
 std::optional<traj::VehicleProfile> VehicleOptions::profile() const {

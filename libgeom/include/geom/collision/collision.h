@@ -28,13 +28,21 @@ struct Nearest {
 
 struct CollisionOptions {
   std::size_t budget = std::size_t{1} << 29;  // bytes that groups of tiles may take
-  std::size_t boxes_per_group = 4096;         // about, > 0; a map of up to twice as many is one
+  std::size_t boxes_per_group = 0;            // about; 0: as many as measured fastest
+};
+
+// What queries made a scene do so far.
+struct CollisionCounts {
+  std::size_t groups = 0;       // of tiles
+  std::size_t built = 0;        // of them
+  std::size_t built_again = 0;  // how often one was that had been given up
+  std::size_t most_bytes = 0;   // that they took at a time
 };
 
 // Holds the map, grown by vehicle and margin (geom::grow). Groups of neighbouring tiles are built
-// on first touch, once, whatever the threads, and given up, the oldest first, once all together
-// take more than the budget. All queries are const and may run from several threads at once.
-// Answers are exact for the grown boxes, and ties break on the lowest index.
+// on first touch, once, whatever the threads, and given up, first what was not touched for long,
+// once all together take more than the budget. All queries are const and may run from several
+// threads at once. Answers are exact for the grown boxes, and ties break on the lowest index.
 //
 // A query answers only where nothing went wrong in it. It throws InputError where a tile of a
 // mapped file that it touches holds a wrong value, and std::bad_alloc where there is no memory for
@@ -107,7 +115,9 @@ class CollisionScene {
   // grow(map().box(i), half()).
   Aabb grown(std::size_t i) const;
 
-  struct Impl;  // of the files embree_* alone
+  CollisionCounts counts() const;
+
+  struct Impl;  // of the files in libgeom/src/collision alone
 
  private:
   std::unique_ptr<Impl> impl_;
