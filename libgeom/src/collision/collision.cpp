@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "embree_groups.h"
 #include "geom/base/parallel.h"
 #include "geom/base/precondition.h"
+#include "groups.h"
 
 // The queries that are made of the scene's own.
 

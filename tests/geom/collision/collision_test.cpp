@@ -6,8 +6,8 @@
 #include <limits>
 #include <set>
 
-#include "collision/embree_groups.h"
-#include "collision/embree_queries.h"
+#include "collision/groups.h"
+#include "collision/queries.h"
 #include "geom/base/parallel.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
@@ -268,7 +268,7 @@ TEST(Collision, BuildsEachGroupOnceWhateverTheThreads) {
     EXPECT_EQ(impl.counts.built, built.size());
     EXPECT_EQ(impl.counts.built_again, 0u);
     std::size_t bytes = 0;
-    for (const std::size_t g : built) bytes += impl.groups[g].scene.load()->bytes();
+    for (const std::size_t g : built) bytes += impl.groups[g].tree.load()->bytes();
     EXPECT_EQ(impl.bytes, bytes);
     if (threads == 1) bytes_of_one_thread = bytes;
     EXPECT_EQ(bytes, bytes_of_one_thread);
@@ -278,7 +278,7 @@ TEST(Collision, BuildsEachGroupOnceWhateverTheThreads) {
 // What is asked for again and again outlives what is asked for once.
 TEST(Collision, KeepsWhatWasTouchedSinceTheHandPassed) {
   const BoxMap map = support::random_city(4, 600, 1200);
-  CollisionScene::Impl impl(map, {"box", {1, 1, 1}}, 0, {std::size_t{1} << 20, 12});
+  CollisionScene::Impl impl(map, {"box", {1, 1, 1}}, 0, {std::size_t{1} << 14, 12});
   ASSERT_GT(impl.groups.size(), 30u);
   const Vec3 often = map.box(0).min;
   for (std::size_t i = 0; i < map.size(); ++i) {

@@ -1,7 +1,7 @@
 // Queries of the collision structure in which something goes wrong: they throw, or their answer is
 // right all the same.
 
-#include "collision/embree_queries.h"
+#include "collision/queries.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -18,7 +18,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "collision/embree_groups.h"
+#include "collision/groups.h"
 #include "geom/archive/array_archive.h"
 #include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
@@ -298,15 +298,15 @@ TEST(FailedQuery, LeavesNoGroupInUse) {
   }
   for (const Group& group : impl.groups) EXPECT_EQ(group.users.load(), 0);
   std::size_t bytes = 0;
-  std::size_t scenes = 0;
+  std::size_t trees = 0;
   for (const Group& group : impl.groups) {
-    const GroupScene* scene = group.scene.load();
-    if (!scene) continue;
-    ++scenes;
-    bytes += scene->bytes();
+    const GroupTree* tree = group.tree.load();
+    if (!tree) continue;
+    ++trees;
+    bytes += tree->bytes();
   }
   EXPECT_EQ(impl.bytes, bytes);
-  EXPECT_EQ(impl.kept.size(), scenes);
+  EXPECT_EQ(impl.kept.size(), trees);
 }
 
 // The bytes of a map whose box of that lowest x has another one.

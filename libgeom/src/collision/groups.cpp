@@ -1,4 +1,4 @@
-#include "embree_groups.h"
+#include "groups.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "embree_queries.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/precondition.h"
 #include "geom/base/rounding.h"
@@ -15,11 +14,10 @@
 namespace geom {
 namespace {
 
-constexpr double kBoxesPerGroup = 4096;
-constexpr double kOneGroup = 2;                 // times as many boxes as wanted are one group still
-constexpr std::size_t kEmbreeBytesPerBox = 80;  // measured: 78
+constexpr double kBoxesPerGroup = 512;
+constexpr double kOneGroup = 16;  // times as many boxes as wanted are one group still
 constexpr std::size_t kMostBytesPerBox = 256;
-constexpr std::size_t kMostBytesPerGroup = std::size_t{1} << 16;
+constexpr std::size_t kMostBytesPerGroup = 1024;
 constexpr std::size_t kReadBetweenTrims = std::size_t{1} << 22;  // bytes
 
 // What shares a group: a square of so many tiles a side, and the tile of large boxes for itself;
@@ -47,7 +45,7 @@ class Grouping {
   // Tiles come in the order of the map: row after row, and in a row from left to right.
   std::size_t group_of(const Tile& tile) {
     const Square square = square_of(tile);
-    if (groups_ == 0 || square.y != band_y_ || square.small != band_small_) {
+    if (first_.empty() || square.y != band_y_ || square.small != band_small_) {
       band_.clear();
       band_y_ = square.y;
       band_small_ = square.small;
@@ -58,7 +56,11 @@ class Grouping {
     row_ = tile.iy;
     while (next_ < band_.size() && band_[next_].first < square.x) ++next_;
     if (next_ == band_.size() || band_[next_].first != square.x) {
-      band_.insert(band_.begin() + static_cast<std::ptrdiff_t>(next_), {square.x, groups_++});
+      band_.insert(band_.begin() + static_cast<std::ptrdiff_t>(next_), {square.x, first_.size()});
+      first_.push_back(tile.first);
+    } else if (tile.first + tile.count - first_[band_[next_].second] >= BoxNode::kBox - 1) {
+      band_[next_].second = first_.size();  // names are below 2^31 - 1
+      first_.push_back(tile.first);
     }
     return band_[next_].second;
   }
@@ -77,20 +79,15 @@ class Grouping {
   std::int32_t band_y_ = 0;
   bool band_small_ = false;
   std::int32_t row_ = 0;
-  std::size_t groups_ = 0;
+  std::vector<std::size_t> first_;  // box of each group
 };
 
 }  // namespace
 
-void GroupScene::remember(std::size_t map_box, std::atomic<std::uint32_t>& hint) const {
-  const auto at = std::lower_bound(box.begin(), box.end(), map_box);
-  if (at == box.end() || *at != map_box) return;
-  hint.store(static_cast<std::uint32_t>(at - box.begin()), std::memory_order_relaxed);
-}
-
-std::size_t GroupScene::bytes() const {
-  return box.size() * (sizeof(std::size_t) + kEmbreeBytesPerBox) +
-         (grown.size() + by_vehicle.size()) * sizeof(Aabb) + hints.bytes() + (1 << 15);
+std::size_t GroupTree::bytes() const {
+  return sizeof(GroupTree) + tree.bytes() + name.size() * sizeof(std::uint32_t) +
+         (grown.size() + by_vehicle.size()) * sizeof(Aabb) + (hints ? hints->bytes() : 0) +
+         (skyline ? 1 << 15 : 0);
 }
 
 CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOptions& options)
@@ -111,7 +108,7 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
               map.size() * kMostBytesPerBox + groups.size() * kMostBytesPerGroup <= budget;
   if (const auto all = bounds(group_extent)) reach = *all;
   if (groups.size() > 1) {
-    top = build(group_extent, segment_against_group, visit_candidate);
+    top = embree_tree(group_extent);
   }
 }
 
@@ -155,37 +152,51 @@ void CollisionScene::Impl::group_tiles(double wanted) {
 }
 
 // Where memory runs out, half of what there is makes room once.
-const GroupScene& CollisionScene::Impl::build_group(std::size_t g) {
-  const std::lock_guard lock(building);
-  if (const GroupScene* scene = kept_scene(groups[g])) return *scene;
-  std::unique_ptr<GroupScene> scene;
+const GroupTree& CollisionScene::Impl::build_group(std::size_t g) {
+  const std::lock_guard lock(building[g % kLocks]);
+  if (const GroupTree* tree = kept_tree(groups[g])) return *tree;
+  std::unique_ptr<GroupTree> tree;
   try {
-    scene = made_scene(groups[g]);
+    tree = made_tree(groups[g]);
   } catch (const std::bad_alloc&) {
     if (!make_room()) throw;
-    scene = made_scene(groups[g]);
+    tree = made_tree(groups[g]);
   }
-  const GroupScene& made = *scene;
-  keep(g, std::move(scene));
+  const GroupTree& made = *tree;
+  keep(g, std::move(tree));
   return made;
 }
 
-std::unique_ptr<GroupScene> CollisionScene::Impl::made_scene(const Group& group) const {
-  auto scene = std::make_unique<GroupScene>();
-  scene->box.reserve(group.count);
-  scene->grown.reserve(group.count);
-  if (margin > 0) scene->by_vehicle.reserve(group.count);
+std::unique_ptr<GroupTree> CollisionScene::Impl::made_tree(const Group& group) const {
+  std::vector<Aabb> grown;
+  std::vector<std::uint32_t> names;
+  grown.reserve(group.count);
+  names.reserve(group.count);
+  const std::size_t first = group.runs.front().first;
   for (const BoxRun& run : group.runs) {
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-      scene->box.push_back(i);
-      scene->grown.push_back(grow(boxes[i], half));
-      if (margin > 0) scene->by_vehicle.push_back(grow(boxes[i], vehicle.half));
+      grown.push_back(grow(boxes[i], half));
+      names.push_back(static_cast<std::uint32_t>(i - first));
     }
   }
-  scene->embree = build(scene->grown, segment_against_box, visit_candidate);
-  scene->skyline = Skyline(scene->grown, scene->embree.extent);
-  scene->hints = NearestHints(scene->embree.extent, scene->grown.size());
-  return scene;
+  BuiltTree built = embree_tree(grown);
+  const Aabb extent = *bounds(grown);
+  auto out = std::make_unique<GroupTree>();
+  out->tree = std::move(built.tree);
+  out->first = first;
+  out->name.reserve(group.count);
+  out->grown.reserve(group.count);
+  if (margin > 0) out->by_vehicle.reserve(group.count);
+  for (const std::uint32_t k : built.order) {
+    out->name.push_back(names[k]);
+    out->grown.push_back(grown[k]);
+    if (margin > 0) out->by_vehicle.push_back(grow(boxes[first + names[k]], vehicle.half));
+  }
+  if (groups.size() == 1) {
+    out->hints.emplace(extent, group.count);
+    out->skyline.emplace(grown, extent);
+  }
+  return out;
 }
 
 bool CollisionScene::Impl::make_room() noexcept {
@@ -198,21 +209,21 @@ bool CollisionScene::Impl::make_room() noexcept {
 }
 
 // Not while it is taken away to see whether somebody uses it.
-const GroupScene* CollisionScene::Impl::kept_scene(const Group& group) {
+const GroupTree* CollisionScene::Impl::kept_tree(const Group& group) {
   const std::lock_guard lock(keeping);
-  return group.scene.load();
+  return group.tree.load();
 }
 
-// The group's scene is there once nothing can fail any more.
-void CollisionScene::Impl::keep(std::size_t g, std::unique_ptr<GroupScene> scene) {
+// The group's tree is there once nothing can fail any more.
+void CollisionScene::Impl::keep(std::size_t g, std::unique_ptr<GroupTree> tree) {
   bool trim = false;
   {
     const std::lock_guard lock(keeping);
     kept.push_back(static_cast<std::uint32_t>(g));
-    bytes += scene->bytes();
+    bytes += tree->bytes();
     ++(groups[g].built ? counts.built_again : counts.built);
     groups[g].built = true;
-    groups[g].scene.store(scene.release());
+    groups[g].tree.store(tree.release());
     if (!keeps_all && bytes > budget) give_up(g);
     counts.most_bytes = std::max(counts.most_bytes, bytes);
     read += groups[g].count * sizeof(Aabb);
@@ -223,8 +234,8 @@ void CollisionScene::Impl::keep(std::size_t g, std::unique_ptr<GroupScene> scene
 }
 
 // Second chance (Corbato 1968): the hand goes around, passes what was touched since it last came
-// by, and gives up the rest. A query counts itself among the users before it reads `scene`, and
-// here `scene` is taken away before the users are counted, so one of the two always sees the other.
+// by, and gives up the rest. A query counts itself among the users before it reads `tree`, and
+// here `tree` is taken away before the users are counted, so one of the two always sees the other.
 void CollisionScene::Impl::give_up(std::size_t but) noexcept {
   for (std::size_t tries = 2 * kept.size(); tries > 0 && bytes > budget; --tries) {
     hand = hand < kept.size() ? hand : 0;
@@ -233,16 +244,16 @@ void CollisionScene::Impl::give_up(std::size_t but) noexcept {
       ++hand;
       continue;
     }
-    const GroupScene* scene = groups[g].scene.exchange(nullptr);
+    const GroupTree* tree = groups[g].tree.exchange(nullptr);
     if (groups[g].users.load() > 0) {
-      groups[g].scene.store(scene);
+      groups[g].tree.store(tree);
       ++hand;
       continue;
     }
     kept[hand] = kept.back();
     kept.pop_back();
-    bytes -= scene->bytes();
-    delete scene;
+    bytes -= tree->bytes();
+    delete tree;
   }
 }
 

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "embree_groups.h"
-#include "embree_queries.h"
 #include "geom/base/error.h"
 #include "geom/base/precondition.h"
 #include "geom/collision/collision.h"
+#include "queries.h"
 
 namespace geom {
 namespace {

@@ -1,0 +1,127 @@
+#pragma once
+
+// The two levels of a collision structure: a tree over groups of neighbouring tiles, and one a
+// group over its boxes, built on first touch and given up past the budget. A small map is one group
+// and has no upper level.
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "embree_tree.h"
+#include "geom/collision/collision.h"
+#include "nearest_hints.h"
+#include "skyline.h"
+
+namespace geom {
+
+// Boxes [first, first + count) of the map.
+struct BoxRun {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+// The boxes of a group, and what finds them. All are in the order of the tree's leaves, so that
+// boxes that are asked together lie together.
+struct GroupTree {
+  BoxTree tree;
+  std::size_t first = 0;            // index in the map of the group's first box
+  std::vector<std::uint32_t> name;  // how far each is from that one
+  std::vector<Aabb> grown;
+  std::vector<Aabb> by_vehicle;  // grown without the margin; empty where that is the same
+  // Of a map that is one group:
+  std::optional<NearestHints> hints;
+  std::optional<Skyline> skyline;
+
+  std::span<const Aabb> without_margin() const { return by_vehicle.empty() ? grown : by_vehicle; }
+  std::size_t bytes() const;  // about
+};
+
+// Tiles whose boxes share a tree.
+struct Group {
+  std::span<const BoxRun> runs;                 // ascending; none is empty
+  std::size_t count = 0;                        // boxes
+  std::atomic<const GroupTree*> tree{nullptr};  // null until touched, and again once given up
+  std::atomic<int> users{0};                    // queries inside; never given up while > 0
+  std::atomic<bool> touched{false};             // since the clock's hand last passed
+  bool built = false;                           // ever
+
+  Group() = default;
+  Group(const Group&) = delete;
+  Group& operator=(const Group&) = delete;
+  ~Group() { delete tree.load(); }
+};
+
+struct CollisionScene::Impl {
+  static constexpr std::size_t kLocks = 16;
+
+  BoxMap map;
+  std::span<const Aabb> boxes;  // of the map
+  Vehicle vehicle;
+  double margin;
+  Vec3 half;
+  std::size_t budget;
+  bool keeps_all = false;  // the whole map surely fits the budget: no group is ever given up
+  std::optional<Aabb> free_bounds;
+  BuiltTree top;
+  Aabb reach;                      // of all grown boxes, where there are any
+  std::vector<Aabb> group_extent;  // grown
+  std::vector<Group> groups;
+  std::vector<BoxRun> runs;                 // of all groups, one group after the other
+  std::array<std::mutex, kLocks> building;  // group g is built under building[g % kLocks]
+
+  mutable std::mutex keeping;       // guards what follows, and taking trees away; taken last
+  std::vector<std::uint32_t> kept;  // the groups with a tree, around the clock
+  std::size_t hand = 0;             // where in `kept` the clock stands
+  std::size_t bytes = 0;            // of all trees
+  CollisionCounts counts;
+  std::size_t read = 0;  // bytes of boxes, since the mapped files were last trimmed
+
+  Impl(BoxMap m, Vehicle v, double mg, const CollisionOptions& options);
+
+  // The group's tree, built if need be. It stays while the caller counts among `users`, and for
+  // good where keeps_all.
+  const GroupTree& touch(std::size_t g) {
+    const GroupTree* tree = groups[g].tree.load();
+    return tree ? *tree : build_group(g);
+  }
+  void group_tiles(double wanted);
+  const GroupTree& build_group(std::size_t g);
+  std::unique_ptr<GroupTree> made_tree(const Group& group) const;
+  bool make_room() noexcept;
+  const GroupTree* kept_tree(const Group& group);
+  void keep(std::size_t g, std::unique_ptr<GroupTree> tree);
+  void give_up(std::size_t but) noexcept;
+};
+
+// Counts a query among the users of a group.
+class Use {
+ public:
+  explicit Use(Group& group) : group_(group) {
+    group_.users.fetch_add(1);
+    if (!group_.touched.load(std::memory_order_relaxed)) {
+      group_.touched.store(true, std::memory_order_relaxed);
+    }
+  }
+  ~Use() { group_.users.fetch_sub(1); }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+
+ private:
+  Group& group_;
+};
+
+// Calls f(tree) for a query inside a group, whose tree stays that long. Throws where it cannot be
+// built.
+template <class F>
+auto visit(CollisionScene::Impl& impl, std::size_t g, const F& f) {
+  if (impl.keeps_all) return f(impl.touch(g));
+  const Use use(impl.groups[g]);  // counted before the tree is read
+  return f(impl.touch(g));
+}
+
+}  // namespace geom
