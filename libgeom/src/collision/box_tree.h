@@ -1,12 +1,12 @@
 #pragma once
 
-// A tree over closed boxes with sixteen children a node, which finds candidates. Embree builds it
-// (embree_tree.h), and box_walk.h asks it.
+// A tree over closed boxes with sixteen children a node, which finds candidates. embree_tree.h and
+// packed_tree.h build it, and box_walk.h asks it.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geom/shape/aabb.h"
@@ -48,7 +48,28 @@ struct TreeFrame {
     reach = {extent.min - beyond, extent.max + beyond};
     pad = std::ldexp(size + kBeyond, -20) + std::ldexp(largest, -48);
   }
+
+  // The planes of a box, at least `pad` further out: rounding to single precision takes away less
+  // than the eighth that is added.
+  float low(const Aabb& box, int axis) const {
+    return static_cast<float>(box.min[axis] - corner[axis] - 1.125 * pad);
+  }
+  float high(const Aabb& box, int axis) const {
+    return static_cast<float>(box.max[axis] - corner[axis] + 1.125 * pad);
+  }
 };
+
+// A node without children.
+inline BoxNode empty_node() {
+  BoxNode node;
+  constexpr float kNothing = std::numeric_limits<float>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    std::fill_n(node.plane[i], BoxNode::kLanes, kNothing);
+    std::fill_n(node.plane[3 + i], BoxNode::kLanes, -kNothing);
+  }
+  std::fill_n(node.child, BoxNode::kLanes, BoxNode::kNone);
+  return node;
+}
 
 struct BoxTree {
   // No tree is deeper; a walk has room for as many open nodes.
@@ -58,6 +79,12 @@ struct BoxTree {
   std::vector<BoxNode> nodes;  // the root first
 
   std::size_t bytes() const { return nodes.capacity() * sizeof(BoxNode); }
+};
+
+struct BuiltTree {
+  BoxTree tree;
+  // The boxes from leaf to leaf: child kBox | k of a node is boxes[order[k]].
+  std::vector<std::uint32_t> order;
 };
 
 }  // namespace geom

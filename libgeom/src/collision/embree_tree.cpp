@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -12,12 +11,9 @@
 #include <thread>
 #include <type_traits>
 
-#include "geom/base/rounding.h"
-
 namespace geom {
 namespace {
 
-constexpr float kNothing = std::numeric_limits<float>::infinity();
 constexpr unsigned kMostBuiltDepth = 32;
 static_assert(kMostBuiltDepth < BoxTree::kMostDepth);
 
@@ -42,11 +38,8 @@ class Nodes {
   BoxNode* add() noexcept {
     const std::size_t place = used_.fetch_add(1);
     if (place >= room_) return nullptr;
-    BoxNode& node = nodes_[place];
-    for (auto& plane : node.plane) std::fill(std::begin(plane), std::end(plane), -kNothing);
-    for (int i = 0; i < 3; ++i) std::fill_n(node.plane[i], BoxNode::kLanes, kNothing);
-    std::fill(std::begin(node.child), std::end(node.child), BoxNode::kNone);
-    return &node;
+    nodes_[place] = empty_node();
+    return &nodes_[place];
   }
 
   // What Embree is told of a child: a node, or a box by an odd number, as nodes are aligned.
@@ -109,10 +102,9 @@ void* create_leaf(RTCThreadLocalAllocator, const RTCBuildPrimitive* boxes, std::
 std::vector<RTCBuildPrimitive> primitives(std::span<const Aabb> boxes, const TreeFrame& frame) {
   std::vector<RTCBuildPrimitive> out(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Vec3 low = boxes[i].min - frame.corner - Vec3::Constant(frame.pad);
-    const Vec3 high = boxes[i].max - frame.corner + Vec3::Constant(frame.pad);
-    out[i] = {float_down(low[0]), float_down(low[1]), float_down(low[2]), 0,
-              float_up(high[0]),  float_up(high[1]),  float_up(high[2]),  static_cast<unsigned>(i)};
+    const Aabb& box = boxes[i];
+    out[i] = {frame.low(box, 0),  frame.low(box, 1),  frame.low(box, 2),  0,
+              frame.high(box, 0), frame.high(box, 1), frame.high(box, 2), static_cast<unsigned>(i)};
   }
   return out;
 }

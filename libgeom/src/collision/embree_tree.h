@@ -2,19 +2,11 @@
 
 // Trees over boxes, built by Embree.
 
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "box_tree.h"
 
 namespace geom {
-
-struct BuiltTree {
-  BoxTree tree;
-  // The boxes from leaf to leaf: child kBox | k of a node is boxes[order[k]].
-  std::vector<std::uint32_t> order;
-};
 
 // Splits are those of the least surface area, in bins (Wald 2007), and up to sixteen boxes share a
 // leaf. Of at least one box and less than 2^31 - 1. Throws std::bad_alloc, and std::runtime_error

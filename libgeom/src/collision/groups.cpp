@@ -6,15 +6,19 @@
 #include <numeric>
 #include <utility>
 
+#include "embree_tree.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/precondition.h"
 #include "geom/base/rounding.h"
 #include "map/box_map_data.h"
+#include "packed_tree.h"
 
 namespace geom {
 namespace {
 
-constexpr double kBoxesPerGroup = 512;
+constexpr double kBoxesPerGroup = 512;  // where the whole map fits the budget,
+constexpr double kFewerPerGroup = 128;  // and where groups are built again and again
+
 constexpr double kOneGroup = 16;  // times as many boxes as wanted are one group still
 constexpr std::size_t kMostBytesPerBox = 256;
 constexpr std::size_t kMostBytesPerGroup = 1024;
@@ -101,14 +105,17 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
     if (margin > 0) half[i] = next_up(half[i]);
   }
   free_bounds = shrink(map.spec().bounds, half);
+  const bool fits = map.size() <= budget / kMostBytesPerBox;
   group_tiles(options.boxes_per_group > 0 ? static_cast<double>(options.boxes_per_group)
-                                          : kBoxesPerGroup);
+              : fits                      ? kBoxesPerGroup
+                                          : kFewerPerGroup);
   counts.groups = groups.size();
   keeps_all = groups.size() <= 1 ||
               map.size() * kMostBytesPerBox + groups.size() * kMostBytesPerGroup <= budget;
   if (const auto all = bounds(group_extent)) reach = *all;
   if (groups.size() > 1) {
-    top = embree_tree(group_extent);
+    start_embree();  // here rather than in a query
+    top = packed_tree(group_extent);
   }
 }
 
@@ -180,7 +187,6 @@ std::unique_ptr<GroupTree> CollisionScene::Impl::made_tree(const Group& group) c
     }
   }
   BuiltTree built = embree_tree(grown);
-  const Aabb extent = *bounds(grown);
   auto out = std::make_unique<GroupTree>();
   out->tree = std::move(built.tree);
   out->first = first;
@@ -193,6 +199,7 @@ std::unique_ptr<GroupTree> CollisionScene::Impl::made_tree(const Group& group) c
     if (margin > 0) out->by_vehicle.push_back(grow(boxes[first + names[k]], vehicle.half));
   }
   if (groups.size() == 1) {
+    const Aabb extent = *bounds(grown);
     out->hints.emplace(extent, group.count);
     out->skyline.emplace(grown, extent);
   }

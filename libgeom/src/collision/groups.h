@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "embree_tree.h"
+#include "box_tree.h"
 #include "geom/collision/collision.h"
 #include "nearest_hints.h"
 #include "skyline.h"

@@ -5,6 +5,8 @@
 #include <random>
 #include <vector>
 
+#include "geom/base/rounding.h"
+#include "support/cases.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
 
@@ -111,6 +113,40 @@ TEST_P(AabbSegmentProperty, AgreesWithRationalArithmetic) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Offsets, AabbSegmentProperty, testing::Values(0.0, 1e3, 1e5, 5e5));
+
+// Side by side with the sum that is rounded outward, and then reaches further out by the slack.
+TEST(AabbGrow, IsBitForBitWhatTheRoundedSumsGive) {
+  support::Random random(12);
+  const auto slack = [](double x) { return std::max(5e-10, 2 * ulp(x)); };
+  const auto number = [&] {
+    switch (random.below(5)) {
+      case 0:
+        return random.stepped(-100, 100, 0.25);
+      case 1:
+        return std::ldexp(random.uniform(-1, 1), random.below(60) - 32);
+      case 2:
+        return random.below(2) ? 0.0 : -0.0;
+      case 3:
+        return std::ldexp(random.below(2) ? 1.0 : -1.0, 21) + random.stepped(-2, 2, 1e-9);
+      default:
+        return random.uniform(-5e3, 5e3);
+    }
+  };
+  for (int i = 0; i < support::cases(200000); ++i) {
+    const Vec3 one(number(), number(), number());
+    const Vec3 other(number(), number(), number());
+    const Aabb box{one.cwiseMin(other), one.cwiseMax(other)};
+    const Vec3 half(random.below(4) ? random.uniform(0, 3) : 0, random.stepped(0, 2, 0.125),
+                    std::abs(number()));
+    const Aabb grown = grow(box, half);
+    for (int k = 0; k < 3; ++k) {
+      const double low = add_down(box.min[k], -half[k]);
+      const double high = add_up(box.max[k], half[k]);
+      ASSERT_EQ(grown.min[k], add_down(low, -slack(low))) << "case " << i;
+      ASSERT_EQ(grown.max[k], add_up(high, slack(high))) << "case " << i;
+    }
+  }
+}
 
 TEST(AabbGrow, HoldsTheRealSumAndReachesBeyondByAtMostANanometre) {
   using oracle::Q;
