@@ -53,13 +53,14 @@ class BoxEdge {
     return p;
   }
 
-  // What other boxes cover of the line just off the edge, in one of its quadrants.
+  // The other boxes that cover some of the line just off the edge, in one of its quadrants.
   std::vector<Interval> covered(double side1, double side2) const {
     const Vec3 p = beside(side1, side2, 0);
     std::vector<Interval> out;
     for (const geom::Aabb& other : near_) {
       const bool inside = p[i1_] >= other.min[i1_] && p[i1_] <= other.max[i1_] &&
-                          p[i2_] >= other.min[i2_] && p[i2_] <= other.max[i2_];
+                          p[i2_] >= other.min[i2_] && p[i2_] <= other.max[i2_] &&
+                          box_.max[k_] >= other.min[k_] && box_.min[k_] <= other.max[k_];
       if (inside && !(other == box_)) out.push_back({other.min[k_], other.max[k_]});
     }
     return out;

@@ -59,6 +59,22 @@ TEST(Roadmap, GivesUpWhereTheStartSeesNothing) {
   }
 }
 
+// A box that ends a hair below a flat one covers nothing of its upright edges, which have no
+// length.
+TEST(Roadmap, BendsAtTheCornersOfAFlatBox) {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{-50, -50, 0}, {50, 50, 60}};
+  const geom::CollisionScene scene(
+      geom::BoxMap(spec,
+                   support::table_of({{{0, 0, 5}, {10, 10, 5}}, {{-1, -1, 0}, {12, 12, 4.9985}}})),
+      {"box", {0, 0, 0}}, 0);
+  const Roadmap roadmap = build_roadmap(scene, {});
+  EXPECT_EQ(
+      std::count_if(roadmap.bends.begin(), roadmap.bends.end(),
+                    [](const Bend& bend) { return bend.axis == 2 && bend.position.z() == 5; }),
+      4);
+}
+
 class RoadmapProperty : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RoadmapProperty, BendsAreFreeAndEdgesSeeEachOtherBothWays) {
