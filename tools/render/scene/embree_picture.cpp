@@ -139,7 +139,9 @@ PictureScene::PictureScene(const geom::BoxMap& map, std::span<const Tubes> tubes
 
 PictureScene::~PictureScene() = default;
 
-Hit PictureScene::named(const Ray& ray, unsigned geometry, unsigned primitive, float depth) const {
+// Inline: of a call the hit comes back in pieces, and each pixel waits until it can be read whole.
+inline Hit PictureScene::named(const Ray& ray, unsigned geometry, unsigned primitive,
+                               float depth) const {
   Hit hit;
   double first = std::numeric_limits<double>::infinity();
   if (geometry == 0) {
