@@ -14,7 +14,8 @@ namespace {
 using geom::BoxMap;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kManyBoxes = 1000000;  // beyond, overlaps are counted when asked for
+constexpr std::size_t kCollisionBytes = 150;  // a box, about
+constexpr std::size_t kManyBoxes = 1000000;   // beyond, overlaps are counted when asked for
 
 Json quartet(const geom::Quartet& q) {
   return {{"min", q.least}, {"median", q.median}, {"mean", q.mean}, {"max", q.most}};
@@ -46,8 +47,7 @@ Json description(const BoxMap& map, bool all) {
   if (!unknown.empty()) out["unknown"] = unknown;
   if (stats.unknown > 0) out["unknown_boxes"] = stats.unknown;
   out["file_bytes"] = map.size() * (sizeof(geom::Aabb) + 12);
-  out["collision_bytes"] =
-      map.size() * (2 * sizeof(geom::Aabb) + 88);  // once every tile is touched
+  out["collision_bytes"] = map.size() * kCollisionBytes;  // once every tile is touched
   out["history"] = history;
   return out;
 }

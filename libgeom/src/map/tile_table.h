@@ -4,11 +4,11 @@
 // which are not copied to open a map.
 
 #include <cstdint>
-#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "geom/base/once.h"
 #include "geom/map/box_map.h"
 
 namespace geom {
@@ -40,7 +40,7 @@ class TileTable {
   // All of them in a row. Columns are copied when this is first asked for; threads may ask at once.
   std::span<const Tile> all() const {
     if (columns_.large.empty()) return list_;
-    std::call_once(listed_, [&] {
+    listed_.call([&] {
       std::vector<Tile> list;
       list.reserve(size());
       for (std::size_t t = 0; t < size(); ++t) list.push_back((*this)[t]);
@@ -52,7 +52,7 @@ class TileTable {
  private:
   std::vector<Tile> list_;
   Columns columns_;
-  mutable std::once_flag listed_;
+  mutable Once listed_;
   mutable std::vector<Tile> copied_;
 };
 

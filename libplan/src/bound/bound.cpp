@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <vector>
 
 #include "convex_edges.h"
 #include "geom/base/error.h"
+#include "geom/base/once.h"
 #include "geom/base/precondition.h"
 #include "occluders.h"
 #include "search.h"
@@ -20,14 +20,14 @@ struct Bounder::Impl {
   explicit Impl(const geom::CollisionScene& of) : scene(of) {}
 
   void prepare() {
-    std::call_once(once, [&] {
+    once.call([&] {
       parts = PartTree(parts_of(convex_edges(scene), kPart));
       occluders.emplace(scene);
     });
   }
 
   const geom::CollisionScene& scene;
-  std::once_flag once;
+  geom::Once once;
   PartTree parts;
   std::optional<Occluders> occluders;
 };

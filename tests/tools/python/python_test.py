@@ -288,9 +288,9 @@ def test_flight_logs(out):
     log = skyway.read_flight_logs(f"{out}/flight.csv")[0]
     table = numpy.genfromtxt(f"{out}/flight.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
     assert len(log) == len(table) and numpy.array_equal(log.time, table["t_s"])
-    for axis, name in enumerate("xyz"):
+    for axis, name in enumerate(("east", "north", "up")):
         assert numpy.array_equal(log.position[:, axis], table[name + "_m"])
-        assert numpy.array_equal(log.setpoint_velocity[:, axis], table[f"setpoint_v{name}_mps"])
+        assert numpy.array_equal(log.setpoint_velocity[:, axis], table[f"setpoint_v_{name}_mps"])
     assert numpy.array_equal(log.attitude[:, 0], table["qw"]) and numpy.array_equal(log.attitude[:, 3], table["qz"])
     assert numpy.array_equal(log.motors[:, 3], table["motor4"])
     assert numpy.array_equal(log.saturated, table["saturated"] != 0)
