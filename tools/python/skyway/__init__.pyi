@@ -182,6 +182,8 @@ class Trajectory(_MadeFor):
     status: str
     message: str
     rung: str
+    bound: Optional[float]
+    duration_bound: Optional[float]
 
     @property
     def limits(self) -> dict[str, float]: ...
