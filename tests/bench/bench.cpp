@@ -1,4 +1,4 @@
-// Times of the parts, on one thread and warm, beside the brute force that all targets scale by.
+// Times of the parts, on one thread and warm, beside brute force.
 
 #include <benchmark/benchmark.h>
 

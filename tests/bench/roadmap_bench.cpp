@@ -66,8 +66,8 @@ int main(int argc, char** argv) {
     if (support::brute_force(a, b) && !scene.hits(a, b)) return 1;
   }
   brute = (cpu_seconds() - brute) / static_cast<double>(support::segments().size());
-  fmt::print("bends {} edges {} built in {:.2f} s, {:.0f} MB; k = {:.2f}\n", roadmap.bends.size(),
-             roadmap.to.size() / 2, built.count(), bytes / 1e6, brute / 30e-6);
+  fmt::print("bends {} edges {} built in {:.2f} s, {:.0f} MB; a segment by brute force {:.1f} us\n",
+             roadmap.bends.size(), roadmap.to.size() / 2, built.count(), bytes / 1e6, brute * 1e6);
   const auto queries = read(argv[1]);
   struct Kind {
     const char* name;

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <thread>
 #include <type_traits>
+#include <vector>
 
 namespace geom {
 namespace {
@@ -183,6 +184,15 @@ void keep(std::unique_ptr<HalfBuilt> build) noexcept {
   }
 }
 
+// A tree without one of its boxes would call it free.
+void require_each_box(std::span<const std::uint32_t> order, std::size_t boxes) {
+  std::vector<bool> seen(boxes);
+  for (const std::uint32_t box : order) seen[box] = true;
+  if (order.size() != boxes || std::find(seen.begin(), seen.end(), false) != seen.end()) {
+    throw std::logic_error("a collision tree has not each of its boxes once");
+  }
+}
+
 // The nodes, and no more memory than they take; boxes are named anew, from leaf to leaf.
 BuiltTree finished(const TreeFrame& frame, std::span<const BoxNode> nodes, std::size_t boxes) {
   BuiltTree out{{frame, {nodes.begin(), nodes.end()}}, {}};
@@ -194,6 +204,7 @@ BuiltTree finished(const TreeFrame& frame, std::span<const BoxNode> nodes, std::
       child = BoxNode::kBox | static_cast<std::uint32_t>(out.order.size() - 1);
     }
   }
+  require_each_box(out.order, boxes);
   return out;
 }
 
