@@ -133,6 +133,18 @@ void write_tree(const std::string& path, const plan::SearchTree& tree,
   out.commit();
 }
 
+// What came of it, on stderr.
+void tell(const cli::Common& common, const Planned& planned, double gap, bool of_one) {
+  planned.snapped.say(common);
+  if (planned.open > 0) {
+    cli::tell(common, "skyway-plan",
+              fmt::format("no proof within {} for {} of {}: there may be shorter ones", gap,
+                          planned.open, geom::counted(planned.found, "path")));
+  }
+  planned.batch.tell(common, "skyway-plan", "queries have no path");
+  if (of_one && !planned.found) cli::complain("skyway-plan", planned.last.message);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -185,18 +197,9 @@ int main(int argc, char** argv) {
     if (!search.tree_file.empty()) {
       write_tree(search.tree_file, planned.tree, planned.last, scene.map().spec().frame.axes);
     }
-    planned.snapped.say(common);
-    if (planned.open > 0) {
-      cli::tell(common, "skyway-plan",
-                fmt::format("no proof within {} for {} of {}: there may be shorter ones",
-                            search.plan.gap, planned.open, geom::counted(planned.found, "path")));
-    }
     common.write_stats(
         {{"queries", planned.records}, {"found", planned.found}, {"collision", scenes.stats()}});
-    planned.batch.tell(common, "skyway-plan", "queries have no path");
-    if (queries.size() == 1 && !planned.found) {
-      cli::complain("skyway-plan", planned.last.message);
-    }
+    tell(common, planned, search.plan.gap, queries.size() == 1);
     return exit;
   });
 }

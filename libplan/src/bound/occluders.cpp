@@ -7,6 +7,8 @@
 namespace plan {
 namespace {
 
+constexpr std::uint32_t kLeaf = 4;
+
 using geom::Aabb;
 
 // The box made longer along an axis, both ways, while one grown box holds its whole face and
@@ -115,63 +117,44 @@ Occluders::Occluders(const geom::CollisionScene& scene) {
     box.max -= Vec3::Constant(shrink);
     if ((box.min.array() <= box.max.array()).all()) boxes_.push_back(box);
   }
-  if (boxes_.empty()) return;
-  nodes_.emplace_back();
-  build(0, 0, static_cast<std::uint32_t>(boxes_.size()));
-  // Without those inside others.
+  arrange();
   std::vector<Aabb> kept;
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    const Aabb& box = boxes_[i];
-    std::vector<std::uint32_t> open{0};
-    bool inside = false;
-    while (!open.empty() && !inside) {
-      const Node& n = nodes_[open.back()];
-      open.pop_back();
-      if (!geom::contains(n.box, box.min) || !geom::contains(n.box, box.max)) continue;
-      if (n.count == 0) {
-        open.push_back(n.begin);
-        open.push_back(n.begin + 1);
-        continue;
-      }
-      for (std::uint32_t j = n.begin; j < n.begin + n.count; ++j) {
-        const Aabb& o = boxes_[j];
-        if (j != i && geom::contains(o, box.min) && geom::contains(o, box.max) &&
-            (!(o == box) || j < i)) {
-          inside = true;
-        }
-      }
-    }
-    if (!inside) kept.push_back(box);
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+    if (!is_inside_another(i)) kept.push_back(boxes_[i]);
   }
   boxes_ = std::move(kept);
-  nodes_.assign(1, {});
-  build(0, 0, static_cast<std::uint32_t>(boxes_.size()));
+  arrange();
 }
 
-void Occluders::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end) {
-  Aabb around = boxes_[begin];
-  for (std::uint32_t i = begin; i < end; ++i) around = geom::merged(around, boxes_[i]);
-  nodes_[node].box = around;
-  if (end - begin <= 4) {
-    nodes_[node].begin = begin;
-    nodes_[node].count = end - begin;
-    return;
-  }
-  int axis = 0;
-  const Vec3 size = around.max - around.min;
-  for (int i = 1; i < 3; ++i) axis = size[i] > size[axis] ? i : axis;
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  const auto key = [axis](const Aabb& b) {
-    return std::make_tuple(b.min[axis] + b.max[axis], b.min[0], b.min[1], b.min[2], b.max[0],
-                           b.max[1], b.max[2]);
+void Occluders::arrange() {
+  tree_ = MedianTree(boxes_, kLeaf);
+  std::vector<Aabb> arranged;
+  arranged.reserve(boxes_.size());
+  for (const std::uint32_t i : tree_.order) arranged.push_back(boxes_[i]);
+  boxes_ = std::move(arranged);
+}
+
+bool Occluders::is_inside_another(std::uint32_t i) const {
+  const auto holds = [](const Aabb& outer, const Aabb& inner) {
+    return geom::contains(outer, inner.min) && geom::contains(outer, inner.max);
   };
-  std::nth_element(boxes_.begin() + begin, boxes_.begin() + middle, boxes_.begin() + end,
-                   [&](const Aabb& a, const Aabb& b) { return key(a) < key(b); });
-  const auto low = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[node].begin = low;
-  nodes_.resize(nodes_.size() + 2);
-  build(low, begin, middle);
-  build(low + 1, middle, end);
+  const Aabb& box = boxes_[i];
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const MedianTree::Node& n = tree_.nodes[open.back()];
+    open.pop_back();
+    if (!holds(n.box, box)) continue;
+    if (n.count == 0) {
+      open.push_back(n.begin);
+      open.push_back(n.begin + 1);
+      continue;
+    }
+    for (std::uint32_t j = n.begin; j < n.begin + n.count; ++j) {
+      const Aabb& other = boxes_[j];
+      if (j != i && holds(other, box) && (!(other == box) || j < i)) return true;
+    }
+  }
+  return false;
 }
 
 bool Occluders::between(const EdgePart& a, const EdgePart& b, std::uint32_t& hint) const {
@@ -182,7 +165,7 @@ bool Occluders::between(const EdgePart& a, const EdgePart& b, std::uint32_t& hin
   int count = 0;
   open[count++] = 0;
   while (count > 0) {
-    const Node& n = nodes_[open[--count]];
+    const MedianTree::Node& n = tree_.nodes[open[--count]];
     if (!geom::overlap(n.box, around) || !meets(a.low, b.low, n.box)) continue;
     if (n.count == 0) {
       open[count++] = n.begin;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "convex_edges.h"
+#include "median_tree.h"
 
 namespace plan {
 
@@ -31,16 +32,11 @@ class Occluders {
   bool between(const EdgePart& a, const EdgePart& b, std::uint32_t& hint) const;
 
  private:
-  struct Node {
-    geom::Aabb box;
-    std::uint32_t begin = 0;  // of the boxes, of a leaf; else the first of two children
-    std::uint32_t count = 0;  // 0: not a leaf
-  };
+  void arrange();
+  bool is_inside_another(std::uint32_t i) const;
 
-  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
-
-  std::vector<geom::Aabb> boxes_;
-  std::vector<Node> nodes_;
+  std::vector<geom::Aabb> boxes_;  // in the order of the tree
+  MedianTree tree_;
 };
 
 }  // namespace plan

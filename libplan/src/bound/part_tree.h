@@ -7,6 +7,7 @@
 
 #include "convex_edges.h"
 #include "geom/shape/aabb.h"
+#include "median_tree.h"
 
 namespace plan {
 
@@ -22,17 +23,8 @@ class PartTree {
   std::vector<std::uint32_t> within(const Vec3& from, const Vec3& to, double length) const;
 
  private:
-  struct Node {
-    geom::Aabb box;
-    std::uint32_t begin = 0;  // of the order, of a leaf; else the first of two children
-    std::uint32_t count = 0;  // 0: not a leaf
-  };
-
-  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
-
   std::vector<EdgePart> parts_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  MedianTree tree_;
 };
 
 }  // namespace plan
