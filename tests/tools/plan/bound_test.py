@@ -8,35 +8,23 @@ import json
 import os
 import pathlib
 import random
-import subprocess
 import sys
 import tempfile
 
 import verify_bound
+from tools_and_maps import Tools
 from verify_bound import BoxMap, Refused, verify
 from verify_certificate import run_main
 
-bin_dir = os.path.abspath(sys.argv[1])
+tool = Tools(sys.argv[1])
 maps = int(sys.argv[2]) if len(sys.argv) > 2 else 10
 most = int(sys.argv[3]) if len(sys.argv) > 3 else 1500
 SIDE = 10
 SEED = 31
 
 
-def tool(*arguments):
-    done = subprocess.run([os.path.join(bin_dir, arguments[0]), *arguments[1:]], capture_output=True, text=True)
-    assert done.returncode in (0, 1), done.stderr
-    return done
-
-
 def objects(path):
     return [json.loads(line) for line in pathlib.Path(path).read_text().splitlines()]
-
-
-def write_map(name, boxes):
-    rows = ["min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label"] + [",".join(map(repr, box)) + "," for box in boxes]
-    pathlib.Path("boxes.csv").write_text("\n".join(rows) + "\n")
-    tool("skyway-import", "boxes.csv", "-q", "--bounds", f"0,0,0,{SIDE},{SIDE},{SIDE}", "-o", name)
 
 
 def random_boxes(chance):
@@ -198,7 +186,7 @@ class Tally:
         if refused(record, fewer, {}):
             return
         self.still += 1
-        write_map("fewer.boxmap", [box for box in boxes if box != boxes[i]])
+        tool.make_map(".", "fewer.boxmap", SIDE, [box for box in boxes if box != boxes[i]])
         paths, _ = ask("fewer.boxmap", [{"id": "q", "from": record["from"], "to": record["to"]}], "1e-4", margin)
         assert paths["q"]["length"] >= record["bound"], (record, boxes, i)
 
@@ -219,7 +207,7 @@ def run():
     tally = Tally()
     for n in range(maps):
         boxes = random_boxes(chance)
-        write_map("m.boxmap", boxes)
+        tool.make_map(".", "m.boxmap", SIDE, boxes)
         margin = chance.choice(("0", "0.1"))
         ends = [[[round(chance.uniform(0.5, SIDE - 0.5), 2) for _ in range(3)] for _ in range(2)] for _ in range(14)]
         queries = [{"id": f"q{i}", "from": a, "to": b} for i, (a, b) in enumerate(ends)]

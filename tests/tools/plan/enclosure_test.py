@@ -8,36 +8,29 @@ import json
 import os
 import pathlib
 import random
-import subprocess
 import sys
 import tempfile
 
+from tools_and_maps import Tools
 from verify_enclosure import BoxMap, Refused, main, verify
 
-bin_dir = sys.argv[1]
+tool = Tools(sys.argv[1])
 maps = int(sys.argv[2]) if len(sys.argv) > 2 else 12
 SIDE = 5
 SEED = 23
 
 
-def tool(*arguments):
-    done = subprocess.run([os.path.join(bin_dir, arguments[0]), *arguments[1:]], capture_output=True, text=True)
-    assert done.returncode in (0, 1), done.stderr
-    return done
-
-
 def random_map(chance, folder):
     """Panels and boxes on whole metres that cut the room into parts."""
-    rows = ["min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label"]
+    boxes = []
     for i in range(chance.randrange(24, 48)):
         low = [chance.randrange(SIDE) for _ in range(3)]
         high = [min(SIDE, v + chance.randrange(1, 5)) for v in low]
         if i % 4:
             flat = chance.randrange(3)
             high[flat] = low[flat]
-        rows.append(",".join(map(str, low + high)) + ",")
-    (folder / "boxes.csv").write_text("\n".join(rows) + "\n")
-    tool("skyway-import", "boxes.csv", "-q", "--bounds", f"0,0,0,{SIDE},{SIDE},{SIDE}", "-o", "m.boxmap")
+        boxes.append(low + high)
+    tool.make_map(folder, "m.boxmap", SIDE, boxes)
 
 
 def queries(chance, folder):
@@ -134,6 +127,5 @@ def run():
 
 
 with tempfile.TemporaryDirectory() as temporary:
-    bin_dir = os.path.abspath(bin_dir)
     os.chdir(temporary)
     run()
