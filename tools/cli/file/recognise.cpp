@@ -134,8 +134,11 @@ constexpr std::array kJson = {
     Word{R"("fileType":"GeoFence")", "a QGroundControl fence", "",
          "write its polygons as GeoJSON for skyway-map patch --keep-out"},
     Word{R"("type":"FeatureCollection")", "a GeoJSON file",
-         "skyway-footprints skyway-map skyway-check skyway-import-trajectory", ""},
-    Word{R"("type":"Feature")", "a GeoJSON feature", "skyway-footprints skyway-map", ""},
+         "skyway-footprints skyway-map skyway-check skyway-import-trajectory skyway-plan "
+         "skyway-bench",
+         ""},
+    Word{R"("type":"Feature")", "a GeoJSON feature",
+         "skyway-footprints skyway-map skyway-plan skyway-bench", ""},
     Word{R"("type":"benchmark")", "a report of skyway-bench", "skyway-plot", ""},
     Word{R"("bounds":{"extents")", "a RotorPy world", "skyway-import", ""},
     Word{R"("tilt_max_deg":)", "a vehicle profile", "", "give it with --vehicle"},

@@ -32,7 +32,7 @@ const std::array kPlaces = {
     Place{"", "after", {kMap}},
     Place{"", "--lattice", {"a lattice"}},
     Place{"", "--roadmap", {"a roadmap"}},
-    Place{"", "--queries", {kQueries, "a table of queries"}},
+    Place{"", "--queries", {kQueries, "a table of queries", "a GeoJSON feature", "a GeoJSON file"}},
     Place{"", "--vehicle", {"a vehicle profile"}},
     Place{"skyway-traj", "paths", {kPaths}},
     Place{"skyway-replan", "--paths", {kPaths}},
@@ -219,7 +219,7 @@ std::string refusal_here(const CLI::App& app, const Place& place, const std::str
                          const FileKind& kind) {
   std::string expected(place.takes.front());
   for (std::size_t i = 1; i < place.takes.size(); ++i) {
-    expected += " or " + std::string(place.takes[i]);
+    expected += (i + 1 < place.takes.size() ? ", " : " or ") + std::string(place.takes[i]);
   }
   std::string advice = swapped(app, place, path, kind);
   if (advice.empty()) advice = made_of(place, kind);
