@@ -1,5 +1,7 @@
 #include "checker.h"
 
+#include <fmt/format.h>
+
 #include "cli/option/limit_options.h"
 #include "cli/run.h"
 #include "geom/text/json_fields.h"
@@ -20,6 +22,32 @@ traj::ExactTask exact_task(const geom::CollisionScene& scene, const traj::Limits
 // Only --override allows it.
 bool has_less_room(const geom::CollisionScene& scene, const geom::Provenance& record) {
   return cli::smaller_than_asked({scene.vehicle(), scene.margin()}, record);
+}
+
+// How the corners of a mission were taken; empty where it has none.
+std::string corner_note(const traj::Flown& flown) {
+  if (flown.corners == 0) return {};
+  const std::string where =
+      fmt::format("{} waypoint{}", flown.corners, flown.corners == 1 ? "" : "s");
+  if (flown.acceptance == 0) {
+    return fmt::format(
+        "the vehicle does not stop at {}: as --acceptance 0 says, it is taken to go "
+        "to each before it turns",
+        where);
+  }
+  return fmt::format(
+      "the vehicle does not stop at {}: corners were looked at within {:.3g} m "
+      "(--acceptance says otherwise)",
+      where, flown.acceptance);
+}
+
+// What is in the way of a take-off.
+std::string takeoff_detail(const geom::CollisionScene& scene, const traj::CheckResult& result) {
+  if (result.reason != traj::Reason::takeoff) return {};
+  return fmt::format(
+      "the flight begins {:.3g} m above the ground that it takes off from, and the vehicle reaches "
+      "{:.3g} m below its reference point: it would begin inside the ground",
+      result.worst, scene.half().z());
 }
 
 }  // namespace
@@ -109,11 +137,19 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   if (rules_.exact && !path) {
     throw cli::UsageError("--exact takes paths and records, not files of trajectories");
   }
+  if (rules_.exact && !(file.flown.sweeps.empty() && file.flown.fences.empty())) {
+    throw cli::UsageError(
+        "--exact takes straight legs: this mission has corners, curves or fences as well; check it "
+        "without --exact");
+  }
   traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}, {}, {}};
   report.limits = limits_for({}, scene.vehicle());
   report.overridden = loosened({}, scene.vehicle(), report.limits);
   report.provenance = geom::provenance_of(scene);
+  report.home = file.flown.home;
+  report.idle_items = file.flown.idle_items;
   report.result = traj::check_flown(scene, file.flown, report.limits, rules_.clearance);
+  report.detail = takeoff_detail(scene, report.result);
   if (path) refuse_unmeasured(file.flown.path.front(), report);
   const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
   if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
@@ -148,6 +184,8 @@ std::size_t Checker::each(cli::InputFile& file, const cli::DroneFileOptions& dro
   for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
     if (!shard.takes(total++)) continue;
     for (const std::string& note : one.notes) common_.warn(one.id + ": " + note);
+    const std::string corners = corner_note(one.flown);
+    if (!corners.empty()) common_.warn(one.id + ": " + corners);
     answer(flown(one));
   }
   return total;

@@ -7,6 +7,7 @@
 #include "cli/option/output_option.h"
 #include "cli/option/scenes.h"
 #include "cli/run.h"
+#include "junit_file.h"
 #include "traj/record/certificate_record.h"
 
 namespace {
@@ -17,6 +18,7 @@ struct Options {
   std::string output = "-";
   std::string certificate;
   checking::ProfileFile profile;
+  checking::JUnitFile junit;
   cli::VehicleOptions vehicle;
   cli::LimitOptions limits;
   bool override_record = false;
@@ -46,6 +48,7 @@ void Options::add_to(CLI::App& app) {
   app.add_flag("--no-clearance", no_clearance,
                "leave the clearance out of the reports: it costs more than the verdict");
   profile.add_to(app);
+  junit.add_to(app);
   cli::add_output(
       app, "--certificate", certificate,
       "write the reasons why each accepted record is clear, JSON Lines; implies --exact");
@@ -55,7 +58,8 @@ void Options::add_to(CLI::App& app) {
 void Options::refuse_idle(const CLI::App& app) const {
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
   cli::only_for(app, !drone_file.format.empty(),
-                {"--start", "--origin", "--geoid", "--ground", "--takeoff-height", "--heading"},
+                {"--start", "--origin", "--geoid", "--ground", "--takeoff-height", "--heading",
+                 "--acceptance", "--braking", "--return-height", "--terrain"},
                 "drone files (--file-format)");
 }
 
@@ -64,10 +68,14 @@ class Reports {
  public:
   // All must outlive this.
   Reports(Options& options, const cli::Sharding& sharding, const geom::BoxMap& map)
-      : map_(map), profile_(options.profile), out_(options.output, "output", sharding) {
+      : map_(map),
+        profile_(options.profile),
+        junit_(options.junit),
+        out_(options.output, "output", sharding) {
     if (!options.certificate.empty())
       certificates_.emplace(options.certificate, "certificate", sharding);
     profile_.open(sharding);
+    junit_.open();
   }
 
   void add(const traj::ReportRecord& report) {
@@ -78,6 +86,7 @@ class Reports {
        : batch_.add_failed(report.result.ok ? "exact" : name(report.result.reason));
     if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
     profile_.finish_record();
+    junit_.add(report, map_);
     out_.add(traj::to_json_line(report, map_));
     out_.flush();
   }
@@ -88,6 +97,7 @@ class Reports {
     out_.commit(total, exit);
     if (certificates_) certificates_->commit(total, exit);
     profile_.commit(total, exit);
+    junit_.commit();
     return exit;
   }
 
@@ -104,6 +114,7 @@ class Reports {
 
   const geom::BoxMap& map_;
   checking::ProfileFile& profile_;
+  checking::JUnitFile& junit_;
   cli::RecordOutput out_;
   std::optional<cli::RecordOutput> certificates_;
   std::size_t count_ = 0;
@@ -123,6 +134,11 @@ int main(int argc, char** argv) {
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     options.refuse_idle(app);
+    if (sharding.asked() && !options.junit.file().empty()) {
+      throw cli::UsageError(
+          "--junit says how all records came out, and a shard holds some: leave "
+          "--shard or --junit out");
+    }
     cli::at_most_one_stdin({options.map, options.input});
     sharding.begin(app, {{"map", options.map}, {"file", options.input}},
                    {{"output", options.output},

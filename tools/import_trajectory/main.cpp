@@ -50,6 +50,11 @@ struct Importer {
 
   std::string line(const cli::DroneFile& file) const {
     for (const std::string& note : file.notes) common.warn(file.id + ": " + note);
+    if (!file.flown.sweeps.empty() || !file.flown.fences.empty() || file.flown.corners > 0) {
+      common.warn(file.id +
+                  ": the record has the mission's straight legs, not its corners, curves and "
+                  "fences: skyway-check --file-format looks at those");
+    }
     return file.flown.path.empty() ? trajectory_line(file) : path_line(file);
   }
 };
@@ -95,6 +100,7 @@ int main(int argc, char** argv) {
       ->excludes(map_option);
   vehicle.add_to(app);
   options.placement.add_to(app);
+  options.add_heights_to(app);
   cli::add_point(
       app, "--start", options.start,
       "where a Tello stands before it takes off, along the axes of --frame or of the map");

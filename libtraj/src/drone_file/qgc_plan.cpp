@@ -22,7 +22,9 @@ constexpr int kGenericFirmware = 0;  // MAV_AUTOPILOT_GENERIC
 constexpr int kGeneric = 0;          // MAV_TYPE_GENERIC
 constexpr int kQuadrotor = 2;        // MAV_TYPE_QUADROTOR
 constexpr int kAboveHome = 1;        // AltitudeMode
-constexpr int kAboveSea = 2;         // from 3 on, heights follow the terrain
+constexpr int kAboveSea = 2;
+constexpr int kFromTerrain = 3;   // above the sea, worked out from a height above terrain
+constexpr int kAboveTerrain = 4;  // the vehicle follows the terrain
 // MAV_TYPE of what flies straight legs and rests in the air: rotors of all kinds.
 constexpr int kRotorcraft[] = {kGeneric, kQuadrotor, 3, 4, 13, 14, 15, 29, 35};
 constexpr double kUnsaidSpeed = 5;  // m/s
@@ -93,12 +95,14 @@ struct PlanReader {
     return static_cast<int>(value);
   }
 
-  MissionItem item(const Json& json, std::size_t index) const {
-    const std::string where = fmt::format("mission.items[{}]", index);
+  MissionItem item(const Json& json, const std::string& where, std::size_t index) const {
     if (!json.is_object())
       refuse(fmt::format("{} must be an object, found {}", where, shown(json)));
     require(json, "type", "SimpleItem", where);
     MissionItem item;
+    item.number = json.contains("doJumpId")
+                      ? static_cast<std::size_t>(whole(json, "doJumpId", where))
+                      : index + 1;
     item.frame = whole(json, "frame", where);
     item.command = whole(json, "command", where);
     const Json& params = member(json, "params", where);
@@ -121,36 +125,100 @@ struct PlanReader {
   // goes by this, other programs by those.
   void require_one_height(const Json& json, const MissionItem& item,
                           const std::string& where) const {
+    if (item.frame == kMissionFrame) return;
     const auto said = [&](const char* key) { return json.contains(key) && !json[key].is_null(); };
-    if (said("AltitudeMode") && item.frame != kMissionFrame) {
-      const int mode = whole(json, "AltitudeMode", where);
-      const bool home = item.frame == kGlobalRelative || item.frame == kGlobalRelativeInt;
-      if (mode != (home ? kAboveHome : kAboveSea)) {
-        refuse(
-            fmt::format("{}.AltitudeMode must be 1 or 2 (above home or sea level) as its frame "
-                        "{} says, found {}",
-                        where, item.frame, mode));
-      }
+    const int mode = said("AltitudeMode") ? whole(json, "AltitudeMode", where) : -1;
+    if (mode >= 0 && !fits(mode, item.frame)) {
+      refuse(
+          fmt::format("{}.AltitudeMode must be 1, 2, 3 or 4 (above home, sea level, by way of the "
+                      "terrain, above it) as its frame {} says, found {}",
+                      where, item.frame, mode));
     }
-    if (said("Altitude") && item.frame != kMissionFrame) {
-      const double height = number(json["Altitude"], where + ".Altitude");
-      if (std::abs(height - item.altitude) > 1e-3) {
-        refuse(fmt::format("{}.Altitude must be the height in params, {}, found {}", where,
-                           item.altitude, height));
-      }
+    const char* key = mode == kFromTerrain ? "AMSLAltAboveTerrain" : "Altitude";
+    if (!said(key)) return;
+    const double height = number(json[key], fmt::format("{}.{}", where, key));
+    if (std::abs(height - item.altitude) > 1e-3) {
+      refuse(fmt::format("{}.{} must be the height in params, {}, found {}", where, key,
+                         item.altitude, height));
     }
   }
 
-  void require_no_fence(const Json& plan) const {
-    if (!plan.contains("geoFence")) return;
-    const Json& fence = object(plan, "geoFence", "plan");
-    for (const char* key : {"circles", "polygons"}) {
-      if (!fence.contains(key) || (fence[key].is_array() && fence[key].empty())) continue;
-      refuse(
-          fmt::format("plan.geoFence.{} must be empty, found {}: what a vehicle does at a fence "
-                      "is not checked; remove it",
-                      key, shown(fence[key])));
+  static bool fits(int mode, int frame) {
+    switch (frame) {
+      case kGlobalRelative:
+      case kGlobalRelativeInt:
+        return mode == kAboveHome;
+      case kGlobalTerrain:
+      case kGlobalTerrainInt:
+        return mode == kAboveTerrain;
+      default:
+        return mode == kAboveSea || mode == kFromTerrain;
     }
+  }
+
+  geom::GeodeticPlace place(const Json& value, const std::string& where, std::size_t size) const {
+    if (!value.is_array() || value.size() != size) {
+      refuse(fmt::format("{} must be a list of {} numbers, found {}", where, size, shown(value)));
+    }
+    const auto part = [&](std::size_t i) {
+      return i < size ? number(value[i], fmt::format("{}[{}]", where, i)) : 0;
+    };
+    return {part(0), part(1), part(2)};
+  }
+
+  const Json& list(const Json& parent, const char* key, const std::string& where) const {
+    const Json& value = member(parent, key, where);
+    if (!value.is_array()) {
+      refuse(fmt::format("{}.{} must be a list, found {}", where, key, shown(value)));
+    }
+    return value;
+  }
+
+  bool inclusion(const Json& fence, const std::string& where) const {
+    const Json& value = member(fence, "inclusion", where);
+    if (value.is_boolean()) return value.get<bool>();
+    refuse(fmt::format("{}.inclusion must be true or false, found {}", where, shown(value)));
+  }
+
+  std::vector<GeodeticFence> fences(const Json& plan) const {
+    std::vector<GeodeticFence> fences;
+    if (!plan.contains("geoFence")) return fences;
+    const Json& fence = object(plan, "geoFence", "plan");
+    const auto each = [&](const char* key, const auto& take) {
+      if (!fence.contains(key)) return;
+      const Json& all = list(fence, key, "geoFence");
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string where = fmt::format("geoFence.{}[{}]", key, i);
+        if (!all[i].is_object()) {
+          refuse(fmt::format("{} must be an object, found {}", where, shown(all[i])));
+        }
+        fences.push_back({inclusion(all[i], where), {}, {}, 0});
+        take(all[i], where, fences.back());
+      }
+    };
+    each("circles", [&](const Json& json, const std::string& where, GeodeticFence& out) {
+      const Json& circle = object(json, "circle", where);
+      out.centre = place(member(circle, "center", where), where + ".circle.center", 2);
+      out.radius = number(member(circle, "radius", where), where + ".circle.radius");
+    });
+    each("polygons", [&](const Json& json, const std::string& where, GeodeticFence& out) {
+      for (const Json& corner : list(json, "polygon", where)) {
+        out.ring.push_back(place(corner, where + ".polygon[]", 2));
+      }
+      if (out.ring.empty()) refuse(where + ".polygon must have corners, found none");
+    });
+    return fences;
+  }
+
+  std::vector<geom::GeodeticPlace> rally(const Json& plan) const {
+    std::vector<geom::GeodeticPlace> places;
+    if (!plan.contains("rallyPoints")) return places;
+    const Json& points = object(plan, "rallyPoints", "plan");
+    if (!points.contains("points")) return places;
+    for (const Json& point : list(points, "points", "rallyPoints")) {
+      places.push_back(place(point, "rallyPoints.points[]", 3));
+    }
+    return places;
   }
 
   void require_rotorcraft(const Json& mission) const {
@@ -165,15 +233,22 @@ struct PlanReader {
                     type));
   }
 
-  geom::GeodeticPlace home(const Json& value) const {
-    if (!value.is_array() || value.size() != 3) {
-      refuse(fmt::format("mission.plannedHomePosition must be a list of 3 numbers, found {}",
-                         shown(value)));
+  // A survey and its like hold the items that QGroundControl made of them.
+  void add_items(const Json& items, const std::string& where, Mission& mission) const {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const std::string here = fmt::format("{}[{}]", where, i);
+      const Json& json = items[i];
+      const bool complex = json.is_object() && json.contains("type") &&
+                           json["type"] == "ComplexItem" &&
+                           json.contains("TransectStyleComplexItem");
+      if (!complex) {
+        mission.items.push_back(item(json, here, mission.items.size()));
+        continue;
+      }
+      const Json& transects = object(json, "TransectStyleComplexItem", here);
+      add_items(list(transects, "Items", here + ".TransectStyleComplexItem"),
+                here + ".TransectStyleComplexItem.Items", mission);
     }
-    const auto part = [&](std::size_t i) {
-      return number(value[i], fmt::format("mission.plannedHomePosition[{}]", i));
-    };
-    return {part(0), part(1), part(2)};
   }
 
   Mission mission(const Json& plan) const {
@@ -181,15 +256,17 @@ struct PlanReader {
     require(plan, "version", 1, "plan");
     const Json& json = object(plan, "mission", "plan");
     require(json, "version", 2, "mission");
-    require_no_fence(plan);
     require_rotorcraft(json);
     Mission mission;
-    mission.home = home(member(json, "plannedHomePosition", "mission"));
+    mission.home =
+        place(member(json, "plannedHomePosition", "mission"), "mission.plannedHomePosition", 3);
+    mission.fences = fences(plan);
+    mission.rally = rally(plan);
     const Json& items = member(json, "items", "mission");
     if (!items.is_array() || items.empty()) {
       refuse(fmt::format("mission.items must be a list of at least one, found {}", shown(items)));
     }
-    for (std::size_t i = 0; i < items.size(); ++i) mission.items.push_back(item(items[i], i));
+    add_items(items, "mission.items", mission);
     return mission;
   }
 };

@@ -68,11 +68,13 @@ struct LineReader {
     return static_cast<int>(value);
   }
 
-  MissionItem item(std::string_view text, std::size_t index) const {
+  // `least`: the number that the item must have at least.
+  MissionItem item(std::string_view text, std::size_t least) const {
     const auto v = fields(text);
-    if (v[0] != static_cast<double>(index)) {
-      refuse(fmt::format("index must be {}, the next, found {}", index, v[0]));
+    if (!(v[0] >= static_cast<double>(least) && v[0] <= 1e9) || v[0] != std::floor(v[0])) {
+      refuse(fmt::format("index must be a whole number from {} on, found {}", least, v[0]));
     }
+    const auto index = static_cast<std::size_t>(v[0]);
     for (const int flag : {1, 11}) {
       if (v[flag] != 0 && v[flag] != 1) {
         refuse(fmt::format("{} must be 0 or 1, found {}", kNames[flag], v[flag]));
@@ -86,8 +88,124 @@ struct LineReader {
             v[8],
             v[9],
             v[10],
-            line};
+            line,
+            index};
   }
+};
+
+constexpr int kFenceCorners[] = {5001, 5002};  // MAV_CMD: of an inclusion, an exclusion
+constexpr int kFenceCircles[] = {5003, 5004};
+constexpr int kFenceReturn = 5000;  // where a vehicle goes that left its fence
+constexpr int kRallyPoint = 5100;
+
+class WplReader {
+ public:
+  WplReader(std::istream& in, std::string_view source) : in_(in), source_(source) {}
+
+  Mission read() {
+    std::string text;
+    for (line_ = 1; std::getline(in_, text); ++line_) {
+      std::string_view line = text;
+      if (line_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      if (line_ == 1) {
+        read_header(line);
+      } else if (!line.empty() && !line.starts_with('#')) {
+        take(LineReader{source_, line_}.item(line, next_));
+      }
+    }
+    finish();
+    return std::move(mission_);
+  }
+
+ private:
+  void read_header(std::string_view line) {
+    if (line != "QGC WPL 110" && line != "QGC WPL 120") {
+      LineReader{source_, line_}.refuse(
+          fmt::format("expected \"QGC WPL 110\", found \"{}\"", line.substr(0, 60)));
+    }
+    has_home_ = line.ends_with("110");
+  }
+
+  void take(const MissionItem& item) {
+    const bool first = next_ == 0 && item.number == 0;
+    skips_ = skips_ || item.number != next_;
+    next_ = item.number + 1;
+    if (first && has_home_ && item.frame == kGlobal && item.command == kWaypoint) {
+      mission_.home = {item.latitude, item.longitude, item.altitude};
+    } else if (item.command == kRallyPoint) {
+      mission_.rally.push_back({item.latitude, item.longitude, item.altitude});
+    } else if (!take_fence(item)) {
+      mission_.items.push_back(item);
+    }
+  }
+
+  // Corners of a polygon stand together, and each says how many they are.
+  bool take_fence(const MissionItem& item) {
+    if (item.command == kFenceReturn) return true;
+    for (const int i : {0, 1}) {
+      if (item.command == kFenceCircles[i]) {
+        mission_.fences.push_back({i == 0, {}, {item.latitude, item.longitude, 0}, item.param[0]});
+        return true;
+      }
+      if (item.command != kFenceCorners[i]) continue;
+      const double corners = item.param[0];
+      if (corners_left_ == 0) {
+        if (!(corners >= 3 && corners <= 1e5) || corners != std::floor(corners)) {
+          refuse(fmt::format("a fence must have 3 corners or more, found {}", corners));
+        }
+        corners_left_ = static_cast<std::size_t>(corners);
+        mission_.fences.push_back({i == 0, {}, {}, 0});
+      }
+      GeodeticFence& fence = mission_.fences.back();
+      const double left = static_cast<double>(fence.ring.size() + corners_left_);
+      if (fence.inclusion != (i == 0) || corners != left) {
+        refuse(fmt::format("expected {} more corners of the fence before, found another",
+                           corners_left_));
+      }
+      fence.ring.push_back({item.latitude, item.longitude, 0});
+      --corners_left_;
+      return true;
+    }
+    return false;
+  }
+
+  void finish() {
+    if (corners_left_ > 0) {
+      throw geom::InputError(source_, fmt::format("expected {} more corners of a fence, found the "
+                                                  "end of the file",
+                                                  corners_left_));
+    }
+    if (mission_.items.empty() && !(mission_.fences.empty() && mission_.rally.empty())) {
+      throw geom::InputError(source_, "expected a mission, found only a fence or rally points");
+    }
+    if (mission_.items.empty()) {
+      throw geom::InputError(source_, "expected \"QGC WPL 110\" and at least one item, found none");
+    }
+    if (!skips_) return;
+    for (const MissionItem& item : mission_.items) {
+      if (item.command != kJump) continue;
+      throw geom::InputError(
+          source_, item.line,
+          "expected numbers that begin at 0 and leave none out, as a jump counts "
+          "on them, found others");
+    }
+    mission_.notes.emplace_back(
+        "the numbers of its items do not count 0, 1, 2, …: a ground station counts them anew");
+  }
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    LineReader{source_, line_}.refuse(message);
+  }
+
+  std::istream& in_;
+  std::string_view source_;
+  std::size_t line_ = 1;
+  std::size_t next_ = 0;  // number of the next item
+  bool has_home_ = false;
+  bool skips_ = false;
+  std::size_t corners_left_ = 0;
+  Mission mission_;
 };
 
 }  // namespace
@@ -103,28 +221,6 @@ void write_wpl(std::ostream& out, const Mission& mission) {
   out << text;
 }
 
-Mission read_wpl(std::istream& in, std::string_view source) {
-  Mission mission;
-  std::string text;
-  std::size_t index = 0;
-  for (std::size_t line = 1; std::getline(in, text); ++line) {
-    const LineReader reader{source, line};
-    if (text.ends_with('\r')) reader.refuse("expected a line that ends with LF, found CRLF");
-    if (line == 1 && text != "QGC WPL 110") {
-      reader.refuse(fmt::format("expected \"QGC WPL 110\", found \"{}\"", text.substr(0, 60)));
-    }
-    if (line == 1 || text.empty() || text.starts_with('#')) continue;
-    const MissionItem item = reader.item(text, index);
-    if (index++ == 0 && item.frame == kGlobal && item.command == kWaypoint) {
-      mission.home = {item.latitude, item.longitude, item.altitude};
-    } else {
-      mission.items.push_back(item);
-    }
-  }
-  if (mission.items.empty()) {
-    throw geom::InputError(source, "expected \"QGC WPL 110\" and at least one item, found none");
-  }
-  return mission;
-}
+Mission read_wpl(std::istream& in, std::string_view source) { return WplReader(in, source).read(); }
 
 }  // namespace traj

@@ -195,6 +195,42 @@ std::vector<Vec3> strays(const Flown& flown, std::size_t points) {
   return stray;
 }
 
+// Of a leg of the whole way, at a time that counts legs.
+std::optional<FlightPart> part_of(const Flown& flown, double time) {
+  if (flown.legs.empty()) return std::nullopt;
+  const std::size_t leg = static_cast<std::size_t>(time) + (flown.ends.takeoff_from ? 0 : 1);
+  return flown.legs[std::min(leg, flown.legs.size() - 1)];
+}
+
+// Legs too.
+std::vector<Sweep> all_sweeps(const Flown& flown, const geom::Polyline& way) {
+  std::vector<Sweep> sweeps;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const auto part = part_of(flown, static_cast<double>(i - 1));
+    sweeps.push_back({{way[i - 1], way[i]}, part.value_or(FlightPart{})});
+  }
+  if (way.size() == 1) sweeps.push_back({{way.front()}, {}});
+  sweeps.insert(sweeps.end(), flown.sweeps.begin(), flown.sweeps.end());
+  return sweeps;
+}
+
+// The first leg of an item.
+double leg_of(const Flown& flown, std::size_t item) {
+  std::size_t leg = 0;
+  while (leg + 1 < flown.legs.size() && flown.legs[leg].item != item) ++leg;
+  return static_cast<double>(flown.ends.takeoff_from || leg == 0 ? leg : leg - 1);
+}
+
+void check_regions(const geom::CollisionScene& scene, const Flown& flown, const geom::Polyline& way,
+                   CheckResult& result) {
+  if (result.reason != Reason::none) return;
+  check_sweeps(scene, flown.sweeps, flown.path_stray, result);
+  if (!flown.fences.empty()) {
+    check_fences(scene, all_sweeps(flown, way), flown.fences, flown.path_stray, result);
+  }
+  if (result.part) result.time = leg_of(flown, result.part->item);
+}
+
 CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,
                       Clearance clearance) {
   const auto way = whole_way(scene, flown);
@@ -202,9 +238,13 @@ CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, con
     CheckResult result;
     const double room = flown.path.front().z() - *flown.ends.takeoff_from;
     refuse(result, Reason::takeoff, 0, flown.path.front(), room);
+    result.looked = true;
+    result.part = part_of(flown, 0);
     return result;
   }
   CheckResult result = check_path(scene, *way, strays(flown, way->size()), clearance);
+  if (result.reason != Reason::none) result.part = part_of(flown, result.time);
+  check_regions(scene, flown, *way, result);
   if (flown.speed) check_legs(*way, *flown.speed, limits, result);
   if (flown.envelope) check_envelope(flown, result);
   if (flown.returns) {

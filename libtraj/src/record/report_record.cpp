@@ -33,6 +33,7 @@ void add_violation(JsonLine& line, const CheckResult& result, const geom::BoxMap
   line.add("reason", name(result.reason)).add("time", result.time).add("place", result.place);
   line.add("worst", result.worst);
   add_box(line, result.box, map);
+  if (result.part) line.add("item", result.part->item).add("part", name(result.part->manoeuvre));
 }
 
 // Why a report refuses.
@@ -86,13 +87,13 @@ bool flag(const geom::JsonFields& fields, const nlohmann::json& object, const st
   return object["ok"].get<bool>();
 }
 
-std::optional<std::uint64_t> parse_box(const geom::JsonFields& fields) {
-  if (!fields.has("box")) return std::nullopt;
-  const nlohmann::json& box = fields.value("box");
-  if (!box.is_number_unsigned()) {
-    fields.refuse("box must be a whole number >= 0, found " + box.dump());
+std::optional<std::uint64_t> parse_count(const geom::JsonFields& fields, const char* key) {
+  if (!fields.has(key)) return std::nullopt;
+  const nlohmann::json& value = fields.value(key);
+  if (!value.is_number_unsigned()) {
+    fields.refuse(fmt::format("{} must be a whole number >= 0, found {}", key, value.dump()));
   }
-  return box.get<std::uint64_t>();
+  return value.get<std::uint64_t>();
 }
 
 std::vector<ReportSummary::Named> parse_extremes(const geom::JsonFields& fields) {
@@ -136,6 +137,9 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   line.add("type", "report").add("id", record.id).add("ok", accepted(record));
   add_reason(line, record, map);
   line.add("checked", record.checked);
+  if (!record.detail.empty()) line.add("detail", record.detail);
+  line.add("home", record.home);
+  if (record.idle_items) line.add("idle_items", record.idle_items);
   add_extreme(line, "clearance", result.clearance);
   if (result.duration > 0) line.add("duration", result.duration);
   line.add("claimed_bound", record.claimed_bound).add("duration_bound", record.duration_bound);
@@ -165,7 +169,10 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
   report.time = fields.number("time");
   if (fields.has("place")) report.place = fields.point("place");
   report.worst = fields.number("worst");
-  report.box = parse_box(fields);
+  report.box = parse_count(fields, "box");
+  report.item = parse_count(fields, "item");
+  report.part = fields.text("part", "");
+  report.detail = fields.text("detail", "");
   report.duration = fields.number("duration");
   report.duration_bound = fields.number("duration_bound");
   report.extremes = parse_extremes(fields);

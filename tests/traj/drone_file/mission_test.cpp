@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "traj/drone_file/examples.h"
+#include "traj/drone_file/mission_flight.h"
 #include "traj/drone_file/qgc_plan.h"
 #include "traj/drone_file/wpl.h"
 
@@ -41,7 +42,7 @@ TEST(Mission, ComesBackFromBothFilesAsItWasMade) {
 
 TEST(Mission, AHomeThatIsGivenCountsBeforeTheFiles) {
   const Mission mission = make_mission(kPoints, kFrame, mission_options());
-  const FlownMission flown = flown_mission(mission, kFrame, 102.0, "mission");
+  const FlownMission flown = flown_mission(mission, kFrame, {.home = 102.0}, "mission");
   EXPECT_NEAR(flown.path[1].z(), kPoints[1].z() + 100, 0.0006);
 }
 

@@ -8,6 +8,7 @@
 #include "support/refusal.h"
 #include "traj/drone_file/examples.h"
 #include "traj/drone_file/mission.h"
+#include "traj/drone_file/mission_flight.h"
 
 namespace traj {
 namespace {
@@ -50,14 +51,24 @@ TEST(Wpl, BadFilesAreRefused) {
             "m.wpl:3: expected 12 fields separated by tabs, found 11");
   EXPECT_EQ(refusal(home + "1\t0\t3\t16\t0\t0\t0\t0\t47,5\t8\t15\t1\n"),
             "m.wpl:3: latitude must be a number with a decimal point, found \"47,5\"");
-  EXPECT_EQ(refusal(home + "2\t0\t3\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
-            "m.wpl:3: index must be 1, the next, found 2");
+  EXPECT_EQ(refusal(home + "0\t0\t3\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
+            "m.wpl:3: index must be a whole number from 1 on, found 0");
   EXPECT_EQ(
-      refusal(home + "1\t0\t3\t82\t0\t0\t0\t0\t47\t8\t15\t1\n"),
-      "m.wpl:3: expected waypoints (16), take-offs (22), landings (21), loitering (17, 19), a "
-      "return (20), delays (93), speeds (178) or what is known to move nothing, found command 82");
+      refusal(home + "1\t0\t3\t84\t0\t0\t0\t0\t47\t8\t15\t1\n"),
+      "m.wpl:3: expected waypoints (16, 82), take-offs (22), landings (21), loitering (17, 18, 19, "
+      "31), a return (20), delays (93), jumps (177), speeds (178) or what is known to move "
+      "nothing, "
+      "found command 84");
   EXPECT_EQ(refusal(home + "1\t0\t10\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
-            "m.wpl:3: frame must be 0, 3, 5 or 6 (above sea level or home), found 10");
+            "m.wpl:3: expected heights above sea level or home, found one above terrain: where the "
+            "ground is flat, give its height");
+  EXPECT_EQ(refusal(home + "1\t0\t8\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
+            "m.wpl:3: frame must be 0, 3, 5, 6, 10 or 11 (above sea level, home or terrain), found "
+            "8");
+  EXPECT_EQ(
+      refusal(home + "1\t0\t3\t16\t0\t0\t0\t0\t47\t8\t0\t1\n"),
+      "m.wpl:3: expected an altitude, found 0: some autopilots then keep their height, others "
+      "fly at that of home");
   EXPECT_EQ(refusal(home + "1\t0\t3\t16\t0\t0\t0\t0\t97\t8\t15\t1\n"),
             "m.wpl:3: latitude and longitude must be within 90 and 180 degrees, found 97 8");
   EXPECT_EQ(refusal(home + "1\t0\t3\t16\t0\t0\t0\t0\t-33\t151\t15\t1\n"),
@@ -69,28 +80,85 @@ TEST(Wpl, BadFilesAreRefused) {
             "m.wpl:3: a hold must be >= 0 s, found -1");
   EXPECT_EQ(refusal(home + "1\t0\t2\t20\t0\t0\t0\t0\t0\t0\t0\t1\n"),
             "m.wpl: expected at least one waypoint, found none");
-  std::istringstream other("QGC WPL 120\n");
-  EXPECT_THROW(read_wpl(other, "m.wpl"), geom::InputError);
-  std::istringstream crlf("QGC WPL 110\r\n");
-  try {
-    read_wpl(crlf, "m.wpl");
-    FAIL();
-  } catch (const geom::InputError& error) {
-    EXPECT_STREQ(error.what(), "m.wpl:1: expected a line that ends with LF, found CRLF");
-  }
+  std::istringstream other("QGC WPL 100\n");
+  EXPECT_EQ(support::refusal_of([&] { read_wpl(other, "m.wpl"); }),
+            "m.wpl:1: expected \"QGC WPL 110\", found \"QGC WPL 100\"");
+}
+
+Mission read(const std::string& text) {
+  std::istringstream in(text);
+  return read_wpl(in, "m.wpl");
+}
+
+const std::string kItem = "\t0\t3\t16\t0\t0\t0\t0\t47\t8\t15\t1";
+
+TEST(Wpl, TakesWhatGroundStationsWrite) {
+  const Mission windows = read(
+      "\xef\xbb\xbfQGC WPL 110\r\n# made by hand\r\n0\t1\t0\t16\t0\t0\t0\t0\t47\t8\t410"
+      "\t1\r\n1" +
+      kItem + "\r\n");
+  EXPECT_TRUE(windows.home);
+  EXPECT_EQ(windows.items.size(), 1u);
+  EXPECT_TRUE(windows.notes.empty());
+  const Mission old = read("QGC WPL 120\n0\t1\t0\t16\t0\t0\t0\t0\t47\t8\t410\t1\n1" + kItem + "\n");
+  EXPECT_FALSE(old.home) << "version 120 has no home";
+  EXPECT_EQ(old.items.size(), 2u);
+}
+
+TEST(Wpl, CountsAnewWhatSkipsNumbers) {
+  const Mission mission = read("QGC WPL 110\n1" + kItem + "\n5" + kItem + "\n");
+  ASSERT_EQ(mission.items.size(), 2u);
+  EXPECT_EQ(mission.items[1].number, 5u);
+  EXPECT_EQ(mission.notes.size(), 1u);
+  EXPECT_EQ(
+      support::refusal_of(
+          [&] { read("QGC WPL 110\n1" + kItem + "\n5\t0\t3\t177\t1\t2\t0\t0\t0\t0\t0\t1\n"); }),
+      "m.wpl:3: expected numbers that begin at 0 and leave none out, as a jump counts on them, "
+      "found others");
+}
+
+std::string fence(int number, int command, double value, const char* place) {
+  return std::to_string(number) + "\t0\t3\t" + std::to_string(command) + "\t" +
+         std::to_string(value) + "\t0\t0\t0\t" + place + "\t0\t1\n";
+}
+
+TEST(Wpl, ReadsFencesAndRallyPointsOfTheSameFile) {
+  const std::string items = "QGC WPL 110\n0" + kItem + "\n";
+  const std::string corners =
+      fence(1, 5002, 3, "47\t8") + fence(2, 5002, 3, "47\t8.1") + fence(3, 5002, 3, "47.1\t8");
+  const Mission mission = read(items + corners + fence(4, 5003, 250, "47\t8") +
+                               fence(5, 5000, 0, "47\t8") + fence(6, 5100, 0, "47.2\t8"));
+  ASSERT_EQ(mission.fences.size(), 2u);
+  EXPECT_FALSE(mission.fences[0].inclusion);
+  EXPECT_EQ(mission.fences[0].ring.size(), 3u);
+  EXPECT_TRUE(mission.fences[1].inclusion);
+  EXPECT_EQ(mission.fences[1].radius, 250);
+  EXPECT_EQ(mission.rally.size(), 1u);
+  const auto bad = [&](const std::string& text) {
+    return support::refusal_of([&] { read(text); });
+  };
+  EXPECT_EQ(bad(items + fence(1, 5002, 3, "47\t8") + fence(2, 5001, 3, "47\t8.1")),
+            "m.wpl:4: expected 2 more corners of the fence before, found another");
+  EXPECT_EQ(bad(items + fence(1, 5002, 3, "47\t8") + fence(2, 5002, 3, "47\t8.1")),
+            "m.wpl: expected 1 more corners of a fence, found the end of the file");
+  EXPECT_EQ(bad(items + fence(1, 5002, 2, "47\t8")),
+            "m.wpl:3: a fence must have 3 corners or more, found 2");
+  EXPECT_EQ(bad("QGC WPL 110\n" + fence(0, 5004, 9, "47\t8")),
+            "m.wpl: expected a mission, found only a fence or rally points");
 }
 
 TEST(Wpl, KnowsWhatEndsWhatCutsCornersAndWhatSpeedIsSaid) {
   const std::string takeoff = std::string(kHome) + "1\t0\t3\t22\t0\t0\t0\t0\t0\t0\t15\t1\n";
   const std::string corner = takeoff + "2\t0\t3\t16\t0\t2\t0\t0\t47.001\t8\t15\t1\n" +
                              "3\t0\t3\t16\t1\t2\t0\t0\t47.001\t8.001\t15\t1\n";
-  EXPECT_TRUE(fly(corner).cuts_corners);
+  EXPECT_EQ(fly(corner).corners, 1u);
+  EXPECT_EQ(fly(corner).acceptance, 2);
   EXPECT_FALSE(fly(corner).ended);
   EXPECT_FALSE(fly(corner).speed);
   const std::string speed = takeoff + "2\t0\t2\t178\t1\t5\t-1\t0\t0\t0\t0\t1\n";
   const std::string rest = speed + "3\t0\t3\t16\t1\t2\t0\t0\t47.001\t8\t15\t1\n" +
                            "4\t0\t3\t21\t0\t0\t0\t0\t47.001\t8\t0\t1\n";
-  EXPECT_FALSE(fly(rest).cuts_corners);
+  EXPECT_EQ(fly(rest).corners, 0u);
   EXPECT_TRUE(fly(rest).ended);
   EXPECT_EQ(fly(rest).speed, 5);
   EXPECT_EQ(fly(rest).takeoff_from_home, 0);
@@ -109,7 +177,9 @@ TEST(Wpl, WhatIsNotKnownToMoveNothingIsRefused) {
         takeoff + "2\t0\t3\t" + std::to_string(command) + "\t1\t0\t0\t0\t47.001\t8\t15\t1\n";
     if (refusal(items).empty()) ++passed;
   }
-  EXPECT_EQ(passed, 31u + 7u) << "what is listed, and 16, 17, 19, 20, 21, 93, 178";
+  EXPECT_EQ(passed, 32u + 10u + 4u)
+      << "what is listed, and 16, 17, 19, 20, 21, 31, 82, 93, 177, 178, and of fences and rally "
+         "points";
 }
 
 TEST(Wpl, ComesBackItemByItem) {

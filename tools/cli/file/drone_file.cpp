@@ -14,6 +14,7 @@
 #include "traj/drone_file/crazyflie.h"
 #include "traj/drone_file/geo_line.h"
 #include "traj/drone_file/gltf_line.h"
+#include "traj/drone_file/mission_flight.h"
 #include "traj/drone_file/qgc_plan.h"
 #include "traj/drone_file/wpl.h"
 
@@ -64,20 +65,16 @@ traj::Flown flown_tello(std::istream& in, const std::string& source,
   return flown;
 }
 
-traj::Flown flown_mission(const traj::Mission& mission, const std::string& source,
-                          const DroneFileOptions& options, const geom::Frame& frame, Notes& notes) {
-  traj::FlownMission read = traj::flown_mission(mission, options.placement.mission_frame(frame),
-                                                options.placement.ground, source);
+// What its user should know of a mission.
+Notes notes_of(const traj::FlownMission& read) {
+  Notes notes;
   if (read.returns) {
-    notes.emplace_back("the return to home is left out: its height is a setting of the vehicle");
+    notes.emplace_back(
+        "the return to home is left out: its height is a setting of the vehicle; give it with "
+        "--return-height");
   }
   if (!read.ended) {
     notes.emplace_back("the flight ends without landing: the vehicle hovers, or the file was cut");
-  }
-  if (read.cuts_corners) {
-    notes.emplace_back(
-        "the vehicle does not stop at some waypoint, so it may cut the corner there, by as much as "
-        "its settings allow");
   }
   if (read.takeoff_from_home > 0) {
     notes.push_back(
@@ -85,9 +82,28 @@ traj::Flown flown_mission(const traj::Mission& mission, const std::string& sourc
                     "there to it are assumed, and not every autopilot does that",
                     read.takeoff_from_home));
   }
+  return notes;
+}
+
+traj::Flown flown_mission(const traj::Mission& mission, const std::string& source,
+                          const DroneFileOptions& options, const geom::Frame& frame, Notes& notes) {
+  const Placement& placement = options.placement;
+  traj::MissionRules rules = options.mission;
+  rules.home = placement.ground;
+  traj::FlownMission read =
+      traj::flown_mission(mission, placement.mission_frame(frame), rules, source);
+  notes = notes_of(read);
+  notes.insert(notes.begin(), mission.notes.begin(), mission.notes.end());
   traj::Flown flown;
   flown.path = std::move(read.path);
   flown.hold = std::move(read.hold);
+  flown.legs = std::move(read.legs);
+  flown.sweeps = std::move(read.sweeps);
+  flown.fences = std::move(read.fences);
+  flown.home = read.home;
+  flown.idle_items = read.idle_items;
+  flown.corners = read.corners;
+  flown.acceptance = read.acceptance;
   flown.ends = read.ends;
   flown.speed = read.speed;
   flown.returns = read.returns;
@@ -160,6 +176,11 @@ traj::Flown in_map_axes(traj::Flown flown, geom::Axes axes) {
   flown.trajectory = traj::to_enu(axes, std::move(flown.trajectory));
   flown.path = traj::to_enu(axes, std::move(flown.path));
   flown.path_stray = geom::to_enu(axes, flown.path_stray);
+  for (traj::Sweep& sweep : flown.sweeps) sweep.hull = traj::to_enu(axes, std::move(sweep.hull));
+  for (traj::Fence& fence : flown.fences) {
+    for (geom::Vec2& p : fence.ring) p = geom::to_enu(axes, {p.x(), p.y(), 0}).head<2>();
+  }
+  if (flown.home) flown.home = geom::to_enu(axes, *flown.home);
   for (traj::Stray& stray : flown.stray) stray.position = geom::to_enu(axes, stray.position);
   for (traj::Setpoint& s : flown.setpoints) {
     s.yaw = geom::yaw_to_enu(axes, s.yaw);
@@ -258,6 +279,26 @@ void DroneFileOptions::add_to(CLI::App& app) {
   add_point(app, "--start", start,
             "where a Tello stands before it takes off, along the map's axes");
   placement.add_to(app);
+  app.add_option("--acceptance", mission.acceptance,
+                 "a mission's vehicle may turn so many metres before a waypoint where it does not "
+                 "rest, 0: not at all (default: what the item says, else 10)")
+      ->check(CLI::Range(0.0, 1e4));
+  app.add_option("--braking", mission.braking,
+                 "how hard it brakes, m/s2: what it needs more than that distance is looked at "
+                 "beyond the waypoint (default 3)")
+      ->check(CLI::Range(0.1, 100.0));
+  add_heights_to(app);
+}
+
+void DroneFileOptions::add_heights_to(CLI::App& app) {
+  app.add_option("--return-height", mission.return_height,
+                 "metres above home at which a mission's return is flown; without it, a mission "
+                 "with a return fails the check")
+      ->check(CLI::Range(0.0, 1e4));
+  app.add_option("--terrain", mission.ground,
+                 "height of flat ground in the map's z, from which a mission's heights above "
+                 "terrain count")
+      ->check(CLI::Range(-1e6, 1e6));
 }
 
 std::vector<DroneFile> read_drone_file(const std::string& text, const std::string& source,

@@ -9,6 +9,7 @@
 
 #include "geom/map/frame.h"
 #include "traj/drone_file/mission.h"
+#include "traj/drone_file/mission_flight.h"
 #include "traj/drone_file/tello.h"
 #include "traj/proof/flown.h"
 
@@ -46,9 +47,11 @@ struct DroneFileOptions {
   std::string format;  // empty: not asked for
   Placement placement;
   std::optional<geom::Vec3> start;  // where a Tello stands, in the map's axes
+  traj::MissionRules mission = {};  // but for home, which is the placement's ground
 
-  // --file-format, --paths-csv, --start and those of the placement.
+  // --file-format, --paths-csv, --start, those of the placement and all of missions.
   void add_to(CLI::App& app);
+  void add_heights_to(CLI::App& app);  // --return-height and --terrain of missions
 };
 
 // All that is in a file of this text: one flight, or of lines (KML, GeoJSON, glTF) and tables of

@@ -3,37 +3,40 @@
 // MAVLink missions: what WPL files and QGroundControl plans hold.
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "geom/map/geographic_frame.h"
-#include "geom/shape/polyline.h"
 #include "traj/curve/trajectory.h"
-#include "traj/curve/vertical_ends.h"
+#include "traj/drone_file/fence.h"
 
 namespace traj {
 
-// MAV_FRAME: heights above sea level, above home.
+// MAV_FRAME: heights above sea level, above home, above the ground below.
 enum MavFrame {
   kGlobal = 0,
   kMissionFrame = 2,
   kGlobalRelative = 3,
   kGlobalInt = 5,
-  kGlobalRelativeInt = 6
+  kGlobalRelativeInt = 6,
+  kGlobalTerrain = 10,
+  kGlobalTerrainInt = 11
 };
 // MAV_CMD
 enum MavCommand {
   kWaypoint = 16,
   kLoiterForever = 17,
+  kLoiterTurns = 18,
   kLoiterTime = 19,
   kReturn = 20,
   kLand = 21,
   kTakeoff = 22,
+  kLoiterToHeight = 31,
+  kSplineWaypoint = 82,
   kDelay = 93,
+  kJump = 177,
   kSpeed = 178
 };
 
@@ -42,15 +45,19 @@ struct MissionItem {
   int frame = kGlobalRelative;
   int command = kWaypoint;
   std::array<double, 4> param{};
-  double latitude = 0;   // degrees
-  double longitude = 0;  // degrees
-  double altitude = 0;   // m
-  std::size_t line = 0;  // where it was read; 0: it is counted instead
+  double latitude = 0;     // degrees
+  double longitude = 0;    // degrees
+  double altitude = 0;     // m
+  std::size_t line = 0;    // where it was read; 0: it has none
+  std::size_t number = 0;  // as the file counts, and jumps do
 };
 
 struct Mission {
   std::optional<geom::GeodeticPlace> home;  // height above sea level
   std::vector<MissionItem> items;
+  std::vector<GeodeticFence> fences;
+  std::vector<geom::GeodeticPlace> rally;  // where a return may go; heights above home
+  std::vector<std::string> notes;          // what a reader met that its user should know
 };
 
 // How missions are laid over a map.
@@ -72,36 +79,5 @@ struct MissionOptions {
 // them), heights to millimetres. At least one point, in ENU.
 Mission make_mission(std::span<const Vec3> points, const MissionFrame& frame,
                      const MissionOptions& options);
-
-// What a vehicle makes of a mission: straight legs in ENU, a rest at each point.
-struct FlownMission {
-  geom::Polyline path;
-  std::vector<double> hold;  // s, one a point
-  VerticalEnds ends;
-  std::optional<double> speed;  // m/s, the largest asked for; absent where a leg has none
-  bool returns = false;         // ends with a return to home, by a way the file does not say
-  bool ended = false;           // by a landing, a return or loitering; else it may have been cut
-  bool cuts_corners = false;    // a point between two legs without a rest: the vehicle turns early
-  // m from home to the take-off's place, where those differ: it climbs at home and goes there. Some
-  // autopilots take no heed of a take-off's place and go on from above home.
-  double takeoff_from_home = 0;
-};
-
-// How far a vehicle may be from the places that a file says, along each axis: latitudes and
-// longitudes travel as whole 1e-7 degrees, cut or rounded by the ground station, and heights are
-// kept to centimetres by some autopilots.
-inline const Vec3 kMissionStray{0.0112, 0.0112, 0.01};
-
-// Whether that is a place on Earth within 10 degrees of latitude and 20 of longitude of the origin.
-bool is_near(const geom::GeodeticOrigin& origin, double latitude, double longitude);
-
-// Waypoints, take-offs, landings, loitering for a time (as a rest) and speeds; commands that are
-// known to move nothing (cameras, gimbals, servos, yaw) are passed over. `home` is the z of home,
-// for files that do not say it. Throws geom::InputError(source, line, …) for all others (splines,
-// turns, jumps, changes of height or mode, what is not known), items after the end of the flight, a
-// second take-off, loitering on a circle, heights above terrain, places that are not near the
-// origin, and a height above home without home.
-FlownMission flown_mission(const Mission& mission, const MissionFrame& frame,
-                           std::optional<double> home, std::string_view source);
 
 }  // namespace traj

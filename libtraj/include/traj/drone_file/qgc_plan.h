@@ -14,10 +14,10 @@ namespace traj {
 // times, are the mission's.
 void write_qgc_plan(std::ostream& out, const Mission& mission, std::string_view station);
 
-// Throws geom::InputError(source, …) for malformed JSON, another file type or version, a missing
-// key, items that are not simple ones (surveys and the like, which only QGroundControl can
-// expand), heights above terrain or said twice and not alike, a fence, and a vehicle that does not
-// hover. Rally points only say where a return may lead, and a return is never taken for checked.
+// Simple items, and those that surveys and the like hold; fences and rally points. Throws
+// geom::InputError(source, …) for malformed JSON, another file type or version, a missing key,
+// other complex items (which only QGroundControl can expand), heights that are said twice and not
+// alike, and a vehicle that does not hover.
 Mission read_qgc_plan(std::istream& in, std::string_view source);
 
 }  // namespace traj

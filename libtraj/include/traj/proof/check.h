@@ -9,6 +9,7 @@
 
 #include "geom/collision/collision.h"
 #include "traj/curve/trajectory.h"
+#include "traj/proof/flight_part.h"
 #include "traj/proof/limits.h"
 #include "traj/proof/reason.h"
 
@@ -50,7 +51,7 @@ struct Extreme {
 
 struct CheckResult {
   bool ok = false;
-  bool looked = false;  // at all of it; else only the reason is known
+  bool looked = false;  // at the place; else only the reason is known
   // The first that holds, in the order of Reason, limits in that of kOrderOfLimits. Outside of
   // domain.h nothing is measured.
   Reason reason = Reason::none;
@@ -58,6 +59,7 @@ struct CheckResult {
   Vec3 place = Vec3::Zero();       // where that is, metres
   std::optional<std::size_t> box;  // the obstacle hit: an index into BoxMap::boxes()
   double worst = 0;  // how bad: penetration or way out of bounds or gap in metres, else the value
+  std::optional<FlightPart> part;  // of a mission: where that is
 
   std::size_t looked_at = 0;  // obstacles near the pieces it was cut into: what the place cost
 

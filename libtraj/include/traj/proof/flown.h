@@ -9,6 +9,7 @@
 #include "traj/curve/vertical_ends.h"
 #include "traj/drone_file/setpoints.h"
 #include "traj/proof/check.h"
+#include "traj/proof/sweep.h"
 
 namespace traj {
 
@@ -23,6 +24,13 @@ struct Flown {
   VerticalEnds ends;
   Vec3 path_stray = Vec3::Zero();  // m that what is flown may be from the path, along each axis
   std::optional<double> speed;     // m/s along the legs
+  std::vector<FlightPart> legs;    // of a mission: to each point, and the landing's; may be empty
+  std::vector<Sweep> sweeps;       // beside the path
+  std::vector<Fence> fences;       // that the path and the sweeps keep to
+  std::optional<Vec3> home;        // that was assumed
+  std::size_t idle_items = 0;      // that move nothing
+  std::size_t corners = 0;         // points of a mission that it passes without a rest
+  double acceptance = 0;           // m around these, the most that was swept
   bool returns = false;            // it goes on to a return to home, by a way that is not said
   std::optional<FlightEnvelope> envelope;
   double airborne = 0;  // s, for the envelope
@@ -43,10 +51,11 @@ CheckOptions file_tolerance(const Limits& limits);
 // acceleration that changes the velocity, the jerk and the turning of the thrust as the
 // acceleration changes, the yaw rate. So what a file says in one column and denies in another is
 // found out. A path: check_path of its legs, with the ascent before and the descent after, from 1
-// mm above where the vehicle stands; then "speed", "horizontal_speed" and "vertical_speed" of its
-// legs where the speed is known, "ceiling", "range", "endurance", and "return" where it ends by a
-// way that is not said. How a vehicle speeds up and slows down along legs is its own affair, and
-// not measured. Times of a path count legs from 0, the ascent being one.
+// mm above where the vehicle stands, of its sweeps (check_sweeps), and of its fences; then "speed",
+// "horizontal_speed" and "vertical_speed" of its legs where the speed is known, "ceiling", "range",
+// "endurance", and "return" where it ends by a way that is not said. How a vehicle speeds up and
+// slows down along legs is its own affair, and not measured. Times of a path count legs from 0, the
+// ascent being one.
 CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,
                         Clearance clearance = Clearance::measured);
 

@@ -47,17 +47,18 @@ enum class Reason {
   body_rate_not_measured,
   yaw_rate_not_measured,
   // A mission: the way up, the autopilot's envelope, a return that it does not say, a place other
-  // than the trajectory's end.
+  // than the trajectory's end, a fence.
   takeoff,
   ceiling,
   range,
   endurance,
   return_home,
   end,
+  fence,
   // A record's own bound on its duration, or on the length of paths, that cannot be.
   duration_bound
 };
-inline constexpr geom::Words<Reason, 37> kReasonWords{{
+inline constexpr geom::Words<Reason, 38> kReasonWords{{
     {Reason::none, ""},
     {Reason::no_path, "no_path"},
     {Reason::infeasible, "infeasible"},
@@ -94,6 +95,7 @@ inline constexpr geom::Words<Reason, 37> kReasonWords{{
     {Reason::endurance, "endurance"},
     {Reason::return_home, "return"},
     {Reason::end, "end"},
+    {Reason::fence, "fence"},
     {Reason::duration_bound, "duration_bound"},
 }};
 constexpr std::string_view name(Reason reason) { return geom::word_of(kReasonWords, reason); }

@@ -28,6 +28,10 @@ struct ReportRecord {
   // and the seconds that follow for any flight within `limits` (duration_bound.h).
   std::optional<double> claimed_bound = {};
   std::optional<double> duration_bound = {};
+  // Of a mission: home as it was assumed, and how many items move nothing.
+  std::optional<Vec3> home = {};
+  std::size_t idle_items = 0;
+  std::string detail = {};  // of the reason, in words; may be empty
 };
 
 // Gives `report`, which holds what was checked of `record`, its bounds; refuses what is accepted
@@ -55,7 +59,10 @@ struct ReportSummary {
   std::optional<double> time;
   std::optional<Vec3> place;
   std::optional<double> worst;
-  std::optional<std::uint64_t> box;  // its id in the source
+  std::optional<std::uint64_t> box;   // its id in the source
+  std::optional<std::uint64_t> item;  // of a mission, as its file counts
+  std::string part;                   // of a mission: the manoeuvre; may be empty
+  std::string detail;                 // may be empty
   std::optional<double> duration;
   std::optional<double> duration_bound;  // seconds
   std::vector<Named> extremes;           // of what was measured

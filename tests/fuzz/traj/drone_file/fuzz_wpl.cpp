@@ -1,4 +1,5 @@
 #include "fuzz/readers.h"
+#include "traj/drone_file/mission_flight.h"
 #include "traj/drone_file/wpl.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,0 +1,85 @@
+#pragma once
+
+// What a vehicle makes of a mission: where it flies, and where it may fly between.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "geom/shape/polyline.h"
+#include "traj/curve/vertical_ends.h"
+#include "traj/drone_file/mission.h"
+#include "traj/proof/sweep.h"
+
+namespace traj {
+
+// What a file leaves to the vehicle's settings, as far as its user says it.
+struct MissionRules {
+  std::optional<double> home;           // z of home, for files that do not say it
+  std::optional<double> acceptance;     // m from a waypoint where a turn may begin
+  std::optional<double> speed;          // m/s, the most that is flown, where the file says none
+  double braking = 3;                   // m/s2
+  std::optional<double> return_height;  // m above home at which it returns
+  std::optional<double> ground;  // z of the flat ground that heights above terrain count from
+};
+
+// Straight legs in ENU, and beside them the regions that it may fly through anywhere: where it does
+// not rest at a waypoint, where it flies curves.
+struct FlownMission {
+  geom::Polyline path;
+  std::vector<double> hold;      // s, one a point
+  std::vector<FlightPart> legs;  // the one that leads to each point, and the landing's
+  std::vector<Sweep> sweeps;
+  std::vector<Fence> fences;
+  VerticalEnds ends;
+  std::optional<double> speed;  // m/s, the largest asked for; absent where a leg has none
+  bool returns = false;         // ends with a return to home, by a way that is not known
+  bool ended = false;           // by a landing, a return or loitering; else it may have been cut
+  std::size_t corners = 0;      // points between two legs without a rest
+  double acceptance = 0;        // m, the largest with which these were swept
+  std::size_t idle_items = 0;   // items that move nothing
+  std::optional<Vec3> home;     // as assumed: in the file, or under the first point
+  // m from home to the take-off's place, where those differ: it climbs at home and goes there. Some
+  // autopilots take no heed of a take-off's place and go on from above home.
+  double takeoff_from_home = 0;
+};
+
+// How far a vehicle may be from the places that a file says, along each axis: latitudes and
+// longitudes travel as whole 1e-7 degrees, cut or rounded by the ground station, and heights are
+// kept to centimetres by some autopilots.
+inline const Vec3 kMissionStray{0.0112, 0.0112, 0.01};
+
+// PX4's default radius of acceptance (NAV_ACC_RAD), the largest of those in use; ArduPilot's
+// (WPNAV_RADIUS) is 2 m.
+inline constexpr double kAcceptance = 10;  // m
+// ArduPilot's default speed along legs (WPNAV_SPEED); PX4's (MPC_XY_CRUISE) is 5 m/s.
+inline constexpr double kUnsaidSpeed = 10;  // m/s
+
+// A multirotor's flight, by PX4's and ArduPilot Copter's documents of mission commands:
+// - Legs are straight. A waypoint with a hold is flown to; at others the vehicle may turn as soon
+// as
+//   it is within the radius of acceptance (`rules`, else the item's own, else kAcceptance): the
+//   triangle of the corner within that radius is swept, and, where speed^2 / (2 braking) is more
+//   than the radius, as much of the old leg beyond the waypoint. 0: it goes to the point.
+// - A spline (ArduPilot's SplineCurve) is swept as the hull of its Bezier points, tangents as long
+//   as they may be: four times the leg at most.
+// - Turns on a circle (ArduPilot): in straight to the nearest point of the circle, around, and on
+//   from there; arcs are swept between chord and tangents. Whole turns, from outside of half the
+//   radius. Loitering for a time or for ever: on the spot, or on the circle of the radius that is
+//   given, or anywhere in it.
+// - Jumps are unrolled: a mission of more than kMostItems items, or one that jumps for ever, is
+//   refused.
+// - A return climbs to `return_height` above home, where it is lower, goes straight above home, and
+//   lands there; also, as sweeps, to each rally point of the file. Without that height: `returns`.
+// Commands that are known to move nothing (cameras, gimbals, servos, yaw) are counted.
+//
+// Throws geom::InputError(source, line, …) for all others (changes of mode, what is not known), for
+// items after the end of the flight, a second take-off, heights above terrain without `ground`, an
+// altitude of 0 (to some autopilots the present one), places that are not near the origin, and a
+// height above home without home.
+FlownMission flown_mission(const Mission& mission, const MissionFrame& frame,
+                           const MissionRules& rules, std::string_view source);
+
+inline constexpr std::size_t kMostItems = 1'000'000;
+
+}  // namespace traj

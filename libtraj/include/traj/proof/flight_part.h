@@ -1,0 +1,35 @@
+#pragma once
+
+// Pieces of a flight, by what asks for them.
+
+#include <cstddef>
+#include <string_view>
+
+#include "geom/text/words.h"
+
+namespace traj {
+
+enum class Manoeuvre { takeoff, leg, corner, circle, hover, spline, climb, return_home, landing };
+inline constexpr geom::Words<Manoeuvre, 9> kManoeuvreWords{{
+    {Manoeuvre::takeoff, "takeoff"},
+    {Manoeuvre::leg, "leg"},
+    {Manoeuvre::corner, "corner"},
+    {Manoeuvre::circle, "circle"},
+    {Manoeuvre::hover, "hover"},
+    {Manoeuvre::spline, "spline"},
+    {Manoeuvre::climb, "climb"},
+    {Manoeuvre::return_home, "return"},
+    {Manoeuvre::landing, "landing"},
+}};
+constexpr std::string_view name(Manoeuvre manoeuvre) {
+  return geom::word_of(kManoeuvreWords, manoeuvre);
+}
+
+struct FlightPart {
+  std::size_t item = 0;  // of a mission, as its file counts
+  Manoeuvre manoeuvre = Manoeuvre::leg;
+
+  friend bool operator==(const FlightPart&, const FlightPart&) = default;
+};
+
+}  // namespace traj

@@ -1,0 +1,35 @@
+#pragma once
+
+// Regions that a vehicle may fly through anywhere: what it makes of a corner, a circle, a spline.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geom/collision/collision.h"
+#include "traj/drone_file/fence.h"
+#include "traj/proof/check.h"
+#include "traj/proof/flight_part.h"
+
+namespace traj {
+
+// The convex hull of a few points, metres.
+struct Sweep {
+  std::vector<Vec3> hull;
+  FlightPart part;
+};
+
+// Holds all sweeps, and everything within `stray` of them along each axis, against bounds and
+// obstacles, by planes that separate (geom::hull_meets): nothing is sampled. Of those that are
+// refused, that which is furthest out of the bounds, else the deepest. `result` gets reason, part,
+// place, depth and box, unless it has a reason already.
+void check_sweeps(const geom::CollisionScene& scene, std::span<const Sweep> sweeps,
+                  const Vec3& stray, CheckResult& result);
+
+// The same against fences, in plan: the whole vehicle with its margin stays in every inclusion
+// and out of every exclusion. `worst` is how far beyond the first fence that it does not keep to
+// one of the points is.
+void check_fences(const geom::CollisionScene& scene, std::span<const Sweep> sweeps,
+                  std::span<const Fence> fences, const Vec3& stray, CheckResult& result);
+
+}  // namespace traj

@@ -1,0 +1,439 @@
+#include "traj/drone_file/mission_flight.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "flown_regions.h"
+#include "geom/base/error.h"
+#include "mission_jumps.h"
+#include "mission_places.h"
+
+namespace traj {
+namespace {
+
+// MAV_CMD of what changes no place and no height: conditions on time, distance and yaw, the start
+// of a landing as a mark, relays and servos, regions of interest, cameras, mounts, the fence's
+// switch, grippers, gimbals, a jump's tag.
+constexpr int kMovesNothing[] = {112, 114, 115, 181,  182,  183,  184,  189,  195,  196, 197,
+                                 200, 201, 202, 203,  204,  205,  206,  207,  211,  214, 530,
+                                 531, 532, 600, 1000, 1001, 2000, 2001, 2003, 2500, 2501};
+
+constexpr double kSamePlace = 0.5;  // m: home and a take-off that mean the same
+constexpr int kArcs = 32;           // of a whole turn
+constexpr double kArc = 2 * std::numbers::pi / kArcs;
+
+bool moves_nothing(int command) {
+  return std::find(std::begin(kMovesNothing), std::end(kMovesNothing), command) !=
+         std::end(kMovesNothing);
+}
+
+// What it does at a point: comes to rest, or passes, turning within the radius (m).
+struct Turn {
+  enum Kind { rest, pass } kind = rest;
+  double radius = 0;
+};
+
+// The path and regions of a flight, while it is being flown.
+class Flight {
+ public:
+  Flight(const Mission& mission, const MissionFrame& frame, const MissionRules& rules,
+         std::string_view source)
+      : mission_(mission),
+        frame_(frame),
+        rules_(rules),
+        places_(mission, frame, rules, source),
+        source_(source) {}
+
+  FlownMission fly() {
+    order_ = flown_order(mission_, source_);
+    for (next_ = 0; next_ < order_.size();) {
+      item_ = &mission_.items[order_[next_++]];
+      take(*item_);
+    }
+    if (flown_.path.empty()) {
+      throw geom::InputError(source_, "expected at least one waypoint, found none");
+    }
+    if (unsaid_speed_) flown_.speed.reset();
+    flown_.legs.push_back({last_, Manoeuvre::landing});
+    add_corners();
+    add_fences();
+    say_home();
+    return std::move(flown_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& message) const {
+    refuse_item(source_, *item_, message);
+  }
+
+  // --- places -------------------------------------------------------------------------------
+
+  // A take-off or landing at 0, 0 or null is where the vehicle is.
+  Vec3 place(const MissionItem& item) const {
+    const bool may_be_here = item.command == kTakeoff || item.command == kLand;
+    if (!may_be_here || !MissionPlaces::is_here(item)) return places_.place(item);
+    const double z = places_.height(item);
+    if (!flown_.path.empty()) return {flown_.path.back().x(), flown_.path.back().y(), z};
+    if (!mission_.home) refuse("expected a place of the take-off or of home, found neither");
+    return on_map(*mission_.home, z);
+  }
+
+  Vec3 on_map(const geom::GeodeticPlace& at, double z) const {
+    return places_.on_map(*item_, at, z);
+  }
+
+  // The place of the next item that has one, if there is any.
+  std::optional<Vec3> place_after() const {
+    for (std::size_t i = next_; i < order_.size(); ++i) {
+      const MissionItem& item = mission_.items[order_[i]];
+      if (moves_nothing(item.command) || item.command == kSpeed) continue;
+      const bool placed = item.command == kWaypoint || item.command == kSplineWaypoint ||
+                          item.command == kLoiterForever || item.command == kLoiterTime ||
+                          item.command == kLoiterTurns || item.command == kLoiterToHeight ||
+                          (item.command == kLand && !MissionPlaces::is_here(item));
+      if (!placed) return std::nullopt;
+      Vec3 p = place(item);
+      if (item.command == kLand) p.z() = flown_.path.back().z();
+      return p;
+    }
+    return std::nullopt;
+  }
+
+  // --- the path -----------------------------------------------------------------------------
+
+  void go(const Vec3& p, double hold, Manoeuvre manoeuvre, Turn turn = {}) {
+    if (!flown_.path.empty() && p != flown_.path.back()) {
+      unsaid_speed_ = unsaid_speed_ || !flown_.speed;
+    }
+    if (!leaving_.empty()) {
+      Hull hull = std::move(leaving_);
+      leaving_.clear();
+      hull.push_back(p);
+      sweep(std::move(hull), manoeuvre);
+    }
+    flown_.path.push_back(p);
+    flown_.hold.push_back(hold);
+    flown_.legs.push_back({item_->number, manoeuvre});
+    turns_.push_back(turn);
+  }
+
+  void sweep(Hull hull, Manoeuvre manoeuvre) {
+    flown_.sweeps.push_back({std::move(hull), {item_->number, manoeuvre}});
+  }
+
+  // What the vehicle may be anywhere in the hull of when it goes on.
+  Hull from_where() {
+    if (leaving_.empty()) return {early(), flown_.path.back()};
+    return std::exchange(leaving_, {});
+  }
+
+  void require_known_start(const char* what) const {
+    if (leaving_.empty()) return;
+    refuse(
+        fmt::format("expected a waypoint before {}, so that it is known where that begins, found "
+                    "loitering or a delay",
+                    what));
+  }
+
+  // From where on the way to the last point the vehicle may already do what comes next.
+  Vec3 early() const {
+    if (flown_.path.size() < 2) return flown_.path.back();
+    return before_corner(flown_.path[flown_.path.size() - 2], flown_.path.back(),
+                         turns_.back().radius);
+  }
+
+  double hold_of(const MissionItem& item) const {
+    const double hold = std::isnan(item.param[0]) ? 0 : item.param[0];
+    if (!(hold >= 0) || !std::isfinite(hold)) {
+      refuse(fmt::format("a hold must be >= 0 s, found {}", hold));
+    }
+    return hold;
+  }
+
+  Turn turn_of(const MissionItem& item, double hold) const {
+    if (hold > 0) return {};
+    if (rules_.acceptance) return {Turn::pass, *rules_.acceptance};
+    const bool said = item.command == kWaypoint && item.param[1] > 0;
+    return {Turn::pass, said ? item.param[1] : kAcceptance};
+  }
+
+  // --- items --------------------------------------------------------------------------------
+
+  void take(const MissionItem& item) {
+    if (moves_nothing(item.command)) {
+      ++flown_.idle_items;
+      return;
+    }
+    last_ = item.number;
+    if (flown_.ended) {
+      refuse(
+          fmt::format("expected nothing after the end of the flight (a landing, a return, "
+                      "loitering without end), found command {}",
+                      item.command));
+    }
+    switch (item.command) {
+      case kTakeoff:
+        return take_off(item);
+      case kWaypoint:
+        return go(place(item), hold_of(item), Manoeuvre::leg, turn_of(item, hold_of(item)));
+      case kSplineWaypoint:
+        return fly_spline(item);
+      case kLoiterTime:
+      case kLoiterForever:
+        return loiter(item);
+      case kLoiterTurns:
+        return circle(item);
+      case kLoiterToHeight:
+        return climb(item);
+      case kLand:
+        return land(item);
+      case kReturn:
+        return return_home();
+      case kSpeed:
+        return take_speed(item);
+      case kDelay:
+        return wait(item);
+      default:
+        refuse(
+            fmt::format("expected waypoints (16, 82), take-offs (22), landings (21), loitering "
+                        "(17, 18, 19, 31), a return (20), delays (93), jumps (177), speeds (178) "
+                        "or what is known to move nothing, found command {}",
+                        item.command));
+    }
+  }
+
+  // Straight up: at home, where the file says both and they differ, and then to the place it says.
+  void take_off(const MissionItem& item) {
+    if (!flown_.path.empty()) {
+      refuse("expected one take-off, at the beginning, found another command before it");
+    }
+    const Vec3 p = place(item);
+    flown_.ends.takeoff_from = places_.home();
+    if (mission_.home) {
+      const Vec3 above_home = on_map(*mission_.home, p.z());
+      const double away = (above_home - p).norm();
+      if (away > kSamePlace) {
+        flown_.takeoff_from_home = away;
+        go(above_home, 1, Manoeuvre::takeoff);  // it climbs to the height first
+      }
+    }
+    go(p, 0, Manoeuvre::takeoff);
+  }
+
+  void fly_spline(const MissionItem& item) {
+    const Vec3 b = place(item);
+    const double hold = hold_of(item);
+    if (!flown_.path.empty()) {
+      require_known_start("a spline");
+      const Vec3 a = flown_.path.back();
+      std::vector<Vec3> leaving;
+      std::vector<Vec3> arriving;
+      if (flown_.path.size() > 1) {
+        const Vec3& before = flown_.path[flown_.path.size() - 2];
+        leaving = {a - before, b - before};
+      }
+      if (const auto after = place_after()) arriving = {*after - a, *after - b};
+      sweep(spline_hull(a, b, leaving, arriving), Manoeuvre::spline);
+    }
+    go(b, hold, Manoeuvre::spline, turn_of(item, hold));
+  }
+
+  // On the spot, or on a circle of that radius, or anywhere in it.
+  void loiter(const MissionItem& item) {
+    const bool forever = item.command == kLoiterForever;
+    const double hold = forever ? 0 : hold_of(item);
+    const double radius = std::abs(item.param[2]);
+    const Vec3 centre = place(item);
+    flown_.ended = forever;
+    if (!(radius > 0)) {
+      return go(centre, hold, Manoeuvre::hover, forever ? Turn{} : turn_of(item, hold));
+    }
+    Hull disc = Circle{centre, require_radius(radius)}.disc();
+    if (!flown_.path.empty()) {
+      Hull in = from_where();
+      in.insert(in.end(), disc.begin(), disc.end());
+      sweep(std::move(in), Manoeuvre::hover);
+    }
+    sweep(disc, Manoeuvre::hover);
+    go(centre, hold, Manoeuvre::hover);
+    leaving_ = std::move(disc);
+  }
+
+  double require_radius(double radius) const {
+    if (radius <= 1e4) return radius;
+    refuse(fmt::format("a radius must be within 1e4 m, found {}", radius));
+  }
+
+  void circle(const MissionItem& item) {
+    const double turns = item.param[0];
+    if (!(turns >= 1 && turns <= 1e6) || turns != std::floor(turns)) {
+      refuse(fmt::format("expected whole turns on a circle, at least one, found {}", turns));
+    }
+    const Circle way{place(item), require_radius(std::abs(item.param[2]))};
+    if (!(way.radius > 0)) {
+      refuse("expected the radius of the circle, found 0: it would be the vehicle's own");
+    }
+    if (flown_.path.empty()) refuse("expected a waypoint or a take-off before the circle");
+    require_known_start("a circle");
+    const Vec3 from = flown_.path.back();
+    const Vec3 before = early();
+    for (const Vec3& p : {from, before}) {
+      if ((p - way.centre).head<2>().norm() >= 0.5 * way.radius) continue;
+      refuse(
+          "expected to come to the circle from outside of half its radius, found a point nearer to "
+          "its centre: where the circle begins is uncertain");
+    }
+    const double first = way.angle_to(before);
+    const double start = way.angle_to(from);
+    const Hull leaving = way.arc(first, start);
+    Hull entry = leaving;
+    entry.push_back(before);
+    entry.push_back(from);
+    sweep(std::move(entry), Manoeuvre::circle);
+    for (int i = 0; i < kArcs; ++i) {
+      const double angle = start + i * kArc;
+      sweep(way.arc(angle, angle + kArc), Manoeuvre::circle);
+    }
+    for (int i = 0; i <= kArcs; ++i) go(way.at(start + i * kArc), 0, Manoeuvre::circle);
+    leaving_ = leaving;
+  }
+
+  // To the place, and up or down to its height, in whichever order.
+  void climb(const MissionItem& item) {
+    const Vec3 p = place(item);
+    if (flown_.path.empty()) refuse("expected a waypoint or a take-off before the climb");
+    const double radius = require_radius(std::abs(item.param[1]));
+    const double z = flown_.path.back().z();
+    Hull hull = from_where();
+    for (const double height : {z, p.z()}) {
+      const Vec3 centre(p.x(), p.y(), height);
+      hull.push_back(centre);
+      const Hull disc = Circle{centre, radius}.disc();
+      if (radius > 0) hull.insert(hull.end(), disc.begin(), disc.end());
+    }
+    sweep(std::move(hull), Manoeuvre::climb);
+    go({p.x(), p.y(), z}, 0, Manoeuvre::climb);
+    go(p, 1, Manoeuvre::climb);
+    if (radius > 0) leaving_ = Circle{p, radius}.disc();
+  }
+
+  // On the ground at the height it says, from the height it comes with.
+  void land(const MissionItem& item) {
+    const Vec3 ground = place(item);
+    if (flown_.path.empty()) refuse("expected a waypoint or a take-off before the landing");
+    if (MissionPlaces::is_here(item) && (turns_.back().radius > 0 || !leaving_.empty())) {
+      refuse(
+          "expected the place of the landing, or a waypoint with a hold before it, found neither: "
+          "it lands where it is when it takes the waypoint for reached");
+    }
+    const Vec3 above(ground.x(), ground.y(), flown_.path.back().z());
+    if (above != flown_.path.back()) go(above, 0, Manoeuvre::landing);
+    flown_.ends.landing_on = ground.z();
+    flown_.ended = true;
+  }
+
+  void return_home() {
+    flown_.ended = true;
+    flown_.returns = !rules_.return_height;
+    if (flown_.returns || flown_.path.empty()) return;
+    const Vec3 end = flown_.path.back();
+    const double ground = places_.above_home(*item_, 0);
+    const double z = std::max(end.z(), ground + *rules_.return_height);
+    const Vec3 home = mission_.home ? on_map(*mission_.home, z)
+                                    : Vec3(flown_.path.front().x(), flown_.path.front().y(), z);
+    const Hull low = from_where();
+    Hull high = low;
+    for (Vec3& p : high) p.z() = z;
+    Hull column = low;
+    column.insert(column.end(), high.begin(), high.end());
+    sweep(std::move(column), Manoeuvre::return_home);
+    go({end.x(), end.y(), z}, 0, Manoeuvre::return_home);
+    Hull across = high;
+    across.push_back(home);
+    sweep(std::move(across), Manoeuvre::return_home);
+    go(home, 0, Manoeuvre::return_home);
+    flown_.ends.landing_on = ground;
+    for (const geom::GeodeticPlace& rally : mission_.rally) {
+      const Vec3 above = on_map(rally, z);
+      Hull to_rally = high;
+      to_rally.push_back(above);
+      sweep(std::move(to_rally), Manoeuvre::return_home);
+      sweep({above, on_map(rally, ground + rally.height)}, Manoeuvre::return_home);
+    }
+  }
+
+  void wait(const MissionItem& item) {
+    if (flown_.hold.empty()) return;
+    const double hold = hold_of(item);
+    flown_.hold.back() += hold;
+    if (hold > 0 && turns_.back().radius > 0) leaving_ = {early(), flown_.path.back()};
+  }
+
+  // Type 2 and 3 are rates of climb and descent. -1: as it is; other values that are no speed: the
+  // vehicle's own, which the file does not say.
+  void take_speed(const MissionItem& item) {
+    const double speed = item.param[1];
+    if (speed > 0) {
+      flown_.speed = std::max(flown_.speed.value_or(0), speed);
+    } else if (speed != -1) {
+      unsaid_speed_ = true;
+    }
+  }
+
+  // --- what is left -------------------------------------------------------------------------
+
+  void add_corners() {
+    const geom::Polyline& path = flown_.path;
+    const double speed = flown_.speed.value_or(rules_.speed.value_or(kUnsaidSpeed));
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      if (turns_[i].kind == Turn::rest) continue;
+      const double radius = turns_[i].radius;
+      ++flown_.corners;
+      flown_.acceptance = std::max(flown_.acceptance, radius);
+      if (radius == 0) continue;
+      const double beyond = std::max(0.0, speed * speed / (2 * rules_.braking) - radius);
+      flown_.sweeps.push_back({corner_hull(path[i - 1], path[i], path[i + 1], radius, beyond),
+                               {flown_.legs[i].item, Manoeuvre::corner}});
+    }
+  }
+
+  void add_fences() {
+    for (const GeodeticFence& fence : mission_.fences) {
+      flown_.fences.push_back(fence_on_map(fence, frame_.origin, source_));
+    }
+  }
+
+  void say_home() {
+    const auto z = places_.home();
+    if (!z) return;
+    flown_.home = mission_.home ? on_map(*mission_.home, *z) : flown_.path.front();
+    flown_.home->z() = *z;
+  }
+
+  const Mission& mission_;
+  const MissionFrame& frame_;
+  const MissionRules& rules_;
+  MissionPlaces places_;
+  std::string source_;
+  std::vector<std::size_t> order_;
+  std::size_t next_ = 0;  // into the order
+  const MissionItem* item_ = nullptr;
+  std::size_t last_ = 0;     // that moves something
+  std::vector<Turn> turns_;  // one a point
+  Hull leaving_;             // from where the next leg may begin, where that is not the last point
+  bool unsaid_speed_ = false;  // a leg, the ascent aside, was flown before any speed was said
+  FlownMission flown_;
+};
+
+}  // namespace
+
+FlownMission flown_mission(const Mission& mission, const MissionFrame& frame,
+                           const MissionRules& rules, std::string_view source) {
+  return Flight(mission, frame, rules, source).fly();
+}
+
+}  // namespace traj

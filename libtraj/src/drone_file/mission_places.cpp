@@ -1,0 +1,89 @@
+#include "mission_places.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mission_jumps.h"
+
+namespace traj {
+
+MissionPlaces::MissionPlaces(const Mission& mission, const MissionFrame& frame,
+                             const MissionRules& rules, std::string_view source)
+    : mission_(mission),
+      frame_(frame),
+      rules_(rules),
+      earth_(frame.origin),
+      home_(rules.home),
+      source_(source) {
+  if (!home_ && mission_.home) {
+    home_ = mission_.home->height + frame_.geoid - frame_.origin.height;
+  }
+}
+
+double MissionPlaces::above_home(const MissionItem& item, double height) const {
+  if (home_) return *home_ + height;
+  refuse_item(
+      source_, item,
+      "heights count from home, and the file has no home: give the height of the ground there");
+}
+
+double MissionPlaces::height(const MissionItem& item) const {
+  if (!(std::abs(item.altitude) <= 1e5)) {
+    refuse_item(source_, item,
+                fmt::format("altitude must be a number within 1e5 m, found {}", item.altitude));
+  }
+  switch (item.frame) {
+    case kGlobal:
+    case kGlobalInt:
+      return item.altitude + frame_.geoid - frame_.origin.height;
+    case kGlobalRelative:
+    case kGlobalRelativeInt:
+      return above_home(item, item.altitude);
+    case kGlobalTerrain:
+    case kGlobalTerrainInt:
+      if (rules_.ground) return *rules_.ground + item.altitude;
+      refuse_item(source_, item,
+                  "expected heights above sea level or home, found one above terrain: where the "
+                  "ground is flat, give its height");
+    default:
+      refuse_item(source_, item,
+                  fmt::format("frame must be 0, 3, 5, 6, 10 or 11 (above sea level, home or "
+                              "terrain), found {}",
+                              item.frame));
+  }
+}
+
+bool MissionPlaces::is_here(const MissionItem& item) {
+  return std::isnan(item.latitude) || std::isnan(item.longitude) ||
+         (item.latitude == 0 && item.longitude == 0);
+}
+
+Vec3 MissionPlaces::place(const MissionItem& item) const {
+  if (!(std::abs(item.latitude) <= 90) || !(std::abs(item.longitude) <= 180)) {
+    refuse_item(source_, item,
+                fmt::format("latitude and longitude must be within 90 and 180 degrees, found {} {}",
+                            item.latitude, item.longitude));
+  }
+  if (item.command != kLand && item.altitude == 0) {
+    refuse_item(
+        source_, item,
+        "expected an altitude, found 0: some autopilots then keep their height, others fly at "
+        "that of home");
+  }
+  return on_map(item, {item.latitude, item.longitude, 0}, height(item));
+}
+
+Vec3 MissionPlaces::on_map(const MissionItem& item, const geom::GeodeticPlace& at, double z) const {
+  if (!is_near(frame_.origin, at.latitude, at.longitude)) {
+    refuse_item(
+        source_, item,
+        fmt::format("expected a place near the origin {} {}, found {} {}", frame_.origin.latitude,
+                    frame_.origin.longitude, at.latitude, at.longitude));
+  }
+  Vec3 p = earth_.enu(at);
+  p.z() = z;
+  return p;
+}
+
+}  // namespace traj

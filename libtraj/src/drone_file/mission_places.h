@@ -1,0 +1,38 @@
+#pragma once
+
+// Where on a map a mission's items are.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "traj/drone_file/mission_flight.h"
+
+namespace traj {
+
+// Each function throws geom::InputError(source, line, …) at the item for a height or a place that
+// cannot be told. All arguments must outlive this.
+class MissionPlaces {
+ public:
+  MissionPlaces(const Mission& mission, const MissionFrame& frame, const MissionRules& rules,
+                std::string_view source);
+
+  std::optional<double> home() const { return home_; }  // its z
+  double above_home(const MissionItem& item, double height) const;
+  double height(const MissionItem& item) const;  // its z
+
+  // Whether its place is 0, 0 or null: where the vehicle is.
+  static bool is_here(const MissionItem& item);
+  Vec3 place(const MissionItem& item) const;  // that is said
+  Vec3 on_map(const MissionItem& item, const geom::GeodeticPlace& at, double z) const;
+
+ private:
+  const Mission& mission_;
+  const MissionFrame& frame_;
+  const MissionRules& rules_;
+  geom::GeographicFrame earth_;
+  std::optional<double> home_;
+  std::string source_;
+};
+
+}  // namespace traj

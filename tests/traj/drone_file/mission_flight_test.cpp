@@ -1,0 +1,250 @@
+#include "traj/drone_file/mission_flight.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "geom/shape/hull.h"
+#include "support/refusal.h"
+
+namespace traj {
+namespace {
+
+const MissionFrame kFrame{{47, 8, 400}, 0};
+
+// A mission about (47, 8), home on the ground at z 10. Places in metres from there.
+class Maker {
+ public:
+  Maker() {
+    mission_.home = geom::GeodeticPlace{47, 8, 410};
+    add(kTakeoff, {0, 0, 30});
+  }
+
+  Maker& add(int command, const Vec3& at, std::array<double, 4> param = {}) {
+    const geom::GeodeticPlace place = earth_.place(at);
+    MissionItem item;
+    item.command = command;
+    item.param = param;
+    item.latitude = place.latitude;
+    item.longitude = place.longitude;
+    item.altitude = at.z() - 10;
+    item.number = mission_.items.size() + 1;
+    mission_.items.push_back(item);
+    return *this;
+  }
+
+  // An item without a place.
+  Maker& just(int command, std::array<double, 4> param = {}) {
+    add(command, Vec3(0, 0, 10), param);
+    mission_.items.back().latitude = mission_.items.back().longitude = 0;
+    mission_.items.back().frame = kMissionFrame;
+    return *this;
+  }
+
+  FlownMission fly(const MissionRules& rules = {}) const {
+    return flown_mission(mission_, kFrame, rules, "m");
+  }
+
+  std::string refusal(const MissionRules& rules = {}) const {
+    return support::refusal_of([&] { fly(rules); });
+  }
+
+  Mission& mission() { return mission_; }
+
+ private:
+  Mission mission_;
+  geom::GeographicFrame earth_{kFrame.origin};
+};
+
+bool holds(const std::vector<Vec3>& hull, const Vec3& p) {
+  const Vec3 hair = Vec3::Constant(1e-6);
+  return geom::hull_meets(hull, {p - hair, p + hair}).has_value();
+}
+
+// Whether one of the sweeps of that kind holds the point.
+bool swept(const FlownMission& flown, Manoeuvre manoeuvre, const Vec3& p) {
+  for (const Sweep& sweep : flown.sweeps) {
+    if (sweep.part.manoeuvre == manoeuvre && holds(sweep.hull, p)) return true;
+  }
+  return false;
+}
+
+void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-6) << a.transpose(); }
+
+TEST(FlownMission, SweepsTheCornersOfWaypointsWithoutARest) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30}, {2, 0, 0, 0});
+  maker.add(kWaypoint, {0, 80, 30});
+  const FlownMission flown = maker.fly();
+  ASSERT_EQ(flown.path.size(), 4u);
+  EXPECT_EQ(flown.corners, 1u);
+  ASSERT_EQ(flown.sweeps.size(), 1u) << "it rests at the second, and the third is the end";
+  EXPECT_EQ(flown.sweeps[0].part, (FlightPart{2, Manoeuvre::corner}));
+  EXPECT_EQ(flown.legs[1], (FlightPart{2, Manoeuvre::leg}));
+  EXPECT_TRUE(holds(flown.sweeps[0].hull, {95, 5, 30})) << "10 m, the default";
+  EXPECT_FALSE(holds(flown.sweeps[0].hull, {94, 5, 30}));
+  EXPECT_TRUE(holds(flown.sweeps[0].hull, {106.6, 0, 30})) << "10 m/s and 3 m/s2";
+  EXPECT_FALSE(holds(flown.sweeps[0].hull, {106.7, 0, 30}));
+}
+
+TEST(FlownMission, TakesTheRadiusFromTheUserThenFromTheItem) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {0, 4, 0, 0}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {96.1, 0, 30}));
+  EXPECT_FALSE(swept(maker.fly(), Manoeuvre::corner, {95.9, 0, 30}));
+  EXPECT_TRUE(swept(maker.fly({.acceptance = 7}), Manoeuvre::corner, {93.1, 0, 30}));
+  EXPECT_TRUE(maker.fly({.acceptance = 0}).sweeps.empty());
+  EXPECT_EQ(maker.fly({.acceptance = 0}).corners, 1u);
+  EXPECT_FALSE(swept(maker.fly({.speed = 3, .braking = 3}), Manoeuvre::corner, {100.1, 0, 30}));
+}
+
+TEST(FlownMission, AStopMeansNoCornerAndADelayAWiderOne) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).just(kDelay, {5, 0, 0, 0}).add(kWaypoint, {100, 80, 30});
+  const FlownMission flown = maker.fly();
+  EXPECT_EQ(flown.hold[1], 5);
+  EXPECT_TRUE(swept(flown, Manoeuvre::leg, {95, 40, 30})) << "from where it waits, 10 m before";
+}
+
+TEST(FlownMission, GoesAroundACircleFromItsNearestPoint) {
+  Maker maker;
+  maker.add(kWaypoint, {0, 20, 30}, {1, 0, 0, 0}).add(kLoiterTurns, {0, 100, 40}, {2, 0, 25, 0});
+  maker.add(kWaypoint, {80, 75, 40});
+  const FlownMission flown = maker.fly();
+  expect_near(flown.path[2], {0, 75, 40});
+  EXPECT_EQ(flown.path.size(), 2u + 33u + 1u);
+  for (double angle = 0; angle < 6.3; angle += 0.01) {
+    const Vec3 p(25 * std::cos(angle), 100 + 25 * std::sin(angle), 40);
+    EXPECT_TRUE(swept(flown, Manoeuvre::circle, p)) << angle;
+  }
+  EXPECT_FALSE(swept(flown, Manoeuvre::circle, {0, 100, 40})) << "a tower may stand in it";
+  expect_near(flown.path[flown.path.size() - 2], {0, 75, 40});
+  EXPECT_TRUE(swept(flown, Manoeuvre::leg, {40, 75, 40}));
+}
+
+TEST(FlownMission, RefusesCirclesThatItCannotPlace) {
+  const Vec3 centre(0, 100, 40);
+  EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1.5, 0, 25, 0}).refusal(),
+            "m: item 2: expected whole turns on a circle, at least one, found 1.5");
+  EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1, 0, 0, 0}).refusal(),
+            "m: item 2: expected the radius of the circle, found 0: it would be the vehicle's own");
+  EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1, 0, 2e4, 0}).refusal(),
+            "m: item 2: a radius must be within 1e4 m, found 20000");
+  EXPECT_EQ(Maker()
+                .add(kWaypoint, {0, 95, 40}, {1, 0, 0, 0})
+                .add(kLoiterTurns, centre, {1, 0, 25, 0})
+                .refusal(),
+            "m: item 3: expected to come to the circle from outside of half its radius, found a "
+            "point nearer to its centre: where the circle begins is uncertain");
+  EXPECT_EQ(
+      Maker()
+          .add(kLoiterTime, {0, 50, 30}, {9, 0, 5, 0})
+          .add(kLoiterTurns, centre, {1, 0, 25, 0})
+          .refusal(),
+      "m: item 3: expected a waypoint before a circle, so that it is known where that begins, "
+      "found loitering or a delay");
+}
+
+TEST(FlownMission, LoitersOnTheSpotOrAnywhereInACircle) {
+  Maker spot;
+  spot.add(kLoiterTime, {0, 50, 30}, {9, 0, 0, 0}).add(kWaypoint, {50, 50, 30});
+  EXPECT_TRUE(spot.fly().sweeps.empty());
+  EXPECT_EQ(spot.fly().hold[1], 9);
+  Maker wide;
+  wide.add(kLoiterTime, {0, 50, 30}, {9, 0, -20, 0}).add(kWaypoint, {80, 50, 30});
+  const FlownMission flown = wide.fly();
+  EXPECT_TRUE(swept(flown, Manoeuvre::hover, {0, 70, 30}));
+  EXPECT_TRUE(swept(flown, Manoeuvre::hover, {10, 25, 30})) << "on the way to it";
+  EXPECT_TRUE(swept(flown, Manoeuvre::leg, {40, 59, 30})) << "from anywhere in it";
+}
+
+TEST(FlownMission, ClimbsBeforeOrAfterTheWay) {
+  Maker maker;
+  maker.add(kLoiterToHeight, {100, 0, 80}).add(kWaypoint, {100, 50, 80});
+  const FlownMission flown = maker.fly();
+  EXPECT_TRUE(swept(flown, Manoeuvre::climb, {100, 0, 50}));
+  EXPECT_TRUE(swept(flown, Manoeuvre::climb, {50, 0, 50})) << "straight";
+  EXPECT_TRUE(swept(flown, Manoeuvre::climb, {50, 0, 30})) << "first across";
+  expect_near(flown.path.back(), {100, 50, 80});
+}
+
+TEST(FlownMission, SweepsSplines) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).add(kSplineWaypoint, {100, 90, 30});
+  maker.add(kSplineWaypoint, {0, 90, 30});
+  const FlownMission flown = maker.fly({.acceptance = 0});
+  ASSERT_EQ(flown.sweeps.size(), 2u);
+  EXPECT_EQ(flown.sweeps[0].part, (FlightPart{3, Manoeuvre::spline}));
+  EXPECT_TRUE(holds(flown.sweeps[0].hull, {133, 0, 30})) << "a third of the velocity it comes with";
+  EXPECT_TRUE(holds(flown.sweeps[0].hull, {133, 60, 30})) << "on to the next";
+}
+
+TEST(FlownMission, ReturnsAtTheHeightThatIsGiven) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).just(kReturn);
+  EXPECT_TRUE(maker.fly().returns);
+  const FlownMission flown = maker.fly({.return_height = 60});
+  EXPECT_FALSE(flown.returns);
+  ASSERT_EQ(flown.path.size(), 4u);
+  expect_near(flown.path[2], {100, 0, 70});
+  expect_near(flown.path[3], {0, 0, 70});
+  EXPECT_EQ(flown.ends.landing_on, 10);
+  EXPECT_EQ(flown.legs[4], (FlightPart{3, Manoeuvre::landing}));
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {90, 0, 50})) << "from 10 m before its end";
+  const FlownMission low = maker.fly({.return_height = 5});
+  expect_near(low.path[3], {0, 0, 30});
+}
+
+TEST(FlownMission, MayReturnToRallyPoints) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {1, 0, 0, 0}).just(kReturn);
+  const geom::GeographicFrame earth(kFrame.origin);
+  geom::GeodeticPlace rally = earth.place({0, 200, 0});
+  rally.height = 15;
+  maker.mission().rally = {rally};
+  const FlownMission flown = maker.fly({.return_height = 60});
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {50, 100, 70}));
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {0, 200, 25}));
+}
+
+TEST(FlownMission, LandsWhereItsPlaceIsKnown) {
+  Maker unsaid;
+  unsaid.add(kWaypoint, {100, 0, 30}).just(kLand);
+  unsaid.mission().items.back().frame = kGlobalRelative;
+  EXPECT_EQ(unsaid.refusal(),
+            "m: item 3: expected the place of the landing, or a waypoint with a hold before it, "
+            "found neither: it lands where it is when it takes the waypoint for reached");
+  EXPECT_EQ(unsaid.refusal({.acceptance = 0}), "");
+  Maker rested;
+  rested.add(kWaypoint, {100, 0, 30}, {1, 0, 0, 0}).just(kLand);
+  rested.mission().items.back().frame = kGlobalRelative;
+  EXPECT_EQ(rested.fly().ends.landing_on, 10);
+}
+
+TEST(FlownMission, TakesHeightsAboveFlatTerrain) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30});
+  maker.mission().items.back().frame = kGlobalTerrain;
+  EXPECT_EQ(maker.refusal(),
+            "m: item 2: expected heights above sea level or home, found one above terrain: where "
+            "the ground is flat, give its height");
+  EXPECT_NEAR(maker.fly({.ground = 3}).path.back().z(), 23, 1e-9);
+}
+
+TEST(FlownMission, SaysTheHomeThatItAssumed) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30});
+  expect_near(*maker.fly().home, {0, 0, 10});
+  expect_near(*maker.fly({.home = 12}).home, {0, 0, 12});
+  maker.mission().home.reset();
+  expect_near(*maker.fly({.home = 12}).home, {0, 0, 12});
+}
+
+TEST(FlownMission, CountsWhatMovesNothing) {
+  Maker maker;
+  maker.just(201).just(2000).add(kWaypoint, {100, 0, 30});
+  EXPECT_EQ(maker.fly().idle_items, 2u);
+}
+
+}  // namespace
+}  // namespace traj

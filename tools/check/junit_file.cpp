@@ -1,0 +1,61 @@
+#include "junit_file.h"
+
+#include <fmt/format.h>
+
+#include "cli/option/output_option.h"
+#include "geom/text/markup.h"
+
+namespace checking {
+namespace {
+
+// "collision, 0.413 m, box 7, item 3 (corner), near [1.000, 2.000, 3.000]".
+std::string in_words(const traj::ReportRecord& report, const geom::BoxMap& map) {
+  const traj::CheckResult& result = report.result;
+  if (result.ok) return "the exact check refuses what the other accepts";
+  std::string words(name(result.reason));
+  if (!result.looked) return words;
+  words += fmt::format(", {:.4g}", result.worst);
+  if (result.box) words += fmt::format(", box {}", map.ids()[*result.box]);
+  if (result.part) {
+    words += fmt::format(", item {} ({})", result.part->item, name(result.part->manoeuvre));
+  }
+  const geom::Vec3& p = result.place;
+  words += fmt::format(", near [{:.3f}, {:.3f}, {:.3f}]", p.x(), p.y(), p.z());
+  if (!report.detail.empty()) words += ": " + report.detail;
+  return words;
+}
+
+}  // namespace
+
+void JUnitFile::add_to(CLI::App& app) {
+  cli::add_output(app, "--junit", file_, "write the verdicts as a JUnit test suite, XML");
+}
+
+void JUnitFile::open() {
+  if (!file_.empty()) out_.emplace(file_, cli::OutputKind::text);
+}
+
+void JUnitFile::add(const traj::ReportRecord& report, const geom::BoxMap& map) {
+  if (!out_) return;
+  ++tests_;
+  cases_ += fmt::format("    <testcase classname=\"skyway-check\" name=\"{}\"",
+                        geom::escaped_markup(report.id));
+  if (accepted(report)) {
+    cases_ += "/>\n";
+    return;
+  }
+  ++failures_;
+  cases_ += fmt::format(">\n      <failure type=\"{}\" message=\"{}\"/>\n    </testcase>\n",
+                        name(report.result.reason), geom::escaped_markup(in_words(report, map)));
+}
+
+void JUnitFile::commit() {
+  if (!out_) return;
+  out_->stream() << fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite "
+      "name=\"skyway-check\" tests=\"{0}\" failures=\"{1}\">\n{2}  </testsuite>\n</testsuites>\n",
+      tests_, failures_, cases_);
+  out_->commit();
+}
+
+}  // namespace checking
