@@ -1,0 +1,399 @@
+// mission_agreement N [SEED]: N missions, each with one obstacle or fence put into the way of one
+// of its legs, corners, curves or returns, 1e-6 to 1 m deep. Where the way is, is worked out here
+// from the autopilots' documents and another projection (GeographicLib's exact one). None may pass.
+
+#include <fmt/format.h>
+
+#include <GeographicLib/TransverseMercatorExact.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+#include "geom/collision/collision.h"
+#include "support/random_city.h"
+#include "traj/drone_file/mission_flight.h"
+#include "traj/drone_file/wpl.h"
+#include "traj/proof/flown.h"
+
+namespace {
+
+using geom::Vec3;
+using support::Random;
+
+constexpr double kHome = 10;          // m, z
+const Vec3 kHalf(0.3, 0.3, 0.2);      // of the vehicle
+constexpr double kReturnHeight = 70;  // m above home
+constexpr double kSpeed = 15;         // m/s
+constexpr double kBraking = 3;        // m/s2
+const traj::MissionFrame kFrame{{47, 8, 400}, 0};
+
+Vec3 projected(double latitude, double longitude, double z) {
+  static const GeographicLib::TransverseMercatorExact mercator(6378137, 1 / 298.257223563, 1);
+  static const double north = [] {
+    double x = 0;
+    double y = 0;
+    mercator.Forward(8, 47, 8, x, y);
+    return y;
+  }();
+  double x = 0;
+  double y = 0;
+  mercator.Forward(8, latitude, longitude, x, y);
+  return {x, y - north, z};
+}
+
+double rounded(double degrees) { return std::round(degrees * 1e7) / 1e7; }
+
+// A mission as text, and the places of its items as this program works them out.
+struct Written {
+  std::string text = "QGC WPL 110\n";
+  int lines = 0;
+
+  Vec3 add(int command, Vec3 at, std::array<double, 4> p = {}) {
+    const double latitude = rounded(47 + at.y() / 111171);
+    const double longitude = rounded(8 + at.x() / 76057);
+    const double height = std::round(at.z() * 1e3) / 1e3;
+    const bool home = lines == 0;
+    text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{:.7f}\t{:.7f}\t{:.3f}\t1\n", lines,
+                        home ? 1 : 0, home ? 0 : 3, command, p[0], p[1], p[2], p[3], latitude,
+                        longitude, home ? height + 400 : height - kHome);
+    ++lines;
+    return projected(latitude, longitude, height);
+  }
+
+  void just(int command, std::array<double, 4> p) {
+    text += fmt::format("{}\t0\t2\t{}\t{}\t{}\t{}\t{}\t0\t0\t0\t1\n", lines++, command, p[0], p[1],
+                        p[2], p[3]);
+  }
+};
+
+// Where the obstacle is put: a point of the way; or a fence.
+struct Attack {
+  std::string what;
+  Vec3 point = Vec3::Zero();
+  int fence = 0;  // 1: stay out of, 2: stay in
+};
+
+class Case {
+ public:
+  explicit Case(Random& random) : random_(random) {
+    home_ = written_.add(traj::kWaypoint, Vec3(0, 0, kHome));
+    top_ = written_.add(traj::kTakeoff, Vec3(0, 0, random_.uniform(25, 60)));
+    way_ = {top_};
+  }
+
+  // Appends what is attacked, and ends the mission in one of the ways that missions end.
+  Attack make(int kind) {
+    switch (kind) {
+      case 0:
+        return leg();
+      case 1:
+        return {"ascent", between(home_ + Vec3(0, 0, 0.3), top_)};
+      case 2:
+        return corner();
+      case 3:
+        return braking();
+      case 4:
+        return spline();
+      case 5:
+        return circle();
+      case 6:
+        return disc();
+      case 7:
+        return climb();
+      case 8:
+        return return_home(false);
+      case 9:
+        return return_home(true);
+      case 10:
+        return jump();
+      case 11:
+      case 12: {
+        Attack attack = leg();
+        return {kind == 11 ? "exclusion" : "inclusion", attack.point, kind - 10};
+      }
+      case 13:
+        return landing();
+      default:
+        return delay();
+    }
+  }
+
+  const std::string& text() const { return written_.text; }
+
+ private:
+  Vec3 between(const Vec3& a, const Vec3& b) { return a + random_.uniform(0, 1) * (b - a); }
+
+  Vec3 somewhere() {
+    const Vec3& last = way_.back();
+    const double angle = random_.uniform(0, 2 * std::numbers::pi);
+    const double far = random_.uniform(30, 90);
+    return {last.x() + far * std::cos(angle), last.y() + far * std::sin(angle),
+            random_.uniform(25, 60)};
+  }
+
+  // A waypoint with a hold (s) and a radius (m; 0: none said).
+  Vec3 go(double hold = 1, double radius = 0, int command = traj::kWaypoint) {
+    way_.push_back(written_.add(command, somewhere(), {hold, radius, 0, 0}));
+    return way_.back();
+  }
+
+  Attack leg() {
+    for (int i = 1 + random_.below(3); i > 0; --i) go();
+    const std::size_t i =
+        1 + static_cast<std::size_t>(random_.below(static_cast<int>(way_.size()) - 1));
+    return {"leg", between(way_[i - 1], way_[i])};
+  }
+
+  // Random weights of three points.
+  Vec3 within(const Vec3& a, const Vec3& b, const Vec3& c) {
+    double s = random_.uniform(0, 1);
+    double t = random_.uniform(0, 1);
+    if (s + t > 1) {
+      s = 1 - s;
+      t = 1 - t;
+    }
+    return a + s * (b - a) + t * (c - a);
+  }
+
+  static Vec3 towards(const Vec3& from, const Vec3& to, double far) {
+    const double length = (to - from).norm();
+    return from + (to - from) * std::min(1.0, far / length);
+  }
+
+  Attack corner() {
+    const double radius = random_.below(2) ? random_.uniform(0.5, 40) : 0;
+    go();
+    const Vec3 w = go(0, radius);
+    go();
+    const double r = radius > 0 ? radius : 10;
+    const std::size_t n = way_.size();
+    return {"corner", within(w, towards(w, way_[n - 3], r), towards(w, way_[n - 1], r))};
+  }
+
+  Attack braking() {
+    written_.just(traj::kSpeed, {1, kSpeed, -1, 0});
+    const double radius = random_.uniform(0.5, 30);
+    go();
+    const Vec3 w = go(0, radius);
+    const Vec3 along = (w - way_[way_.size() - 2]).normalized();
+    go();
+    const double beyond = kSpeed * kSpeed / (2 * kBraking) - radius;
+    return {"braking", w + random_.uniform(0, 1) * beyond * along};
+  }
+
+  // As ArduPilot makes it: a straight leg, a spline, and a straight or curved one.
+  Attack spline() {
+    const double hold = random_.below(2);
+    const Vec3 before = way_.back();
+    const Vec3 a = go(hold);
+    const Vec3 b = go(0, 0, traj::kSplineWaypoint);
+    const bool curved = random_.below(2);
+    const Vec3 after = go(1, 0, curved ? traj::kSplineWaypoint : traj::kWaypoint);
+    Vec3 v = hold > 0 ? Vec3(Vec3::Zero()) : Vec3(a - before);
+    Vec3 w = after - (curved ? a : b);
+    const double sum = v.norm() + w.norm();
+    const double most = 4 * (b - a).norm();
+    if (sum > most) {
+      v *= most / sum;
+      w *= most / sum;
+    }
+    const double t = random_.uniform(0, 1);
+    const double u = 1 - t;
+    return {"spline",
+            u * u * (1 + 2 * t) * a + t * t * (3 - 2 * t) * b + u * u * t * v - u * t * t * w};
+  }
+
+  Attack circle() {
+    const double radius = std::round(random_.uniform(5, 25));
+    const Vec3 last = go();
+    const Vec3 centre = written_.add(traj::kLoiterTurns, somewhere(),
+                                     {2, 0, random_.below(2) ? radius : -radius, 0});
+    const Vec3 out = Vec3(last.x() - centre.x(), last.y() - centre.y(), 0).normalized();
+    const Vec3 entry = centre + radius * out;
+    way_.push_back(entry);
+    const Vec3 next = go();
+    const double angle = random_.uniform(0, 2 * std::numbers::pi);
+    const Vec3 around = centre + radius * Vec3(std::cos(angle), std::sin(angle), 0);
+    const int which = random_.below(4);
+    return {"circle", which == 0   ? between(last, entry)
+                      : which == 1 ? between(entry, next)
+                                   : around};
+  }
+
+  Attack disc() {
+    const double radius = random_.uniform(2, 25);
+    const Vec3 last = go();
+    const Vec3 centre = written_.add(traj::kLoiterTime, somewhere(), {5, 0, radius, 0});
+    way_.push_back(centre);
+    const Vec3 next = go();
+    const double angle = random_.uniform(0, 2 * std::numbers::pi);
+    const Vec3 at =
+        centre + random_.uniform(0, 1) * radius * Vec3(std::cos(angle), std::sin(angle), 0);
+    const int which = random_.below(3);
+    return {"disc", which == 0 ? at : between(at, which == 1 ? last : next)};
+  }
+
+  Attack climb() {
+    const Vec3 last = go();
+    const Vec3 end = go(0, 0, traj::kLoiterToHeight);
+    const Vec3 level(end.x(), end.y(), last.z());
+    const int which = random_.below(3);
+    if (which == 0) return {"climb", between(last, level)};
+    return {"climb", which == 1 ? between(level, end) : between(last, end)};
+  }
+
+  Attack return_home(bool rally) {
+    const bool rests = random_.below(2);
+    const double radius = random_.uniform(1, 20);
+    const Vec3 last = go(rests ? 1 : 0, radius);
+    Vec3 from = last;
+    if (!rests) from = between(last, towards(last, way_[way_.size() - 2], radius));
+    written_.just(traj::kReturn, {0, 0, 0, 0});
+    const double z = std::max(last.z(), kHome + kReturnHeight);
+    const Vec3 high(from.x(), from.y(), z);
+    Vec3 target(home_.x(), home_.y(), z);
+    if (rally) {
+      const Vec3 place = written_.add(5100, somewhere());
+      target = {place.x(), place.y(), z};
+      return {"rally", random_.below(2) ? between(high, target) : between(target, place)};
+    }
+    const int which = random_.below(3);
+    if (which == 0) return {"return", between(from, high)};
+    if (which == 1) return {"return", between(high, target)};
+    return {"return", between(target, home_ + Vec3(0, 0, 0.3))};
+  }
+
+  Attack jump() {
+    const int target = written_.lines;
+    const Vec3 first = go();
+    go();
+    const Vec3 last = go();
+    written_.just(traj::kJump, {static_cast<double>(target), 1.0 + random_.below(3), 0, 0});
+    return {"jump", between(last, first)};
+  }
+
+  Attack landing() {
+    const Vec3 last = go();
+    Vec3 ground = somewhere();
+    ground.z() = kHome;
+    const Vec3 place = written_.add(traj::kLand, ground);
+    const Vec3 above(place.x(), place.y(), last.z());
+    const bool down = random_.below(2);
+    return {"landing", down ? between(above, place + Vec3(0, 0, 0.3)) : between(last, above)};
+  }
+
+  Attack delay() {
+    const double radius = random_.uniform(1, 20);
+    go();
+    const Vec3 w = go(0, radius);
+    written_.just(traj::kDelay, {3, 0, 0, 0});
+    const Vec3 next = go();
+    const Vec3 from = between(w, towards(w, way_[way_.size() - 3], radius));
+    return {"delay", between(from, next)};
+  }
+
+  Random& random_;
+  Written written_;
+  Vec3 home_;
+  Vec3 top_;
+  std::vector<Vec3> way_;
+};
+
+// A box that once grown by the vehicle has the point `depth` inside it, and no deeper.
+geom::Aabb box_around(Random& random, const Vec3& p, double depth) {
+  const int axis = random.below(3);
+  const bool high = random.below(2);
+  geom::Aabb box;
+  for (int i = 0; i < 3; ++i) {
+    const double width = std::max(kHalf[i], depth) + random.uniform(0.01, 3);
+    const double middle = i != axis ? p[i] : high ? p[i] + depth - width : p[i] - depth + width;
+    box.min[i] = middle - (width - kHalf[i]);
+    box.max[i] = middle + (width - kHalf[i]);
+  }
+  return box;
+}
+
+geom::CollisionScene scene_of(const std::optional<geom::Aabb>& box) {
+  geom::BoxTable table;
+  if (box) {
+    table.boxes = {*box};
+    table.ids = {0};
+    table.label = {0};
+  }
+  geom::BoxMapSpec spec;
+  spec.bounds = {{-1000, -1000, -50}, {1000, 1000, 200}};
+  spec.bounds_from = "option";
+  return {geom::BoxMap(spec, table), geom::Vehicle{"box", kHalf}, 0};
+}
+
+// A square, or a circle about home, that the vehicle's box breaks by `depth` at the point.
+traj::Fence fence_at(Random& random, const Attack& attack, double depth) {
+  const double x = attack.point.x();
+  const double y = attack.point.y();
+  if (attack.fence == 1) {
+    const double size = random.uniform(0.5, 5);
+    const double left = x + kHalf.x() - depth;
+    return {false,
+            {{left, y - size}, {left + size, y - size}, {left + size, y + size}, {left, y + size}},
+            0};
+  }
+  const double right = x + kHalf.x() - depth;
+  return {true, {{-900, -900}, {right, -900}, {right, 900}, {-900, 900}}, 0};
+}
+
+traj::Flown flown(const std::string& text) {
+  std::istringstream in(text);
+  const traj::Mission mission = traj::read_wpl(in, "mission");
+  traj::MissionRules rules;
+  rules.braking = kBraking;
+  rules.return_height = kReturnHeight;
+  traj::FlownMission made = traj::flown_mission(mission, kFrame, rules, "mission");
+  traj::Flown out;
+  out.path = std::move(made.path);
+  out.legs = std::move(made.legs);
+  out.sweeps = std::move(made.sweeps);
+  out.fences = std::move(made.fences);
+  out.ends = made.ends;
+  out.path_stray = traj::kMissionStray;
+  out.returns = made.returns;
+  return out;
+}
+
+bool accepted(const geom::CollisionScene& scene, const traj::Flown& mission) {
+  return traj::check_flown(scene, mission, {}, traj::Clearance::left_out).ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
+  Random random(argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1);
+  const geom::CollisionScene empty = scene_of({});
+  std::map<std::string, int> tried;
+  int wrong = 0;
+  int free = 0;
+  for (int i = 0; i < count; ++i) {
+    Case made(random);
+    const Attack attack = made.make(i % 15);
+    const double depth = std::pow(10, random.uniform(-6, 0));
+    traj::Flown mission = flown(made.text());
+    free += accepted(empty, mission);
+    ++tried[attack.what];
+    bool passed = false;
+    if (attack.fence) {
+      mission.fences.push_back(fence_at(random, attack, depth));
+      passed = accepted(empty, mission);
+    } else {
+      passed = accepted(scene_of(box_around(random, attack.point, depth)), mission);
+    }
+    if (!passed) continue;
+    if (++wrong <= 10)
+      fmt::print("wrong: {} {}: {} m deep\n{}", i, attack.what, depth, made.text());
+  }
+  for (const auto& [what, times] : tried) fmt::print("{}: {}\n", what, times);
+  fmt::print("{} missions, {} of them free without the obstacle, {} accepted with it\n", count,
+             free, wrong);
+  return wrong != 0 || free != count;
+}
