@@ -14,11 +14,10 @@
 #include "cli/option/output_option.h"
 #include "geom/base/error.h"
 #include "geom/import/box_csv.h"
-#include "geom/import/keep_out.h"
 #include "geom/map/join.h"
-#include "geom/shape/cover.h"
 #include "geom/text/json_line.h"
 #include "verbs.h"
+#include "volumes.h"
 
 namespace verbs {
 namespace {
@@ -89,6 +88,7 @@ struct Changes {
   std::string add;
   std::string remove;
   std::string keep_out;
+  std::string fence;
   bool local = false;
   double slack = 0.5;
 };
@@ -134,51 +134,6 @@ std::size_t remove(BoxTable& table, const std::string& word, const std::string& 
   return before - table.boxes.size();
 }
 
-// A sloping side is covered by a stair of boxes as high as the slack: so many steps, and no more
-// than seconds.
-void refuse_long_stairs(const geom::Polygon& polygon, double slack, const std::string& name,
-                        std::uint64_t feature) {
-  constexpr double kMostSteps = 1e4;
-  double longest = 0;
-  const auto look_at = [&](const std::vector<geom::Vec2>& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const geom::Vec2 d = (ring[(i + 1) % ring.size()] - ring[i]).cwiseAbs();
-      if (d.minCoeff() > 0) longest = std::max(longest, d.maxCoeff());
-    }
-  };
-  look_at(polygon.outer);
-  std::for_each(polygon.holes.begin(), polygon.holes.end(), look_at);
-  if (longest <= kMostSteps * slack) return;
-  throw geom::InputError(
-      name,
-      fmt::format("feature {}: expected sloping sides of at most {:.6g} m (1e4 times --slack), "
-                  "found one of {:.6g} m: give --slack {:.3g} or more, or cut the volume to the "
-                  "map",
-                  feature, kMostSteps * slack, longest, std::ceil(longest / kMostSteps)));
-}
-
-BoxTable keep_out_boxes(const Changes& changes, const geom::BoxMapSpec& spec) {
-  cli::InputFile file(changes.keep_out);
-  const geom::KeepOut zones =
-      geom::read_keep_out(file.stream(), file.name(), spec.frame,
-                          {changes.local, spec.bounds.min.z(), spec.bounds.max.z()});
-  BoxTable table;
-  for (std::size_t i = 0; i < zones.volumes.size(); ++i) {
-    const geom::Footprint& zone = zones.volumes[i];
-    refuse_long_stairs(zone.polygon, changes.slack, file.name(), zone.id);
-    BoxTable one;
-    one.labels = {"", zones.labels[i]};
-    const geom::Vec3 bulge(zones.bulge[i], zones.bulge[i], 0);
-    for (const geom::Rectangle& r : geom::cover(zone.polygon, changes.slack)) {
-      one.add({geom::Vec3(r.min.x(), r.min.y(), zone.bottom) - bulge,
-               geom::Vec3(r.max.x(), r.max.y(), zone.top) + bulge},
-              zone.id, 1);
-    }
-    geom::append(table, one);
-  }
-  return table;
-}
-
 // New boxes get ids above all that are there.
 void renumber(BoxTable& fresh, const BoxTable& table) {
   std::uint64_t next = 0;
@@ -187,10 +142,11 @@ void renumber(BoxTable& fresh, const BoxTable& table) {
 }
 
 void run_patch(const Files& files, const Changes& changes, const cli::Common& common) {
-  if (changes.add.empty() && changes.remove.empty() && changes.keep_out.empty()) {
-    throw cli::UsageError("nothing to change: give --add, --remove or --keep-out");
+  if (changes.add.empty() && changes.remove.empty() && changes.keep_out.empty() &&
+      changes.fence.empty()) {
+    throw cli::UsageError("nothing to change: give --add, --remove, --keep-out or --fence");
   }
-  cli::at_most_one_stdin({files.map, changes.add, changes.keep_out});
+  cli::at_most_one_stdin({files.map, changes.add, changes.keep_out, changes.fence});
   const BoxMap map = open(files.map, common);
   BoxTable table = geom::table_of(map);
   Json step = {{"tool", "skyway-map patch"}, {"input", map.hash()}};
@@ -207,7 +163,11 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
     cli::InputFile file(changes.add);
     add("added", geom::read_box_csv(file.stream(), file.name()));
   }
-  if (!changes.keep_out.empty()) add("keep_out", keep_out_boxes(changes, map.spec()));
+  const Volumes volumes{map.spec(), changes.slack};
+  if (!changes.keep_out.empty()) {
+    add("keep_out", volumes.keep_out(changes.keep_out, changes.local));
+  }
+  if (!changes.fence.empty()) add("fence", volumes.fence(changes.fence));
   if (table.boxes.empty()) throw geom::InputError(files.map, "the patch leaves no boxes at all");
   write(files, map.spec(), table, step);
   common.write_stats(stats);
@@ -244,6 +204,9 @@ Verb patch(CLI::App& app, const cli::Common& common) {
                    "keep-out");
   verb->add_flag("--keep-out-local", changes->local,
                  "its coordinates are the map's metres, not longitude and latitude");
+  verb->add_option("--fence", changes->fence,
+                   "fences of a QGroundControl plan or a WPL file; what they forbid becomes boxes "
+                   "labelled fence, from the bottom of the map to its top");
   verb->add_option("--slack", changes->slack,
                    "how far boxes may reach outside a volume, metres (default 0.5)")
       ->check(CLI::Range(0.01, 100.0));

@@ -251,9 +251,16 @@ struct PlanReader {
     }
   }
 
-  Mission mission(const Json& plan) const {
+  Json plan(std::istream& in) const {
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    Json plan = geom::parse_ordered_json(text, source);
+    if (!plan.is_object()) refuse("expected a JSON object, found " + shown(plan));
     require(plan, "fileType", "Plan", "plan");
     require(plan, "version", 1, "plan");
+    return plan;
+  }
+
+  Mission mission(const Json& plan) const {
     const Json& json = object(plan, "mission", "plan");
     require(json, "version", 2, "mission");
     require_rotorcraft(json);
@@ -301,10 +308,12 @@ void write_qgc_plan(std::ostream& out, const Mission& mission, std::string_view 
 
 Mission read_qgc_plan(std::istream& in, std::string_view source) {
   const PlanReader reader{source};
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  const Json plan = geom::parse_ordered_json(text, source);
-  if (!plan.is_object()) reader.refuse("expected a JSON object, found " + shown(plan));
-  return reader.mission(plan);
+  return reader.mission(reader.plan(in));
+}
+
+std::vector<GeodeticFence> read_qgc_fences(std::istream& in, std::string_view source) {
+  const PlanReader reader{source};
+  return reader.fences(reader.plan(in));
 }
 
 }  // namespace traj

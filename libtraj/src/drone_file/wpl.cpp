@@ -102,7 +102,7 @@ class WplReader {
  public:
   WplReader(std::istream& in, std::string_view source) : in_(in), source_(source) {}
 
-  Mission read() {
+  const Mission& read() {
     std::string text;
     for (line_ = 1; std::getline(in_, text); ++line_) {
       std::string_view line = text;
@@ -115,7 +115,15 @@ class WplReader {
       }
     }
     finish();
-    return std::move(mission_);
+    return mission_;
+  }
+
+  void require_mission() const {
+    if (!mission_.items.empty()) return;
+    const bool others = !mission_.fences.empty() || !mission_.rally.empty();
+    throw geom::InputError(source_,
+                           others ? "expected a mission, found only a fence or rally points"
+                                  : "expected \"QGC WPL 110\" and at least one item, found none");
   }
 
  private:
@@ -176,12 +184,6 @@ class WplReader {
                                                   "end of the file",
                                                   corners_left_));
     }
-    if (mission_.items.empty() && !(mission_.fences.empty() && mission_.rally.empty())) {
-      throw geom::InputError(source_, "expected a mission, found only a fence or rally points");
-    }
-    if (mission_.items.empty()) {
-      throw geom::InputError(source_, "expected \"QGC WPL 110\" and at least one item, found none");
-    }
     if (!skips_) return;
     for (const MissionItem& item : mission_.items) {
       if (item.command != kJump) continue;
@@ -221,6 +223,15 @@ void write_wpl(std::ostream& out, const Mission& mission) {
   out << text;
 }
 
-Mission read_wpl(std::istream& in, std::string_view source) { return WplReader(in, source).read(); }
+Mission read_wpl(std::istream& in, std::string_view source) {
+  WplReader reader(in, source);
+  Mission mission = reader.read();
+  reader.require_mission();
+  return mission;
+}
+
+std::vector<GeodeticFence> read_wpl_fences(std::istream& in, std::string_view source) {
+  return WplReader(in, source).read().fences;
+}
 
 }  // namespace traj

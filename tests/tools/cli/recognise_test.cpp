@@ -60,7 +60,8 @@ TEST(Recognise, NamesMissionsTracksAndLogs) {
   EXPECT_EQ(what(zip("wpmz/template.kml", "")), "a DJI mission (KMZ with WPML)");
   EXPECT_EQ(what(zip("doc.kml", "")), "a KMZ file");
   EXPECT_EQ(what("QGC WPL 110\n0\t1\t0\t16\t"), "a mission (WPL)");
-  EXPECT_EQ(what("QGC WPL 110\n0\t1\t0\t16\t0\n1\t0\t3\t5001\t4\t"), "a fence of Mission Planner");
+  EXPECT_EQ(what("QGC WPL 110\n0\t1\t0\t16\t0\n1\t0\t3\t5001\t4\t"),
+            "a fence or rally points without a mission");
   EXPECT_EQ(what(R"({"fileType": "Plan", "geoFence": {)"), "a QGroundControl plan");
   EXPECT_EQ(what("ULog\x01\x12\x35\x01"), "a PX4 flight log (ULog)");
   EXPECT_EQ(what("\xa3\x95\x80\x80"), "an ArduPilot flight log (DataFlash .bin)");

@@ -222,8 +222,21 @@ bool is_tlog(std::string_view head) {
 }
 
 // A fence in Mission Planner's words: items of the commands 5000 to 5004.
+// A mission's text with no items but home, fences (MAV_CMD 5000 to 5004) or rally points (5100).
 bool is_fence(std::string_view head) {
-  return head.starts_with("QGC WPL") && head.find("\t500") != head.npos;
+  if (!head.starts_with("QGC WPL")) return false;
+  bool fence = false;
+  for (std::size_t at = head.find('\n'); at < head.size(); at = head.find('\n', at + 1)) {
+    std::size_t field = at + 1;
+    for (int i = 0; i < 3; ++i) field = head.find('\t', std::min(field, head.size())) + 1;
+    if (field == 0 || field >= head.size()) break;
+    const std::string_view command = head.substr(field, 5);
+    if (!fence && head.substr(at + 1).starts_with("0\t") && command.starts_with("16\t")) continue;
+    if (command != "5100\t" && !(command.starts_with("500") && command.ends_with('\t')))
+      return false;
+    fence = true;
+  }
+  return fence;
 }
 
 // In plain text, by how it begins.
@@ -313,8 +326,8 @@ std::optional<FileKind> recognise(std::string_view head) {
   if (head.starts_with("SQLite format 3\0"sv)) return sqlite_kind(head);
   if (head.starts_with("PK\x03\x04")) return zip_kind(head);
   if (is_fence(head)) {
-    return FileKind{"a fence of Mission Planner", "",
-                    "write its polygons as GeoJSON for skyway-map patch --keep-out"};
+    return FileKind{"a fence or rally points without a mission", "skyway-map",
+                    "skyway-map patch --fence makes a fence part of a map"};
   }
   if (is_tlog(head)) return FileKind{"a telemetry log (tlog)", "", kToTrajectory};
   for (const Magic& magic : kMagic) {

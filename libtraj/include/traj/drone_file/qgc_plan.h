@@ -20,4 +20,7 @@ void write_qgc_plan(std::ostream& out, const Mission& mission, std::string_view 
 // alike, and a vehicle that does not hover.
 Mission read_qgc_plan(std::istream& in, std::string_view source);
 
+// Its fences alone; the rest of the plan is not looked at.
+std::vector<GeodeticFence> read_qgc_fences(std::istream& in, std::string_view source);
+
 }  // namespace traj

@@ -24,4 +24,7 @@ void write_wpl(std::ostream& out, const Mission& mission);
 // FlownMission::ended).
 Mission read_wpl(std::istream& in, std::string_view source);
 
+// Its fences alone; a file without a mission will do.
+std::vector<GeodeticFence> read_wpl_fences(std::istream& in, std::string_view source);
+
 }  // namespace traj

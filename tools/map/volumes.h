@@ -1,0 +1,24 @@
+#pragma once
+
+// Volumes that a map is to keep vehicles out of, as boxes.
+
+#include <string>
+
+#include "geom/map/box_map.h"
+#include "geom/map/make_map.h"
+
+namespace verbs {
+
+struct Volumes {
+  const geom::BoxMapSpec& spec;
+  double slack;  // metres that boxes may reach outside a volume
+
+  // Of GeoJSON; `local`: in the map's metres.
+  geom::BoxTable keep_out(const std::string& path, bool local) const;
+
+  // What the fences of a mission's file forbid within the bounds: exclusions, and all outside of
+  // each inclusion.
+  geom::BoxTable fence(const std::string& path) const;
+};
+
+}  // namespace verbs
