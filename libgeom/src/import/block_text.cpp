@@ -74,7 +74,12 @@ BlockText read_block_text(std::istream& in, std::string_view source) {
     }
   }
   if (!boundary) lines.refuse("expected a boundary line, found none");
-  if (out.table.boxes.empty()) lines.refuse("expected at least one block, found none");
+  if (out.table.boxes.empty()) {
+    lines.refuse(
+        "expected at least one block, found a boundary alone: a map needs an obstacle; a block "
+        "that "
+        "is the floor, as flat as 0, will do");
+  }
   out.boundary = *boundary;
   return out;
 }

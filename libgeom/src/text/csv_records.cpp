@@ -77,9 +77,16 @@ bool CsvRecords::next() {
     }
   }
   do {
+    while (commented_ && in_.peek() == '#') skip_line();
     if (!read_record()) return false;
   } while (fields_.size() == 1 && fields_[0].empty());
+  commented_ = false;
   return true;
+}
+
+void CsvRecords::skip_line() {
+  int c = get();
+  while (c != '\n' && c != kEnd) c = get();
 }
 
 }  // namespace geom

@@ -19,13 +19,18 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool TextLines::next() {
-  if (!std::getline(in_, buffer_)) {
-    if (in_.bad()) throw std::system_error(EIO, std::generic_category(), "cannot read " + source_);
-    return false;
-  }
-  line_ = buffer_;
-  if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.remove_prefix(3);
-  line_ = trimmed(line_);
+  do {
+    if (!std::getline(in_, buffer_)) {
+      if (in_.bad()) {
+        throw std::system_error(EIO, std::generic_category(), "cannot read " + source_);
+      }
+      return false;
+    }
+    line_ = buffer_;
+    if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.remove_prefix(3);
+    line_ = trimmed(line_);
+  } while (!begun_ && line_.starts_with('#'));
+  begun_ = begun_ || !line_.empty();
   return true;
 }
 

@@ -167,10 +167,11 @@ TelloFlight read_tello(std::istream& in, std::string_view source) {
   std::string text;
   while (std::getline(in, text)) {
     ++reader.line;
-    if (text.ends_with('\r')) reader.refuse("expected a line that ends with LF, found CRLF");
     if (in.eof()) {
       reader.refuse("expected a line that ends with LF, found none: the file may be cut");
     }
+    if (reader.line == 1 && text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+    if (text.ends_with('\r')) text.pop_back();
     if (text.empty()) continue;
     if (flight.lands) reader.refuse(fmt::format("expected nothing after land, found \"{}\"", text));
     if (text == "takeoff" && !flying) {

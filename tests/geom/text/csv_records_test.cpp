@@ -29,6 +29,12 @@ TEST(CsvRecords, OtherFieldsAreTrimmedAndEmptyLinesPassedOver) {
             (Rows{{"a", "b"}, {"c", ""}}));
 }
 
+TEST(CsvRecords, CommentsStandBeforeTheFirstRecord) {
+  EXPECT_EQ(read("\xef\xbb\xbf# made \"by hand\n\n# on a Sunday\na,b\n#1,c\n"),
+            (Rows{{"a", "b"}, {"#1", "c"}}));
+  EXPECT_EQ(read("# nothing else"), Rows{});
+}
+
 TEST(CsvRecords, RefusesQuotesThatDoNotClose) {
   EXPECT_THROW(read("a,\"b\n"), geom::InputError);
   EXPECT_THROW(read("\"a\"b,c\n"), geom::InputError);

@@ -21,6 +21,14 @@ TEST(TextLines, AreNumberedFromOneAndTrimmed) {
   EXPECT_EQ(found, (Fields{"1a", "2", "3b, c", "4last"}));
 }
 
+TEST(TextLines, PassOverCommentsBeforeTheFirstLine) {
+  std::istringstream in("# made by hand\n\n # twice\na\n#1\n");
+  TextLines lines(in, "t.csv");
+  Fields found;
+  while (lines.next()) found.push_back(std::to_string(lines.number()) + std::string(lines.line()));
+  EXPECT_EQ(found, (Fields{"2", "4a", "5#1"}));
+}
+
 TEST(TextLines, RefuseWithSourceAndLine) {
   std::istringstream in("a\nb\n");
   TextLines lines(in, "t.csv");

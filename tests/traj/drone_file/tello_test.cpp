@@ -87,7 +87,10 @@ TEST(Tello, BadScriptsAreRefused) {
             "t.txt:2: expected a line that ends with LF, found none: the file may be cut");
   EXPECT_EQ(refusal("command\ntakeoff\ngo 100 0 0 50\nland\n"), "");
   EXPECT_EQ(refusal(""), "t.txt: expected a takeoff, found none");
-  EXPECT_EQ(refusal("command\r\n"), "t.txt:1: expected a line that ends with LF, found CRLF");
+  EXPECT_EQ(refusal("command\r\ntakeoff\r\n"), "") << "as Windows ends lines";
+  EXPECT_EQ(refusal("\xef\xbb\xbf" "command\ntakeoff\n"), "");
+  EXPECT_EQ(refusal("command\r\r\ntakeoff\r\n"),
+            "t.txt:1: expected command or takeoff, found \"command\r\"");
   EXPECT_EQ(refusal("go 100 0 0 50\n"),
             "t.txt:1: expected command or takeoff, found \"go 100 0 0 50\"");
   EXPECT_EQ(refusal("takeoff\ngo 501 0 0 50\n"),

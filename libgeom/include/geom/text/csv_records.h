@@ -11,8 +11,8 @@
 namespace geom {
 
 // `a,"b, ""c""",d` has the fields a, `b, "c"` and d. A field in quotes comes as it stands between
-// them; one without is trimmed of blanks. Lines end in LF or CRLF; a leading BOM and empty lines
-// are passed over.
+// them; one without is trimmed of blanks. Lines end in LF or CRLF; a leading BOM, empty lines, and
+// lines that begin with `#` before the first record are passed over.
 class CsvRecords {
  public:
   CsvRecords(std::istream& in, std::string_view source) : in_(in), source_(source) {}
@@ -26,6 +26,7 @@ class CsvRecords {
 
  private:
   bool read_record();
+  void skip_line();
   char read_field(int first);
   int get();
 
@@ -35,6 +36,7 @@ class CsvRecords {
   std::size_t number_ = 0;
   std::size_t line_ = 1;  // of the next byte
   bool begun_ = false;
+  bool commented_ = true;  // comments may still come
 };
 
 }  // namespace geom

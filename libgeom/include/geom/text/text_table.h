@@ -10,7 +10,9 @@
 
 namespace geom {
 
-// The lines of a stream, trimmed of a leading BOM and of white space at both ends.
+// The lines of a stream, trimmed of a leading BOM and of white space at both ends. Lines that begin
+// with `#` before the first other one that is not blank are comments, and passed over; after it,
+// they are lines like all others, as an id may begin so.
 class TextLines {
  public:
   TextLines(std::istream& in, std::string_view source) : in_(in), source_(source) {}
@@ -27,6 +29,7 @@ class TextLines {
   std::string buffer_;
   std::string_view line_;
   std::size_t number_ = 0;
+  bool begun_ = false;  // past the comments at the beginning
 };
 
 std::string_view trimmed(std::string_view text);
