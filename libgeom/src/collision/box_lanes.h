@@ -6,100 +6,31 @@
 
 #include <array>
 #include <bit>
-#include <cfloat>
-#include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
+#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
 
 #include "box_tree.h"
-#include "geom/base/rounding.h"
+#include "tree_questions.h"
 
 namespace geom {
 
-// A segment in the frame of a tree. The slab test: Kay and Kajiya 1986.
-struct SegmentInTree {
-  static constexpr std::uint32_t kPlane = BoxNode::kLanes;  // numbers in a plane
-
-  std::array<std::uint32_t, 3> enter;  // the plane where the segment comes into a box, as the
-                                       // offset of its first number,
-  std::array<std::uint32_t, 3> leave;  // and where it goes out
-  std::array<float, 3> inverse;        // of b - a
-  std::array<float, 3> start;          // -a times that
-  bool outside = false;                // beyond all boxes
-
-  SegmentInTree(const TreeFrame& frame, const Vec3& a, const Vec3& b) {
-    if (contains(frame.reach, a) && contains(frame.reach, b)) {
-      set(frame, a, b);
-      return;
-    }
-    const auto near = clip(a, b, frame.reach);
-    outside = !near.has_value();
-    if (near) set(frame, a + (b - a) * near->from, a + (b - a) * near->to);
-  }
-
- private:
-  // Without branches: directions are random.
-  void set(const TreeFrame& frame, const Vec3& a, const Vec3& b) {
-#pragma GCC unroll 3
-    for (int i = 0; i < 3; ++i) {
-      const auto k = static_cast<std::uint32_t>(i);
-      const auto along = static_cast<float>(b[i] - a[i]);
-      const std::uint32_t back = std::bit_cast<std::uint32_t>(along) >> 31;
-      enter[k] = kPlane * (k + 3 * back);
-      leave[k] = kPlane * (k + 3 * (1 - back));
-      // A shorter way along an axis is within the pad, and its inverse stays finite.
-      inverse[k] = 1 / std::copysign(std::max(std::abs(along), 1e-9f), along);
-      start[k] = -static_cast<float>(a[i] - frame.corner[i]) * inverse[k];
-    }
-  }
-};
-
-// A region in the frame of a tree, outward. It may be infinite.
-struct RegionInTree {
-  std::array<float, 3> low;
-  std::array<float, 3> high;
-
-  RegionInTree(const TreeFrame& frame, const Aabb& region) {
-    for (int i = 0; i < 3; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      low[k] = float_down(std::max(region.min[i], frame.reach.min[i]) - frame.corner[i]);
-      high[k] = float_up(std::min(region.max[i], frame.reach.max[i]) - frame.corner[i]);
-    }
-  }
-};
-
-// A point in the frame of a tree.
-struct PointInTree {
-  std::array<float, 3> at;
-  double slack = 0;  // what single precision may lose far outside, in metres
-
-  PointInTree(const TreeFrame& frame, const Vec3& p) {
-    for (int i = 0; i < 3; ++i) {
-      const double place = p[i] - frame.corner[i];
-      at[static_cast<std::size_t>(i)] = static_cast<float>(place);
-      slack = std::max(slack, std::ldexp(std::abs(place), -22));
-    }
-  }
-
-  // Whoever is within `radius` has a computed square no larger: the few roundings of it are within
-  // a millionth.
-  float limit(double radius) const {
-    const double r = radius + slack;
-    const double square = r * r * (1 + 1e-6);
-    return square < FLT_MAX ? float_up(square) : std::numeric_limits<float>::infinity();
-  }
-};
-
 // Each kind of processor answers the same four questions. on, in, near: bit k says whether child k
-// may meet what is asked for; near writes out the squares of the distances too, and nearest is the
-// child where that is least. push puts the children of a mask on a stack of which kLanes more
-// numbers may be overwritten, and returns how many.
+// may meet what is asked for; near writes out the squares of the distances too. push puts the
+// children of a mask on a stack of which kLanes more numbers may be overwritten, and returns how
+// many. push_near puts those that are near on one and their squares on another, but for the
+// nearest.
 namespace lanes {
+
+// Of the children of a node that are near: the nearest, or none, and how many others there are.
+struct Near {
+  std::uint32_t nearest = BoxNode::kNone;
+  std::size_t others = 0;
+};
 
 struct Plain {
   static constexpr bool usable() { return true; }
@@ -150,12 +81,21 @@ struct Plain {
     return out;
   }
 
-  static unsigned nearest(const BoxNode& node, const PointInTree& p) {
-    unsigned least = 0;
-    for (unsigned k = 1; k < BoxNode::kLanes; ++k) {
-      if (square_of(node, p, k) < square_of(node, p, least)) least = k;
+  static Near push_near(const BoxNode& node, const PointInTree& p, float limit, float* squares,
+                        std::uint32_t* open) {
+    std::array<float, BoxNode::kLanes> all;
+    const unsigned mask = near(node, p, limit, all.data());
+    if (mask == 0) return {};
+    auto least = static_cast<std::size_t>(std::countr_zero(mask));
+    for (std::size_t k = least + 1; k < BoxNode::kLanes; ++k) {
+      if ((mask >> k & 1) != 0 && all[k] < all[least]) least = k;
     }
-    return least;
+    const unsigned others = mask & ~(1u << least);
+    std::size_t count = 0;
+    for (unsigned left = others; left != 0; left &= left - 1) {
+      squares[count++] = all[static_cast<std::size_t>(std::countr_zero(left))];
+    }
+    return {node.child[least], push(node, others, open)};
   }
 
   static std::size_t push(const BoxNode& node, unsigned mask, std::uint32_t* open) {
@@ -257,24 +197,43 @@ struct Avx2 {
     return out;
   }
 
-  SKYWAY_AVX2 static unsigned nearest(const BoxNode& node, const PointInTree& p) {
-    const __m256 low = squares_of(node, p, 0);
-    const __m256 high = squares_of(node, p, 8);
+  SKYWAY_AVX2 static Near push_near(const BoxNode& node, const PointInTree& p, float limit,
+                                    float* squares, std::uint32_t* open) {
+    alignas(32) std::array<float, BoxNode::kLanes> all;
+    const unsigned mask = near(node, p, limit, all.data());
+    if (mask == 0) return {};
+    const auto least = static_cast<std::size_t>(std::countr_zero(mask & where_least(all.data())));
+    const unsigned others = mask & ~(1u << least);
+    pick(all.data(), others, squares);
+    return {node.child[least], push(node, others, open)};
+  }
+
+  // The lanes where the numbers are least.
+  SKYWAY_AVX2 static unsigned where_least(const float* numbers) {
+    const __m256 low = _mm256_load_ps(numbers);
+    const __m256 high = _mm256_load_ps(numbers + 8);
     __m256 least = _mm256_min_ps(low, high);
     least = _mm256_min_ps(least, _mm256_permute2f128_ps(least, least, 1));
     least = _mm256_min_ps(least, _mm256_permute_ps(least, 0x4e));
     least = _mm256_min_ps(least, _mm256_permute_ps(least, 0xb1));
     const int first = _mm256_movemask_ps(_mm256_cmp_ps(low, least, _CMP_EQ_OQ));
     const int second = _mm256_movemask_ps(_mm256_cmp_ps(high, least, _CMP_EQ_OQ));
-    return static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(first | second << 8)));
+    return static_cast<unsigned>(first | second << 8);
   }
 
   SKYWAY_AVX2 static std::size_t push(const BoxNode& node, unsigned mask, std::uint32_t* open) {
-    const std::size_t first = pick(node.child, mask & 0xff, open);
-    return first + pick(node.child + 8, mask >> 8, open + first);
+    return pick(node.child, mask, open);
   }
 
-  SKYWAY_AVX2 static std::size_t pick(const std::uint32_t* from, unsigned mask, std::uint32_t* to) {
+  // The numbers of a mask, one after the other.
+  template <class Number>
+  SKYWAY_AVX2 static std::size_t pick(const Number* from, unsigned mask, Number* to) {
+    const std::size_t first = pick_of_eight(from, mask & 0xff, to);
+    return first + pick_of_eight(from + 8, mask >> 8, to + first);
+  }
+
+  template <class Number>
+  SKYWAY_AVX2 static std::size_t pick_of_eight(const Number* from, unsigned mask, Number* to) {
     const __m256i order =
         _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kPicked[mask])));
     const __m256i picked = _mm256_permutevar8x32_epi32(
@@ -334,17 +293,41 @@ struct Avx512 {
     return sum;
   }
 
+  SKYWAY_AVX512 static __mmask16 near(__m512i child, __m512 squares, float limit) {
+    const __mmask16 children = _mm512_cmpneq_epi32_mask(child, _mm512_set1_epi32(-1));
+    return _mm512_mask_cmp_ps_mask(children, squares, _mm512_set1_ps(limit), _CMP_LE_OQ);
+  }
+
   SKYWAY_AVX512 static unsigned near(const BoxNode& node, const PointInTree& p, float limit,
                                      float* squares) {
     const __m512 sum = squares_of(node, p);
     _mm512_storeu_ps(squares, sum);
-    const __mmask16 children =
-        _mm512_cmpneq_epi32_mask(_mm512_load_si512(node.child), _mm512_set1_epi32(-1));
-    return _mm512_mask_cmp_ps_mask(children, sum, _mm512_set1_ps(limit), _CMP_LE_OQ);
+    return near(_mm512_load_si512(node.child), sum, limit);
   }
 
-  SKYWAY_AVX512 static unsigned nearest(const BoxNode& node, const PointInTree& p) {
-    return Avx2::nearest(node, p);
+  SKYWAY_AVX512 static Near push_near(const BoxNode& node, const PointInTree& p, float limit,
+                                      float* squares, std::uint32_t* open) {
+    const __m512 sum = squares_of(node, p);
+    const __m512i child = _mm512_load_si512(node.child);
+    const __mmask16 mask = near(child, sum, limit);
+    if (mask == 0) return {};
+    const __mmask16 least = _mm512_mask_cmp_ps_mask(mask, sum, least_of(mask, sum), _CMP_EQ_OQ);
+    const int first = std::countr_zero(static_cast<unsigned>(least));
+    const auto others = static_cast<__mmask16>(mask & ~(1u << first));
+    _mm512_storeu_ps(squares, _mm512_maskz_compress_ps(others, sum));
+    _mm512_storeu_si512(open, _mm512_maskz_compress_epi32(others, child));
+    return {node.child[first],
+            static_cast<std::size_t>(std::popcount(static_cast<unsigned>(others)))};
+  }
+
+  // The least number of a mask, in every lane.
+  SKYWAY_AVX512 static __m512 least_of(__mmask16 mask, __m512 numbers) {
+    __m512 n =
+        _mm512_mask_mov_ps(_mm512_set1_ps(std::numeric_limits<float>::infinity()), mask, numbers);
+    n = min(n, _mm512_maskz_shuffle_f32x4(0xffff, n, n, 0x4e));
+    n = min(n, _mm512_maskz_shuffle_f32x4(0xffff, n, n, 0xb1));
+    n = min(n, _mm512_maskz_shuffle_ps(0xffff, n, n, 0x4e));
+    return min(n, _mm512_maskz_shuffle_ps(0xffff, n, n, 0xb1));
   }
 
   SKYWAY_AVX512 static std::size_t push(const BoxNode& node, unsigned mask, std::uint32_t* open) {

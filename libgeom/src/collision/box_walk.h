@@ -15,9 +15,9 @@ namespace walk {
 
 inline constexpr std::size_t kStack = (BoxNode::kLanes - 1) * BoxTree::kMostDepth + 1;
 
-// Asks f about every box whose nodes `children` lets through, until one answers true. Children go
-// onto the stack without a loop, and its first is none: what would be three branches a node that no
-// processor foresees is one.
+// Asks f about every box whose nodes `children` lets through, until one answers true. Of each node
+// one child comes next at once and the others go onto the stack, without a loop. The first there is
+// none: what would be three branches a node that no processor foresees is one.
 template <class Lanes, class Question, class F>
 [[gnu::always_inline]] inline bool any(const BoxNode* nodes,
                                        unsigned (*children)(const BoxNode&, const Question&),
@@ -28,65 +28,52 @@ template <class Lanes, class Question, class F>
   std::uint32_t next = 0;
   for (;;) {
     const BoxNode& node = nodes[next];
-    count += Lanes::push(node, children(node, question), &open[count]);
-    while (((next = open[--count]) & BoxNode::kBox) != 0) {
+    const unsigned mask = children(node, question);
+    const int last = std::bit_width(mask | 1) - 1;
+    next = mask != 0 ? node.child[last] : open[count - 1];
+    count += Lanes::push(node, mask & ~(1u << last), &open[count]);
+    count -= mask == 0;
+    while ((next & BoxNode::kBox) != 0) {
       if (next == BoxNode::kNone) return false;
       if (f(next & ~BoxNode::kBox)) return true;
+      next = open[--count];
     }
   }
 }
 
-struct Open {
-  float square;
-  std::uint32_t child;
-};
-
-// Asks f about the boxes that may be within a radius, of each node the nearer first; f returns the
-// radius from there on.
+// Asks f about the boxes that may be within a radius; f returns the radius from there on. Of each
+// node the nearest child comes first, the others as they lie: once something near was found, most
+// are passed over.
 template <class Lanes, class F>
 [[gnu::always_inline]] inline void nearest(const BoxNode* nodes, const PointInTree& p,
                                            double radius, const F& f) {
-  std::array<Open, kStack> open;
+  std::array<float, kStack + BoxNode::kLanes> square;
+  std::array<std::uint32_t, kStack + BoxNode::kLanes> child;
   std::size_t count = 0;
-  Open next{0, 0};
   float limit = p.limit(radius);
-  for (;;) {
-    const BoxNode& node = nodes[next.child];
-    alignas(64) std::array<float, BoxNode::kLanes> square;
-    const std::size_t before = count;
-    for (unsigned left = Lanes::near(node, p, limit, square.data()); left != 0; left &= left - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      // The furthest lies deepest.
-      std::size_t at = count++;
-      for (; at > before && open[at - 1].square < square[k]; --at) open[at] = open[at - 1];
-      open[at] = {square[k], node.child[k]};
+  const auto ask = [&](std::uint32_t box) {
+    const double closer = f(box & ~BoxNode::kBox);
+    if (closer < radius) limit = p.limit(radius = closer);
+  };
+  const auto pop = [&] {
+    while (count > 0) {
+      if (square[--count] > limit) continue;
+      if ((child[count] & BoxNode::kBox) == 0) return child[count];
+      ask(child[count]);
     }
-    for (;;) {
-      if (count == 0) return;
-      next = open[--count];
-      if (next.square > limit) continue;
-      if ((next.child & BoxNode::kBox) == 0) break;
-      const double closer = f(next.child & ~BoxNode::kBox);
-      if (closer < radius) limit = p.limit(radius = closer);
-    }
+    return BoxNode::kNone;
+  };
+  for (std::uint32_t next = 0; next != BoxNode::kNone;) {
+    const auto near = Lanes::push_near(nodes[next], p, limit, &square[count], &child[count]);
+    count += near.others;
+    next = near.nearest;
+    if ((next & BoxNode::kBox) == 0) continue;
+    if (next != BoxNode::kNone) ask(next);
+    next = pop();
   }
 }
 
-// Down to the nearest child each time.
-template <class Lanes>
-[[gnu::always_inline]] inline std::uint32_t dive(const BoxNode* nodes, const PointInTree& p) {
-  std::uint32_t next = 0;
-  while ((next & BoxNode::kBox) == 0) next = nodes[next].child[Lanes::nearest(nodes[next], p)];
-  return next & ~BoxNode::kBox;
-}
-
 #if defined(__x86_64__)
-SKYWAY_AVX2 inline std::uint32_t dive_avx2(const BoxNode* nodes, const PointInTree& p) {
-  return dive<lanes::Avx2>(nodes, p);
-}
-SKYWAY_AVX512 inline std::uint32_t dive_avx512(const BoxNode* nodes, const PointInTree& p) {
-  return dive<lanes::Avx512>(nodes, p);
-}
 template <class F>
 SKYWAY_AVX2 bool any_on_avx2(const BoxNode* nodes, const SegmentInTree& s, const F& f) {
   return any<lanes::Avx2>(nodes, lanes::Avx2::on, s, f);
@@ -116,13 +103,11 @@ SKYWAY_AVX512 void near_avx512(const BoxNode* nodes, const PointInTree& p, doubl
 
 }  // namespace walk
 
-// Calls f(box) for boxes that the closed segment may meet, until it returns true; returns whether
-// it did. All that the segment meets are among them.
+// Calls f(box) for boxes of a tree that the closed segment may meet, until it returns true; returns
+// whether it did. All that the segment meets are among them.
 template <class F>
-bool any_on_segment(const BoxTree& tree, const Vec3& a, const Vec3& b, const F& f) {
-  const SegmentInTree s(tree.frame, a, b);
+bool any_on_segment(const BoxNode* nodes, const SegmentInTree& s, const F& f) {
   if (s.outside) return false;
-  const BoxNode* const nodes = tree.nodes.data();
 #if defined(__x86_64__)
   if (lanes::Avx512::usable()) return walk::any_on_avx512(nodes, s, f);
   if (lanes::Avx2::usable()) return walk::any_on_avx2(nodes, s, f);
@@ -132,9 +117,7 @@ bool any_on_segment(const BoxTree& tree, const Vec3& a, const Vec3& b, const F& 
 
 // The same of the boxes that the closed region may meet.
 template <class F>
-bool any_in_region(const BoxTree& tree, const Aabb& region, const F& f) {
-  const RegionInTree r(tree.frame, region);
-  const BoxNode* const nodes = tree.nodes.data();
+bool any_in_region(const BoxNode* nodes, const RegionInTree& r, const F& f) {
 #if defined(__x86_64__)
   if (lanes::Avx512::usable()) return walk::any_in_avx512(nodes, r, f);
   if (lanes::Avx2::usable()) return walk::any_in_avx2(nodes, r, f);
@@ -145,24 +128,26 @@ bool any_in_region(const BoxTree& tree, const Aabb& region, const F& f) {
 // Calls f(box) for boxes that may be within `radius` of the point, about the nearest first. f
 // returns how near later ones must be. All that are as near are among them.
 template <class F>
-void each_near(const BoxTree& tree, const Vec3& p, double radius, const F& f) {
-  const PointInTree at(tree.frame, p);
-  const BoxNode* const nodes = tree.nodes.data();
+void each_near(const BoxNode* nodes, const PointInTree& p, double radius, const F& f) {
 #if defined(__x86_64__)
-  if (lanes::Avx512::usable()) return walk::near_avx512(nodes, at, radius, f);
-  if (lanes::Avx2::usable()) return walk::near_avx2(nodes, at, radius, f);
+  if (lanes::Avx512::usable()) return walk::near_avx512(nodes, p, radius, f);
+  if (lanes::Avx2::usable()) return walk::near_avx2(nodes, p, radius, f);
 #endif
-  walk::nearest<lanes::Plain>(nodes, at, radius, f);
+  walk::nearest<lanes::Plain>(nodes, p, radius, f);
 }
 
-// A box that is likely near the point.
-inline std::uint32_t likely_near(const BoxTree& tree, const Vec3& p) {
-  const PointInTree at(tree.frame, p);
-#if defined(__x86_64__)
-  if (lanes::Avx512::usable()) return walk::dive_avx512(tree.nodes.data(), at);
-  if (lanes::Avx2::usable()) return walk::dive_avx2(tree.nodes.data(), at);
-#endif
-  return walk::dive<lanes::Plain>(tree.nodes.data(), at);
+// The same of questions in metres.
+template <class F>
+bool any_on_segment(const BoxTree& tree, const Vec3& a, const Vec3& b, const F& f) {
+  return any_on_segment(tree.nodes.data(), SegmentInTree(tree.frame, a, b), f);
+}
+template <class F>
+bool any_in_region(const BoxTree& tree, const Aabb& region, const F& f) {
+  return any_in_region(tree.nodes.data(), RegionInTree(tree.frame, region), f);
+}
+template <class F>
+void each_near(const BoxTree& tree, const Vec3& p, double radius, const F& f) {
+  each_near(tree.nodes.data(), PointInTree(tree.frame, p), radius, f);
 }
 
 }  // namespace geom

@@ -246,10 +246,9 @@ void start_embree() { embree_device(); }
 // Where memory runs out inside a build, what Embree keeps of its thread may refer to memory that is
 // gone, and the thread's next build would write there. So from the first failure in a process on,
 // each build has a thread of its own.
-BuiltTree embree_tree(std::span<const Aabb> boxes) {
+BuiltTree embree_tree(std::span<const Aabb> boxes, const TreeFrame& frame) {
   static std::atomic<bool> any_failed = false;
   const RTCDevice device = embree_device();
-  const TreeFrame frame(*bounds(boxes));
   std::unique_ptr<HalfBuilt> half(new HalfBuilt{Nodes(boxes.size()), primitives(boxes, frame)});
   if (boxes.size() == 1) return tree_of_one(frame, half->boxes.front());
   Build build{device, half->boxes, &half->nodes};

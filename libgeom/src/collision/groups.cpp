@@ -19,7 +19,8 @@ namespace {
 constexpr double kBoxesPerGroup = 512;  // where the whole map fits the budget,
 constexpr double kFewerPerGroup = 128;  // and where groups are built again and again
 
-constexpr double kOneGroup = 16;  // times as many boxes as wanted are one group still
+constexpr double kOneGroup = 16;         // times as many boxes as wanted are one group still
+constexpr double kMostSharedPad = 0.25;  // metres; of larger maps, groups have frames of their own
 constexpr std::size_t kMostBytesPerBox = 256;
 constexpr std::size_t kMostBytesPerGroup = 1024;
 constexpr std::size_t kReadBetweenTrims = std::size_t{1} << 22;  // bytes
@@ -88,12 +89,6 @@ class Grouping {
 
 }  // namespace
 
-std::size_t GroupTree::bytes() const {
-  return sizeof(GroupTree) + tree.bytes() + name.size() * sizeof(std::uint32_t) +
-         (grown.size() + by_vehicle.size()) * sizeof(Aabb) + (hints ? hints->bytes() : 0) +
-         (skyline ? 1 << 15 : 0);
-}
-
 CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOptions& options)
     : map(std::move(m)), vehicle(std::move(v)), margin(mg), budget(options.budget) {
   for (const double size : vehicle.half) require_length("vehicle", size, kLargestCoordinate);
@@ -112,18 +107,10 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
   counts.groups = groups.size();
   keeps_all = groups.size() <= 1 ||
               map.size() * kMostBytesPerBox + groups.size() * kMostBytesPerGroup <= budget;
-  if (const auto all = bounds(group_extent)) reach = *all;
-  if (groups.size() > 1) {
-    start_embree();  // here rather than in a query
-    top = packed_tree(group_extent);
-  }
+  if (groups.size() > 1) start_embree();  // here rather than in a query
 }
 
 void CollisionScene::Impl::group_tiles(double wanted) {
-  struct Member {
-    BoxRun run;
-    std::size_t group;
-  };
   const TileTable& tiles = map.data().tiles;
   std::vector<Member> members;
   Grouping grouping(map, wanted);
@@ -144,6 +131,7 @@ void CollisionScene::Impl::group_tiles(double wanted) {
     }
   }
   for (Aabb& extent : group_extent) extent = grow(extent, half);
+  order_groups(members);
   groups = std::vector<Group>(group_extent.size());
   std::vector<std::size_t> place(groups.size() + 1);  // of the runs of each group
   for (const Member& member : members) ++place[member.group + 1];
@@ -158,11 +146,31 @@ void CollisionScene::Impl::group_tiles(double wanted) {
   }
 }
 
+// The tree over groups, and groups in the order of its leaves.
+void CollisionScene::Impl::order_groups(std::vector<Member>& members) {
+  const auto all = bounds(group_extent);
+  if (!all) return;
+  reach = *all;
+  top.frame = TreeFrame(reach);
+  one_frame = top.frame.pad <= kMostSharedPad;
+  if (group_extent.size() == 1) return;
+  BuiltTree built = packed_tree(group_extent);
+  top = std::move(built.tree);
+  std::vector<std::size_t> place(built.order.size());
+  std::vector<Aabb> extents(built.order.size());
+  for (std::size_t k = 0; k < built.order.size(); ++k) {
+    place[built.order[k]] = k;
+    extents[k] = group_extent[built.order[k]];
+  }
+  group_extent = std::move(extents);
+  for (Member& member : members) member.group = place[member.group];
+}
+
 // Where memory runs out, half of what there is makes room once.
 const GroupTree& CollisionScene::Impl::build_group(std::size_t g) {
   const std::lock_guard lock(building[g % kLocks]);
   if (const GroupTree* tree = kept_tree(groups[g])) return *tree;
-  std::unique_ptr<GroupTree> tree;
+  OwnedGroup tree;
   try {
     tree = made_tree(groups[g]);
   } catch (const std::bad_alloc&) {
@@ -174,36 +182,29 @@ const GroupTree& CollisionScene::Impl::build_group(std::size_t g) {
   return made;
 }
 
-std::unique_ptr<GroupTree> CollisionScene::Impl::made_tree(const Group& group) const {
+OwnedGroup CollisionScene::Impl::made_tree(const Group& group) {
   std::vector<Aabb> grown;
+  std::vector<Aabb> by_vehicle;
   std::vector<std::uint32_t> names;
   grown.reserve(group.count);
   names.reserve(group.count);
+  if (margin > 0) by_vehicle.reserve(group.count);
   const std::size_t first = group.runs.front().first;
   for (const BoxRun& run : group.runs) {
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
       grown.push_back(grow(boxes[i], half));
+      if (margin > 0) by_vehicle.push_back(grow(boxes[i], vehicle.half));
       names.push_back(static_cast<std::uint32_t>(i - first));
     }
   }
-  BuiltTree built = embree_tree(grown);
-  auto out = std::make_unique<GroupTree>();
-  out->tree = std::move(built.tree);
-  out->first = first;
-  out->name.reserve(group.count);
-  out->grown.reserve(group.count);
-  if (margin > 0) out->by_vehicle.reserve(group.count);
-  for (const std::uint32_t k : built.order) {
-    out->name.push_back(names[k]);
-    out->grown.push_back(grown[k]);
-    if (margin > 0) out->by_vehicle.push_back(grow(boxes[first + names[k]], vehicle.half));
-  }
+  const Aabb extent = *bounds(grown);
+  std::unique_ptr<FirstLooks> looks;
   if (groups.size() == 1) {
-    const Aabb extent = *bounds(grown);
-    out->hints.emplace(extent, group.count);
-    out->skyline.emplace(grown, extent);
+    looks.reset(new FirstLooks{NearestHints(extent, group.count), Skyline(grown, extent)});
   }
-  return out;
+  const BuiltTree built = embree_tree(grown, one_frame ? top.frame : TreeFrame(extent));
+  return group_tree({built, grown, by_vehicle, names, first, std::move(looks)},
+                    keeps_all ? &arena : nullptr);
 }
 
 bool CollisionScene::Impl::make_room() noexcept {
@@ -222,12 +223,12 @@ const GroupTree* CollisionScene::Impl::kept_tree(const Group& group) {
 }
 
 // The group's tree is there once nothing can fail any more.
-void CollisionScene::Impl::keep(std::size_t g, std::unique_ptr<GroupTree> tree) {
+void CollisionScene::Impl::keep(std::size_t g, OwnedGroup tree) {
   bool trim = false;
   {
     const std::lock_guard lock(keeping);
     kept.push_back(static_cast<std::uint32_t>(g));
-    bytes += tree->bytes();
+    bytes += tree->bytes;
     ++(groups[g].built ? counts.built_again : counts.built);
     groups[g].built = true;
     groups[g].tree.store(tree.release());
@@ -259,8 +260,8 @@ void CollisionScene::Impl::give_up(std::size_t but) noexcept {
     }
     kept[hand] = kept.back();
     kept.pop_back();
-    bytes -= tree->bytes();
-    delete tree;
+    bytes -= tree->bytes;
+    ReleaseGroup()(tree);
   }
 }
 

@@ -14,8 +14,8 @@
 
 #include "box_tree.h"
 #include "geom/collision/collision.h"
-#include "nearest_hints.h"
-#include "skyline.h"
+#include "group_tree.h"
+#include "huge_arena.h"
 
 namespace geom {
 
@@ -23,22 +23,6 @@ namespace geom {
 struct BoxRun {
   std::size_t first = 0;
   std::size_t count = 0;
-};
-
-// The boxes of a group, and what finds them. All are in the order of the tree's leaves, so that
-// boxes that are asked together lie together.
-struct GroupTree {
-  BoxTree tree;
-  std::size_t first = 0;            // index in the map of the group's first box
-  std::vector<std::uint32_t> name;  // how far each is from that one
-  std::vector<Aabb> grown;
-  std::vector<Aabb> by_vehicle;  // grown without the margin; empty where that is the same
-  // Of a map that is one group:
-  std::optional<NearestHints> hints;
-  std::optional<Skyline> skyline;
-
-  std::span<const Aabb> without_margin() const { return by_vehicle.empty() ? grown : by_vehicle; }
-  std::size_t bytes() const;  // about
 };
 
 // Tiles whose boxes share a tree.
@@ -53,11 +37,17 @@ struct Group {
   Group() = default;
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
-  ~Group() { delete tree.load(); }
+  ~Group() { OwnedGroup(tree.load()).reset(); }
 };
 
 struct CollisionScene::Impl {
   static constexpr std::size_t kLocks = 16;
+
+  // Some boxes of a group.
+  struct Member {
+    BoxRun run;
+    std::size_t group;
+  };
 
   BoxMap map;
   std::span<const Aabb> boxes;  // of the map
@@ -67,9 +57,11 @@ struct CollisionScene::Impl {
   std::size_t budget;
   bool keeps_all = false;  // the whole map surely fits the budget: no group is ever given up
   std::optional<Aabb> free_bounds;
-  BuiltTree top;
-  Aabb reach;                      // of all grown boxes, where there are any
+  BoxTree top;             // its leaves are the groups, in their order; of one group, only a frame
+  bool one_frame = false;  // of all groups: that of `top`
+  Aabb reach;              // of all grown boxes, where there are any
   std::vector<Aabb> group_extent;  // grown
+  HugeArena arena;                 // of all groups, where keeps_all
   std::vector<Group> groups;
   std::vector<BoxRun> runs;                 // of all groups, one group after the other
   std::array<std::mutex, kLocks> building;  // group g is built under building[g % kLocks]
@@ -90,11 +82,12 @@ struct CollisionScene::Impl {
     return tree ? *tree : build_group(g);
   }
   void group_tiles(double wanted);
+  void order_groups(std::vector<Member>& members);
   const GroupTree& build_group(std::size_t g);
-  std::unique_ptr<GroupTree> made_tree(const Group& group) const;
+  OwnedGroup made_tree(const Group& group);
   bool make_room() noexcept;
   const GroupTree* kept_tree(const Group& group);
-  void keep(std::size_t g, std::unique_ptr<GroupTree> tree);
+  void keep(std::size_t g, OwnedGroup tree);
   void give_up(std::size_t but) noexcept;
 };
 

@@ -8,9 +8,6 @@
 namespace geom {
 namespace {
 
-// Metres around a point that are searched as they are. Beyond, something near is found first.
-constexpr double kSearched = 25;
-
 bool closer(const Nearest& a, const Nearest& b) {
   return std::tie(a.distance, a.box) < std::tie(b.distance, b.box);
 }
@@ -27,6 +24,13 @@ class NearestFound {
   // Whether it is among them now.
   bool add(const Nearest& next) {
     if (next.distance > radius_) return false;
+    if (room_.size() == 1) {
+      if (count_ == 1 && !closer(next, room_.front())) return false;
+      room_.front() = next;
+      count_ = 1;
+      radius_ = next.distance;
+      return true;
+    }
     if (count_ == room_.size()) {
       if (!closer(next, room_.front())) return false;
       std::pop_heap(room_.begin(), end(), closer);
@@ -57,62 +61,52 @@ class NearestFound {
 }  // namespace
 
 bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
-  const auto hits_group = [&](std::size_t g) {
-    return visit(impl, g, [&](const GroupTree& group) {
-      if (group.skyline && group.skyline->clears(a, b)) return false;
-      return any_on_segment(group.tree, a, b,
-                            [&](std::size_t k) { return segment_hits(a, b, group.grown[k]); });
-    });
+  const auto hits_group = [&](const GroupTree& group, const SegmentInTree& s) {
+    return any_on_segment(group.nodes(), s,
+                          [&](std::size_t k) { return segment_hits(a, b, group.grown[k]); });
   };
-  if (impl.groups.size() == 1) return hits_group(0);
-  return any_on_segment(impl.top.tree, a, b, [&](std::size_t k) {
-    const std::size_t g = impl.top.order[k];
+  if (impl.groups.size() == 1) {
+    const GroupTree& group = impl.touch(0);  // the only group is never given up
+    return !group.looks->skyline.clears(a, b) &&
+           hits_group(group, SegmentInTree(group.frame, a, b));
+  }
+  const SegmentInTree s(impl.top.frame, a, b);
+  return any_on_segment(impl.top.nodes.data(), s, [&](std::size_t g) {
     // A tree looks at its extent itself, but is not built for nothing.
     return (impl.groups[g].tree.load(std::memory_order_relaxed) ||
             segment_hits(a, b, impl.group_extent[g])) &&
-           hits_group(g);
+           visit(impl, g, [&](const GroupTree& group) {
+             return hits_group(group, impl.one_frame ? s : SegmentInTree(group.frame, a, b));
+           });
   });
 }
 
 namespace {
 
-// Searches a group for the boxes nearest to a point.
-class GroupSearch {
- public:
-  GroupSearch(const GroupTree& group, const Vec3& p)
-      : group_(group), p_(p), boxes_(group.without_margin()) {}
-
-  // How far a box is that is likely near.
-  double likely() const { return distance(p_, boxes_[likely_near(group_.tree, p_)]); }
-
-  // Adds what is near. Returns which box came last among the nearest, if one did.
-  std::uint32_t all(NearestFound& found) const {
-    std::uint32_t last = NearestHints::kNone;
-    each_near(group_.tree, p_, found.radius(), [&](std::size_t k) {
-      if (found.add({group_.first + group_.name[k], distance(p_, boxes_[k])})) {
-        last = static_cast<std::uint32_t>(k);
-      }
-      return found.radius();
-    });
-    return last;
-  }
-
-  // The same of the one nearest, from what an earlier search found nearby.
-  void one(NearestFound& found, const NearestHints& hints) const {
-    std::atomic<std::uint32_t>& hint = hints.at(p_);
-    const std::uint32_t known = hint.load(std::memory_order_relaxed);
-    found.limit(known == NearestHints::kNone ? likely() : distance(p_, boxes_[known]));
-    const std::uint32_t last = all(found);
-    if (known == NearestHints::kNone && last != NearestHints::kNone) {
-      hint.store(last, std::memory_order_relaxed);
+// Adds what is near of a group. Returns which box came last among the nearest, if one did.
+std::uint32_t search(const GroupTree& group, const PointInTree& at, const Vec3& p,
+                     NearestFound& found) {
+  std::uint32_t last = NearestHints::kNone;
+  each_near(group.nodes(), at, found.radius(), [&](std::size_t k) {
+    if (found.add({group.first + group.name[k], distance(p, group.by_vehicle[k])})) {
+      last = static_cast<std::uint32_t>(k);
     }
-  }
+    return found.radius();
+  });
+  return last;
+}
 
- private:
-  const GroupTree& group_;
-  const Vec3& p_;
-  std::span<const Aabb> boxes_;
-};
+// The same of the one nearest, from what an earlier search found nearby.
+void search_by_hint(const GroupTree& group, const PointInTree& at, const Vec3& p,
+                    NearestFound& found) {
+  std::atomic<std::uint32_t>& hint = group.looks->hints.at(p);
+  const std::uint32_t known = hint.load(std::memory_order_relaxed);
+  if (known != NearestHints::kNone) found.limit(distance(p, group.by_vehicle[known]));
+  const std::uint32_t last = search(group, at, p, found);
+  if (known == NearestHints::kNone && last != NearestHints::kNone) {
+    hint.store(last, std::memory_order_relaxed);
+  }
+}
 
 }  // namespace
 
@@ -120,24 +114,21 @@ std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radiu
                          std::span<Nearest> room) {
   NearestFound found(room, radius);
   if (impl.groups.size() == 1) {
-    const GroupTree& group = impl.touch(0);  // the only group is never given up
-    const GroupSearch search(group, p);
+    const GroupTree& group = impl.touch(0);
+    const PointInTree at(group.frame, p);
     if (room.size() == 1) {
-      search.one(found, *group.hints);
+      search_by_hint(group, at, p, found);
     } else {
-      search.all(found);
+      search(group, at, p, found);
     }
     return found.sort();
   }
-  const BoxTree& top = impl.top.tree;
-  if (room.size() == 1 && !(radius <= kSearched)) {
-    visit(impl, impl.top.order[likely_near(top, p)],
-          [&](const GroupTree& group) { found.limit(GroupSearch(group, p).likely()); });
-  }
-  each_near(top, p, found.radius(), [&](std::size_t k) {
-    const std::size_t g = impl.top.order[k];
+  const PointInTree at(impl.top.frame, p);
+  each_near(impl.top.nodes.data(), at, found.radius(), [&](std::size_t g) {
     if (distance(p, impl.group_extent[g]) <= found.radius()) {
-      visit(impl, g, [&](const GroupTree& group) { GroupSearch(group, p).all(found); });
+      visit(impl, g, [&](const GroupTree& group) {
+        search(group, impl.one_frame ? at : PointInTree(group.frame, p), p, found);
+      });
     }
     return found.radius();
   });
@@ -147,19 +138,20 @@ std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radiu
 std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl, const Aabb& region,
                                                      std::size_t most) {
   std::vector<std::size_t> found;
+  const RegionInTree r(impl.top.frame, region);
   const auto too_many_of = [&](std::size_t g) {
     return visit(impl, g, [&](const GroupTree& group) {
-      return any_in_region(group.tree, region, [&](std::size_t k) {
-        if (!overlap(region, group.grown[k])) return false;
-        found.push_back(group.first + group.name[k]);
-        return found.size() > most;
-      });
+      return any_in_region(group.nodes(), impl.one_frame ? r : RegionInTree(group.frame, region),
+                           [&](std::size_t k) {
+                             if (!overlap(region, group.grown[k])) return false;
+                             found.push_back(group.first + group.name[k]);
+                             return found.size() > most;
+                           });
     });
   };
   const bool too_many = impl.groups.size() == 1
                             ? too_many_of(0)
-                            : any_in_region(impl.top.tree, region, [&](std::size_t k) {
-                                const std::size_t g = impl.top.order[k];
+                            : any_in_region(impl.top.nodes.data(), r, [&](std::size_t g) {
                                 return overlap(region, impl.group_extent[g]) && too_many_of(g);
                               });
   if (too_many) return std::nullopt;

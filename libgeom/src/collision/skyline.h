@@ -50,6 +50,8 @@ class Skyline {
     return true;
   }
 
+  std::size_t bytes() const { return tops_.size() * sizeof(double); }
+
  private:
   static constexpr int kSide = 64;
   static constexpr int kMostCells = 48;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/base/precondition.h"
 #include "support/cases.h"
 #include "support/random_city.h"
 
@@ -46,6 +47,26 @@ Vec3 point(support::Random& random) {
   return {random.stepped(-48, 48, 4), random.stepped(-48, 48, 4), random.uniform(-48, 48)};
 }
 
+// Which child push_near gives as the nearest; the others that are near, as `near` says, must be on
+// the stacks.
+template <class Lanes>
+unsigned nearest_of(const Node& n, const PointInTree& at, float limit, unsigned near,
+                    const std::array<float, BoxNode::kLanes>& squares) {
+  std::array<float, 2 * BoxNode::kLanes> square;
+  std::array<std::uint32_t, 2 * BoxNode::kLanes> open;
+  const lanes::Near found = Lanes::push_near(n.node, at, limit, square.data(), open.data());
+  const unsigned nearest = found.nearest & ~BoxNode::kBox;
+  unsigned seen = 1u << nearest;
+  for (std::size_t i = 0; i < found.others; ++i) {
+    const unsigned k = open[i] & ~BoxNode::kBox;
+    EXPECT_EQ(seen >> k & 1, 0u);
+    seen |= 1u << k;
+    EXPECT_EQ(square[i], squares[k]);
+  }
+  EXPECT_EQ(seen, near);
+  return nearest;
+}
+
 template <class Lanes>
 void expect_all(const Node& n, const Vec3& a, const Vec3& b) {
   const SegmentInTree segment(n.frame, a, b);
@@ -56,7 +77,7 @@ void expect_all(const Node& n, const Vec3& a, const Vec3& b) {
   const unsigned on = Lanes::on(n.node, segment);
   const unsigned in = Lanes::in(n.node, RegionInTree(n.frame, region));
   const unsigned near = Lanes::near(n.node, at, at.limit(radius), squares.data());
-  const unsigned nearest = Lanes::nearest(n.node, at);
+  const unsigned nearest = nearest_of<Lanes>(n, at, at.limit(radius), near, squares);
   ASSERT_LT(nearest, n.boxes.size());
   for (std::size_t k = 0; k < BoxNode::kLanes; ++k) {
     const unsigned bit = 1u << k;
@@ -132,18 +153,30 @@ TYPED_TEST(BoxLanes, PushTheChildrenOfAMaskInOrder) {
   for (unsigned mask = 0; mask < 0x10000; ++mask) expect_pushes<TypeParam>(n, mask);
 }
 
-TEST(RegionInTree, MayBeInfinite) {
+TYPED_TEST(BoxLanes, PushNothingWhereNothingIsNear) {
+  if (!TypeParam::usable()) GTEST_SKIP() << "not on this processor";
+  support::Random random(11);
+  const Node n = node_of(random, 5);
+  std::array<float, BoxNode::kLanes> square;
+  std::array<std::uint32_t, BoxNode::kLanes> open;
+  for (const double far : {-kFarthest, kFarthest}) {
+    const PointInTree at(n.frame, Vec3::Constant(far));
+    const lanes::Near found = TypeParam::push_near(n.node, at, 1, square.data(), open.data());
+    EXPECT_EQ(found.nearest, BoxNode::kNone);
+    EXPECT_EQ(found.others, 0u);
+    constexpr float kAll = std::numeric_limits<float>::infinity();
+    const lanes::Near all = TypeParam::push_near(n.node, at, kAll, square.data(), open.data());
+    EXPECT_LT(all.nearest & ~BoxNode::kBox, 5u);
+    EXPECT_EQ(all.others, 4u);
+  }
+}
+
+TYPED_TEST(BoxLanes, LetThroughAllThatAnInfiniteRegionHas) {
+  if (!TypeParam::usable()) GTEST_SKIP() << "not on this processor";
   support::Random random(9);
   const Node n = node_of(random, 16);
   const Vec3 all = Vec3::Constant(std::numeric_limits<double>::infinity());
-  EXPECT_EQ(lanes::Plain::in(n.node, RegionInTree(n.frame, {-all, all})), 0xffffu);
-}
-
-TEST(SegmentInTree, BeyondAllBoxesIsOutside) {
-  support::Random random(10);
-  const Node n = node_of(random, 16);
-  EXPECT_TRUE(SegmentInTree(n.frame, {1e7, 0, 0}, {1e7, 5, 0}).outside);
-  EXPECT_FALSE(SegmentInTree(n.frame, {1e7, 0, 0}, {-1e7, 0, 0}).outside);
+  EXPECT_EQ(TypeParam::in(n.node, RegionInTree(n.frame, {-all, all})), 0xffffu);
 }
 
 }  // namespace

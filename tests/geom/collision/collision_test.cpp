@@ -220,6 +220,40 @@ INSTANTIATE_TEST_SUITE_P(Offsets, CollisionProperty,
                          testing::Values(Case{0, 4096}, Case{1e5, 4096}, Case{5e5, 4096},
                                          Case{0, 5}, Case{5e5, 5}));
 
+// One frame for all groups would lose metres here.
+TEST(Collision, GroupsThatLieFarApartAreAskedAsExactly) {
+  std::vector<Aabb> boxes;
+  for (const double x : {-9e6, 0.0, 9e6}) {
+    const BoxMap city = support::random_city(8, 60, 300, {x, -x, 0});
+    boxes.insert(boxes.end(), city.boxes().begin(), city.boxes().end());
+  }
+  BoxMapSpec spec;
+  spec.bounds = {Vec3(-1e7, -1e7, 0), Vec3(1e7, 1e7, 120)};
+  const CollisionScene scene(BoxMap(spec, support::table_of(boxes)), {"box", {1, 1, 0.5}}, 0.5,
+                             {std::size_t{1} << 29, 3});
+  EXPECT_GT(scene.counts().groups, 12u);
+  support::Random random(14);
+  int hits = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const Vec3 centre(9e6 * (random.below(3) - 1), 0, 0);
+    const Segment s = random_segment(random, 200, {centre.x(), -centre.x(), 0});
+    const bool expected = brute_force(scene, s);
+    hits += expected;
+    ASSERT_EQ(scene.hits(s.a, s.b), expected) << "case " << i;
+    const Aabb region{s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)};
+    std::vector<std::size_t> meeting;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < scene.map().size(); ++k) {
+      if (overlap(region, scene.grown(k))) meeting.push_back(k);
+      nearest =
+          std::min(nearest, distance(s.a, grow(scene.map().boxes()[k], scene.vehicle().half)));
+    }
+    ASSERT_EQ(scene.boxes_meeting(region), meeting) << "case " << i;
+    ASSERT_EQ(scene.nearest(s.a, std::numeric_limits<double>::infinity())->distance, nearest);
+  }
+  EXPECT_GT(hits, 150);
+}
+
 // A budget that holds a scene or two: queries of several threads take them from under each other.
 TEST(Collision, GivingScenesUpChangesNoAnswer) {
   const BoxMap map = support::random_city(9, 300, 600);
@@ -268,7 +302,7 @@ TEST(Collision, BuildsEachGroupOnceWhateverTheThreads) {
     EXPECT_EQ(impl.counts.built, built.size());
     EXPECT_EQ(impl.counts.built_again, 0u);
     std::size_t bytes = 0;
-    for (const std::size_t g : built) bytes += impl.groups[g].tree.load()->bytes();
+    for (const std::size_t g : built) bytes += impl.groups[g].tree.load()->bytes;
     EXPECT_EQ(impl.bytes, bytes);
     if (threads == 1) bytes_of_one_thread = bytes;
     EXPECT_EQ(bytes, bytes_of_one_thread);

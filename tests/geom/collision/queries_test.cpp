@@ -303,7 +303,7 @@ TEST(FailedQuery, LeavesNoGroupInUse) {
     const GroupTree* tree = group.tree.load();
     if (!tree) continue;
     ++trees;
-    bytes += tree->bytes();
+    bytes += tree->bytes;
   }
   EXPECT_EQ(impl.bytes, bytes);
   EXPECT_EQ(impl.kept.size(), trees);
