@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <tuple>
 
@@ -97,6 +98,34 @@ BoxMapSpec spec_of(const JsonFields& meta) {
   return spec;
 }
 
+// The first tile that is none, or out of order. All tiles are looked at to open a map, so this is
+// done in few operations and without branches.
+std::optional<std::size_t> wrong_tile(const TileTable::Columns& columns, std::size_t boxes) {
+  std::size_t next = 0;  // no more than there are
+  for (std::size_t t = 0; t < columns.large.size(); ++t) {
+    const double* const e = &columns.extent[6 * t];
+    bool ok = true;
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) {
+      ok &= e[k] >= -kLargestCoordinate;  // false of what is not a number
+      ok &= e[3 + k] <= kLargestCoordinate;
+      ok &= e[k] <= e[3 + k];
+    }
+    const std::uint64_t first = columns.range[2 * t];
+    const std::uint64_t count = columns.range[2 * t + 1];
+    ok &= first == next;
+    ok &= count - 1 < boxes - next;  // none would be the largest number
+    if (t > 0) {
+      const std::int32_t* const at = &columns.index[2 * t];  // column, row
+      const bool later = at[1] > at[-1] || (at[1] == at[-1] && at[0] > at[-2]);
+      ok &= columns.large[t] == 0 && (later || columns.large[t - 1] != 0);
+    }
+    if (!ok) return t;
+    next += count;
+  }
+  return std::nullopt;
+}
+
 // The rows are looked at where they stand, and not copied.
 void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
   const TileTable::Columns columns{
@@ -108,23 +137,10 @@ void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
     refuse(archive, "the tile arrays must have one row a tile, and their lengths differ");
   }
   data.tiles.set(columns);
-  std::size_t next = 0;
-  const auto key = [](const Tile& x) { return std::tuple(!x.large, x.iy, x.ix); };
-  auto last = key({});
-  for (std::size_t t = 0; t < n; ++t) {
-    const Tile tile = data.tiles[t];
-    const bool finite = (tile.extent.min.array() >= -kLargestCoordinate).all() &&
-                        (tile.extent.max.array() <= kLargestCoordinate).all() &&
-                        (tile.extent.min.array() <= tile.extent.max.array()).all();
-    const bool in_order = tile.first == next && tile.count > 0 &&
-                          tile.count <= data.boxes.size() - next && (!tile.large || t == 0);
-    const bool sorted = t == 0 || last < key(tile);
-    if (!finite || !in_order || !sorted) {
-      refuse(archive, fmt::format("tile {} is out of order, empty, or beyond the boxes", t));
-    }
-    next += tile.count;
-    last = key(tile);
+  if (const auto wrong = wrong_tile(columns, data.boxes.size())) {
+    refuse(archive, fmt::format("tile {} is out of order, empty, or beyond the boxes", *wrong));
   }
+  const std::size_t next = n == 0 ? 0 : columns.range[2 * n - 2] + columns.range[2 * n - 1];
   if (next != data.boxes.size()) {
     refuse(archive,
            fmt::format("the tiles must hold all {} boxes, and hold {}", data.boxes.size(), next));

@@ -43,6 +43,7 @@ OwnedGroup group_tree(GroupParts parts, HugeArena* arena) {
       parts.by_vehicle.empty() ? out->grown : lay(at, parts.by_vehicle, parts.built.order);
   out->name = lay(at, parts.names, parts.built.order);
   out->first = parts.first;
+  out->count = parts.grown.size();
   out->bytes = bytes;
   if (parts.looks) out->bytes += parts.looks->hints.bytes() + parts.looks->skyline.bytes();
   out->in_arena = arena != nullptr;

@@ -26,6 +26,7 @@ struct alignas(HugeArena::kAlign) GroupTree {
   const Aabb* by_vehicle = nullptr;     // grown without the margin; `grown` where that is the same
   const std::uint32_t* name = nullptr;  // how far each is from the first
   std::size_t first = 0;                // index in the map of the group's first box
+  std::size_t count = 0;                // boxes
   std::size_t bytes = 0;                // about
   bool in_arena = false;
   std::unique_ptr<const FirstLooks> looks;  // of a map that is one group

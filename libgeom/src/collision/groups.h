@@ -16,19 +16,12 @@
 #include "geom/collision/collision.h"
 #include "group_tree.h"
 #include "huge_arena.h"
+#include "tile_groups.h"
 
 namespace geom {
 
-// Boxes [first, first + count) of the map.
-struct BoxRun {
-  std::size_t first = 0;
-  std::size_t count = 0;
-};
-
 // Tiles whose boxes share a tree.
 struct Group {
-  std::span<const BoxRun> runs;                 // ascending; none is empty
-  std::size_t count = 0;                        // boxes
   std::atomic<const GroupTree*> tree{nullptr};  // null until touched, and again once given up
   std::atomic<int> users{0};                    // queries inside; never given up while > 0
   std::atomic<bool> touched{false};             // since the clock's hand last passed
@@ -43,12 +36,6 @@ struct Group {
 struct CollisionScene::Impl {
   static constexpr std::size_t kLocks = 16;
 
-  // Some boxes of a group.
-  struct Member {
-    BoxRun run;
-    std::size_t group;
-  };
-
   BoxMap map;
   std::span<const Aabb> boxes;  // of the map
   Vehicle vehicle;
@@ -57,13 +44,13 @@ struct CollisionScene::Impl {
   std::size_t budget;
   bool keeps_all = false;  // the whole map surely fits the budget: no group is ever given up
   std::optional<Aabb> free_bounds;
-  BoxTree top;             // its leaves are the groups, in their order; of one group, only a frame
-  bool one_frame = false;  // of all groups: that of `top`
-  Aabb reach;              // of all grown boxes, where there are any
-  std::vector<Aabb> group_extent;  // grown
-  HugeArena arena;                 // of all groups, where keeps_all
-  std::vector<Group> groups;
-  std::vector<BoxRun> runs;                 // of all groups, one group after the other
+  TileGroups tiles;                         // the extents grown
+  BoxTree top;                              // over groups; of one group, only a frame
+  bool one_frame = true;                    // of all groups: that of `top`
+  Aabb reach;                               // of all grown boxes, where there are any
+  HugeArena arena;                          // of all groups, where keeps_all
+  std::vector<Group> groups;                // in the order of the leaves of `top`,
+  std::vector<std::uint32_t> order;         // and which of `tiles` each is
   std::array<std::mutex, kLocks> building;  // group g is built under building[g % kLocks]
 
   mutable std::mutex keeping;       // guards what follows, and taking trees away; taken last
@@ -82,9 +69,9 @@ struct CollisionScene::Impl {
     return tree ? *tree : build_group(g);
   }
   void group_tiles(double wanted);
-  void order_groups(std::vector<Member>& members);
+  const Aabb& extent(std::size_t g) const { return tiles.extent[order[g]]; }  // of a group, grown
   const GroupTree& build_group(std::size_t g);
-  OwnedGroup made_tree(const Group& group);
+  OwnedGroup made_tree(std::size_t g);
   bool make_room() noexcept;
   const GroupTree* kept_tree(const Group& group);
   void keep(std::size_t g, OwnedGroup tree);

@@ -20,29 +20,40 @@ class Packer {
  public:
   Packer(std::span<const Aabb> boxes, BuiltTree& out) : boxes_(boxes), out_(out) {}
 
+  struct Made {
+    std::uint32_t node;
+    Aabb bounds;
+  };
+
   // A node of all items, each part of which has one child; then `wide`, each a child.
-  std::uint32_t add_node(std::span<Item> items, std::span<const Item> wide) {
+  Made add_node(std::span<Item> items, std::span<const Item> wide) {
     const auto place = static_cast<std::uint32_t>(out_.tree.nodes.size());
     out_.tree.nodes.emplace_back(empty_node());
+    Made made{place, boxes_[items.empty() ? wide.front().box : items.front().box]};
     std::size_t k = 0;
+    const auto add = [&](std::uint32_t child, const Aabb& box) {
+      set(place, k++, child, box);
+      made.bounds.min = made.bounds.min.cwiseMin(box.min);
+      made.bounds.max = made.bounds.max.cwiseMax(box.max);
+    };
     if (items.size() + wide.size() > kLanes) {
       std::size_t each = kLanes;  // items of a part: as many as full nodes hold
       while (each * (kLanes - wide.size()) < items.size()) each *= kLanes;
       const std::size_t parts = parts_of(items.size(), each);
-      const auto columns =
+      const auto strips =
           static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(parts))));
-      const std::size_t column = each * parts_of(parts, columns);
-      tile(items, column, &Item::x, [&](std::span<Item> strip) {
-        tile(strip, each, &Item::y, [&](std::span<Item> part) {
-          const std::uint32_t child = add_node(part, {});
-          set(place, k++, child, bounds_of(part));
+      const std::size_t strip_size = each * parts_of(parts, strips);
+      tile(items, strip_size, &Item::y, [&](std::span<Item> strip) {
+        tile(strip, each, &Item::x, [&](std::span<Item> part) {
+          const Made child = add_node(part, {});
+          add(child.node, child.bounds);
         });
       });
       items = {};
     }
-    for (const Item& item : items) add_box(place, k++, item);
-    for (const Item& item : wide) add_box(place, k++, item);
-    return place;
+    for (const Item& item : items) add(leaf(item), boxes_[item.box]);
+    for (const Item& item : wide) add(leaf(item), boxes_[item.box]);
+    return made;
   }
 
  private:
@@ -63,15 +74,9 @@ class Packer {
     f(items);
   }
 
-  Aabb bounds_of(std::span<const Item> items) const {
-    Aabb all = boxes_[items.front().box];
-    for (const Item& item : items) all = merged(all, boxes_[item.box]);
-    return all;
-  }
-
-  void add_box(std::uint32_t node, std::size_t k, const Item& item) {
-    set(node, k, BoxNode::kBox | static_cast<std::uint32_t>(out_.order.size()), boxes_[item.box]);
+  std::uint32_t leaf(const Item& item) {
     out_.order.push_back(item.box);
+    return BoxNode::kBox | static_cast<std::uint32_t>(out_.order.size() - 1);
   }
 
   void set(std::uint32_t place, std::size_t k, std::uint32_t child, const Aabb& box) {

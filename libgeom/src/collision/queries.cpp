@@ -58,6 +58,11 @@ class NearestFound {
   std::size_t count_ = 0;
 };
 
+// A tree looks at its extent itself, but is not built for nothing.
+bool is_built(const CollisionScene::Impl& impl, std::size_t g) {
+  return impl.groups[g].tree.load(std::memory_order_relaxed) != nullptr;
+}
+
 }  // namespace
 
 bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
@@ -72,9 +77,7 @@ bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
   }
   const SegmentInTree s(impl.top.frame, a, b);
   return any_on_segment(impl.top.nodes.data(), s, [&](std::size_t g) {
-    // A tree looks at its extent itself, but is not built for nothing.
-    return (impl.groups[g].tree.load(std::memory_order_relaxed) ||
-            segment_hits(a, b, impl.group_extent[g])) &&
+    return (is_built(impl, g) || segment_hits(a, b, impl.extent(g))) &&
            visit(impl, g, [&](const GroupTree& group) {
              return hits_group(group, impl.one_frame ? s : SegmentInTree(group.frame, a, b));
            });
@@ -125,7 +128,7 @@ std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radiu
   }
   const PointInTree at(impl.top.frame, p);
   each_near(impl.top.nodes.data(), at, found.radius(), [&](std::size_t g) {
-    if (distance(p, impl.group_extent[g]) <= found.radius()) {
+    if (is_built(impl, g) || distance(p, impl.extent(g)) <= found.radius()) {
       visit(impl, g, [&](const GroupTree& group) {
         search(group, impl.one_frame ? at : PointInTree(group.frame, p), p, found);
       });
@@ -149,11 +152,12 @@ std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl,
                            });
     });
   };
-  const bool too_many = impl.groups.size() == 1
-                            ? too_many_of(0)
-                            : any_in_region(impl.top.nodes.data(), r, [&](std::size_t g) {
-                                return overlap(region, impl.group_extent[g]) && too_many_of(g);
-                              });
+  const bool too_many =
+      impl.groups.size() == 1
+          ? too_many_of(0)
+          : any_in_region(impl.top.nodes.data(), r, [&](std::size_t g) {
+              return (is_built(impl, g) || overlap(region, impl.extent(g))) && too_many_of(g);
+            });
   if (too_many) return std::nullopt;
   std::sort(found.begin(), found.end());
   return found;

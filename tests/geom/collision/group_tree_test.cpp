@@ -39,6 +39,7 @@ void expect_laid_out(const Parts& p, const GroupTree& tree, std::span<const Aabb
     ASSERT_TRUE(same(tree.by_vehicle[i], by_vehicle[k]));
     ASSERT_EQ(tree.name[i], p.names[k]);
   }
+  EXPECT_EQ(tree.count, p.city.size());
   EXPECT_GT(tree.bytes, p.city.size() * (sizeof(Aabb) + sizeof(std::uint32_t)));
 }
 
