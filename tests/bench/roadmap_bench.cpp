@@ -60,14 +60,14 @@ int main(int argc, char** argv) {
   const auto begin = std::chrono::steady_clock::now();
   const plan::Roadmap roadmap = plan::build_roadmap(scene, {}, {2, {}});
   const std::chrono::duration<double> built = std::chrono::steady_clock::now() - begin;
-  const double bytes = static_cast<double>(4 * roadmap.to.size() + 44 * roadmap.bends.size());
+  const double bytes = static_cast<double>(4 * roadmap.edge_to.size() + 34 * roadmap.bends());
   double brute = cpu_seconds();
   for (const auto& [a, b] : support::segments()) {
     if (support::brute_force(a, b) && !scene.hits(a, b)) return 1;
   }
   brute = (cpu_seconds() - brute) / static_cast<double>(support::segments().size());
   fmt::print("bends {} edges {} built in {:.2f} s, {:.0f} MB; a segment by brute force {:.1f} us\n",
-             roadmap.bends.size(), roadmap.to.size() / 2, built.count(), bytes / 1e6, brute * 1e6);
+             roadmap.bends(), roadmap.edges(), built.count(), bytes / 1e6, brute * 1e6);
   const auto queries = read(argv[1]);
   struct Kind {
     const char* name;

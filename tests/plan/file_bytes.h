@@ -2,6 +2,7 @@
 
 // What files hold, to be compared.
 
+#include <span>
 #include <sstream>
 #include <string>
 
@@ -13,6 +14,12 @@ namespace plan {
 inline std::string bytes(const Lattice& lattice) {
   std::ostringstream out;
   write_lattice(out, lattice);
+  return out.str();
+}
+
+inline std::string bytes(std::span<const Roadmap> parts) {
+  std::ostringstream out;
+  write_roadmap(out, parts);
   return out.str();
 }
 

@@ -39,9 +39,9 @@ inline LatticePart through_file(const LatticePart& part) {
   return read_lattice_part(archive, meta, part.shard);
 }
 
-inline RoadmapPart through_file(const RoadmapPart& part) {
+inline Roadmap through_file(const Roadmap& part) {
   const auto [archive, meta] = archive_of(part);
-  return read_roadmap_part(archive, meta, part.shard);
+  return read_roadmap_part(archive, meta);
 }
 
 }  // namespace plan

@@ -42,8 +42,8 @@ Json describe_roadmap(const geom::ArrayArchive& archive, bool verify) {
   out.erase("version");
   Json described = {{"type", "roadmap"}};
   described.update(out);
-  described["bends"] = roadmap.bends.size();
-  described["edges"] = roadmap.to.size() / 2;
+  described["bends"] = roadmap.bends();
+  described["edges"] = roadmap.edges();
   return described;
 }
 

@@ -79,13 +79,12 @@ void join_lattices(std::ostream& out, const std::vector<ShardFile>& shards) {
   plan::write_lattice(out, parts);
 }
 
-void join_roadmaps(std::ostream& out, const std::vector<ShardFile>& shards,
-                   const geom::Execution& run) {
-  std::vector<plan::RoadmapPart> parts;
+void join_roadmaps(std::ostream& out, const std::vector<ShardFile>& shards) {
+  std::vector<plan::Roadmap> parts;
   for (const ShardFile& s : shards) {
-    parts.push_back(plan::read_roadmap_part(s.archive, s.content.dump(), s.shard));
+    parts.push_back(plan::read_roadmap_part(s.archive, s.content.dump()));
   }
-  plan::write_roadmap(out, plan::join_roadmap(parts, run));
+  plan::write_roadmap(out, parts);
 }
 
 }  // namespace
@@ -112,7 +111,7 @@ int main(int argc, char** argv) {
     } else if (kind == "lattice") {
       join_lattices(out.stream(), shards);
     } else if (kind == "roadmap") {
-      join_roadmaps(out.stream(), shards, common.execution("bends"));
+      join_roadmaps(out.stream(), shards);
     } else if (kind == "runs") {
       throw geom::InputError(shards.front().archive.name(),
                              "this is a shard of runs: join it with skyway-fly --join, with the "

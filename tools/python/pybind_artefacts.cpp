@@ -118,50 +118,35 @@ void bind_lattice(py::module_& module) {
       py::arg("path"));
 }
 
+// A member of a roadmap, one row an entry or `columns` entries a row.
 template <class T>
-py::array whole(const std::vector<T>& values, const py::object& owner) {
-  return view(values.data(), {static_cast<py::ssize_t>(values.size())}, owner);
+void def_array(py::class_<Roadmap>& roadmap, const char* name, std::span<const T> Roadmap::*member,
+               py::ssize_t columns = 0) {
+  roadmap.def_property_readonly(name, [member, columns](const py::object& self) {
+    const auto values = self.cast<const Roadmap&>().*member;
+    const auto size = static_cast<py::ssize_t>(values.size());
+    std::vector<py::ssize_t> shape = {size};
+    if (columns) shape = {size / columns, columns};
+    return view(values.data(), std::move(shape), self);
+  });
 }
 
 void bind_roadmap(py::module_& module) {
   py::class_<Roadmap> roadmap(module, "Roadmap");
   def_provenance(roadmap, [](const Roadmap& self) { return self.made_for; });
-  const auto of = [](const py::object& self) -> const Roadmap& {
-    return self.cast<const Roadmap&>();
-  };
-  const auto bends = [](const Roadmap& r) { return static_cast<py::ssize_t>(r.bends.size()); };
-  roadmap.def("__len__", [](const Roadmap& r) { return r.bends.size(); })
+  roadmap.def("__len__", &Roadmap::bends)
       .def_property_readonly("part", [](const Roadmap& r) { return r.spec.part; })
-      .def_property_readonly("reach", [](const Roadmap& r) { return r.spec.reach; })
-      .def_property_readonly("bend_position",
-                             [=](const py::object& self) {
-                               const Roadmap& r = of(self);
-                               const double* first =
-                                   r.bends.empty() ? nullptr : r.bends[0].position.data();
-                               return column(r.bends, first, {3}, self);
-                             })
-      .def_property_readonly("bend_axis",
-                             [=](const Roadmap& r) {
-                               std::vector<std::int8_t> out;
-                               for (const plan::Bend& bend : r.bends) out.push_back(bend.axis);
-                               return owning(std::move(out));
-                             })
-      .def_property_readonly("bend_outward",
-                             [=](const Roadmap& r) {
-                               std::vector<std::int8_t> out;
-                               for (const plan::Bend& bend : r.bends) {
-                                 out.insert(out.end(), bend.outward.begin(), bend.outward.end());
-                               }
-                               return owning(std::move(out), {bends(r), 2});
-                             })
-      .def_property_readonly("edge_first",
-                             [=](const py::object& self) { return whole(of(self).first, self); })
-      .def_property_readonly("edge_split",
-                             [=](const py::object& self) { return whole(of(self).split, self); })
-      .def_property_readonly("edge_to", [=](const py::object& self) {
-        const auto to = of(self).to;
-        return view(to.data(), {static_cast<py::ssize_t>(to.size())}, self);
-      });
+      .def_property_readonly("reach", [](const Roadmap& r) { return r.spec.reach; });
+  def_array(roadmap, "tile_index", &Roadmap::tile_index, 2);
+  def_array(roadmap, "tile_extent", &Roadmap::tile_extent, 6);
+  def_array(roadmap, "tile_first", &Roadmap::tile_first);
+  def_array(roadmap, "tile_edges", &Roadmap::tile_edges);
+  def_array(roadmap, "bend_position", &Roadmap::bend_position, 3);
+  def_array(roadmap, "bend_axis", &Roadmap::bend_axis);
+  def_array(roadmap, "bend_outward", &Roadmap::bend_outward, 2);
+  def_array(roadmap, "edge_first", &Roadmap::edge_first);
+  def_array(roadmap, "edge_split", &Roadmap::edge_split);
+  def_array(roadmap, "edge_to", &Roadmap::edge_to);
   module.def(
       "read_roadmap",
       [](const std::string& path) { return plan::read_roadmap(cli::open_archive(path)); },

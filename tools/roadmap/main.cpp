@@ -15,6 +15,7 @@
 #include "cli/shard/sharding.h"
 #include "plan/roadmap/part_file.h"
 #include "plan/roadmap/roadmap_file.h"
+#include "plan/roadmap/roadmap_part.h"
 
 namespace {
 
@@ -57,11 +58,11 @@ plan::Roadmap patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
 void write_shard(const cli::Sharding& sharding, const cli::Common& common,
                  const std::string& output, const geom::CollisionScene& scene,
                  const plan::RoadmapSpec& spec) {
-  const plan::RoadmapPart part =
+  const plan::Roadmap part =
       plan::build_roadmap_part(scene, spec, sharding.shard(), common.execution("bends"));
   const plan::PartArrays written = plan::arrays_of(part);
   sharding.write(output, "output", "roadmap", written.meta, written.arrays, cli::Exit::yes);
-  common.write_stats({{"bends", part.bends.size()}, {"edges", part.edges.to.size()}});
+  common.write_stats({{"bends", part.bends()}, {"edges", part.edge_to.size()}});
 }
 
 // Refuses what would take long, unless its reach was named: then it is said.
@@ -128,7 +129,7 @@ int main(int argc, char** argv) {
     cli::OutputFile out(output, cli::OutputKind::artefact, patch.artefact);
     plan::write_roadmap(out.stream(), roadmap);
     out.commit();
-    common.write_stats({{"bends", roadmap.bends.size()}, {"edges", roadmap.to.size() / 2}});
+    common.write_stats({{"bends", roadmap.bends()}, {"edges", roadmap.edges()}});
     return cli::Exit::yes;
   });
 }

@@ -10,7 +10,6 @@
 #include "geom/base/error.h"
 #include "geom/base/precondition.h"
 #include "geom/text/counted.h"
-#include "lattice/ring.h"
 #include "lattice_level.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/shortcut.h"
@@ -35,8 +34,10 @@ constexpr double kClosePart = 3;      // metres: how closely
 constexpr double kCloseMost = 150;  // metres between ends: beyond, bends are close enough as it is
 constexpr std::size_t kPaths = 4;   // compared once pulled taut
 constexpr double kBend = 10;  // metres that bends in the middle of their parts may cost a path
+constexpr double kCorridorPart = 10;          // metres
 constexpr double kCorridorReach = 300;        // metres
-constexpr std::size_t kUnknownBends = 4000;   // settled where it is not known that there is a way
+constexpr std::size_t kFirstBends = 8000;     // settled before it is known that there is a way
+constexpr std::size_t kFromGoalBends = 4000;  // settled the other way round
 constexpr std::size_t kCorridorBends = 3000;  // settled at most
 
 double nodes_at(const geom::Aabb& inner, double spacing) {
@@ -135,7 +136,7 @@ struct Planner::Impl {
   PlanResult by_recipe(const Task& task);
   PlanResult by_method(const Task& task);
   PlanResult by_sampling(const Task& task);
-  PlanResult by_lattices(const Task& task);
+  PlanResult by_lattices(const Task& task, std::optional<ReachResult> reached);
   PlanResult by_cells(const Task& task, ReachResult reached, PlanResult tried) const;
   PlanResult by_level(LatticeLevel& level, const Task& task);
 
@@ -148,8 +149,6 @@ struct Planner::Impl {
                                 const Polyline& than) const;
 
   Found refined(const Polyline& raw, const PlanOptions& options) const;
-  RoadmapLimits first_limits(const Task& task) const;
-  std::uint32_t component(const Vec3& p) const;
 
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;
@@ -194,7 +193,7 @@ PlanResult Planner::Impl::by_level(LatticeLevel& level, const Task& task) {
   return result;
 }
 
-PlanResult Planner::Impl::by_lattices(const Task& task) {
+PlanResult Planner::Impl::by_lattices(const Task& task, std::optional<ReachResult> reached) {
   const auto shortened = [&](PlanResult result) {
     if (result.path.empty()) return result;
     Found found = refined(result.path, task.options);
@@ -203,7 +202,6 @@ PlanResult Planner::Impl::by_lattices(const Task& task) {
   };
   PlanResult result;
   result.route = Route::lattice;
-  std::optional<ReachResult> reached;
   for (const auto& level : levels_) {
     PlanResult tried = shortened(by_level(*level, task));
     if (!result.path.empty()) {  // a second opinion on a detour
@@ -262,31 +260,6 @@ PlanResult Planner::Impl::by_cells(const Task& task, ReachResult reached, PlanRe
   return with(std::move(found), Route::cells, {});
 }
 
-// The component of the coarse lattice that a point sees; 0 where it sees none.
-std::uint32_t Planner::Impl::component(const Vec3& p) const {
-  const LabelledLattice& coarse = *roadmap_->coarse;
-  std::uint32_t found = 0;
-  const auto sees = [&](const Index3& index) {
-    const std::size_t node = *coarse.lattice.node(index);
-    found = coarse.label[node];
-    return found != 0 && scene_.free(p, coarse.lattice.position(node));
-  };
-  for (const std::int64_t ring : {0, 1}) {
-    if (any_in_ring(coarse.lattice, p, ring, sees)) return found;
-  }
-  return 0;
-}
-
-// How far to search the roadmap before the lattices were asked, which know sooner that there is no
-// way.
-RoadmapLimits Planner::Impl::first_limits(const Task& task) const {
-  if (!roadmap_->coarse) return {};
-  const std::uint32_t a = component(task.from);
-  const std::uint32_t b = component(task.to);
-  if (a == 0 || b == 0) return {kUnknownBends};
-  return a == b ? RoadmapLimits{} : RoadmapLimits{0};
-}
-
 // The shortest of a roadmap's paths once they are pulled taut.
 std::optional<Found> Planner::Impl::by_bends(RoadmapSearch& search, const Task& task,
                                              RoadmapLimits limits, const Polyline& than) const {
@@ -310,14 +283,12 @@ std::optional<Found> Planner::Impl::by_bends(RoadmapSearch& search, const Task& 
 
 // With bends closer to each other along the path that there is.
 std::optional<Found> Planner::Impl::by_close_bends(const Task& task, const Polyline& than) const {
-  const Roadmap close = bends_along(scene_, {kClosePart, kCorridorReach, {}}, than, kClose);
-  RoadmapSearch search(scene_, close);
+  RoadmapSearch search(scene_, bends_along(scene_, kClosePart, than, kClose), kCorridorReach);
   return by_bends(search, task, {kCorridorBends}, than);
 }
 
 std::optional<Found> Planner::Impl::by_roadmap(const Task& task, RoadmapLimits limits,
                                                const Polyline& than) {
-  if (limits.settled == 0) return std::nullopt;
   std::unique_ptr<RoadmapSearch> search;
   {
     const std::lock_guard lock(mutex_);
@@ -335,7 +306,7 @@ std::optional<Found> Planner::Impl::by_roadmap(const Task& task, RoadmapLimits l
 
 // From an end in a yard there are far fewer bends to settle than on the way to it.
 std::optional<Found> Planner::Impl::by_roadmap_from_goal(const Task& task) {
-  auto found = by_roadmap({task.to, task.from, task.options}, {kUnknownBends}, {});
+  auto found = by_roadmap({task.to, task.from, task.options}, {kFromGoalBends}, {});
   if (found) std::reverse(found->path.begin(), found->path.end());
   return found;
 }
@@ -343,8 +314,7 @@ std::optional<Found> Planner::Impl::by_roadmap_from_goal(const Task& task) {
 // Bends around the boxes near a path that a lattice gave.
 std::optional<Found> Planner::Impl::by_corridor(const Task& task, const Polyline& than) const {
   const double width = task.options.quality == Quality::best ? 2 * kCorridor : kCorridor;
-  const Roadmap corridor = bends_along(scene_, {10, kCorridorReach, {}}, than, width);
-  RoadmapSearch search(scene_, corridor);
+  RoadmapSearch search(scene_, bends_along(scene_, kCorridorPart, than, width), kCorridorReach);
   RoadmapLimits limits{kCorridorBends};
   limits.weight = task.straight() < 1000 ? 1.02 : 1.04;
   return by_bends(search, task, limits, than);
@@ -405,10 +375,15 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
     const Polyline straight = {task.from, task.to};
     return with({straight, {step_of("search", straight)}}, Route::straight, {});
   }
+  std::optional<ReachResult> reached;
   if (roadmap_) {
-    const RoadmapLimits limits = first_limits(task);
-    auto found = by_roadmap(task, limits, {});
-    if (!found && limits.settled > 0) found = by_roadmap_from_goal(task);
+    auto found = by_roadmap(task, {kFirstBends}, {});
+    if (!found) found = by_roadmap_from_goal(task);
+    if (!found) {
+      reached = reach_.ask(task.from, task.to);
+      if (reached->answer == Reachable::no) return by_cells(task, std::move(*reached), {});
+      found = by_roadmap(task, {}, {});
+    }
     if (found) {
       if (task.options.quality == Quality::best && task.straight() < kCloseMost) {
         if (auto closer = by_close_bends(task, found->path)) found = std::move(closer);
@@ -416,7 +391,7 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
       return with(std::move(*found), Route::roadmap, {});
     }
   }
-  PlanResult result = by_lattices(task);
+  PlanResult result = by_lattices(task, std::move(reached));
   if (result.path.empty() || !polished(task.options)) return result;
   auto better =
       roadmap_ ? by_roadmap(task, {kCorridorBends}, result.path) : by_corridor(task, result.path);

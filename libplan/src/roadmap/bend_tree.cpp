@@ -94,8 +94,7 @@ BendTree::BendTree(std::span<const Bend> bends) {
   }
 }
 
-geom::Aabb BendTree::box(std::uint32_t i) const {
-  const Node& node = nodes_[i];
+geom::Aabb BendTree::box(const Node& node) {
   return {Vec3(node.min[0], node.min[1], node.min[2]), Vec3(node.max[0], node.max[1], node.max[2])};
 }
 

@@ -34,9 +34,10 @@ class BendTree {
 
   // How far `p` is from the node's box, in metres: no more than (p - q).norm() for any bend at q in
   // it, as rounded too.
-  double distance(std::uint32_t i, const Vec3& p) const;
+  static double distance(const Node& node, const Vec3& p);
+  double distance(std::uint32_t i, const Vec3& p) const { return distance(nodes_[i], p); }
 
-  geom::Aabb box(std::uint32_t i) const;
+  static geom::Aabb box(const Node& node);
 
   // Calls f(bend) for all bends of leaves within `radius` metres of `p`, but for those below nodes
   // for which skip(node) is true.
@@ -60,8 +61,7 @@ class BendTree {
 
 // Rounding keeps the order of differences, squares, sums and square roots, so the distance to the
 // box is not above that to a point of it where both are worked out in the same way.
-inline double BendTree::distance(std::uint32_t i, const Vec3& p) const {
-  const Node& node = nodes_[i];
+inline double BendTree::distance(const Node& node, const Vec3& p) {
   Vec3 off;
   for (int k = 0; k < 3; ++k) {
     const double below = node.min[k] - p[k];

@@ -1,13 +1,9 @@
 #include "bends.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "geom/base/error.h"
-#include "geom/base/parallel.h"
 #include "uncovered.h"
 
 namespace plan {
@@ -26,13 +22,16 @@ class BoxEdge {
                 static_cast<std::int8_t>(corner & 2 ? 1 : -1)};
   }
 
-  // In the middle of what is exposed of each part.
-  void add_bends(double part, std::vector<Bend>& out) const {
+  // In the middle of what is exposed of each part, but for parts that are surely out of the square.
+  void add_bends(double part, const std::optional<geom::Aabb>& square,
+                 std::vector<Bend>& out) const {
+    if (square && !geom::overlap(*square, line())) return;
     const std::vector<Interval> blocked = covered(1, 1);
     const auto open = exposed(blocked);
     const double length = box_.max[k_] - box_.min[k_];
     const double parts = std::max(1.0, std::ceil(length / part));
-    for (double n = 0; n < parts; ++n) {
+    const auto [first, end] = parts_in(square, length, parts);
+    for (double n = first; n < end; ++n) {
       const double from = box_.min[k_] + length * (n / parts);
       const double to = box_.min[k_] + length * ((n + 1) / parts);
       for (const auto& [low, high] : open) {
@@ -51,6 +50,18 @@ class BoxEdge {
     p[i1_] = (outward_[0] > 0 ? box_.max[i1_] : box_.min[i1_]) + side1 * kOff * outward_[0];
     p[i2_] = (outward_[1] > 0 ? box_.max[i2_] : box_.min[i2_]) + side2 * kOff * outward_[1];
     return p;
+  }
+
+  // What holds all bends of the edge.
+  geom::Aabb line() const { return {beside(1, 1, box_.min[k_]), beside(1, 1, box_.max[k_])}; }
+
+  // The parts, of so many, that may have bends in the square: [first, end).
+  std::pair<double, double> parts_in(const std::optional<geom::Aabb>& square, double length,
+                                     double parts) const {
+    if (!square || parts < 8) return {0, parts};
+    const double low = (square->min[k_] - box_.min[k_]) / length * parts;
+    const double high = (square->max[k_] - box_.min[k_]) / length * parts;
+    return {std::max(0.0, std::floor(low) - 1), std::min(parts, std::ceil(high) + 1)};
   }
 
   // The other boxes that cover some of the line just off the edge, in one of its quadrants.
@@ -92,69 +103,33 @@ class BoxEdge {
   std::array<std::int8_t, 2> outward_{};
 };
 
-void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double part,
-               std::vector<Bend>& out) {
-  const Vec3 off = Vec3::Constant(2 * kOff);
-  std::vector<geom::Aabb> near;
-  for (const std::size_t i : scene.boxes_meeting(geom::grow(box, off))) {
-    near.push_back(scene.grown(i));
-  }
-  for (int k = 0; k < 3; ++k) {
-    for (int corner = 0; corner < 4; ++corner) {
-      BoxEdge(scene, near, box, k, corner).add_bends(part, out);
-    }
-  }
-}
-
 }  // namespace
 
-std::vector<geom::Aabb> boxes_of(const geom::CollisionScene& scene,
-                                 const std::optional<geom::Aabb>& region) {
-  std::vector<geom::Aabb> out;
-  if (region) {
-    for (const std::size_t i : scene.boxes_meeting(*region)) out.push_back(scene.grown(i));
-  } else {
-    for (const geom::Aabb& box : scene.map().boxes()) out.push_back(geom::grow(box, scene.half()));
+// Of the boxes beside a part of an edge only those matter that come near that part.
+void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double part,
+               const std::optional<geom::Aabb>& square, std::vector<Bend>& out) {
+  geom::Aabb beside = geom::grow(box, Vec3::Constant(2 * kOff));
+  if (square) {
+    const geom::Aabb wide = geom::grow(*square, Vec3::Constant(2 * part + 1));
+    beside = {beside.min.cwiseMax(wide.min), beside.max.cwiseMin(wide.max)};
+    if (!(beside.min.array() <= beside.max.array()).all()) return;
   }
-  return out;
-}
-
-std::vector<std::vector<Bend>> bends_of_each(const geom::CollisionScene& scene,
-                                             const RoadmapSpec& spec,
-                                             std::span<const geom::Aabb> boxes,
-                                             const geom::Execution& run) {
-  std::vector<std::vector<Bend>> out(boxes.size());
-  geom::parallel_for(boxes.size(), {run.threads, {}},
-                     [&](std::size_t i) { add_bends(scene, boxes[i], spec.part, out[i]); });
-  return out;
-}
-
-std::vector<Bend> make_bends(const geom::CollisionScene& scene, const RoadmapSpec& spec,
-                             const std::vector<geom::Aabb>& boxes, const geom::Execution& run) {
-  std::vector<Bend> out;
-  for (const auto& some : bends_of_each(scene, spec, boxes, run)) {
-    out.insert(out.end(), some.begin(), some.end());
+  std::vector<geom::Aabb> near;
+  for (const std::size_t i : scene.boxes_meeting(beside)) near.push_back(scene.grown(i));
+  for (int k = 0; k < 3; ++k) {
+    for (int corner = 0; corner < 4; ++corner) {
+      BoxEdge(scene, near, box, k, corner).add_bends(part, square, out);
+    }
   }
-  return out;
 }
 
 bool operator<(const EdgeKey& a, const EdgeKey& b) {
   return std::tie(a.second, a.ratio, a.to) < std::tie(b.second, b.ratio, b.to);
 }
 
-EdgeKey edge_key(const std::vector<Bend>& bends, std::size_t from, std::uint32_t to) {
+EdgeKey edge_key(std::span<const Bend> bends, std::size_t from, std::uint32_t to) {
   const Across a = across(bends[from], bends[to].position - bends[from].position);
   return {a.second_side(), a.ratio(), to};
-}
-
-void require_edges_fit(std::uint64_t edges) {
-  if (edges <= 0x7fffffff) return;
-  throw geom::InputError(
-      "roadmap", fmt::format("expected at most 2^31 edges, found {}: use a smaller reach", edges));
-}
-
-LatticeSpec coarse_spec(const geom::CollisionScene& scene) {
-  return {10, Connectivity::twenty_six, scene.free_bounds()->min};
 }
 
 }  // namespace plan

@@ -32,17 +32,10 @@ inline Across across(const Bend& bend, const Vec3& direction) {
           direction[(bend.axis + 2) % 3] * bend.outward[1]};
 }
 
-// The grown boxes that bends are made around: all, or those that meet the region.
-std::vector<geom::Aabb> boxes_of(const geom::CollisionScene& scene,
-                                 const std::optional<geom::Aabb>& region);
-
-// In the order of the boxes: those of each, or all.
-std::vector<std::vector<Bend>> bends_of_each(const geom::CollisionScene& scene,
-                                             const RoadmapSpec& spec,
-                                             std::span<const geom::Aabb> boxes,
-                                             const geom::Execution& run);
-std::vector<Bend> make_bends(const geom::CollisionScene& scene, const RoadmapSpec& spec,
-                             const std::vector<geom::Aabb>& boxes, const geom::Execution& run);
+// Adds the bends around a grown box, in their order; with a `square`, of infinite height, those
+// that stand in it and perhaps some near it.
+void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double part,
+               const std::optional<geom::Aabb>& square, std::vector<Bend>& out);
 
 // Whether two bends are within reach and the line between them is tangent to both boxes.
 inline bool aligned(const Bend& a, const Bend& b, double reach) {
@@ -64,12 +57,6 @@ struct EdgeKey {
   friend bool operator<(const EdgeKey& a, const EdgeKey& b);
 };
 
-EdgeKey edge_key(const std::vector<Bend>& bends, std::size_t from, std::uint32_t to);
-
-// Throws geom::InputError where so many, counted from both ends, are too many for a roadmap.
-void require_edges_fit(std::uint64_t edges);
-
-// The lattice of a roadmap on this map, before it is labelled.
-LatticeSpec coarse_spec(const geom::CollisionScene& scene);
+EdgeKey edge_key(std::span<const Bend> bends, std::size_t from, std::uint32_t to);
 
 }  // namespace plan

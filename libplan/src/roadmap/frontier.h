@@ -13,7 +13,8 @@
 
 namespace plan {
 
-// Ties of the bound go to the larger cost, then by kind, then to the lowest index.
+// Ties of the bound go to the larger cost, then by kind, then to the lowest index, or as a Frontier
+// has it.
 struct Open {
   double bound;  // no path through it is shorter
   double cost;   // from the start
@@ -21,16 +22,34 @@ struct Open {
   enum Kind : std::uint8_t { reached, unlinked, node } kind;
 
   bool before(const Open& other) const {
+    if (!ties(other)) return sooner(other);
+    return index < other.index;
+  }
+
+  bool ties(const Open& other) const {
+    return bound == other.bound && cost == other.cost && kind == other.kind;
+  }
+
+  // Of two that do not tie.
+  bool sooner(const Open& other) const {
     if (bound != other.bound) return bound < other.bound;
     if (cost != other.cost) return cost > other.cost;
-    return kind != other.kind ? kind < other.kind : index < other.index;
+    return kind < other.kind;
   }
 };
 
+struct LowestIndex {
+  bool operator()(const Open& a, const Open& b) const { return a.index < b.index; }
+};
+
 // A queue of buckets (Dial 1969), the foremost of which is a heap. Most of what a search with a
-// good heuristic pushes is never taken, and costs an append.
+// good heuristic pushes is never taken, and costs an append. `Ties` says which of two that tie
+// comes first.
+template <class Ties = LowestIndex>
 class Frontier {
  public:
+  explicit Frontier(Ties ties = {}) : before_{ties} {}
+
   // Empties it. Most bounds will be at least `least`; buckets are `width` > 0 wide at first.
   void start(double least, double width) {
     heap_.clear();
@@ -44,7 +63,7 @@ class Frontier {
   void push(const Open& open) {
     const double place = (open.bound - least_) * per_bound_;
     if (place < static_cast<double>(at_ + 1)) {
-      heap_push(heap_, open, before);
+      heap_push(heap_, open, before_);
     } else if (place < kBuckets) {
       buckets_[static_cast<std::size_t>(place)].push_back(open);
     } else {
@@ -61,18 +80,23 @@ class Frontier {
   }
 
   const Open& first() const { return heap_.front(); }
-  Open pop() { return heap_pop(heap_, before); }
+  Open pop() { return heap_pop(heap_, before_); }
 
  private:
   static constexpr std::size_t kBuckets = 256;
 
-  static bool before(const Open& a, const Open& b) { return a.before(b); }
+  struct Before {
+    Ties ties;
+    bool operator()(const Open& a, const Open& b) const {
+      return a.ties(b) ? ties(a, b) : a.sooner(b);
+    }
+  };
 
   // The next bucket that has something becomes the heap.
   bool advance() {
     while (++at_ < kBuckets) {
       if (buckets_[at_].empty()) continue;
-      for (const Open& open : buckets_[at_]) heap_push(heap_, open, before);
+      for (const Open& open : buckets_[at_]) heap_push(heap_, open, before_);
       buckets_[at_].clear();
       return true;
     }
@@ -84,7 +108,7 @@ class Frontier {
     at_ = 0;
     if (later_.empty()) return false;
     constexpr double kWider = 4;
-    const auto least = std::min_element(later_.begin(), later_.end(), before);
+    const auto least = std::min_element(later_.begin(), later_.end(), before_);
     least_ = least->bound;
     per_bound_ /= kWider;
     std::vector<Open> all;
@@ -93,6 +117,7 @@ class Frontier {
     return true;
   }
 
+  Before before_;
   std::vector<Open> heap_;  // bounds before the end of bucket at_
   std::array<std::vector<Open>, kBuckets> buckets_;
   std::vector<Open> later_;

@@ -7,10 +7,9 @@
 
 #include "bends.h"
 #include "geom/base/parallel.h"
-#include "plan/lattice/build_lattice.h"
 #include "plan/planner/patch.h"
-#include "plan/roadmap/roadmap_part.h"
 #include "planner/require_made_for.h"
+#include "tiled.h"
 
 namespace plan {
 namespace {
@@ -127,14 +126,16 @@ double gap(const Aabb& a, const Aabb& b) {
 
 class RoadmapPatch {
  public:
-  RoadmapPatch(const Roadmap& old, const geom::CollisionScene& scene, const MapChange& change,
-               const std::vector<Bend>& bends, const std::vector<std::uint32_t>& old_of)
+  RoadmapPatch(const FlatRoadmap& old, double reach, const geom::CollisionScene& scene,
+               const MapChange& change, const std::vector<Bend>& bends,
+               const std::vector<std::uint32_t>& old_of)
       : old_(old),
+        reach_(reach),
         scene_(scene),
         change_(change),
         bends_(bends),
         old_of_(old_of),
-        new_of_(old.bends.size(), kNone),
+        new_of_(old.tiles.bends.size(), kNone),
         cell_of_(bends.size()),
         kept_(bends.size()),
         kept_split_(bends.size()),
@@ -155,21 +156,19 @@ class RoadmapPatch {
     }
   }
 
-  void patch_edges(const geom::Execution& run, Roadmap& out) {
+  EdgeLists patched_edges(const geom::Execution& run) {
     geom::parallel_for(cells_.size(), run, [&](std::size_t c) { patch_cell(cells_[c]); });
     std::vector<std::size_t> own(bends_.size());
     for (std::size_t i = 0; i < own.size(); ++i) own[i] = more_[i].size();
     for (std::uint32_t i = 0; i < own.size(); ++i) {
       for (std::size_t e = 0; e < own[i]; ++e) more_[more_[i][e]].push_back(i);
     }
-    out.split.resize(bends_.size());
+    std::vector<std::uint32_t> split(bends_.size());
     geom::parallel_for(bends_.size(), {run.threads, {}},
-                       [&](std::size_t i) { out.split[i] = merge_edges(i); });
-    const EdgeLists edges = flat(std::move(kept_));
-    require_edges_fit(edges.to.size());
-    out.first.assign(edges.first.begin(), edges.first.end());
-    out.to = edges.to;
-    out.keep_alive = edges.keep_alive;
+                       [&](std::size_t i) { split[i] = merge_edges(i); });
+    EdgeLists out = flat(std::move(kept_));
+    out.split = std::move(split);
+    return out;
   }
 
  private:
@@ -178,7 +177,7 @@ class RoadmapPatch {
   void patch_cell(const Cell& cell) {
     std::vector<std::vector<Aabb>> added(cells_.size());  // that may block a line to each cell
     for (std::size_t c = 0; c < cells_.size(); ++c) {
-      if (gap(cell.extent, cells_[c].extent) > old_.spec.reach) continue;
+      if (gap(cell.extent, cells_[c].extent) > reach_) continue;
       added[c] = between(cell.extent, cells_[c].extent, change_.added);
       find_edges(cell, cells_[c], between(cell.extent, cells_[c].extent, change_.removed));
     }
@@ -196,7 +195,7 @@ class RoadmapPatch {
         if (j <= i) continue;
         const bool known = !is_fresh(i) && !is_fresh(j);
         const Bend& b = bends_[j];
-        if (!aligned(a, b, old_.spec.reach)) continue;
+        if (!aligned(a, b, reach_)) continue;
         if (known && !meets_any(a.position, b.position, removed)) continue;
         if (!scene_.hits(a.position, b.position)) more_[i].push_back(j);
       }
@@ -204,13 +203,13 @@ class RoadmapPatch {
   }
 
   void keep_edges(std::uint32_t i, const std::vector<std::vector<Aabb>>& added) {
-    const std::size_t begin = old_.first[old_of_[i]];
-    const std::size_t split = begin + old_.split[old_of_[i]];
-    const std::size_t end = old_.first[old_of_[i] + 1];
+    const EdgeLists& edges = old_.edges;
+    const std::size_t begin = edges.first[old_of_[i]];
+    const std::size_t split = begin + edges.split[old_of_[i]];
+    const std::size_t end = edges.first[old_of_[i] + 1];
     kept_[i].reserve(end - begin);
     for (std::size_t e = begin; e < end; ++e) {
-      require_bend(old_, old_.to[e]);
-      const std::uint32_t j = new_of_[old_.to[e]];
+      const std::uint32_t j = new_of_[edges.to[e]];
       if (j == kNone) continue;
       if (meets_any(bends_[i].position, bends_[j].position, added[cell_of_[j]])) continue;
       kept_[i].push_back(j);
@@ -240,7 +239,8 @@ class RoadmapPatch {
     return split;
   }
 
-  const Roadmap& old_;
+  const FlatRoadmap& old_;
+  double reach_;
   const geom::CollisionScene& scene_;
   const MapChange& change_;
   const std::vector<Bend>& bends_;
@@ -253,36 +253,24 @@ class RoadmapPatch {
   std::vector<std::vector<std::uint32_t>> more_;
 };
 
-Lattice coarse_lattice(const Roadmap& old, const geom::CollisionScene& scene,
-                       const MapChange& change, const geom::Execution& run) {
-  const LatticeSpec spec = coarse_spec(scene);
-  const Lattice lazy = lazy_lattice(scene, spec, old.spec.region);
-  const bool same = old.coarse && old.coarse->lattice.spec().origin == spec.origin &&
-                    old.coarse->lattice.spec().spacing == spec.spacing &&
-                    old.coarse->lattice.spec().connectivity == spec.connectivity &&
-                    old.coarse->lattice.first() == lazy.first() &&
-                    old.coarse->lattice.dims() == lazy.dims();
-  return same ? patch_lattice(old.coarse->lattice, scene, change, run, old.spec.region)
-              : build_lattice(scene, spec, run, old.spec.region);
-}
-
 }  // namespace
 
 Roadmap patch_roadmap(const Roadmap& old, const geom::CollisionScene& scene,
                       const MapChange& change, const geom::Execution& run) {
   require_made_for(old.made_for, scene, "roadmap");
-  Roadmap out;
-  out.spec = old.spec;
-  out.made_for = geom::provenance_of(scene);
-  const std::vector<Aabb> boxes = boxes_of(scene, old.spec.region);
-  if (too_many(change, boxes.size())) return build_roadmap(scene, old.spec, run);
-  out.bends = make_bends(scene, old.spec, boxes, {run.threads, {}});
-  const std::vector<std::uint32_t> old_of = match(out.bends, old.bends);
+  const std::size_t boxes =
+      old.spec.region ? scene.boxes_meeting(*old.spec.region).size() : scene.map().size();
+  if (too_many(change, boxes)) return build_roadmap(scene, old.spec, run);
+  std::vector<std::uint64_t> codes;
+  for (const SquareShare& share : squares_of(scene, old.spec)) codes.push_back(share.code);
+  const TileBends tiles = bends_of(scene, old.spec, codes, {run.threads, {}});
+  const FlatRoadmap was = flattened(old);
+  const std::vector<std::uint32_t> old_of = match(tiles.bends, was.tiles.bends);
   if (!ascends(old_of)) return build_roadmap(scene, old.spec, run);
-  RoadmapPatch(old, scene, change, out.bends, old_of).patch_edges(run, out);
-  if (scene.free_bounds()) {
-    out.coarse = label_components(coarse_lattice(old, scene, change, {run.threads, {}}));
-  }
+  EdgeLists edges =
+      RoadmapPatch(was, old.spec.reach, scene, change, tiles.bends, old_of).patched_edges(run);
+  Roadmap out = tiled(old.spec, tiles, 0, tiles.squares.size(), std::move(edges), run.threads);
+  out.made_for = geom::provenance_of(scene);
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 // What files of whole roadmaps and of shards of them have in common.
 
+#include <span>
 #include <vector>
 
 #include "geom/archive/array_archive.h"
@@ -11,20 +12,24 @@
 
 namespace plan {
 
-// Bends as the arrays bend_position, bend_axis and bend_outward.
-class BendArrays {
+// The arrays of all the tiles of several roadmaps, which they refer to: one after the other.
+class TileArrays {
  public:
-  explicit BendArrays(const std::vector<Bend>& bends);
+  // Throws geom::InputError where tiles do not ascend, or their ranges are impossible.
+  explicit TileArrays(std::span<const Roadmap> parts);
   void append_to(std::vector<geom::NamedArray>& arrays) const;  // which refer to this
 
+  std::size_t bends() const { return first_.back(); }
+  std::size_t edges() const { return edges_.back(); }  // counted from both ends
+
  private:
-  std::vector<double> position_;
-  std::vector<std::int8_t> axis_;
-  std::vector<std::int8_t> outward_;
+  std::span<const Roadmap> parts_;
+  std::vector<std::uint64_t> first_{0};
+  std::vector<std::uint64_t> edges_{0};
 };
 
-// Throws geom::InputError for arrays that do not fit, and a position, axis or sign that is none.
-std::vector<Bend> read_bends(const geom::ArrayArchive& archive);
+// Opens them. Throws geom::InputError for arrays of lengths that do not fit each other.
+Roadmap open_tiles(const geom::ArrayArchive& archive);
 
 // meta.json as far as the spec goes.
 geom::JsonLine roadmap_meta(const RoadmapSpec& spec, const geom::Provenance& made_for);

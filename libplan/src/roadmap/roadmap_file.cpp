@@ -2,35 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <tuple>
 
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
-#include "plan/lattice/lattice_file.h"
 #include "roadmap_arrays.h"
+#include "tile_reader.h"
 
 namespace plan {
 namespace {
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 }  // namespace
-
-BendArrays::BendArrays(const std::vector<Bend>& bends) {
-  for (const Bend& bend : bends) {
-    position_.insert(position_.end(), bend.position.begin(), bend.position.end());
-    axis_.push_back(bend.axis);
-    outward_.insert(outward_.end(), bend.outward.begin(), bend.outward.end());
-  }
-}
-
-void BendArrays::append_to(std::vector<geom::NamedArray>& arrays) const {
-  arrays.push_back(geom::named_array<double>("bend_position", position_, 3));
-  arrays.push_back(geom::named_array<std::int8_t>("bend_axis", axis_));
-  arrays.push_back(geom::named_array<std::int8_t>("bend_outward", outward_, 2));
-}
 
 geom::JsonLine roadmap_meta(const RoadmapSpec& spec, const geom::Provenance& made_for) {
   geom::JsonLine meta;
@@ -41,21 +26,26 @@ geom::JsonLine roadmap_meta(const RoadmapSpec& spec, const geom::Provenance& mad
   return meta;
 }
 
-void write_roadmap(std::ostream& out, const Roadmap& roadmap) {
-  geom::JsonLine meta = roadmap_meta(roadmap.spec, roadmap.made_for);
-  meta.add("bends", roadmap.bends.size()).add("edges", roadmap.to.size() / 2);
-  const BendArrays bends(roadmap.bends);
-  std::vector<geom::NamedArray> arrays;
-  bends.append_to(arrays);
-  arrays.push_back(geom::named_array<std::uint64_t>("edge_first", roadmap.first));
-  arrays.push_back(geom::named_array<std::uint32_t>("edge_split", roadmap.split));
-  arrays.push_back(geom::named_array<std::uint32_t>("edge_to", roadmap.to));
-  if (roadmap.coarse) {
-    meta.add_json("lattice", lattice_meta(roadmap.coarse->lattice));
-    for (auto& array : lattice_arrays(roadmap.coarse->lattice)) arrays.push_back(std::move(array));
-    arrays.push_back(geom::named_array<std::uint32_t>("node_label", roadmap.coarse->label));
+void write_roadmap(std::ostream& out, std::span<const Roadmap> parts) {
+  for (const Roadmap& part : parts) {
+    if (roadmap_meta(part.spec, part.made_for).object() ==
+        roadmap_meta(parts.front().spec, parts.front().made_for).object()) {
+      continue;
+    }
+    throw geom::InputError(part.source,
+                           "expected a part of the same roadmap as the first, found "
+                           "one of another");
   }
+  const TileArrays tiles(parts);
+  geom::JsonLine meta = roadmap_meta(parts.front().spec, parts.front().made_for);
+  meta.add("bends", tiles.bends()).add("edges", tiles.edges() / 2);
+  std::vector<geom::NamedArray> arrays;
+  tiles.append_to(arrays);
   geom::write_array_archive(out, meta.line(), arrays);
+}
+
+void write_roadmap(std::ostream& out, const Roadmap& roadmap) {
+  write_roadmap(out, std::span(&roadmap, 1));
 }
 
 bool is_roadmap(const geom::ArrayArchive& archive) {
@@ -68,9 +58,10 @@ RoadmapSpec read_roadmap_spec(const geom::JsonFields& fields) {
     fields.refuse(fmt::format("expected a roadmap (format \"skyway-roadmap\"), found format \"{}\"",
                               fields.text("format", "")));
   }
-  if (fields.number("version") != kVersion) {
-    fields.refuse(fmt::format("expected roadmap version {}, found {}", kVersion,
-                              fields.number("version").value_or(0)));
+  const double version = fields.number("version").value_or(0);
+  if (version != kVersion) {
+    fields.refuse(fmt::format("expected roadmap version {}, found {}: make the roadmap again",
+                              kVersion, version));
   }
   RoadmapSpec spec{fields.number("part").value_or(0), fields.number("reach").value_or(0), {}};
   if (fields.has("region")) {
@@ -83,72 +74,27 @@ RoadmapSpec read_roadmap_spec(const geom::JsonFields& fields) {
   return spec;
 }
 
-std::vector<Bend> read_bends(const geom::ArrayArchive& archive) {
-  const auto position = archive.array<double>("bend_position", 3);
-  const auto axis = archive.array<std::int8_t>("bend_axis");
-  const auto outward = archive.array<std::int8_t>("bend_outward", 2);
-  const std::size_t n = axis.size();
-  if (position.size() != 3 * n || outward.size() != 2 * n || n > 0x7fffffff) {
-    throw geom::InputError(archive.name(), "the arrays of bends do not fit each other");
-  }
-  std::vector<Bend> bends;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3 p(position[3 * i], position[3 * i + 1], position[3 * i + 2]);
-    const bool signs = std::abs(outward[2 * i]) == 1 && std::abs(outward[2 * i + 1]) == 1;
-    if (!(p.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate) || axis[i] < 0 || axis[i] > 2 ||
-        !signs) {
-      throw geom::InputError(
-          archive.name(),
-          fmt::format(
-              "bend {} has a position, axis or sign that is impossible: the file is damaged", i));
-    }
-    bends.push_back({p, axis[i], {outward[2 * i], outward[2 * i + 1]}});
-  }
-  return bends;
-}
-
 Roadmap read_roadmap(const geom::ArrayArchive& archive) {
   const geom::JsonFields fields(archive.meta(), archive.name(), 0);
-  const auto refuse = [&](std::string_view message) {
-    throw geom::InputError(archive.name(), message);
-  };
-  Roadmap out;
-  out.spec = read_roadmap_spec(fields);
+  const RoadmapSpec spec = read_roadmap_spec(fields);
+  Roadmap out = open_tiles(archive);
+  out.spec = spec;
   out.made_for = geom::read_provenance(fields);
-  out.bends = read_bends(archive);
-  const auto first = archive.array<std::uint64_t>("edge_first");
-  const auto split = archive.array<std::uint32_t>("edge_split");
-  const auto to = archive.array<std::uint32_t>("edge_to");
-  const std::size_t n = out.bends.size();
-  if (first.size() != n + 1 || split.size() != n || first[0] != 0 || first[n] != to.size()) {
-    refuse("the arrays of bends and edges do not fit each other");
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (first[i] > first[i + 1] || split[i] > first[i + 1] - first[i]) {
-      refuse(
-          fmt::format("bend {} has a range of edges that is impossible: the file is damaged", i));
-    }
-  }
-  if (fields.has("lattice")) {
-    const auto label = archive.array<std::uint32_t>("node_label");
-    out.coarse.emplace(LabelledLattice{read_lattice(archive, fields.value("lattice").dump()),
-                                       {label.begin(), label.end()}});
-    if (out.coarse->label.size() != out.coarse->lattice.size()) {
-      refuse(fmt::format("expected {} labels of nodes, found {}", out.coarse->lattice.size(),
-                         label.size()));
-    }
-  }
-  out.first.assign(first.begin(), first.end());
-  out.split.assign(split.begin(), split.end());
-  out.to = to;
-  out.keep_alive = archive.keep_alive();
-  out.source = archive.name();
   return out;
 }
 
 void verify_roadmap(const Roadmap& roadmap) {
-  for (const std::uint32_t bend : roadmap.to) require_bend(roadmap, bend);
-  if (roadmap.coarse) verify_lattice(roadmap.coarse->lattice);
+  const TileArrays tiles({&roadmap, 1});
+  const TileReader reader(roadmap);
+  for (std::size_t t = 0; t < roadmap.tiles(); ++t) {
+    reader.extent(t);
+    const TileReader::Range bends = reader.bends(t);
+    for (std::size_t i = bends.begin; i < bends.end; ++i) {
+      reader.bend(i);
+      reader.split_of(t, i);
+      for (const std::uint32_t edge : reader.edges_of(t, i)) reader.target(t, edge);
+    }
+  }
 }
 
 }  // namespace plan

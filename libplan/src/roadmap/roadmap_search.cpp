@@ -3,11 +3,13 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "bend_tree.h"
 #include "bends.h"
 #include "frontier.h"
+#include "loaded_tiles.h"
 #include "plan/roadmap/roadmap.h"
 #include "shadows.h"
 
@@ -15,8 +17,9 @@ namespace plan {
 namespace {
 
 constexpr double kLoose = 0.08;  // how far a turn may miss wrapping: bends stand in for their part
-constexpr std::size_t kLinks = 8;    // blocked ones that cost as much as a bend settled
-constexpr std::size_t kBlind = 32;   // blocked ones, after which it pays to know what hides
+constexpr std::size_t kLinks = 8;   // blocked ones that cost as much as a bend settled
+constexpr std::size_t kBlind = 32;  // blocked ones, after which it pays to know what hides
+constexpr std::size_t kKept = std::size_t{1} << 21;  // bends that stay loaded for the next search
 constexpr double kBucket = 0x1p-12;  // of the straight line: how much longer paths of a bucket are
 
 // Whether a path that comes from one direction and leaves in another, both tangent, wraps around
@@ -59,11 +62,32 @@ class Onward {
   double ratio_;  // of Across, at most on the first side, at least on the second
 };
 
+// Of bends that tie: the one whose place is lowest, however they are numbered.
+struct LowestPlace {
+  const LoadedTiles* tiles;
+
+  bool operator()(const Open& a, const Open& b) const {
+    if (a.kind == Open::node) return a.index < b.index;
+    const Bend& one = tiles->bends()[a.index];
+    const Bend& other = tiles->bends()[b.index];
+    const auto key = [](const Bend& bend) {
+      const Vec3& p = bend.position;
+      return std::tuple(p.x(), p.y(), p.z(), bend.axis, bend.outward);
+    };
+    return key(one) < key(other);
+  }
+};
+
 }  // namespace
 
 struct RoadmapSearch::Impl {
   Impl(const geom::CollisionScene& scene, const Roadmap& roadmap)
-      : scene_(&scene), roadmap_(&roadmap), tree_(roadmap.bends), visits_(roadmap.bends.size()) {}
+      : scene_(&scene), roadmap_(&roadmap), tiles_(roadmap) {}
+  Impl(const geom::CollisionScene& scene, std::vector<Bend> bends, double reach)
+      : scene_(&scene),
+        tree_(std::in_place, bends),
+        tiles_(std::move(bends), *tree_),
+        reach_(reach) {}
 
   RoadmapResult search(const Vec3& from, const Vec3& to, const RoadmapLimits& limits);
 
@@ -78,11 +102,13 @@ struct RoadmapSearch::Impl {
   void begin(const Vec3& from, const Vec3& to, const RoadmapLimits& limits);
   void open_node(std::uint32_t node);
   void push_node(std::uint32_t node);
+  void make_room();
   bool settle(const Open& top);
   bool known_as_near(std::uint32_t bend, double cost) const;
   void reach(std::uint32_t from, std::uint32_t to, double cost);
   void look_around(std::uint32_t bend, double cost, const Across& in);
-  std::span<const std::uint32_t> onward(std::uint32_t bend, const Across& in) const;
+  std::span<const std::uint32_t> onward(std::uint32_t bend, const Across& in,
+                                        const LoadedTiles::Edges& edges);
   void expand(std::uint32_t bend, double cost, const Across& in);
   Across arrival(std::uint32_t bend) const;
   bool linked_to_start(std::uint32_t bend);
@@ -90,11 +116,13 @@ struct RoadmapSearch::Impl {
   geom::Polyline trace(std::uint32_t bend) const;
 
   const geom::CollisionScene* scene_;
-  const Roadmap* roadmap_;
-  BendTree tree_;
+  const Roadmap* roadmap_ = nullptr;  // none where there are no edges
+  std::optional<BendTree> tree_;      // where there are no edges
+  LoadedTiles tiles_;
+  double reach_ = 0;
   std::vector<Visit> visits_;
   std::uint32_t stamp_ = 0;
-  Frontier open_;
+  Frontier<LowestPlace> open_{LowestPlace{&tiles_}};
   Vec3 from_;
   Vec3 to_;
   double weight_ = 1;
@@ -112,33 +140,45 @@ void RoadmapSearch::Impl::begin(const Vec3& from, const Vec3& to, const RoadmapL
   unseen_ = 0;
   hidden_from_start_.reset();
   hidden_from_goal_.reset();
+  if (roadmap_ && tiles_.bends().size() > kKept) {
+    tiles_ = LoadedTiles(*roadmap_);
+    visits_.clear();
+  }
   if (++stamp_ == 0) {
     std::fill(visits_.begin(), visits_.end(), Visit{});
     stamp_ = 1;
   }
   const double straight = (to - from).norm();
   open_.start(weight_ * straight, std::max(kBucket * weight_ * straight, 1e-6));
-  if (!tree_.empty()) push_node(tree_.root());
+  if (!tiles_.empty()) push_node(tiles_.root());
 }
 
-void RoadmapSearch::Impl::push_node(std::uint32_t node) {
-  const double bound = tree_.distance(node, from_) + weight_ * tree_.distance(node, to_);
-  open_.push({bound, 0, node, Open::node});
+// Nodes cost more than anything, so that they come before bends that tie with them.
+void RoadmapSearch::Impl::push_node(std::uint32_t index) {
+  const BendTree::Node& node = tiles_.node(index);
+  const double bound = BendTree::distance(node, from_) + weight_ * BendTree::distance(node, to_);
+  open_.push({bound, std::numeric_limits<double>::infinity(), index, Open::node});
 }
 
 void RoadmapSearch::Impl::open_node(std::uint32_t index) {
-  if (hidden_from_start_ && hidden_from_start_->hides(tree_.box(index))) return;
-  const BendTree::Node& node = tree_.node(index);
+  if (hidden_from_start_ && hidden_from_start_->hides(BendTree::box(tiles_.node(index)))) return;
+  const BendTree::Node node = tiles_.opened(index);
+  make_room();
   for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
     if (!node.leaf) {
       push_node(i);
       continue;
     }
-    const Bend& bend = roadmap_->bends[i];
+    const Bend& bend = tiles_.bends()[i];
     if (!across(bend, from_ - bend.position).tangent()) continue;
     const double cost = (bend.position - from_).norm();
     open_.push({cost + weight_ * (to_ - bend.position).norm(), cost, i, Open::unlinked});
   }
+}
+
+// For bends that were loaded meanwhile.
+void RoadmapSearch::Impl::make_room() {
+  if (visits_.size() < tiles_.bends().size()) visits_.resize(tiles_.bends().size());
 }
 
 inline bool RoadmapSearch::Impl::known_as_near(std::uint32_t bend, double cost) const {
@@ -149,18 +189,18 @@ inline bool RoadmapSearch::Impl::known_as_near(std::uint32_t bend, double cost) 
 inline void RoadmapSearch::Impl::reach(std::uint32_t i, std::uint32_t j, double through) {
   visits_[j] = {through, i, stamp_};
   open_.push(
-      {through + weight_ * (to_ - roadmap_->bends[j].position).norm(), through, j, Open::reached});
+      {through + weight_ * (to_ - tiles_.bends()[j].position).norm(), through, j, Open::reached});
 }
 
 // Where the roadmap has no edges: those that matter, looked for.
 void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across& in) {
-  const Roadmap& map = *roadmap_;
-  const Bend& bend = map.bends[i];
-  const double reach2 = map.spec.reach * map.spec.reach;
+  const std::vector<Bend>& bends = tiles_.bends();
+  const Bend& bend = bends[i];
+  const double reach2 = reach_ * reach_;
   const Onward onward(bend, in);
   const auto skip = [&](const BendTree::Node& node) { return onward.misses(node); };
-  tree_.for_near(bend.position, map.spec.reach, skip, [&](std::uint32_t j) {
-    const Bend& other = map.bends[j];
+  tree_->for_near(bend.position, reach_, skip, [&](std::uint32_t j) {
+    const Bend& other = bends[j];
     const Vec3 d = other.position - bend.position;
     const double square = d.squaredNorm();
     if (j == i || square > reach2) return;
@@ -173,35 +213,32 @@ void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across
 }
 
 // The edges that keep wrapping around the bend's box for a path that comes from `in`.
-std::span<const std::uint32_t> RoadmapSearch::Impl::onward(std::uint32_t i,
-                                                           const Across& in) const {
-  const Roadmap& map = *roadmap_;
-  const Bend& bend = map.bends[i];
-  const auto edges = map.to.subspan(map.first[i], map.first[i + 1] - map.first[i]);
-  const auto ratio = [&](std::uint32_t j) {
-    require_bend(map, j);
-    return across(bend, map.bends[j].position - bend.position).ratio();
+std::span<const std::uint32_t> RoadmapSearch::Impl::onward(std::uint32_t i, const Across& in,
+                                                           const LoadedTiles::Edges& edges) {
+  const Bend bend = tiles_.bends()[i];
+  const auto ratio = [&](std::uint32_t edge) {
+    const std::uint32_t j = tiles_.target(edges.tile, edge);
+    return across(bend, tiles_.bends()[j].position - bend.position).ratio();
   };
   if (in.second_side()) {  // out on the first side, by at most as much
-    const auto first = edges.first(map.split[i]);
     const double most = in.ratio() + kLoose;
-    const auto end = std::partition_point(first.begin(), first.end(),
-                                          [&](std::uint32_t j) { return ratio(j) <= most; });
-    return {first.begin(), end};
+    const auto end = std::partition_point(edges.first.begin(), edges.first.end(),
+                                          [&](std::uint32_t e) { return ratio(e) <= most; });
+    return {edges.first.begin(), end};
   }
-  const auto second = edges.subspan(map.split[i]);  // by at least as much
-  const double least = in.ratio() - kLoose;
-  const auto begin = std::partition_point(second.begin(), second.end(),
-                                          [&](std::uint32_t j) { return ratio(j) < least; });
-  return {begin, second.end()};
+  const double least = in.ratio() - kLoose;  // by at least as much
+  const auto begin = std::partition_point(edges.second.begin(), edges.second.end(),
+                                          [&](std::uint32_t e) { return ratio(e) < least; });
+  return {begin, edges.second.end()};
 }
 
 void RoadmapSearch::Impl::expand(std::uint32_t i, double cost, const Across& in) {
-  const Roadmap& map = *roadmap_;
-  const Vec3& here = map.bends[i].position;
-  for (const std::uint32_t j : onward(i, in)) {
-    if (j >= map.bends.size()) require_bend(map, j);  // which is no call for most
-    const double through = cost + (map.bends[j].position - here).norm();
+  const LoadedTiles::Edges edges = tiles_.edges_of(i);
+  const Vec3 here = tiles_.bends()[i].position;
+  for (const std::uint32_t edge : onward(i, in, edges)) {
+    const std::uint32_t j = tiles_.target(edges.tile, edge);
+    if (j >= visits_.size()) make_room();
+    const double through = cost + (tiles_.bends()[j].position - here).norm();
     if (!known_as_near(j, through)) reach(i, j, through);
   }
 }
@@ -209,7 +246,7 @@ void RoadmapSearch::Impl::expand(std::uint32_t i, double cost, const Across& in)
 geom::Polyline RoadmapSearch::Impl::trace(std::uint32_t bend) const {
   geom::Polyline path = {to_};
   for (; bend != kStart; bend = visits_[bend].from) {
-    path.push_back(roadmap_->bends[bend].position);
+    path.push_back(tiles_.bends()[bend].position);
   }
   path.push_back(from_);
   std::reverse(path.begin(), path.end());
@@ -217,7 +254,7 @@ geom::Polyline RoadmapSearch::Impl::trace(std::uint32_t bend) const {
 }
 
 bool RoadmapSearch::Impl::linked_to_start(std::uint32_t i) {
-  const Vec3& bend = roadmap_->bends[i].position;
+  const Vec3& bend = tiles_.bends()[i].position;
   if (hidden_from_start_ && hidden_from_start_->hides(bend)) return false;
   if (!scene_->hits(from_, bend)) return true;
   if (++blocked_ == kBlind) hidden_from_start_.emplace(*scene_, from_);
@@ -240,13 +277,13 @@ bool RoadmapSearch::Impl::settle(const Open& top) {
 
 Across RoadmapSearch::Impl::arrival(std::uint32_t i) const {
   const std::uint32_t before = visits_[i].from;
-  const Vec3& back = before == kStart ? from_ : roadmap_->bends[before].position;
-  return across(roadmap_->bends[i], back - roadmap_->bends[i].position);
+  const Vec3& back = before == kStart ? from_ : tiles_.bends()[before].position;
+  return across(tiles_.bends()[i], back - tiles_.bends()[i].position);
 }
 
 // Whether a path that comes from `in` may end with the straight line to the goal.
 bool RoadmapSearch::Impl::sees_goal(std::uint32_t i, const Across& in) {
-  const Bend& bend = roadmap_->bends[i];
+  const Bend& bend = tiles_.bends()[i];
   const Across out = across(bend, to_ - bend.position);
   if (!out.tangent() || !wraps(in, out)) return false;
   if (hidden_from_goal_ && hidden_from_goal_->hides(bend.position)) return false;
@@ -259,7 +296,7 @@ RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,
                                           const RoadmapLimits& limits) {
   RoadmapResult result;
   begin(from, to, limits);
-  const bool has_edges = !roadmap_->first.empty();
+  const bool has_edges = roadmap_ != nullptr;
   double longest = std::numeric_limits<double>::infinity();
   while (!open_.empty() && open_.first().bound <= longest) {
     const Open top = open_.pop();
@@ -291,6 +328,9 @@ RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,
 
 RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap)
     : impl_(std::make_unique<Impl>(scene, roadmap)) {}
+RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, std::vector<Bend> bends,
+                             double reach)
+    : impl_(std::make_unique<Impl>(scene, std::move(bends), reach)) {}
 RoadmapSearch::~RoadmapSearch() = default;
 
 RoadmapResult RoadmapSearch::search(const Vec3& from, const Vec3& to, const RoadmapLimits& limits) {

@@ -337,7 +337,7 @@ TEST(Planner, LooksFromTheGoalWhereThereIsTooMuchOnTheWayToIt) {
   const Vec3 to(5.5, 5.5, 3);
   const RoadmapResult there = RoadmapSearch(scene, roadmap).search(from, to, {4000});
   const RoadmapResult back = RoadmapSearch(scene, roadmap).search(to, from, {4000});
-  EXPECT_TRUE(there.gave_up) << there.settled << " of " << roadmap.bends.size();
+  EXPECT_TRUE(there.gave_up) << there.settled << " of " << roadmap.bends();
   EXPECT_FALSE(back.gave_up) << back.settled;
   const PlanResult result = planner.plan(from, to);
   ASSERT_EQ(result.status, PathStatus::found);

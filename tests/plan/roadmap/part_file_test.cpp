@@ -5,47 +5,48 @@
 #include <algorithm>
 
 #include "geom/base/error.h"
+#include "plan/roadmap/roadmap_part.h"
 #include "plan/scenes.h"
 #include "plan/through_file.h"
 
 namespace plan {
 namespace {
 
-TEST(RoadmapPartFile, ComesBackWithItsLattice) {
-  const auto scene = random_scene(2, 60, 90, {0.5, 0.5, 0.25});
+TEST(RoadmapPartFile, ComesBack) {
+  const auto scene = random_scene(2, 60, 400, {0.5, 0.5, 0.25});
   RoadmapSpec spec;
   spec.reach = 40;
-  const RoadmapPart part = build_roadmap_part(scene, spec, {0, 2});
-  const RoadmapPart back = through_file(part);
+  const Roadmap part = build_roadmap_part(scene, spec, {0, 2});
+  ASSERT_GT(part.tiles(), 1u);
+  const Roadmap back = through_file(part);
   EXPECT_EQ(back.spec.reach, 40);
-  EXPECT_EQ(back.boxes, part.boxes);
-  EXPECT_EQ(back.bends_of, part.bends_of);
-  ASSERT_FALSE(part.near_box.empty());
-  EXPECT_EQ(back.near_box, part.near_box);
-  EXPECT_EQ(back.near_bends, part.near_bends);
-  EXPECT_TRUE(std::ranges::equal(back.edges.to, part.edges.to));
-  EXPECT_EQ(back.coarse.has_value(), part.coarse.has_value());
+  EXPECT_EQ(back.made_for.map, scene.map().hash());
+  EXPECT_TRUE(std::ranges::equal(back.tile_index, part.tile_index));
+  EXPECT_TRUE(std::ranges::equal(back.tile_extent, part.tile_extent));
+  EXPECT_TRUE(std::ranges::equal(back.tile_first, part.tile_first));
+  EXPECT_TRUE(std::ranges::equal(back.bend_position, part.bend_position));
+  EXPECT_TRUE(std::ranges::equal(back.edge_to, part.edge_to));
   EXPECT_EQ(arrays_and_meta(arrays_of(back)), arrays_and_meta(arrays_of(part)));
 }
 
 TEST(RoadmapPartFile, WhoseArraysDoNotFitIsRefused) {
-  const auto scene = random_scene(2, 60, 90, {0.5, 0.5, 0.25});
+  const auto scene = random_scene(2, 60, 400, {0.5, 0.5, 0.25});
   RoadmapSpec spec;
   spec.reach = 40;
-  const RoadmapPart good = build_roadmap_part(scene, spec, {0, 2});
+  const Roadmap good = build_roadmap_part(scene, spec, {0, 2});
   const auto refused = [&](const auto& spoil) {
-    RoadmapPart part = good;
-    std::vector<std::uint64_t> first(good.edges.first.begin(), good.edges.first.end());
+    Roadmap part = good;
+    std::vector<std::uint64_t> first(good.tile_first.begin(), good.tile_first.end());
+    part.tile_first = first;
     spoil(part, first);
-    part.edges.first = first;
     EXPECT_THROW(through_file(part), geom::InputError);
   };
   EXPECT_NO_THROW(through_file(good));
-  refused([](RoadmapPart& part, auto&) { part.near_bends.pop_back(); });
-  refused([](RoadmapPart& part, auto&) { part.edges.to = part.edges.to.first(1); });
-  refused([](RoadmapPart&, auto& first) { first.pop_back(); });
-  refused([](RoadmapPart&, auto& first) { first[0] = 1; });
-  refused([](RoadmapPart&, auto& first) { first[1] = first.back() + 1; });
+  refused([](Roadmap& part, auto&) { part.edge_split = part.edge_split.first(1); });
+  refused([](Roadmap& part, auto&) { part.edge_to = part.edge_to.first(1); });
+  refused([](Roadmap& part, auto&) { part.tile_extent = part.tile_extent.first(6); });
+  refused([](Roadmap&, auto& first) { first[0] = 1; });
+  refused([](Roadmap&, auto& first) { first[1] = first.back() + 1; });
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "plan/file_bytes.h"
 #include "plan/roadmap/roadmap.h"
 #include "plan/scenes.h"
+#include "roadmap/squares.h"
 #include "support/random_city.h"
 
 namespace plan {
@@ -28,10 +29,10 @@ TEST_P(RoadmapFileProperty, ComesBack) {
   const std::string bytes = out.str();
   const Roadmap back =
       read_roadmap(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "test.roadmap"));
-  EXPECT_TRUE(std::ranges::equal(back.to, roadmap.to));
-  EXPECT_EQ(back.first, roadmap.first);
-  EXPECT_EQ(back.split, roadmap.split);
-  ASSERT_EQ(back.bends.size(), roadmap.bends.size());
+  EXPECT_TRUE(std::ranges::equal(back.edge_to, roadmap.edge_to));
+  EXPECT_TRUE(std::ranges::equal(back.edge_first, roadmap.edge_first));
+  EXPECT_TRUE(std::ranges::equal(back.edge_split, roadmap.edge_split));
+  ASSERT_EQ(back.bends(), roadmap.bends());
   EXPECT_EQ(back.made_for.map, scene.map().hash());
 }
 
@@ -40,9 +41,9 @@ INSTANTIATE_TEST_SUITE_P(Cities, RoadmapFileProperty, testing::Values(1, 2, 3));
 TEST(RoadmapFile, RefusesAnEdgeThatLeadsNowhere) {
   const auto scene = city(1);
   Roadmap roadmap = build_roadmap(scene, {10, 60, {}});
-  std::vector<std::uint32_t> to(roadmap.to.begin(), roadmap.to.end());
-  to[5] = static_cast<std::uint32_t>(roadmap.bends.size());
-  roadmap.to = to;
+  std::vector<std::uint32_t> to(roadmap.edge_to.begin(), roadmap.edge_to.end());
+  to[5] |= Squares::kLocalMask;
+  roadmap.edge_to = to;
   std::ostringstream out;
   write_roadmap(out, roadmap);
   const std::string bytes = out.str();
@@ -61,9 +62,8 @@ TEST(RoadmapFile, RefusesAnEdgeThatLeadsNowhere) {
 TEST(RoadmapFile, IsNotFollowedWhereItLeadsNowhere) {
   const auto scene = city(1);
   Roadmap roadmap = build_roadmap(scene, {});
-  const std::vector<std::uint32_t> to(roadmap.to.size(),
-                                      static_cast<std::uint32_t>(roadmap.bends.size()));
-  roadmap.to = to;
+  const std::vector<std::uint32_t> to(roadmap.edge_to.size(), 0xffffffff);
+  roadmap.edge_to = to;
   RoadmapSearch search(scene, roadmap);
   support::Random random(1);
   int refused = 0;

@@ -8,6 +8,7 @@
 #include "plan/planner/plan.h"
 #include "plan/planner/taut.h"
 #include "plan/roadmap/roadmap_file.h"
+#include "roadmap/tiled.h"
 #include "support/random_city.h"
 
 namespace plan {
@@ -49,7 +50,7 @@ TEST(Roadmap, GivesUpWhereTheStartSeesNothing) {
   const geom::CollisionScene scene(geom::BoxMap(spec, support::table_of(boxes)), {"box", {1, 1, 1}},
                                    0);
   const Roadmap roadmap = build_roadmap(scene, {});
-  ASSERT_GT(roadmap.bends.size(), 50u);
+  ASSERT_GT(roadmap.bends(), 50u);
   RoadmapSearch search(scene, roadmap);
   for (const std::size_t limit : {1u, 1000u}) {
     const RoadmapResult none = search.search({0, 0, 4}, {0, 40, 4}, {limit});
@@ -69,8 +70,9 @@ TEST(Roadmap, BendsAtTheCornersOfAFlatBox) {
                    support::table_of({{{0, 0, 5}, {10, 10, 5}}, {{-1, -1, 0}, {12, 12, 4.9985}}})),
       {"box", {0, 0, 0}}, 0);
   const Roadmap roadmap = build_roadmap(scene, {});
+  const std::vector<Bend> bends = flattened(roadmap).tiles.bends;
   EXPECT_EQ(
-      std::count_if(roadmap.bends.begin(), roadmap.bends.end(),
+      std::count_if(bends.begin(), bends.end(),
                     [](const Bend& bend) { return bend.axis == 2 && bend.position.z() == 5; }),
       4);
 }
@@ -80,21 +82,41 @@ class RoadmapProperty : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(RoadmapProperty, BendsAreFreeAndEdgesSeeEachOtherBothWays) {
   const auto scene = city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {10, 120, {}}, {2, {}});
-  ASSERT_GT(roadmap.bends.size(), 100u);
-  ASSERT_EQ(roadmap.first.size(), roadmap.bends.size() + 1);
-  const auto edges = [&](std::size_t i) {
-    return std::span(roadmap.to).subspan(roadmap.first[i], roadmap.first[i + 1] - roadmap.first[i]);
-  };
-  for (std::size_t i = 0; i < roadmap.bends.size(); ++i) {
-    const Vec3& p = roadmap.bends[i].position;
+  const auto [tiles, edges] = flattened(roadmap);
+  ASSERT_GT(tiles.bends.size(), 100u);
+  ASSERT_EQ(edges.first.size(), tiles.bends.size() + 1);
+  for (std::size_t i = 0; i < tiles.bends.size(); ++i) {
+    const Vec3& p = tiles.bends[i].position;
     ASSERT_TRUE(scene.free(p));
-    for (const std::uint32_t j : edges(i)) {
-      const Vec3& q = roadmap.bends[j].position;
+    for (const std::uint32_t j : edges.of(i)) {
+      const Vec3& q = tiles.bends[j].position;
       ASSERT_LE((q - p).norm(), 120);
       ASSERT_FALSE(scene.hits(p, q));
-      const auto back = edges(j);
+      const auto back = edges.of(j);
       ASSERT_TRUE(std::find(back.begin(), back.end(), i) != back.end());
     }
+  }
+}
+
+// A search that finds tiles loaded by others gives what the first gives.
+TEST_P(RoadmapProperty, AnswersDoNotDependOnEarlierSearches) {
+  const auto scene = city(GetParam());
+  const Roadmap roadmap = build_roadmap(scene, {10, 60, {}}, {2, {}});
+  RoadmapSearch kept(scene, roadmap);
+  support::Random random(GetParam());
+  int compared = 0;
+  while (compared < 30) {
+    const auto point = [&] {
+      return Vec3(random.uniform(-190, 190), random.uniform(-190, 190), random.uniform(1, 20));
+    };
+    const Vec3 from = point();
+    const Vec3 to = point();
+    if (!scene.free(from) || !scene.free(to) || scene.free(from, to)) continue;
+    ++compared;
+    const RoadmapResult a = kept.search(from, to, {20000, 4, 0.1});
+    const RoadmapResult b = RoadmapSearch(scene, roadmap).search(from, to, {20000, 4, 0.1});
+    ASSERT_EQ(a.settled, b.settled);
+    ASSERT_EQ(a.paths, b.paths);
   }
 }
 
@@ -112,12 +134,8 @@ TEST_P(RoadmapProperty, IsTheSameForAnyThreads) {
 TEST_P(RoadmapProperty, FindsTheSameWaysWhereEdgesAreYetToBeLookedFor) {
   const auto scene = city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {10, 120, {}}, {2, {}});
-  Roadmap bends;
-  bends.spec = roadmap.spec;
-  bends.made_for = roadmap.made_for;
-  bends.bends = roadmap.bends;
   RoadmapSearch by_edges(scene, roadmap);
-  RoadmapSearch by_bends(scene, bends);
+  RoadmapSearch by_bends(scene, flattened(roadmap).tiles.bends, roadmap.spec.reach);
   support::Random random(GetParam());
   int compared = 0;
   while (compared < 40) {

@@ -222,16 +222,21 @@ def lying_lattice(path, out):
 
 
 def lying_roadmap(path, out, rng, move):
-    """Edges lead anywhere, all places of the lattice are one; where asked, bends lie anywhere too."""
+    """Edges lead anywhere; where asked, bends lie anywhere too, and tiles reach over all of them."""
     meta, arrays = read(path)
     n = len(arrays["bend_axis"])
-    arrays["edge_to"] = rng.integers(0, n, len(arrays["edge_to"]), dtype="<u4")
-    arrays["node_label"] = numpy.ones_like(arrays["node_label"])
-    arrays["block_record"] = numpy.full_like(arrays["block_record"], 0xFFFFFFFE)
-    arrays["records"] = arrays["records"][:0]
+    tile = numpy.searchsorted(arrays["tile_edges"], numpy.arange(len(arrays["edge_to"])), "right") - 1
+    counts = numpy.diff(arrays["tile_first"])
+    index, around = {tuple(i): t for t, i in enumerate(arrays["tile_index"].tolist())}, 5  # of a reach of 500 m
+    slot = arrays["edge_to"] >> 24
+    column = arrays["tile_index"][tile, 0] + slot % (2 * around + 1) - around
+    row = arrays["tile_index"][tile, 1] + slot // (2 * around + 1) - around
+    there = counts[[index[place] for place in zip(column.tolist(), row.tolist())]]
+    arrays["edge_to"] = slot << 24 | (rng.random(len(slot)) * there).astype("<u4")
     if move:
-        low, high = numpy.array(meta["lattice"]["origin"]), arrays["bend_position"].max(0)
+        low, high = arrays["bend_position"].min(0), arrays["bend_position"].max(0)
         arrays["bend_position"] = rng.uniform(low, high, (n, 3))
+        arrays["tile_extent"][:] = numpy.hstack([low - 1, high + 1])
     write(out, meta, arrays)
 
 

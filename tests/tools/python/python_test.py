@@ -55,7 +55,8 @@ def test_arrays_are_those_of_the_files(out):
     assert (masks >> 31).sum() == lattice.nodes
     assert sum(int((masks >> d & 1).sum()) for d in range(13)) == lattice.edges
     roadmap, raw = skyway.read_roadmap(f"{out}/city.roadmap"), numpy.load(f"{out}/city.roadmap")
-    for name in ("bend_position", "bend_axis", "bend_outward", "edge_first", "edge_split", "edge_to"):
+    for name in ("tile_index", "tile_extent", "tile_first", "tile_edges", "bend_position", "bend_axis", "bend_outward",
+                 "edge_first", "edge_split", "edge_to"):
         ours = getattr(roadmap, name)
         assert ours.dtype == raw[name].dtype and numpy.array_equal(ours, raw[name]), name
 

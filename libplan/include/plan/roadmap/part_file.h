@@ -6,15 +6,15 @@
 #include <string_view>
 
 #include "plan/lattice/part_file.h"
-#include "plan/roadmap/roadmap_part.h"
+#include "plan/roadmap/roadmap.h"
 
 namespace plan {
 
-PartArrays arrays_of(const RoadmapPart& part);
+// The arrays refer to the part, which must outlive them.
+PartArrays arrays_of(const Roadmap& part);
 
-// `meta_json` is that of PartArrays; the edges refer to the archive's bytes. Throws
+// `meta_json` is that of PartArrays; the roadmap refers to the archive's bytes. Throws
 // geom::InputError where arrays don't fit each other.
-RoadmapPart read_roadmap_part(const geom::ArrayArchive& archive, std::string_view meta_json,
-                              const geom::Shard& shard);
+Roadmap read_roadmap_part(const geom::ArrayArchive& archive, std::string_view meta_json);
 
 }  // namespace plan

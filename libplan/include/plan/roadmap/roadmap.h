@@ -14,7 +14,6 @@
 #include "geom/collision/collision.h"
 #include "geom/record/record.h"
 #include "geom/shape/polyline.h"
-#include "plan/lattice/lattice.h"
 
 namespace plan {
 
@@ -33,43 +32,47 @@ struct RoadmapSpec {
   std::optional<geom::Aabb> region;  // only around boxes that, once grown, meet it
 };
 
-// A lattice and which of its nodes are joined by paths on it.
-struct LabelledLattice {
-  Lattice lattice;
-  std::vector<std::uint32_t> label;  // of each node; 0: blocked
-};
-
-LabelledLattice label_components(Lattice lattice);
-
-// Immutable. Edges of bend i are to[first[i]] … to[first[i + 1]]; the first `split[i]` of them run
-// to the side where, across the box edge and with outward signs, x < y, the others to the other
-// side; each part ascends by |y| / (|x| + |y|). So the edges that keep wrapping around the box from
-// a given direction are one range of one part.
+// Immutable, and cheap to copy: the arrays are mapped from a file or owned. Bends are kept in
+// tiles, which are squares of the plan, so that what a search touches is read and nothing else. An
+// edge names a tile near its own and the number of a bend in that (docs/formats.md). The edges of
+// bend i begin at edge_first[i] of those of its tile; the first edge_split[i] of them run to the
+// side where, across the box edge and with outward signs, x < y, the others to the other side; each
+// part ascends by |y| / (|x| + |y|). So the edges that keep wrapping around the box from a given
+// direction are one range of one part. Nothing of it is verified before it is used.
 struct Roadmap {
   RoadmapSpec spec;
-  geom::Provenance made_for;  // map, frame, vehicle, margin
-  std::vector<Bend> bends;
-  std::vector<std::uint64_t> first;  // one more than bends
-  std::vector<std::uint32_t> split;
-  std::span<const std::uint32_t> to;       // read from a file as searches go: see require_bend
-  std::shared_ptr<const void> keep_alive;  // of what `to` is a part of
+  geom::Provenance made_for;                  // map, frame, vehicle, margin
+  std::span<const std::int32_t> tile_index;   // column and row of each square
+  std::span<const float> tile_extent;         // of its bends: least x, y, z, greatest x, y, z
+  std::span<const std::uint64_t> tile_first;  // its first bend; one more than tiles
+  std::span<const std::uint64_t> tile_edges;  // its first edge; one more than tiles
+  std::span<const double> bend_position;      // x, y, z
+  std::span<const std::int8_t> bend_axis;
+  std::span<const std::int8_t> bend_outward;  // two each
+  std::span<const std::uint32_t> edge_first;
+  std::span<const std::uint32_t> edge_split;
+  std::span<const std::uint32_t> edge_to;
+  std::shared_ptr<const void> keep_alive;  // of all these
   std::string source = "roadmap";          // for messages
-  std::optional<LabelledLattice> coarse;   // of 10 m, 26 neighbours, where bends are sought
+
+  std::size_t tiles() const { return tile_index.size() / 2; }
+  std::size_t bends() const { return bend_axis.size(); }
+  std::size_t edges() const { return edge_to.size() / 2; }  // that can be used both ways
+  Bend bend(std::size_t i) const {
+    return {Vec3(bend_position[3 * i], bend_position[3 * i + 1], bend_position[3 * i + 2]),
+            bend_axis[i],
+            {bend_outward[2 * i], bend_outward[2 * i + 1]}};
+  }
 };
 
-// Throws geom::InputError where an edge of a file leads to no bend.
-void require_bend(const Roadmap& roadmap, std::uint32_t bend);
-
-// The bends of a roadmap without its edges and lattice, around boxes that come within `width`
-// metres of the path (by their bounding boxes): RoadmapSearch then works out edges where it needs
-// them.
-Roadmap bends_along(const geom::CollisionScene& scene, const RoadmapSpec& spec,
-                    const geom::Polyline& path, double width);
+// Bends around boxes that come within `width` metres of the path (by their bounding boxes).
+std::vector<Bend> bends_along(const geom::CollisionScene& scene, double part,
+                              const geom::Polyline& path, double width);
 
 // Bends are kept where the space around the box edge, but for the box, is free, and inside the
 // bounds; edges where the bends are within reach, see each other (exact), and the line is tangent
 // to both boxes. Cost: bends times those within reach of each. The same for any number of threads.
-// Throws geom::InputError where there would be more than 2^31 edges.
+// Throws geom::InputError where a tile would have more than 2^24 bends.
 Roadmap build_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec,
                       const geom::Execution& run = {});
 
@@ -90,12 +93,16 @@ struct RoadmapResult {
 };
 
 // Shortest taut paths that end with different bends, by A* with the straight-line distance; links
-// to start and goal are checked only when they could matter. Ties go to the lowest bend. The
-// workspace is kept between searches, and no search depends on an earlier one. Roadmap and scene
-// must outlive it; one thread at a time.
+// to start and goal are checked only when they could matter. Ties go to the bend whose x, then y,
+// then z is lowest. What was read of the roadmap is kept between searches, and no search depends on
+// an earlier one. Roadmap and scene must outlive it; one thread at a time.
 class RoadmapSearch {
  public:
+  // Throws geom::InputError where a search comes upon what no roadmap says.
   RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap);
+
+  // Of bends without edges: a search works out those that it needs.
+  RoadmapSearch(const geom::CollisionScene& scene, std::vector<Bend> bends, double reach);
   ~RoadmapSearch();
 
   // Start and goal are free and do not see each other.

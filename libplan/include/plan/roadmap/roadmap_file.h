@@ -3,6 +3,7 @@
 // `.roadmap`: a roadmap as a ZIP of NumPy arrays (docs/formats.md).
 
 #include <iosfwd>
+#include <span>
 
 #include "geom/archive/array_archive.h"
 #include "plan/roadmap/roadmap.h"
@@ -11,13 +12,17 @@ namespace plan {
 
 void write_roadmap(std::ostream& out, const Roadmap& roadmap);
 
+// All tiles of the parts of a roadmap, which follow each other: bit for bit what one run writes. No
+// part is held in memory beyond its table of tiles. Throws geom::InputError where they are not of
+// one roadmap, or their tiles do not ascend. There is at least one part.
+void write_roadmap(std::ostream& out, std::span<const Roadmap> parts);
+
 bool is_roadmap(const geom::ArrayArchive& archive);
 
-// Throws geom::InputError for another kind of file, arrays of other lengths, and an axis or a sign
-// that is none. Edges are opened lazily: one to a bend that is not there is refused where a search
-// meets it, and what an edge crosses is not looked at.
+// Throws geom::InputError for another kind of file and arrays of other lengths. Nothing else is
+// looked at: what cannot be is refused where a search meets it.
 Roadmap read_roadmap(const geom::ArrayArchive& archive);
 
-void verify_roadmap(const Roadmap& roadmap);  // every edge, and the lattice; InputError
+void verify_roadmap(const Roadmap& roadmap);  // every tile, bend and edge; InputError
 
 }  // namespace plan
