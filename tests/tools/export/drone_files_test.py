@@ -305,7 +305,12 @@ def named_missions():
     expect("wpl: a mission", 0, "wpl", wpl(*good), records=1)
     expect("plan: a mission", 0, "qgc-plan", plan(), records=1)
     for name, command, params in (("a spline", 82, (0, 0, 0, 0)), ("turns", 18, (3, 0, 20, 0)),
-                                  ("loitering on a circle", 19, (5, 0, 30, 0)), ("a jump", 177, (1, 5, 0, 0)),
+                                  ("loitering on a circle", 19, (5, 0, 30, 0)), ("a climb", 31, (0, 0, 0, 0))):
+        other = item(command, (50, -20, 20), params)
+        expect(f"wpl: {name} through the tower", 1, "wpl", wpl(TAKEOFF, other, POINT, LAND))
+        expect(f"plan: {name} through the tower", 1, "qgc-plan", plan((TAKEOFF, other, POINT, LAND)))
+    for name, command, params in (("a jump back to the take-off", 177, (1, 5, 0, 0)), ("a jump for ever", 177, (2, -1, 0, 0)),
+                                  ("turns on no circle", 18, (3, 0, 0, 0)), ("half a turn", 18, (0.5, 0, 20, 0)),
                                   ("a change of height", 113, (1, 0, 0, 50)), ("a new home", 179, (1, 0, 0, 0)),
                                   ("a mode", 176, (1, 4, 0, 0)), ("a new place", 192, (-1, 1, 0, 0)),
                                   ("a parachute", 208, (2, 0, 0, 0)), ("an orbit", 34, (10, 1, 0, 0)),
@@ -331,7 +336,11 @@ def named_missions():
     expect("wpl: a NUL", 3, "wpl", wpl(*good).replace("\t", "\0", 1))
     for key, value in (("circles", [{"circle": {"center": [47, 8], "radius": 10}, "inclusion": True}]),
                        ("polygons", [{"inclusion": True, "polygon": [[47, 8], [47, 9], [48, 9]]}])):
-        expect(f"plan: a fence of {key}", 3, "qgc-plan", plan(change=lambda p: p["geoFence"].update({key: value})))
+        expect(f"plan: a fence of {key}", 1, "qgc-plan", plan(change=lambda p: p["geoFence"].update({key: value})))
+    wide = [{"circle": {"center": [LAT, LON], "radius": 500}, "inclusion": True}]
+    expect("plan: a fence that is kept", 0, "qgc-plan", plan(change=lambda p: p["geoFence"].update(circles=wide)))
+    crossed = [{"inclusion": True, "polygon": [[46.9, 7.9], [47.1, 8.1], [47.1, 7.9], [46.9, 8.1]]}]
+    expect("plan: a fence whose edges cross", 3, "qgc-plan", plan(change=lambda p: p["geoFence"].update(polygons=crossed)))
     expect("plan: a plane", 3, "qgc-plan", plan(change=lambda p: p["mission"].update(vehicleType=1)))
     expect("plan: a survey", 3, "qgc-plan",
            plan(change=lambda p: p["mission"]["items"].insert(1, {"type": "ComplexItem", "complexItemType": "survey"})))
