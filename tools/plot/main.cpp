@@ -22,6 +22,7 @@
 #include "plan_view.h"
 #include "tracking.h"
 #include "tracks.h"
+#include "traj/curve/to_enu.h"
 
 namespace {
 
@@ -94,10 +95,24 @@ std::string profile(const Options& options) {
   return plot::motion_profile(drawn.record, drawn.note);
 }
 
+// The trajectory of the flight's id, else the first.
+const traj::TrajectoryRecord& plan_of(const traj::FlightLog& flight,
+                                      const cli::Contents& contents) {
+  for (const auto& read : contents.trajectories) {
+    if (read.record.id == flight.id) return read.record;
+  }
+  return contents.trajectories.front().record;
+}
+
 std::string tracking(const Options& options) {
   const cli::Contents contents = read(options, nullptr);
   const auto drawn = one_of(contents.flights, options, "a flight log");
-  return plot::tracking(drawn.record, drawn.note);
+  if (contents.trajectories.empty()) return plot::tracking(drawn.record, drawn.note);
+  cli::require_same_map(contents, nullptr);
+  const traj::TrajectoryRecord& plan = plan_of(drawn.record, contents);
+  const traj::Trajectory enu =
+      traj::to_enu(plan.provenance.frame.value_or(geom::Axes::enu), plan.trajectory);
+  return plot::tracking(drawn.record, drawn.note, &enu);
 }
 
 // What the title says of paths that are not drawn, because what moves is.
@@ -169,7 +184,10 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
   plan_verb->add_option("files", options.inputs, "what to draw on it; - for stdin");
   profile_verb->add_option("file", options.inputs, "trajectories; the first solved one is drawn")
       ->required();
-  tracking_verb->add_option("file", options.inputs, "flight log; the first flight is drawn")
+  tracking_verb
+      ->add_option("file", options.inputs,
+                   "flight log, the first flight of which is drawn, and perhaps the "
+                   "trajectory that it was to follow")
       ->required();
   clearance_verb->add_option("files", options.inputs, "paths, or trajectories and flights")
       ->required();

@@ -19,7 +19,10 @@ using traj::FlightSample;
 std::vector<Point> curve(const traj::FlightLog& flight,
                          const std::function<double(const FlightSample&)>& value) {
   std::vector<Point> points;
-  for (const FlightSample& s : flight.samples) points.push_back({s.time, value(s)});
+  for (const FlightSample& s : flight.samples) {
+    const double y = value(s);
+    if (!std::isnan(y)) points.push_back({s.time, y});
+  }
   return points;
 }
 
@@ -27,19 +30,35 @@ double error(const FlightSample& s) { return (s.position - s.setpoint_position).
 
 double tilt(const FlightSample& s) {
   const double up = (s.attitude * geom::Vec3::UnitZ()).z();
+  if (std::isnan(up)) return up;
   return std::acos(std::clamp(up, -1.0, 1.0)) * kDegrees;
 }
 
 Panel error_panel(const traj::FlightLog& flight) {
   Panel panel{"error, m", {{"", colour(1), curve(flight, error)}}};
+  if (panel.series[0].points.empty()) return panel;
   const Point most = *std::max_element(panel.series[0].points.begin(), panel.series[0].points.end(),
                                        [](const Point& a, const Point& b) { return a.y < b.y; });
   panel.marks = {{most, fmt::format("largest {:.3g} m", most.y)}};
   return panel;
 }
 
-Panel axis_panel(const traj::FlightLog& flight, int axis, const char* label) {
-  return {
+Series plan_series(const traj::Trajectory& plan, int axis) {
+  constexpr double kStep = 0.05;  // s
+  constexpr double kMost = 20000;
+  const double end = traj::duration(plan);
+  const double count = std::clamp(std::ceil(end / kStep), 1.0, kMost);
+  Series series{"plan", colour(2), {}, true};
+  for (double k = 0; k <= count; ++k) {
+    const double t = end * (k / count);
+    series.points.push_back({t, traj::evaluate(plan, t).position[axis]});
+  }
+  return series;
+}
+
+Panel axis_panel(const traj::FlightLog& flight, int axis, const char* label,
+                 const traj::Trajectory* plan) {
+  Panel panel{
       label,
       {{"flown", colour(0),
         curve(flight, [axis](const FlightSample& s) { return s.position[axis]; })},
@@ -48,6 +67,30 @@ Panel axis_panel(const traj::FlightLog& flight, int axis, const char* label) {
       {},
       {},
       false};
+  if (plan) panel.series.push_back(plan_series(*plan, axis));
+  return panel;
+}
+
+// Without curves that have no points, and without what is empty then.
+std::vector<Panel> not_empty(std::vector<Panel> panels) {
+  for (Panel& panel : panels) {
+    std::erase_if(panel.series, [](const Series& s) { return s.points.empty(); });
+  }
+  std::erase_if(panels, [](const Panel& panel) { return panel.series.empty(); });
+  return panels;
+}
+
+std::string error_words(const traj::FlightLog& flight) {
+  double squares = 0;
+  std::size_t known = 0;
+  for (const FlightSample& s : flight.samples) {
+    if (!traj::is_known(s.setpoint_position)) continue;
+    squares += error(s) * error(s);
+    ++known;
+  }
+  if (known == 0) return "no setpoints";
+  return fmt::format("tracking error {:.3g} m root mean square",
+                     std::sqrt(squares / static_cast<double>(known)));
 }
 
 Panel motor_panel(const traj::FlightLog& flight) {
@@ -61,27 +104,25 @@ Panel motor_panel(const traj::FlightLog& flight) {
 
 }  // namespace
 
-std::string tracking(const traj::FlightLog& flight, std::string_view note) {
-  double squares = 0;
-  for (const FlightSample& s : flight.samples) squares += error(s) * error(s);
-  const double mean = squares / static_cast<double>(flight.samples.size());
+std::string tracking(const traj::FlightLog& flight, std::string_view note,
+                     const traj::Trajectory* plan) {
   Figure figure;
   figure.title =
-      fmt::format("{}: {:.2f} s flown, tracking error {:.3g} m root mean square", flight.id,
-                  flight.samples.back().time - flight.samples.front().time, std::sqrt(mean));
+      fmt::format("{}: {:.2f} s flown, {}", flight.id,
+                  flight.samples.back().time - flight.samples.front().time, error_words(flight));
   figure.title += note;
   figure.x_label = "time, s";
-  figure.panels = {
-      error_panel(flight),
-      axis_panel(flight, 0, "east, m"),
-      axis_panel(flight, 1, "north, m"),
-      axis_panel(flight, 2, "up, m"),
-      {"speed, m/s",
-       {{"flown", colour(0), curve(flight, [](const auto& s) { return s.velocity.norm(); })},
-        {"setpoint", colour(1),
-         curve(flight, [](const auto& s) { return s.setpoint_velocity.norm(); }), true}}},
-      {"tilt, \u00b0", {{"", colour(0), curve(flight, tilt)}}},
-      motor_panel(flight)};
+  figure.panels = not_empty(
+      {error_panel(flight),
+       axis_panel(flight, 0, "east, m", plan),
+       axis_panel(flight, 1, "north, m", plan),
+       axis_panel(flight, 2, "up, m", plan),
+       {"speed, m/s",
+        {{"flown", colour(0), curve(flight, [](const auto& s) { return s.velocity.norm(); })},
+         {"setpoint", colour(1),
+          curve(flight, [](const auto& s) { return s.setpoint_velocity.norm(); }), true}}},
+       {"tilt, \u00b0", {{"", colour(0), curve(flight, tilt)}}},
+       motor_panel(flight)});
   return drawn(figure);
 }
 

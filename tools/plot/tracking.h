@@ -5,13 +5,16 @@
 #include <string>
 #include <string_view>
 
+#include "traj/curve/trajectory.h"
 #include "traj/record/flight_log.h"
 
 namespace plot {
 
 // An SVG of the distance between vehicle and setpoint over time with its root mean square and
 // largest value, of position beside setpoint on each axis, of speed, of tilt, and of the motors.
-// `note` stands after the title.
-std::string tracking(const traj::FlightLog& flight, std::string_view note = "");
+// What the log does not say is left out. `plan`, where there is one, in ENU: drawn beside the
+// position, from the log's time 0 on. `note` stands after the title.
+std::string tracking(const traj::FlightLog& flight, std::string_view note = "",
+                     const traj::Trajectory* plan = nullptr);
 
 }  // namespace plot

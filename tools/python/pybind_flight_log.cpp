@@ -59,7 +59,9 @@ void bind_flight_log(py::module_& module) {
       .def_property_readonly("setpoint_yaw",
                              column_of({}, [](const S& s) { return &s.setpoint_yaw; }))
       .def_property_readonly("motors", column_of({4}, [](const S& s) { return s.motors.data(); }))
-      .def_property_readonly("saturated", &saturations);
+      .def_property_readonly("saturated", &saturations)
+      .def_property_readonly("battery", column_of({}, [](const S& s) { return &s.battery; }))
+      .def_readonly("cut", &FlightLog::cut);
   module.def(
       "read_flight_logs",
       [](const std::string& path) {

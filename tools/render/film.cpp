@@ -51,7 +51,7 @@ std::vector<StripChart> charts_of(const Motion& motion, int width) {
   const double end = motion.end();
   Chart speed{"speed, m/s", begin, end, [&motion](double t) { return motion.speed(t); }};
   Chart other{"height, m", begin, end, [&motion](double t) { return motion.pose(t).position.z(); }};
-  if (motion.is_flight()) {
+  if (motion.has_setpoints()) {
     other = {"tracking error, m", begin, end,
              [&motion](double t) { return motion.tracking_error(t); }};
   }

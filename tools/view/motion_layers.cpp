@@ -81,18 +81,34 @@ double tracking_error(const traj::FlightSample& s) {
 Json flight_summary(const traj::FlightLog& log) {
   double worst = 0;
   double squares = 0;
+  std::size_t asked = 0;
   std::size_t saturated = 0;
+  bool motors = true;
   for (const traj::FlightSample& s : log.samples) {
+    saturated += s.saturated;
+    motors = motors && !std::isnan(s.motors[0]);
+    if (!traj::is_known(s.setpoint_position)) continue;
     const double error = tracking_error(s);
     worst = std::max(worst, error);
     squares += error * error;
-    saturated += s.saturated;
+    ++asked;
   }
-  const auto rows = static_cast<double>(log.samples.size());
-  return {{"rows", log.samples.size()},
-          {"error_max", worst},
-          {"error_rms", std::sqrt(squares / rows)},
-          {"saturated", static_cast<double>(saturated) / rows}};
+  Json out = {{"rows", log.samples.size()}};
+  if (asked > 0) out["error_max"] = worst;
+  if (asked > 0) out["error_rms"] = std::sqrt(squares / static_cast<double>(asked));
+  if (motors) {
+    out["saturated"] = static_cast<double>(saturated) / static_cast<double>(log.samples.size());
+  }
+  return out;
+}
+
+// Whether the log says it in any row, and in all.
+bool is_known(const std::vector<float>& values) {
+  return std::any_of(values.begin(), values.end(), [](float v) { return !std::isnan(v); });
+}
+
+bool is_whole(const std::vector<float>& values) {
+  return std::none_of(values.begin(), values.end(), [](float v) { return std::isnan(v); });
 }
 
 // The arrays of a flight, by name.
@@ -118,13 +134,16 @@ struct Columns {
   void write(Json& out, Bundle& bundle) const {
     out["time"] = added(time, bundle);
     out["position"] = added(position, bundle);
-    out["velocity"] = added(velocity, bundle);
-    out["attitude"] = added(attitude, bundle);
-    out["rates"] = added(rates, bundle);
-    out["setpoint"] = added(setpoint, bundle);
-    out["setpoint_velocity"] = added(setpoint_velocity, bundle);
-    out["error"] = added(error, bundle);
-    out["motors"] = added(motors, bundle);
+    const auto add = [&](const char* name, const std::vector<float>& values) {
+      if (is_known(values)) out[name] = added(values, bundle);
+    };
+    add("velocity", velocity);
+    if (is_whole(attitude)) add("attitude", attitude);
+    add("rates", rates);
+    add("setpoint", setpoint);
+    add("setpoint_velocity", setpoint_velocity);
+    add("error", error);
+    add("motors", motors);
     out["saturated"] = bundle.add(std::span<const std::uint8_t>(saturated));
   }
 };

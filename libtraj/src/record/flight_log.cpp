@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <istream>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <set>
@@ -17,7 +18,7 @@
 namespace traj {
 namespace {
 
-using Columns = std::array<std::string_view, 28>;
+using Columns = std::array<std::string_view, 30>;
 
 constexpr Columns kColumns = {"id",
                               "t_s",
@@ -46,11 +47,15 @@ constexpr Columns kColumns = {"id",
                               "motor3",
                               "motor4",
                               "saturated",
-                              "map"};
+                              "map",
+                              "battery_share",
+                              "end"};
 
-constexpr std::size_t kWithoutMap = kColumns.size() - 1;
+constexpr std::size_t kUsual = kColumns.size() - 2;  // without battery and end
+constexpr std::size_t kWithoutMap = kUsual - 1;
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-std::string header(const Columns& names = kColumns, std::size_t columns = kColumns.size()) {
+std::string header(const Columns& names = kColumns, std::size_t columns = kUsual) {
   return fmt::format("{}", fmt::join(names.begin(), names.begin() + columns, ","));
 }
 
@@ -78,7 +83,8 @@ Columns older_columns() {
 // How many columns a log with this header has; nothing for another header.
 std::optional<std::size_t> columns_of(std::string_view line) {
   const Columns older = older_columns();
-  if (line == header() || line == header(older)) return kColumns.size();
+  if (line == header() || line == header(older)) return kUsual;
+  if (line == header(kColumns, kColumns.size())) return kColumns.size();
   if (line == header(older, kWithoutMap)) return kWithoutMap;
   return std::nullopt;
 }
@@ -96,13 +102,15 @@ std::string field(const char* what, const std::string& id) {
   return geom::csv_field(id);
 }
 
+void append(std::string& text, double value) {
+  text += ',';
+  if (!std::isnan(value)) geom::append_number(text, value);
+}
+
 void append_row(std::string& text, const std::string& id, const FlightSample& s,
                 const std::string& map) {
   text += id;
-  const auto append = [&](double value) {
-    text += ',';
-    geom::append_number(text, value);
-  };
+  const auto append = [&](double value) { traj::append(text, value); };
   append(s.time);
   for (const geom::Vec3* v : {&s.position, &s.velocity})
     std::for_each(v->begin(), v->end(), append);
@@ -112,9 +120,36 @@ void append_row(std::string& text, const std::string& id, const FlightSample& s,
   }
   append(s.setpoint_yaw);
   std::for_each(s.motors.begin(), s.motors.end(), append);
-  text += s.saturated ? ",1," : ",0,";
+  text += std::isnan(s.motors[0]) ? ",," : s.saturated ? ",1," : ",0,";
   text += map;
-  text += '\n';
+}
+
+// In the rows of a file that has them.
+void append_end(std::string& text, const FlightSample& s, bool last_of_cut) {
+  append(text, s.battery);
+  text += last_of_cut ? ",cut" : ",";
+}
+
+bool has_end(const FlightLog& log) {
+  return log.cut || std::any_of(log.samples.begin(), log.samples.end(),
+                                [](const FlightSample& s) { return !std::isnan(s.battery); });
+}
+
+void write_rows(std::ostream& out, const FlightLog& log, bool with_end) {
+  const std::string id = field("an id", log.id);
+  std::string map = field("a map", log.map);
+  std::string text;
+  for (const FlightSample& sample : log.samples) {
+    append_row(text, id, sample, map);
+    if (with_end) append_end(text, sample, log.cut && &sample == &log.samples.back());
+    text += '\n';
+    map.clear();
+    if (text.size() > 1u << 16) {
+      out << text;
+      text.clear();
+    }
+  }
+  out << text;
 }
 
 // The fields of one row, taken in order.
@@ -129,6 +164,33 @@ class Row {
 
   const std::string& id() const { return fields_[0]; }
   std::string map() const { return fields_.size() > kWithoutMap ? fields_[kWithoutMap] : ""; }
+
+  // How the flight ends with this row: "" or "cut".
+  bool cut() const {
+    if (fields_.size() < kColumns.size() || fields_.back().empty()) return false;
+    if (fields_.back() != "cut") {
+      lines_.refuse(
+          fmt::format("end must be cut or empty, found \"{}\"", fields_.back().substr(0, 40)));
+    }
+    return true;
+  }
+
+  double battery() {
+    if (fields_.size() < kColumns.size()) return kUnknown;
+    at_ = kUsual;
+    return known(1) ? number(0, 1) : kUnknown;
+  }
+
+  // Whether the next `count` fields, of one thing, are there; passes over them where they are not.
+  bool known(std::size_t count) {
+    const auto first = fields_.begin() + static_cast<std::ptrdiff_t>(at_);
+    if (!std::all_of(first, first + static_cast<std::ptrdiff_t>(count),
+                     [](const std::string& text) { return text.empty(); })) {
+      return true;
+    }
+    at_ += count;
+    return false;
+  }
 
   double number(double least, double most) {
     const auto value = geom::parse_number(fields_[at_]);
@@ -153,53 +215,65 @@ class Row {
   std::size_t at_ = 1;
 };
 
-FlightSample parse(Row& row, const geom::TextLines& lines) {
-  FlightSample s;
-  s.time = row.number(0, 1e9);
-  s.position = row.vector();
-  s.velocity = row.vector();
-  for (double* q : {&s.attitude.w(), &s.attitude.x(), &s.attitude.y(), &s.attitude.z()}) {
+Eigen::Quaterniond parse_attitude(Row& row, const geom::TextLines& lines) {
+  Eigen::Quaterniond attitude;
+  for (double* q : {&attitude.w(), &attitude.x(), &attitude.y(), &attitude.z()}) {
     *q = row.number(-1.1, 1.1);
   }
-  if (std::abs(s.attitude.norm() - 1) > 1e-6) {
+  if (std::abs(attitude.norm() - 1) > 1e-6) {
     lines.refuse(fmt::format("qw, qx, qy, qz must be a quaternion of length 1, found length {}",
-                             s.attitude.norm()));
+                             attitude.norm()));
   }
-  s.body_rates = row.vector();
-  s.setpoint_position = row.vector();
-  s.setpoint_velocity = row.vector();
-  s.setpoint_yaw = row.number(-geom::kLargestCoordinate, geom::kLargestCoordinate);
+  return attitude;
+}
+
+void parse_motors(Row& row, const geom::TextLines& lines, FlightSample& s) {
   for (double& motor : s.motors) motor = row.number(0, 1);
   const double saturated = row.number(0, 1);
   if (saturated != 0 && saturated != 1) {
     lines.refuse(fmt::format("saturated must be 0 or 1, found {}", saturated));
   }
   s.saturated = saturated == 1;
+}
+
+FlightSample parse(Row& row, const geom::TextLines& lines) {
+  FlightSample s = nothing_known();
+  s.time = row.number(0, 1e9);
+  s.position = row.vector();
+  if (row.known(3)) s.velocity = row.vector();
+  if (row.known(4)) s.attitude = parse_attitude(row, lines);
+  if (row.known(3)) s.body_rates = row.vector();
+  if (row.known(3)) s.setpoint_position = row.vector();
+  if (row.known(3)) s.setpoint_velocity = row.vector();
+  if (row.known(1))
+    s.setpoint_yaw = row.number(-geom::kLargestCoordinate, geom::kLargestCoordinate);
+  if (row.known(5)) parse_motors(row, lines, s);
+  s.battery = row.battery();
   return s;
 }
 
 }  // namespace
 
-void write_flight_log_header(std::ostream& out) { out << header() << '\n'; }
-
-void write_flight(std::ostream& out, const FlightLog& log) {
-  const std::string id = field("an id", log.id);
-  std::string map = field("a map", log.map);
-  std::string text;
-  for (const FlightSample& sample : log.samples) {
-    append_row(text, id, sample, map);
-    map.clear();
-    if (text.size() > 1u << 16) {
-      out << text;
-      text.clear();
-    }
-  }
-  out << text;
+FlightSample nothing_known() {
+  FlightSample out;
+  const geom::Vec3 none = geom::Vec3::Constant(kUnknown);
+  out.velocity = out.body_rates = out.setpoint_position = out.setpoint_velocity = none;
+  out.attitude.coeffs().setConstant(kUnknown);
+  out.setpoint_yaw = kUnknown;
+  out.motors.fill(kUnknown);
+  return out;
 }
 
+bool is_known(const geom::Vec3& v) { return !v.array().isNaN().any(); }
+
+void write_flight_log_header(std::ostream& out) { out << header() << '\n'; }
+
+void write_flight(std::ostream& out, const FlightLog& log) { write_rows(out, log, false); }
+
 void write_flight_log(std::ostream& out, std::span<const FlightLog> logs) {
-  write_flight_log_header(out);
-  for (const FlightLog& log : logs) write_flight(out, log);
+  const bool with_end = std::any_of(logs.begin(), logs.end(), has_end);
+  out << header(kColumns, with_end ? kColumns.size() : kUsual) << '\n';
+  for (const FlightLog& log : logs) write_rows(out, log, with_end);
 }
 
 std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) {
@@ -219,7 +293,9 @@ std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) 
         lines.refuse(fmt::format("the rows of a flight must stand together; \"{}\" was left before",
                                  row.id()));
       }
-      logs.push_back({row.id(), row.map(), {}});
+      logs.push_back({row.id(), row.map(), {}, false});
+    } else if (logs.back().cut) {
+      lines.refuse("the flight ended in the row before, by its column end");
     } else if (!row.map().empty()) {
       lines.refuse(fmt::format("the map must stand in the first row of a flight, found \"{}\"",
                                row.map().substr(0, 80)));
@@ -231,6 +307,7 @@ std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) 
           fmt::format("t_s must grow, found {} after {}", sample.time, samples.back().time));
     }
     samples.push_back(sample);
+    logs.back().cut = row.cut();
   }
   if (logs.empty()) lines.refuse("expected at least one row after the header, found none");
   return logs;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "geom/base/error.h"
@@ -155,6 +156,51 @@ TEST(FlightLog, RefusesIdsThatWouldNotComeBack) {
     std::ostringstream out;
     EXPECT_THROW(write_flight(out, {id, "", {FlightSample{}}}), geom::InputError) << id;
   }
+}
+
+TEST(FlightLog, LeavesEmptyWhatIsNotKnown) {
+  FlightLog log{"q", "", {nothing_known()}};
+  log.samples[0].position = {1, 2, 3};
+  const std::string row = "q,0,1,2,3,,,,,,,,,,,,,,,,,,,,,,,\n";
+  EXPECT_EQ(text_of({log}), kHeader + row);
+  const auto back = read(kHeader + row);
+  EXPECT_EQ(back[0].samples[0].position, log.samples[0].position);
+  EXPECT_FALSE(is_known(back[0].samples[0].velocity));
+  EXPECT_FALSE(is_known(back[0].samples[0].setpoint_position));
+  EXPECT_TRUE(std::isnan(back[0].samples[0].motors[3]));
+  EXPECT_TRUE(std::isnan(back[0].samples[0].battery));
+  EXPECT_EQ(text_of(back), kHeader + row);
+}
+
+TEST(FlightLog, HasBatteryAndEndWhereTheyAreKnown) {
+  FlightLog log{"q", "sha256:a", {nothing_known(), nothing_known()}, true};
+  log.samples[0].battery = 0.75;
+  log.samples[1].time = 1;
+  const std::string text = text_of({log});
+  EXPECT_EQ(text, kHeader.substr(0, kHeader.size() - 1) +
+                      ",battery_share,end\nq,0,0,0,0,,,,,,,,,,,,,,,,,,,,,,,sha256:a,0.75,\n"
+                      "q,1,0,0,0,,,,,,,,,,,,,,,,,,,,,,,,,cut\n");
+  const auto back = read(text);
+  EXPECT_TRUE(back[0].cut);
+  EXPECT_EQ(back[0].samples[0].battery, 0.75);
+  EXPECT_TRUE(std::isnan(back[0].samples[1].battery));
+  EXPECT_EQ(text_of(back), text);
+  EXPECT_NE(
+      refusal(text + "q,2,0,0,0,,,,,,,,,,,,,,,,,,,,,,,,,\n").find("the flight ended in the row"),
+      std::string::npos);
+  EXPECT_NE(refusal(text.substr(0, text.size() - 2) + "x\n").find("end must be cut or empty"),
+            std::string::npos);
+}
+
+TEST(FlightLog, RefusesAPartOfAVector) {
+  EXPECT_NE(
+      refusal(kHeader + "q,0,1,2,3,,5,,,,,,,,,,,,,,,,,,,,,\n").find("v_east_mps must be a number"),
+      std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,1,2,,,,,,,,,,,,,,,,,,,,,,,,\n").find("up_m must be a number"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,1,2,3,,,,,,,,,,,,,,,,,,0.5,0.5,0.5,,,\n")
+                .find("motor4 must be a number"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -227,9 +227,11 @@ class Trajectory(_MadeFor):
 
 
 class FlightLog:
-    """ENU, whatever the map's axes; attitude is w, x, y, z. `map` is the hash of its map, or ""."""
+    """ENU, whatever the map's axes; attitude is w, x, y, z. `map` is the hash of its map, or "". What the log does
+    not say is NaN. `cut`: the log broke off."""
     id: str
     map: str
+    cut: bool
 
     def __len__(self) -> int: ...
 
@@ -259,6 +261,9 @@ class FlightLog:
 
     @property
     def motors(self) -> _Floats: ...
+
+    @property
+    def battery(self) -> _Floats: ...
 
     @property
     def saturated(self) -> _Bools: ...

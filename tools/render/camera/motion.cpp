@@ -11,6 +11,23 @@ namespace {
 
 constexpr double kMostSteps = 1e5;  // of a way: its lines are drawn, and that is finer than pixels
 
+// What a log does not say, for pictures: the attitude of the row before, else level; the speed of
+// the way to the next row.
+void complete(std::vector<traj::FlightSample>& samples) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    traj::FlightSample& s = samples[i];
+    if (s.attitude.coeffs().array().isNaN().any()) {
+      s.attitude = i > 0 ? samples[i - 1].attitude : Eigen::Quaterniond::Identity();
+    }
+    if (traj::is_known(s.velocity)) continue;
+    s.velocity = Vec3::Zero();
+    if (samples.size() < 2) continue;
+    const std::size_t from = std::min(i, samples.size() - 2);
+    s.velocity = (samples[from + 1].position - samples[from].position) /
+                 (samples[from + 1].time - samples[from].time);
+  }
+}
+
 Vec3 mixed(const Vec3& a, const Vec3& b, double share) { return a + share * (b - a); }
 
 }  // namespace
@@ -24,6 +41,7 @@ Motion::Motion(std::string id, traj::Trajectory trajectory, geom::Axes axes)
 }
 
 Motion::Motion(traj::FlightLog flight) : id_(flight.id), flight_(std::move(flight)) {
+  complete(flight_.samples);
   begin_ = flight_.samples.front().time;
   end_ = flight_.samples.back().time;
 }
@@ -62,6 +80,12 @@ double Motion::speed(double t) const {
   const traj::FlightSample& a = flight_.samples[i];
   if (share == 0) return a.velocity.norm();
   return mixed(a.velocity, flight_.samples[i + 1].velocity, share).norm();
+}
+
+bool Motion::has_setpoints() const {
+  return is_flight() &&
+         std::all_of(flight_.samples.begin(), flight_.samples.end(),
+                     [](const auto& s) { return traj::is_known(s.setpoint_position); });
 }
 
 double Motion::tracking_error(double t) const {

@@ -17,7 +17,8 @@ class Motion {
   // As its controller would follow it exactly: attitude by differential flatness; where a segment
   // has no yaw, along the velocity (traj::add_yaw). At least one segment.
   Motion(std::string id, traj::Trajectory trajectory, geom::Axes axes);
-  // As it was: linear between the rows, attitudes along the shortest turn. At least one row.
+  // As it was: linear between the rows, attitudes along the shortest turn. At least one row. Where
+  // the log has no attitude, that of the row before, else level; no velocity, that of the way.
   explicit Motion(traj::FlightLog flight);
 
   const std::string& id() const { return id_; }
@@ -25,8 +26,9 @@ class Motion {
   double end() const { return end_; }
   Pose pose(double t) const;     // clamped to [begin, end]
   double speed(double t) const;  // m/s
-  // Metres between a flight and its setpoint; 0 of a trajectory.
+  // Metres between a flight and its setpoint; 0 of a trajectory. Needs setpoints in all rows.
   double tracking_error(double t) const;
+  bool has_setpoints() const;
   bool is_flight() const { return !flight_.samples.empty(); }
 
   // The way it takes, for drawing: points not further apart than `step` seconds.

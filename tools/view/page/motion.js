@@ -79,7 +79,7 @@ class Motion {
       const at = k => new THREE.Quaternion().fromArray(this.attitude, 4 * k);
       return share ? out.copy(at(i)).slerp(at(i + 1), share) : out.copy(at(i));
     }
-    const up = this.vector(this.acceleration, t);
+    const up = this.acceleration ? this.vector(this.acceleration, t) : new THREE.Vector3();  // a log without attitude
     up.z += gravity;
     up.normalize();
     const yaw = this.yaw ? this.scalar(this.yaw, t) : this.heading(t) ?? 0;

@@ -68,7 +68,7 @@ function motionFacts(motion) {
     ["Beside the fastest", data.slower || null],
     ["Segments", data.segments ? `${decimals(data.segments, 0)}${data.rung ? `, ${data.rung.replaceAll("_", " ")}` : ""}` : null],
     ["Vehicle", vehicle ? `${vehicle.name || "box"}: ${vehicle.half.map(h => decimals(2 * h, 2)).join(" × ")}${thinSpace}m` : null],
-    ["Tracking error", summary ? `${metres(summary.error_rms)} RMS, ${metres(summary.error_max)} at most` : null],
-    ["Motors saturated", summary ? `${withUnit(summary.saturated * 100, 1, "%")} of ${count(summary.rows, "row")}` : null],
+    ["Tracking error", summary && summary.error_rms !== undefined ? `${metres(summary.error_rms)} RMS, ${metres(summary.error_max)} at most` : null],
+    ["Motors saturated", summary && summary.saturated !== undefined ? `${withUnit(summary.saturated * 100, 1, "%")} of ${count(summary.rows, "row")}` : null],
   ];
 }
