@@ -7,6 +7,7 @@
 #include "cli/option/output_option.h"
 #include "cli/option/scenes.h"
 #include "cli/run.h"
+#include "flight_logs.h"
 #include "junit_file.h"
 #include "traj/record/certificate_record.h"
 
@@ -25,7 +26,9 @@ struct Options {
   bool exact = false;
   bool no_clearance = false;
   cli::DroneFileOptions drone_file;
+  checking::FlightLogs flights;
 
+  bool flight_log() const { return drone_file.format == "flight-log"; }
   void add_to(CLI::App& app);
   void refuse_idle(const CLI::App& app) const;
   checking::Rules rules() const {
@@ -53,9 +56,11 @@ void Options::add_to(CLI::App& app) {
       app, "--certificate", certificate,
       "write the reasons why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
+  flights.add_to(app);
 }
 
 void Options::refuse_idle(const CLI::App& app) const {
+  flights.refuse_idle(app, flight_log());
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
   cli::only_for(app, !drone_file.format.empty(),
                 {"--start", "--origin", "--geoid", "--ground", "--takeoff-height", "--heading",
@@ -139,8 +144,13 @@ int main(int argc, char** argv) {
           "--junit says how all records came out, and a shard holds some: leave "
           "--shard or --junit out");
     }
-    cli::at_most_one_stdin({options.map, options.input});
-    sharding.begin(app, {{"map", options.map}, {"file", options.input}},
+    cli::at_most_one_stdin(
+        {options.map, options.input, options.flights.plan(), options.flights.tube()});
+    sharding.begin(app,
+                   {{"map", options.map},
+                    {"file", options.input},
+                    {"plan", options.flights.plan()},
+                    {"tube", options.flights.tube()}},
                    {{"output", options.output},
                     {"certificate", options.certificate},
                     {"profile", options.profile.file()}});
@@ -150,6 +160,9 @@ int main(int argc, char** argv) {
     cli::Scenes scenes(
         map, options.vehicle,
         options.override_record ? Differences::allowed : Differences::stricter_allowed);
+    if (options.flight_log()) {
+      return options.flights.check(common, options.input, scenes, sharding, options.output);
+    }
     const checking::Checker checker(common, scenes, options.profile, options.rules());
     cli::InputFile file(options.input);
     Reports reports(options, sharding, scenes.map());

@@ -22,6 +22,7 @@ namespace {
 constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"synth", "make up a city"},
     {"import", "city tables, block texts, voxels and octrees to box maps"},
+    {"import-flight", "a PX4 log (ULog) to a flight log"},
     {"import-trajectory", "drone files and missions to trajectories and paths"},
     {"footprints", "building footprints, city and height models to box maps"},
     {"cloud", "point clouds to box maps"},

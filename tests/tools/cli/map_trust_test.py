@@ -145,6 +145,7 @@ class Case:
             "map diff": ["skyway-map", "diff", self.map, self.map, *out],
             "map to-ply": ["skyway-map", "to-ply", self.map, *out],
             "map to-csv": ["skyway-map", "to-csv", self.map, *out],
+            "import-flight": ["skyway-import-flight", self.path, "--map", self.map, *out],
             "import-trajectory": ["skyway-import-trajectory", self.path, "--map", self.map, *out],
         }
 

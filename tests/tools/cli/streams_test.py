@@ -41,6 +41,7 @@ TOOLS = {
     "skyway-check": ["m.boxmap", "t.jsonl"],
     "skyway-fly": ["t.jsonl", "--vehicle", "quad.json"],
     "skyway-export": ["m.boxmap", "t.jsonl", "--format", "crazyflie"],
+    "skyway-import-flight": ["hop.ulg"],
     "skyway-import-trajectory": ["c.csv"],
     "skyway-render": ["m.boxmap", "--view", "plan", "--size", "64x48"],
     "skyway-plot": ["plan", "m.boxmap"],
@@ -94,7 +95,7 @@ def must(folder, tool, *arguments):
 
 
 def prepare(folder):
-    for name in ("village.csv", "blocks.geojson", "quad.json"):
+    for name in ("village.csv", "blocks.geojson", "hop.ulg", "quad.json"):
         shutil.copy(data / name, folder)
     (folder / "points.jsonl").write_text('{"point":[1,1,1]}\n{"point":[20,20,15]}\n')
     (folder / "q.jsonl").write_text('{"id":"a","from":[5,30,5],"to":[70,10,5]}\n{"id":"b","from":[5,5,5],"to":[70,10,5]}\n')
@@ -429,6 +430,7 @@ def hostile_text(folder):
     for tool, arguments in {"skyway-check": ["m.boxmap", "b.bin"], "skyway-import": ["b.bin", "-o", "out"],
                             "skyway-cloud": ["b.bin", "-o", "out"], "skyway-query": ["m.boxmap", "b.bin", *BOX],
                             "skyway-view": ["b.bin", "-o", "out"], "skyway-info": ["b.bin"],
+                            "skyway-import-flight": ["b.bin"],
                             "skyway-import-trajectory": ["b.bin"], "skyway-join": ["b.bin"],
                             "skyway-footprints": ["b.bin", "-o", "out"]}.items():
         run = Run(folder, tool, *arguments)

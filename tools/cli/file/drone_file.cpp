@@ -203,7 +203,7 @@ std::vector<DroneFile> read_paths(std::istream& in, const std::string& source) {
 
 }  // namespace
 
-void Placement::add_to(CLI::App& app) {
+void Placement::add_origin_to(CLI::App& app) {
   app.add_option_function<std::string>(
          "--origin",
          [this](const std::string& text) {
@@ -221,6 +221,10 @@ void Placement::add_to(CLI::App& app) {
                  "height of the sea level there above the ellipsoid, metres; converts heights "
                  "above the sea (default 0)")
       ->check(CLI::Range(-200.0, 200.0));
+}
+
+void Placement::add_to(CLI::App& app) {
+  add_origin_to(app);
   app.add_option("--ground", ground, "height of the ground at the take-off, in the map's z")
       ->check(CLI::Range(-1e6, 1e6));
   app.add_option("--takeoff-height", takeoff_height,
@@ -272,7 +276,7 @@ void DroneFileOptions::add_to(CLI::App& app) {
                  "FILE is a drone file, to be checked as it will be flown; auto: found out from "
                  "its beginning")
       ->check(CLI::IsMember({"auto", "crazyflie", "setpoints", "tello", "wpl", "qgc-plan", "kml",
-                             "geojson", "gltf", "paths-csv"}));
+                             "geojson", "gltf", "paths-csv", "flight-log"}));
   app.add_flag_callback(
       "--paths-csv", [this] { format = "paths-csv"; },
       "FILE is a table of paths with columns id,x,y,z");
@@ -305,6 +309,11 @@ std::vector<DroneFile> read_drone_file(const std::string& text, const std::strin
                                        const DroneFileOptions& options, const geom::Frame& frame) {
   std::istringstream in(text);
   const std::string format = options.format == "auto" ? detected(text) : options.format;
+  if (text.starts_with("id,t_s,")) {
+    throw geom::InputError(
+        source,
+        "this is a flight log: skyway-check --file-format flight-log holds it against a map");
+  }
   if (format == "paths-csv") return read_paths(in, source);
   Notes notes;
   auto read = read_flown(in, source, format, options, frame, notes);

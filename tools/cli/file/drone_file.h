@@ -23,7 +23,8 @@ struct Placement {
   double takeoff_height = 1;                   // --takeoff-height, m
   std::optional<double> heading;               // --heading, degrees clockwise from north
 
-  void add_to(CLI::App& app);
+  void add_origin_to(CLI::App& app);  // --origin and --geoid
+  void add_to(CLI::App& app);         // all
 
   // Throws UsageError where neither the options nor the frame know the origin.
   traj::MissionFrame mission_frame(const geom::Frame& frame) const;

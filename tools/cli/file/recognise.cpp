@@ -32,11 +32,12 @@ constexpr std::string_view kPathTools =
 constexpr std::string_view kTrajectoryTools =
     "skyway-check skyway-export skyway-fly skyway-plot skyway-view skyway-render skyway-map "
     "skyway-query skyway-info";
-constexpr std::string_view kLogTools = "skyway-plot skyway-view skyway-render skyway-map";
+constexpr std::string_view kLogTools =
+    "skyway-check skyway-plot skyway-view skyway-render skyway-map";
 constexpr std::string_view kMapTools =
     "skyway-map skyway-plan skyway-replan skyway-lattice skyway-roadmap skyway-traj skyway-check "
     "skyway-export skyway-fly skyway-query skyway-plot skyway-view skyway-render skyway-bench "
-    "skyway-info skyway-import-trajectory";
+    "skyway-info skyway-import-trajectory skyway-import-flight";
 
 struct Magic {
   std::size_t at;
@@ -63,7 +64,7 @@ constexpr std::array kMagic = {
     Magic{0, "fgb\x03"sv, "a FlatGeobuf", "skyway-footprints", ""},
     Magic{4, "\x0a\x09OSMHeader"sv, "an OpenStreetMap extract (.osm.pbf)", "skyway-footprints", ""},
     Magic{0, "\x89HDF\r\n\x1a\n"sv, "an HDF5 file", "", ""},
-    Magic{0, "ULog\x01\x12\x35"sv, "a PX4 flight log (ULog)", "", kToTrajectory},
+    Magic{0, "ULog\x01\x12\x35"sv, "a PX4 flight log (ULog)", "skyway-import-flight", ""},
     Magic{0, "\xa3\x95\x80"sv, "an ArduPilot flight log (DataFlash .bin)", "", kToTrajectory},
     Magic{0, "#ROSBAG V"sv, "a ROS bag", "", kToTrajectory},
     Magic{0, "\x89MCAP0\r\n"sv, "an MCAP log", "", kToTrajectory},

@@ -58,6 +58,8 @@ struct Step {
 
 constexpr std::array kSteps = {
     Step{"", "a shard", "skyway-join puts the shards of a run together"},
+    Step{"", "a flight log", "skyway-check --file-format flight-log holds it against a map"},
+    Step{"", "a PX4 flight log (ULog)", "skyway-import-flight makes a flight log of it"},
     Step{kPaths, kQueries, "skyway-plan makes paths of them"},
     Step{kPaths, kTrajectories,
          "they are solved already, so prove them with skyway-check or write them with "

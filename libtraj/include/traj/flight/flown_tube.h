@@ -1,0 +1,27 @@
+#pragma once
+
+// How far a flight was from its plan, and how much of it stayed within the tracking tube.
+
+#include <cstddef>
+#include <span>
+
+#include "traj/curve/trajectory.h"
+#include "traj/proof/check.h"
+
+namespace traj {
+
+// In space: a vehicle that flies the plan earlier, later or more slowly is as far from it as the
+// nearest place of the plan. That is what a tube was held against the map for.
+struct FlownTube {
+  Extreme furthest;        // m from the plan, of all samples, to 0.1 mm or better; when that was
+  std::size_t inside = 0;  // samples surely within the tube
+  double left = 0;         // s: the first sample that is not, where there is one
+};
+
+// `points` in the axes of the plan, at `times`; at least one. radius[k] is that of [k, k + 1] *
+// period of the plan, the last holding beyond (TrackingTube, check_tube); none: nothing is inside.
+// Samples: nothing is said of what lies between them.
+FlownTube flown_tube(const Trajectory& plan, std::span<const double> radius, double period,
+                     std::span<const Vec3> points, std::span<const double> times);
+
+}  // namespace traj

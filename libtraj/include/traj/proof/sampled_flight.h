@@ -1,0 +1,42 @@
+#pragma once
+
+// How close a flight came to a map that is known by samples alone: no proof, as nobody knows what
+// it did between them.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "geom/collision/collision.h"
+#include "traj/proof/check.h"
+
+namespace traj {
+
+inline constexpr double kLongestGap = 1;  // s between two samples; with a longer one it is refused
+
+struct SampledFlight {
+  Reason reason = Reason::none;  // where it left the bounds, or touched an obstacle
+  bool gap = false;              // without such a place: where too much of it is not known
+  double time = 0;               // s: of that place, or of the sample before the gap
+  Vec3 place = Vec3::Zero();
+  std::optional<std::size_t> box;  // the obstacle: an index into BoxMap::boxes()
+  double worst = 0;                // m, or s of a gap
+
+  // Metres to the obstacles grown by the vehicle without its margin, the least, and where that was.
+  // Absent without obstacles.
+  std::optional<Extreme> clearance;
+  Vec3 nearest = Vec3::Zero();
+  double duration = 0;      // s from the first sample to the last
+  double longest_step = 0;  // s between two samples
+};
+
+// "sampled" at best, and never more: a touch ("collision", "bounds"), else "gap".
+std::string_view verdict(const SampledFlight& flight);
+
+// Along the straight lines between neighbouring samples, exact on these (check_path), but for those
+// that are more than kLongestGap apart. `points` in the map's axes, reached at `times`, which grow;
+// at least one.
+SampledFlight check_sampled(const geom::CollisionScene& scene, std::span<const Vec3> points,
+                            std::span<const double> times);
+
+}  // namespace traj

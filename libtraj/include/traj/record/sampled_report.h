@@ -1,0 +1,42 @@
+#pragma once
+
+// What a flight log came to beside a map, as a JSON Lines record of type "report".
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geom/map/box_map.h"
+#include "geom/record/record.h"
+#include "traj/flight/flown_tube.h"
+#include "traj/proof/sampled_flight.h"
+
+namespace geom {
+class JsonFields;
+}
+
+namespace traj {
+
+struct SampledReport {
+  std::string id;
+  SampledFlight result;
+  std::size_t samples = 0;
+  bool cut = false;  // the log broke off
+  std::optional<FlownTube> plan;
+  bool tube = false;  // whether the plan came with one
+  geom::Provenance provenance;
+};
+
+// Ends with a newline. Never "ok":true. `map` gives the source id of the obstacle that was hit.
+std::string to_json_line(const SampledReport& report, const geom::BoxMap& map);
+
+// The tube of a report of skyway-fly --runs.
+struct TubeRecord {
+  std::vector<double> radius;  // m, at least one
+  double period = 0;           // s, > 0
+};
+
+// Nothing for a flight of which no tube is known. Throws InputError for a tube that cannot be.
+std::optional<TubeRecord> read_tube(const geom::JsonFields& flight);
+
+}  // namespace traj

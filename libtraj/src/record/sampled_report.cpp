@@ -1,0 +1,73 @@
+#include "traj/record/sampled_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
+
+namespace traj {
+namespace {
+
+using geom::JsonLine;
+
+JsonLine plan_of(const SampledReport& report) {
+  const FlownTube& plan = *report.plan;
+  JsonLine line;
+  line.add("furthest", plan.furthest.value).add("furthest_time", plan.furthest.time);
+  if (!report.tube) return line;
+  line.add("inside_tube", plan.inside);
+  line.add("share", static_cast<double>(plan.inside) / static_cast<double>(report.samples));
+  if (plan.inside < report.samples) line.add("left_tube", plan.left);
+  return line;
+}
+
+}  // namespace
+
+std::string to_json_line(const SampledReport& report, const geom::BoxMap& map) {
+  const SampledFlight& result = report.result;
+  const bool sampled = verdict(result) == "sampled";
+  JsonLine line;
+  line.add("type", "report").add("id", report.id).add("ok", false);
+  line.add("reason", verdict(result));
+  if (sampled) {
+    line.add("verdict", "sampled");
+  } else {
+    line.add("time", result.time).add("place", result.place).add("worst", result.worst);
+    if (result.box) line.add("box", map.ids()[*result.box]);
+  }
+  line.add("checked", "flight log");
+  if (result.clearance) {
+    line.add("clearance", result.clearance->value).add("clearance_time", result.clearance->time);
+    line.add("nearest", result.nearest);
+  }
+  if (result.duration > 0) line.add("duration", result.duration);
+  line.add("samples", report.samples).add("longest_step", result.longest_step);
+  if (report.cut) line.add("cut", true);
+  if (report.plan) line.add("plan", plan_of(report));
+  add(line, report.provenance);
+  return line.line();
+}
+
+std::optional<TubeRecord> read_tube(const geom::JsonFields& flight) {
+  if (!flight.has("monte_carlo")) return std::nullopt;
+  const nlohmann::json& runs = flight.value("monte_carlo");
+  if (!runs.is_object() || !runs.contains("tube")) return std::nullopt;
+  const nlohmann::json& tube = runs["tube"];
+  const auto positive = [](const nlohmann::json& v) {
+    return v.is_number() && v.get<double>() >= 0 && v.get<double>() <= geom::kLargestCoordinate;
+  };
+  TubeRecord out;
+  const bool fits = tube.is_object() && tube.contains("period") && positive(tube["period"]) &&
+                    tube["period"].get<double>() > 0 && tube.contains("radius") &&
+                    tube["radius"].is_array() && !tube["radius"].empty();
+  if (!fits)
+    flight.refuse("expected a tube with a period and radius, found " + tube.dump().substr(0, 80));
+  out.period = tube["period"].get<double>();
+  for (const nlohmann::json& radius : tube["radius"]) {
+    if (!positive(radius)) flight.refuse("radius must be metres >= 0, found " + radius.dump());
+    out.radius.push_back(radius.get<double>());
+  }
+  return out;
+}
+
+}  // namespace traj

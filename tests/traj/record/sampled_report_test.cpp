@@ -1,0 +1,96 @@
+#include "traj/record/sampled_report.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/text/json_fields.h"
+#include "support/refusal.h"
+#include "traj/record/report_record.h"
+#include "traj/scenes.h"
+
+namespace traj {
+namespace {
+
+const geom::CollisionScene& scene() {
+  static const auto out = testing::scene_of({{Vec3(10, -5, 0), Vec3(11, 5, 20)}});
+  return out;
+}
+
+SampledReport report(const std::vector<Vec3>& points, const std::vector<double>& times) {
+  return {"f", check_sampled(scene(), points, times), points.size(), false, {}, false, {}};
+}
+
+TEST(SampledReport, NeverSaysOk) {
+  const auto all = {report({{0, 0, 5}, {1, 0, 5}}, {0, 1}), report({{0, 0, 5}, {20, 0, 5}}, {0, 1}),
+                    report({{0, 0, 5}, {1, 0, 5}}, {0, 9})};
+  for (const SampledReport& one : all) {
+    const std::string line = to_json_line(one, scene().map());
+    EXPECT_NE(line.find("\"ok\":false"), std::string::npos) << line;
+    EXPECT_EQ(line.find("\"ok\":true"), std::string::npos) << line;
+    EXPECT_FALSE(parse_report_record(line, "report", 1).ok);
+  }
+}
+
+TEST(SampledReport, SaysHowCloseItCame) {
+  const std::string line = to_json_line(report({{0, 0, 5}, {8, 0, 5}}, {0, 1}), scene().map());
+  EXPECT_NE(line.find("\"reason\":\"sampled\",\"verdict\":\"sampled\",\"checked\":\"flight log\","
+                      "\"clearance\":"),
+            std::string::npos)
+      << line;
+  EXPECT_NE(line.find(",\"clearance_time\":1,\"nearest\":[8,0,5],\"duration\":1,\"samples\":2,"
+                      "\"longest_step\":1"),
+            std::string::npos)
+      << line;
+  const ReportSummary read = parse_report_record(line, "report", 1);
+  EXPECT_EQ(read.reason, "sampled");
+  EXPECT_NEAR(read.extremes.at(0).value, 2, 1e-8);
+}
+
+TEST(SampledReport, SaysWhereItTouched) {
+  const std::string line = to_json_line(report({{0, 0, 5}, {20, 0, 5}}, {0, 1}), scene().map());
+  EXPECT_EQ(line.find("verdict"), std::string::npos);
+  const ReportSummary read = parse_report_record(line, "report", 1);
+  EXPECT_EQ(read.reason, "collision");
+  EXPECT_EQ(read.box, 0u);
+  EXPECT_TRUE(read.time && read.place);
+}
+
+TEST(SampledReport, SaysHowMuchStayedInTheTube) {
+  SampledReport one = report({{0, 0, 5}, {1, 0, 5}}, {0, 1});
+  one.cut = true;
+  one.plan = FlownTube{{0.25, 1}, 1, 0.5};
+  EXPECT_NE(to_json_line(one, scene().map())
+                .find("\"cut\":true,\"plan\":{\"furthest\":0.25,\"furthest_time\":1}"),
+            std::string::npos);
+  one.tube = true;
+  EXPECT_NE(to_json_line(one, scene().map())
+                .find("\"furthest_time\":1,\"inside_tube\":1,\"share\":0.5,\"left_tube\":0.5}"),
+            std::string::npos);
+}
+
+std::optional<TubeRecord> tube(const std::string& json) {
+  return read_tube(geom::JsonFields(json, "flights", 3));
+}
+
+TEST(SampledReport, ReadsATube) {
+  const auto read =
+      tube(R"({"monte_carlo":{"tube":{"share":0.999,"period":0.1,"radius":[0.2,0.3]}}})");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->period, 0.1);
+  EXPECT_EQ(read->radius, (std::vector<double>{0.2, 0.3}));
+  EXPECT_FALSE(tube("{}"));
+  EXPECT_FALSE(tube(R"({"monte_carlo":{"lost":3}})"));
+}
+
+TEST(SampledReport, RefusesTubesThatCannotBe) {
+  for (const char* text :
+       {"3", "{}", R"({"period":0,"radius":[1]})", R"({"period":0.1,"radius":[]})",
+        R"({"period":0.1,"radius":[-1]})", R"({"period":0.1,"radius":["1"]})",
+        R"({"period":"0.1","radius":[1]})", R"({"period":0.1,"radius":2})"}) {
+    const std::string line = std::string(R"({"monte_carlo":{"tube":)") + text + "}}";
+    EXPECT_NE(support::refusal_of([&] { tube(line); }).find("flights:3"), std::string::npos)
+        << text;
+  }
+}
+
+}  // namespace
+}  // namespace traj

@@ -1,0 +1,117 @@
+// skyway-import-flight: what a vehicle flew, as a flight log.
+
+#include <filesystem>
+
+#include "cli/file/drone_file.h"
+#include "cli/file/files.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/output_option.h"
+#include "cli/run.h"
+#include "cli/tell.h"
+#include "geom/base/error.h"
+#include "notes.h"
+
+namespace {
+
+struct Options {
+  std::string input;
+  std::string output = "-";
+  std::string map;
+  std::string id;
+  std::string begin = "first";
+  cli::Placement placement;
+
+  void add_to(CLI::App& app) {
+    app.add_option("file", input, "PX4 log (.ulg); - for stdin")->required();
+    CLI::Option* const map_option =
+        app.add_option("--map", map, "box map that the flight is for: gives the origin");
+    placement.add_origin_to(app);
+    app.get_option("--origin")->excludes(map_option);
+    app.add_option("--begin", begin,
+                   "where the time counts from, rows before being left out: first (position), "
+                   "takeoff, or seconds after the first")
+        ->type_name("first|takeoff|SECONDS");
+    app.add_option("--id", id, "id of the flight (default: the file's name)");
+    cli::add_output(app, "-o,--output", output, "flight log, CSV (default: stdout)");
+  }
+};
+
+// Where the log's coordinates shall count from, and the map's hash.
+struct Target {
+  traj::Px4Options options;
+  std::string map;
+};
+
+Target target_of(const Options& options) {
+  Target out;
+  geom::Frame frame;
+  if (!options.map.empty()) {
+    const geom::BoxMap map = cli::open_map(options.map, geom::Verified::contents);
+    frame = map.spec().frame;
+    out.map = map.hash();
+  }
+  if (!options.map.empty() || options.placement.origin) {
+    out.options.over = options.placement.mission_frame(frame);
+  } else if (options.placement.geoid != 0) {
+    throw cli::UsageError("--geoid needs --map or --origin");
+  }
+  return out;
+}
+
+// Seconds after the first position.
+double begin_of(const Options& options, const traj::Px4Flight& flight, const std::string& source) {
+  if (options.begin == "first") return 0;
+  if (options.begin == "takeoff") {
+    if (flight.takeoff) return *flight.takeoff;
+    throw geom::InputError(source, "expected a take-off after the first position, found none");
+  }
+  const auto seconds = cli::parse_numbers(options.begin, 1);
+  if (!seconds || seconds->front() < 0) {
+    throw cli::UsageError("--begin: expected first, takeoff or seconds >= 0, found \"" +
+                          options.begin + '"');
+  }
+  return seconds->front();
+}
+
+std::string words_of(const std::string& begin) {
+  if (begin == "first") return "the first position";
+  return begin == "takeoff" ? "take-off" : begin + " s after the first position";
+}
+
+std::string_view words_of(const Options& options) {
+  if (!options.map.empty()) return "the map's origin";
+  return options.placement.origin ? "the origin of --origin" : "";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Read a PX4 log as a flight log.", "skyway-import-flight"};
+  cli::Common common(app);
+  Options options;
+  options.add_to(app);
+  return cli::run_tool(app, argc, argv, [&] {
+    cli::at_most_one_stdin({options.input, options.map});
+    const Target target = target_of(options);
+    const bool placed = target.options.over.has_value();
+    cli::InputFile file(options.input);
+    traj::Px4Flight flight = traj::read_px4_flight(file.stream(), file.name(), target.options);
+    const auto geoid = placed ? std::optional(options.placement.geoid) : std::nullopt;
+    for (const std::string& text : importing::warnings(flight, geoid)) common.warn(text);
+    importing::require_positions(flight, file.name(), placed);
+    traj::begin_at(begin_of(options, flight, file.name()), flight);
+    if (flight.log.samples.empty()) {
+      throw geom::InputError(file.name(), "expected a position after --begin, found none");
+    }
+    flight.log.id =
+        options.id.empty() ? std::filesystem::path(file.name()).stem().string() : options.id;
+    flight.log.map = target.map;
+    cli::OutputFile out(options.output, cli::OutputKind::text);
+    traj::write_flight_log(out.stream(), {&flight.log, 1});
+    out.commit();
+    cli::tell(common, "skyway-import-flight",
+              importing::told(flight, words_of(options), words_of(options.begin)));
+    common.write_stats(importing::stats(flight));
+    return cli::Exit::yes;
+  });
+}
