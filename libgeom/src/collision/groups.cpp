@@ -21,6 +21,7 @@ constexpr double kFewerPerGroup = 128;  // and where groups are built again and 
 constexpr double kMostSharedPad = 0.25;  // metres; of larger maps, groups have frames of their own
 constexpr std::size_t kMostBytesPerBox = 256;
 constexpr std::size_t kMostBytesPerGroup = 1024;
+constexpr std::size_t kManyBuilt = 32;  // groups: more than one question touches
 constexpr std::size_t kReadBetweenTrims = std::size_t{1} << 22;  // bytes
 
 }  // namespace
@@ -128,6 +129,7 @@ const GroupTree* CollisionScene::Impl::kept_tree(const Group& group) {
 // The group's tree is there once nothing can fail any more.
 void CollisionScene::Impl::keep(std::size_t g, OwnedGroup tree) {
   bool trim = false;
+  bool many = false;
   const std::size_t count = tree->count;
   {
     const std::lock_guard lock(keeping);
@@ -141,8 +143,22 @@ void CollisionScene::Impl::keep(std::size_t g, OwnedGroup tree) {
     read += count * sizeof(Aabb);
     trim = read >= kReadBetweenTrims;
     if (trim) read = 0;
+    many = keeps_all && counts.built == kManyBuilt;
   }
+  if (many) make_cells();
   if (trim) trim_mapped_files();
+}
+
+// A help for later questions, who can do without.
+void CollisionScene::Impl::make_cells() noexcept {
+  try {
+    std::vector<Aabb> extents;
+    extents.reserve(order.size());
+    for (const std::uint32_t k : order) extents.push_back(tiles.extent[k]);
+    cells = std::make_unique<const TopCells>(extents, top.frame, arena);
+    known_cells.store(cells.get(), std::memory_order_release);
+  } catch (const std::bad_alloc&) {
+  }
 }
 
 // Second chance (Corbato 1968): the hand goes around, passes what was touched since it last came

@@ -17,6 +17,7 @@
 #include "group_tree.h"
 #include "huge_arena.h"
 #include "tile_groups.h"
+#include "top_cells.h"
 
 namespace geom {
 
@@ -44,13 +45,15 @@ struct CollisionScene::Impl {
   std::size_t budget;
   bool keeps_all = false;  // the whole map surely fits the budget: no group is ever given up
   std::optional<Aabb> free_bounds;
-  TileGroups tiles;                         // the extents grown
-  BoxTree top;                              // over groups; of one group, only a frame
-  bool one_frame = true;                    // of all groups: that of `top`
-  Aabb reach;                               // of all grown boxes, where there are any
-  HugeArena arena;                          // of all groups, where keeps_all
-  std::vector<Group> groups;                // in the order of the leaves of `top`,
-  std::vector<std::uint32_t> order;         // and which of `tiles` each is
+  TileGroups tiles;                                    // the extents grown
+  BoxTree top;                                         // over groups; of one group, only a frame
+  bool one_frame = true;                               // of all groups: that of `top`
+  Aabb reach;                                          // of all grown boxes, where there are any
+  HugeArena arena;                                     // of all groups, where keeps_all
+  std::vector<Group> groups;                           // in the order of the leaves of `top`,
+  std::vector<std::uint32_t> order;                    // and which of `tiles` each is
+  std::unique_ptr<const TopCells> cells;               // over groups, once many were built:
+  std::atomic<const TopCells*> known_cells = nullptr;  // the same
   std::array<std::mutex, kLocks> building;  // group g is built under building[g % kLocks]
 
   mutable std::mutex keeping;       // guards what follows, and taking trees away; taken last
@@ -72,6 +75,7 @@ struct CollisionScene::Impl {
   const Aabb& extent(std::size_t g) const { return tiles.extent[order[g]]; }  // of a group, grown
   const GroupTree& build_group(std::size_t g);
   OwnedGroup made_tree(std::size_t g);
+  void make_cells() noexcept;
   bool make_room() noexcept;
   const GroupTree* kept_tree(const Group& group);
   void keep(std::size_t g, OwnedGroup tree);
@@ -94,6 +98,13 @@ class Use {
  private:
   Group& group_;
 };
+
+// Where a walk among groups may begin, of a question between two points.
+inline const BoxNode* nodes_around(const CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
+  const TopCells* const cells = impl.known_cells.load(std::memory_order_acquire);
+  const BoxNode* const node = cells ? cells->node(a, b) : nullptr;
+  return node ? node : impl.top.nodes.data();
+}
 
 // Calls f(tree) for a query inside a group, whose tree stays that long. Throws where it cannot be
 // built.

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "box_walk.h"
+#include "geom/base/precondition.h"
 
 namespace geom {
 namespace {
@@ -76,7 +77,7 @@ bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
            hits_group(group, SegmentInTree(group.frame, a, b));
   }
   const SegmentInTree s(impl.top.frame, a, b);
-  return any_on_segment(impl.top.nodes.data(), s, [&](std::size_t g) {
+  return any_on_segment(nodes_around(impl, a, b), s, [&](std::size_t g) {
     return (is_built(impl, g) || segment_hits(a, b, impl.extent(g))) &&
            visit(impl, g, [&](const GroupTree& group) {
              return hits_group(group, impl.one_frame ? s : SegmentInTree(group.frame, a, b));
@@ -111,6 +112,14 @@ void search_by_hint(const GroupTree& group, const PointInTree& at, const Vec3& p
   }
 }
 
+// Whether all that is as near as `radius` is below a node of nodes_around.
+bool lies_in(const CollisionScene::Impl& impl, const BoxNode* nodes, const Vec3& p, double radius) {
+  if (!(radius <= kFarthest)) return false;
+  // Wider than what distances and sums lose.
+  const Vec3 reach = Vec3::Constant(radius * (1 + 1e-9) + 1e-6);
+  return nodes_around(impl, p - reach, p + reach) == nodes;
+}
+
 }  // namespace
 
 std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radius,
@@ -127,14 +136,21 @@ std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radiu
     return found.sort();
   }
   const PointInTree at(impl.top.frame, p);
-  each_near(impl.top.nodes.data(), at, found.radius(), [&](std::size_t g) {
-    if (is_built(impl, g) || distance(p, impl.extent(g)) <= found.radius()) {
-      visit(impl, g, [&](const GroupTree& group) {
-        search(group, impl.one_frame ? at : PointInTree(group.frame, p), p, found);
-      });
-    }
-    return found.radius();
-  });
+  const auto search_groups = [&](const BoxNode* nodes) {
+    each_near(nodes, at, found.radius(), [&](std::size_t g) {
+      if (is_built(impl, g) || distance(p, impl.extent(g)) <= found.radius()) {
+        visit(impl, g, [&](const GroupTree& group) {
+          search(group, impl.one_frame ? at : PointInTree(group.frame, p), p, found);
+        });
+      }
+      return found.radius();
+    });
+  };
+  // Of one box, what is known already does no harm.
+  const BoxNode* const all = impl.top.nodes.data();
+  const BoxNode* const around = room.size() == 1 ? nodes_around(impl, p, p) : all;
+  search_groups(around);
+  if (around != all && !lies_in(impl, around, p, found.radius())) search_groups(all);
   return found.sort();
 }
 
@@ -155,7 +171,7 @@ std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl,
   const bool too_many =
       impl.groups.size() == 1
           ? too_many_of(0)
-          : any_in_region(impl.top.nodes.data(), r, [&](std::size_t g) {
+          : any_in_region(nodes_around(impl, region.min, region.max), r, [&](std::size_t g) {
               return (is_built(impl, g) || overlap(region, impl.extent(g))) && too_many_of(g);
             });
   if (too_many) return std::nullopt;

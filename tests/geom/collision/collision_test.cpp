@@ -254,6 +254,41 @@ TEST(Collision, GroupsThatLieFarApartAreAskedAsExactly) {
   EXPECT_GT(hits, 150);
 }
 
+// Once many groups were built, questions within a cell skip the upper levels of the tree over them.
+TEST(Collision, ManyGroupsAreAskedAsExactly) {
+  const Vec3 centre(3e5, -2e5, 0);
+  CollisionScene::Impl impl(support::random_city(10, 900, 1500, centre), {"box", {1, 1, 0.5}}, 0.5,
+                            {std::size_t{1} << 30, 6});
+  ASSERT_GT(impl.groups.size(), 60u);
+  const CollisionScene scene(impl.map, impl.vehicle, impl.margin, {std::size_t{1} << 30, 6});
+  support::Random random(15);
+  int hits = 0;
+  for (int i = 0; i < 1500; ++i) {
+    Segment s = random_segment(random, 800, centre);
+    if (random.below(4)) s.b = s.a + (s.b - s.a) / 10;
+    const bool expected = brute_force(scene, s);
+    hits += expected;
+    ASSERT_EQ(hits_any(impl, s.a, s.b), expected) << "case " << i;
+    const Aabb region{s.a.cwiseMin(s.b), s.a.cwiseMax(s.b)};
+    std::vector<std::size_t> meeting;
+    Nearest best{0, std::numeric_limits<double>::infinity()};
+    for (std::size_t k = 0; k < impl.map.size(); ++k) {
+      if (overlap(region, scene.grown(k))) meeting.push_back(k);
+      const double d = distance(s.a, grow(impl.map.boxes()[k], impl.vehicle.half));
+      if (d < best.distance) best = {k, d};
+    }
+    ASSERT_EQ(find_meeting(impl, region, impl.map.size()), meeting) << "case " << i;
+    for (const double radius : {best.distance, 2 * best.distance + 1, 1e300}) {
+      Nearest found;
+      ASSERT_EQ(find_nearest(impl, s.a, radius, std::span(&found, 1)), 1u) << "case " << i;
+      ASSERT_EQ(found.distance, best.distance) << "case " << i;
+      ASSERT_EQ(found.box, best.box) << "case " << i;
+    }
+  }
+  EXPECT_GT(hits, 80);
+  EXPECT_TRUE(impl.known_cells.load());
+}
+
 // A budget that holds a scene or two: queries of several threads take them from under each other.
 TEST(Collision, GivingScenesUpChangesNoAnswer) {
   const BoxMap map = support::random_city(9, 300, 600);
