@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +16,8 @@
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
+#include "geom/map/geographic_frame.h"
+#include "geom/record/locator.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
 
@@ -60,7 +63,9 @@ std::vector<Vec3> points_of(const std::vector<Line>& batch, const std::string& s
   try {
     for (const auto& [text, line] : batch) {
       const JsonFields fields(text, source, line);
-      if (fields.has("point")) out.push_back(fields.point("point"));
+      if (fields.has("point") && !fields.value("point").is_string()) {
+        out.push_back(fields.point("point"));
+      }
       for (const char* key : {"segment", "box", "sweep"}) {
         if (!fields.has(key)) continue;
         for (const Vec3& p : fields.points(key)) out.push_back(p);
@@ -71,16 +76,30 @@ std::vector<Vec3> points_of(const std::vector<Line>& batch, const std::string& s
   return out;
 }
 
+// "60.1719000N,24.9414000E": seven decimals are a centimetre.
+std::string in_degrees(const geom::GeodeticPlace& place) {
+  return fmt::format("{:.7f}{},{:.7f}{}", std::abs(place.latitude), place.latitude < 0 ? 'S' : 'N',
+                     std::abs(place.longitude), place.longitude < 0 ? 'W' : 'E');
+}
+
 class Answers {
  public:
-  explicit Answers(const geom::CollisionScene& scene) : scene_(scene) {}
+  // `degrees`: points are answered with their latitude and longitude.
+  Answers(const geom::CollisionScene& scene, bool degrees) : scene_(scene), locator_(scene.map()) {
+    const geom::Frame& frame = scene.map().spec().frame;
+    if (!degrees) return;
+    if (!geom::counts_from_origin(frame)) {
+      throw cli::UsageError("--degrees: the map has no origin on Earth");
+    }
+    earth_.emplace(*frame.origin);
+  }
 
   std::string answer(const std::string& text, const std::string& source, std::size_t line) const {
     const JsonFields fields(text, source, line);
     JsonLine out;
     out.add("type", "answer").add("id", fields.text("id", fmt::format("q{}", line)));
     if (fields.has("point")) {
-      add_point(out, fields);
+      add_point(out, fields, place_of(fields, source, line));
     } else if (fields.has("segment")) {
       add_segment(out, fields);
     } else if (fields.has("box")) {
@@ -98,8 +117,22 @@ class Answers {
  private:
   std::uint64_t id(std::size_t box) const { return scene_.map().ids()[box]; }
 
-  void add_point(JsonLine& out, const JsonFields& fields) const {
-    const Vec3 p = fields.point("point");
+  // Metres, or a text as skyway-plan --from takes it.
+  Vec3 place_of(const JsonFields& fields, const std::string& source, std::size_t line) const {
+    if (!fields.value("point").is_string()) return fields.point("point");
+    const std::string text = fields.text("point");
+    const auto place = geom::parse_place(text);
+    if (!place)
+      fields.refuse(fmt::format("point must be {}, found \"{}\"", geom::kPlaceForms, text));
+    return locator_.at(*place, source, line);
+  }
+
+  void add_point(JsonLine& out, const JsonFields& fields, const Vec3& p) const {
+    if (fields.value("point").is_string()) out.add("point", p);
+    if (earth_) {
+      const geom::Axes axes = scene_.map().spec().frame.axes;
+      out.add("place", in_degrees(earth_->place(geom::to_enu(axes, p))));
+    }
     out.add("hit", scene_.hits(p)).add("inside_bounds", scene_.inside_bounds(p));
     const auto k = whole(fields, "k");
     const auto near = scene_.nearest(p, std::numeric_limits<double>::infinity(), k.value_or(1));
@@ -153,14 +186,16 @@ class Answers {
   }
 
   const geom::CollisionScene& scene_;
+  geom::Locator locator_;
+  std::optional<geom::GeographicFrame> earth_;
 };
 
 // Lines of a stream and their answers, batch after batch.
 class Stream {
  public:
-  Stream(const geom::CollisionScene& scene, const cli::InputFile& file, cli::OutputFile& out,
-         const geom::Execution& run)
-      : answers_(scene), file_(file), out_(out), run_(run) {}
+  Stream(const geom::CollisionScene& scene, bool degrees, const cli::InputFile& file,
+         cli::OutputFile& out, const geom::Execution& run)
+      : answers_(scene, degrees), file_(file), out_(out), run_(run) {}
 
   const std::vector<Line>& batch() const { return batch_; }
 
@@ -212,13 +247,17 @@ int main(int argc, char** argv) {
   std::string input = "-";
   std::string output = "-";
   cli::MetresOption metres;
+  bool degrees = false;
   app.add_option("map", map_file, "box map; - for stdin")->required();
-  app.add_option("file", input,
-                 "records with \"point\":[x,y,z] (\"k\":N nearest boxes), \"segment\":[[…],[…]] "
-                 "(\"planes\":REACH, \"empty_box\":REACH), \"box\":[[min],[max]] or "
-                 "\"sweep\":[[…],[…]] with \"half\":[x,y,z] (default: stdin)");
+  app.add_option(
+      "file", input,
+      "records with \"point\":[x,y,z] or \"60.1719N,24.9414E,30\" (\"k\":N nearest boxes), "
+      "\"segment\":[[…],[…]] "
+      "(\"planes\":REACH, \"empty_box\":REACH), \"box\":[[min],[max]] or "
+      "\"sweep\":[[…],[…]] with \"half\":[x,y,z] (default: stdin)");
   cli::add_output(app, "-o,--output", output, "answers (default: stdout)");
   metres.add_to(app);
+  app.add_flag("--degrees", degrees, "answer points with their latitude and longitude");
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
   return cli::run_tool(app, argc, argv, [&] {
@@ -228,7 +267,7 @@ int main(int argc, char** argv) {
     const geom::CollisionScene& scene = scenes.scene();
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
-    Stream stream(scene, file, out, {common.execution("queries").threads, {}});
+    Stream stream(scene, degrees, file, out, {common.execution("queries").threads, {}});
     bool first = true;
     const auto answer = [&] {
       if (std::exchange(first, false) && !stream.batch().empty()) {

@@ -6,6 +6,7 @@
 
 #include "cli/file/contents.h"
 #include "cli/file/files.h"
+#include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
@@ -21,14 +22,14 @@ void require_one_stdin(const std::vector<std::string>& files, const std::string&
   }
 }
 
-const cli::ContentKinds kKinds{
-    .archives = true,
-    .corridors = true,
-    .reports = true,
-    .refusal = "expected a path, a trajectory, a tree, a corridor or a report, found a {}"};
-
-cli::Contents read(const std::vector<std::string>& files) {
-  cli::Contents contents = cli::read_contents(files, kKinds);
+cli::Contents read(const std::vector<std::string>& files, const cli::DroneFileOptions& options) {
+  const cli::ContentKinds kinds{
+      .archives = true,
+      .corridors = true,
+      .reports = true,
+      .drone_files = &options,
+      .refusal = "expected a path, a trajectory, a tree, a corridor or a report, found a {}"};
+  cli::Contents contents = cli::read_contents(files, kinds);
   cli::require_same_map(contents, contents.map ? &contents.map->record : nullptr);
   return contents;
 }
@@ -58,8 +59,11 @@ int main(int argc, char** argv) {
   std::string title = "Skyway";
   std::string output = "-";
   view::FrameFiles pictures;
-  app.add_option("files", files,
-                 "box map, lattices, records (JSON Lines) and flight logs (CSV); - for stdin")
+  cli::DroneFileOptions drone_files{"auto", {}, {}};
+  app.add_option(
+         "files", files,
+         "box map, lattices, records (JSON Lines), flight logs (CSV) and drone files (missions, "
+         "KML, …); - for stdin")
       ->required();
   cli::add_output(app, "-o,--output", output, "HTML page to write (default: stdout)");
   app.add_option("--title", title, "title of the page");
@@ -72,9 +76,13 @@ int main(int argc, char** argv) {
   poses_option->needs(frames_option);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
+  cli::add_point(app, "--start", drone_files.start,
+                 "where a Tello stands before it takes off, along the map's axes");
+  drone_files.placement.add_to(app);
+  drone_files.add_mission_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     require_one_stdin(files, pictures.poses);
-    const cli::Contents contents = read(files);
+    const cli::Contents contents = read(files, drone_files);
     std::optional<view::Frames> frames;
     if (!pictures.names.empty()) frames = view::read_frames(pictures);
     view::Bundle bundle;

@@ -70,6 +70,9 @@ Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const Loca
   if (report.place) out["place"] = as_json(frame.at(axes, *report.place));
   if (report.worst) out["worst"] = *report.worst;
   if (report.box) out["box"] = *report.box;
+  if (report.item) out["item"] = *report.item;
+  if (!report.part.empty()) out["part"] = report.part;
+  if (!report.detail.empty()) out["detail"] = report.detail;
   if (report.duration) out["duration"] = *report.duration;
   if (report.duration && report.duration_bound && *report.duration_bound > 0) {
     out["slower"] = traj::slower_words(*report.duration / *report.duration_bound - 1);

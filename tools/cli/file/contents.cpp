@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <utility>
 
 #include "cli/option/scenes.h"
@@ -10,6 +11,7 @@
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
 #include "plan/lattice/lattice_file.h"
+#include "recognise.h"
 
 namespace cli {
 namespace {
@@ -96,6 +98,66 @@ void add_flights(InputFile& file, Contents& out) {
   }
 }
 
+// The whole way of a path that is flown, as skyway-check counts its legs.
+geom::Polyline whole_way(const traj::Flown& flown) {
+  geom::Polyline way = flown.path;
+  const auto at = [](const geom::Vec3& p, double z) { return geom::Vec3(p.x(), p.y(), z); };
+  if (flown.ends.takeoff_from) way.insert(way.begin(), at(way.front(), *flown.ends.takeoff_from));
+  if (flown.ends.landing_on && *flown.ends.landing_on < way.back().z()) {
+    way.push_back(at(way.back(), *flown.ends.landing_on));
+  }
+  return way;
+}
+
+traj::CorridorShape regions(const std::string& id, const geom::Provenance& provenance,
+                            const traj::Flown& flown) {
+  traj::CorridorShape shape{id, provenance, {}};
+  for (const traj::Sweep& sweep : flown.sweeps) {
+    if (sweep.hull.size() < 3) continue;
+    traj::CorridorShape::Piece& piece = shape.pieces.emplace_back();
+    piece.vertices = sweep.hull;
+    std::vector<std::uint32_t>& face = piece.faces.emplace_back(sweep.hull.size());
+    std::iota(face.begin(), face.end(), 0u);
+  }
+  return shape;
+}
+
+// Paths, as long as there is a path to see; of a trajectory its record.
+void add_drone_file(const std::string& path, const DroneFileOptions& options, Contents& out) {
+  InputFile file(path);
+  geom::Provenance provenance;
+  geom::Frame frame;
+  if (out.map) {
+    frame = out.map->record.spec().frame;
+    provenance.map = out.map->record.hash();
+  }
+  provenance.frame = frame.axes;
+  for (DroneFile& one : read_drone_file(file.read_all(), file.name(), options, frame)) {
+    if (one.flown.path.empty()) {
+      traj::TrajectoryRecord record;
+      record.id = one.id;
+      record.status = traj::TrajectoryStatus::solved;
+      record.provenance = provenance;
+      record.trajectory = std::move(one.flown.trajectory);
+      out.trajectories.push_back({std::move(record), file.name(), 0});
+      continue;
+    }
+    geom::PathRecord record;
+    record.id = one.id;
+    record.status = geom::PathStatus::found;
+    record.provenance = provenance;
+    record.points = whole_way(one.flown);
+    out.paths.push_back({std::move(record), file.name(), 0});
+    traj::CorridorShape shape = regions(one.id, provenance, one.flown);
+    if (!shape.pieces.empty()) out.corridors.push_back({std::move(shape), file.name(), 0});
+  }
+}
+
+bool is_drone_file(const std::string& path) {
+  const auto kind = recognise_file(path);
+  return kind && kind->tools == kDroneTools;
+}
+
 void add_input(const std::string& path, const ContentKinds& kinds, Contents& out) {
   InputFile file(path);
   const int first = file.stream().peek();
@@ -127,7 +189,15 @@ class SameMap {
 
 Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds) {
   Contents out;
-  for (const std::string& path : inputs) add_input(path, kinds, out);
+  std::vector<std::string> drone_files;
+  for (const std::string& path : inputs) {
+    if (kinds.drone_files && is_drone_file(path)) {
+      drone_files.push_back(path);
+    } else {
+      add_input(path, kinds, out);
+    }
+  }
+  for (const std::string& path : drone_files) add_drone_file(path, *kinds.drone_files, out);
   return out;
 }
 

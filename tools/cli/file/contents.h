@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/file/drone_file.h"
 #include "cli/option/scenes.h"
 #include "geom/map/box_map.h"
 #include "geom/record/record.h"
@@ -43,13 +44,16 @@ struct ContentKinds {
   bool archives = false;  // of a map or a lattice
   bool corridors = false;
   bool reports = false;
+  // How drone files are read, as paths and the regions beside them; absent: they are refused.
+  const DroneFileOptions* drone_files = nullptr;
   // What a record of any other type is told; {} stands for that type.
   std::string refusal = "expected a record of type path, trajectory or tree, found \"{}\"";
 };
 
 // Reads each input for what it is: archives by their meta.json, JSON Lines by "type" (a query where
-// there is none), anything else as a flight log. Throws geom::InputError for what is not taken, and
-// for a second map.
+// there is none), drone files by how they begin (once the map is known, which gives the origin and
+// the axes), anything else as a flight log. Throws geom::InputError for what is not taken, and for
+// a second map.
 Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds = {});
 
 // Throws geom::InputError where something was made for another map than `map` or, without one, than

@@ -283,6 +283,10 @@ void DroneFileOptions::add_to(CLI::App& app) {
   add_point(app, "--start", start,
             "where a Tello stands before it takes off, along the map's axes");
   placement.add_to(app);
+  add_mission_to(app);
+}
+
+void DroneFileOptions::add_mission_to(CLI::App& app) {
   app.add_option("--acceptance", mission.acceptance,
                  "a mission's vehicle may turn so many metres before a waypoint where it does not "
                  "rest, 0: not at all (default: what the item says, else 10)")

@@ -52,6 +52,7 @@ struct DroneFileOptions {
 
   // --file-format, --paths-csv, --start, those of the placement and all of missions.
   void add_to(CLI::App& app);
+  void add_mission_to(CLI::App& app);  // all of missions
   void add_heights_to(CLI::App& app);  // --return-height and --terrain of missions
 };
 

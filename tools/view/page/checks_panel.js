@@ -11,10 +11,11 @@ const extremeRows = {
 
 const reasons = { collision: "collides with an obstacle", bounds: "leaves the bounds", no_path: "there is no path",
   speed: "too fast", acceleration: "accelerates too much", jerk: "jerks too much", tilt: "tilts too far",
+  fence: "breaks a fence", takeoff: "would begin inside the ground", return: "returns by a way that is not known",
   discontinuous: "segments do not meet", duration_bound: "claims a bound on its duration that cannot be", duration: "has no valid duration", exact: "refused by the exact check" };
 
 function worstOf(check) {
-  const lengths = ["collision", "bounds", "discontinuous"];
+  const lengths = ["collision", "bounds", "discontinuous", "fence", "takeoff"];
   if (check.worst === undefined) return null;
   if (lengths.includes(check.reason)) return metres(check.worst);
   const row = extremeRows[check.reason];
@@ -51,6 +52,8 @@ function checkCard(check) {
   const where = !check.ok && check.place ? facts([
     ["Why", reasons[check.reason] || check.reason],
     ["By", worstOf(check)],
+    ["Item", check.item === undefined ? null : `${check.item} (${check.part})`],
+    ["That is", check.detail || null],
     [check.checked === "path" ? "Leg, from 0" : "Time", check.time === undefined ? null
       : check.checked === "path" ? decimals(Math.floor(check.time), 0) : withUnit(check.time, 3, "s")],
     ["Place", place(...check.place.map((x, i) => x + origin[i]))],

@@ -26,7 +26,16 @@ function count(value, word, plural = word + "s") {
 }
 
 function place(x, y, z) {
-  return `E ${decimals(x, 1)}, N ${decimals(y, 1)}, U ${decimals(z, 1)}${thinSpace}m`;
+  const metresOf = `E ${decimals(x, 1)}, N ${decimals(y, 1)}, U ${decimals(z, 1)}${thinSpace}m`;
+  return meta.map && meta.map.geographic ? `${metresOf} · ${onEarth(x, y)}` : metresOf;
+}
+
+// Where on Earth metres of the map are, within a metre: a polynomial that the map's projection was put into.
+function onEarth(east, north) {
+  const { at, scale, latitude, longitude } = meta.map.geographic;
+  const x = (east - at[0]) / scale, y = (north - at[1]) / scale;
+  const of = c => c[0] + c[1] * x + c[2] * y + c[3] * x * x + c[4] * x * y + c[5] * y * y;
+  return geographic(of(latitude), of(longitude));
 }
 
 function geographic(latitude, longitude) {

@@ -67,8 +67,19 @@ class Stage {
     for (const motion of motions) this.addMotion(motion);
     this.checkGroup = this.add(new THREE.Group());
     for (const check of meta.reports) {
-      if (!check.ok && check.place) this.addMarker(this.checkGroup, check.place, "failed", "bad", 26);
+      if (check.ok || !check.place) continue;
+      this.addFailedLeg(check);
+      this.addMarker(this.checkGroup, check.place, "failed", "bad", 26);
     }
+  }
+
+  // Of a path, the leg that its check counts.
+  addFailedLeg(check) {
+    const data = check.checked === "path" && check.time !== undefined && meta.paths.find(p => p.id === check.id && p.points);
+    if (!data) return;
+    const points = arrayOf(data.points), from = 3 * Math.floor(check.time);
+    if (from + 6 > points.length) return;
+    this.addLine(this.checkGroup, points.subarray(from, from + 6), missionOfPath.get(data), { colour: "bad", pattern: 0, width: 5 });
   }
 
   addMarker(group, point, shape, colour, pixels) {
