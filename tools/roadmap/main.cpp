@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
@@ -14,12 +15,14 @@
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
 #include "plan/roadmap/part_file.h"
+#include "plan/roadmap/roadmap_estimate.h"
 #include "plan/roadmap/roadmap_file.h"
 #include "plan/roadmap/roadmap_part.h"
 
 namespace {
 
 constexpr double kLong = 300;  // seconds of a core: beyond, the reach must be named
+constexpr double kSaid = 20;   // seconds of a core: beyond, it is measured and said beforehand
 
 // What building takes and gives, about: 9 bends a box, and for each a neighbour a metre of reach,
 // as made-up cities have; and all pairs of bends in neighbouring squares as wide as the reach are
@@ -40,13 +43,25 @@ struct Estimate {
     seconds = 0.5 * bends * bends * share * kPair;
   }
 
-  std::string text() const {
-    return fmt::format(
-        "about {:.1f} million bends, {:.0f} million edges and {:.1f} GB, and take about {:.0f} "
-        "minutes of a core",
-        bends / 1e6, edges / 1e6, (bends * 46 + edges * 8) / 1e9, std::ceil(seconds / 60));
-  }
+  // Of no map in particular, so that it is the same on every machine.
+  plan::RoadmapEstimate rough() const { return {bends, edges, bends * 34 + edges * 8, seconds}; }
 };
+
+std::string text(const plan::RoadmapEstimate& estimate) {
+  const double minutes = estimate.seconds / 60;
+  return fmt::format(
+      "about {:.1f} million bends, {:.0f} million edges and {:.1f} GB, and take about {}",
+      estimate.bends / 1e6, estimate.edges / 1e6, estimate.bytes / 1e9,
+      minutes < 2 ? fmt::format("{:.0f} seconds of a core", std::ceil(estimate.seconds))
+                  : fmt::format("{:.0f} minutes of a core", std::ceil(minutes)));
+}
+
+// Seconds of this thread's work.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 plan::Roadmap patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
                       const geom::Execution& run) {
@@ -65,24 +80,26 @@ void write_shard(const cli::Sharding& sharding, const cli::Common& common,
   common.write_stats({{"bends", part.bends()}, {"edges", part.edge_to.size()}});
 }
 
-// Refuses what would take long, unless its reach was named: then it is said.
+// Refuses what would take long, unless its reach was named: then some tiles are tried, and it is
+// said, but not of a shard.
 void check_size(const cli::Common& common, const std::string& map_file,
-                const geom::CollisionScene& scene, const plan::RoadmapSpec& spec, bool named) {
+                const geom::CollisionScene& scene, const plan::RoadmapSpec& spec, bool named,
+                bool all) {
   const std::size_t boxes =
       spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
   const geom::Aabb& bounds = scene.map().spec().bounds;
   const geom::Aabb area = spec.region.value_or(bounds);
   const Estimate estimate(boxes, spec.reach,
                           {area.min.cwiseMax(bounds.min), area.max.cwiseMin(bounds.max)});
-  if (estimate.seconds <= kLong) return;
-  if (!named) {
+  if (estimate.seconds > kLong && !named) {
     throw cli::UsageError(
         fmt::format("a roadmap of {} boxes would have {}: give --within (500 m is the "
                     "default), or a smaller --region",
-                    boxes, estimate.text()));
+                    boxes, text(estimate.rough())));
   }
-  common.warn(
-      fmt::format("{}: a roadmap of {} boxes will have {}", map_file, boxes, estimate.text()));
+  if (estimate.seconds <= kSaid || !all) return;
+  common.warn(fmt::format("{}: a roadmap of {} boxes will have {}, by a few of its tiles", map_file,
+                          boxes, text(plan::estimate_roadmap(scene, spec, thread_seconds))));
 }
 
 }  // namespace
@@ -119,7 +136,9 @@ int main(int argc, char** argv) {
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
                        vehicle, cli::Scenes::Differences::refused);
     const geom::Execution run = common.execution("bends");
-    if (!patch.asked()) check_size(common, map_file, scenes.scene(), spec, !reach->empty());
+    if (!patch.asked()) {
+      check_size(common, map_file, scenes.scene(), spec, !reach->empty(), !sharding.asked());
+    }
     if (sharding.asked()) {
       write_shard(sharding, common, output, scenes.scene(), spec);
       return cli::Exit::yes;

@@ -1,0 +1,24 @@
+#pragma once
+
+// What a roadmap will have and take, told from some of its tiles before it is built.
+
+#include <functional>
+
+#include "plan/roadmap/roadmap.h"
+
+namespace plan {
+
+struct RoadmapEstimate {
+  double bends = 0;
+  double edges = 0;
+  double bytes = 0;    // of its file
+  double seconds = 0;  // of one core, by the caller's clock
+};
+
+// Builds a few tiles here and there, each with some hundred boxes, and takes all others to be like
+// them. `clock` gives seconds, from any beginning. Costs what those tiles cost, and the map's table
+// of tiles.
+RoadmapEstimate estimate_roadmap(const geom::CollisionScene& scene, const RoadmapSpec& spec,
+                                 const std::function<double()>& clock);
+
+}  // namespace plan
