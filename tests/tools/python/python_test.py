@@ -295,6 +295,12 @@ def test_flight_logs(out):
     assert numpy.array_equal(log.attitude[:, 0], table["qw"]) and numpy.array_equal(log.attitude[:, 3], table["qz"])
     assert numpy.array_equal(log.motors[:, 3], table["motor4"])
     assert numpy.array_equal(log.saturated, table["saturated"] != 0)
+    assert numpy.isnan(log.battery).all() and not log.cut
+    tool("skyway-import-flight", "-q", source_dir / "tests/golden/data/hop.ulg", "-o", f"{out}/hop.csv")
+    log = skyway.read_flight_logs(f"{out}/hop.csv")[0]
+    assert len(log) == 61 and 0.7 < log.battery[-1] < log.battery[0] <= 0.9 and not log.cut
+    asked = ~numpy.isnan(log.setpoint_position)
+    assert not asked[:20].any() and asked[22:].all() and not numpy.isnan(log.position).any()  # from take-off on
 
 
 with tempfile.TemporaryDirectory() as folder:

@@ -187,6 +187,23 @@ def check_flight(page, record, folder):
     check_clearance(page, layer, folder, position)
 
 
+def check_imported(folder):
+    """What a log does not say is not in the page."""
+    run("skyway-import-flight", data / "hop.ulg", "-q", "--map", folder / "map", "--geoid", "-32", "-o", folder / "hop.csv")
+    lines = (folder / "hop.csv").read_text().splitlines()
+    some = [line.split(",") for line in lines[:1] + lines[1:]]
+    for row in some[1:]:
+        row[8:22] = [""] * 14  # attitude, rates, setpoints
+    (folder / "some.csv").write_text("\n".join(map(",".join, some)) + "\n")
+    for name, has in (("hop.csv", True), ("some.csv", False)):
+        run("skyway-view", folder / "map", folder / name, "--vehicle", "box:0.3,0.3,0.2", "-o", folder / "hop.html")
+        layer = Page(folder / "hop.html").meta["motions"][0]
+        assert layer["samples"] == 61 and layer["summary"]["rows"] == 61 and "velocity" in layer and "clearance" in layer
+        for key in ("attitude", "rates", "setpoint", "error"):
+            assert (key in layer) == has, key
+        assert ("error_max" in layer["summary"]) == has and "saturated" in layer["summary"]
+
+
 def main(folder):
     run("skyway-import", data / "village.csv", "-q", "--bounds", "0,0,0,80,60,60", "-o", folder / "map")
     vehicle = ["--vehicle", "box:1,1,1"]
@@ -220,6 +237,7 @@ def main(folder):
     check_flight(page, record, folder)
     run("skyway-view", *files, "--title", "A < B & C", "-o", folder / "again.html")
     assert (folder / "again.html").read_bytes() == page_file.read_bytes()
+    check_imported(folder)
 
 
 with tempfile.TemporaryDirectory() as name:
