@@ -1,4 +1,4 @@
-"""import_flight_test.py BIN_DIR: PX4 logs to flight logs, and those against maps, as processes.
+"""import_flight_test.py BIN_DIR [FLIGHTS]: PX4 logs to flight logs, and those against maps, as processes.
 
 What is read is held against ulog.py, which shares no code with the product, and against pyulog where it is installed. Places
 are held against the formulas of a sphere (PX4's local projection, by the direct problem of navigation) and of Krüger's
@@ -218,7 +218,7 @@ def touches(box, a, b):
     return low <= high
 
 
-def check_verdicts(folder, flights=3000):
+def check_verdicts(folder, flights):
     """No flight that touches is called sampled, and none that keeps 1e-6 m away is refused."""
     dice = random.Random(11)
     box = [10, 10, 0, 20, 20, 30]
@@ -254,7 +254,7 @@ with tempfile.TemporaryDirectory() as name:
     check_places()
     check_real()
     check_damage(pathlib.Path(name))
-    check_verdicts(pathlib.Path(name))
+    check_verdicts(pathlib.Path(name), int(sys.argv[2]) if len(sys.argv) > 2 else 3000)
 for line in wrong[:40]:
     print("wrong:", line)
 sys.exit(bool(wrong))
