@@ -13,7 +13,10 @@
 namespace geom {
 namespace {
 
-constexpr std::uint64_t kMostEntries = 65536;  // ours have a dozen
+constexpr std::uint16_t kEncrypted = 1;  // flags of an entry
+constexpr std::uint16_t kDescribed = 8;
+constexpr std::uint16_t kStored = 0;  // methods
+constexpr std::uint16_t kDeflated = 8;
 
 // Little-endian numbers at checked places; nothing beyond the end.
 class Bytes {
@@ -57,15 +60,14 @@ struct Directory {
 };
 
 // What is no ZIP at all is told by its beginning; its end says nothing to anyone.
-void require_zip(const Bytes& in) {
+void require_zip(const Bytes& in, const char* what) {
   constexpr std::size_t kShown = 16;
   const std::string head = in.text(0, std::min(in.size(), kShown), "the beginning");
   if (!head.starts_with("PK")) {
-    in.refuse(
-        fmt::format("expected a map, lattice, roadmap or shard of Skyway (a ZIP archive), "
-                    "found {}",
-                    head.empty() ? "an empty file"
-                                 : fmt::format("a file that begins with \"{}\"", excerpt(head))));
+    in.refuse(fmt::format("expected {} (a ZIP archive), found {}", what,
+                          head.empty()
+                              ? "an empty file"
+                              : fmt::format("a file that begins with \"{}\"", excerpt(head))));
   }
   if (in.size() < kEndSize) {
     in.refuse(
@@ -73,8 +75,8 @@ void require_zip(const Bytes& in) {
   }
 }
 
-Directory find_directory(const Bytes& in) {
-  require_zip(in);
+Directory find_directory(const Bytes& in, const char* what) {
+  require_zip(in, what);
   const std::uint64_t end = in.size() - kEndSize;
   if (in.get<std::uint32_t>(end, "the end record") != kEndMark) {
     in.refuse(
@@ -133,6 +135,21 @@ Extent with_zip64(const Bytes& in, std::uint64_t at, std::uint64_t size, Extent 
   return extent;
 }
 
+// Refuses a local header of another method or, where it says them, other sizes than the directory:
+// readers that go from entry to entry would find something else.
+void require_alike(const Bytes& in, const ZipEntry& entry, std::uint64_t stored) {
+  const auto method = in.get<std::uint16_t>(entry.header + 8, "a local header");
+  const auto local_stored = in.get<std::uint32_t>(entry.header + 18, "a local header");
+  const auto local_size = in.get<std::uint32_t>(entry.header + 22, "a local header");
+  const auto differs = [&](std::uint32_t local, std::uint64_t size) {
+    return local != size && local != kFull32 && !(entry.described && local == 0);
+  };
+  if (method != (entry.deflated ? kDeflated : kStored) || differs(local_stored, stored) ||
+      differs(local_size, entry.size)) {
+    in.refuse(fmt::format("{}: the local header and the directory differ", excerpt(entry.name)));
+  }
+}
+
 // The bytes that the local header of `entry` says are its own.
 std::span<const std::byte> find_data(const Bytes& in, const Directory& d, const ZipEntry& entry,
                                      std::uint64_t size) {
@@ -145,6 +162,7 @@ std::span<const std::byte> find_data(const Bytes& in, const Directory& d, const 
   if (in.text(entry.header + kLocalSize, local_name, "a local name") != entry.name) {
     in.refuse(fmt::format("{}: the local header has another name", excerpt(entry.name)));
   }
+  require_alike(in, entry, size);
   const std::uint64_t start = entry.header + kLocalSize + local_name + local_extra;
   const auto data = in.part(start, size, excerpt(entry.name).c_str());
   if (start + size > d.start) {
@@ -154,7 +172,7 @@ std::span<const std::byte> find_data(const Bytes& in, const Directory& d, const 
 }
 
 // The entry of the directory at `at`, which then stands at the next.
-ZipEntry read_entry(const Bytes& in, const Directory& d, std::uint64_t& at) {
+ZipEntry read_entry(const Bytes& in, const Directory& d, const ZipRules& rules, std::uint64_t& at) {
   if (in.get<std::uint32_t>(at, "the directory") != kCentralMark) {
     in.refuse("expected an entry of the ZIP directory, found something else");
   }
@@ -173,14 +191,18 @@ ZipEntry read_entry(const Bytes& in, const Directory& d, std::uint64_t& at) {
   const Extent extent = with_zip64(in, at + kCentralSize + name, extra, fields);
   entry.header = extent.header;
   at += kCentralSize + name + extra + comment;
-  if (method != 0 || extent.stored != extent.size) {
-    in.refuse(fmt::format("{}: expected an entry stored without compression, found method {}",
-                          excerpt(entry.name), method));
-  }
-  if (flags & 1)
+  entry.size = extent.size;
+  entry.deflated = rules.foreign && method == kDeflated;
+  entry.described = (flags & kDescribed) != 0;
+  if (flags & kEncrypted) {
     in.refuse(
         fmt::format("{}: expected a plain entry, found an encrypted one", excerpt(entry.name)));
-  entry.bytes = find_data(in, d, entry, extent.size);
+  }
+  if (!entry.deflated && (method != kStored || extent.stored != extent.size)) {
+    in.refuse(fmt::format("{}: expected an entry stored {}, found method {}", excerpt(entry.name),
+                          rules.foreign ? "or deflated" : "without compression", method));
+  }
+  entry.bytes = find_data(in, d, entry, extent.stored);
   return entry;
 }
 
@@ -194,6 +216,10 @@ void check_names(const Bytes& in, const std::vector<ZipEntry>& entries) {
   in.refuse(fmt::format("{}: expected each entry once, found it twice", excerpt(*twice)));
 }
 
+std::uint64_t end_of(std::span<const std::byte> archive, const ZipEntry& entry) {
+  return static_cast<std::uint64_t>(entry.bytes.data() - archive.data()) + entry.bytes.size();
+}
+
 // Refuses overlaps of entries, which stand in the order of their places.
 void check_apart(const Bytes& in, std::span<const std::byte> archive,
                  const std::vector<ZipEntry>& entries) {
@@ -201,26 +227,49 @@ void check_apart(const Bytes& in, std::span<const std::byte> archive,
   for (const ZipEntry& entry : entries) {
     if (end > entry.header)
       in.refuse(fmt::format("{}: overlaps the entry before it", excerpt(entry.name)));
-    end = static_cast<std::uint64_t>(entry.bytes.data() - archive.data()) + entry.bytes.size();
+    end = end_of(archive, entry);
   }
+}
+
+// Refuses bytes that belong to no entry: readers that go from entry to entry would find others
+// there.
+void check_whole(const Bytes& in, std::span<const std::byte> archive, const Directory& d,
+                 const std::vector<ZipEntry>& entries) {
+  constexpr std::uint64_t kLongestDescriptor = 24;
+  std::uint64_t least = 0;
+  std::uint64_t most = 0;
+  const auto require = [&](std::uint64_t place) {
+    if (place < least || place > most) {
+      in.refuse("expected entries one after the other, found bytes that belong to none");
+    }
+  };
+  for (const ZipEntry& entry : entries) {
+    require(entry.header);
+    least = end_of(archive, entry);
+    most = least + (entry.described ? kLongestDescriptor : 0);
+  }
+  require(d.start);
 }
 
 }  // namespace
 
-std::vector<ZipEntry> read_zip(std::span<const std::byte> archive, const std::string& name) {
+std::vector<ZipEntry> read_zip(std::span<const std::byte> archive, const std::string& name,
+                               const ZipRules& rules) {
   const Bytes in(archive, name);
-  const Directory d = find_directory(in);
-  if (d.count > kMostEntries) {
-    in.refuse(fmt::format("expected a ZIP of at most {} entries, found {}", kMostEntries, d.count));
+  const Directory d = find_directory(in, rules.what);
+  if (d.count > rules.most_entries) {
+    in.refuse(
+        fmt::format("expected a ZIP of at most {} entries, found {}", rules.most_entries, d.count));
   }
   std::vector<ZipEntry> entries;
   std::uint64_t at = d.start;
-  for (std::uint64_t i = 0; i < d.count; ++i) entries.push_back(read_entry(in, d, at));
+  for (std::uint64_t i = 0; i < d.count; ++i) entries.push_back(read_entry(in, d, rules, at));
   if (at != d.start + d.size) in.refuse("the ZIP directory has another size than it says");
   std::sort(entries.begin(), entries.end(),
             [](const ZipEntry& a, const ZipEntry& b) { return a.header < b.header; });
   check_names(in, entries);
   check_apart(in, archive, entries);
+  if (rules.foreign) check_whole(in, archive, d, entries);
   return entries;
 }
 

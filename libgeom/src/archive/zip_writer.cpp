@@ -33,9 +33,10 @@ std::string zip64_field(const std::vector<std::uint64_t>& values) {
 }
 
 // Fills up what comes before the data, so that these start aligned after `before` bytes.
-std::string align_field(std::uint64_t before) {
+std::string align_field(std::uint64_t before, std::size_t alignment) {
+  if (alignment == 1) return "";
   const std::uint64_t start = before + 4;
-  const auto pad = static_cast<std::uint16_t>((kAlignment - start % kAlignment) % kAlignment);
+  const auto pad = static_cast<std::uint16_t>((alignment - start % alignment) % alignment);
   std::string field;
   append_bytes(field, kAlignExtra);
   append_bytes(field, pad);
@@ -75,7 +76,7 @@ void ZipWriter::add(const std::string& name, std::string_view head,
   const std::uint64_t offset = written_;
   const bool zip64 = size >= kFull32;
   std::string extra = zip64 ? zip64_field({size, size}) : "";
-  extra += align_field(offset + kLocalSize + name.size() + extra.size());
+  extra += align_field(offset + kLocalSize + name.size() + extra.size(), alignment_);
 
   std::string local;
   append_bytes(local, kLocalMark);

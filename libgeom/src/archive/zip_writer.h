@@ -9,14 +9,18 @@
 #include <string>
 #include <string_view>
 
+#include "zip_format.h"
+
 namespace geom {
 
-// Entries in the order they are added, what each one stores from a multiple of kAlignment bytes on;
-// Zip64 where a size or place needs it. The clock stands at 1980-01-01. Keeps the directory alone
-// in memory.
+// Entries in the order they are added, what each one stores from a multiple of `alignment` bytes
+// on; Zip64 where a size or place needs it. The clock stands at 1980-01-01. Keeps the directory
+// alone in memory.
 class ZipWriter {
  public:
-  explicit ZipWriter(std::ostream& out) : out_(out) {}  // `out` must outlive it
+  // `out` must outlive it.
+  explicit ZipWriter(std::ostream& out, std::size_t alignment = kAlignment)
+      : out_(out), alignment_(alignment) {}
 
   // Stores `head` and the pieces of the body, one after the other.
   void add(const std::string& name, std::string_view head,
@@ -30,6 +34,7 @@ class ZipWriter {
   void write_end64(std::uint64_t start, std::uint64_t size);
 
   std::ostream& out_;
+  std::size_t alignment_;
   std::string directory_;
   std::uint64_t written_ = 0;
   std::uint64_t count_ = 0;
