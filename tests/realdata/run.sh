@@ -90,6 +90,9 @@ if command -v skyway-footprints > /dev/null; then
     grep -q 'expected CityJSON version\|expected each key once' why
   done
 fi
+mission=$SKYWAY_REALDATA/missions/dji_pilot2_seed.kmz  # by DJI Pilot 2, which says 121.03 m of its leg (on a sphere)
+skyway-import-trajectory -q "$mission" --origin 49.715,-101.148,0 --ground 0 > imported
+grep -q '"length":131.0[0-9]*,"points":\[\[[-0-9.]*,[-0-9.]*,20\],\[[-0-9.]*,[-0-9.]*,10\],\[[-0-9.]*,[-0-9.]*,10\]\]' imported
 if command -v skyway-cloud > /dev/null; then
   clouds=$SKYWAY_REALDATA/clouds
   points() { skyway-cloud -q "$clouds/$1" --stats stats -o cloud; sed -n 's/^  "points": \([0-9]*\),/\1/p' stats; }

@@ -16,6 +16,7 @@
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
+#include "dji_options.h"
 #include "flight.h"
 #include "geom/base/error.h"
 #include "output_names.h"
@@ -120,8 +121,8 @@ void add_options(CLI::App& app, Options& options, Task& task) {
       ->expected(0, 2);
   app.add_option("--format", task.format, "what to write")
       ->required()
-      ->check(CLI::IsMember(
-          {"tello", "crazyflie", "qgc-plan", "wpl", "setpoints", "kml", "geojson", "gltf"}));
+      ->check(CLI::IsMember({"tello", "crazyflie", "qgc-plan", "wpl", "dji-wpml", "setpoints",
+                             "kml", "geojson", "gltf"}));
   app.add_option("--rate", task.rate, "setpoints: how many a second, Hz (default 50)")
       ->check(CLI::Range(0.1, 10000.0));
   app.add_option("--axes", options.axes, "setpoints: axes, enu or ned (default enu)")
@@ -136,6 +137,7 @@ void add_options(CLI::App& app, Options& options, Task& task) {
                  "0.1 to 1, its default is 1 where the limits allow it)")
       ->check(CLI::Range(0.1, 100.0));
   app.add_flag("--hover", options.hover, "end a mission hovering, without landing");
+  exporting::add_dji_options(app, task.dji, task.turns);
   task.placement.add_to(app);
   app.add_option("--id", options.id, "which record of the stream (default: its only one)");
   app.add_flag("--unchecked", options.unchecked, "write without a map and without a proof");
@@ -154,7 +156,7 @@ void add_options(CLI::App& app, Options& options, Task& task) {
 
 void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked) {
   const bool tello = format == "tello";
-  const bool mission = format == "wpl" || format == "qgc-plan";
+  const bool mission = format == "wpl" || format == "qgc-plan" || format == "dji-wpml";
   const bool line = format == "kml" || format == "geojson";
   const bool legs = tello || mission || line || format == "gltf";
   cli::only_for(app, format == "setpoints", {"--rate", "--axes"}, "--format setpoints");
@@ -164,15 +166,25 @@ void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked)
   // --origin and --geoid say where the map is: that is true whatever the format needs of it.
   cli::only_for(app, tello, {"--takeoff-height", "--heading", "--python", "--table"},
                 "--format tello");
+  cli::only_for(app, format == "dji-wpml", {"--wpml-version", "--aircraft", "--turns"},
+                "--format dji-wpml");
   cli::only_for(app, !unchecked, {"--margin", "--spare"}, "an export that is checked");
 }
 
-// A Tello's go has no other speeds, so one that is asked for is not changed in silence.
+// A Tello's go and DJI's missions have no other speeds, so one that is asked for is not changed in
+// silence.
 void require_flyable(const Task& task) {
-  if (task.format != "tello" || task.speed.value_or(1) <= 1) return;
-  throw cli::UsageError(
-      fmt::format("--speed: expected 0.1 to 1 m/s, as a Tello's go takes 10 to 100 cm/s, found {}",
-                  *task.speed));
+  if (task.format == "tello" && task.speed.value_or(1) > 1) {
+    throw cli::UsageError(fmt::format(
+        "--speed: expected 0.1 to 1 m/s, as a Tello's go takes 10 to 100 cm/s, found {}",
+        *task.speed));
+  }
+  if (task.format == "dji-wpml" && task.speed.value_or(1) > traj::kDjiFastest) {
+    throw cli::UsageError(
+        fmt::format("--speed: expected at most {} m/s, as DJI's missions take, "
+                    "found {}",
+                    traj::kDjiFastest, *task.speed));
+  }
 }
 
 // Without a map nothing judges the speed of each leg, so that it must suit legs in any direction.
@@ -245,6 +257,7 @@ class Exporter {
     if (!made.written) return made;
     if (made.task.format == "crazyflie") warn_of_memory(common_, made.task);
     warn_of_what_is_left_out(common_, made.task, flight);
+    if (!made.written->note.empty()) common_.warn(flight.id + ": " + made.written->note);
     return made;
   }
 
@@ -310,7 +323,8 @@ class Outputs {
 
   // Of the record that was added as the `index`-th. Of many, each appears as it is whole.
   void save(std::size_t index, const std::string& format, const Written& written) const {
-    const auto kind = format == "gltf" ? cli::OutputKind::artefact : cli::OutputKind::text;
+    const bool binary = format == "gltf" || format == "dji-wpml";
+    const auto kind = binary ? cli::OutputKind::artefact : cli::OutputKind::text;
     const std::string* const texts[] = {&written.text, &written.python, &written.csv};
     std::list<cli::OutputFile> outputs;
     for (int i = 0; i < 3; ++i) {

@@ -20,7 +20,8 @@ constexpr double kEndGap = 0.02;  // m: how well straight legs must meet the end
 // m: more than centimetres and 1e-7 degrees round a point by, and what vehicles make of those
 // degrees.
 double rounding_of(const std::string& format) {
-  return format == "wpl" || format == "qgc-plan" ? 0.03 : 0.012;
+  const bool mission = format == "wpl" || format == "qgc-plan" || format == "dji-wpml";
+  return mission ? 0.03 : 0.012;
 }
 
 // What the bytes make the drone fly, judged.
@@ -50,14 +51,31 @@ geom::Polyline pushed_legs(const geom::CollisionScene& scene, const Task& task,
                       traj::pushed_off(scene, traj::to_enu(task.frame.axes, legs), distance));
 }
 
+// Writes the legs, and judges what was written. Turns without a stop that would be refused are made
+// shorter, or stops.
+std::pair<Written, traj::CheckResult> write_and_judge(const geom::CollisionScene& scene, Task task,
+                                                      const geom::Polyline& legs) {
+  std::vector<double>& turns = task.dji.turns;
+  if (task.turns) turns.assign(legs.size(), *task.turns);
+  while (true) {
+    Written written = exporting::write(task, legs);
+    const traj::CheckResult result = judge(scene, task, written);
+    const bool turn = result.part && result.part->manoeuvre == traj::Manoeuvre::corner;
+    if (result.ok || !turn || result.part->item >= turns.size() || turns[result.part->item] == 0) {
+      return {std::move(written), result};
+    }
+    double& most = turns[result.part->item];
+    most = most > 2 * traj::kDjiLeastTurn ? most / 2 : 0;
+  }
+}
+
 }  // namespace
 
 std::pair<Written, traj::CheckResult> write_proved(const geom::CollisionScene& scene,
                                                    const Task& task) {
   std::pair<Written, traj::CheckResult> made;
   const auto attempt = [&](const geom::Polyline& legs) {
-    made.first = exporting::write(task, legs);
-    made.second = judge(scene, task, made.first);
+    made = write_and_judge(scene, task, legs);
     const traj::Reason reason = made.second.reason;
     return reason != traj::Reason::collision && reason != traj::Reason::bounds &&
            reason != traj::Reason::end;

@@ -9,6 +9,7 @@
 
 #include "cli/run.h"
 #include "traj/drone_file/crazyflie.h"
+#include "traj/drone_file/dji_wpml.h"
 #include "traj/drone_file/geo_line.h"
 #include "traj/drone_file/gltf_line.h"
 #include "traj/drone_file/qgc_plan.h"
@@ -87,6 +88,39 @@ Written write_mission(const Task& task, const geom::Polyline& legs) {
   return {text.str(), {}, {}, {task.format, placement, {}}};
 }
 
+// Of the turns that were asked for, those that became stops.
+std::string note_of_stops(const traj::DjiMission& mission) {
+  std::vector<std::size_t> stops;
+  const auto& waypoints = mission.waylines.front().waypoints;
+  for (std::size_t i = 1; i + 1 < waypoints.size(); ++i) {
+    if (waypoints[i].turn == traj::DjiTurn::stop) stops.push_back(i);
+  }
+  if (stops.empty()) return "";
+  return fmt::format(
+      "no room to turn at {} of {} waypoints (counted from 0: {}{}): it stops there", stops.size(),
+      waypoints.size(),
+      fmt::join(stops.begin(), stops.begin() + std::min<long>(10, std::ssize(stops)), ", "),
+      stops.size() > 10 ? ", …" : "");
+}
+
+Written write_dji(const Task& task, const geom::Polyline& legs) {
+  traj::DjiOptions options = task.dji;
+  options.home = task.ground;
+  options.lands = task.lands;
+  options.speed = speed_of(task);
+  if (task.turns && options.turns.empty()) options.turns.assign(legs.size(), *task.turns);
+  const traj::MissionFrame over = task.placement.mission_frame(task.frame);
+  cli::require_near_origin(legs, over.origin, task.id);
+  const traj::DjiMission mission = traj::make_dji_mission(legs, over, options);
+  std::ostringstream text;
+  traj::write_dji_kmz(text, mission, task.checked ? "skyway" : "skyway (UNCHECKED)");
+  cli::Placement placement = task.placement;
+  placement.ground.reset();  // the file says where home is
+  Written written{text.str(), {}, {}, {task.format, placement, {}}};
+  if (task.turns) written.note = note_of_stops(mission);
+  return written;
+}
+
 Written write_line(const Task& task, const geom::Polyline& legs) {
   std::ostringstream text;
   if (task.format == "gltf") {
@@ -139,6 +173,7 @@ Written write(const Task& task, const geom::Polyline& legs) {
     return {text.str(), {}, {}, {task.format, task.placement, {}}};
   }
   if (task.format == "tello") return write_tello(task, legs);
+  if (task.format == "dji-wpml") return write_dji(task, legs);
   if (task.format == "wpl" || task.format == "qgc-plan") return write_mission(task, legs);
   return write_line(task, legs);
 }

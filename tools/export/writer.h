@@ -7,6 +7,7 @@
 
 #include "cli/file/drone_file.h"
 #include "traj/curve/trajectory.h"
+#include "traj/drone_file/dji_mission.h"
 #include "traj/proof/limits.h"
 
 namespace exporting {
@@ -26,6 +27,8 @@ struct Task {
   double landing = 0;      // and under the last
   bool lands = true;
   std::optional<double> speed;  // m/s
+  traj::DjiOptions dji;         // version, aircraft, and turns as far as they are known to fit
+  std::optional<double> turns;  // m, asked for
   bool checked = true;
 };
 
@@ -35,6 +38,7 @@ struct Written {
   std::string python;
   std::string csv;
   cli::DroneFileOptions reading;  // what it takes to read the text again
+  std::string note = {};          // what is not as asked; empty: all is
 };
 
 // The largest speed that they allow in every direction, m/s.

@@ -91,8 +91,8 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--format", options.format,
                  "what the file is (default: found out from its beginning)")
-      ->check(CLI::IsMember({"auto", "crazyflie", "wpl", "qgc-plan", "tello", "kml", "geojson",
-                             "gltf", "paths-csv"}));
+      ->check(CLI::IsMember({"auto", "crazyflie", "wpl", "qgc-plan", "dji-wpml", "tello", "kml",
+                             "geojson", "gltf", "paths-csv"}));
   CLI::Option* const map_option =
       app.add_option("--map", map, "box map that the file is for: gives the axes and the origin");
   app.add_option("--frame", axes, "axes to write in: enu or neu (default enu)")

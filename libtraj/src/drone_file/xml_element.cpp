@@ -133,20 +133,20 @@ class XmlParser {
     return found;
   }
 
-  void pass_attributes() {
+  void take_attributes(XmlElement& made) {
     while (true) {
       pass_space();
       if (at_end() || next_is(">") || next_is("/")) return;
-      name("the name of an attribute or the end of the tag");
+      std::string key = name("the name of an attribute or the end of the tag");
       pass_space();
       if (!take("=")) refuse("expected = after the name of an attribute");
       pass_space();
       const std::string quote(text_.substr(at_, 1));
       if (quote != "\"" && quote != "'") refuse("expected a value in quotes");
       pass(1);
-      if (up_to(quote, "a value").find('<') != std::string_view::npos) {
-        refuse("expected no < in a value");
-      }
+      const std::string_view value = up_to(quote, "a value");
+      if (value.find('<') != std::string_view::npos) refuse("expected no < in a value");
+      made.attributes.emplace_back(std::move(key), value);
     }
   }
 
@@ -175,8 +175,10 @@ class XmlParser {
     made.line = line_;
     if (!take("<")) refuse("expected an element");
     const std::string full = name("the name of an element");
-    made.name = full.substr(full.rfind(':') + 1);
-    pass_attributes();
+    const std::size_t colon = full.rfind(':');
+    made.name = full.substr(colon + 1);
+    if (colon != full.npos) made.prefix = full.substr(0, colon);
+    take_attributes(made);
     if (take("/>")) return made;
     if (!take(">")) refuse("a tag is not ended: the file may be cut");
     take_content(made, depth);

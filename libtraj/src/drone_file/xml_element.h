@@ -1,17 +1,20 @@
 #pragma once
 
-// XML as a tree: what a KML file holds, read to its end.
+// XML as a tree: what a KML or WPML file holds, read to its end.
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace traj {
 
 struct XmlElement {
   std::string name;      // without its namespace's prefix: "LineString", also of "kml:LineString"
+  std::string prefix;    // "kml" of that; empty where there is none
   std::size_t line = 0;  // where it begins
-  std::string text;      // its own character data, entities resolved
+  std::vector<std::pair<std::string, std::string>> attributes;  // as they stand, in their order
+  std::string text;  // its own character data, entities resolved
   std::vector<XmlElement> children;
 };
 

@@ -266,8 +266,10 @@ std::optional<geom::Polyline> whole_way(const geom::CollisionScene& scene, const
     if (foot.z() > way.front().z()) return std::nullopt;
     way.insert(way.begin(), foot);
   }
-  if (flown.ends.landing_on) {
-    const Vec3 foot = above(way.back(), *flown.ends.landing_on);
+  if (flown.ends.landing_on || flown.lands_below) {
+    const double ground =
+        flown.lands_below ? ground_below(scene, way.back()) : *flown.ends.landing_on;
+    const Vec3 foot = above(way.back(), ground);
     if (foot.z() < way.back().z()) way.push_back(foot);
   }
   return way;

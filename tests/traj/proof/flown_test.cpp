@@ -38,6 +38,22 @@ TEST(CheckFlown, LooksAtTheAscentAndTheDescent) {
   EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::takeoff) << "below the ground";
 }
 
+TEST(CheckFlown, LandsOnWhatIsBelow) {
+  Flown flown = path({{40, 5, 35}, {5, 5, 35}});
+  flown.lands_below = true;
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok);
+  const auto way = whole_way(yard(), flown);
+  ASSERT_TRUE(way);
+  ASSERT_EQ(way->size(), 3u);
+  EXPECT_NEAR(way->back().z(), 10 + yard().half().z(), 0.01) << "on the roof";
+  flown.path.back() = {15, 5, 35};
+  EXPECT_NEAR(whole_way(yard(), flown)->back().z(),
+              yard().map().spec().bounds.min.z() + yard().half().z(), 0.01)
+      << "between the blocks";
+  flown.path_stray = {5, 0, 0};
+  EXPECT_FALSE(check_flown(yard(), flown, {}).ok) << "where it may be off";
+}
+
 TEST(CheckFlown, KnowsTheSpeedsOfLegs) {
   Flown flown = path({{40, 0, 5}, {40, 30, 45}});
   flown.speed = 5;

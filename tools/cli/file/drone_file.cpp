@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "cli/file/dji_file.h"
 #include "cli/option/numbers_option.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
@@ -34,6 +35,7 @@ std::string detected(std::string_view text) {
     return geojson ? "geojson" : "qgc-plan";
   }
   if (text.starts_with("glTF")) return "gltf";
+  if (text.starts_with("PK")) return "dji-wpml";
   if (text.starts_with("<")) return "kml";
   if (text.starts_with("command") || text.starts_with("takeoff")) return "tello";
   if (text.starts_with("duration") || text.starts_with("Duration")) return "crazyflie";
@@ -164,6 +166,8 @@ std::vector<traj::Flown> read_flown(std::istream& in, const std::string& source,
     flown.trajectory = traj::straight_between(flown.setpoints);
   } else if (format == "tello") {
     flown = flown_tello(in, source, options, frame.axes, notes);
+  } else if (format == "dji-wpml") {
+    flown = flown_dji_file(in, source, options, frame, notes);
   } else if (format == "wpl") {
     flown = flown_mission(traj::read_wpl(in, source), source, options, frame, notes);
   } else {
@@ -275,8 +279,8 @@ void DroneFileOptions::add_to(CLI::App& app) {
   app.add_option("--file-format", format,
                  "FILE is a drone file, to be checked as it will be flown; auto: found out from "
                  "its beginning")
-      ->check(CLI::IsMember({"auto", "crazyflie", "setpoints", "tello", "wpl", "qgc-plan", "kml",
-                             "geojson", "gltf", "paths-csv", "flight-log"}));
+      ->check(CLI::IsMember({"auto", "crazyflie", "setpoints", "tello", "wpl", "qgc-plan",
+                             "dji-wpml", "kml", "geojson", "gltf", "paths-csv", "flight-log"}));
   app.add_flag_callback(
       "--paths-csv", [this] { format = "paths-csv"; },
       "FILE is a table of paths with columns id,x,y,z");

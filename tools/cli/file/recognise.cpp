@@ -23,8 +23,8 @@ constexpr std::string_view kToCloud = "convert it to LAS, PLY or PCD, which skyw
 constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kToTrajectory =
     "convert its positions to a table id,x,y,z in metres, which skyway-check --paths-csv reads";
-constexpr std::string_view kToMission =
-    "convert it to a WPL or a QGroundControl plan, which skyway-check and "
+constexpr std::string_view kToKmz =
+    "put it into a ZIP archive (.kmz) as wpmz/waylines.wpml, which skyway-check and "
     "skyway-import-trajectory read";
 constexpr std::string_view kPathTools =
     "skyway-traj skyway-check skyway-replan skyway-plot skyway-view skyway-render skyway-map "
@@ -105,7 +105,7 @@ struct Word {
 // In XML, by the elements.
 constexpr std::array kElements = {
     Word{"<gpx", "a GPX track", "", kToTrajectory},
-    Word{"<wpml:", "a DJI mission (WPML)", "", kToMission},
+    Word{"<wpml:", "a DJI mission (WPML)", "", kToKmz},
     Word{"<kml", "a KML file", kDroneTools, ""},
     Word{"<osm", "an OpenStreetMap file", "skyway-footprints", ""},
     Word{"CityModel", "a CityGML model", "",
@@ -157,8 +157,8 @@ constexpr std::array kZip = {
         R"("format":"skyway-lattice")", "a lattice",
         "skyway-plan skyway-replan skyway-lattice skyway-bench skyway-view skyway-plot skyway-info",
         ""},
-    Word{"wpmz/", "a DJI mission (KMZ with WPML)", "", kToMission},
-    Word{".wpml", "a DJI mission (KMZ with WPML)", "", kToMission},
+    Word{"wpmz/", "a DJI mission (KMZ with WPML)", kDroneTools, ""},
+    Word{".wpml", "a DJI mission (KMZ with WPML)", kDroneTools, ""},
     Word{".kml", "a KMZ file", "", "unpack the KML in it"},
     Word{"[Content_Types].xml", "an office document", "", "write its table as CSV"},
     Word{"mimetype", "an office document", "", "write its table as CSV"},

@@ -22,6 +22,7 @@ struct Flown {
   geom::Polyline path;
   std::vector<double> hold;  // s at each point of the path; may be empty
   VerticalEnds ends;
+  bool lands_below = false;        // on whatever is below the last point
   Vec3 path_stray = Vec3::Zero();  // m that what is flown may be from the path, along each axis
   std::optional<double> speed;     // m/s along the legs
   std::vector<FlightPart> legs;    // of a mission: to each point, and the landing's; may be empty

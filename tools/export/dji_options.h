@@ -1,0 +1,15 @@
+#pragma once
+
+// What a mission for DJI's aircraft may be asked to say.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "traj/drone_file/dji_mission.h"
+
+namespace exporting {
+
+// --wpml-version, --aircraft and --turns.
+void add_dji_options(CLI::App& app, traj::DjiOptions& options, std::optional<double>& turns);
+
+}  // namespace exporting
