@@ -1,0 +1,274 @@
+// dji_agreement N [SEED]: N missions of DJI's, each with one obstacle put into the way of one of
+// its parts, 1e-6 to 1 m deep. Where the way is, is worked out here from DJI's documents and
+// another projection (GeographicLib's exact one). None may pass.
+
+#include <fmt/format.h>
+
+#include <GeographicLib/TransverseMercatorExact.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <numbers>
+
+#include "geom/collision/collision.h"
+#include "support/random_city.h"
+#include "traj/drone_file/dji_wpml.h"
+#include "traj/proof/flown.h"
+
+namespace {
+
+using geom::Vec3;
+using support::Random;
+
+constexpr double kGround = 10;    // m, z of the take-off
+constexpr double kOrigin = 390;   // m, height of the map's zero on the ellipsoid
+const Vec3 kHalf(0.3, 0.3, 0.2);  // of the vehicle
+const traj::MissionFrame kFrame{{47, 8, kOrigin}, 0};
+
+Vec3 projected(double latitude, double longitude, double z) {
+  static const GeographicLib::TransverseMercatorExact mercator(6378137, 1 / 298.257223563, 1);
+  static const double north = [] {
+    double x = 0;
+    double y = 0;
+    mercator.Forward(8, 47, 8, x, y);
+    return y;
+  }();
+  double x = 0;
+  double y = 0;
+  mercator.Forward(8, latitude, longitude, x, y);
+  return {x, y - north, z};
+}
+
+std::string element(const std::string& name, const std::string& inside) {
+  return "<wpml:" + name + ">" + inside + "</wpml:" + name + ">\n";
+}
+std::string element(const std::string& name, double value) {
+  return element(name, fmt::format("{:.3f}", value));
+}
+
+Vec3 at_height(const Vec3& p, double z) { return {p.x(), p.y(), z}; }
+double plan_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().norm(); }
+
+struct Attack {
+  std::string what;
+  Vec3 point = Vec3::Zero();
+};
+
+// A mission as text, and a point of its way as this program works that out.
+class Case {
+ public:
+  explicit Case(Random& random) : random_(random), safely_(random.below(2)) {}
+
+  Attack make() {
+    security_ = random_.below(2) ? random_.uniform(2, 60) : 2;
+    home_ = somewhere();
+    home_.z() = kGround;
+    takeoff_ = place(home_);
+    const int waylines = 1 + random_.below(2);
+    for (int i = 0; i < waylines; ++i) fly(i);
+    if (random_.below(2)) return_home();
+    return attacks_[static_cast<std::size_t>(random_.below(static_cast<int>(attacks_.size())))];
+  }
+
+  std::string text() const {
+    const std::string takeoff =
+        fmt::format("{:.9f},{:.9f},{:.3f}", takeoff_[0], takeoff_[1], kOrigin + kGround);
+    std::string config =
+        element("flyToWaylineMode", safely_ ? "safely" : "pointToPoint") +
+        element("finishAction", return_ ? "goHome" : "noAction") +
+        element("exitOnRCLost", "goContinue") + element("takeOffSecurityHeight", security_) +
+        element("takeOffRefPoint", takeoff) + element("globalTransitionalSpeed", "9") +
+        element("droneInfo", element("droneEnumValue", "67"));
+    if (return_) config += element("globalRTHHeight", *return_);
+    return "<kml xmlns=\"http://www.opengis.net/kml/2.2\" "
+           "xmlns:wpml=\"http://www.dji.com/wpmz/1.0.2\"><Document>" +
+           element("missionConfig", config) + folders_ + "</Document></kml>";
+  }
+
+ private:
+  Vec3 somewhere() {
+    return {random_.uniform(-150, 150), random_.uniform(-150, 150),
+            random_.uniform(kGround + 5, 90)};
+  }
+
+  Vec3 between(const Vec3& a, const Vec3& b) { return a + random_.uniform(0, 1) * (b - a); }
+
+  void may(const char* what, const Vec3& point) { attacks_.push_back({what, point}); }
+  void may_leg(const char* what, const Vec3& a, const Vec3& b) { may(what, between(a, b)); }
+
+  // Latitude and longitude as they are written; moves the point to there.
+  std::array<double, 2> place(Vec3& p) {
+    const double latitude = std::round((47 + p.y() / 111171) * 1e9) / 1e9;
+    const double longitude = std::round((8 + p.x() / 76057) * 1e9) / 1e9;
+    p = projected(latitude, longitude, std::round(p.z() * 1e3) / 1e3);
+    return {latitude, longitude};
+  }
+
+  void fly(int number) {
+    const bool ellipsoid = random_.below(2);
+    const int count = 2 + random_.below(4);
+    std::vector<Vec3> points;
+    std::string waypoints;
+    for (int i = 0; i < count; ++i) {
+      Vec3 p = somewhere();
+      if (i > 0 && (p - points.back()).norm() < 10) p.x() += 20;
+      const auto degrees = place(p);
+      const int turn = i == 0 || i + 1 == count ? 0 : random_.below(3);
+      turns_.push_back(turn);
+      dampings_.push_back(turn == 0 ? 0 : std::round(random_.uniform(0.5, 4.5) * 1e3) / 1e3);
+      points.push_back(p);
+      waypoints += fmt::format("<Placemark><Point><coordinates>{:.9f},{:.9f}</coordinates></Point>",
+                               degrees[1], degrees[0]) +
+                   element("index", std::to_string(i)) +
+                   element("executeHeight", ellipsoid ? p.z() + kOrigin : p.z() - kGround) +
+                   turn_text(turn, dampings_.back()) + "</Placemark>\n";
+    }
+    folders_ += "<Folder>" + element("templateId", std::to_string(number)) +
+                element("executeHeightMode", ellipsoid ? "WGS84" : "relativeToStartPoint") +
+                element("waylineId", std::to_string(number)) + element("autoFlightSpeed", "5") +
+                waypoints + "</Folder>\n";
+    number == 0 ? approach(points.front()) : go_on(points.front());
+    for (std::size_t i = 1; i < points.size(); ++i) may_leg("leg", points[i - 1], points[i]);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) corner(points, i);
+    last_ = points.back();
+    turns_.clear();
+    dampings_.clear();
+  }
+
+  static std::string turn_text(int turn, double damping) {
+    static const char* const kModes[] = {"toPointAndStopWithDiscontinuityCurvature",
+                                         "coordinateTurn", "toPointAndPassWithContinuityCurvature"};
+    return element("waypointTurnParam", element("waypointTurnMode", kModes[turn]) +
+                                            element("waypointTurnDampingDist", damping)) +
+           element("useStraightLine", "1");
+  }
+
+  void approach(const Vec3& first) {
+    const double secure = kGround + std::round(security_ * 1e3) / 1e3;
+    const double z = safely_ ? std::max(secure, first.z()) : secure;
+    may_leg("rise", at_height(home_, kGround + kHalf.z() + 0.01), at_height(home_, z));
+    if (safely_ || first.z() < secure) {
+      may_leg("to the first waypoint", at_height(home_, z), at_height(first, z));
+      may_leg("down to the first waypoint", at_height(first, z), first);
+    } else {
+      may_leg("straight to the first waypoint", at_height(home_, z), first);
+    }
+  }
+
+  void go_on(const Vec3& first) {
+    if (!safely_) return may_leg("straight to the next wayline", last_, first);
+    const double z = std::max(last_.z(), first.z());
+    may_leg("up to the next wayline", last_, at_height(last_, z));
+    may_leg("to the next wayline", at_height(last_, z), at_height(first, z));
+    may_leg("down to the next wayline", at_height(first, z), first);
+  }
+
+  void corner(const std::vector<Vec3>& points, std::size_t i) {
+    const Vec3& p = points[i];
+    const double radius = dampings_[i];
+    const Vec3 a = p + radius * (points[i - 1] - p).normalized();
+    const Vec3 b = p + radius * (points[i + 1] - p).normalized();
+    if (turns_[i] == 1) may("coordinated turn", between(between(a, b), p));
+    if (turns_[i] != 2) return;
+    const double angle = random_.uniform(0, 2 * std::numbers::pi);
+    const double away = random_.uniform(0, radius);
+    const double low = std::min({a.z(), b.z(), p.z()});
+    const double high = std::max({a.z(), b.z(), p.z()});
+    const double z = random_.uniform(2 * low - high, 2 * high - low);
+    may("turn through the waypoint",
+        {p.x() + away * std::cos(angle), p.y() + away * std::sin(angle), z});
+  }
+
+  void return_home() {
+    const double away = plan_distance(last_, home_);
+    if (away < 20.1) return;
+    return_ = std::round(random_.uniform(2, 100) * 1e3) / 1e3;
+    const double z = std::max(last_.z(), kGround + *return_);
+    may_leg("return", at_height(last_, z), at_height(home_, z));
+    may_leg("up to return", last_, at_height(last_, z));
+    may_leg("landing", at_height(home_, z), at_height(home_, kGround + kHalf.z() + 0.01));
+    if (away > 49.9) return;
+    const double level = random_.uniform(last_.z(), z);
+    may_leg("return without a rise", at_height(last_, level), at_height(home_, level));
+  }
+
+  Random& random_;
+  bool safely_;
+  double security_ = 2;
+  Vec3 home_ = Vec3::Zero();
+  std::array<double, 2> takeoff_{};
+  std::optional<double> return_;
+  std::string folders_;
+  Vec3 last_ = Vec3::Zero();
+  std::vector<int> turns_;
+  std::vector<double> dampings_;
+  std::vector<Attack> attacks_;
+};
+
+// A box that once grown by the vehicle has the point `depth` inside it, and no deeper.
+geom::Aabb box_around(Random& random, const Vec3& p, double depth) {
+  const int axis = random.below(3);
+  const bool high = random.below(2);
+  geom::Aabb box;
+  for (int i = 0; i < 3; ++i) {
+    const double width = std::max(kHalf[i], depth) + random.uniform(0.01, 3);
+    const double middle = i != axis ? p[i] : high ? p[i] + depth - width : p[i] - depth + width;
+    box.min[i] = middle - (width - kHalf[i]);
+    box.max[i] = middle + (width - kHalf[i]);
+  }
+  return box;
+}
+
+geom::CollisionScene scene_of(const std::optional<geom::Aabb>& box) {
+  geom::BoxMapSpec spec;
+  spec.bounds = {{-1000, -1000, -50}, {1000, 1000, 200}};
+  spec.bounds_from = "option";
+  geom::BoxTable table = box ? support::table_of({*box}) : geom::BoxTable{};
+  return {geom::BoxMap(spec, table), geom::Vehicle{"box", kHalf}, 0};
+}
+
+traj::Flown flown(const std::string& text) {
+  traj::FlownDji made =
+      traj::flown_dji(traj::read_dji_wpml(text, "", "mission"), kFrame, {}, "mission");
+  traj::Flown out;
+  out.path = std::move(made.path);
+  out.legs = std::move(made.legs);
+  out.sweeps = std::move(made.sweeps);
+  out.ends = made.ends;
+  out.lands_below = made.lands_below;
+  out.path_stray = traj::kMissionStray;
+  out.returns = made.returns;
+  return out;
+}
+
+bool accepted(const geom::CollisionScene& scene, const traj::Flown& mission) {
+  return traj::check_flown(scene, mission, {}, traj::Clearance::left_out).ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
+  Random random(argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1);
+  const geom::CollisionScene empty = scene_of({});
+  std::map<std::string, int> tried;
+  int wrong = 0;
+  int free = 0;
+  for (int i = 0; i < count; ++i) {
+    Case made(random);
+    const Attack attack = made.make();
+    const double depth = std::pow(10, random.uniform(-6, 0));
+    const traj::Flown mission = flown(made.text());
+    free += accepted(empty, mission);
+    ++tried[attack.what];
+    if (!accepted(scene_of(box_around(random, attack.point, depth)), mission)) continue;
+    if (++wrong <= 10) {
+      fmt::print("wrong: {} {}: {} m deep\n{}", i, attack.what, depth, made.text());
+    }
+  }
+  for (const auto& [what, times] : tried) fmt::print("{}: {}\n", what, times);
+  fmt::print("{} missions, {} of them free without the obstacle, {} accepted with it\n", count,
+             free, wrong);
+  return wrong != 0 || free != count;
+}
