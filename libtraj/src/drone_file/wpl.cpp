@@ -9,6 +9,7 @@
 
 #include "geom/base/error.h"
 #include "geom/text/number.h"
+#include "traj/drone_file/mission_flight.h"
 
 namespace traj {
 namespace {
@@ -136,6 +137,9 @@ class WplReader {
   }
 
   void take(const MissionItem& item) {
+    if (mission_.items.size() >= kMostItems) {
+      refuse(fmt::format("expected at most {} items, found more", kMostItems));
+    }
     const bool first = next_ == 0 && item.number == 0;
     skips_ = skips_ || item.number != next_;
     next_ = item.number + 1;
