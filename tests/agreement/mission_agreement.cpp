@@ -115,6 +115,8 @@ class Case {
       }
       case 13:
         return landing();
+      case 15:
+        return crowd();
       default:
         return delay();
     }
@@ -284,6 +286,20 @@ class Case {
     return {"landing", down ? between(above, place + Vec3(0, 0, 0.3)) : between(last, above)};
   }
 
+  // Several waypoints within reach of each other: straight from before them to the one after.
+  Attack crowd() {
+    constexpr double kRadius = 20;
+    go();
+    const Vec3 first = go(0, kRadius);
+    Vec3 place = first;
+    for (int i = 1 + random_.below(3); i > 0; --i) {
+      place += Vec3(random_.uniform(-4, 4), random_.uniform(-4, 4), random_.uniform(-1, 1));
+      way_.push_back(written_.add(traj::kWaypoint, place, {0, kRadius, 0, 0}));
+    }
+    const Vec3 from = between(first, towards(first, way_[1], 7));
+    return {"crowd", between(from, go())};
+  }
+
   Attack delay() {
     const double radius = random_.uniform(1, 20);
     go();
@@ -376,7 +392,7 @@ int main(int argc, char** argv) {
   int free = 0;
   for (int i = 0; i < count; ++i) {
     Case made(random);
-    const Attack attack = made.make(i % 15);
+    const Attack attack = made.make(i % 16);
     const double depth = std::pow(10, random.uniform(-6, 0));
     traj::Flown mission = flown(made.text());
     free += accepted(empty, mission);

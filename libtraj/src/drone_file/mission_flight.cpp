@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
 #include "flown_regions.h"
 #include "geom/base/error.h"
+#include "mission_corners.h"
 #include "mission_jumps.h"
 #include "mission_places.h"
 
@@ -31,12 +33,6 @@ bool moves_nothing(int command) {
          std::end(kMovesNothing);
 }
 
-// What it does at a point: comes to rest, or passes, turning within the radius (m).
-struct Turn {
-  enum Kind { rest, pass } kind = rest;
-  double radius = 0;
-};
-
 // The path and regions of a flight, while it is being flown.
 class Flight {
  public:
@@ -57,9 +53,9 @@ class Flight {
     if (flown_.path.empty()) {
       throw geom::InputError(source_, "expected at least one waypoint, found none");
     }
-    if (unsaid_speed_) flown_.speed.reset();
     flown_.legs.push_back({last_, Manoeuvre::landing});
     add_corners();
+    if (unsaid_speed_) flown_.speed.reset();
     add_fences();
     say_home();
     return std::move(flown_);
@@ -212,6 +208,7 @@ class Flight {
       refuse("expected one take-off, at the beginning, found another command before it");
     }
     const Vec3 p = place(item);
+    flown_.takes_off = true;
     flown_.ends.takeoff_from = places_.home();
     if (mission_.home) {
       const Vec3 above_home = on_map(*mission_.home, p.z());
@@ -338,7 +335,12 @@ class Flight {
 
   void return_home() {
     flown_.ended = true;
-    flown_.returns = !rules_.return_height;
+    // A mission with a landing of its own may be returned to instead of home.
+    const bool lands_elsewhere =
+        std::any_of(mission_.items.begin(), mission_.items.end(),
+                    [](const MissionItem& item) { return item.command == kLandingStart; });
+    flown_.returns = !rules_.return_height || lands_elsewhere;
+    flown_.rally = mission_.rally.size();
     if (flown_.returns || flown_.path.empty()) return;
     const Vec3 end = flown_.path.back();
     const double ground = places_.above_home(*item_, 0);
@@ -386,19 +388,20 @@ class Flight {
 
   // --- what is left -------------------------------------------------------------------------
 
+  // The largest that any leg may be flown with.
+  double most_speed() const {
+    const double said = flown_.speed.value_or(0);
+    return unsaid_speed_ || !flown_.speed ? std::max(said, rules_.speed.value_or(kUnsaidSpeed))
+                                          : said;
+  }
+
   void add_corners() {
-    const geom::Polyline& path = flown_.path;
-    const double speed = flown_.speed.value_or(rules_.speed.value_or(kUnsaidSpeed));
-    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-      if (turns_[i].kind == Turn::rest) continue;
-      const double radius = turns_[i].radius;
-      ++flown_.corners;
-      flown_.acceptance = std::max(flown_.acceptance, radius);
-      if (radius == 0) continue;
-      const double beyond = std::max(0.0, speed * speed / (2 * rules_.braking) - radius);
-      flown_.sweeps.push_back({corner_hull(path[i - 1], path[i], path[i + 1], radius, beyond),
-                               {flown_.legs[i].item, Manoeuvre::corner}});
-    }
+    const double speed = most_speed();
+    Corners corners =
+        corners_of(flown_.path, turns_, flown_.legs, speed * speed / (2 * rules_.braking));
+    flown_.corners = corners.count;
+    flown_.acceptance = corners.most_radius;
+    std::move(corners.sweeps.begin(), corners.sweeps.end(), std::back_inserter(flown_.sweeps));
   }
 
   void add_fences() {

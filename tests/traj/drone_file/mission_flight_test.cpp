@@ -195,6 +195,27 @@ TEST(FlownMission, ReturnsAtTheHeightThatIsGiven) {
   expect_near(low.path[3], {0, 0, 30});
 }
 
+TEST(FlownMission, MayReturnToTheMissionsOwnLanding) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).just(kLandingStart).just(kReturn);
+  EXPECT_TRUE(maker.fly({.return_height = 60}).returns);
+}
+
+TEST(FlownMission, PassesPointsThatAreReachedAtOnce) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {103, 6, 30}).add(kWaypoint, {100, 100, 30});
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {95, 50, 30})) << "from 10 m before the first";
+  EXPECT_FALSE(swept(maker.fly({.acceptance = 5}), Manoeuvre::corner, {97.5, 50, 30}));
+}
+
+TEST(FlownMission, BrakesFromTheLargestSpeedThatMayBe) {
+  Maker maker;
+  maker.add(kWaypoint, {50, 0, 30}, {1, 0, 0, 0}).just(kSpeed, {1, 15, -1, 0});
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
+  EXPECT_FALSE(maker.fly().speed) << "a leg was flown before any was said";
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {127.4, 0, 30}));
+}
+
 TEST(FlownMission, MayReturnToRallyPoints) {
   Maker maker;
   maker.add(kWaypoint, {100, 0, 30}, {1, 0, 0, 0}).just(kReturn);

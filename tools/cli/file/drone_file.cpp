@@ -70,10 +70,19 @@ traj::Flown flown_tello(std::istream& in, const std::string& source,
 // What its user should know of a mission.
 Notes notes_of(const traj::FlownMission& read) {
   Notes notes;
+  if (!read.takes_off) {
+    notes.emplace_back(
+        "the mission has no take-off: how the vehicle comes to its first point is not looked at");
+  }
+  if (!read.returns && read.rally > 0) {
+    notes.emplace_back(
+        "the return is looked at to home and to each rally point, down to the height of that: how "
+        "the vehicle lands there is not");
+  }
   if (read.returns) {
     notes.emplace_back(
-        "the return to home is left out: its height is a setting of the vehicle; give it with "
-        "--return-height");
+        "the return to home is left out: its height is a setting of the vehicle, which "
+        "--return-height gives, or it may go to the mission's own landing");
   }
   if (!read.ended) {
     notes.emplace_back("the flight ends without landing: the vehicle hovers, or the file was cut");

@@ -37,7 +37,8 @@ enum MavCommand {
   kSplineWaypoint = 82,
   kDelay = 93,
   kJump = 177,
-  kSpeed = 178
+  kSpeed = 178,
+  kLandingStart = 189
 };
 
 // An item as it stands in a file. NaN: the file says null.

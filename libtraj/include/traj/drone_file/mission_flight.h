@@ -33,7 +33,9 @@ struct FlownMission {
   std::vector<Fence> fences;
   VerticalEnds ends;
   std::optional<double> speed;  // m/s, the largest asked for; absent where a leg has none
+  bool takes_off = false;       // else how it comes to its first point is not known
   bool returns = false;         // ends with a return to home, by a way that is not known
+  std::size_t rally = 0;        // points that it may return to instead, each looked at
   bool ended = false;           // by a landing, a return or loitering; else it may have been cut
   std::size_t corners = 0;      // points between two legs without a rest
   double acceptance = 0;        // m, the largest with which these were swept
@@ -61,6 +63,7 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 //   it is within the radius of acceptance (`rules`, else the item's own, else kAcceptance): the
 //   triangle of the corner within that radius is swept, and, where speed^2 / (2 braking) is more
 //   than the radius, as much of the old leg beyond the waypoint. 0: it goes to the point.
+//   Points so near to each other that several count as reached at once are passed straight on.
 // - A spline (ArduPilot's SplineCurve) is swept as the hull of its Bezier points, tangents as long
 //   as they may be: four times the leg at most.
 // - Turns on a circle (ArduPilot): in straight to the nearest point of the circle, around, and on
@@ -70,7 +73,8 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 // - Jumps are unrolled: a mission of more than kMostItems items, or one that jumps for ever, is
 //   refused.
 // - A return climbs to `return_height` above home, where it is lower, goes straight above home, and
-//   lands there; also, as sweeps, to each rally point of the file. Without that height: `returns`.
+//   lands there; also, as sweeps, to each rally point of the file. Without that height, or with the
+//   mark of a landing (189) that it may go to: `returns`.
 // Commands that are known to move nothing (cameras, gimbals, servos, yaw) are counted.
 //
 // Throws geom::InputError(source, line, …) for all others (changes of mode, what is not known), for

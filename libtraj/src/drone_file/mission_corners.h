@@ -1,0 +1,30 @@
+#pragma once
+
+// What is swept where a mission's vehicle passes waypoints without a rest.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "traj/proof/sweep.h"
+
+namespace traj {
+
+// What it does at a point: comes to rest, or passes, turning within the radius (m).
+struct Turn {
+  enum Kind { rest, pass } kind = rest;
+  double radius = 0;
+};
+
+struct Corners {
+  std::vector<Sweep> sweeps;
+  std::size_t count = 0;   // points between two legs that it passes
+  double most_radius = 0;  // m
+};
+
+// `turns` and `legs`: one a point (of legs the one that leads there). `braking_way`: metres that it
+// needs to stop. Models as mission_flight.h says.
+Corners corners_of(std::span<const Vec3> path, std::span<const Turn> turns,
+                   std::span<const FlightPart> legs, double braking_way);
+
+}  // namespace traj
