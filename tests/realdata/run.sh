@@ -108,4 +108,10 @@ if command -v skyway-cloud > /dev/null; then
   if skyway-cloud "$clouds/ply/pdal_mesh.ply" -o none 2> why; then exit 1; fi
   grep -q "surface of a mesh" why
 fi
+# A PX4 log of a vehicle that never knew where it was.
+if [ -f "$SKYWAY_REALDATA/flights/px4_small.ulg" ]; then
+  if skyway-import-flight "$SKYWAY_REALDATA/flights/px4_small.ulg" 2> why; then exit 1; fi
+  grep -q "found none in 636 rows of vehicle_local_position" why
+  grep -q "1 dropout of 0.03 s" why
+fi
 echo "real data agree"
