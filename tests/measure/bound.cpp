@@ -15,6 +15,7 @@
 #include <ctime>
 #include <fstream>
 #include <map>
+#include <numeric>
 #include <vector>
 
 #include "geom/archive/box_map_file.h"
@@ -86,10 +87,9 @@ int main(int argc, char** argv) {
     std::sort(set.ms.begin(), set.ms.end());
     fmt::print(
         "{}: {} of {} closed, {} after a shorter path, {} above the best known, largest gap "
-        "{:.2e}, ms {:.2f} median, "
-        "{:.1f} "
-        "p95, {:.0f} most\n",
+        "{:.2e}, ms {:.2f} median, {:.2f} mean, {:.1f} p95, {:.0f} most\n",
         name, set.closed, set.ms.size(), set.shortened, set.above, set.largest, set.rank(0.5),
+        std::accumulate(set.ms.begin(), set.ms.end(), 0.0) / static_cast<double>(set.ms.size()),
         set.rank(0.95), set.ms.back());
   }
 }

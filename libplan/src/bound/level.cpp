@@ -66,7 +66,7 @@ Level first_level(const PartTree& parts, const Vec3& from, const Vec3& to, doubl
     level.boxes.add(level.parts[i], least(level.go, i));
   }
   level.links.resize(level.parts.size());
-  level.hints.resize(level.parts.size());
+  level.hints.assign(level.parts.size(), kNoHints);
   level.linked.assign(level.parts.size(), std::numeric_limits<double>::infinity());
   return level;
 }

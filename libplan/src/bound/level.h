@@ -8,14 +8,17 @@
 
 #include "convex_edges.h"
 #include "line_label.h"
+#include "occluders.h"
 #include "part_tree.h"
+#include "tangent.h"
 
 namespace plan {
 
 inline constexpr std::uint32_t kStart = 0;  // parts of every level
 inline constexpr std::uint32_t kGoal = 1;
 
-enum class Sight : std::uint8_t { unknown, open, hidden };
+// clear: so that the pieces of both see each other, too, once they are cut in the middle.
+enum class Sight : std::uint8_t { unknown, open, clear, hidden };
 
 // From a part to another: which of their sides the two lie on, as sides() says.
 struct Link {
@@ -23,7 +26,7 @@ struct Link {
   std::uint8_t here;   // sides of the part that this starts from
   std::uint8_t there;  // of `to`
   Sight sight;         // hidden: an occluder is in between; looked at where it matters
-  double distance;     // at least
+  Tangent tangent;
 };
 
 // A state is a part and the side that a path comes from: 2 part + side. It leaves to the other.
@@ -61,7 +64,7 @@ struct Level {
   std::vector<double> linked;  // of each part: for which label
   PartBoxes boxes;
   std::vector<std::uint32_t> parents;  // of each part: in the level before; none of the first
-  std::vector<std::uint32_t> hints;    // of each part: an occluder that hid another from it
+  std::vector<Hints> hints;            // of each part: occluders that hid others from it
 };
 
 // The parts that a path of `target` metres can reach, with what the straight line says of them.

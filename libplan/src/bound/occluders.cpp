@@ -77,30 +77,68 @@ std::vector<Aabb> lengthened(const geom::CollisionScene& scene) {
   return out;
 }
 
-// In rounded numbers.
-bool meets(const Vec3& from, const Vec3& to, const Aabb& box) {
-  double enter = 0;
-  double leave = 1;
-  for (int i = 0; i < 3; ++i) {
-    const double d = to[i] - from[i];
-    if (d == 0) {
-      if (from[i] < box.min[i] || from[i] > box.max[i]) return false;
-      continue;
-    }
-    const double a = (box.min[i] - from[i]) / d;
-    const double b = (box.max[i] - from[i]) / d;
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-    if (!(enter <= leave)) return false;
-  }
-  return true;
-}
+// A segment, for slab tests in rounded numbers.
+struct Segment {
+  Vec3 from;
+  Vec3 inverse;  // 1 / what the segment has of each axis; 0 for nothing
 
-bool meets_all(const EdgePart& a, const EdgePart& b, const Aabb& box) {
-  if (!meets(a.low, b.low, box)) return false;
-  if (!a.is_corner() && !meets(a.high, b.low, box)) return false;
-  if (!b.is_corner() && !meets(a.low, b.high, box)) return false;
-  return a.is_corner() || b.is_corner() || meets(a.high, b.high, box);
+  Segment() = default;
+  Segment(const Vec3& a, const Vec3& b) : from(a) {
+    for (int i = 0; i < 3; ++i) inverse[i] = a[i] == b[i] ? 0 : 1 / (b[i] - a[i]);
+  }
+  bool meets(const Aabb& box) const {
+    double enter = 0;
+    double leave = 1;
+    for (int i = 0; i < 3; ++i) {
+      const double low = box.min[i] - from[i];
+      const double high = box.max[i] - from[i];
+      if (inverse[i] == 0) {
+        if (low > 0 || high < 0) return false;
+        continue;
+      }
+      const double a = low * inverse[i];
+      const double b = high * inverse[i];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave;
+  }
+};
+
+// The segments between the ends of two parts, worked out as they are asked for.
+class Ends {
+ public:
+  Ends(const EdgePart& a, const EdgePart& b)
+      : a_(a), b_(b), all_((a.is_corner() ? 1 : 2) * (b.is_corner() ? 1 : 2)) {}
+
+  bool all_meet(const Aabb& box) {
+    for (int n = 0; n < all_; ++n) {
+      if (n == known_) add();
+      if (!segments_[n].meets(box)) return false;
+    }
+    return true;
+  }
+
+ private:
+  void add() {
+    const bool high = a_.is_corner() ? false : known_ & 1;
+    const bool other = a_.is_corner() ? known_ & 1 : known_ == 1 || known_ == 2;
+    segments_[known_++] = Segment(high ? a_.high : a_.low, other ? b_.high : b_.low);
+  }
+
+  const EdgePart& a_;
+  const EdgePart& b_;
+  const int all_;
+  int known_ = 0;
+  Segment segments_[4];
+};
+
+Vec3 middle(const EdgePart& part) { return 0.5 * (part.low + part.high); }
+
+void put_first(Hints& hints, std::uint32_t occluder) {
+  auto* at = std::find(hints.begin(), hints.end() - 1, occluder);
+  std::move_backward(hints.begin(), at, at + 1);
+  hints.front() = occluder;
 }
 
 }  // namespace
@@ -157,28 +195,42 @@ bool Occluders::is_inside_another(std::uint32_t i) const {
   return false;
 }
 
-bool Occluders::between(const EdgePart& a, const EdgePart& b, std::uint32_t& hint) const {
-  if (boxes_.empty()) return false;
-  if (hint < boxes_.size() && meets_all(a, b, boxes_[hint])) return true;
-  const Aabb around{a.low.cwiseMin(b.low), a.low.cwiseMax(b.low)};
+bool Occluders::hinted(const EdgePart& a, const EdgePart& b, Hints& hints) const {
+  Ends ends(a, b);
+  for (const std::uint32_t hint : hints) {
+    if (hint >= boxes_.size() || !ends.all_meet(boxes_[hint])) continue;
+    put_first(hints, hint);
+    return true;
+  }
+  return false;
+}
+
+View Occluders::between(const EdgePart& a, const EdgePart& b, Hints& hints) const {
+  if (boxes_.empty()) return View::clear;
+  if (hinted(a, b, hints)) return View::hidden;
+  Ends ends(a, b);
+  const Segment segment(middle(a), middle(b));
+  View view = View::clear;
   std::uint32_t open[128];
   int count = 0;
   open[count++] = 0;
   while (count > 0) {
     const MedianTree::Node& n = tree_.nodes[open[--count]];
-    if (!geom::overlap(n.box, around) || !meets(a.low, b.low, n.box)) continue;
+    if (!segment.meets(n.box)) continue;
     if (n.count == 0) {
       open[count++] = n.begin;
       open[count++] = n.begin + 1;
       continue;
     }
     for (std::uint32_t j = n.begin; j < n.begin + n.count; ++j) {
-      if (!meets_all(a, b, boxes_[j])) continue;
-      hint = j;
-      return true;
+      if (!segment.meets(boxes_[j])) continue;
+      view = View::partial;
+      if (!ends.all_meet(boxes_[j])) continue;
+      put_first(hints, j);
+      return View::hidden;
     }
   }
-  return false;
+  return view;
 }
 
 }  // namespace plan

@@ -6,10 +6,11 @@
 // others that hold its whole cross-section there. A segment that meets the inside of an occluder
 // meets the inside of the union, so it is in no path. Each occluder is shrunk on every side by
 // 2^-47 of the largest coordinate of it and the bounds. A segment is said to meet what is left
-// where the slab test says so in rounded numbers. Its fractions of the segment are wrong by 3
+// where the slab test says so in rounded numbers. Its fractions of the segment are wrong by 4
 // roundings and so the places by 2^-50 of that coordinate at most: the segment does meet the inside
 // of the whole occluder.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,15 @@
 #include "median_tree.h"
 
 namespace plan {
+
+// Occluders that hid something from a part, the last one first: they are tried first.
+using Hints = std::array<std::uint32_t, 4>;
+inline constexpr std::uint32_t kNoHint = ~std::uint32_t{0};
+inline constexpr Hints kNoHints{kNoHint, kNoHint, kNoHint, kNoHint};
+
+// clear: no occluder meets the segment between the middles, so none hides pieces from each other
+// that the middles belong to.
+enum class View : std::uint8_t { hidden, partial, clear };
 
 class Occluders {
  public:
@@ -27,9 +37,10 @@ class Occluders {
 
   // Whether one occluder meets every segment from a point of `a` to a point of `b`: it does where
   // it meets the four from end to end, for the points of a line from which the segments to one
-  // point meet a convex set are an interval. `hint` is an occluder to try first, and becomes the
-  // one found.
-  bool between(const EdgePart& a, const EdgePart& b, std::uint32_t& hint) const;
+  // point meet a convex set are an interval. The occluder becomes the first of the hints.
+  View between(const EdgePart& a, const EdgePart& b, Hints& hints) const;
+  // Whether one of the hints does.
+  bool hinted(const EdgePart& a, const EdgePart& b, Hints& hints) const;
 
  private:
   void arrange();

@@ -30,6 +30,17 @@ LineLabel lowered(const LineLabel& label, const LineLabel& by, const LineLabel& 
   return floor.covers(now) ? floor : now;
 }
 
+Sight sight_of(View view) {
+  if (view == View::hidden) return Sight::hidden;
+  return view == View::clear ? Sight::clear : Sight::open;
+}
+
+// Of a link between pieces.
+Sight inherited(Sight sight, bool halved) {
+  if (!halved) return sight;
+  return sight == Sight::clear ? Sight::open : Sight::unknown;
+}
+
 // What may be left of a label on a piece of its part.
 LineLabel within(const LineLabel& label, const EdgePart& part, const EdgePart& piece,
                  double slack) {
@@ -159,57 +170,62 @@ std::vector<LineLabel> BoundSearch::backward(Level& level, const std::vector<Lin
 
 void BoundSearch::carry(Level& level, Pass& pass, State state, std::uint32_t owner, Link& link) {
   if (link.sight == Sight::hidden) return;
-  const std::uint32_t to = pass.forward ? link.to : owner;
+  const bool forward = pass.forward;
+  const std::uint32_t to = forward ? link.to : owner;
   const EdgePart& part = level.parts[state / 2];
-  const EdgePart& other = level.parts[to];
-  const bool departs = pass.forward ? leaves(part, state & 1, link.here)
-                                    : part.is_corner() || (link.there >> (state & 1) & 1);
+  const std::uint8_t from_sides = forward ? link.here : link.there;
+  const std::uint8_t to_sides = forward ? link.there : link.here;
+  const bool departs =
+      part.is_corner() || (from_sides >> (forward ? 1 - (state & 1) : state & 1) & 1);
   if (!departs) return;
-  const double least_there = pass.labels[state].least() + link.distance;
-  if (least_there + least(pass.ahead, to) >= target_) return;
+  const LineLabel label = pass.labels[state];
+  const LineLabel roughly = forward ? link.tangent.forward(label) : link.tangent.backward(label);
+  const EdgePart& other = level.parts[to];
   ++steps_;
-  if (is_idle(pass, to, other, least_there, link.distance)) return;
-  const LineLabel by = carried(part, pass.labels[state], other, link.distance, slack_);
+  std::optional<LineLabel> by;
   for (State side = 0; side < sides_of(other); ++side) {
-    const bool arrives = pass.forward ? link.there >> side & 1 : leaves(other, side, link.here);
     const State next = 2 * to + side;
-    if (!arrives || !pass.ahead[next].is_set()) continue;
-    if ((by + pass.ahead[next]).least() >= target_) continue;
-    const LineLabel now = lowered(pass.labels[next], by, pass.floors[next]);
-    if (now == pass.labels[next]) continue;
+    const bool arrives = other.is_corner() || (to_sides >> (forward ? side : 1 - side) & 1);
+    if (!arrives || !lowers(pass, next, roughly)) continue;
+    if (!by) by = carried(part, label, other, least_distance(part, other), slack_);
+    if (!lowers(pass, next, *by)) continue;
     if (!in_sight(level, owner, link)) return;
-    pass.labels[next] = now;
-    if (pass.forward) before_[next] = state;
-    if (to == (pass.forward ? kGoal : kStart)) continue;
-    const double key = (now + pass.ahead[next]).least();
-    if (key >= target_) continue;
+    pass.labels[next] = lowered(pass.labels[next], *by, pass.floors[next]);
+    if (forward) before_[next] = state;
+    if (to == (forward ? kGoal : kStart)) continue;
+    if ((pass.labels[next] + pass.ahead[next]).least() >= target_) continue;
     pass.waits[next] = 1;
-    pass.queue.push({key, next});
+    pass.queue.push({pass.labels[next].least(), next});
   }
 }
 
-// Whether no label of a part can become lower by a line that is carried over `d` metres to `least`
-// or more, less what a distance can sag.
-bool BoundSearch::is_idle(const Pass& pass, std::uint32_t to, const EdgePart& part, double least,
-                          double d) const {
-  const double length = part.length();
-  const double by = least - length * length / (8 * d) - slack_;
-  for (const State s : {2 * to, 2 * to + 1}) {
-    const LineLabel& label = pass.labels[s];
-    if (label != pass.floors[s] && !(std::max(label.low, label.high) <= by)) return false;
-  }
-  return true;
+// Whether a line put into the label of a state makes a difference.
+bool BoundSearch::lowers(const Pass& pass, State next, const LineLabel& by) const {
+  const LineLabel& label = pass.labels[next];
+  if (by.covers(label) || label == pass.floors[next]) return false;
+  const LineLabel& ahead = pass.ahead[next];
+  return ahead.is_set() && (by + ahead).least() < target_;
 }
 
 bool BoundSearch::in_sight(Level& level, std::uint32_t owner, Link& link) {
   if (link.sight == Sight::unknown) {
     steps_ += kLook;
-    const bool hidden =
-        occluders_.between(level.parts[owner], level.parts[link.to], level.hints[owner]);
-    link.sight = hidden ? Sight::hidden : Sight::open;
-    if (hidden && log_) log_->hide(owner, link.to, level.hints[owner]);
+    Hints& hints = level.hints[owner];
+    const View view = occluders_.between(level.parts[owner], level.parts[link.to], hints);
+    link.sight = sight_of(view);
+    if (view == View::hidden && log_) log_->hide(owner, link.to, hints.front());
   }
-  return link.sight == Sight::open;
+  return link.sight != Sight::hidden;
+}
+
+bool BoundSearch::is_hinted(Level& level, std::uint32_t i, std::uint32_t j) {
+  Hints& hints = level.hints[i];
+  if (!occluders_.hinted(level.parts[i], level.parts[j], hints)) return false;
+  if (log_) {
+    const bool begun = !level.linked.empty();
+    begun ? log_->hide(i, j, hints.front()) : log_->hide_of_next(i, j, hints.front());
+  }
+  return true;
 }
 
 // All links of a part that a path shorter than wanted may have which comes to it in `come` metres
@@ -219,6 +235,7 @@ void BoundSearch::link(Level& level, std::uint32_t i, double come) {
   come = std::max(least(level.come, i), come - kAgain);
   level.linked[i] = come;
   level.links[i].clear();
+  borrow_hints(level, i);
   level.boxes.squares(level.parts[i], squares_);
   const auto count = static_cast<std::uint32_t>(level.parts.size());
   steps_ += count;
@@ -227,18 +244,31 @@ void BoundSearch::link(Level& level, std::uint32_t i, double come) {
     if (j == i || left <= 0 || squares_[j] > left * left * (1 + 0x1p-40)) continue;
     const double d = least_distance(level.parts[i], level.parts[j]);
     if (come + d + level.boxes.go[j] >= target_) continue;
-    add_link(level, i, j, d, Sight::unknown);
+    add_link(level, i, j, Sight::unknown);
   }
 }
 
-void BoundSearch::add_link(Level& level, std::uint32_t i, std::uint32_t j, double d, Sight sight) {
-  const int here = sides(level.parts[i], level.parts[j]);
+// What hid others from the next part of an edge, or from where a label came from.
+void BoundSearch::borrow_hints(Level& level, std::uint32_t i) const {
+  if (level.hints[i] != kNoHints) return;
+  for (const std::uint32_t near : {i - 1, i + 1, before_[2 * i] / 2}) {
+    if (near >= level.hints.size() || level.hints[near] == kNoHints) continue;
+    level.hints[i] = level.hints[near];
+    return;
+  }
+}
+
+void BoundSearch::add_link(Level& level, std::uint32_t i, std::uint32_t j, Sight sight) {
+  const EdgePart& from = level.parts[i];
+  const EdgePart& to = level.parts[j];
+  const int here = sides(from, to);
   if (here == 0) return;
-  const int there = sides(level.parts[j], level.parts[i]);
+  const int there = sides(to, from);
   if (there == 0) return;
+  if (sight == Sight::unknown && is_hinted(level, i, j)) return;
   steps_ += kKeep;
-  level.links[i].push_back(
-      {j, static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(there), sight, d});
+  level.links[i].push_back({j, static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(there),
+                            sight, tangent(from, to, slack_)});
 }
 
 // The parts that the goal's label came over, without the ends; empty where that is not a chain.
@@ -314,14 +344,15 @@ Level BoundSearch::finer(Level& level, const std::vector<LineLabel>& g,
     for (Link& link : level.links[i]) {
       if (spent()) return out;
       if (pieces(i) == 0 || pieces(link.to) == 0 || link.sight == Sight::hidden) continue;
-      if (!may_use(level, g, h, kept, i, link) || !in_sight(level, i, link)) continue;
+      if (!may_use(level, g, h, kept, i, link)) continue;
       const bool halved = pieces(i) > 1 || pieces(link.to) > 1;
+      const Sight sight = inherited(link.sight, halved);
       for (std::uint32_t a = first[i]; a < first[i + 1]; ++a) {
         for (std::uint32_t b = first[link.to]; b < first[link.to + 1]; ++b) {
           ++steps_;
           const double d = least_distance(out.parts[a], out.parts[b]);
           if (least(out.come, a) + d + least(out.go, b) >= target_) continue;
-          add_link(out, a, b, d, halved ? Sight::unknown : Sight::open);
+          add_link(out, a, b, sight);
         }
       }
     }
@@ -338,7 +369,7 @@ bool BoundSearch::may_use(const Level& level, const std::vector<LineLabel>& g,
   for (State side = 0; side < sides_of(part); ++side) {
     const State s = 2 * i + side;
     if (!kept[s] || !leaves(part, side, link.here)) continue;
-    const LineLabel by = carried(part, g[s], other, link.distance, slack_);
+    const LineLabel by = link.tangent.forward(g[s]);
     ++steps_;
     for (State to = 0; to < sides_of(other); ++to) {
       const State t = 2 * link.to + to;

@@ -52,13 +52,15 @@ class BoundSearch {
   static std::optional<State> next(Pass& pass);
   // The state's label to the other end of a link, which starts at part `owner`.
   void carry(Level& level, Pass& pass, State state, std::uint32_t owner, Link& link);
-  bool is_idle(const Pass& pass, std::uint32_t to, const EdgePart& part, double least,
-               double d) const;
+  bool lowers(const Pass& pass, State next, const LineLabel& by) const;
   bool in_sight(Level& level, std::uint32_t owner, Link& link);
+  // Whether an occluder that hid other parts from `i` hides `j`.
+  bool is_hinted(Level& level, std::uint32_t i, std::uint32_t j);
 
   void link(Level& level, std::uint32_t i, double come);
-  // A link of parts `d` metres apart, if their sides allow it.
-  void add_link(Level& level, std::uint32_t i, std::uint32_t j, double d, Sight sight);
+  void borrow_hints(Level& level, std::uint32_t i) const;
+  // A link, if the sides of the parts allow it and it is not known at once to be hidden.
+  void add_link(Level& level, std::uint32_t i, std::uint32_t j, Sight sight);
 
   // What both passes leave of a level, its parts of more than `most` metres halved.
   Level finer(Level& level, const std::vector<LineLabel>& g, const std::vector<LineLabel>& h,

@@ -24,7 +24,7 @@ struct Wall {
                    edge(box.max.x(), 1)};
     level.links.resize(4);
     const auto link = [&](std::uint32_t from, std::uint32_t to, Sight sight) {
-      level.links[from].push_back({to, 3, 3, sight, 0});
+      level.links[from].push_back({to, 3, 3, sight, {}});
     };
     link(0, 1, Sight::unknown);  // through the wall: the scene says no
     link(0, 2, Sight::open);

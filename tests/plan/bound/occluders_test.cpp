@@ -20,8 +20,8 @@ EdgePart part(const Vec3& low, std::uint8_t axis, double length) {
 EdgePart place(const Vec3& p) { return {p, p, kCorner, {}}; }
 
 bool hidden(const Occluders& occluders, const EdgePart& a, const EdgePart& b) {
-  std::uint32_t hint = 0;
-  return occluders.between(a, b, hint);
+  Hints hints = kNoHints;
+  return occluders.between(a, b, hints) == View::hidden;
 }
 
 TEST(Occluders, AWallHidesWhatIsWhollyBehindIt) {
@@ -38,6 +38,28 @@ TEST(Occluders, TouchingIsSeeing) {
   const double top = scene.grown(0).max.z();
   EXPECT_FALSE(hidden(occluders, place({1, 1, top}), place({18, 1, top})));
   EXPECT_TRUE(hidden(occluders, place({1, 1, top - 1e-9}), place({18, 1, top - 1e-9})));
+}
+
+TEST(Occluders, WhatHidOnceIsTriedFirst) {
+  const Occluders occluders(scene_of({{{9, 0, 0}, {11, 20, 10}}}, kRoom));
+  const EdgePart from = place({1, 1, 2});
+  const EdgePart behind = place({18, 1, 2});
+  Hints hints = kNoHints;
+  EXPECT_FALSE(occluders.hinted(from, behind, hints));
+  EXPECT_EQ(occluders.between(from, behind, hints), View::hidden);
+  ASSERT_LT(hints.front(), occluders.size());
+  EXPECT_TRUE(occluders.hinted(from, place({18, 9, 4}), hints));
+  EXPECT_FALSE(occluders.hinted(from, place({18, 1, 19.9}), hints));
+  EXPECT_EQ(hints[1], kNoHint);
+}
+
+TEST(Occluders, WhoseMiddlesSeeEachOtherIsClear) {
+  const Occluders occluders(scene_of({{{9, 0, 0}, {11, 20, 10}}}, kRoom));
+  Hints hints = kNoHints;
+  const EdgePart far = part({18, 1, 1}, 2, 8);
+  EXPECT_EQ(occluders.between(part({1, 1, 0}, 2, 20), far, hints), View::partial);
+  EXPECT_EQ(occluders.between(part({1, 1, 10}, 2, 9), part({18, 1, 9}, 2, 9), hints), View::clear);
+  EXPECT_EQ(occluders.between(part({1, 1, 0}, 2, 9), far, hints), View::hidden);
 }
 
 TEST(Occluders, BoxesSideBySideAndOnEachOtherHideTogether) {
