@@ -127,23 +127,6 @@ class Finder {
 
 }  // namespace
 
-int sides(const EdgePart& edge, const EdgePart& other) {
-  if (edge.is_corner()) return 3;
-  bool out[2];
-  bool in[2];
-  bool on_line = true;
-  for (int n = 0; n < 2; ++n) {
-    const int i = (edge.axis + 1 + n) % 3;
-    const double at = edge.low[i];
-    const bool low = other.low[i] <= at;
-    const bool high = other.high[i] >= at;
-    out[n] = edge.outward[n] > 0 ? high : low;
-    in[n] = edge.outward[n] > 0 ? low : high;
-    on_line = on_line && other.low[i] == at && other.high[i] == at;
-  }
-  return on_line ? 0 : (out[0] && in[1] ? 1 : 0) | (in[0] && out[1] ? 2 : 0);
-}
-
 bool plain(unsigned octants) {
   if (octants == 0 || octants == 255 || (octants & (octants - 1)) == 0) return true;
   constexpr unsigned kHigh[] = {0xf0, 0xcc, 0xaa};  // octants of larger x, y, z

@@ -37,7 +37,22 @@ struct EdgePart {
 // Bit 0: some of `other` is in the quadrant (out, in) of the edge's axes, closed; bit 1: in (in,
 // out). 3 of a corner, which has no sides. 0 where all of `other` is on the edge's own line: no
 // path bends there between the two.
-int sides(const EdgePart& edge, const EdgePart& other);
+inline int sides(const EdgePart& edge, const EdgePart& other) {
+  if (edge.is_corner()) return 3;
+  bool out[2];
+  bool in[2];
+  bool on_line = true;
+  for (int n = 0; n < 2; ++n) {
+    const int i = (edge.axis + 1 + n) % 3;
+    const double at = edge.low[i];
+    const bool low = other.low[i] <= at;
+    const bool high = other.high[i] >= at;
+    out[n] = edge.outward[n] > 0 ? high : low;
+    in[n] = edge.outward[n] > 0 ? low : high;
+    on_line = on_line && other.low[i] == at && other.high[i] == at;
+  }
+  return on_line ? 0 : (out[0] && in[1] ? 1 : 0) | (in[0] && out[1] ? 2 : 0);
+}
 
 // Bit 4 a + 2 b + c of the octants around a point: where x is larger (a = 1), y, z; set where
 // it is in a box or out of bounds. Whether no shortest path bends at such a point but as at an edge

@@ -1,43 +1,29 @@
 #include "level.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace plan {
 namespace {
 
+constexpr std::uint32_t kGroup = 16;
+
 EdgePart place(const Vec3& p) { return {p, p, kCorner, {}}; }
 
+std::vector<PartGroup> groups_of(const Level& level) {
+  std::vector<PartGroup> out;
+  for (std::uint32_t i = 0; i < level.parts.size(); ++i) {
+    const geom::Aabb box{level.parts[i].low, level.parts[i].high};
+    const double go = least(level.go, i);
+    const bool is_end = i == kStart || i == kGoal;
+    if (is_end || (i - kGoal - 1) % kGroup == 0) out.push_back({box, go, i});
+    PartGroup& group = out.back();
+    group = {geom::merged(group.box, box), std::min(group.go, go), i + 1};
+  }
+  return out;
+}
+
 }  // namespace
-
-void PartBoxes::add(const EdgePart& part, double to_goal) {
-  go.push_back(to_goal);
-  for (int k = 0; k < 3; ++k) {
-    low[k].push_back(part.low[k]);
-    high[k].push_back(part.high[k]);
-  }
-}
-
-void PartBoxes::squares(const EdgePart& from, std::vector<double>& out) const {
-  const std::size_t count = low[0].size();
-  out.resize(count);
-  const double* const lows[3] = {low[0].data(), low[1].data(), low[2].data()};
-  const double* const highs[3] = {high[0].data(), high[1].data(), high[2].data()};
-  double* const d = out.data();
-  const Vec3 a = from.low;
-  const Vec3 b = from.high;
-  const auto gap = [&](int k, std::size_t i) {
-    const double above = lows[k][i] - b[k];
-    const double below = a[k] - highs[k][i];
-    const double most = above > below ? above : below;
-    return most > 0 ? most : 0.0;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = gap(0, i);
-    const double y = gap(1, i);
-    const double z = gap(2, i);
-    d[i] = x * x + y * y + z * z;
-  }
-}
 
 Level first_level(const PartTree& parts, const Vec3& from, const Vec3& to, double target,
                   double slack) {
@@ -62,9 +48,7 @@ Level first_level(const PartTree& parts, const Vec3& from, const Vec3& to, doubl
     const EdgePart& part = parts.parts()[i];
     add(part, least_distance(start, part), least_distance(part, goal));
   }
-  for (std::uint32_t i = 0; i < level.parts.size(); ++i) {
-    level.boxes.add(level.parts[i], least(level.go, i));
-  }
+  level.groups = groups_of(level);
   level.links.resize(level.parts.size());
   level.hints.assign(level.parts.size(), kNoHints);
   level.linked.assign(level.parts.size(), std::numeric_limits<double>::infinity());

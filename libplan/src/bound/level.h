@@ -43,15 +43,12 @@ inline double least(const std::vector<LineLabel>& labels, std::uint32_t part) {
   return std::min(labels[2 * part].least(), labels[2 * part + 1].least());
 }
 
-// Boxes around parts, coordinate by coordinate: what a loop over all goes through quickly.
-struct PartBoxes {
-  std::array<std::vector<double>, 3> low;
-  std::array<std::vector<double>, 3> high;
-  std::vector<double> go;  // metres: to the goal, at least
-
-  void add(const EdgePart& part, double to_goal);
-  // The square of the distance of a part from each, into `out`; wrong by 4 roundings.
-  void squares(const EdgePart& from, std::vector<double>& out) const;
+// Parts that follow each other, which are near each other mostly: what is true of a group is not
+// asked of each.
+struct PartGroup {
+  geom::Aabb box;     // around all
+  double go;          // metres: from any to the goal, at least
+  std::uint32_t end;  // the first part behind them
 };
 
 // The parts of one size that a path shorter than wanted may use.
@@ -61,8 +58,8 @@ struct Level {
   std::vector<LineLabel> go;    // … and to the goal; not set: no path uses it
   std::vector<std::vector<Link>> links;  // of each part
   // Of the first level, whose links are made where they are needed.
-  std::vector<double> linked;  // of each part: for which label
-  PartBoxes boxes;
+  std::vector<double> linked;          // of each part: for which label
+  std::vector<PartGroup> groups;       // in order
   std::vector<std::uint32_t> parents;  // of each part: in the level before; none of the first
   std::vector<Hints> hints;            // of each part: occluders that hid others from it
 };

@@ -195,14 +195,33 @@ bool Occluders::is_inside_another(std::uint32_t i) const {
   return false;
 }
 
-bool Occluders::hinted(const EdgePart& a, const EdgePart& b, Hints& hints) const {
-  Ends ends(a, b);
+// Whether all_meet() of one of the hints.
+template <class AllMeet>
+bool Occluders::first_of(Hints& hints, const AllMeet& all_meet) const {
   for (const std::uint32_t hint : hints) {
-    if (hint >= boxes_.size() || !ends.all_meet(boxes_[hint])) continue;
+    if (hint >= boxes_.size() || !all_meet(boxes_[hint])) continue;
     put_first(hints, hint);
     return true;
   }
   return false;
+}
+
+bool Occluders::hinted(const EdgePart& a, const EdgePart& b, Hints& hints) const {
+  Ends ends(a, b);
+  return first_of(hints, [&](const Aabb& box) { return ends.all_meet(box); });
+}
+
+// What is hidden from a place by something convex is convex: a box is where its corners are.
+bool Occluders::hinted(const EdgePart& a, const Aabb& b, Hints& hints) const {
+  return first_of(hints, [&](const Aabb& box) {
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      Vec3 q;
+      for (int k = 0; k < 3; ++k) q[k] = corner >> k & 1 ? b.max[k] : b.min[k];
+      if (!Segment(a.low, q).meets(box)) return false;
+      if (!a.is_corner() && !Segment(a.high, q).meets(box)) return false;
+    }
+    return true;
+  });
 }
 
 View Occluders::between(const EdgePart& a, const EdgePart& b, Hints& hints) const {

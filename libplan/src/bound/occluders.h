@@ -39,10 +39,13 @@ class Occluders {
   // it meets the four from end to end, for the points of a line from which the segments to one
   // point meet a convex set are an interval. The occluder becomes the first of the hints.
   View between(const EdgePart& a, const EdgePart& b, Hints& hints) const;
-  // Whether one of the hints does.
+  // Whether one of the hints does; or meets every segment to a box.
   bool hinted(const EdgePart& a, const EdgePart& b, Hints& hints) const;
+  bool hinted(const EdgePart& a, const geom::Aabb& b, Hints& hints) const;
 
  private:
+  template <class AllMeet>
+  bool first_of(Hints& hints, const AllMeet& all_meet) const;
   void arrange();
   bool is_inside_another(std::uint32_t i) const;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
-#include <utility>
 
 namespace plan {
 
@@ -14,15 +13,10 @@ void ProofLog::begin(const Level& level) {
     const std::uint32_t parent = level.parents.empty() ? 0 : level.parents[i];
     now.parts.push_back({part.low, part.high, part.axis, part.outward, parent});
   }
-  now.hidden = std::exchange(of_next_, {});
 }
 
 void ProofLog::hide(std::uint32_t from, std::uint32_t to, std::uint32_t occluder) {
   proof_.levels.back().hidden.push_back({from, to, occluder});
-}
-
-void ProofLog::hide_of_next(std::uint32_t from, std::uint32_t to, std::uint32_t occluder) {
-  of_next_.push_back({from, to, occluder});
 }
 
 std::vector<LengthProof::Lines> ProofLog::lines(const std::vector<LineLabel>& labels) {

@@ -15,8 +15,6 @@ class ProofLog {
   // Each level in turn: its parts, that some are hidden, and its labels once they are complete.
   void begin(const Level& level);
   void hide(std::uint32_t from, std::uint32_t to, std::uint32_t occluder);
-  // … of the level that begins next.
-  void hide_of_next(std::uint32_t from, std::uint32_t to, std::uint32_t occluder);
   void come(const std::vector<LineLabel>& labels) { proof_.levels.back().come = lines(labels); }
   void go(const std::vector<LineLabel>& labels) { proof_.levels.back().go = lines(labels); }
 
@@ -27,7 +25,6 @@ class ProofLog {
   static std::vector<LengthProof::Lines> lines(const std::vector<LineLabel>& labels);
 
   LengthProof proof_;
-  std::vector<LengthProof::Hidden> of_next_;
 };
 
 }  // namespace plan

@@ -21,7 +21,7 @@ constexpr double kWorth = 1e-3;  // metres that a path must be shorter to be tak
 // Slacks that the target is above the bound wanted. Whoever follows the proof may round otherwise.
 constexpr double kSpare = 4;
 constexpr std::size_t kShare = 20;  // of all steps: what one look for a shorter path may take
-constexpr std::size_t kKeep = 8;    // steps that a link counts: they take memory
+constexpr std::size_t kKeep = 4;    // steps that a link counts: they take memory
 constexpr std::size_t kLook = 4;    // steps that looking for an occluder counts
 
 // A label with a line put into it: what is left is below both, or is `floor`, which holds anyway.
@@ -221,10 +221,7 @@ bool BoundSearch::in_sight(Level& level, std::uint32_t owner, Link& link) {
 bool BoundSearch::is_hinted(Level& level, std::uint32_t i, std::uint32_t j) {
   Hints& hints = level.hints[i];
   if (!occluders_.hinted(level.parts[i], level.parts[j], hints)) return false;
-  if (log_) {
-    const bool begun = !level.linked.empty();
-    begun ? log_->hide(i, j, hints.front()) : log_->hide_of_next(i, j, hints.front());
-  }
+  if (log_) log_->hide(i, j, hints.front());
   return true;
 }
 
@@ -236,15 +233,32 @@ void BoundSearch::link(Level& level, std::uint32_t i, double come) {
   level.linked[i] = come;
   level.links[i].clear();
   borrow_hints(level, i);
-  level.boxes.squares(level.parts[i], squares_);
-  const auto count = static_cast<std::uint32_t>(level.parts.size());
-  steps_ += count;
-  for (std::uint32_t j = 0; j < count; ++j) {
-    const double left = target_ - come - level.boxes.go[j];
-    if (j == i || left <= 0 || squares_[j] > left * left * (1 + 0x1p-40)) continue;
-    const double d = least_distance(level.parts[i], level.parts[j]);
-    if (come + d + level.boxes.go[j] >= target_) continue;
-    add_link(level, i, j, Sight::unknown);
+  std::uint32_t begin = 0;
+  for (const PartGroup& group : level.groups) {
+    link_group(level, i, come, begin, group);
+    begin = group.end;
+  }
+}
+
+void BoundSearch::link_group(Level& level, std::uint32_t i, double come, std::uint32_t begin,
+                             const PartGroup& group) {
+  const EdgePart& part = level.parts[i];
+  const EdgePart around{group.box.min, group.box.max, kCorner, {}};
+  ++steps_;
+  if (come + least_distance(part, around) + group.go >= target_) return;
+  if (sides(part, around) == 0) return;
+  const bool hidden = occluders_.hinted(part, group.box, level.hints[i]);
+  if (hidden && !log_) return;
+  for (std::uint32_t j = begin; j < group.end; ++j) {
+    const double d = least_distance(part, level.parts[j]);
+    if (j == i || come + d + least(level.go, j) >= target_) continue;
+    auto between = unseen_link(level.parts, i, j);
+    if (!between) continue;
+    if (hidden) log_->hide(i, j, level.hints[i].front());
+    if (hidden || is_hinted(level, i, j)) continue;
+    between->tangent = tangent(part, level.parts[j], slack_);
+    steps_ += kKeep;
+    level.links[i].push_back(*between);
   }
 }
 
@@ -258,17 +272,15 @@ void BoundSearch::borrow_hints(Level& level, std::uint32_t i) const {
   }
 }
 
-void BoundSearch::add_link(Level& level, std::uint32_t i, std::uint32_t j, Sight sight) {
-  const EdgePart& from = level.parts[i];
-  const EdgePart& to = level.parts[j];
-  const int here = sides(from, to);
-  if (here == 0) return;
-  const int there = sides(to, from);
-  if (there == 0) return;
-  if (sight == Sight::unknown && is_hinted(level, i, j)) return;
-  steps_ += kKeep;
-  level.links[i].push_back({j, static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(there),
-                            sight, tangent(from, to, slack_)});
+// With the sides that the parts allow; none where there are none.
+std::optional<Link> BoundSearch::unseen_link(const std::vector<EdgePart>& parts, std::uint32_t i,
+                                             std::uint32_t j) {
+  const int here = sides(parts[i], parts[j]);
+  if (here == 0) return std::nullopt;
+  const int there = sides(parts[j], parts[i]);
+  if (there == 0) return std::nullopt;
+  return Link{
+      j, static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(there), Sight::unknown, {}};
 }
 
 // The parts that the goal's label came over, without the ends; empty where that is not a chain.
@@ -307,31 +319,29 @@ void BoundSearch::take(geom::Polyline path, LengthBound& result) {
   target_ = wanted_ + kSpare * slack_;
 }
 
-std::vector<char> BoundSearch::kept(const std::vector<LineLabel>& g,
-                                    const std::vector<LineLabel>& h) const {
-  std::vector<char> out(g.size());
+// Takes away the labels of states that no path shorter than wanted uses.
+void BoundSearch::drop_long(std::vector<LineLabel>& g, std::vector<LineLabel>& h) const {
   for (State s = 0; s < g.size(); ++s) {
-    out[s] = g[s].is_set() && h[s].is_set() && (g[s] + h[s]).least() < target_;
+    if (s == 2 * kStart || s == 2 * kGoal) continue;
+    if (!g[s].is_set() || !h[s].is_set() || (g[s] + h[s]).least() >= target_) g[s] = h[s] = {};
   }
-  out[2 * kStart] = out[2 * kGoal] = 1;
-  return out;
 }
 
-Level BoundSearch::finer(Level& level, const std::vector<LineLabel>& g,
-                         const std::vector<LineLabel>& h, double most) {
-  const std::vector<char> kept = this->kept(g, h);
+Level BoundSearch::finer(Level& level, std::vector<LineLabel> g, std::vector<LineLabel> h,
+                         double most) {
+  drop_long(g, h);
   const auto count = static_cast<std::uint32_t>(level.parts.size());
   Level out;
   std::vector<std::uint32_t> first(count + 1);  // of each part: the first of its pieces
   for (std::uint32_t i = 0; i < count; ++i) {
     first[i] = static_cast<std::uint32_t>(out.parts.size());
-    if (!kept[2 * i] && !kept[2 * i + 1]) continue;
+    if (!g[2 * i].is_set() && !g[2 * i + 1].is_set()) continue;
     const EdgePart& part = level.parts[i];
     cut(part, part.length() > most ? 2 : 1, out.parts);
     for (std::size_t piece = first[i]; piece < out.parts.size(); ++piece) {
       for (const State s : {2 * i, 2 * i + 1}) {
-        out.come.push_back(kept[s] ? within(g[s], part, out.parts[piece], slack_) : LineLabel{});
-        out.go.push_back(kept[s] ? within(h[s], part, out.parts[piece], slack_) : LineLabel{});
+        out.come.push_back(within(g[s], part, out.parts[piece], slack_));
+        out.go.push_back(within(h[s], part, out.parts[piece], slack_));
       }
       out.parents.push_back(i);
       out.hints.push_back(level.hints[i]);
@@ -339,20 +349,24 @@ Level BoundSearch::finer(Level& level, const std::vector<LineLabel>& g,
   }
   first[count] = static_cast<std::uint32_t>(out.parts.size());
   out.links.resize(out.parts.size());
-  const auto pieces = [&](std::uint32_t i) { return first[i + 1] - first[i]; };
   for (std::uint32_t i = 0; i < count; ++i) {
-    for (Link& link : level.links[i]) {
+    for (const Link& link : level.links[i]) {
       if (spent()) return out;
+      const auto pieces = [&](std::uint32_t of) { return first[of + 1] - first[of]; };
       if (pieces(i) == 0 || pieces(link.to) == 0 || link.sight == Sight::hidden) continue;
-      if (!may_use(level, g, h, kept, i, link)) continue;
-      const bool halved = pieces(i) > 1 || pieces(link.to) > 1;
-      const Sight sight = inherited(link.sight, halved);
+      ++steps_;
+      if (!may_use(level.parts, g, h, i, link)) continue;
+      const Sight sight = inherited(link.sight, pieces(i) > 1 || pieces(link.to) > 1);
       for (std::uint32_t a = first[i]; a < first[i + 1]; ++a) {
         for (std::uint32_t b = first[link.to]; b < first[link.to + 1]; ++b) {
           ++steps_;
-          const double d = least_distance(out.parts[a], out.parts[b]);
-          if (least(out.come, a) + d + least(out.go, b) >= target_) continue;
-          add_link(out, a, b, sight);
+          auto between = unseen_link(out.parts, a, b);
+          if (!between) continue;
+          between->sight = sight;
+          between->tangent = tangent(out.parts[a], out.parts[b], slack_);
+          if (!may_use(out.parts, out.come, out.go, a, *between)) continue;
+          steps_ += kKeep;
+          out.links[a].push_back(*between);
         }
       }
     }
@@ -360,20 +374,20 @@ Level BoundSearch::finer(Level& level, const std::vector<LineLabel>& g,
   return out;
 }
 
-// Whether a path shorter than wanted may have the link.
-bool BoundSearch::may_use(const Level& level, const std::vector<LineLabel>& g,
-                          const std::vector<LineLabel>& h, const std::vector<char>& kept,
-                          std::uint32_t i, const Link& link) {
-  const EdgePart& part = level.parts[i];
-  const EdgePart& other = level.parts[link.to];
+// Whether a path shorter than wanted may have the link, by what is known of the way to one end and
+// from the other.
+bool BoundSearch::may_use(const std::vector<EdgePart>& parts, const std::vector<LineLabel>& come,
+                          const std::vector<LineLabel>& go, std::uint32_t i,
+                          const Link& link) const {
+  const EdgePart& part = parts[i];
+  const EdgePart& other = parts[link.to];
   for (State side = 0; side < sides_of(part); ++side) {
-    const State s = 2 * i + side;
-    if (!kept[s] || !leaves(part, side, link.here)) continue;
-    const LineLabel by = link.tangent.forward(g[s]);
-    ++steps_;
+    const LineLabel& label = come[2 * i + side];
+    if (!label.is_set() || !leaves(part, side, link.here)) continue;
+    const LineLabel by = link.tangent.forward(label);
     for (State to = 0; to < sides_of(other); ++to) {
-      const State t = 2 * link.to + to;
-      if ((link.there >> to & 1) && kept[t] && (by + h[t]).least() < target_) return true;
+      const LineLabel& left = go[2 * link.to + to];
+      if ((link.there >> to & 1) && left.is_set() && (by + left).least() < target_) return true;
     }
   }
   return false;

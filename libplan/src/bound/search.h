@@ -58,16 +58,17 @@ class BoundSearch {
   bool is_hinted(Level& level, std::uint32_t i, std::uint32_t j);
 
   void link(Level& level, std::uint32_t i, double come);
+  void link_group(Level& level, std::uint32_t i, double come, std::uint32_t begin,
+                  const PartGroup& group);
   void borrow_hints(Level& level, std::uint32_t i) const;
-  // A link, if the sides of the parts allow it and it is not known at once to be hidden.
-  void add_link(Level& level, std::uint32_t i, std::uint32_t j, Sight sight);
+  static std::optional<Link> unseen_link(const std::vector<EdgePart>& parts, std::uint32_t i,
+                                         std::uint32_t j);
 
   // What both passes leave of a level, its parts of more than `most` metres halved.
-  Level finer(Level& level, const std::vector<LineLabel>& g, const std::vector<LineLabel>& h,
-              double most);
-  std::vector<char> kept(const std::vector<LineLabel>& g, const std::vector<LineLabel>& h) const;
-  bool may_use(const Level& level, const std::vector<LineLabel>& g, const std::vector<LineLabel>& h,
-               const std::vector<char>& kept, std::uint32_t i, const Link& link);
+  Level finer(Level& level, std::vector<LineLabel> g, std::vector<LineLabel> h, double most);
+  void drop_long(std::vector<LineLabel>& g, std::vector<LineLabel>& h) const;
+  bool may_use(const std::vector<EdgePart>& parts, const std::vector<LineLabel>& come,
+               const std::vector<LineLabel>& go, std::uint32_t i, const Link& link) const;
 
   std::vector<EdgePart> chain(const Level& level) const;
   // Looks for a shorter path: along the chain of the goal's label, or along any links.
@@ -86,8 +87,7 @@ class BoundSearch {
   double wanted_;    // falls with it
   double target_;    // a little more: what is left out leads to paths of this length or more
   const double slack_;
-  std::vector<State> before_;    // of each state: the one that its label came from last
-  std::vector<double> squares_;  // of distances from one part to all
+  std::vector<State> before_;  // of each state: the one that its label came from last
   std::optional<ProofLog> log_;
   std::size_t steps_ = 0;
 };

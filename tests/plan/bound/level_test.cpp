@@ -34,6 +34,25 @@ TEST(Level, TheFirstKnowsStraightLines) {
   EXPECT_FALSE(level.come[7].is_set());  // a corner has one side
 }
 
+TEST(Level, GroupsHoldTheirPartsAndTheEndsAreAlone) {
+  std::vector<EdgePart> parts;
+  for (int i = 0; i < 40; ++i) parts.push_back({Vec3(i, 1, 0), Vec3(i, 1, 4), 2, {1, -1}});
+  const Level level = first_level(PartTree(parts), {0, 0, 0}, {40, 0, 0}, 100, 1e-12);
+  ASSERT_EQ(level.parts.size(), 42u);
+  EXPECT_EQ(level.groups.at(0).end, 1u);
+  EXPECT_EQ(level.groups.at(1).end, 2u);
+  EXPECT_EQ(level.groups.back().end, 42u);
+  std::uint32_t i = 0;
+  for (const PartGroup& group : level.groups) {
+    EXPECT_LT(i, group.end);
+    for (; i < group.end; ++i) {
+      EXPECT_TRUE(geom::contains(group.box, level.parts[i].low));
+      EXPECT_TRUE(geom::contains(group.box, level.parts[i].high));
+      EXPECT_LE(group.go, least(level.go, i));
+    }
+  }
+}
+
 TEST(Level, APathLeavesToTheOtherSide) {
   EXPECT_TRUE(leaves(kNear, 0, 2));
   EXPECT_FALSE(leaves(kNear, 0, 1));

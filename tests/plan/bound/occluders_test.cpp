@@ -53,6 +53,17 @@ TEST(Occluders, WhatHidOnceIsTriedFirst) {
   EXPECT_EQ(hints[1], kNoHint);
 }
 
+TEST(Occluders, ABoxIsHiddenWhereItsCornersAre) {
+  const Occluders occluders(scene_of({{{9, 0, 0}, {11, 20, 10}}}, kRoom));
+  const EdgePart from = part({1, 1, 2}, 2, 3);
+  Hints hints = kNoHints;
+  EXPECT_FALSE(occluders.hinted(from, Aabb{{14, 1, 1}, {18, 19, 4}}, hints));
+  EXPECT_TRUE(occluders.between(from, place({18, 1, 2}), hints) == View::hidden);
+  EXPECT_TRUE(occluders.hinted(from, Aabb{{14, 1, 1}, {18, 19, 4}}, hints));
+  EXPECT_FALSE(occluders.hinted(from, Aabb{{14, 1, 1}, {18, 19, 19}}, hints));
+  EXPECT_FALSE(occluders.hinted(from, Aabb{{8, 1, 1}, {18, 19, 4}}, hints));
+}
+
 TEST(Occluders, WhoseMiddlesSeeEachOtherIsClear) {
   const Occluders occluders(scene_of({{{9, 0, 0}, {11, 20, 10}}}, kRoom));
   Hints hints = kNoHints;

@@ -50,20 +50,6 @@ TEST(ProofLog, HasPartsAndLines) {
   EXPECT_EQ(out.go[2][3], level.go[5].high);
 }
 
-TEST(ProofLog, TakesWhatIsHiddenInTheNextLevel) {
-  ProofLog log;
-  log.begin(some_level());
-  log.hide_of_next(2, 0, 1);
-  log.come(some_level().come);
-  log.begin(some_level());
-  log.come(some_level().come);
-  const LengthProof proof = std::move(log).take(two_boxes());
-  ASSERT_EQ(proof.levels.size(), 2u);
-  EXPECT_TRUE(proof.levels[0].hidden.empty());
-  ASSERT_EQ(proof.levels[1].hidden.size(), 1u);
-  EXPECT_EQ(proof.levels[1].hidden[0].from, 2u);
-}
-
 TEST(ProofLog, LeavesOutWhatWasNotFinished) {
   ProofLog log;
   log.begin(some_level());
