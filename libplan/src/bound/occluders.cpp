@@ -213,12 +213,18 @@ bool Occluders::hinted(const EdgePart& a, const EdgePart& b, Hints& hints) const
 
 // What is hidden from a place by something convex is convex: a box is where its corners are.
 bool Occluders::hinted(const EdgePart& a, const Aabb& b, Hints& hints) const {
+  Segment segments[16];
+  const unsigned all = a.is_corner() ? 8 : 16;
+  unsigned known = 0;
+  const auto segment = [&](unsigned n) {
+    Vec3 corner;
+    for (int k = 0; k < 3; ++k) corner[k] = n >> k & 1 ? b.max[k] : b.min[k];
+    return Segment(n < 8 ? a.low : a.high, corner);
+  };
   return first_of(hints, [&](const Aabb& box) {
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      Vec3 q;
-      for (int k = 0; k < 3; ++k) q[k] = corner >> k & 1 ? b.max[k] : b.min[k];
-      if (!Segment(a.low, q).meets(box)) return false;
-      if (!a.is_corner() && !Segment(a.high, q).meets(box)) return false;
+    for (unsigned n = 0; n < all; ++n) {
+      if (n == known) segments[known++] = segment(n);
+      if (!segments[n].meets(box)) return false;
     }
     return true;
   });
