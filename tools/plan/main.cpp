@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "cli/batch.h"
 #include "cli/file/artefacts.h"
 #include "cli/file/files.h"
+#include "cli/file/filled_roadmap.h"
 #include "cli/file/record_output.h"
 #include "cli/option/output_option.h"
 #include "cli/option/quality_option.h"
@@ -37,6 +39,35 @@ struct Planned {
   planning::SnappedEnds snapped;
   geom::PathRecord last;
   plan::SearchTree tree;  // of the last query, where it is to be written
+};
+
+// The lattice and the roadmap that were named.
+class Prepared {
+ public:
+  Prepared(const cli::ArtefactFiles& files, bool fill, const geom::CollisionScene& scene)
+      : artefacts_(fill ? cli::ArtefactFiles{files.lattice, ""} : files) {
+    artefacts_.require_made_for(scene);
+    if (fill) filled_.emplace(files.roadmap, scene);
+  }
+
+  const plan::Lattice* lattice() const { return artefacts_.lattice(); }
+
+  std::unique_ptr<plan::Planner> planner(const geom::CollisionScene& scene,
+                                         const plan::Lattice* lattice) {
+    if (filled_ && filled_->fill()) {
+      return std::make_unique<plan::Planner>(scene, lattice, *filled_->fill());
+    }
+    const plan::Roadmap* whole = filled_ ? filled_->whole() : artefacts_.roadmap();
+    return std::make_unique<plan::Planner>(scene, lattice, whole);
+  }
+
+  void save() const {
+    if (filled_) filled_->save();
+  }
+
+ private:
+  cli::Artefacts artefacts_;
+  std::optional<cli::FilledRoadmap> filled_;
 };
 
 // Paths and, where asked for, why there is none.
@@ -165,7 +196,7 @@ int main(int argc, char** argv) {
   search.add_to(app);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
-  sharding.add_to(app)->needs(queries_option)->excludes("--tree");
+  sharding.add_to(app)->needs(queries_option)->excludes("--tree")->excludes("--fill");
   return cli::run_tool(app, argc, argv, [&] {
     asked.require_some();
     search.refuse_idle(app, prepared);
@@ -183,16 +214,16 @@ int main(int argc, char** argv) {
     cli::Scenes scenes(cli::open_map(map_file, trust, common.execution("verify")), vehicle,
                        cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
-    const cli::Artefacts artefacts(prepared);
-    artefacts.require_made_for(scene);
-    const auto named = artefacts.lattice() ? std::nullopt : search.named_lattice(scene);
+    Prepared given(prepared, search.fill, scene);
+    const auto named = given.lattice() ? std::nullopt : search.named_lattice(scene);
     const std::vector<geom::PlanQuery> queries = asked.read(scene.map());
     search.check(queries.size());
-    plan::Planner planner(scene, named ? &*named : artefacts.lattice(), artefacts.roadmap());
+    const auto planner = given.planner(scene, named ? &*named : given.lattice());
     Outputs out(output, search.certificate, sharding);
-    const Planned planned = plan_each(planner, scene, queries, sharding.shard(), search,
+    const Planned planned = plan_each(*planner, scene, queries, sharding.shard(), search,
                                       common.execution("paths"), out);
     const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;
+    given.save();
     out.commit(queries.size(), exit);
     if (!search.tree_file.empty()) {
       write_tree(search.tree_file, planned.tree, planned.last, scene.map().spec().frame.axes);

@@ -16,6 +16,7 @@
 #include "plan/planner/snap_end.h"
 #include "plan/planner/taut.h"
 #include "plan/reach/reach.h"
+#include "plan/roadmap/roadmap_fill.h"
 #include "refused_end.h"
 #include "shown_point.h"
 
@@ -129,7 +130,8 @@ SamplingMethod sampling(Method method) {
 }  // namespace
 
 struct Planner::Impl {
-  Impl(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap);
+  Impl(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap,
+       RoadmapFill* fill);
 
   PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options);
 
@@ -151,7 +153,10 @@ struct Planner::Impl {
   Found refined(const Polyline& raw, const PlanOptions& options) const;
 
   const geom::CollisionScene& scene_;
+  bool has_roadmap() const { return roadmap_ || fill_; }
+
   const Roadmap* roadmap_;
+  RoadmapFill* fill_;  // in its place
   Reach reach_;
   Bounder bounder_;
   std::mutex mutex_;  // guards the workspaces
@@ -172,8 +177,8 @@ std::string_view name(Method method) {
 }
 
 Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
-                    const Roadmap* roadmap)
-    : scene_(scene), roadmap_(roadmap), reach_(scene), bounder_(scene) {
+                    const Roadmap* roadmap, RoadmapFill* fill)
+    : scene_(scene), roadmap_(roadmap), fill_(fill), reach_(scene), bounder_(scene) {
   const auto lazy = [&](double spacing) {
     const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
     return std::make_unique<LatticeLevel>(lazy_lattice(scene, spec), false);
@@ -297,7 +302,10 @@ std::optional<Found> Planner::Impl::by_roadmap(const Task& task, RoadmapLimits l
       idle_.pop_back();
     }
   }
-  if (!search) search = std::make_unique<RoadmapSearch>(scene_, *roadmap_);
+  if (!search) {
+    search = fill_ ? std::make_unique<RoadmapSearch>(scene_, *fill_)
+                   : std::make_unique<RoadmapSearch>(scene_, *roadmap_);
+  }
   auto found = by_bends(*search, task, limits, than);
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(search));
@@ -376,7 +384,7 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
     return with({straight, {step_of("search", straight)}}, Route::straight, {});
   }
   std::optional<ReachResult> reached;
-  if (roadmap_) {
+  if (has_roadmap()) {
     auto found = by_roadmap(task, {kFirstBends}, {});
     if (!found) found = by_roadmap_from_goal(task);
     if (!found) {
@@ -393,10 +401,11 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
   }
   PlanResult result = by_lattices(task, std::move(reached));
   if (result.path.empty() || !polished(task.options)) return result;
-  auto better =
-      roadmap_ ? by_roadmap(task, {kCorridorBends}, result.path) : by_corridor(task, result.path);
+  auto better = has_roadmap() ? by_roadmap(task, {kCorridorBends}, result.path)
+                              : by_corridor(task, result.path);
   if (!better) return result;
-  return with(std::move(*better), roadmap_ ? Route::roadmap : Route::corridor, std::move(result));
+  return with(std::move(*better), has_roadmap() ? Route::roadmap : Route::corridor,
+              std::move(result));
 }
 
 PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptions& options) {
@@ -437,7 +446,9 @@ PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptio
 }
 
 Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap)
-    : impl_(std::make_unique<Impl>(scene, lattice, roadmap)) {}
+    : impl_(std::make_unique<Impl>(scene, lattice, roadmap, nullptr)) {}
+Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, RoadmapFill& fill)
+    : impl_(std::make_unique<Impl>(scene, lattice, nullptr, &fill)) {}
 Planner::~Planner() = default;
 
 PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& options) {

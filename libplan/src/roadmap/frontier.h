@@ -21,26 +21,20 @@ struct Open {
   std::uint32_t index;
   enum Kind : std::uint8_t { reached, unlinked, node } kind;
 
-  bool before(const Open& other) const {
-    if (!ties(other)) return sooner(other);
-    return index < other.index;
-  }
-
-  bool ties(const Open& other) const {
-    return bound == other.bound && cost == other.cost && kind == other.kind;
-  }
-
-  // Of two that do not tie.
-  bool sooner(const Open& other) const {
+  template <class Ties>
+  bool before(const Open& other, const Ties& ties) const {
     if (bound != other.bound) return bound < other.bound;
     if (cost != other.cost) return cost > other.cost;
-    return kind < other.kind;
+    return kind != other.kind ? kind < other.kind : ties(*this, other);
   }
+  bool before(const Open& other) const;  // by index
 };
 
 struct LowestIndex {
   bool operator()(const Open& a, const Open& b) const { return a.index < b.index; }
 };
+
+inline bool Open::before(const Open& other) const { return before(other, LowestIndex{}); }
 
 // A queue of buckets (Dial 1969), the foremost of which is a heap. Most of what a search with a
 // good heuristic pushes is never taken, and costs an append. `Ties` says which of two that tie
@@ -87,9 +81,7 @@ class Frontier {
 
   struct Before {
     Ties ties;
-    bool operator()(const Open& a, const Open& b) const {
-      return a.ties(b) ? ties(a, b) : a.sooner(b);
-    }
+    bool operator()(const Open& a, const Open& b) const { return a.before(b, ties); }
   };
 
   // The next bucket that has something becomes the heap.

@@ -11,12 +11,12 @@
 
 #include "bend_tree.h"
 #include "plan/roadmap/roadmap.h"
-#include "tile_reader.h"
+#include "tile_source.h"
 
 namespace plan {
 
 // Bends are numbered here as they are loaded, which says nothing about their order. Nothing is read
-// before it is asked for, and what is read is verified. The roadmap must outlive this.
+// before it is asked for, and what is read is verified. The source must outlive this.
 class LoadedTiles {
  public:
   // A box, and what is in it: bends or other nodes, once it is open.
@@ -25,7 +25,7 @@ class LoadedTiles {
     bool open = true;
   };
 
-  explicit LoadedTiles(const Roadmap& roadmap);
+  explicit LoadedTiles(TileSource& source);
   LoadedTiles(std::vector<Bend> bends, const BendTree& tree);  // one tile without edges
 
   const std::vector<Bend>& bends() const { return bends_; }
@@ -39,21 +39,29 @@ class LoadedTiles {
     return nodes_[i].tree;
   }
 
-  // The edges of a bend to its first side and to the other.
+  // The edges of a bend, and its tile, which is to be asked with them.
   struct Edges {
-    std::uint32_t tile;  // to be asked with them
+    std::uint32_t tile;
     std::span<const std::uint32_t> first;
     std::span<const std::uint32_t> second;
   };
-  Edges edges_of(std::uint32_t bend) const;
+  Edges edges_of(std::uint32_t bend);
 
-  // The bend that an edge leads to.
-  std::uint32_t target(std::uint32_t tile, std::uint32_t edge) {
-    const std::size_t at = std::size_t{tile} * slots_ + (edge >> Squares::kLocalBits);
+  // The bend that an edge leads to, where its tile is known by now to be near.
+  static constexpr std::uint32_t kNotYet = 0xffffffffu;
+  std::uint32_t known_target(std::uint32_t tile, std::uint32_t edge) const {
+    const Run& near = near_[std::size_t{tile} << 8 | edge >> Squares::kLocalBits];
     const std::uint32_t local = edge & Squares::kLocalMask;
-    if (at >= near_.size() || local >= near_[at].count) return load_target(tile, edge);
-    return near_[at].first + local;
+    return local < near.count ? near.first + local : kNotYet;
   }
+
+  // The same, which may load a tile.
+  std::uint32_t target(std::uint32_t tile, std::uint32_t edge) {
+    const std::uint32_t known = known_target(tile, edge);
+    return known == kNotYet ? load_target(tile, edge) : known;
+  }
+
+  std::size_t tiles() const { return tiles_.size(); }
 
  private:
   struct Run {  // of bends, as they are numbered here
@@ -61,14 +69,10 @@ class LoadedTiles {
     std::uint32_t count = 0;
   };
   struct Tile {
-    std::size_t number;      // in the roadmap
-    std::size_t first_bend;  // there
+    std::size_t number;  // in the source
     Run run;
-    std::span<const std::uint32_t> edge_first;
-    std::span<const std::uint32_t> edge_split;
-    std::span<const std::uint32_t> edges;
   };
-  struct Range {  // of the roadmap's tiles
+  struct Range {  // of the source's tiles
     std::size_t begin;
     std::size_t end;
   };
@@ -81,14 +85,12 @@ class LoadedTiles {
   std::uint32_t load(std::size_t tile);
   std::uint32_t load_target(std::uint32_t tile, std::uint32_t edge);
 
-  const Roadmap* roadmap_ = nullptr;
-  std::optional<TileReader> reader_;
-  std::size_t slots_ = 0;
+  TileSource* source_ = nullptr;
   std::vector<Bend> bends_;
   std::vector<std::uint32_t> tile_of_;  // each bend
   std::vector<Tile> tiles_;
-  std::vector<Run> near_;  // of each tile, in each square around it; none where it is not known yet
-  std::unordered_map<std::size_t, std::uint32_t> loaded_;  // of the roadmap's tiles
+  std::vector<Run> near_;  // of each tile, by the high bits of an edge; none where it is not known
+  std::unordered_map<std::size_t, std::uint32_t> loaded_;  // of the source's tiles
   std::vector<Node> nodes_;
   std::vector<Range> ranges_;  // of nodes that are not open: `first` is a place in this
   std::uint32_t root_ = 0;

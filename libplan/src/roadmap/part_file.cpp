@@ -8,7 +8,7 @@ namespace plan {
 PartArrays arrays_of(const Roadmap& part) {
   const auto tiles = std::make_shared<const TileArrays>(std::span(&part, 1));
   PartArrays out;
-  out.meta = roadmap_meta(part.spec, part.made_for).object();
+  out.meta = roadmap_meta(part).object();
   tiles->append_to(out.arrays);
   out.keep_alive = tiles;
   return out;

@@ -32,7 +32,7 @@ class TileArrays {
 Roadmap open_tiles(const geom::ArrayArchive& archive);
 
 // meta.json as far as the spec goes.
-geom::JsonLine roadmap_meta(const RoadmapSpec& spec, const geom::Provenance& made_for);
+geom::JsonLine roadmap_meta(const Roadmap& roadmap);
 
 // The same read; refuses other formats and versions.
 RoadmapSpec read_roadmap_spec(const geom::JsonFields& fields);

@@ -17,27 +17,26 @@ constexpr int kVersion = 3;
 
 }  // namespace
 
-geom::JsonLine roadmap_meta(const RoadmapSpec& spec, const geom::Provenance& made_for) {
+geom::JsonLine roadmap_meta(const Roadmap& roadmap) {
+  const RoadmapSpec& spec = roadmap.spec;
   geom::JsonLine meta;
   meta.add("format", "skyway-roadmap").add("version", kVersion);
-  add(meta, made_for);
+  add(meta, roadmap.made_for);
   meta.add("part", spec.part).add("reach", spec.reach);
   if (spec.region) meta.add("region", std::tuple(spec.region->min, spec.region->max));
+  if (roadmap.filled) meta.add("filled", true);
   return meta;
 }
 
 void write_roadmap(std::ostream& out, std::span<const Roadmap> parts) {
   for (const Roadmap& part : parts) {
-    if (roadmap_meta(part.spec, part.made_for).object() ==
-        roadmap_meta(parts.front().spec, parts.front().made_for).object()) {
-      continue;
-    }
+    if (roadmap_meta(part).object() == roadmap_meta(parts.front()).object()) continue;
     throw geom::InputError(part.source,
                            "expected a part of the same roadmap as the first, found "
                            "one of another");
   }
   const TileArrays tiles(parts);
-  geom::JsonLine meta = roadmap_meta(parts.front().spec, parts.front().made_for);
+  geom::JsonLine meta = roadmap_meta(parts.front());
   meta.add("bends", tiles.bends()).add("edges", tiles.edges() / 2);
   std::vector<geom::NamedArray> arrays;
   tiles.append_to(arrays);
@@ -74,12 +73,18 @@ RoadmapSpec read_roadmap_spec(const geom::JsonFields& fields) {
   return spec;
 }
 
-Roadmap read_roadmap(const geom::ArrayArchive& archive) {
+Roadmap read_roadmap(const geom::ArrayArchive& archive, Filled filled) {
   const geom::JsonFields fields(archive.meta(), archive.name(), 0);
   const RoadmapSpec spec = read_roadmap_spec(fields);
   Roadmap out = open_tiles(archive);
   out.spec = spec;
   out.made_for = geom::read_provenance(fields);
+  out.filled = fields.has("filled");
+  if (out.filled && filled == Filled::refused) {
+    fields.refuse(
+        "this roadmap is filled as it is used, and has only what was asked for so far: "
+        "skyway-plan --fill reads it, or make a whole one with skyway-roadmap");
+  }
   return out;
 }
 

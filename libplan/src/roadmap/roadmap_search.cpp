@@ -11,6 +11,7 @@
 #include "frontier.h"
 #include "loaded_tiles.h"
 #include "plan/roadmap/roadmap.h"
+#include "plan/roadmap/roadmap_fill.h"
 #include "shadows.h"
 
 namespace plan {
@@ -20,6 +21,7 @@ constexpr double kLoose = 0.08;  // how far a turn may miss wrapping: bends stan
 constexpr std::size_t kLinks = 8;   // blocked ones that cost as much as a bend settled
 constexpr std::size_t kBlind = 32;  // blocked ones, after which it pays to know what hides
 constexpr std::size_t kKept = std::size_t{1} << 21;  // bends that stay loaded for the next search
+constexpr std::size_t kKeptTiles = std::size_t{1} << 14;
 constexpr double kBucket = 0x1p-12;  // of the straight line: how much longer paths of a bucket are
 
 // Whether a path that comes from one direction and leaves in another, both tangent, wraps around
@@ -81,8 +83,12 @@ struct LowestPlace {
 }  // namespace
 
 struct RoadmapSearch::Impl {
-  Impl(const geom::CollisionScene& scene, const Roadmap& roadmap)
-      : scene_(&scene), roadmap_(&roadmap), tiles_(roadmap) {}
+  Impl(const geom::CollisionScene& scene, TileSource& source)
+      : scene_(&scene), source_(&source), tiles_(source) {}
+  Impl(const geom::CollisionScene& scene, std::unique_ptr<TileSource> source)
+      : Impl(scene, *source) {
+    own_ = std::move(source);
+  }
   Impl(const geom::CollisionScene& scene, std::vector<Bend> bends, double reach)
       : scene_(&scene),
         tree_(std::in_place, bends),
@@ -116,8 +122,9 @@ struct RoadmapSearch::Impl {
   geom::Polyline trace(std::uint32_t bend) const;
 
   const geom::CollisionScene* scene_;
-  const Roadmap* roadmap_ = nullptr;  // none where there are no edges
-  std::optional<BendTree> tree_;      // where there are no edges
+  std::unique_ptr<TileSource> own_;
+  TileSource* source_ = nullptr;  // none where there are no edges
+  std::optional<BendTree> tree_;  // where there are no edges
   LoadedTiles tiles_;
   double reach_ = 0;
   std::vector<Visit> visits_;
@@ -140,8 +147,8 @@ void RoadmapSearch::Impl::begin(const Vec3& from, const Vec3& to, const RoadmapL
   unseen_ = 0;
   hidden_from_start_.reset();
   hidden_from_goal_.reset();
-  if (roadmap_ && tiles_.bends().size() > kKept) {
-    tiles_ = LoadedTiles(*roadmap_);
+  if (source_ && (tiles_.bends().size() > kKept || tiles_.tiles() > kKeptTiles)) {
+    tiles_ = LoadedTiles(*source_);
     visits_.clear();
   }
   if (++stamp_ == 0) {
@@ -235,9 +242,14 @@ std::span<const std::uint32_t> RoadmapSearch::Impl::onward(std::uint32_t i, cons
 void RoadmapSearch::Impl::expand(std::uint32_t i, double cost, const Across& in) {
   const LoadedTiles::Edges edges = tiles_.edges_of(i);
   const Vec3 here = tiles_.bends()[i].position;
-  for (const std::uint32_t edge : onward(i, in, edges)) {
-    const std::uint32_t j = tiles_.target(edges.tile, edge);
-    if (j >= visits_.size()) make_room();
+  const auto further = onward(i, in, edges);
+  make_room();
+  for (const std::uint32_t edge : further) {
+    std::uint32_t j = tiles_.known_target(edges.tile, edge);
+    if (j == LoadedTiles::kNotYet) {
+      j = tiles_.target(edges.tile, edge);
+      make_room();
+    }
     const double through = cost + (tiles_.bends()[j].position - here).norm();
     if (!known_as_near(j, through)) reach(i, j, through);
   }
@@ -296,7 +308,7 @@ RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,
                                           const RoadmapLimits& limits) {
   RoadmapResult result;
   begin(from, to, limits);
-  const bool has_edges = roadmap_ != nullptr;
+  const bool has_edges = source_ != nullptr;
   double longest = std::numeric_limits<double>::infinity();
   while (!open_.empty() && open_.first().bound <= longest) {
     const Open top = open_.pop();
@@ -327,7 +339,9 @@ RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,
 }
 
 RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap)
-    : impl_(std::make_unique<Impl>(scene, roadmap)) {}
+    : impl_(std::make_unique<Impl>(scene, tiles_of(roadmap))) {}
+RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, RoadmapFill& fill)
+    : impl_(std::make_unique<Impl>(scene, fill.source())) {}
 RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, std::vector<Bend> bends,
                              double reach)
     : impl_(std::make_unique<Impl>(scene, std::move(bends), reach)) {}

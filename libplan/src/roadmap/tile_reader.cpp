@@ -76,7 +76,9 @@ std::span<const std::uint32_t> TileReader::edges_of(std::size_t tile, std::size_
 
 std::uint32_t TileReader::split_of(std::size_t tile, std::size_t bend) const {
   const std::uint32_t split = roadmap_->edge_split[bend];
-  if (split > edges_of(tile, bend).size()) {
+  const std::size_t edges = edges_of(tile, bend).size();
+  if (roadmap_->filled && split == kUnknownEdges && edges == 0) return 0;
+  if (split > edges) {
     refuse(fmt::format("bend {} has a range of edges that is impossible", bend));
   }
   return split;

@@ -12,6 +12,10 @@
 
 namespace plan {
 
+// What edge_split says, in a roadmap that is filled as it is used, of a bend whose edges were not
+// found yet.
+inline constexpr std::uint32_t kUnknownEdges = 0xffffffff;
+
 // All throw geom::InputError, with the roadmap's source, for what cannot be.
 class TileReader {
  public:

@@ -7,41 +7,11 @@
 
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
-#include "geom/base/rounding.h"
+#include "owned_tiles.h"
 #include "tile_reader.h"
 
 namespace plan {
 namespace {
-
-// The arrays of a roadmap that is in memory.
-struct Owned {
-  std::vector<std::int32_t> tile_index;
-  std::vector<float> tile_extent;
-  std::vector<std::uint64_t> tile_first{0};
-  std::vector<std::uint64_t> tile_edges{0};
-  std::vector<double> bend_position;
-  std::vector<std::int8_t> bend_axis;
-  std::vector<std::int8_t> bend_outward;
-  std::vector<std::uint32_t> edge_first;
-  EdgeLists edges;
-
-  void add(const Bend& bend) {
-    bend_position.insert(bend_position.end(), bend.position.begin(), bend.position.end());
-    bend_axis.push_back(bend.axis);
-    bend_outward.insert(bend_outward.end(), bend.outward.begin(), bend.outward.end());
-  }
-
-  void add_extent(std::span<const Bend> bends) {
-    Vec3 low = bends[0].position;
-    Vec3 high = low;
-    for (const Bend& bend : bends) {
-      low = low.cwiseMin(bend.position);
-      high = high.cwiseMax(bend.position);
-    }
-    for (int k = 0; k < 3; ++k) tile_extent.push_back(geom::float_down(low[k]));
-    for (int k = 0; k < 3; ++k) tile_extent.push_back(geom::float_up(high[k]));
-  }
-};
 
 void require_edges_fit(std::uint64_t edges) {
   if (edges <= std::numeric_limits<std::uint32_t>::max()) return;
@@ -71,7 +41,7 @@ void name_targets(const TileBends& bends, std::size_t begin, std::size_t end, Ed
 
 Roadmap tiled(const RoadmapSpec& spec, const TileBends& bends, std::size_t begin, std::size_t end,
               EdgeLists edges, unsigned threads) {
-  const auto owned = std::make_shared<Owned>();
+  const auto owned = std::make_shared<OwnedTiles>();
   const Squares squares(spec.reach);
   name_targets(bends, begin, end, edges, squares, threads);
   const std::size_t zero = bends.first[begin];
@@ -90,22 +60,9 @@ Roadmap tiled(const RoadmapSpec& spec, const TileBends& bends, std::size_t begin
     owned->tile_edges.push_back(edges.first[bends.first[t + 1] - zero]);
     require_edges_fit(owned->tile_edges.back() - edges.first[first - zero]);
   }
-  std::vector<std::uint64_t>().swap(edges.first);
-  owned->edges = std::move(edges);
-  Roadmap out;
-  out.spec = spec;
-  out.tile_index = owned->tile_index;
-  out.tile_extent = owned->tile_extent;
-  out.tile_first = owned->tile_first;
-  out.tile_edges = owned->tile_edges;
-  out.bend_position = owned->bend_position;
-  out.bend_axis = owned->bend_axis;
-  out.bend_outward = owned->bend_outward;
-  out.edge_first = owned->edge_first;
-  out.edge_split = owned->edges.split;
-  out.edge_to = owned->edges.to;
-  out.keep_alive = owned;
-  return out;
+  owned->edge_split = std::move(edges.split);
+  owned->edge_to = std::move(edges.to);
+  return roadmap_of(spec, owned);
 }
 
 FlatRoadmap flattened(const Roadmap& roadmap) {

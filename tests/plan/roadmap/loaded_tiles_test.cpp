@@ -37,7 +37,8 @@ TEST(LoadedTiles, HaveEachBendBelowTheRootOnce) {
   const auto scene = wide_scene();
   const Roadmap roadmap = build_roadmap(scene, {10, 60, {}});
   ASSERT_GT(roadmap.tiles(), 16u);
-  LoadedTiles tiles(roadmap);
+  const auto source = tiles_of(roadmap);
+  LoadedTiles tiles(*source);
   EXPECT_TRUE(tiles.bends().empty());
   std::vector<Vec3> met;
   open_all(tiles, tiles.root(), {120, 340, 5}, 0, met);
@@ -53,7 +54,8 @@ TEST(LoadedTiles, EdgesLeadWhereTheRoadmapSays) {
   const auto scene = wide_scene();
   const Roadmap roadmap = build_roadmap(scene, {10, 60, {}});
   const auto [flat, edges] = flattened(roadmap);
-  LoadedTiles tiles(roadmap);
+  const auto source = tiles_of(roadmap);
+  LoadedTiles tiles(*source);
   std::vector<Vec3> met;
   open_all(tiles, tiles.root(), {0, 0, 0}, 0, met);
   for (std::uint32_t i = 0; i < tiles.bends().size(); i += 3) {
@@ -84,7 +86,8 @@ TEST(LoadedTiles, RefuseWhatCannotBe) {
     spoil(roadmap);
     EXPECT_THROW(
         {
-          LoadedTiles tiles(roadmap);
+          const auto source = tiles_of(roadmap);
+          LoadedTiles tiles(*source);
           std::vector<Vec3> met;
           open_all(tiles, tiles.root(), {0, 0, 0}, 0, met);
         },
