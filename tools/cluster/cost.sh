@@ -24,7 +24,7 @@ awk -v only="${2:-}" -v boxes="$boxes" -v tiles="$tiles" -v queries="$QUERY_COUN
   BEGIN {
     map = boxes * 62e-6                                    # megabytes of a map
     lattice = tiles * 3e-3 * (5 / spacing) ^ 3             # of a lattice
-    bends = boxes * 9 * 46e-6                              # of a roadmap, without its edges
+    bends = boxes * 9 * 34e-6                              # of a roadmap, without its edges
     roadmap = bends + boxes * 9 * 4e-6 * reach
     # What any process holds: scenes and mapped pages up to their limits, and tables of tiles.
     held = 40 + (3 * map < 100 ? 3 * map : 100) + 0.05 * map
@@ -32,8 +32,8 @@ awk -v only="${2:-}" -v boxes="$boxes" -v tiles="$tiles" -v queries="$QUERY_COUN
     ask("lattice", tiles * 3.1e-4 * (5 / spacing) ^ 3 / nl, held + 2 * lattice / nl)
     ask("join-lattice", lattice / 200, 50 + 0.07 * lattice)
     ask("roadmap", boxes * reach * 2.7e-6 / nr, held + 2 * roadmap / nr)
-    ask("join-roadmap", roadmap / 90, 1.5 * roadmap)
-    ask("paths", queries * 0.02 / np, held + 1.5 * bends)
+    ask("join-roadmap", roadmap / 90, 60)
+    ask("paths", queries * 0.02 / np, held + (1.5 * bends < 250 ? 1.5 * bends : 250))
     ask("join-paths", queries / 1e4, 100)
     ask("trajectories", queries * 0.3 / nt + 10, held)  # one alone: 1 s, 10 where proofs fail
     ask("join-trajectories", queries / 1e4, 100)
