@@ -70,7 +70,7 @@ endif()
 if(SKYWAY_CLOUD)
   list(APPEND CPACK_COMPONENTS_ALL cloud)
   skyway_package(cloud skyway-cloud science "point clouds to Skyway box maps
-Reads PCD, PLY, LAS and XYZ point clouds, and makes box maps of them for the
+Reads PCD, PLY, LAS, LAZ and XYZ point clouds, and makes box maps of them for the
 tools of the package skyway.")
   set(CPACK_DEBIAN_CLOUD_PACKAGE_RECOMMENDS skyway)
 endif()

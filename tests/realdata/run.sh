@@ -98,6 +98,15 @@ if command -v skyway-cloud > /dev/null; then
   points() { skyway-cloud -q "$clouds/$1" --stats stats -o cloud; sed -n 's/^  "points": \([0-9]*\),/\1/p' stats; }
   [ "$(points las/1.2-with-color.las)" -eq 1065 ]
   [ "$(points las/autzen_trim_7.las)" -eq 110000 ]
+  [ "$(points laz/autzen_trim.laz)" -eq 110000 ]
+  for laz in simple point-color point-time-1.4 1.2-with-color.copc simple_with_page.copc; do
+    [ "$(points "laz/$laz.laz")" -eq 1065 ]
+  done
+  # LAZ files with a twin in LAS or in another point format: the same boxes.
+  boxes_of() { skyway-cloud -q "$clouds/$1" --cell 0.5 --step 0.05 | skyway-map to-csv - | sort; }
+  boxes_of laz/simple.laz | cmp - <(boxes_of las/1.2-with-color.las)
+  boxes_of laz/point-time-1.4.laz | cmp - <(boxes_of laz/point-color.laz)
+  boxes_of laz/autzen_trim.laz | cmp - <(boxes_of las/autzen_trim_7.las)
   [ "$(points pcd/samp11-utm.pcd)" -eq 38010 ]
   [ "$(points pcd/pdal_autzen-utm.pcd)" -eq 1065 ]
   [ "$(points ply/pdal_simple_binary.ply)" -eq 3 ]

@@ -312,7 +312,7 @@ int main(int argc, char** argv) {
   Options options;
   std::string input;
   std::string output = "-";
-  app.add_option("file", input, "PCD, PLY, LAS or XYZ; - for stdin")->required();
+  app.add_option("file", input, "PCD, PLY, LAS, LAZ or XYZ; - for stdin")->required();
   cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
   add_options(app, options);
   cli::Sharding sharding;

@@ -178,15 +178,13 @@ std::uint8_t byte(std::string_view head, std::size_t at) {
   return at < head.size() ? static_cast<std::uint8_t>(head[at]) : 0;
 }
 
-// LAS; compressed where the highest bits of the point format say so.
+// LAS; compressed where the highest bit of the point format says so.
 FileKind las_kind(std::string_view head) {
   constexpr std::size_t kPointFormat = 104;
-  const bool compressed = (byte(head, kPointFormat) & 0xc0) != 0;
+  const bool compressed = (byte(head, kPointFormat) & 0x80) != 0;
   if (!compressed) return {"a LAS point cloud", "skyway-cloud", ""};
   const bool copc = head.substr(0, 600).find("copc") != head.npos;
-  return {copc ? "a COPC point cloud (LAZ)" : "a LAZ point cloud", "",
-          "unpack it to LAS, for example with laszip or PDAL; skyway-cloud reads that",
-          "skyway-cloud"};
+  return {copc ? "a COPC point cloud (LAZ)" : "a LAZ point cloud", "skyway-cloud", ""};
 }
 
 FileKind sqlite_kind(std::string_view head) {

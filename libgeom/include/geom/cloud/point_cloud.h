@@ -1,6 +1,6 @@
 #pragma once
 
-// Point clouds, read as they stream: PCD, PLY, LAS and XYZ.
+// Point clouds, read as they stream: PCD, PLY, LAS, LAZ and XYZ.
 
 #include <cstdint>
 #include <functional>
@@ -38,9 +38,13 @@ struct CloudCounts {
 CloudCounts read_pcd(std::istream& in, std::string_view source, const PointSink& sink);
 CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink& sink);
 
-// LAS 1.0 to 1.4, point formats 0 to 10. LAZ and COPC are refused with the command that converts
-// them. The reference is what its GeoTIFF keys and its well-known text say, read where they stand
-// before the points; two that differ, and one that stands after the points alone, throw.
+// LAS 1.0 to 1.4 and LAZ, point formats 0 to 10; COPC is read whole, as the LAZ that it is. Debian
+// packages no LAZ library, so the decoder is ours: M. Isenburg, "LASzip: lossless compression of
+// LiDAR data", PE&RS 79(2), 2013, and the format as published, items of versions 1, 2 and 3. A chunk
+// that takes other bytes than its table or its layers say throws, and so does one that is cut short.
+// Memory grows with a chunk of layers, and with the compressed points where chunks of formats 0 to
+// 5 vary in size. The reference is what its GeoTIFF keys and its well-known text say, read where
+// they stand before the points; two that differ, and one that stands after the points alone, throw.
 CloudCounts read_las(std::istream& in, std::string_view source, const PointSink& sink,
                      const ReferenceSink& reference = {});
 

@@ -1,0 +1,27 @@
+#pragma once
+
+// The chunks of a LAZ file, and the table that says where they are.
+
+#include <functional>
+
+#include "laz_item_decoder.h"
+#include "laz_setup.h"
+
+namespace geom {
+
+// Is given the points one by one, in the file's order.
+using LazPointSink = std::function<void(const LazPoint&)>;
+
+// Reads `points` points, chunk after chunk, from the place where a LAZ header says that points
+// start, to the end of the table of chunks. Returns where that end is: `bytes` are then there.
+// Memory does not grow with the file, but for layers (one chunk) and for chunks of varying size
+// that are not layers (the compressed points).
+//
+// Throws InputError where bytes end before the points, where a chunk takes more or fewer bytes or
+// points than the table says, or where the table is missing or elsewhere. Only what comes after
+// the last point in the bytes of a chunk cannot be told from the code's own end; so a header that
+// counts a few points too many or too few is found by their bytes, not by their number.
+void for_each_laz_point(ByteSource& bytes, const LazSetup& setup, std::uint64_t points,
+                        const LazPointSink& sink);
+
+}  // namespace geom

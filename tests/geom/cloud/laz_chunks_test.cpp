@@ -1,0 +1,208 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <sstream>
+
+#include "geom/base/error.h"
+#include "geom/cloud/point_cloud.h"
+#include "support/laz_file.h"
+
+namespace geom {
+namespace {
+
+using support::LazFile;
+using Layout = LazFile::Layout;
+
+std::vector<CloudPoint> read(const std::string& bytes) {
+  std::istringstream in(bytes);
+  std::vector<CloudPoint> out;
+  read_las(in, "test.laz", [&](std::span<const CloudPoint> chunk) {
+    out.insert(out.end(), chunk.begin(), chunk.end());
+  });
+  return out;
+}
+
+// What read_las says of the bytes; "" where it reads them.
+std::string refusal(const std::string& bytes) {
+  try {
+    read(bytes);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_points(const LazFile& file, const std::string& what) {
+  std::vector<CloudPoint> found;
+  ASSERT_NO_THROW(found = read(file.bytes())) << what;
+  ASSERT_EQ(found.size(), file.points.size()) << what;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const support::LazFilePoint& p = file.points[i];
+    ASSERT_EQ(found[i].position, Vec3(p.x, p.y, p.z) * file.scale) << what << ", point " << i;
+    ASSERT_EQ(found[i].cls, p.cls) << what << ", point " << i;
+  }
+}
+
+LazFile file_of(unsigned format, std::size_t points, std::uint64_t seed = 1) {
+  LazFile file;
+  file.format = format;
+  file.scale = 0.001;
+  file.points = LazFile::scan(points, seed, format >= 6);
+  return file;
+}
+
+TEST(Laz, ReadsEveryFormatVersionAndLayout) {
+  for (unsigned format = 0; format <= 10; ++format) {
+    for (const unsigned version : {1u, 2u}) {
+      for (const Layout layout : {Layout::one_stream, Layout::fixed, Layout::varying}) {
+        if (format >= 6 && (version == 1 || layout == Layout::one_stream)) continue;
+        for (const unsigned extra : {0u, 3u}) {
+          LazFile file = file_of(format, 2000, format + 1);
+          file.version = version;
+          file.layout = layout;
+          file.chunk = 700;
+          file.extra = extra;
+          expect_points(file, "format " + std::to_string(format) + ", version " +
+                                  std::to_string(version) + ", layout " +
+                                  std::to_string(static_cast<int>(layout)) + ", extra bytes " +
+                                  std::to_string(extra));
+        }
+      }
+    }
+  }
+}
+
+TEST(Laz, ReadsChunksOfOnePointAndNone) {
+  for (const unsigned format : {0u, 3u, 6u, 7u}) {
+    for (const std::size_t points : {0u, 1u, 2u, 7u}) {
+      LazFile file = file_of(format, points);
+      file.chunk = 1;
+      expect_points(file, "format " + std::to_string(format));
+    }
+  }
+}
+
+TEST(Laz, ReadsATableWhosePlaceStandsAfterIt) {
+  for (const unsigned format : {3u, 7u}) {
+    for (const Layout layout : {Layout::fixed, Layout::varying}) {
+      LazFile file = file_of(format, 300);
+      file.layout = layout;
+      file.table_place_at_end = true;
+      expect_points(file, "format " + std::to_string(format));
+    }
+  }
+}
+
+TEST(Laz, ReadsLayersThatChangeNothing) {
+  LazFile file = file_of(6, 300);
+  for (support::LazFilePoint& p : file.points) {
+    p.z = 5;
+    p.cls = 6;
+  }
+  expect_points(file, "flat, of one class");
+}
+
+TEST(Laz, ReadsTheMostUsualPointAsOftenAsItComes) {
+  for (const unsigned format : {0u, 6u}) {
+    LazFile file = file_of(format, 1);
+    file.points.resize(60000, file.points.front());
+    file.chunk = 50000;
+    expect_points(file, "format " + std::to_string(format));
+  }
+}
+
+// Wherever a file ends too early, it is refused.
+TEST(Laz, RefusesEveryFileCutShort) {
+  for (const unsigned format : {0u, 3u, 6u, 8u}) {
+    for (const Layout layout : {Layout::one_stream, Layout::fixed, Layout::varying}) {
+      if (format >= 6 && layout == Layout::one_stream) continue;
+      LazFile file = file_of(format, 120);
+      file.layout = layout;
+      const std::string whole = file.bytes();
+      for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_NE(refusal(whole.substr(0, size)), "") << "format " << format << ", " << size;
+      }
+    }
+  }
+}
+
+// No count but the true one fits the bytes of chunks.
+TEST(Laz, RefusesCountsThatDoNotFit) {
+  for (const unsigned format : {0u, 3u, 7u}) {
+    for (const Layout layout : {Layout::fixed, Layout::varying}) {
+      LazFile file = file_of(format, 120);
+      file.layout = layout;
+      const std::string whole = file.bytes();
+      for (const std::uint32_t count : {1u, 49u, 50u, 51u, 100u, 113u, 127u, 150u, 4000000000u}) {
+        std::string changed = whole;
+        std::memcpy(changed.data() + 107, &count, 4);
+        if (format >= 6) std::memset(changed.data() + 247, 0, 8);
+        EXPECT_NE(refusal(changed), "") << "format " << format << ", " << count;
+      }
+    }
+  }
+}
+
+TEST(Laz, RefusesATableThatIsElsewhere) {
+  for (const unsigned format : {0u, 7u}) {
+    for (const Layout layout : {Layout::fixed, Layout::varying}) {
+      LazFile file = file_of(format, 120);
+      file.layout = layout;
+      const std::string whole = file.bytes();
+      std::uint32_t data = 0;
+      std::memcpy(&data, whole.data() + 96, 4);
+      std::uint64_t right = 0;
+      std::memcpy(&right, whole.data() + data, 8);
+      for (const std::uint64_t place :
+           {std::uint64_t{0}, std::uint64_t{1}, right - 1, right + 1, right + 10, right + 4000,
+            std::uint64_t{1} << 40, ~std::uint64_t{0} >> 1, ~std::uint64_t{0}}) {
+        std::string changed = whole;
+        std::memcpy(changed.data() + data, &place, 8);
+        EXPECT_NE(refusal(changed), "") << "format " << format << ", " << place;
+      }
+    }
+  }
+}
+
+TEST(Laz, RefusesATableThatContradictsItsChunks) {
+  const std::string whole = file_of(3, 300).bytes();
+  std::uint32_t data = 0;
+  std::memcpy(&data, whole.data() + 96, 4);
+  std::uint64_t table = 0;
+  std::memcpy(&table, whole.data() + data, 8);
+  for (const std::size_t at : {0u, 3u, 4u, 7u, 8u, 9u, 11u}) {
+    std::string changed = whole;
+    changed[table + at] = static_cast<char>(changed[table + at] ^ 0x11);
+    EXPECT_NE(refusal(changed), "") << at;
+  }
+}
+
+TEST(Laz, RefusesLayersLongerOrShorterThanTheirPoints) {
+  const LazFile file = file_of(6, 40);
+  const std::string whole = file.bytes();
+  std::uint32_t data = 0;
+  std::memcpy(&data, whole.data() + 96, 4);
+  const std::size_t sizes = data + 8 + file.record_size() + 4;
+  for (const std::size_t layer : {0u, 1u, 2u, 4u, 8u}) {
+    for (const std::uint32_t size : {0u, 5u, 3000u, 0xFFFFFFFFu}) {
+      std::string changed = whole;
+      std::memcpy(changed.data() + sizes + 4 * layer, &size, 4);
+      EXPECT_NE(refusal(changed), "") << "layer " << layer << ", " << size;
+    }
+  }
+}
+
+TEST(Laz, SaysWhatIsWrong) {
+  LazFile file = file_of(0, 120);
+  std::string whole = file.bytes();
+  EXPECT_NE(refusal(whole.substr(0, whole.size() - 60)).find("cut short"), std::string::npos);
+  std::string unnamed = whole;
+  unnamed[227 + 2] = 'x';
+  EXPECT_NE(refusal(unnamed).find("no record \"laszip encoded\""), std::string::npos);
+  std::string wide = whole;
+  wide[105] = 21;
+  EXPECT_NE(refusal(wide).find("21 bytes a point, and its items have 20"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace geom
