@@ -4,41 +4,24 @@
 
 #include <fmt/format.h>
 
-#include <GeographicLib/TransverseMercatorExact.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <map>
 #include <numbers>
 
-#include "geom/collision/collision.h"
-#include "support/random_city.h"
+#include "in_the_way.h"
 #include "traj/drone_file/dji_wpml.h"
-#include "traj/proof/flown.h"
 
 namespace {
 
 using geom::Vec3;
+using in_the_way::Attack;
+using in_the_way::kHalf;
+using in_the_way::projected;
 using support::Random;
 
-constexpr double kGround = 10;    // m, z of the take-off
-constexpr double kOrigin = 390;   // m, height of the map's zero on the ellipsoid
-const Vec3 kHalf(0.3, 0.3, 0.2);  // of the vehicle
+constexpr double kGround = 10;   // m, z of the take-off
+constexpr double kOrigin = 390;  // m, height of the map's zero on the ellipsoid
 const traj::MissionFrame kFrame{{47, 8, kOrigin}, 0};
-
-Vec3 projected(double latitude, double longitude, double z) {
-  static const GeographicLib::TransverseMercatorExact mercator(6378137, 1 / 298.257223563, 1);
-  static const double north = [] {
-    double x = 0;
-    double y = 0;
-    mercator.Forward(8, 47, 8, x, y);
-    return y;
-  }();
-  double x = 0;
-  double y = 0;
-  mercator.Forward(8, latitude, longitude, x, y);
-  return {x, y - north, z};
-}
 
 std::string element(const std::string& name, const std::string& inside) {
   return "<wpml:" + name + ">" + inside + "</wpml:" + name + ">\n";
@@ -49,11 +32,6 @@ std::string element(const std::string& name, double value) {
 
 Vec3 at_height(const Vec3& p, double z) { return {p.x(), p.y(), z}; }
 double plan_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().norm(); }
-
-struct Attack {
-  std::string what;
-  Vec3 point = Vec3::Zero();
-};
 
 // A mission as text, and a point of its way as this program works that out.
 class Case {
@@ -206,28 +184,6 @@ class Case {
   std::vector<Attack> attacks_;
 };
 
-// A box that once grown by the vehicle has the point `depth` inside it, and no deeper.
-geom::Aabb box_around(Random& random, const Vec3& p, double depth) {
-  const int axis = random.below(3);
-  const bool high = random.below(2);
-  geom::Aabb box;
-  for (int i = 0; i < 3; ++i) {
-    const double width = std::max(kHalf[i], depth) + random.uniform(0.01, 3);
-    const double middle = i != axis ? p[i] : high ? p[i] + depth - width : p[i] - depth + width;
-    box.min[i] = middle - (width - kHalf[i]);
-    box.max[i] = middle + (width - kHalf[i]);
-  }
-  return box;
-}
-
-geom::CollisionScene scene_of(const std::optional<geom::Aabb>& box) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-1000, -1000, -50}, {1000, 1000, 200}};
-  spec.bounds_from = "option";
-  geom::BoxTable table = box ? support::table_of({*box}) : geom::BoxTable{};
-  return {geom::BoxMap(spec, table), geom::Vehicle{"box", kHalf}, 0};
-}
-
 traj::Flown flown(const std::string& text) {
   traj::FlownDji made =
       traj::flown_dji(traj::read_dji_wpml(text, "", "mission"), kFrame, {}, "mission");
@@ -242,33 +198,12 @@ traj::Flown flown(const std::string& text) {
   return out;
 }
 
-bool accepted(const geom::CollisionScene& scene, const traj::Flown& mission) {
-  return traj::check_flown(scene, mission, {}, traj::Clearance::left_out).ok;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
-  Random random(argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1);
-  const geom::CollisionScene empty = scene_of({});
-  std::map<std::string, int> tried;
-  int wrong = 0;
-  int free = 0;
-  for (int i = 0; i < count; ++i) {
+  return in_the_way::run(argc, argv, [](Random& random, int) {
     Case made(random);
     const Attack attack = made.make();
-    const double depth = std::pow(10, random.uniform(-6, 0));
-    const traj::Flown mission = flown(made.text());
-    free += accepted(empty, mission);
-    ++tried[attack.what];
-    if (!accepted(scene_of(box_around(random, attack.point, depth)), mission)) continue;
-    if (++wrong <= 10) {
-      fmt::print("wrong: {} {}: {} m deep\n{}", i, attack.what, depth, made.text());
-    }
-  }
-  for (const auto& [what, times] : tried) fmt::print("{}: {}\n", what, times);
-  fmt::print("{} missions, {} of them free without the obstacle, {} accepted with it\n", count,
-             free, wrong);
-  return wrong != 0 || free != count;
+    return in_the_way::Trial{made.text(), attack, flown(made.text())};
+  });
 }

@@ -4,44 +4,25 @@
 
 #include <fmt/format.h>
 
-#include <GeographicLib/TransverseMercatorExact.hpp>
 #include <cmath>
-#include <cstdlib>
-#include <map>
 #include <numbers>
 #include <sstream>
 
-#include "geom/collision/collision.h"
-#include "support/random_city.h"
-#include "traj/drone_file/mission_flight.h"
+#include "in_the_way.h"
 #include "traj/drone_file/wpl.h"
-#include "traj/proof/flown.h"
 
 namespace {
 
 using geom::Vec3;
+using in_the_way::Attack;
+using in_the_way::projected;
 using support::Random;
 
 constexpr double kHome = 10;          // m, z
-const Vec3 kHalf(0.3, 0.3, 0.2);      // of the vehicle
 constexpr double kReturnHeight = 70;  // m above home
 constexpr double kSpeed = 15;         // m/s
 constexpr double kBraking = 3;        // m/s2
 const traj::MissionFrame kFrame{{47, 8, 400}, 0};
-
-Vec3 projected(double latitude, double longitude, double z) {
-  static const GeographicLib::TransverseMercatorExact mercator(6378137, 1 / 298.257223563, 1);
-  static const double north = [] {
-    double x = 0;
-    double y = 0;
-    mercator.Forward(8, 47, 8, x, y);
-    return y;
-  }();
-  double x = 0;
-  double y = 0;
-  mercator.Forward(8, latitude, longitude, x, y);
-  return {x, y - north, z};
-}
 
 double rounded(double degrees) { return std::round(degrees * 1e7) / 1e7; }
 
@@ -66,13 +47,6 @@ struct Written {
     text += fmt::format("{}\t0\t2\t{}\t{}\t{}\t{}\t{}\t0\t0\t0\t1\n", lines++, command, p[0], p[1],
                         p[2], p[3]);
   }
-};
-
-// Where the obstacle is put: a point of the way; or a fence.
-struct Attack {
-  std::string what;
-  Vec3 point = Vec3::Zero();
-  int fence = 0;  // 1: stay out of, 2: stay in
 };
 
 class Case {
@@ -317,48 +291,6 @@ class Case {
   std::vector<Vec3> way_;
 };
 
-// A box that once grown by the vehicle has the point `depth` inside it, and no deeper.
-geom::Aabb box_around(Random& random, const Vec3& p, double depth) {
-  const int axis = random.below(3);
-  const bool high = random.below(2);
-  geom::Aabb box;
-  for (int i = 0; i < 3; ++i) {
-    const double width = std::max(kHalf[i], depth) + random.uniform(0.01, 3);
-    const double middle = i != axis ? p[i] : high ? p[i] + depth - width : p[i] - depth + width;
-    box.min[i] = middle - (width - kHalf[i]);
-    box.max[i] = middle + (width - kHalf[i]);
-  }
-  return box;
-}
-
-geom::CollisionScene scene_of(const std::optional<geom::Aabb>& box) {
-  geom::BoxTable table;
-  if (box) {
-    table.boxes = {*box};
-    table.ids = {0};
-    table.label = {0};
-  }
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-1000, -1000, -50}, {1000, 1000, 200}};
-  spec.bounds_from = "option";
-  return {geom::BoxMap(spec, table), geom::Vehicle{"box", kHalf}, 0};
-}
-
-// A square, or a circle about home, that the vehicle's box breaks by `depth` at the point.
-traj::Fence fence_at(Random& random, const Attack& attack, double depth) {
-  const double x = attack.point.x();
-  const double y = attack.point.y();
-  if (attack.fence == 1) {
-    const double size = random.uniform(0.5, 5);
-    const double left = x + kHalf.x() - depth;
-    return {false,
-            {{left, y - size}, {left + size, y - size}, {left + size, y + size}, {left, y + size}},
-            0};
-  }
-  const double right = x + kHalf.x() - depth;
-  return {true, {{-900, -900}, {right, -900}, {right, 900}, {-900, 900}}, 0};
-}
-
 traj::Flown flown(const std::string& text) {
   std::istringstream in(text);
   const traj::Mission mission = traj::read_wpl(in, "mission");
@@ -377,39 +309,12 @@ traj::Flown flown(const std::string& text) {
   return out;
 }
 
-bool accepted(const geom::CollisionScene& scene, const traj::Flown& mission) {
-  return traj::check_flown(scene, mission, {}, traj::Clearance::left_out).ok;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
-  Random random(argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1);
-  const geom::CollisionScene empty = scene_of({});
-  std::map<std::string, int> tried;
-  int wrong = 0;
-  int free = 0;
-  for (int i = 0; i < count; ++i) {
+  return in_the_way::run(argc, argv, [](Random& random, int i) {
     Case made(random);
     const Attack attack = made.make(i % 16);
-    const double depth = std::pow(10, random.uniform(-6, 0));
-    traj::Flown mission = flown(made.text());
-    free += accepted(empty, mission);
-    ++tried[attack.what];
-    bool passed = false;
-    if (attack.fence) {
-      mission.fences.push_back(fence_at(random, attack, depth));
-      passed = accepted(empty, mission);
-    } else {
-      passed = accepted(scene_of(box_around(random, attack.point, depth)), mission);
-    }
-    if (!passed) continue;
-    if (++wrong <= 10)
-      fmt::print("wrong: {} {}: {} m deep\n{}", i, attack.what, depth, made.text());
-  }
-  for (const auto& [what, times] : tried) fmt::print("{}: {}\n", what, times);
-  fmt::print("{} missions, {} of them free without the obstacle, {} accepted with it\n", count,
-             free, wrong);
-  return wrong != 0 || free != count;
+    return in_the_way::Trial{made.text(), attack, flown(made.text())};
+  });
 }
