@@ -44,6 +44,7 @@ std::vector<Chunk> read_table(ByteSource& bytes, bool with_points, std::uint64_t
     last.bytes = next(last.bytes, 1);
     table.push_back(last);
   }
+  code.require_end();
   return table;
 }
 
@@ -106,6 +107,7 @@ void read_items(ByteSource& bytes, const LazSetup& setup, std::uint64_t count,
     for (const auto& item : items) item->next(code, point);
     sink(point);
   }
+  code.require_end();
 }
 
 // The points of each chunk, which only the table knows.

@@ -18,9 +18,9 @@ using LazPointSink = std::function<void(const LazPoint&)>;
 // that are not layers (the compressed points).
 //
 // Throws InputError where bytes end before the points, where a chunk takes more or fewer bytes or
-// points than the table says, or where the table is missing or elsewhere. Only what comes after
-// the last point in the bytes of a chunk cannot be told from the code's own end; so a header that
-// counts a few points too many or too few is found by their bytes, not by their number.
+// points than the table says, or where the table is missing or elsewhere. That a header counts a
+// point too many or too few is found by the bytes and by the end of the code of each chunk; only a
+// point as usual as those before it, which takes a small part of a bit, may be missed.
 void for_each_laz_point(ByteSource& bytes, const LazSetup& setup, std::uint64_t points,
                         const LazPointSink& sink);
 

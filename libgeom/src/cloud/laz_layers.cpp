@@ -71,6 +71,7 @@ class Layer {
   RangeDecoder& code() { return *code_; }
 
   void require_end() const {
+    if (code_) code_->require_end();
     if (bytes_->position() != end()) {
       bytes_->refuse(
           fmt::format("its compressed points are damaged: a layer ends at byte {}, and "

@@ -65,6 +65,19 @@ RangeDecoder::RangeDecoder(ByteSource& bytes) : bytes_(bytes) {
   }
 }
 
+// The encoder of HPL-2004-76 goes on by 2^24 and writes one byte, or by 2^23 and writes two, by the
+// length that is left; bytes that it does not write are 0.
+void RangeDecoder::require_end() const {
+  const bool one_byte = length_ > 2 * kShortest;
+  const std::uint32_t most = one_byte ? kShortest : kShortest / 2;
+  const std::uint32_t lost = one_byte ? kShortest : 1u << 16;
+  if (value_ > most || value_ + lost <= most) {
+    bytes_.refuse(
+        "its compressed points go on where they should end: the file is damaged, or "
+        "holds more or fewer points than its header says");
+  }
+}
+
 std::uint32_t RangeDecoder::bits(unsigned count) {
   std::uint32_t low = 0;
   unsigned shift = 0;

@@ -109,6 +109,11 @@ class RangeDecoder {
   // `count` bits, 1 to 32, of no model.
   std::uint32_t bits(unsigned count);
 
+  // Whether an encoder may have stopped here: it ends on a place near the start of its interval,
+  // with the rest of the bytes 0. So a symbol too few, or too many, is often found where it takes no
+  // byte of its own. Throws where not.
+  void require_end() const;
+
  private:
   static constexpr std::uint32_t kShortest = 1u << 24;
 
