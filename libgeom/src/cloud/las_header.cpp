@@ -27,8 +27,9 @@ LasHeader parse(const std::vector<unsigned char>& b, std::string_view source) {
   const unsigned format = b[104] & 0x3f;
   if (b[104] & 0x40) {
     refuse(source,
-           "this is compressed in a way that LASzip has given up: write the file anew, for example "
-           "with `pdal translate in.laz out.las`");
+           "this was compressed by an early, experimental LASzip, which is not read: ask its "
+           "source for "
+           "LAS, or for LAZ as it is written today");
   }
   if (format > 10) refuse(source, fmt::format("expected a point format 0 to 10, found {}", format));
   LasHeader h;

@@ -64,7 +64,7 @@ LazItem parse_item(const unsigned char* bytes, bool layered, std::string_view so
   if (!read) {
     refuse(source,
            fmt::format("its points are compressed by version {} of item {}, and {} is read: write "
-                       "the file anew, for example with `pdal translate in.laz out.las`",
+                       "the file anew, for example with `laszip -i in.laz -o out.las`",
                        item.version, kind, layered ? "version 3" : "versions 1 and 2"));
   }
   return item;
