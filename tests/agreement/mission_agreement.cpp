@@ -110,7 +110,7 @@ class Case {
   }
 
   // A waypoint with a hold (s) and a radius (m; 0: none said).
-  Vec3 go(double hold = 1, double radius = 0, int command = traj::kWaypoint) {
+  Vec3 go(double hold = 1, double radius = 0.2, int command = traj::kWaypoint) {
     way_.push_back(written_.add(command, somewhere(), {hold, radius, 0, 0}));
     return way_.back();
   }

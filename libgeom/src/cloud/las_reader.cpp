@@ -119,11 +119,15 @@ Told read_records(std::istream& in, const LasHeader& h, std::string_view source)
   return {references.reference(h.well_known_text), std::move(laz)};
 }
 
-// Whether points that the header does not count follow those it does.
-void require_no_more(ByteSource& rest, const LasHeader& h) {
+// Whether points that the header does not count follow those it does: `room` bytes or more up to
+// where the next part of the file begins, or its end.
+void require_no_more(ByteSource& rest, const LasHeader& h, std::uint64_t room) {
   const std::uint64_t end = rest.position();
-  const bool known_end = (h.later_count > 0 && h.later_records >= end) || h.waveforms >= end;
-  if (!known_end && rest.skip(h.record) == h.record) {
+  std::uint64_t next = std::numeric_limits<std::uint64_t>::max();
+  if (h.later_count > 0 && h.later_records >= end) next = h.later_records;
+  if (h.waveforms >= end) next = std::min(next, h.waveforms);
+  const bool known_end = next != std::numeric_limits<std::uint64_t>::max();
+  if (known_end ? next - end >= room : rest.skip(room) == room) {
     rest.refuse(
         fmt::format("expected {} points of {} bytes, and the file holds more", h.points, h.record));
   }
@@ -165,7 +169,7 @@ void read_points(ByteSource& bytes, const LasHeader& h, PointChunks& chunks) {
     const std::uint8_t cls = h.modern() ? record[16] : static_cast<std::uint8_t>(record[15] & 0x1f);
     chunks.add(raw.cwiseProduct(h.scale) + h.offset, cls);
   }
-  require_no_more(bytes, h);
+  require_no_more(bytes, h, h.record);
 }
 
 void read_compressed(ByteSource& bytes, const LasHeader& h, const LazSetup& setup,
@@ -173,7 +177,7 @@ void read_compressed(ByteSource& bytes, const LasHeader& h, const LazSetup& setu
   for_each_laz_point(bytes, setup, h.points, [&](const LazPoint& p) {
     chunks.add(Vec3(p.x, p.y, p.z).cwiseProduct(h.scale) + h.offset, p.cls);
   });
-  if (setup.layout == LazSetup::Layout::one_stream) require_no_more(bytes, h);
+  require_no_more(bytes, h, setup.layout == LazSetup::Layout::one_stream ? 1 : h.record);
 }
 
 }  // namespace

@@ -51,9 +51,11 @@ class DjiFlight {
   }
 
   FlownDji fly() {
+    const DjiWaypoint* last = nullptr;
     for (const DjiWayline& wayline : mission_.waylines) {
-      flown_.path.empty() ? begin(wayline) : go_on(wayline);
+      last ? go_on(wayline, *last) : begin(wayline);
       fly(wayline);
+      last = &wayline.waypoints.back();
     }
     end();
     for (const Turn& turn : turns_) sweep(turn);
@@ -142,8 +144,9 @@ class DjiFlight {
     if (flown_.path.size() > 1) say_speed(mission_.transit_speed);
   }
 
-  void go_on(const DjiWayline& wayline) {
+  void go_on(const DjiWayline& wayline, const DjiWaypoint& last) {
     const Vec3 from = flown_.path.back();
+    const std::size_t begun = flown_.path.size() - 1;
     const Vec3 first = place(wayline, wayline.waypoints.front());
     if (mission_.approach == DjiApproach::safely) {
       const double z = std::max(from.z(), first.z());
@@ -151,7 +154,22 @@ class DjiFlight {
       reach(at_height(first, z), Manoeuvre::leg);
     }
     reach(first, Manoeuvre::leg);
+    require_room(begun, last, wayline.waypoints.front());
     say_speed(mission_.transit_speed);
+  }
+
+  // For turns where one wayline ends and the next begins.
+  void require_room(std::size_t begun, const DjiWaypoint& last, const DjiWaypoint& first) const {
+    const auto leg = [&](std::size_t to) { return (flown_.path[to] - flown_.path[to - 1]).norm(); };
+    const std::size_t end = flown_.path.size() - 1;
+    if (end == begun) {
+      require_apart(last, first, 0);
+    } else if (end == begun + 1) {
+      require_apart(last, first, leg(end));
+    } else {
+      require_apart(last, {}, leg(begun + 1));
+      require_apart({}, first, leg(end));
+    }
   }
 
   void fly(const DjiWayline& wayline) {

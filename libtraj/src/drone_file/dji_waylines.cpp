@@ -154,6 +154,15 @@ class WaylinesReader {
           "relativeToStartPoint), found heights above the surface as the aircraft sees it");
     }
     require_off(folder, "wpml:realTimeFollowSurfaceByFov");
+    if (folder.find("wpml:waylineId")) {
+      const int id = folder.whole("wpml:waylineId");
+      if (id <= last_id_) {
+        folder.refuse(folder.child("wpml:waylineId"),
+                      fmt::format("<wpml:waylineId> must be above {}, the one before, found {}",
+                                  last_id_, id));
+      }
+      last_id_ = id;
+    }
     DjiWayline wayline;
     wayline.template_id = folder.whole("wpml:templateId");
     wayline.heights = heights == "WGS84" ? DjiHeights::ellipsoid : DjiHeights::above_takeoff;
@@ -259,6 +268,7 @@ class WaylinesReader {
   const XmlElement& root_;
   const std::string& source_;
   DjiMission mission_;
+  int last_id_ = -1;  // of a wayline
 };
 
 }  // namespace

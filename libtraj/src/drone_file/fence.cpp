@@ -54,6 +54,13 @@ double bend(double latitude) {
   return (1 + std::tan(steepest)) / 6.3e6;
 }
 
+// How much longer than on Earth a radius is on the map, whose scale grows with the distance east of
+// the origin: by x^2 / (2 R^2).
+double stretch(const Vec2& centre, double radius) {
+  const double east = std::abs(centre.x()) + radius;
+  return radius * east * east / (2 * 6.3e6 * 6.3e6);
+}
+
 double bulge_of(const std::vector<Vec2>& ring, double latitude) {
   double longest = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -74,7 +81,7 @@ Fence fence_on_map(const GeodeticFence& fence, const geom::GeodeticOrigin& origi
   const geom::GeographicFrame earth(origin);
   if (fence.ring.empty()) {
     const Vec2 centre = on_map(earth, origin, fence.centre, source);
-    return {fence.inclusion, circle(fence, centre, source), 0};
+    return {fence.inclusion, circle(fence, centre, source), stretch(centre, fence.radius)};
   }
   Fence out{fence.inclusion, {}, 0};
   double furthest = 0;

@@ -3,23 +3,24 @@
 #include <algorithm>
 
 #include "flown_regions.h"
-#include "geom/shape/separation.h"
 
 namespace traj {
 namespace {
 
-// Where the next points are so near that they count as reached from where the turn begins, it goes
-// straight on to the first that does not.
+// Where the next points are so near that they may count as reached while it turns, it goes straight
+// on to the first that does not, from anywhere, and turns there.
 void add_passed(std::span<const Vec3> path, std::span<const Turn> turns, std::size_t corner,
                 Hull& hull) {
-  const Vec3 start = before_corner(path[corner - 1], path[corner], turns[corner].radius);
+  std::size_t last = corner;
   for (std::size_t j = corner + 1; j + 1 < path.size(); ++j) {
-    if (turns[j].kind == Turn::rest) return;
-    const geom::Aabb point{path[j], path[j]};
-    if (geom::distance(start, path[corner], point) > turns[j].radius) return;
+    if (turns[j].kind == Turn::rest) break;
+    if ((path[j] - path[corner]).norm() > turns[corner].radius + turns[j].radius) break;
     hull.push_back(path[j]);
     hull.push_back(path[j + 1]);
+    last = j + 1;
   }
+  if (last == corner || last + 1 >= path.size() || turns[last].kind == Turn::rest) return;
+  hull.push_back(before_corner(path[last + 1], path[last], turns[last].radius));
 }
 
 }  // namespace
@@ -33,7 +34,7 @@ Corners corners_of(std::span<const Vec3> path, std::span<const Turn> turns,
     ++out.count;
     out.most_radius = std::max(out.most_radius, radius);
     if (radius == 0) continue;
-    const double beyond = std::max(0.0, braking_way - radius);
+    const double beyond = std::max(0.0, braking_way - turns[i].least);
     Hull hull = corner_hull(path[i - 1], path[i], path[i + 1], radius, beyond);
     add_passed(path, turns, i, hull);
     out.sweeps.push_back({std::move(hull), {legs[i].item, Manoeuvre::corner}});

@@ -10,10 +10,12 @@
 
 namespace traj {
 
-// What it does at a point: comes to rest, or passes, turning within the radius (m).
+// What it does at a point: comes to rest, or passes, turning within the radius (m): the largest
+// that it may have, and the least.
 struct Turn {
   enum Kind { rest, pass } kind = rest;
   double radius = 0;
+  double least = 0;
 };
 
 struct Corners {

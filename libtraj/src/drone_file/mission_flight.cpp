@@ -123,15 +123,30 @@ class Flight {
 
   // What the vehicle may be anywhere in the hull of when it goes on.
   Hull from_where() {
-    if (leaving_.empty()) return {early(), flown_.path.back()};
+    if (leaving_.empty()) return reached();
     return std::exchange(leaving_, {});
+  }
+
+  // Where it may be when the last point counts as reached: within the radius, and before points
+  // that count as reached at once.
+  Hull reached() const {
+    const geom::Polyline& path = flown_.path;
+    Hull hull{early(), path.back()};
+    for (std::size_t i = path.size() - 1; i > 0; --i) {
+      const Turn& before = turns_[i - 1];
+      if (before.kind == Turn::rest) break;
+      if ((path.back() - path[i - 1]).norm() > before.radius + turns_.back().radius) break;
+      hull.push_back(path[i - 1]);
+      if (i > 1) hull.push_back(before_corner(path[i - 2], path[i - 1], before.radius));
+    }
+    return hull;
   }
 
   void require_known_start(const char* what) const {
     if (leaving_.empty()) return;
     refuse(
         fmt::format("expected a waypoint before {}, so that it is known where that begins, found "
-                    "loitering or a delay",
+                    "loitering, a delay, a short hold or a take-off away from home",
                     what));
   }
 
@@ -150,11 +165,22 @@ class Flight {
     return hold;
   }
 
+  // It rests where the hold lasts until it has surely come to the point: PX4 counts it from where
+  // it comes within the radius.
   Turn turn_of(const MissionItem& item, double hold) const {
-    if (hold > 0) return {};
-    if (rules_.acceptance) return {Turn::pass, *rules_.acceptance};
-    const bool said = item.command == kWaypoint && item.param[1] > 0;
-    return {Turn::pass, said ? item.param[1] : kAcceptance};
+    const double said = item.command == kWaypoint && item.param[1] > 0 ? item.param[1] : 0;
+    const double usual = rules_.acceptance.value_or(said > 0 ? kLeastAcceptance : kAcceptance);
+    const double held = said > 0 ? said : rules_.acceptance.value_or(kAcceptance);
+    const bool rests = hold >= 1 && hold >= 2 * std::sqrt(2 * held / rules_.braking);
+    if (rests) return {};
+    return {Turn::pass, std::max(usual, said), said > 0 ? std::min(usual, said) : usual};
+  }
+
+  // To a point where it waits, and goes on from wherever it is by then.
+  void go_and_wait(const Vec3& p, double hold, Manoeuvre manoeuvre, const MissionItem& item) {
+    const Turn turn = turn_of(item, hold);
+    go(p, hold, manoeuvre, turn);
+    if (hold > 0 && turn.radius > 0) leaving_ = reached();
   }
 
   // --- items --------------------------------------------------------------------------------
@@ -175,7 +201,7 @@ class Flight {
       case kTakeoff:
         return take_off(item);
       case kWaypoint:
-        return go(place(item), hold_of(item), Manoeuvre::leg, turn_of(item, hold_of(item)));
+        return go_and_wait(place(item), hold_of(item), Manoeuvre::leg, item);
       case kSplineWaypoint:
         return fly_spline(item);
       case kLoiterTime:
@@ -219,6 +245,8 @@ class Flight {
       }
     }
     go(p, 0, Manoeuvre::takeoff);
+    // Some autopilots take no heed of the place, and go on from above home.
+    if (flown_.takeoff_from_home > 0) leaving_ = {flown_.path.front(), p};
   }
 
   void fly_spline(const MissionItem& item) {
@@ -236,7 +264,7 @@ class Flight {
       if (const auto after = place_after()) arriving = {*after - a, *after - b};
       sweep(spline_hull(a, b, leaving, arriving), Manoeuvre::spline);
     }
-    go(b, hold, Manoeuvre::spline, turn_of(item, hold));
+    go_and_wait(b, hold, Manoeuvre::spline, item);
   }
 
   // On the spot, or on a circle of that radius, or anywhere in it.
@@ -247,7 +275,8 @@ class Flight {
     const Vec3 centre = place(item);
     flown_.ended = forever;
     if (!(radius > 0)) {
-      return go(centre, hold, Manoeuvre::hover, forever ? Turn{} : turn_of(item, hold));
+      return forever ? go(centre, hold, Manoeuvre::hover)
+                     : go_and_wait(centre, hold, Manoeuvre::hover, item);
     }
     Hull disc = Circle{centre, require_radius(radius)}.disc();
     if (!flown_.path.empty()) {
@@ -274,8 +303,20 @@ class Flight {
     if (!(way.radius > 0)) {
       refuse("expected the radius of the circle, found 0: it would be the vehicle's own");
     }
+    const double unit = way.radius > 255 ? 10 : 1;
+    if (way.radius != unit * std::floor(way.radius / unit)) {
+      refuse(
+          fmt::format("expected a radius of whole metres, or of tens above 255, as ArduPilot keeps "
+                      "it, found {}",
+                      way.radius));
+    }
     if (flown_.path.empty()) refuse("expected a waypoint or a take-off before the circle");
     require_known_start("a circle");
+    if (reached().size() > 2) {
+      refuse(
+          "expected a waypoint with a hold before a circle, found several that count as reached at "
+          "once");
+    }
     const Vec3 from = flown_.path.back();
     const Vec3 before = early();
     for (const Vec3& p : {from, before}) {
@@ -347,37 +388,58 @@ class Flight {
     const double z = std::max(end.z(), ground + *rules_.return_height);
     const Vec3 home = mission_.home ? on_map(*mission_.home, z)
                                     : Vec3(flown_.path.front().x(), flown_.path.front().y(), z);
+    unsaid_speed_ = true;  // it returns with a speed of its own
     const Hull low = from_where();
-    Hull high = low;
-    for (Vec3& p : high) p.z() = z;
-    Hull column = low;
-    column.insert(column.end(), high.begin(), high.end());
-    sweep(std::move(column), Manoeuvre::return_home);
+    sweep_return(low, home);
     go({end.x(), end.y(), z}, 0, Manoeuvre::return_home);
-    Hull across = high;
-    across.push_back(home);
-    sweep(std::move(across), Manoeuvre::return_home);
     go(home, 0, Manoeuvre::return_home);
     flown_.ends.landing_on = ground;
     for (const geom::GeodeticPlace& rally : mission_.rally) {
-      const Vec3 above = on_map(rally, z);
-      Hull to_rally = high;
-      to_rally.push_back(above);
-      sweep(std::move(to_rally), Manoeuvre::return_home);
-      sweep({above, on_map(rally, ground + rally.height)}, Manoeuvre::return_home);
+      const double to = ground + rally.height;
+      const Vec3 above = on_map(rally, std::max(z, to));
+      sweep_return(low, above);
+      sweep({above, on_map(rally, to)}, Manoeuvre::return_home);
     }
   }
 
-  void wait(const MissionItem& item) {
-    if (flown_.hold.empty()) return;
-    const double hold = hold_of(item);
-    flown_.hold.back() += hold;
-    if (hold > 0 && turns_.back().radius > 0) leaving_ = {early(), flown_.path.back()};
+  // Up from anywhere in the hull to the height of `above`, and across to there. Nearer to it than
+  // that is high above the ground, some return lower (PX4's cone of 45 degrees, ArduCopter's).
+  void sweep_return(const Hull& low, const Vec3& above) {
+    const double ground = *places_.home();
+    const auto raised = [&](Vec3 p, double z) {
+      p.z() = z;
+      return p;
+    };
+    Hull column = low;
+    Hull across{above};
+    double away = 0;
+    for (const Vec3& p : low) {
+      column.push_back(raised(p, above.z()));
+      across.push_back(raised(p, above.z()));
+      away = std::max(away, (p - above).head<2>().norm());
+    }
+    if (away < above.z() - ground) {
+      for (const Vec3& p : low) {
+        across.push_back(p);
+        across.push_back(raised(above, p.z()));
+      }
+    }
+    sweep(std::move(column), Manoeuvre::return_home);
+    sweep(std::move(across), Manoeuvre::return_home);
   }
 
-  // Type 2 and 3 are rates of climb and descent. -1: as it is; other values that are no speed: the
-  // vehicle's own, which the file does not say.
+  // So long, or (0 or -1) to a time of day.
+  void wait(const MissionItem& item) {
+    if (flown_.hold.empty()) return;
+    if (item.param[0] != -1) flown_.hold.back() += hold_of(item);
+    if (turns_.back().radius > 0 && leaving_.empty()) leaving_ = reached();
+  }
+
+  // -1: as it is; other values that are no speed: the vehicle's own, which the file does not say.
   void take_speed(const MissionItem& item) {
+    constexpr double kClimb = 2;  // the types of rates of climb and descent
+    constexpr double kDescent = 3;
+    if (item.param[0] == kClimb || item.param[0] == kDescent) return;
     const double speed = item.param[1];
     if (speed > 0) {
       flown_.speed = std::max(flown_.speed.value_or(0), speed);

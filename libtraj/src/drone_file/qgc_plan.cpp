@@ -1,6 +1,7 @@
 #include "traj/drone_file/qgc_plan.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <istream>
@@ -61,6 +62,16 @@ struct PlanReader {
     const auto it = object.find(key);
     if (it == object.end()) refuse(fmt::format("expected the key {}.{}, found none", where, key));
     return *it;
+  }
+
+  // What is not known may be a fence, by another name or of another version.
+  void require_known(const Json& parent, std::initializer_list<std::string_view> known,
+                     const std::string& where) const {
+    for (const auto& [key, value] : parent.items()) {
+      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+      refuse(fmt::format("expected no other keys in {} than {}, found \"{}\"", where,
+                         fmt::join(known, ", "), key.substr(0, 40)));
+    }
   }
 
   const Json& object(const Json& parent, const char* key, const std::string& where) const {
@@ -128,7 +139,7 @@ struct PlanReader {
     if (item.frame == kMissionFrame) return;
     const auto said = [&](const char* key) { return json.contains(key) && !json[key].is_null(); };
     const int mode = said("AltitudeMode") ? whole(json, "AltitudeMode", where) : -1;
-    if (mode >= 0 && !fits(mode, item.frame)) {
+    if (mode > 0 && !fits(mode, item.frame)) {
       refuse(
           fmt::format("{}.AltitudeMode must be 1, 2, 3 or 4 (above home, sea level, by way of the "
                       "terrain, above it) as its frame {} says, found {}",
@@ -184,6 +195,8 @@ struct PlanReader {
     std::vector<GeodeticFence> fences;
     if (!plan.contains("geoFence")) return fences;
     const Json& fence = object(plan, "geoFence", "plan");
+    require_known(fence, {"breachReturn", "circles", "polygons", "version"}, "geoFence");
+    if (!fence.empty()) require(fence, "version", 2, "geoFence");
     const auto each = [&](const char* key, const auto& take) {
       if (!fence.contains(key)) return;
       const Json& all = list(fence, key, "geoFence");
@@ -214,6 +227,7 @@ struct PlanReader {
     std::vector<geom::GeodeticPlace> places;
     if (!plan.contains("rallyPoints")) return places;
     const Json& points = object(plan, "rallyPoints", "plan");
+    require_known(points, {"points", "version"}, "rallyPoints");
     if (!points.contains("points")) return places;
     for (const Json& point : list(points, "points", "rallyPoints")) {
       places.push_back(place(point, "rallyPoints.points[]", 3));
@@ -246,6 +260,11 @@ struct PlanReader {
         continue;
       }
       const Json& transects = object(json, "TransectStyleComplexItem", here);
+      if (list(transects, "Items", here + ".TransectStyleComplexItem").empty()) {
+        refuse(here +
+               ".TransectStyleComplexItem.Items must hold the items that QGroundControl makes of "
+               "it, found none: open the plan there and save it again");
+      }
       add_items(list(transects, "Items", here + ".TransectStyleComplexItem"),
                 here + ".TransectStyleComplexItem.Items", mission);
     }
@@ -257,6 +276,9 @@ struct PlanReader {
     if (!plan.is_object()) refuse("expected a JSON object, found " + shown(plan));
     require(plan, "fileType", "Plan", "plan");
     require(plan, "version", 1, "plan");
+    require_known(plan,
+                  {"fileType", "geoFence", "groundStation", "mission", "rallyPoints", "version"},
+                  "plan");
     return plan;
   }
 

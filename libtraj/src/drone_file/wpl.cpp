@@ -55,7 +55,7 @@ struct LineReader {
   double number(std::string_view text, const char* name) const {
     double value = 0;
     const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || rest != text.data() + text.size() || !std::isfinite(value)) {
+    if (error != std::errc() || rest != text.data() + text.size() || std::isinf(value)) {
       refuse(fmt::format("{} must be a number with a decimal point, found \"{}\"", name,
                          text.substr(0, 40)));
     }
@@ -76,6 +76,10 @@ struct LineReader {
       refuse(fmt::format("index must be a whole number from {} on, found {}", least, v[0]));
     }
     const auto index = static_cast<std::size_t>(v[0]);
+    for (const int k : {1, 2, 3, 10, 11}) {
+      if (std::isnan(v[static_cast<std::size_t>(k)]))
+        refuse(fmt::format("{} must be a number, found nan", kNames[static_cast<std::size_t>(k)]));
+    }
     for (const int flag : {1, 11}) {
       if (v[flag] != 0 && v[flag] != 1) {
         refuse(fmt::format("{} must be 0 or 1, found {}", kNames[flag], v[flag]));
@@ -146,8 +150,13 @@ class WplReader {
     if (first && has_home_ && item.frame == kGlobal && item.command == kWaypoint) {
       mission_.home = {item.latitude, item.longitude, item.altitude};
     } else if (item.command == kRallyPoint) {
+      beside_ = true;
       mission_.rally.push_back({item.latitude, item.longitude, item.altitude});
-    } else if (!take_fence(item)) {
+    } else if (take_fence(item)) {
+      beside_ = true;
+    } else {
+      // A ground station uploads fences and rally points apart, and counts the items without them.
+      skips_ = skips_ || beside_;
       mission_.items.push_back(item);
     }
   }
@@ -210,6 +219,7 @@ class WplReader {
   std::size_t next_ = 0;  // number of the next item
   bool has_home_ = false;
   bool skips_ = false;
+  bool beside_ = false;  // a fence or a rally point stood before
   std::size_t corners_left_ = 0;
   Mission mission_;
 };

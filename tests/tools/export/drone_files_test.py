@@ -307,8 +307,9 @@ def named_missions():
     for name, command, params in (("a spline", 82, (0, 0, 0, 0)), ("turns", 18, (3, 0, 20, 0)),
                                   ("loitering on a circle", 19, (5, 0, 30, 0)), ("a climb", 31, (0, 0, 0, 0))):
         other = item(command, (50, -20, 20), params)
-        expect(f"wpl: {name} through the tower", 1, "wpl", wpl(TAKEOFF, other, POINT, LAND))
-        expect(f"plan: {name} through the tower", 1, "qgc-plan", plan((TAKEOFF, other, POINT, LAND)))
+        rest = item(16, (0, 20, 20), (1, 0.2, 0, 0))
+        expect(f"wpl: {name} through the tower", 1, "wpl", wpl(TAKEOFF, rest, other, POINT, LAND))
+        expect(f"plan: {name} through the tower", 1, "qgc-plan", plan((TAKEOFF, rest, other, POINT, LAND)))
     for name, command, params in (("a jump back to the take-off", 177, (1, 5, 0, 0)), ("a jump for ever", 177, (2, -1, 0, 0)),
                                   ("turns on no circle", 18, (3, 0, 0, 0)), ("half a turn", 18, (0.5, 0, 20, 0)),
                                   ("a change of height", 113, (1, 0, 0, 50)), ("a new home", 179, (1, 0, 0, 0)),
@@ -346,7 +347,7 @@ def named_missions():
            plan(change=lambda p: p["mission"]["items"].insert(1, {"type": "ComplexItem", "complexItemType": "survey"})))
     expect("plan: two heights", 3, "qgc-plan",
            plan(change=lambda p: p["mission"]["items"][1].update(Altitude=90, AltitudeMode=1)))
-    for mode in (0, 2, 3, 4):
+    for mode in (2, 3, 4):
         expect(f"plan: AltitudeMode {mode}", 3, "qgc-plan",
                plan(change=lambda p: p["mission"]["items"][1].update(Altitude=20, AltitudeMode=mode)))
     expect("plan: two documents", 3, "qgc-plan", plan() + plan())

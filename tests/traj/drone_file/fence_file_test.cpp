@@ -22,7 +22,7 @@ TEST(ReadFences, NeedsNoMission) {
   const auto circle = read("QGC WPL 110\n0\t0\t3\t5004\t9\t0\t0\t0\t47\t8\t0\t1\n");
   ASSERT_EQ(circle.size(), 1u);
   EXPECT_EQ(circle[0].radius, 9);
-  const auto polygon = read(R"( {"fileType":"Plan","version":1,"geoFence":{"polygons":[
+  const auto polygon = read(R"( {"fileType":"Plan","version":1,"geoFence":{"version":2,"polygons":[
     {"inclusion":true,"polygon":[[47,8],[47.1,8],[47,8.1]]}]}})");
   ASSERT_EQ(polygon.size(), 1u);
   EXPECT_TRUE(polygon[0].inclusion);

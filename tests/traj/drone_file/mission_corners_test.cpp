@@ -5,9 +5,9 @@
 namespace traj {
 namespace {
 
-constexpr Turn kRest{Turn::rest, 0};
+constexpr Turn kRest{};
 
-Turn pass(double radius) { return {Turn::pass, radius}; }
+Turn pass(double radius) { return {Turn::pass, radius, radius}; }
 
 const std::vector<FlightPart> kLegs = {
     {1, Manoeuvre::takeoff}, {2, Manoeuvre::leg}, {3, Manoeuvre::leg}, {4, Manoeuvre::leg}};
@@ -24,6 +24,12 @@ TEST(CornersOf, AreOfPointsThatArePassed) {
             (std::vector<Vec3>{{45, 0, 9}, {50, 0, 9}, {50, 5, 9}, {52, 0, 9}}));
 }
 
+TEST(CornersOf, BrakeFromTheLeastRadius) {
+  const std::vector<Vec3> path = {{0, 0, 9}, {50, 0, 9}, {50, 50, 9}};
+  const std::vector<Turn> turns = {kRest, {Turn::pass, 5, 2}, kRest};
+  EXPECT_EQ(corners_of(path, turns, kLegs, 7).sweeps[0].hull.back(), Vec3(55, 0, 9));
+}
+
 TEST(CornersOf, AreNotSweptWhereTheVehicleGoesToThePoint) {
   const std::vector<Vec3> path = {{0, 0, 9}, {50, 0, 9}, {50, 50, 9}};
   const Corners corners = corners_of(path, std::vector<Turn>{kRest, pass(0), kRest}, kLegs, 7);
@@ -31,12 +37,18 @@ TEST(CornersOf, AreNotSweptWhereTheVehicleGoesToThePoint) {
   EXPECT_TRUE(corners.sweeps.empty());
 }
 
-TEST(CornersOf, HoldPointsThatAreReachedAtOnce) {
-  const std::vector<Vec3> path = {{0, 0, 9}, {50, 0, 9}, {50, 4, 9}, {0, 50, 9}};
-  const auto far = corners_of(path, std::vector<Turn>{kRest, pass(5), pass(3), kRest}, kLegs, 0);
+TEST(CornersOf, HoldPointsThatMayBeReachedAtOnce) {
+  const std::vector<Vec3> path = {{0, 0, 9}, {50, 0, 9}, {50, 9, 9}, {0, 50, 9}, {0, 0, 9}};
+  const std::vector<FlightPart> legs(5, {2, Manoeuvre::leg});
+  const auto far =
+      corners_of(path, std::vector<Turn>{kRest, pass(5), pass(3), kRest, kRest}, legs, 0);
   EXPECT_EQ(far.sweeps[0].hull.size(), 3u);
-  const auto near = corners_of(path, std::vector<Turn>{kRest, pass(5), pass(4), kRest}, kLegs, 0);
+  const auto near =
+      corners_of(path, std::vector<Turn>{kRest, pass(5), pass(4), kRest, kRest}, legs, 0);
   EXPECT_EQ(near.sweeps[0].hull.back(), path[3]);
+  const auto on =
+      corners_of(path, std::vector<Turn>{kRest, pass(5), pass(4), pass(10), kRest}, legs, 0);
+  EXPECT_EQ(on.sweeps[0].hull.back(), Vec3(0, 40, 9)) << "and turns there";
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-6)
 
 TEST(FlownMission, SweepsTheCornersOfWaypointsWithoutARest) {
   Maker maker;
-  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30}, {2, 0, 0, 0});
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30}, {2, 0.2, 0, 0});
   maker.add(kWaypoint, {0, 80, 30});
   const FlownMission flown = maker.fly();
   ASSERT_EQ(flown.path.size(), 4u);
@@ -93,7 +93,13 @@ TEST(FlownMission, TakesTheRadiusFromTheUserThenFromTheItem) {
   EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {96.1, 0, 30}));
   EXPECT_FALSE(swept(maker.fly(), Manoeuvre::corner, {95.9, 0, 30}));
   EXPECT_TRUE(swept(maker.fly({.acceptance = 7}), Manoeuvre::corner, {93.1, 0, 30}));
-  EXPECT_TRUE(maker.fly({.acceptance = 0}).sweeps.empty());
+  EXPECT_TRUE(swept(maker.fly({.acceptance = 1}), Manoeuvre::corner, {96.1, 0, 30})) << "PX4's";
+  Maker narrow;
+  narrow.add(kWaypoint, {100, 0, 30}, {0, 0.1, 0, 0}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(swept(narrow.fly(), Manoeuvre::corner, {98.1, 0, 30})) << "ArduPilot's 2 m";
+  Maker plain;
+  plain.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(plain.fly({.acceptance = 0}).sweeps.empty());
   EXPECT_EQ(maker.fly({.acceptance = 0}).corners, 1u);
   EXPECT_FALSE(swept(maker.fly({.speed = 3, .braking = 3}), Manoeuvre::corner, {100.1, 0, 30}));
 }
@@ -106,9 +112,39 @@ TEST(FlownMission, AStopMeansNoCornerAndADelayAWiderOne) {
   EXPECT_TRUE(swept(flown, Manoeuvre::leg, {95, 40, 30})) << "from where it waits, 10 m before";
 }
 
+TEST(FlownMission, AShortHoldIsNoRest) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {0.1, 6, 0, 0}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {96, 0, 30}));
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::leg, {97, 40, 30})) << "from wherever it is by then";
+  Maker longer;
+  longer.add(kWaypoint, {100, 0, 30}, {4.1, 6, 0, 0}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(longer.fly().sweeps.empty()) << "twice the 2 s that it brakes from 6 m at 3 m/s2";
+  Maker here;
+  here.add(kWaypoint, {100, 0, 30}, {0.1, 30, 0, 0}).just(kLand);
+  here.mission().items.back().frame = kGlobalRelative;
+  EXPECT_NE(here.refusal(), "");
+}
+
+TEST(FlownMission, ADelayToATimeOfDayIsADelay) {
+  for (const double seconds : {0.0, -1.0}) {
+    Maker maker;
+    maker.add(kWaypoint, {100, 0, 30}).just(kDelay, {seconds, 12, 30, 0});
+    maker.add(kWaypoint, {100, 80, 30});
+    EXPECT_TRUE(swept(maker.fly(), Manoeuvre::leg, {95, 40, 30}));
+  }
+}
+
+TEST(FlownMission, RatesOfClimbAreNoSpeeds) {
+  Maker maker;
+  maker.just(kSpeed, {3, 0.1, -1, 0}).add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
+  EXPECT_FALSE(maker.fly().speed);
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {106, 0, 30}));
+}
+
 TEST(FlownMission, GoesAroundACircleFromItsNearestPoint) {
   Maker maker;
-  maker.add(kWaypoint, {0, 20, 30}, {1, 0, 0, 0}).add(kLoiterTurns, {0, 100, 40}, {2, 0, 25, 0});
+  maker.add(kWaypoint, {0, 20, 30}, {1, 0.2, 0, 0}).add(kLoiterTurns, {0, 100, 40}, {2, 0, 25, 0});
   maker.add(kWaypoint, {80, 75, 40});
   const FlownMission flown = maker.fly();
   expect_near(flown.path[2], {0, 75, 40});
@@ -128,10 +164,14 @@ TEST(FlownMission, RefusesCirclesThatItCannotPlace) {
             "m: item 2: expected whole turns on a circle, at least one, found 1.5");
   EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1, 0, 0, 0}).refusal(),
             "m: item 2: expected the radius of the circle, found 0: it would be the vehicle's own");
+  EXPECT_EQ(
+      Maker().add(kLoiterTurns, centre, {1, 0, 10.9, 0}).refusal(),
+      "m: item 2: expected a radius of whole metres, or of tens above 255, as ArduPilot keeps "
+      "it, found 10.9");
   EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1, 0, 2e4, 0}).refusal(),
             "m: item 2: a radius must be within 1e4 m, found 20000");
   EXPECT_EQ(Maker()
-                .add(kWaypoint, {0, 95, 40}, {1, 0, 0, 0})
+                .add(kWaypoint, {0, 95, 40}, {1, 0.2, 0, 0})
                 .add(kLoiterTurns, centre, {1, 0, 25, 0})
                 .refusal(),
             "m: item 3: expected to come to the circle from outside of half its radius, found a "
@@ -142,7 +182,7 @@ TEST(FlownMission, RefusesCirclesThatItCannotPlace) {
           .add(kLoiterTurns, centre, {1, 0, 25, 0})
           .refusal(),
       "m: item 3: expected a waypoint before a circle, so that it is known where that begins, "
-      "found loitering or a delay");
+      "found loitering, a delay, a short hold or a take-off away from home");
 }
 
 TEST(FlownMission, LoitersOnTheSpotOrAnywhereInACircle) {
@@ -191,8 +231,31 @@ TEST(FlownMission, ReturnsAtTheHeightThatIsGiven) {
   EXPECT_EQ(flown.ends.landing_on, 10);
   EXPECT_EQ(flown.legs[4], (FlightPart{3, Manoeuvre::landing}));
   EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {90, 0, 50})) << "from 10 m before its end";
+  EXPECT_FALSE(swept(flown, Manoeuvre::return_home, {50, 0, 60})) << "100 m away, 60 m high";
+  EXPECT_FALSE(flown.speed) << "it returns with a speed of its own";
   const FlownMission low = maker.fly({.return_height = 5});
   expect_near(low.path[3], {0, 0, 30});
+}
+
+TEST(FlownMission, MayReturnLowerFromNear) {
+  Maker maker;
+  maker.add(kWaypoint, {20, 0, 20}, {1, 0.2, 0, 0}).just(kReturn);
+  const FlownMission flown = maker.fly({.return_height = 40});
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {10, 0, 25}));
+}
+
+TEST(FlownMission, ReturnsFromWhereSeveralPointsCountAsReached) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {0, 30, 0, 0}).add(kWaypoint, {102, 0, 30}, {0, 30, 0, 0});
+  maker.just(kReturn);
+  EXPECT_TRUE(swept(maker.fly({.return_height = 40}), Manoeuvre::return_home, {72, 0, 40}));
+}
+
+TEST(FlownMission, GoesOnFromHomeOrFromItsTakeOff) {
+  Maker maker;
+  maker.mission().items.clear();
+  maker.add(kTakeoff, {100, 0, 30}).add(kWaypoint, {100, 100, 30});
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::leg, {50, 50, 30}));
 }
 
 TEST(FlownMission, MayReturnToTheMissionsOwnLanding) {
@@ -205,12 +268,12 @@ TEST(FlownMission, PassesPointsThatAreReachedAtOnce) {
   Maker maker;
   maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {103, 6, 30}).add(kWaypoint, {100, 100, 30});
   EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {95, 50, 30})) << "from 10 m before the first";
-  EXPECT_FALSE(swept(maker.fly({.acceptance = 5}), Manoeuvre::corner, {97.5, 50, 30}));
+  EXPECT_FALSE(swept(maker.fly({.acceptance = 3}), Manoeuvre::corner, {97.5, 50, 30}));
 }
 
 TEST(FlownMission, BrakesFromTheLargestSpeedThatMayBe) {
   Maker maker;
-  maker.add(kWaypoint, {50, 0, 30}, {1, 0, 0, 0}).just(kSpeed, {1, 15, -1, 0});
+  maker.add(kWaypoint, {50, 0, 30}, {1, 0.2, 0, 0}).just(kSpeed, {1, 15, -1, 0});
   maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
   EXPECT_FALSE(maker.fly().speed) << "a leg was flown before any was said";
   EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {127.4, 0, 30}));
@@ -218,7 +281,7 @@ TEST(FlownMission, BrakesFromTheLargestSpeedThatMayBe) {
 
 TEST(FlownMission, MayReturnToRallyPoints) {
   Maker maker;
-  maker.add(kWaypoint, {100, 0, 30}, {1, 0, 0, 0}).just(kReturn);
+  maker.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kReturn);
   const geom::GeographicFrame earth(kFrame.origin);
   geom::GeodeticPlace rally = earth.place({0, 200, 0});
   rally.height = 15;
@@ -237,7 +300,7 @@ TEST(FlownMission, LandsWhereItsPlaceIsKnown) {
             "found neither: it lands where it is when it takes the waypoint for reached");
   EXPECT_EQ(unsaid.refusal({.acceptance = 0}), "");
   Maker rested;
-  rested.add(kWaypoint, {100, 0, 30}, {1, 0, 0, 0}).just(kLand);
+  rested.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kLand);
   rested.mission().items.back().frame = kGlobalRelative;
   EXPECT_EQ(rested.fly().ends.landing_on, 10);
 }

@@ -105,13 +105,29 @@ TEST(QgcPlan, ReadsFencesAndRallyPoints) {
   const auto fenced = [](const std::string& fence) {
     return refusal(plan(item(R"("frame":3)"), R"(,"geoFence":)" + fence));
   };
-  EXPECT_EQ(fenced(R"({"circles":[{"circle":{"center":[47],"radius":90},"inclusion":true}]})"),
-            "m.plan: geoFence.circles[0].circle.center must be a list of 2 numbers, found [47]");
-  EXPECT_EQ(fenced(R"({"circles":[{"circle":{"center":[47,8],"radius":90}}]})"),
+  EXPECT_EQ(
+      fenced(
+          R"({"version":2,"circles":[{"circle":{"center":[47],"radius":90},"inclusion":true}]})"),
+      "m.plan: geoFence.circles[0].circle.center must be a list of 2 numbers, found [47]");
+  EXPECT_EQ(fenced(R"({"version":2,"circles":[{"circle":{"center":[47,8],"radius":90}}]})"),
             "m.plan: expected the key geoFence.circles[0].inclusion, found none");
-  EXPECT_EQ(fenced(R"({"polygons":[{"polygon":[],"inclusion":true}]})"),
+  EXPECT_EQ(fenced(R"({"version":2,"polygons":[{"polygon":[],"inclusion":true}]})"),
             "m.plan: geoFence.polygons[0].polygon must have corners, found none");
-  EXPECT_EQ(fenced(R"({"polygons":7})"), "m.plan: geoFence.polygons must be a list, found 7");
+  EXPECT_EQ(fenced(R"({"version":2,"polygons":7})"),
+            "m.plan: geoFence.polygons must be a list, found 7");
+}
+
+TEST(QgcPlan, RefusesWhatMayBeAFenceOfAnotherKind) {
+  const std::string one = item(R"("frame":3)");
+  EXPECT_EQ(refusal(plan(one, R"(,"geoFence":{"version":1,"polygon":[[47,8],[47.1,8],[47,8.1]]})")),
+            "m.plan: expected no other keys in geoFence than breachReturn, circles, polygons, "
+            "version, found \"polygon\"");
+  EXPECT_EQ(refusal(plan(one, R"(,"geoFence":{"version":1,"circles":[]})")),
+            "m.plan: geoFence.version must be 2, found 1");
+  EXPECT_EQ(refusal(plan(one, R"(,"geofence":{})")),
+            "m.plan: expected no other keys in plan than fileType, geoFence, groundStation, "
+            "mission, rallyPoints, version, found \"geofence\"");
+  EXPECT_EQ(refusal(plan(one, R"(,"geoFence":{})")), "");
 }
 
 TEST(QgcPlan, TakesTheItemsThatASurveyHolds) {
@@ -122,6 +138,9 @@ TEST(QgcPlan, TakesTheItemsThatASurveyHolds) {
       read(plan(item(R"("frame":3)") + "," + survey + "," + item(R"("frame":3)", 4)));
   ASSERT_EQ(mission.items.size(), 4u);
   EXPECT_EQ(mission.items[2].number, 3u);
+  EXPECT_EQ(refusal(plan(R"({"type":"ComplexItem","TransectStyleComplexItem":{"Items":[]}})")),
+            "m.plan: mission.items[0].TransectStyleComplexItem.Items must hold the items that "
+            "QGroundControl makes of it, found none: open the plan there and save it again");
   EXPECT_EQ(refusal(plan(R"({"type":"ComplexItem","complexItemType":"StructureScan"})")),
             "m.plan: mission.items[0].type must be \"SimpleItem\", found \"ComplexItem\"");
 }

@@ -143,6 +143,11 @@ TEST(Wpl, ReadsFencesAndRallyPointsOfTheSameFile) {
             "m.wpl: expected 1 more corners of a fence, found the end of the file");
   EXPECT_EQ(bad(items + fence(1, 5002, 2, "47\t8")),
             "m.wpl:3: a fence must have 3 corners or more, found 2");
+  EXPECT_EQ(
+      bad("QGC WPL 110\n" + fence(0, 5004, 9, "47\t8") + "1" + kItem +
+          "\n2\t0\t3\t177\t1\t2\t0\t0\t0\t0\t0\t1\n"),
+      "m.wpl:4: expected numbers that begin at 0 and leave none out, as a jump counts on them, "
+      "found others");
   EXPECT_EQ(bad("QGC WPL 110\n" + fence(0, 5004, 9, "47\t8")),
             "m.wpl: expected a mission, found only a fence or rally points");
 }

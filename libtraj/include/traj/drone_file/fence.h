@@ -27,7 +27,8 @@ struct Fence {
 
 // In ENU about the origin. A circle becomes a polygon of 256 corners: around it where it is to be
 // stayed out of, within it else, 0.0075 % of its radius on the safe side. Some autopilots take
-// edges as straight in degrees, others in metres; `bulge` bounds the difference. Throws
+// edges as straight in degrees, others in metres, and a map's metres grow away from its origin;
+// `bulge` bounds both. Throws
 // geom::InputError(source, …) for a ring of fewer than 3 places or with crossing edges, a radius
 // that is not above 0 or beyond 100 km, and a place that is not near the origin.
 Fence fence_on_map(const GeodeticFence& fence, const geom::GeodeticOrigin& origin,

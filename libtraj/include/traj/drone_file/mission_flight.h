@@ -53,7 +53,8 @@ inline const Vec3 kMissionStray{0.0112, 0.0112, 0.01};
 
 // PX4's default radius of acceptance (NAV_ACC_RAD), the largest of those in use; ArduPilot's
 // (WPNAV_RADIUS) is 2 m.
-inline constexpr double kAcceptance = 10;  // m
+inline constexpr double kAcceptance = 10;      // m
+inline constexpr double kLeastAcceptance = 2;  // m
 // ArduPilot's default speed along legs (WPNAV_SPEED); PX4's (MPC_XY_CRUISE) is 5 m/s.
 inline constexpr double kUnsaidSpeed = 10;  // m/s
 
