@@ -302,7 +302,8 @@ void DroneFileOptions::add_to(CLI::App& app) {
 void DroneFileOptions::add_mission_to(CLI::App& app) {
   app.add_option("--acceptance", mission.acceptance,
                  "a mission's vehicle may turn so many metres before a waypoint where it does not "
-                 "rest, 0: not at all (default: what the item says, else 10)")
+                 "rest, 0: not at all (default: 2, or 10 where the item says nothing); never less "
+                 "than the item says")
       ->check(CLI::Range(0.0, 1e4));
   app.add_option("--braking", mission.braking,
                  "how hard it brakes, m/s2: what it needs more than that distance is looked at "

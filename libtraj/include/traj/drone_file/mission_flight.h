@@ -59,12 +59,15 @@ inline constexpr double kLeastAcceptance = 2;  // m
 inline constexpr double kUnsaidSpeed = 10;  // m/s
 
 // A multirotor's flight, by PX4's and ArduPilot Copter's documents of mission commands:
-// - Legs are straight. A waypoint with a hold is flown to; at others the vehicle may turn as soon
-// as
-//   it is within the radius of acceptance (`rules`, else the item's own, else kAcceptance): the
-//   triangle of the corner within that radius is swept, and, where speed^2 / (2 braking) is more
-//   than the radius, as much of the old leg beyond the waypoint. 0: it goes to the point.
-//   Points so near to each other that several count as reached at once are passed straight on.
+// - Legs are straight. At a waypoint with a hold of at least 1 s, and of twice what braking within
+//   its radius takes, the vehicle rests: PX4 counts the hold from where it comes within the radius.
+//   At others it may turn within the radius of acceptance: the one of `rules`, else 2 m
+//   (kLeastAcceptance) beside an item's own, else kAcceptance; and never less than the item's own,
+//   which PX4 takes and ArduPilot does not. The triangle of the corner within that radius is swept,
+//   and as much of the old leg beyond the waypoint as speed^2 / (2 braking) is more than the least
+//   of those radii. 0: it goes to the point. After a shorter hold or a delay it goes on from
+//   anywhere within the radius. Points so near to each other that several may count as reached
+//   while it turns are passed straight on.
 // - A spline (ArduPilot's SplineCurve) is swept as the hull of its Bezier points, tangents as long
 //   as they may be: four times the leg at most.
 // - Turns on a circle (ArduPilot): in straight to the nearest point of the circle, around, and on
@@ -74,8 +77,10 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 // - Jumps are unrolled: a mission of more than kMostItems items, or one that jumps for ever, is
 //   refused.
 // - A return climbs to `return_height` above home, where it is lower, goes straight above home, and
-//   lands there; also, as sweeps, to each rally point of the file. Without that height, or with the
-//   mark of a landing (189) that it may go to: `returns`.
+//   lands there; nearer to home than that is high, it may return at any height from its own to that
+//   (PX4's RTL_CONE_ANG of 45 degrees, ArduCopter's cone). As sweeps, likewise to each rally point
+//   of the file, down to its height. Without that height, or with the mark of a landing (189) that
+//   it may go to: `returns`.
 // Commands that are known to move nothing (cameras, gimbals, servos, yaw) are counted.
 //
 // Throws geom::InputError(source, line, …) for all others (changes of mode, what is not known), for
