@@ -52,8 +52,7 @@ double Circle::angle_to(const Vec3& p) const {
   return std::atan2(p.y() - centre.y(), p.x() - centre.x());
 }
 
-Hull Circle::arc(double from, double to) const {
-  const double wide = std::remainder(to - from, 2 * pi);
+Hull Circle::arc(double from, double wide) const {
   const double pieces = std::max(1.0, std::ceil(std::abs(wide) / kWidestArc));
   const double step = wide / pieces;
   const double out = radius / std::cos(step / 2) * kSureRadius;
@@ -75,6 +74,49 @@ Hull Circle::disc() const {
     hull.push_back(centre + out * Vec3(std::cos(angle), std::sin(angle), 0));
   }
   return hull;
+}
+
+CircleFlight fly_circle(const Circle& circle, const Hull& from) {
+  constexpr int kArcs = 32;
+  constexpr double kArc = 2 * pi / kArcs;
+  constexpr double kRoom = 0.05;  // m
+  const double start = circle.angle_to(from.back());
+  double least = 0;
+  double most = 0;
+  for (const Vec3& p : from) {
+    const double turn = std::remainder(circle.angle_to(p) - start, 2 * pi);
+    least = std::min(least, turn);
+    most = std::max(most, turn);
+  }
+  const double room = kRoom / circle.radius;
+  CircleFlight flight;
+  flight.leaving = circle.arc(start + least - room, most - least + 2 * room);
+  flight.entry = flight.leaving;
+  flight.entry.insert(flight.entry.end(), from.begin(), from.end());
+  for (int i = 0; i < kArcs; ++i) {
+    flight.arcs.push_back(circle.arc(start + i * kArc, kArc));
+  }
+  for (int i = 0; i <= kArcs; ++i) flight.points.push_back(circle.at(start + i * kArc));
+  return flight;
+}
+
+std::vector<Hull> return_hulls(const Hull& low, const Vec3& above, double ground) {
+  const auto raised = [](const Vec3& p, double z) { return Vec3(p.x(), p.y(), z); };
+  Hull column = low;
+  Hull across{above};
+  double away = 0;
+  for (const Vec3& p : low) {
+    column.push_back(raised(p, above.z()));
+    across.push_back(raised(p, above.z()));
+    away = std::max(away, (p - above).head<2>().norm());
+  }
+  if (away < above.z() - ground) {
+    for (const Vec3& p : low) {
+      across.push_back(p);
+      across.push_back(raised(above, p.z()));
+    }
+  }
+  return {column, across};
 }
 
 }  // namespace traj

@@ -33,9 +33,28 @@ struct Circle {
 
   Vec3 at(double angle) const;
   double angle_to(const Vec3& p) const;
-  // Holds the arc between two angles, the shorter way: its ends, and corners of tangents to it.
-  Hull arc(double from, double to) const;
+  // Holds the arc from an angle on, so wide (clockwise where that is below 0): its ends, and
+  // corners of tangents to it.
+  Hull arc(double from, double wide) const;
   Hull disc() const;  // holds all of it
 };
+
+// Around a circle from its point nearest to where the vehicle comes from, and on from there.
+struct CircleFlight {
+  Hull entry;                // all ways in
+  std::vector<Hull> arcs;    // hold all of the circle
+  std::vector<Vec3> points;  // of it, the first again at the end
+  Hull leaving;              // where it may be when it goes on
+};
+
+// `from`: where it may be before, the last point the one that the mission says; no nearer to the
+// centre than half the radius. Rounding of places moves the nearest point along the circle by up to
+// twice as much: there is room for 5 cm.
+CircleFlight fly_circle(const Circle& circle, const Hull& from);
+
+// A return from anywhere in `low`: up to the height of `above`, across, and no further. Nearer to
+// `above` than that is above the `ground`, some autopilots return lower (PX4's cone of 45 degrees,
+// ArduCopter's), so all heights between are held too.
+std::vector<Hull> return_hulls(const Hull& low, const Vec3& above, double ground);
 
 }  // namespace traj

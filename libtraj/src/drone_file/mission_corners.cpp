@@ -1,6 +1,7 @@
 #include "mission_corners.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "flown_regions.h"
 
@@ -25,6 +26,14 @@ void add_passed(std::span<const Vec3> path, std::span<const Turn> turns, std::si
 
 }  // namespace
 
+Turn turn_at(const MissionItem& item, double hold, const MissionRules& rules) {
+  const double said = item.command == kWaypoint && item.param[1] > 0 ? item.param[1] : 0;
+  const double usual = rules.acceptance.value_or(said > 0 ? kLeastAcceptance : kAcceptance);
+  const double held = said > 0 ? said : rules.acceptance.value_or(kAcceptance);
+  if (hold >= 1 && hold >= 2 * std::sqrt(2 * held / rules.braking)) return {};
+  return {Turn::pass, std::max(usual, said), said > 0 ? std::min(usual, said) : usual};
+}
+
 Corners corners_of(std::span<const Vec3> path, std::span<const Turn> turns,
                    std::span<const FlightPart> legs, double braking_way) {
   Corners out;
@@ -36,6 +45,10 @@ Corners corners_of(std::span<const Vec3> path, std::span<const Turn> turns,
     if (radius == 0) continue;
     const double beyond = std::max(0.0, braking_way - turns[i].least);
     Hull hull = corner_hull(path[i - 1], path[i], path[i + 1], radius, beyond);
+    for (const Vec3& from : turns[i].from) {
+      const Hull other = corner_hull(from, path[i], path[i + 1], radius, beyond);
+      hull.insert(hull.end(), other.begin(), other.end());
+    }
     add_passed(path, turns, i, hull);
     out.sweeps.push_back({std::move(hull), {legs[i].item, Manoeuvre::corner}});
   }

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "traj/proof/sweep.h"
+#include "traj/drone_file/mission_flight.h"
 
 namespace traj {
 
@@ -16,7 +16,12 @@ struct Turn {
   enum Kind { rest, pass } kind = rest;
   double radius = 0;
   double least = 0;
+  std::vector<Vec3> from = {};  // where it may come from straight, beside the leg
 };
+
+// At an item with a place where it waits `hold` seconds: a rest where that lasts until it has
+// surely come to the place, since PX4 counts it from where it comes within the radius.
+Turn turn_at(const MissionItem& item, double hold, const MissionRules& rules);
 
 struct Corners {
   std::vector<Sweep> sweeps;

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include "flown_regions.h"
 #include "geom/base/error.h"
-#include "mission_corners.h"
 #include "mission_jumps.h"
 #include "mission_places.h"
+#include "mission_track.h"
 
 namespace traj {
 namespace {
@@ -25,8 +24,6 @@ constexpr int kMovesNothing[] = {112, 114, 115, 181,  182,  183,  184,  189,  19
                                  531, 532, 600, 1000, 1001, 2000, 2001, 2003, 2500, 2501};
 
 constexpr double kSamePlace = 0.5;  // m: home and a take-off that mean the same
-constexpr int kArcs = 32;           // of a whole turn
-constexpr double kArc = 2 * std::numbers::pi / kArcs;
 
 bool moves_nothing(int command) {
   return std::find(std::begin(kMovesNothing), std::end(kMovesNothing), command) !=
@@ -50,14 +47,12 @@ class Flight {
       item_ = &mission_.items[order_[next_++]];
       take(*item_);
     }
-    if (flown_.path.empty()) {
+    if (path().empty()) {
       throw geom::InputError(source_, "expected at least one waypoint, found none");
     }
-    flown_.legs.push_back({last_, Manoeuvre::landing});
-    add_corners();
-    if (unsaid_speed_) flown_.speed.reset();
-    add_fences();
     say_home();
+    finish_track();
+    add_fences();
     return std::move(flown_);
   }
 
@@ -73,7 +68,7 @@ class Flight {
     const bool may_be_here = item.command == kTakeoff || item.command == kLand;
     if (!may_be_here || !MissionPlaces::is_here(item)) return places_.place(item);
     const double z = places_.height(item);
-    if (!flown_.path.empty()) return {flown_.path.back().x(), flown_.path.back().y(), z};
+    if (!path().empty()) return {path().back().x(), path().back().y(), z};
     if (!mission_.home) refuse("expected a place of the take-off or of home, found neither");
     return on_map(*mission_.home, z);
   }
@@ -87,74 +82,32 @@ class Flight {
     for (std::size_t i = next_; i < order_.size(); ++i) {
       const MissionItem& item = mission_.items[order_[i]];
       if (moves_nothing(item.command) || item.command == kSpeed) continue;
-      const bool placed = item.command == kWaypoint || item.command == kSplineWaypoint ||
-                          item.command == kLoiterForever || item.command == kLoiterTime ||
-                          item.command == kLoiterTurns || item.command == kLoiterToHeight ||
-                          (item.command == kLand && !MissionPlaces::is_here(item));
-      if (!placed) return std::nullopt;
+      if (!MissionPlaces::is_there(item)) return std::nullopt;
       Vec3 p = place(item);
-      if (item.command == kLand) p.z() = flown_.path.back().z();
+      if (item.command == kLand) p.z() = path().back().z();
       return p;
     }
     return std::nullopt;
   }
 
-  // --- the path -----------------------------------------------------------------------------
+  // --- holds and turns ----------------------------------------------------------------------
 
-  void go(const Vec3& p, double hold, Manoeuvre manoeuvre, Turn turn = {}) {
-    if (!flown_.path.empty() && p != flown_.path.back()) {
-      unsaid_speed_ = unsaid_speed_ || !flown_.speed;
-    }
-    if (!leaving_.empty()) {
-      Hull hull = std::move(leaving_);
-      leaving_.clear();
-      hull.push_back(p);
-      sweep(std::move(hull), manoeuvre);
-    }
-    flown_.path.push_back(p);
-    flown_.hold.push_back(hold);
-    flown_.legs.push_back({item_->number, manoeuvre});
-    turns_.push_back(turn);
+  void go(const Vec3& p, double hold, Manoeuvre manoeuvre, const Turn& turn = {}) {
+    track_.go(p, hold, {item_->number, manoeuvre}, turn);
   }
 
   void sweep(Hull hull, Manoeuvre manoeuvre) {
-    flown_.sweeps.push_back({std::move(hull), {item_->number, manoeuvre}});
+    track_.sweep(std::move(hull), {item_->number, manoeuvre});
   }
 
-  // What the vehicle may be anywhere in the hull of when it goes on.
-  Hull from_where() {
-    if (leaving_.empty()) return reached();
-    return std::exchange(leaving_, {});
-  }
-
-  // Where it may be when the last point counts as reached: within the radius, and before points
-  // that count as reached at once.
-  Hull reached() const {
-    const geom::Polyline& path = flown_.path;
-    Hull hull{early(), path.back()};
-    for (std::size_t i = path.size() - 1; i > 0; --i) {
-      const Turn& before = turns_[i - 1];
-      if (before.kind == Turn::rest) break;
-      if ((path.back() - path[i - 1]).norm() > before.radius + turns_.back().radius) break;
-      hull.push_back(path[i - 1]);
-      if (i > 1) hull.push_back(before_corner(path[i - 2], path[i - 1], before.radius));
-    }
-    return hull;
-  }
+  const geom::Polyline& path() const { return track_.path(); }
 
   void require_known_start(const char* what) const {
-    if (leaving_.empty()) return;
+    if (track_.starts_at_point()) return;
     refuse(
         fmt::format("expected a waypoint before {}, so that it is known where that begins, found "
                     "loitering, a delay, a short hold or a take-off away from home",
                     what));
-  }
-
-  // From where on the way to the last point the vehicle may already do what comes next.
-  Vec3 early() const {
-    if (flown_.path.size() < 2) return flown_.path.back();
-    return before_corner(flown_.path[flown_.path.size() - 2], flown_.path.back(),
-                         turns_.back().radius);
   }
 
   double hold_of(const MissionItem& item) const {
@@ -165,22 +118,11 @@ class Flight {
     return hold;
   }
 
-  // It rests where the hold lasts until it has surely come to the point: PX4 counts it from where
-  // it comes within the radius.
-  Turn turn_of(const MissionItem& item, double hold) const {
-    const double said = item.command == kWaypoint && item.param[1] > 0 ? item.param[1] : 0;
-    const double usual = rules_.acceptance.value_or(said > 0 ? kLeastAcceptance : kAcceptance);
-    const double held = said > 0 ? said : rules_.acceptance.value_or(kAcceptance);
-    const bool rests = hold >= 1 && hold >= 2 * std::sqrt(2 * held / rules_.braking);
-    if (rests) return {};
-    return {Turn::pass, std::max(usual, said), said > 0 ? std::min(usual, said) : usual};
-  }
-
   // To a point where it waits, and goes on from wherever it is by then.
   void go_and_wait(const Vec3& p, double hold, Manoeuvre manoeuvre, const MissionItem& item) {
-    const Turn turn = turn_of(item, hold);
+    const Turn turn = turn_at(item, hold, rules_);
     go(p, hold, manoeuvre, turn);
-    if (hold > 0 && turn.radius > 0) leaving_ = reached();
+    if (hold > 0 && turn.radius > 0) track_.leave_from(track_.reached());
   }
 
   // --- items --------------------------------------------------------------------------------
@@ -230,7 +172,7 @@ class Flight {
 
   // Straight up: at home, where the file says both and they differ, and then to the place it says.
   void take_off(const MissionItem& item) {
-    if (!flown_.path.empty()) {
+    if (!path().empty()) {
       refuse("expected one take-off, at the beginning, found another command before it");
     }
     const Vec3 p = place(item);
@@ -246,19 +188,19 @@ class Flight {
     }
     go(p, 0, Manoeuvre::takeoff);
     // Some autopilots take no heed of the place, and go on from above home.
-    if (flown_.takeoff_from_home > 0) leaving_ = {flown_.path.front(), p};
+    if (flown_.takeoff_from_home > 0) track_.leave_from({path().front(), p});
   }
 
   void fly_spline(const MissionItem& item) {
     const Vec3 b = place(item);
     const double hold = hold_of(item);
-    if (!flown_.path.empty()) {
+    if (!path().empty()) {
       require_known_start("a spline");
-      const Vec3 a = flown_.path.back();
+      const Vec3 a = path().back();
       std::vector<Vec3> leaving;
       std::vector<Vec3> arriving;
-      if (flown_.path.size() > 1) {
-        const Vec3& before = flown_.path[flown_.path.size() - 2];
+      if (path().size() > 1) {
+        const Vec3& before = path()[path().size() - 2];
         leaving = {a - before, b - before};
       }
       if (const auto after = place_after()) arriving = {*after - a, *after - b};
@@ -279,14 +221,14 @@ class Flight {
                      : go_and_wait(centre, hold, Manoeuvre::hover, item);
     }
     Hull disc = Circle{centre, require_radius(radius)}.disc();
-    if (!flown_.path.empty()) {
-      Hull in = from_where();
+    if (!path().empty()) {
+      Hull in = track_.from_where();
       in.insert(in.end(), disc.begin(), disc.end());
       sweep(std::move(in), Manoeuvre::hover);
     }
     sweep(disc, Manoeuvre::hover);
     go(centre, hold, Manoeuvre::hover);
-    leaving_ = std::move(disc);
+    track_.leave_from(std::move(disc));
   }
 
   double require_radius(double radius) const {
@@ -310,43 +252,34 @@ class Flight {
                       "it, found {}",
                       way.radius));
     }
-    if (flown_.path.empty()) refuse("expected a waypoint or a take-off before the circle");
+    if (path().empty()) refuse("expected a waypoint or a take-off before the circle");
     require_known_start("a circle");
-    if (reached().size() > 2) {
+    const Hull from = track_.reached();
+    if (from.size() > 2) {
       refuse(
           "expected a waypoint with a hold before a circle, found several that count as reached at "
           "once");
     }
-    const Vec3 from = flown_.path.back();
-    const Vec3 before = early();
-    for (const Vec3& p : {from, before}) {
+    for (const Vec3& p : from) {
       if ((p - way.centre).head<2>().norm() >= 0.5 * way.radius) continue;
       refuse(
           "expected to come to the circle from outside of half its radius, found a point nearer to "
           "its centre: where the circle begins is uncertain");
     }
-    const double first = way.angle_to(before);
-    const double start = way.angle_to(from);
-    const Hull leaving = way.arc(first, start);
-    Hull entry = leaving;
-    entry.push_back(before);
-    entry.push_back(from);
-    sweep(std::move(entry), Manoeuvre::circle);
-    for (int i = 0; i < kArcs; ++i) {
-      const double angle = start + i * kArc;
-      sweep(way.arc(angle, angle + kArc), Manoeuvre::circle);
-    }
-    for (int i = 0; i <= kArcs; ++i) go(way.at(start + i * kArc), 0, Manoeuvre::circle);
-    leaving_ = leaving;
+    CircleFlight flight = fly_circle(way, from);
+    sweep(std::move(flight.entry), Manoeuvre::circle);
+    for (Hull& arc : flight.arcs) sweep(std::move(arc), Manoeuvre::circle);
+    for (const Vec3& p : flight.points) go(p, 0, Manoeuvre::circle);
+    track_.leave_from(std::move(flight.leaving));
   }
 
   // To the place, and up or down to its height, in whichever order.
   void climb(const MissionItem& item) {
     const Vec3 p = place(item);
-    if (flown_.path.empty()) refuse("expected a waypoint or a take-off before the climb");
+    if (path().empty()) refuse("expected a waypoint or a take-off before the climb");
     const double radius = require_radius(std::abs(item.param[1]));
-    const double z = flown_.path.back().z();
-    Hull hull = from_where();
+    const double z = path().back().z();
+    Hull hull = track_.from_where();
     for (const double height : {z, p.z()}) {
       const Vec3 centre(p.x(), p.y(), height);
       hull.push_back(centre);
@@ -356,20 +289,20 @@ class Flight {
     sweep(std::move(hull), Manoeuvre::climb);
     go({p.x(), p.y(), z}, 0, Manoeuvre::climb);
     go(p, 1, Manoeuvre::climb);
-    if (radius > 0) leaving_ = Circle{p, radius}.disc();
+    if (radius > 0) track_.leave_from(Circle{p, radius}.disc());
   }
 
   // On the ground at the height it says, from the height it comes with.
   void land(const MissionItem& item) {
     const Vec3 ground = place(item);
-    if (flown_.path.empty()) refuse("expected a waypoint or a take-off before the landing");
-    if (MissionPlaces::is_here(item) && (turns_.back().radius > 0 || !leaving_.empty())) {
+    if (path().empty()) refuse("expected a waypoint or a take-off before the landing");
+    if (MissionPlaces::is_here(item) && !track_.rests()) {
       refuse(
           "expected the place of the landing, or a waypoint with a hold before it, found neither: "
           "it lands where it is when it takes the waypoint for reached");
     }
-    const Vec3 above(ground.x(), ground.y(), flown_.path.back().z());
-    if (above != flown_.path.back()) go(above, 0, Manoeuvre::landing);
+    const Vec3 above(ground.x(), ground.y(), path().back().z());
+    if (above != path().back()) go(above, 0, Manoeuvre::landing);
     flown_.ends.landing_on = ground.z();
     flown_.ended = true;
   }
@@ -381,58 +314,38 @@ class Flight {
         std::any_of(mission_.items.begin(), mission_.items.end(),
                     [](const MissionItem& item) { return item.command == kLandingStart; });
     flown_.returns = !rules_.return_height || lands_elsewhere;
-    flown_.rally = mission_.rally.size();
-    if (flown_.returns || flown_.path.empty()) return;
-    const Vec3 end = flown_.path.back();
+    if (flown_.returns || path().empty()) return;
+    const Vec3 end = path().back();
     const double ground = places_.above_home(*item_, 0);
     const double z = std::max(end.z(), ground + *rules_.return_height);
-    const Vec3 home = mission_.home ? on_map(*mission_.home, z)
-                                    : Vec3(flown_.path.front().x(), flown_.path.front().y(), z);
-    unsaid_speed_ = true;  // it returns with a speed of its own
-    const Hull low = from_where();
-    sweep_return(low, home);
+    const Vec3 home =
+        mission_.home ? on_map(*mission_.home, z) : Vec3(path().front().x(), path().front().y(), z);
+    track_.say_no_speed();  // it returns with one of its own
+    const Hull low = track_.from_where();
+    sweep_return(low, home, ground);
     go({end.x(), end.y(), z}, 0, Manoeuvre::return_home);
     go(home, 0, Manoeuvre::return_home);
     flown_.ends.landing_on = ground;
     for (const geom::GeodeticPlace& rally : mission_.rally) {
       const double to = ground + rally.height;
       const Vec3 above = on_map(rally, std::max(z, to));
-      sweep_return(low, above);
+      sweep_return(low, above, ground);
       sweep({above, on_map(rally, to)}, Manoeuvre::return_home);
+      flown_.rally.push_back(on_map(rally, to));
     }
   }
 
-  // Up from anywhere in the hull to the height of `above`, and across to there. Nearer to it than
-  // that is high above the ground, some return lower (PX4's cone of 45 degrees, ArduCopter's).
-  void sweep_return(const Hull& low, const Vec3& above) {
-    const double ground = *places_.home();
-    const auto raised = [&](Vec3 p, double z) {
-      p.z() = z;
-      return p;
-    };
-    Hull column = low;
-    Hull across{above};
-    double away = 0;
-    for (const Vec3& p : low) {
-      column.push_back(raised(p, above.z()));
-      across.push_back(raised(p, above.z()));
-      away = std::max(away, (p - above).head<2>().norm());
+  void sweep_return(const Hull& low, const Vec3& above, double ground) {
+    for (Hull& hull : return_hulls(low, above, ground)) {
+      sweep(std::move(hull), Manoeuvre::return_home);
     }
-    if (away < above.z() - ground) {
-      for (const Vec3& p : low) {
-        across.push_back(p);
-        across.push_back(raised(above, p.z()));
-      }
-    }
-    sweep(std::move(column), Manoeuvre::return_home);
-    sweep(std::move(across), Manoeuvre::return_home);
   }
 
   // So long, or (0 or -1) to a time of day.
   void wait(const MissionItem& item) {
-    if (flown_.hold.empty()) return;
-    if (item.param[0] != -1) flown_.hold.back() += hold_of(item);
-    if (turns_.back().radius > 0 && leaving_.empty()) leaving_ = reached();
+    if (path().empty()) return;
+    if (item.param[0] != -1) track_.stay(hold_of(item));
+    track_.leave_when_reached();
   }
 
   // -1: as it is; other values that are no speed: the vehicle's own, which the file does not say.
@@ -442,28 +355,17 @@ class Flight {
     if (item.param[0] == kClimb || item.param[0] == kDescent) return;
     const double speed = item.param[1];
     if (speed > 0) {
-      flown_.speed = std::max(flown_.speed.value_or(0), speed);
+      track_.say_speed(speed);
     } else if (speed != -1) {
-      unsaid_speed_ = true;
+      track_.say_no_speed();
     }
   }
 
   // --- what is left -------------------------------------------------------------------------
 
-  // The largest that any leg may be flown with.
-  double most_speed() const {
-    const double said = flown_.speed.value_or(0);
-    return unsaid_speed_ || !flown_.speed ? std::max(said, rules_.speed.value_or(kUnsaidSpeed))
-                                          : said;
-  }
-
-  void add_corners() {
-    const double speed = most_speed();
-    Corners corners =
-        corners_of(flown_.path, turns_, flown_.legs, speed * speed / (2 * rules_.braking));
-    flown_.corners = corners.count;
-    flown_.acceptance = corners.most_radius;
-    std::move(corners.sweeps.begin(), corners.sweeps.end(), std::back_inserter(flown_.sweeps));
+  void finish_track() {
+    const double speed = track_.most_speed(rules_.speed.value_or(kUnsaidSpeed));
+    track_.finish({last_, Manoeuvre::landing}, speed * speed / (2 * rules_.braking), flown_);
   }
 
   void add_fences() {
@@ -475,7 +377,7 @@ class Flight {
   void say_home() {
     const auto z = places_.home();
     if (!z) return;
-    flown_.home = mission_.home ? on_map(*mission_.home, *z) : flown_.path.front();
+    flown_.home = mission_.home ? on_map(*mission_.home, *z) : path().front();
     flown_.home->z() = *z;
   }
 
@@ -487,11 +389,9 @@ class Flight {
   std::vector<std::size_t> order_;
   std::size_t next_ = 0;  // into the order
   const MissionItem* item_ = nullptr;
-  std::size_t last_ = 0;     // that moves something
-  std::vector<Turn> turns_;  // one a point
-  Hull leaving_;             // from where the next leg may begin, where that is not the last point
-  bool unsaid_speed_ = false;  // a leg, the ascent aside, was flown before any speed was said
-  FlownMission flown_;
+  std::size_t last_ = 0;  // that moves something
+  FlownTrack track_;
+  FlownMission flown_;  // the track's parts when it is finished
 };
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mission_jumps.h"
 
@@ -57,6 +59,13 @@ double MissionPlaces::height(const MissionItem& item) const {
 bool MissionPlaces::is_here(const MissionItem& item) {
   return std::isnan(item.latitude) || std::isnan(item.longitude) ||
          (item.latitude == 0 && item.longitude == 0);
+}
+
+bool MissionPlaces::is_there(const MissionItem& item) {
+  constexpr int kThere[] = {kWaypoint,   kSplineWaypoint, kLoiterForever,
+                            kLoiterTime, kLoiterTurns,    kLoiterToHeight};
+  return std::find(std::begin(kThere), std::end(kThere), item.command) != std::end(kThere) ||
+         (item.command == kLand && !is_here(item));
 }
 
 Vec3 MissionPlaces::place(const MissionItem& item) const {

@@ -23,7 +23,8 @@ class MissionPlaces {
 
   // Whether its place is 0, 0 or null: where the vehicle is.
   static bool is_here(const MissionItem& item);
-  Vec3 place(const MissionItem& item) const;  // that is said
+  static bool is_there(const MissionItem& item);  // whether it is flown to a place that it says
+  Vec3 place(const MissionItem& item) const;      // that is said
   Vec3 on_map(const MissionItem& item, const geom::GeodeticPlace& at, double z) const;
 
  private:

@@ -221,6 +221,22 @@ double leg_of(const Flown& flown, std::size_t item) {
   return static_cast<double>(flown.ends.takeoff_from || leg == 0 ? leg : leg - 1);
 }
 
+// It lands where home's ground is, not on what stands there or hangs below: that it would land on
+// that is in no file.
+void require_ground(const geom::CollisionScene& scene, const Flown& flown, const Vec3& rally,
+                    CheckResult& result) {
+  constexpr double kLevel = 1;  // m
+  const double ground = ground_below(scene, rally);
+  const double home = flown.home ? flown.home->z() : ground;
+  const Vec3 foot(rally.x(), rally.y(), ground);
+  const Vec3 half = scene.half();
+  const Vec3 low(rally.x(), rally.y(), ground + half.z() + kStanding);
+  const bool clear = low.z() > rally.z() || !scene.hits(rally, low);
+  if (clear && std::abs(ground - home) <= kLevel) return;
+  refuse(result, Reason::return_home, static_cast<double>(flown.legs.size()) - 1, foot,
+         ground - home);
+}
+
 void check_regions(const geom::CollisionScene& scene, const Flown& flown, const geom::Polyline& way,
                    CheckResult& result) {
   if (result.reason != Reason::none) return;
@@ -229,6 +245,7 @@ void check_regions(const geom::CollisionScene& scene, const Flown& flown, const 
     check_fences(scene, all_sweeps(flown, way), flown.fences, flown.path_stray, result);
   }
   if (result.part) result.time = leg_of(flown, result.part->item);
+  for (const Vec3& rally : flown.rally) require_ground(scene, flown, rally, result);
 }
 
 CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,

@@ -133,12 +133,26 @@ TEST(Laz, RefusesCountsThatDoNotFit) {
       LazFile file = file_of(format, 120);
       file.layout = layout;
       const std::string whole = file.bytes();
-      for (const std::uint32_t count : {1u, 49u, 50u, 51u, 100u, 113u, 119u, 121u, 127u, 150u, 4000000000u}) {
+      for (const std::uint32_t count :
+           {1u, 49u, 50u, 51u, 100u, 113u, 119u, 121u, 127u, 150u, 4000000000u}) {
         std::string changed = whole;
         std::memcpy(changed.data() + 107, &count, 4);
         if (format >= 6) std::memset(changed.data() + 247, 0, 8);
         EXPECT_NE(refusal(changed), "") << "format " << format << ", " << count;
       }
+    }
+  }
+}
+
+TEST(Laz, RefusesWhatFollowsItsPoints) {
+  for (const Layout layout : {Layout::one_stream, Layout::fixed, Layout::varying}) {
+    LazFile file = file_of(3, 120);
+    file.layout = layout;
+    const std::string whole = file.bytes();
+    EXPECT_EQ(refusal(whole), "");
+    EXPECT_NE(refusal(whole + whole), "") << "one file behind another";
+    if (layout == Layout::one_stream) {
+      EXPECT_NE(refusal(whole + '\0'), "");
     }
   }
 }

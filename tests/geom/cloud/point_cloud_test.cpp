@@ -110,21 +110,50 @@ TEST(Ply, PassesOverAnElementWithoutPropertiesWhateverItsCount) {
   EXPECT_EQ(read_ply(in, "test.ply", [](std::span<const CloudPoint>) {}).read, 1u);
 }
 
-TEST(Las, RefusesACountThatTheFileDoesNotHold) {
-  std::string bytes(227, '\0');
+// LAS 1.4 of format 0 that says so many points.
+std::string las(std::uint32_t count) {
+  std::string bytes(375, '\0');
   std::memcpy(bytes.data(), "LASF", 4);
   bytes[24] = 1;
-  bytes[25] = 2;
+  bytes[25] = 4;
   const auto put = [&](std::size_t at, const auto& value) {
     std::memcpy(bytes.data() + at, &value, sizeof value);
   };
-  put(94, std::uint16_t{227});
-  put(96, std::uint32_t{227});
+  put(94, std::uint16_t{375});
+  put(96, std::uint32_t{375});
   put(105, std::uint16_t{20});
-  put(107, std::uint32_t{0xffffffff});
+  put(107, count);
+  put(247, std::uint64_t{count});
   for (const std::size_t i : {0, 1, 2}) put(131 + 8 * i, 0.01);
-  std::istringstream in(bytes + std::string(60, '\0'));
-  EXPECT_THROW(read_las(in, "test.las", [](std::span<const CloudPoint>) {}), InputError);
+  return bytes;
+}
+
+std::uint64_t read_as_las(const std::string& bytes) {
+  std::istringstream in(bytes);
+  return read_las(in, "test.las", [](std::span<const CloudPoint>) {}).read;
+}
+
+TEST(Las, RefusesACountThatTheFileDoesNotHold) {
+  const std::string points(60, '\0');
+  EXPECT_EQ(read_as_las(las(3) + points), 3u);
+  EXPECT_THROW(read_as_las(las(0xffffffff) + points), InputError);
+  EXPECT_THROW(read_as_las(las(4) + points), InputError);
+}
+
+TEST(Las, RefusesPointsThatItsHeaderDoesNotCount) {
+  const std::string points(60, '\0');
+  EXPECT_THROW(read_as_las(las(2) + points), InputError);
+  // An extended record after the points, which the header says where to find.
+  std::string counted = las(3);
+  const std::uint64_t later = counted.size() + points.size();
+  std::memcpy(counted.data() + 235, &later, 8);
+  counted[243] = 1;
+  const std::string record(60, '\0');
+  EXPECT_EQ(read_as_las(counted + points + record), 3u);
+  const std::uint32_t fewer = 2;
+  std::memcpy(counted.data() + 107, &fewer, 4);
+  std::memcpy(counted.data() + 247, &fewer, 4);
+  EXPECT_THROW(read_as_las(counted + points + record), InputError);
 }
 
 }  // namespace

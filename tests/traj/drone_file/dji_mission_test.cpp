@@ -227,6 +227,22 @@ TEST(FlownDji, TurnsMustNotMeet) {
   EXPECT_NE(support::refusal_of([&] { fly(corner(DjiTurn::early, 77)); }), "");
 }
 
+TEST(FlownDji, TurnsMustNotMeetBetweenWaylinesEither) {
+  DjiMission m = corner(DjiTurn::stop, 0);
+  m.approach = DjiApproach::point_to_point;
+  DjiWaypoint last{47, 8.001, 35, 6, 0, 8};
+  m.waylines[0].waypoints[2] = last;
+  m.waylines[0].waypoints[2].turn = DjiTurn::early;
+  m.waylines[0].waypoints[2].damping = 40;
+  m.waylines[0].waypoints[1] = {47.002, 8.001, 35, 4};
+  m.waylines.push_back({1, DjiHeights::above_takeoff, {{47, 8, 35, 4}, {47.002, 8, 35, 4}}});
+  m.waylines[1].waypoints[0].turn = DjiTurn::early;
+  m.waylines[1].waypoints[0].damping = 30;
+  EXPECT_EQ(support::refusal_of([&] { fly(m); }), "");
+  m.waylines[1].waypoints[0].damping = 37;
+  EXPECT_NE(support::refusal_of([&] { fly(m); }), "") << "40 m and 37 m of 76 m";
+}
+
 TEST(FlownDji, TurnsAtTheFirstWaypointBeginOnTheWayThere) {
   DjiMission m = corner(DjiTurn::stop, 0);
   m.waylines[0].waypoints[0].turn = DjiTurn::early;

@@ -213,6 +213,18 @@ TEST(DjiWaylines, BadValuesAreRefused) {
   }
 }
 
+TEST(DjiWaylines, FlyInTheOrderOfTheirIds) {
+  const auto folders = [](const char* first, const char* second) {
+    return dji_folder(dji_leg(), "relativeToStartPoint", "", first) +
+           dji_folder(dji_leg(), "relativeToStartPoint", "", second);
+  };
+  EXPECT_EQ(refusal_of_folder(folders("0", "4")), "");
+  EXPECT_EQ(refusal_of_folder(folders("1", "0")),
+            ": <wpml:waylineId> must be above 1, the one before, found 0");
+  EXPECT_EQ(refusal_of_folder(folders("2", "2")),
+            ": <wpml:waylineId> must be above 2, the one before, found 2");
+}
+
 TEST(DjiWaylines, ZerosAreNoTakeOff) {
   const auto takeoff = [](const char* place) {
     return read(in_kml(dji_config(dji_takeoff(place)) + dji_folder(dji_leg()))).takeoff;

@@ -34,6 +34,29 @@ TEST(FenceOnMap, HoldsACircleOnTheSafeSide) {
   }
 }
 
+// A map's metres east of its origin are longer than the Earth's.
+TEST(FenceOnMap, SaysHowFarACircleIsStretched) {
+  const geom::GeodeticPlace centre{47, 9.2, 0};
+  const Fence fence = fence_on_map({true, {}, centre, 1000}, kOrigin, "f");
+  const geom::GeographicFrame map(kOrigin);
+  const geom::GeographicFrame there({47, 9.2, 400});
+  double least = 1e9;
+  double most = 0;
+  geom::Vec2 middle;
+  map.from_geodetic(47, 9.2, middle.x(), middle.y());
+  for (double angle = 0; angle < 6.3; angle += 0.05) {
+    const auto place = there.place({1000 * std::cos(angle), 1000 * std::sin(angle), 0});
+    geom::Vec2 p;
+    map.from_geodetic(place.latitude, place.longitude, p.x(), p.y());
+    least = std::min(least, (p - middle).norm());
+    most = std::max(most, (p - middle).norm());
+  }
+  EXPECT_GT(most, 1000.05);
+  EXPECT_GT(least, 1000 - fence.bulge);
+  EXPECT_LT(most, 1000 + fence.bulge);
+  EXPECT_LT(fence.bulge, 0.2);
+}
+
 TEST(FenceOnMap, SaysHowFarEdgesMayBend) {
   // A square of a degree: an edge along the parallel 48 bends by 300 m and more.
   const Fence large =

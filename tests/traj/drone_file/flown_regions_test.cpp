@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "geom/shape/hull.h"
@@ -72,8 +73,8 @@ TEST(SplineHull, HoldsEverySplineOfTheVelocitiesThatMayBe) {
 TEST(Circle, HoldsItsArcsClosely) {
   const Circle circle{{3, -2, 7}, 25};
   for (const double from : {-3.0, 0.0, 1.5, 3.1}) {
-    for (const double wide : {1e-9, 0.1, 1.0, -2.5, pi / 16}) {
-      const Hull hull = circle.arc(from, from + wide);
+    for (const double wide : {1e-9, 0.1, 1.0, -2.5, 3.3, pi / 16}) {
+      const Hull hull = circle.arc(from, wide);
       for (double t = 0; t <= 1; t += 0.03125) {
         EXPECT_TRUE(holds(hull, circle.at(from + t * wide))) << from << ' ' << wide;
       }
@@ -82,6 +83,45 @@ TEST(Circle, HoldsItsArcsClosely) {
     }
   }
   EXPECT_NEAR(circle.angle_to(circle.at(2)), 2, 1e-12);
+}
+
+TEST(FlyCircle, HasRoomWhereItBegins) {
+  const Circle circle{{3, -2, 7}, 25};
+  const Vec3 outside = circle.centre + Vec3(60, 0, -2);
+  const CircleFlight flight = fly_circle(circle, {circle.centre + Vec3(70, 10, -2), outside});
+  ASSERT_EQ(flight.points.size(), 33u);
+  EXPECT_LT((flight.points.front() - circle.at(0)).norm(), 1e-9);
+  EXPECT_LT((flight.points.back() - circle.at(0)).norm(), 1e-9);
+  const double first = std::atan2(10, 70);
+  const double room = 0.04 / circle.radius;
+  for (const Hull& hull : {flight.entry, flight.leaving}) {
+    for (const double angle : {-room, 0.0, first / 2, first + room}) {
+      EXPECT_TRUE(holds(hull, circle.at(angle))) << angle;
+    }
+    EXPECT_FALSE(holds(hull, circle.at(-2 * room)));
+  }
+  EXPECT_TRUE(holds(flight.entry, outside));
+  EXPECT_FALSE(holds(flight.leaving, outside));
+  for (double angle = 0; angle < 6.3; angle += 0.01) {
+    EXPECT_TRUE(std::any_of(flight.arcs.begin(), flight.arcs.end(),
+                            [&](const Hull& arc) { return holds(arc, circle.at(angle)); }));
+  }
+}
+
+TEST(ReturnHulls, HoldTheClimbAndTheWayAcross) {
+  const Hull low{{200, 0, 20}, {200, 5, 20}};
+  const auto far = return_hulls(low, {0, 0, 60}, 10);
+  ASSERT_EQ(far.size(), 2u);
+  EXPECT_TRUE(holds(far[0], {200, 3, 45}));
+  EXPECT_TRUE(holds(far[1], {100, 1, 60}));
+  EXPECT_FALSE(holds(far[1], {100, 1, 55}));
+}
+
+TEST(ReturnHulls, HoldAllHeightsFromNear) {
+  const auto near = return_hulls({{40, 0, 20}}, {0, 0, 60}, 10);
+  EXPECT_TRUE(holds(near[1], {20, 0, 20}));
+  EXPECT_TRUE(holds(near[1], {1, 0, 59}));
+  EXPECT_FALSE(holds(near[1], {20, 0, 19}));
 }
 
 TEST(Circle, HoldsItsDisc) {

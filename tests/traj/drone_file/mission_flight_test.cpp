@@ -198,6 +198,19 @@ TEST(FlownMission, LoitersOnTheSpotOrAnywhereInACircle) {
   EXPECT_TRUE(swept(flown, Manoeuvre::leg, {40, 59, 30})) << "from anywhere in it";
 }
 
+TEST(FlownMission, TurnsFromWhereverItComes) {
+  Maker maker;
+  maker.add(kLoiterTime, {0, 50, 30}, {9, 0, 20, 0}).add(kWaypoint, {80, 50, 30});
+  maker.add(kWaypoint, {200, 50, 30});
+  const FlownMission flown = maker.fly({.acceptance = 10, .speed = 10});
+  const Vec3 corner(80, 50, 30);
+  const Vec3 aside = (corner - Vec3(0, 30, 30)).normalized();
+  const double braking = 10 * 10 / (2 * 3.0);
+  EXPECT_TRUE(swept(flown, Manoeuvre::corner, corner - 9.9 * aside));
+  EXPECT_TRUE(swept(flown, Manoeuvre::corner, corner + (braking - 10.1) * aside)) << "too fast";
+  EXPECT_FALSE(swept(flown, Manoeuvre::corner, corner + (braking - 9.9) * aside));
+}
+
 TEST(FlownMission, ClimbsBeforeOrAfterTheWay) {
   Maker maker;
   maker.add(kLoiterToHeight, {100, 0, 80}).add(kWaypoint, {100, 50, 80});
@@ -289,6 +302,19 @@ TEST(FlownMission, MayReturnToRallyPoints) {
   const FlownMission flown = maker.fly({.return_height = 60});
   EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {50, 100, 70}));
   EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {0, 200, 25}));
+  ASSERT_EQ(flown.rally.size(), 1u);
+  expect_near(flown.rally[0], {0, 200, 25});
+}
+
+TEST(FlownMission, MayReturnToRallyPointsAboveTheReturnHeight) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kReturn);
+  geom::GeodeticPlace rally = geom::GeographicFrame(kFrame.origin).place({0, 200, 0});
+  rally.height = 90;
+  maker.mission().rally = {rally};
+  const FlownMission flown = maker.fly({.return_height = 60});
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {100, 0, 100})) << "up where it is";
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {50, 100, 100}));
 }
 
 TEST(FlownMission, LandsWhereItsPlaceIsKnown) {

@@ -54,6 +54,22 @@ TEST(CheckFlown, LandsOnWhatIsBelow) {
   EXPECT_FALSE(check_flown(yard(), flown, {}).ok) << "where it may be off";
 }
 
+TEST(CheckFlown, LandsAtRallyPointsOnTheGroundOfHome) {
+  Flown flown = path({{40, 5, 35}, {45, 5, 35}});
+  const double ground = yard().map().spec().bounds.min.z();
+  flown.home = Vec3(40, 5, ground);
+  flown.rally = {{15, 5, 15}};
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok);
+  flown.rally = {{15, 5, 15}, {5, 5, 15}};
+  const CheckResult roof = check_flown(yard(), flown, {});
+  EXPECT_EQ(roof.reason, Reason::return_home);
+  EXPECT_EQ(roof.place, Vec3(5, 5, 10)) << "on the block";
+  flown.rally = {{25, 5, 40}};
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::return_home) << "on what hangs there";
+  flown.rally = {{20 - yard().half().x() / 2, 5, 40}};
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::return_home) << "past its edge";
+}
+
 TEST(CheckFlown, KnowsTheSpeedsOfLegs) {
   Flown flown = path({{40, 0, 5}, {40, 30, 45}});
   flown.speed = 5;

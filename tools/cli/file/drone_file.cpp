@@ -74,11 +74,6 @@ Notes notes_of(const traj::FlownMission& read) {
     notes.emplace_back(
         "the mission has no take-off: how the vehicle comes to its first point is not looked at");
   }
-  if (!read.returns && read.rally > 0) {
-    notes.emplace_back(
-        "the return is looked at to home and to each rally point, down to the height of that: how "
-        "the vehicle lands there is not");
-  }
   if (read.returns) {
     notes.emplace_back(
         "the return to home is left out: its height is a setting of the vehicle, which "
@@ -112,6 +107,7 @@ traj::Flown flown_mission(const traj::Mission& mission, const std::string& sourc
   flown.sweeps = std::move(read.sweeps);
   flown.fences = std::move(read.fences);
   flown.home = read.home;
+  flown.rally = std::move(read.rally);
   flown.idle_items = read.idle_items;
   flown.corners = read.corners;
   flown.acceptance = read.acceptance;
@@ -194,6 +190,7 @@ traj::Flown in_map_axes(traj::Flown flown, geom::Axes axes) {
     for (geom::Vec2& p : fence.ring) p = geom::to_enu(axes, {p.x(), p.y(), 0}).head<2>();
   }
   if (flown.home) flown.home = geom::to_enu(axes, *flown.home);
+  for (geom::Vec3& p : flown.rally) p = geom::to_enu(axes, p);
   for (traj::Stray& stray : flown.stray) stray.position = geom::to_enu(axes, stray.position);
   for (traj::Setpoint& s : flown.setpoints) {
     s.yaw = geom::yaw_to_enu(axes, s.yaw);

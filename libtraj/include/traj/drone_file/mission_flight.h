@@ -35,7 +35,7 @@ struct FlownMission {
   std::optional<double> speed;  // m/s, the largest asked for; absent where a leg has none
   bool takes_off = false;       // else how it comes to its first point is not known
   bool returns = false;         // ends with a return to home, by a way that is not known
-  std::size_t rally = 0;        // points that it may return to instead, each looked at
+  std::vector<Vec3> rally;      // where it may return to instead: from there it lands
   bool ended = false;           // by a landing, a return or loitering; else it may have been cut
   std::size_t corners = 0;      // points between two legs without a rest
   double acceptance = 0;        // m, the largest with which these were swept
@@ -79,8 +79,8 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 // - A return climbs to `return_height` above home, where it is lower, goes straight above home, and
 //   lands there; nearer to home than that is high, it may return at any height from its own to that
 //   (PX4's RTL_CONE_ANG of 45 degrees, ArduCopter's cone). As sweeps, likewise to each rally point
-//   of the file, down to its height. Without that height, or with the mark of a landing (189) that
-//   it may go to: `returns`.
+//   of the file, down to its height; it must find home's ground below (check_flown). Without that
+//   height, or with the mark of a landing (189) that it may go to: `returns`.
 // Commands that are known to move nothing (cameras, gimbals, servos, yaw) are counted.
 //
 // Throws geom::InputError(source, line, …) for all others (changes of mode, what is not known), for

@@ -27,6 +27,7 @@ struct Flown {
   std::optional<double> speed;     // m/s along the legs
   std::vector<FlightPart> legs;    // of a mission: to each point, and the landing's; may be empty
   std::vector<Sweep> sweeps;       // beside the path
+  std::vector<Vec3> rally;         // places in the air from which it may land instead
   std::vector<Fence> fences;       // that the path and the sweeps keep to
   std::optional<Vec3> home;        // that was assumed
   std::size_t idle_items = 0;      // that move nothing
@@ -52,7 +53,8 @@ CheckOptions file_tolerance(const Limits& limits);
 // acceleration that changes the velocity, the jerk and the turning of the thrust as the
 // acceleration changes, the yaw rate. So what a file says in one column and denies in another is
 // found out. A path: check_path of its legs, with the ascent before and the descent after, from 1
-// mm above where the vehicle stands, of its sweeps (check_sweeps), and of its fences; then "speed",
+// mm above where the vehicle stands, of its sweeps (check_sweeps), and of its fences; below each
+// rally place must be the ground of home, or the way back is not known ("return"); then "speed",
 // "horizontal_speed" and "vertical_speed" of its legs where the speed is known, "ceiling", "range",
 // "endurance", and "return" where it ends by a way that is not said. How a vehicle speeds up and
 // slows down along legs is its own affair, and not measured. Times of a path count legs from 0, the

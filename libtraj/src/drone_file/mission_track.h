@@ -1,0 +1,54 @@
+#pragma once
+
+// A mission's path while it is being flown, and where the vehicle may be instead.
+
+#include <vector>
+
+#include "flown_regions.h"
+#include "mission_corners.h"
+#include "traj/drone_file/mission_flight.h"
+
+namespace traj {
+
+class FlownTrack {
+ public:
+  const geom::Polyline& path() const { return path_; }
+
+  // Appends a point, and sweeps the way there where it does not begin at the last point. Where it
+  // passes, it may turn from wherever it comes within the radius.
+  void go(const Vec3& p, double hold, const FlightPart& part, Turn turn);
+  void sweep(Hull hull, const FlightPart& part);
+  void stay(double seconds) { hold_.back() += seconds; }
+
+  // Where it may be when the last point counts as reached, as points of a hull: within the radius,
+  // and before points that may count as reached at once.
+  Hull reached() const;
+  // The next leg may begin anywhere in the hull.
+  void leave_from(Hull hull) { leaving_ = std::move(hull); }
+  void leave_when_reached();
+  Hull from_where();  // it goes on from: takes that hull
+  bool starts_at_point() const { return leaving_.empty(); }
+  bool rests() const { return leaving_.empty() && turns_.back().radius == 0; }
+
+  void say_speed(double speed);
+  void say_no_speed() { unsaid_speed_ = true; }
+  // The largest that any leg may be flown with; `unsaid` where the file says none.
+  double most_speed(double unsaid) const;
+
+  // Gives `out` the path and all that belongs to it, corners swept. Call last.
+  void finish(const FlightPart& landing, double braking_way, FlownMission& out);
+
+ private:
+  Hull begin_of_turn(std::size_t point) const;
+
+  geom::Polyline path_;
+  std::vector<double> hold_;  // of each point, as legs_ and turns_
+  std::vector<FlightPart> legs_;
+  std::vector<Turn> turns_;
+  std::vector<Sweep> sweeps_;
+  Hull leaving_;  // from where the next leg may begin, where that is not the last point
+  std::optional<double> speed_;
+  bool unsaid_speed_ = false;  // a leg, the ascent aside, was flown before any speed was said
+};
+
+}  // namespace traj
