@@ -1,7 +1,5 @@
 #include "nlp.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -9,84 +7,15 @@
 #include <limits>
 #include <utility>
 
-#include "curve/hermite_form.h"
+#include "nlp_piece.h"
 
 namespace traj {
 namespace {
 
 constexpr double kUnbounded = 1e20;  // beyond Ipopt's nlp_upper_bound_inf
 constexpr double kJointReach = 10;   // metres a joint may move
-constexpr int kTime = 12;            // local index of the duration
-constexpr std::array<StateTable<8>, 4> padded_tables() {
-  std::array<StateTable<8>, 4> out{};
-  const auto copy = [&](int order, const auto& table) {
-    for (std::size_t k = 0; k < table.size(); ++k) {
-      for (int m = 0; m < kStates; ++m) out[order][k][m] = table[k][m] / kPositionUnit;
-    }
-  };
-  copy(0, derivative_table<0>());
-  copy(1, derivative_table<1>());
-  copy(2, derivative_table<2>());
-  copy(3, derivative_table<3>());
-  return out;
-}
-constexpr std::array<StateTable<8>, 4> kTables = padded_tables();  // [order][point][state]
-
-constexpr int power_of(int state) { return state % 4; }
-constexpr int local_of(int state, int axis) { return 3 * state + axis + (state >= 4 ? 1 : 0); }
-
-// duration^e for e = -8..3.
-struct Powers {
-  explicit Powers(double t) {
-    value[8] = 1;
-    for (int e = 1; e <= 3; ++e) value[8 + e] = value[7 + e] * t;
-    for (int e = 1; e <= 8; ++e) value[8 - e] = value[9 - e] / t;
-  }
-  double operator()(int e) const { return value[static_cast<std::size_t>(e + 8)]; }
-  std::array<double, 12> value;
-};
-
-// A Bernstein point of a derivative, sum of weight[m] state[m], and its own derivatives in time.
-struct Point {
-  Vec3 value = Vec3::Zero();
-  Vec3 dt = Vec3::Zero();
-  Vec3 dtt = Vec3::Zero();
-  std::array<double, kStates> weight{};
-  std::array<double, kStates> weight_dt{};
-};
 
 }  // namespace
-
-struct Nlp::Piece {
-  std::array<Vec3, kStates> state;
-  double time;
-  Powers power;
-
-  Vec3 value(int order, int index) const {
-    Vec3 sum = Vec3::Zero();
-    for (int m = 0; m < kStates; ++m) {
-      const double c = kTables[order][index][m];
-      if (c != 0) sum += (c * power(power_of(m) - order)) * state[m];
-    }
-    return sum;
-  }
-
-  Point point(int order, int index) const {
-    Point p;
-    for (int m = 0; m < kStates; ++m) {
-      const double c = kTables[order][index][m];
-      if (c == 0) continue;
-      const int e = power_of(m) - order;
-      const double dt = c * e * power(e - 1);
-      p.weight[m] = c * power(e);
-      p.weight_dt[m] = dt;
-      p.value += p.weight[m] * state[m];
-      p.dt += dt * state[m];
-      p.dtt += (c * e * (e - 1) * power(e - 2)) * state[m];
-    }
-    return p;
-  }
-};
 
 Nlp::Nlp(NlpSpec spec) : spec_(std::move(spec)) {
   assert(spec_.corridor.size() >= 1 && spec_.state.size() == spec_.corridor.size() + 1);
@@ -370,117 +299,6 @@ std::vector<double> Nlp::transposed_jacobian_times(std::span<const double> x,
         const int g = global(k, local);
         if (g < 0) continue;
         out[static_cast<std::size_t>(g)] += scale(k, local) * pull[static_cast<std::size_t>(m)][i];
-      }
-    }
-  }
-  return out;
-}
-
-namespace {
-
-// Adds factor * (rho * snap)'s second derivatives, lower triangle.
-void add_snap(const std::array<Vec3, kStates>& absolute, const Powers& power, double factor,
-              Nlp::Block& h) {
-  std::array<Vec3, kStates> state = absolute;
-  state[4] -= state[0];
-  state[0].setZero();
-  for (int m = 0; m < kStates; ++m) {
-    Vec3 in_time = Vec3::Zero();
-    for (int n = 0; n < kStates; ++n) {
-      const int e = power_of(m) + power_of(n) - 7;
-      const double c = factor * kSnapForm[m][n];
-      for (int i = 0; i < 3; ++i) h(local_of(m, i), local_of(n, i)) += 2 * c * power(e);
-      in_time += (2 * c * e * power(e - 1)) * state[n];
-      h(kTime, kTime) += c * e * (e - 1) / power(2) * power(e) * state[m].dot(state[n]);
-    }
-    for (int i = 0; i < 3; ++i) {
-      h(local_of(m, i), kTime) += in_time[i];
-      h(kTime, local_of(m, i)) += in_time[i];
-    }
-  }
-}
-
-// Adds the second derivatives of a function of one Bernstein point, whose own first derivative is
-// `pull` and second `bend`: what the state and the duration do to the point, and how the point's
-// own derivatives change with the duration.
-void add_point(const Point& z, const Vec3& pull, const Eigen::Matrix3d& bend, Nlp::Block& h) {
-  const Vec3 in_time = bend * z.dt;
-  for (int m = 0; m < kStates; ++m) {
-    const double w = z.weight[static_cast<std::size_t>(m)];
-    if (w == 0) continue;
-    const Eigen::Matrix3d part = w * bend;
-    for (int n = 0; n < kStates; ++n) {
-      const double other = z.weight[static_cast<std::size_t>(n)];
-      if (other != 0) h.block<3, 3>(local_of(m, 0), local_of(n, 0)) += other * part;
-    }
-    const Vec3 mixed = w * in_time + z.weight_dt[static_cast<std::size_t>(m)] * pull;
-    h.block<3, 1>(local_of(m, 0), kTime) += mixed;
-    h.block<1, 3>(kTime, local_of(m, 0)) += mixed.transpose();
-  }
-  h(kTime, kTime) += in_time.dot(z.dt) + pull.dot(z.dtt);
-}
-
-// The block with its eigenvalues' signs dropped. Most are positive definite already, and Cholesky
-// tells at a fraction of the cost.
-Nlp::Block made_positive(const Nlp::Block& h, const std::array<bool, Nlp::kLocal>& fixed) {
-  Nlp::Block definite = h;
-  for (int i = 0; i < Nlp::kLocal; ++i) {
-    if (fixed[static_cast<std::size_t>(i)]) definite(i, i) = 1;
-  }
-  if (Eigen::LLT<Nlp::Block>(definite).info() == Eigen::Success) return h;
-  const Eigen::SelfAdjointEigenSolver<Nlp::Block> eigen(h);
-  const Nlp::Block& q = eigen.eigenvectors();
-  return q * eigen.eigenvalues().cwiseAbs().asDiagonal() * q.transpose();
-}
-
-}  // namespace
-
-Nlp::Block Nlp::hessian_block(std::size_t index, std::span<const double> x, double factor,
-                              std::span<const double> multipliers) const {
-  return condensed_block(index, x, factor, multipliers, {});
-}
-
-Nlp::Block Nlp::condensed_block(std::size_t index, std::span<const double> x, double factor,
-                                std::span<const double> multipliers,
-                                std::span<const double> weights) const {
-  const Piece p = piece(index, x);
-  Block h = Block::Zero();
-  add_snap(p.state, p.power, factor * spec_.rho, h);
-  for (const Group& group : groups(index)) {
-    const Point z = p.point(group.order, group.point);
-    Vec3 pull = Vec3::Zero();
-    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
-    for (std::size_t r = group.first_row; r < group.last_row; ++r) {
-      const Vec3 by_point = slope(rows_[r], z.value);
-      pull += multipliers[r] * by_point;
-      if (!weights.empty()) bend += (weights[r] * by_point) * by_point.transpose();
-      if (group.order > 0) {
-        bend.diagonal() += 2 * multipliers[r] * spec_.limits[rows_[r].limit].weight;
-      }
-    }
-    add_point(z, pull, bend, h);
-  }
-  for (int i = 0; i < kLocal; ++i) {
-    const double s = global(index, i) < 0 ? 0 : scale(index, i);
-    h.row(i) *= s;
-    h.col(i) *= s;
-  }
-  return h;
-}
-
-std::vector<double> Nlp::hessian(std::span<const double> x, double factor,
-                                 std::span<const double> multipliers) const {
-  std::vector<double> out;
-  out.reserve(hessian_entries_.size());
-  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    std::array<bool, kLocal> fixed;
-    for (int i = 0; i < kLocal; ++i) fixed[static_cast<std::size_t>(i)] = global(k, i) < 0;
-    const Block h = made_positive(hessian_block(k, x, factor, multipliers), fixed);
-    for (int i = 0; i < kLocal; ++i) {
-      for (int j = 0; j <= i; ++j) {
-        if (!fixed[static_cast<std::size_t>(i)] && !fixed[static_cast<std::size_t>(j)]) {
-          out.push_back(h(i, j));
-        }
       }
     }
   }

@@ -5,50 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/random_city.h"
+#include "plan/bound/random_labels.h"
 
 namespace plan {
 namespace {
 
 constexpr double kSlack = 1e-12;
 
-EdgePart random_part(support::Random& random) {
-  EdgePart part;
-  for (int k = 0; k < 3; ++k) part.low[k] = random.stepped(0, 4, 0.5);
-  part.high = part.low;
-  const int axis = random.below(4);
-  if (axis == 3) return part;
-  part.axis = static_cast<std::uint8_t>(axis);
-  part.high[axis] += random.stepped(0.25, 3, 0.25);
-  part.outward = {1, 1};
-  return part;
-}
-
-// As a path can give it: no steeper than the part is long.
-LineLabel random_label(support::Random& random, const EdgePart& part) {
-  const double low = random.uniform(0, 10);
-  return {low, low + random.uniform(-1, 1) * part.length()};
-}
-
-Vec3 at(const EdgePart& part, double t) { return part.low + t * (part.high - part.low); }
-
-double at(const LineLabel& label, double t) { return label.low * (1 - t) + label.high * t; }
-
-double best_over(const EdgePart& part, const LineLabel& label, const Vec3& q) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int n = 0; n <= 1000; ++n) {
-    best = std::min(best, at(label, 1e-3 * n) + (q - at(part, 1e-3 * n)).norm());
-  }
-  return best;
-}
+using testing::at;
+using testing::best_over;
+using testing::random_label;
+using testing::random_part;
 
 TEST(LineLabel, CarriedToAPointIsTheLeastSum) {
   support::Random random(1);
   for (int i = 0; i < 500; ++i) {
-    const EdgePart part = random_part(random);
+    const EdgePart part = random_part(random, 4);
     const LineLabel label = random_label(random, part);
     const Vec3 q(random.uniform(0, 5), random.uniform(0, 5), random.uniform(0, 5));
-    const double best = best_over(part, label, q);
+    const double best = best_over(part, label, q, 1000);
     EXPECT_LE(carried_to(part, label, q), best + 1e-12);
     EXPECT_GT(carried_to(part, label, q), best - 1e-3 * part.length() - 1e-12);
   }
@@ -57,13 +32,13 @@ TEST(LineLabel, CarriedToAPointIsTheLeastSum) {
 TEST(LineLabel, CarriedIsNowhereAboveTheLeastSum) {
   support::Random random(2);
   for (int i = 0; i < 2000; ++i) {
-    const EdgePart from = random_part(random);
-    const EdgePart to = random_part(random);
+    const EdgePart from = random_part(random, 4);
+    const EdgePart to = random_part(random, 4);
     const LineLabel label = random_label(random, from);
     const double d = least_distance(from, to);
     const LineLabel by = carried(from, label, to, d, kSlack);
     for (const double t : {0.0, 0.1, 0.35, 0.5, 0.8, 1.0}) {
-      ASSERT_LE(at(by, t), best_over(from, label, at(to, t)) + 1e-12);
+      ASSERT_LE(at(by, t), best_over(from, label, at(to, t), 1000) + 1e-12);
     }
     EXPECT_GE(by.least(), label.least() + 0.5 * d - 2 * kSlack);
   }
@@ -79,10 +54,11 @@ TEST(LineLabel, CarriedOverNoDistanceLosesNothing) {
 TEST(LineLabel, LeastDistanceIsThatOfTheClosestPoints) {
   support::Random random(3);
   for (int i = 0; i < 300; ++i) {
-    const EdgePart a = random_part(random);
-    const EdgePart b = random_part(random);
+    const EdgePart a = random_part(random, 4);
+    const EdgePart b = random_part(random, 4);
     double best = std::numeric_limits<double>::infinity();
-    for (int n = 0; n <= 100; ++n) best = std::min(best, best_over(b, {0, 0}, at(a, 0.01 * n)));
+    for (int n = 0; n <= 100; ++n)
+      best = std::min(best, best_over(b, {0, 0}, at(a, 0.01 * n), 1000));
     EXPECT_LE(least_distance(a, b), best);
     EXPECT_GT(least_distance(a, b), best - 0.05);
   }

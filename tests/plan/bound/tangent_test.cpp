@@ -5,41 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/random_city.h"
+#include "plan/bound/random_labels.h"
 
 namespace plan {
 namespace {
 
 constexpr double kSlack = 1e-12;
 
-EdgePart random_part(support::Random& random, double size) {
-  EdgePart part;
-  for (int k = 0; k < 3; ++k) part.low[k] = random.stepped(0, size, 0.5);
-  part.high = part.low;
-  const int axis = random.below(4);
-  if (axis == 3) return part;
-  part.axis = static_cast<std::uint8_t>(axis);
-  part.high[axis] += random.stepped(0.25, 3, 0.25);
-  part.outward = {1, 1};
-  return part;
-}
-
-LineLabel random_label(support::Random& random, const EdgePart& part) {
-  const double low = random.uniform(0, 10);
-  return {low, low + random.uniform(-1, 1) * part.length()};
-}
-
-Vec3 at(const EdgePart& part, double t) { return part.low + t * (part.high - part.low); }
-
-double at(const LineLabel& label, double t) { return label.low * (1 - t) + label.high * t; }
-
-double best_over(const EdgePart& part, const LineLabel& label, const Vec3& q) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int n = 0; n <= 200; ++n) {
-    best = std::min(best, at(label, 5e-3 * n) + (q - at(part, 5e-3 * n)).norm());
-  }
-  return best;
-}
+using testing::at;
+using testing::best_over;
+using testing::random_label;
+using testing::random_part;
 
 TEST(Tangent, IsNowhereAboveTheLeastSum) {
   support::Random random(1);
@@ -51,8 +27,8 @@ TEST(Tangent, IsNowhereAboveTheLeastSum) {
     const LineLabel here = random_label(random, from);
     const LineLabel there = random_label(random, to);
     for (const double t : {0.0, 0.1, 0.35, 0.5, 0.8, 1.0}) {
-      ASSERT_LE(at(between.forward(here), t), best_over(from, here, at(to, t)) + 1e-12);
-      ASSERT_LE(at(between.backward(there), t), best_over(to, there, at(from, t)) + 1e-12);
+      ASSERT_LE(at(between.forward(here), t), best_over(from, here, at(to, t), 200) + 1e-12);
+      ASSERT_LE(at(between.backward(there), t), best_over(to, there, at(from, t), 200) + 1e-12);
     }
   }
 }
