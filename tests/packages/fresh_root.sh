@@ -67,7 +67,7 @@ in_root skyway-cloud -q /srv/scan.xyz -o /srv/scan.boxmap
 
 echo "== skyway-footprints"
 install "$(deb skyway-footprints)"
-in_root skyway-footprints -q --allow-skipped /srv/blocks.geojson -o /srv/blocks.boxmap
+in_root skyway-footprints -q --allow-skipped --default-height 10 /srv/blocks.geojson -o /srv/blocks.boxmap
 in_root skyway-info /srv/blocks.boxmap > /dev/null
 
 echo "== python3-skyway"

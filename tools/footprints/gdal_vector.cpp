@@ -74,11 +74,27 @@ class VectorReader {
     if (holds_surfaces(*geometry)) {
       geom::HeightOptions options = options_.height;
       options.unit = unit_.value_or(1);
-      height = counted_height(tag, options, which_, out_);
+      height = geom::building_height(tag, options);
       if (height.bare && !unit_) refuse_heights(name_, out_.crs);
     }
     add_polygons(*geometry, static_cast<std::uint64_t>(feature.GetFID()), height);
-    raise(before);
+    const bool shape = raise(before);
+    if (out_.footprints.size() > before) count(feature, height, shape);
+  }
+
+  // Where the height of a feature came from that became footprints.
+  void count(const OGRFeature& feature, const geom::BuildingHeight& height, bool shape) {
+    if (shape) {
+      ++out_.counts["heights_from_corners"];
+      if (height.unread) out_.skipped.add("height that is not understood", which_);
+      return;
+    }
+    count_height(height, which_, out_);
+    if (height.from != geom::HeightFrom::nothing) return;
+    for (int i = 0; i < feature.GetFieldCount(); ++i) {
+      if (!feature.IsFieldSetAndNotNull(i)) continue;
+      note_attribute(feature.GetFieldDefnRef(i)->GetNameRef(), feature.GetFieldAsString(i), out_);
+    }
   }
 
   static bool holds_surfaces(const OGRGeometry& geometry) {
@@ -144,7 +160,8 @@ class VectorReader {
   // Corners with heights: a feature whose own differ is a shape in space, each polygon of which
   // stands on the feature's lowest point. Where they are all the same they may be the ground's,
   // below the building's height, or the roof's: it stands from the lower to the higher of both.
-  void raise(std::size_t first) {
+  // Says whether it is a shape in space.
+  bool raise(std::size_t first) {
     Levels all = levels_.empty() ? Levels{} : levels_.front();
     for (const Levels& l : levels_) all = {std::min(all.low, l.low), std::max(all.high, l.high)};
     const bool shape = all.low < all.high;
@@ -160,6 +177,7 @@ class VectorReader {
       }
     }
     levels_.clear();
+    return shape;
   }
 
   std::vector<geom::Vec2> points_of(const OGRLinearRing& ring, std::uint64_t id) const {

@@ -27,6 +27,7 @@ struct Options {
   std::string origin;
   std::string height_units;
   bool metres = false;
+  CLI::Option* default_height = nullptr;
   cli::SkippedOption skipped;
   cli::MapOptions map;
 
@@ -49,9 +50,11 @@ void Options::add_to(CLI::App& app) {
                  "attribute that holds heights; it is looked at before the usual ones");
   app.add_option("--storey", read.height.storey, "height of a storey, metres (default 3)")
       ->check(CLI::Range(1.0, 20.0));
-  app.add_option("--default-height", read.height.default_height,
-                 "height of buildings whose height the file does not tell, metres (default 10)")
-      ->check(CLI::Range(0.1, 2000.0));
+  default_height =
+      app.add_option("--default-height", read.height.default_height,
+                     "height of buildings whose height the file does not tell, metres (default 10, "
+                     "for at most a tenth of them)");
+  default_height->check(CLI::Range(0.1, 2000.0));
   app.add_option("--where", read.where, "only features for which this OGR SQL is true");
   app.add_option("--height-step", read.height_step,
                  "round the cells of a height model up to multiples of this, metres (default 0.5)")
@@ -170,6 +173,9 @@ int main(int argc, char** argv) {
     nlohmann::ordered_json stats = counts_of(city.source, format, file.name(), common);
     nlohmann::ordered_json step = step_of(hashed.hash(), options, format, map);
     options.skipped.settle(city.source.skipped, file.name(), common, step);
+    if (options.default_height->count() == 0) {
+      footprints::require_heights(city.source, file.name());
+    }
     const std::string history = nlohmann::ordered_json::array({step}).dump();
     geom::BoxTable table =
         geom::boxes_of(city.source.footprints, options.slack, common.execution("footprints"));

@@ -156,7 +156,12 @@ class BuildingHandler : public osmium::handler::Handler {
     const auto id = object.type() == osmium::item_type::area
                         ? static_cast<const osmium::Area&>(object).orig_id()
                         : object.id();
-    return counted_height(tag, options_.height, fmt::format("{} {}", what, id), out_);
+    const geom::BuildingHeight height = geom::building_height(tag, options_.height);
+    count_height(height, fmt::format("{} {}", what, id), out_);
+    if (height.from == geom::HeightFrom::nothing) {
+      for (const osmium::Tag& t : object.tags()) note_attribute(t.key(), t.value(), out_);
+    }
+    return height;
   }
 
   void push(osmium::object_id_type id, const geom::BuildingHeight& height, geom::Footprint f) {

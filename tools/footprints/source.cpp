@@ -1,25 +1,84 @@
 #include "source.h"
 
-namespace footprints {
+#include <fmt/format.h>
 
-geom::BuildingHeight counted_height(const std::function<std::string(const char*)>& tag,
-                                    const geom::HeightOptions& options, const std::string& which,
-                                    Source& source) {
-  const geom::BuildingHeight height = geom::building_height(tag, options);
-  switch (height.from) {
+#include <algorithm>
+#include <cmath>
+
+#include "geom/base/error.h"
+#include "geom/text/text_table.h"
+
+namespace footprints {
+namespace {
+
+constexpr std::size_t kNamed = 8;  // attributes in a message
+
+const char* key_of(geom::HeightFrom from) {
+  switch (from) {
     case geom::HeightFrom::height:
-      ++source.counts["heights_given"];
-      break;
+      return "heights_given";
     case geom::HeightFrom::levels:
-      ++source.counts["heights_from_levels"];
-      break;
+      return "heights_from_levels";
     case geom::HeightFrom::nothing:
-      ++source.counts["heights_by_default"];
       break;
   }
+  return "heights_by_default";
+}
+
+std::size_t count_of(const Source& source, const char* what) {
+  const auto at = source.counts.find(what);
+  return at == source.counts.end() ? 0 : at->second;
+}
+
+// Those that most features have first.
+std::string numeric_attributes(const Source& source) {
+  std::vector<std::pair<std::string, NumericAttribute>> list(source.numeric.begin(),
+                                                             source.numeric.end());
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
+    return a.second.features > b.second.features;
+  });
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kNamed, list.size()); ++i) {
+    const auto& [name, numbers] = list[i];
+    out += fmt::format("{}\"{}\" ({} to {}, in {})", out.empty() ? "" : ", ", name.substr(0, 60),
+                       numbers.low, numbers.high, numbers.features);
+  }
+  return list.size() > kNamed ? out + ", …" : out;
+}
+
+}  // namespace
+
+void count_height(const geom::BuildingHeight& height, const std::string& which, Source& source) {
+  ++source.counts[key_of(height.from)];
   if (height.junk) ++source.counts["heights_not_understood"];
   if (height.unread) source.skipped.add("height that is not understood", which);
-  return height;
+}
+
+void note_attribute(const std::string& name, const std::string& value, Source& source) {
+  const auto number = geom::parse_number(geom::trimmed(value));
+  if (!number || !std::isfinite(*number)) return;
+  NumericAttribute& known = source.numeric.try_emplace(name, 0, *number, *number).first->second;
+  ++known.features;
+  known.low = std::min(known.low, *number);
+  known.high = std::max(known.high, *number);
+}
+
+void require_heights(const Source& source, const std::string& name) {
+  const std::size_t without = count_of(source, "heights_by_default");
+  std::size_t all = without;
+  for (const char* key : {"heights_given", "heights_from_levels", "heights_from_corners"}) {
+    all += count_of(source, key);
+  }
+  if (without * 10 <= all) return;
+  const std::string numeric = numeric_attributes(source);
+  throw geom::InputError(
+      name, fmt::format("expected heights of at least nine buildings in ten, found none for {} of "
+                        "{}; {}; say how high those without are with --default-height METRES",
+                        without, all,
+                        numeric.empty()
+                            ? "they have no attribute of numbers"
+                            : "attributes of numbers that they have: " + numeric +
+                                  ": where one is the height, name it with --height-attribute"));
 }
 
 }  // namespace footprints

@@ -2,7 +2,6 @@
 
 // What the readers of footprints give, in the coordinates of their source.
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -15,6 +14,13 @@
 
 namespace footprints {
 
+// An attribute whose values are numbers: one such may be the height that nobody named.
+struct NumericAttribute {
+  std::size_t features = 0;  // that have it
+  double low = 0;
+  double high = 0;
+};
+
 struct Source {
   using Warnings = std::vector<std::string>;
 
@@ -22,6 +28,7 @@ struct Source {
   std::string crs;                            // whatever PROJ understands; empty: local metres
   std::map<std::string, std::size_t> counts;  // for the report: "heights from levels", …
   geom::Skipped skipped;                      // what is or may be an obstacle and is no footprint
+  std::map<std::string, NumericAttribute> numeric;  // of the features without a height
   Warnings warnings;
 };
 
@@ -32,11 +39,16 @@ struct ReadOptions {
   double height_step = 0.5;  // metres: surface models are rounded up to multiples of it; 0: not
 };
 
-// Counts where the height of a building came from and gives its range; `which` names the building
-// where its height is not understood.
-geom::BuildingHeight counted_height(const std::function<std::string(const char*)>& tag,
-                                    const geom::HeightOptions& options, const std::string& which,
-                                    Source& source);
+// Counts where the height of a building came from; `which` names the building where its height is
+// not understood.
+void count_height(const geom::BuildingHeight& height, const std::string& which, Source& source);
+
+// Notes an attribute of a feature without a height, where its value is a number.
+void note_attribute(const std::string& name, const std::string& value, Source& source);
+
+// Throws geom::InputError(name, …) where more than a tenth of the buildings have no height but the
+// default, which nobody has chosen; the message names the attributes that may be heights.
+void require_heights(const Source& source, const std::string& name);
 
 // Metres in a unit of heights that name none, in a source of this CRS: what the options say, or the
 // CRS's own vertical part, or 1 where the CRS counts metres or degrees, or there is none. Nothing

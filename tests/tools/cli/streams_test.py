@@ -29,7 +29,7 @@ LIMITS = ["--vmax", "5", "--amax", "3"]
 TOOLS = {
     "skyway-synth": ["--size", "200"],
     "skyway-import": ["village.csv"],
-    "skyway-footprints": ["blocks.geojson", "--allow-skipped"],
+    "skyway-footprints": ["blocks.geojson", "--allow-skipped", "--default-height", "10"],
     "skyway-cloud": ["cloud.xyz"],
     "skyway-map": ["crop", "m.boxmap", "--bounds", "0,0,0,60,60,60"],
     "skyway-query": ["m.boxmap", "points.jsonl", *BOX],
