@@ -6,39 +6,17 @@ median, least and greatest of the queries, each the less of two runs) and peak m
 straight line through the logarithms of the medians over those of the numbers of boxes.
 """
 
-import json
 import math
 import os
 import pathlib
-import random
 import statistics
 import subprocess
 import sys
 
+from street_queries import VEHICLE, blocked, info
+
 BIN, LENGTH = pathlib.Path(sys.argv[1]), float(sys.argv[2])
-VEHICLE = ["--vehicle", "box:1,1,1"]
 QUERIES = 20
-
-
-def info(map_file):
-    lines = subprocess.run([BIN / "skyway-info", map_file], check=True, capture_output=True, text=True).stdout
-    fields = dict(line.split(": ", 1) for line in lines.splitlines() if ": " in line)
-    return int(fields["boxes"]), json.loads(fields["bounds_min_m"]), json.loads(fields["bounds_max_m"])
-
-
-def queries(map_file, low, high):
-    """Free ends under 20 m that do not see each other."""
-    random.seed(7)
-    pairs = []
-    for _ in range(16 * QUERIES):
-        a = [random.uniform(low[k] + LENGTH + 2, high[k] - LENGTH - 2) for k in range(2)] + [random.uniform(2, 20)]
-        turn = random.uniform(0, 2 * math.pi)
-        pairs.append((a, [a[0] + LENGTH * math.cos(turn), a[1] + LENGTH * math.sin(turn), random.uniform(2, 20)]))
-    lines = [json.dumps(q) for a, b in pairs for q in ({"segment": [a, b]}, {"point": a}, {"point": b})]
-    answers = subprocess.run([BIN / "skyway-query", map_file, *VEHICLE], input="\n".join(lines), check=True,
-                             capture_output=True, text=True).stdout
-    hit = [json.loads(line)["hit"] for line in answers.splitlines()]
-    return [pair for i, pair in enumerate(pairs) if hit[3 * i:3 * i + 3] == [True, False, False]][:QUERIES]
 
 
 def planned(map_file, roadmap, pair):
@@ -53,8 +31,8 @@ def planned(map_file, roadmap, pair):
 
 sizes, medians = [], []
 for map_file, roadmap in zip(sys.argv[3::2], sys.argv[4::2]):
-    boxes, low, high = info(map_file)
-    pairs = queries(map_file, low, high)
+    boxes, low, high = info(BIN, map_file)
+    pairs = blocked(BIN, map_file, low, high, LENGTH, QUERIES, 16 * QUERIES)
     runs = [[planned(map_file, roadmap, pair) for pair in pairs] for _ in range(3)][1:]
     times = sorted(1000 * min(a[0], b[0]) for a, b in zip(*runs))
     peak = max(run[1] for run in runs[0])

@@ -12,12 +12,12 @@ import json
 import math
 import os
 import pathlib
-import random
 import subprocess
 import sys
 
+from street_queries import VEHICLE, blocked, info
+
 BIN, FOLDER = map(pathlib.Path, sys.argv[1:3])
-VEHICLE = ["--vehicle", "box:1,1,1"]
 LIMITS = ["--vmax", "8", "--amax", "6"]
 QUERIES = 50
 LENGTH = 200  # metres
@@ -39,26 +39,9 @@ def asked(*args, output):
     return run(*args, output=output)
 
 
-def info(map_file):
-    lines = subprocess.run([BIN / "skyway-info", map_file], check=True, capture_output=True, text=True).stdout
-    fields = dict(line.split(": ", 1) for line in lines.splitlines() if ": " in line)
-    return int(fields["boxes"]), json.loads(fields["bounds_min_m"]), json.loads(fields["bounds_max_m"])
-
-
 def queries(map_file, low, high):
-    """Free ends under 20 m that do not see each other, as JSON Lines in a file."""
-    random.seed(7)
-    pairs = []
-    for _ in range(8 * QUERIES):
-        a = [random.uniform(low[k] + LENGTH + 2, high[k] - LENGTH - 2) for k in range(2)] + [random.uniform(2, 20)]
-        turn = random.uniform(0, 2 * math.pi)
-        b = [a[0] + LENGTH * math.cos(turn), a[1] + LENGTH * math.sin(turn), random.uniform(2, 20)]
-        pairs.append((a, b))
-    lines = [json.dumps(q) for a, b in pairs for q in ({"segment": [a, b]}, {"point": a}, {"point": b})]
-    answers = subprocess.run([BIN / "skyway-query", map_file, *VEHICLE], input="\n".join(lines), check=True,
-                             capture_output=True, text=True).stdout
-    hit = [json.loads(line)["hit"] for line in answers.splitlines()]
-    chosen = [pairs[i] for i in range(len(pairs)) if hit[3 * i:3 * i + 3] == [True, False, False]][:QUERIES]
+    """In a file, as JSON Lines."""
+    chosen = blocked(BIN, map_file, low, high, LENGTH, QUERIES, 8 * QUERIES)
     assert len(chosen) == QUERIES
     path = FOLDER / "queries.jsonl"
     path.write_text("".join(json.dumps({"id": f"q{i}", "from": a, "to": b}) + "\n" for i, (a, b) in enumerate(chosen)))
@@ -88,7 +71,7 @@ def exponent(points):
 
 table = {}
 for file in sys.argv[4:]:
-    boxes, low, high = info(file)
+    boxes, low, high = info(BIN, file)
     for step, costs in measure(file, boxes, low, high, boxes <= float(sys.argv[3])).items():
         table.setdefault(step, []).append((boxes, costs))
         print(f"{boxes} boxes, {step}: CPU {costs[0]:.2f} s, peak {costs[1]:.0f} MB, file {costs[2]:.2f} MB", flush=True)
