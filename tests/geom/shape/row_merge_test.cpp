@@ -50,6 +50,32 @@ TEST(RowMerge, ARunGrowsOnlyWhileTheNextRowRepeatsItExactly) {
   EXPECT_EQ(merged({"a.a"}).size(), 2u) << "a column between";
 }
 
+TEST(RowMerge, TakesRunsAndJoinsWhatTheCallerCallsOne) {
+  std::vector<CellRectangle<int>> out;
+  const auto emit = [&](const CellRectangle<int>& r) { out.push_back(r); };
+  const auto join = [](int& into, int other) {  // to the larger, where they are near
+    if (std::abs(into - other) > 2) return false;
+    into = std::max(into, other);
+    return true;
+  };
+  RowMerge<int, decltype(emit), decltype(join)> merge(emit, join);
+  merge.add(0, 0, 4, 10);
+  merge.add(0, 4, 6, 12);
+  merge.add(0, 6, 7, 15);
+  merge.add(1, 0, 6, 11);
+  merge.add(1, 6, 7, 18);
+  merge.finish();
+  ASSERT_EQ(out.size(), 3u);
+  EXPECT_EQ(out[0].value, 15);
+  EXPECT_EQ(out[0].last_row, 1);
+  EXPECT_EQ(out[1].value, 12);
+  EXPECT_EQ(out[1].first_column, 0);
+  EXPECT_EQ(out[1].last_column, 6);
+  EXPECT_EQ(out[1].last_row, 2);
+  EXPECT_EQ(out[2].value, 18);
+  EXPECT_EQ(out[2].first_row, 1);
+}
+
 // Each cell lies in one rectangle of its value, and there are as many as runs that repeat none of
 // the row before.
 TEST(RowMerge, CoversEachCellOnceInAsFewRectanglesAsItSays) {
