@@ -329,7 +329,7 @@ Projector::Projector(Source& source, const std::string& name,
     require_near(at, middle, name, source.warnings);
   }
   const std::string local = fmt::format(
-      "+proj=tmerc +lat_0={} +lon_0={} +k=1 +x_0=0 +y_0=0 +ellps=WGS84 +units=m +no_defs", at.y(),
+      "+proj=tmerc +lat_0={} +lon_0={} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs", at.y(),
       at.x());
   const OGRSpatialReference to = reference(local, name);
   transformation_->to_local.reset(OGRCreateCoordinateTransformation(&from, &to));

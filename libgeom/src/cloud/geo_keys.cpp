@@ -112,6 +112,7 @@ CoordinateReference reference_of_geo_keys(std::span<const std::uint16_t> directo
   const bool named = projected && *projected != kUserDefined;
   out.crs = named ? fmt::format("EPSG:{}", *projected) : "GeoTIFF keys: user-defined";
   out.name = out.crs;
+  if (named) out.epsg = *projected;
   if (const auto unit = keys.code(kPlaneUnit)) {
     out.plane = *unit == kUserDefined ? keys.number(kPlaneUnitSize) : metres_of_unit(*unit);
     if (out.plane && !(*out.plane > 0 && *out.plane < 1e9)) out.plane.reset();

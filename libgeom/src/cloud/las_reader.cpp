@@ -51,10 +51,13 @@ class References {
     if (!directory_.empty()) of_keys = reference_of_geo_keys(directory_, doubles_);
     if (text_.empty()) return of_keys;
     if (directory_.empty()) return of_text;
-    const bool same_plane =
-        of_text.kind == of_keys.kind &&
-        (!of_text.plane || !of_keys.plane || std::abs(*of_text.plane - *of_keys.plane) < 1e-9);
-    if (!same_plane) {
+    const auto same_unit = [](std::optional<double> a, std::optional<double> b) {
+      return !a || !b || std::abs(*a - *b) < 5e-7 * *b;  // the feet of the world differ by 2e-6
+    };
+    const bool same = of_text.kind == of_keys.kind && same_unit(of_text.plane, of_keys.plane) &&
+                      same_unit(of_text.up, of_keys.up) &&
+                      (!of_text.epsg || !of_keys.epsg || of_text.epsg == of_keys.epsg);
+    if (!same) {
       refuse(source_, fmt::format("its well-known text ({}) and its GeoTIFF keys ({}) contradict "
                                   "each other",
                                   of_text.name, of_keys.name));

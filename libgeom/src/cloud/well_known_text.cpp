@@ -147,12 +147,22 @@ bool is_mercator(const Node& system) {
   return name.starts_with("Mercator") || name.find("Pseudo") != std::string::npos;
 }
 
+// The code that the system itself has, not one of its parts.
+std::optional<int> epsg_of(const Node& system) {
+  const Node* const id = system.child({"AUTHORITY", "ID"});
+  if (!id || id->values.size() < 2 || id->values[0] != "EPSG") return std::nullopt;
+  const auto code = parse_number(id->values[1]);
+  if (!code || !(*code >= 1 && *code < 1e8)) return std::nullopt;
+  return static_cast<int>(*code);
+}
+
 CoordinateReference lengths(const Node& system) {
   CoordinateReference out;
   out.kind = is_mercator(system) ? Kind::no_plane : Kind::metric;
   out.plane = axis_unit(system, 0);
   if (out.plane != axis_unit(system, 1)) out.plane.reset();  // x in one unit and y in another
   if (three_axes(system)) out.up = axis_unit(system, 2);
+  out.epsg = epsg_of(system);
   return out;
 }
 

@@ -6,49 +6,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <span>
 #include <utility>
 
+#include "cell_index.h"
 #include "cell_tiles.h"
 #include "geom/base/error.h"
 #include "geom/base/precondition.h"
 #include "geom/shape/row_merge.h"
 
 namespace geom {
-namespace {
-
-// Near enough that the index of a cell or step beside it fits 31 bits, too.
-double checked(double v, double size) {
-  const double k = v / size;
-  if (std::abs(k) < 0x1p31 - 2) return k;
-  throw InputError("column",
-                   fmt::format("expected a coordinate within 2^31 cells or steps of {} m, "
-                               "found {}",
-                               size, v));
-}
-
-void require_size(const char* what, double size) {
-  if (size > 0 && std::isfinite(size)) return;
-  throw InputError(what, fmt::format("expected metres > 0, found {}", size));
-}
-
-// The k with k * size <= v < (k + 1) * size as doubles multiply: division may be one off.
-std::int32_t floor_index(double v, double size) {
-  auto k = static_cast<std::int32_t>(std::floor(checked(v, size)));
-  while (k * size > v) --k;
-  while ((k + 1) * size <= v) ++k;
-  return k;
-}
-
-std::int32_t ceil_index(double v, double size) {
-  auto k = static_cast<std::int32_t>(std::ceil(checked(v, size)));
-  while (k * size < v) ++k;
-  while ((k - 1) * size >= v) --k;
-  return k;
-}
-
-}  // namespace
 
 struct ColumnGrid::Impl {
   explicit Impl(const ColumnSpec& spec);
@@ -312,105 +279,6 @@ BoxTable ColumnGrid::Impl::boxes(std::string_view source) {
   });
   merge.finish();
   return table;
-}
-
-struct GroundGrid::Impl {
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
-
-  struct Cell {
-    double lowest = kNone;
-    double top = -kNone;  // what is no higher is ground
-  };
-  struct Entry {
-    double z;
-    std::int32_t x;
-    std::int32_t y;
-    friend bool operator>(const Entry& a, const Entry& b) { return a.z > b.z; }
-  };
-
-  Cell& at(const Vec3& p) {
-    return cells.at(floor_index(p.x(), spec.cell), floor_index(p.y(), spec.cell));
-  }
-  const Cell* find(const Vec3& p) const {
-    return cells.find(floor_index(p.x(), spec.cell), floor_index(p.y(), spec.cell));
-  }
-  double lowest(std::int32_t x, std::int32_t y) const {
-    const Cell* cell = cells.find(x, y);
-    return cell ? cell->lowest : kNone;
-  }
-  std::vector<Entry> entries() const;
-  void lower();
-  void set_tops();
-
-  GroundSpec spec;
-  CellTiles<Cell> cells;
-};
-
-// Of the cells with returns.
-std::vector<GroundGrid::Impl::Entry> GroundGrid::Impl::entries() const {
-  constexpr int kSide = CellTiles<Cell>::kSide;
-  std::vector<Entry> out;
-  for (const auto* tile : cells.sorted()) {
-    for (int i = 0; i < kSide * kSide; ++i) {
-      const double z = tile->cells[static_cast<std::size_t>(i)].lowest;
-      if (z < kNone) out.push_back({z, tile->x * kSide + i % kSide, tile->y * kSide + i / kSide});
-    }
-  }
-  return out;
-}
-
-// Dijkstra's order: the lowest cell first, so each is lowered once.
-void GroundGrid::Impl::lower() {
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open(std::greater<>(), entries());
-  while (!open.empty()) {
-    const auto [z, x, y] = open.top();
-    open.pop();
-    if (z > lowest(x, y)) continue;
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const double next = lowest(x + dx, y + dy);
-        const double allowed = z + spec.slope * spec.cell * std::hypot(dx, dy);
-        if (next == kNone || allowed >= next) continue;
-        cells.at(x + dx, y + dy).lowest = allowed;
-        open.push({allowed, x + dx, y + dy});
-      }
-    }
-  }
-}
-
-// Within its cell the ground may rise as it does to the neighbours.
-void GroundGrid::Impl::set_tops() {
-  for (const auto& [here, x, y] : entries()) {
-    double rise = 0;
-    for (const auto& [dy, dx] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-      const double next = lowest(x + dx, y + dy);
-      if (next < kNone) rise = std::max(rise, std::abs(next - here));
-    }
-    cells.at(x, y).top = here + rise + spec.height;
-  }
-}
-
-GroundGrid::GroundGrid(const GroundSpec& spec) : impl_(std::make_unique<Impl>(Impl{spec, {}})) {
-  require_size("ground cell", spec.cell);
-  require_length("ground slope", spec.slope, kLargestCoordinate);
-  require_length("ground height", spec.height, kLargestCoordinate);
-}
-GroundGrid::~GroundGrid() = default;
-GroundGrid::GroundGrid(GroundGrid&&) noexcept = default;
-
-void GroundGrid::add(const Vec3& p) {
-  Impl::Cell& cell = impl_->at(p);
-  cell.lowest = std::min(cell.lowest, p.z());
-}
-
-void GroundGrid::finish() {
-  impl_->lower();
-  impl_->set_tops();
-}
-
-bool GroundGrid::is_ground(const Vec3& p) const {
-  const Impl::Cell* cell = impl_->find(p);
-  return cell && p.z() <= cell->top;
 }
 
 ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}

@@ -13,6 +13,7 @@
 #include "geom/collision/collision.h"
 #include "geom/map/box_index.h"
 #include "geom/map/column_grid.h"
+#include "geom/map/ground_grid.h"
 #include "geom/shape/cover.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"

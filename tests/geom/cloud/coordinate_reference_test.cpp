@@ -86,6 +86,8 @@ TEST(GeoKeys, UnitsByCodeAndByUtm) {
   EXPECT_EQ(of({{1024, 1}, {3072, 32610}, {4099, 9003}}).up, 1200.0 / 3937);
   EXPECT_EQ(of({{1024, 1}, {3072, 32610}, {4096, 5703}}).up, 1.0);
   EXPECT_TRUE(of({{1024, 1}, {3072, 32610}, {4096, 5200}}).up_unclear);
+  EXPECT_EQ(of({{1024, 1}, {3072, 32610}}).epsg, 32610);
+  EXPECT_FALSE(of({{1024, 1}, {3072, 32767}, {3076, 9002}}).epsg);  // user-defined
   EXPECT_EQ(of({{1024, 2}, {2048, 4326}}).kind, Kind::no_plane);
   EXPECT_EQ(of({{1024, 1}, {3072, 3857}}).kind, Kind::no_plane);
 }
@@ -104,6 +106,24 @@ TEST(Las, RefusesReferencesThatContradictEachOther) {
   file.records = {LasFile::geo_keys({{1024, 1}, {3072, 32610}, {3076, 9001}}),
                   LasFile::text(fmt::format(fmt::runtime(kProjected), "0.3048"))};
   EXPECT_THROW(told_by(file), geom::InputError);
+}
+
+TEST(Las, RefusesReferencesOfOtherPlacesOrOtherUnitsOfHeight) {
+  const auto file_of = [](const std::string& text, std::uint16_t code, std::uint16_t up) {
+    LasFile file;
+    file.points = {{1, 2, 3}};
+    file.records = {LasFile::geo_keys({{1024, 1}, {3072, code}, {3076, 9001}, {4099, up}}),
+                    LasFile::text(text)};
+    return file;
+  };
+  const std::string utm10 =
+      "PROJCS[\"WGS 84 / UTM zone 10N\",UNIT[\"metre\",1],AUTHORITY[\"EPSG\",\"32610\"]]";
+  const std::string feet_up = "COMPD_CS[\"c\"," + utm10 + ",VERT_CS[\"v\",UNIT[\"ft\",0.3048]]]";
+  EXPECT_EQ(told_by(file_of(utm10, 32610, 9001)).epsg, 32610);
+  EXPECT_EQ(told_by(file_of(feet_up, 32610, 9002)).up, 0.3048);
+  EXPECT_THROW(told_by(file_of(utm10, 32611, 9001)), geom::InputError);
+  EXPECT_THROW(told_by(file_of(feet_up, 32610, 9001)), geom::InputError);
+  EXPECT_THROW(told_by(file_of(feet_up, 32610, 9003)), geom::InputError);  // two kinds of feet
 }
 
 TEST(Las, RefusesPointsThatTheHeaderDoesNotCount) {

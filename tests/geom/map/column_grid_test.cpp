@@ -125,39 +125,5 @@ TEST(ColumnGrid, OfTheFinestStepsJoinsWhatIsLevel) {
   EXPECT_EQ(table.boxes.size(), 1u);
 }
 
-TEST(GroundGrid, KnowsTheLastCellsThatItTakes) {
-  const double cell = 1e8 / (0x1p31 - 3);
-  for (const double sign : {1.0, -1.0}) {
-    const double last = sign * (0x1p31 - 4.5) * cell;
-    GroundGrid ground({cell, 0.1, 0.3});
-    ground.add({last, last, 1});
-    ground.finish();
-    EXPECT_TRUE(ground.is_ground({last, last, 1.2}));
-    EXPECT_FALSE(ground.is_ground({last, last, 1.5}));
-  }
-}
-
-TEST(GroundGrid, TellsAHouseOnASlopeFromTheSlope) {
-  GroundGrid ground({2, 1, 0.3});
-  std::vector<Vec3> slope;
-  std::vector<Vec3> house;
-  support::Random random(5);
-  for (int i = 0; i < 20000; ++i) {
-    const Vec3 p(random.uniform(0, 60), random.uniform(0, 60), 0);
-    const bool in_house = p.x() > 20 && p.x() < 35 && p.y() > 20 && p.y() < 35;
-    (in_house ? house : slope).push_back({p.x(), p.y(), 0.4 * p.x() + (in_house ? 8 : 0)});
-  }
-  for (const auto& points : {slope, house}) {
-    for (const Vec3& p : points) ground.add(p);
-  }
-  ground.finish();
-  const auto counted = [&](const std::vector<Vec3>& points) {
-    return std::count_if(points.begin(), points.end(),
-                         [&](const Vec3& p) { return ground.is_ground(p); });
-  };
-  EXPECT_GT(counted(slope), 0.95 * static_cast<double>(slope.size()));
-  EXPECT_LT(counted(house), 0.15 * static_cast<double>(house.size()));  // the eaves, upslope
-}
-
 }  // namespace
 }  // namespace geom

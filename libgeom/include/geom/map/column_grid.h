@@ -48,27 +48,4 @@ class ColumnGrid {
   std::unique_ptr<Impl> impl_;
 };
 
-struct GroundSpec {
-  double cell = 2;      // metres
-  double slope = 0.1;   // metres up a metre aside: what rises faster is no ground
-  double height = 0.3;  // metres above the ground of a cell, sloped as to its neighbours
-};
-
-// The ground of a scan: the lowest return of each cell, lowered to what its neighbours allow at the
-// slope. Add all points, finish(), then ask. InputError as of a ColumnGrid.
-class GroundGrid {
- public:
-  explicit GroundGrid(const GroundSpec& spec);
-  ~GroundGrid();
-  GroundGrid(GroundGrid&&) noexcept;
-
-  void add(const Vec3& p);
-  void finish();
-  bool is_ground(const Vec3& p) const;
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
-
 }  // namespace geom

@@ -1,0 +1,47 @@
+#pragma once
+
+// The ground of a laser scan, told from what stands on it.
+
+#include <memory>
+
+#include "geom/shape/vec3.h"
+
+namespace geom {
+
+struct GroundSpec {
+  double cell = 2;      // metres
+  double slope = 0.1;   // metres up a metre aside: what rises faster is no ground
+  double height = 0.3;  // metres above the ground of a cell, sloped as to its neighbours
+  double step = 1;      // metres, on top of the slope, from the ground of a cell to the next
+  double widest = 200;  // metres: no roof is wider without something lower beside it
+};
+
+// Two tests, of which a point must pass both, so that each can only make obstacles of what the
+// other takes for ground:
+// - It is near the lowest returns around it, lowered to what the slope allows (K. Zhang et al.,
+//   "A progressive morphological filter", TGRS 41(4), 2003, with a slope instead of windows).
+//   Alone that takes the middle of a wide flat roof for ground.
+// - Its cell was grown from a seed, from cell to cell, until a step or a place narrower than two
+//   cells. Seeds are what is lowest within `widest`, and what covers the square of that; 100 m2 of
+//   joined cells or more. What grew so, and stands above what is beside it along more than a fifth
+//   of its edge, is a roof, and no ground either.
+// What no seed reaches, such as a courtyard, is not ground.
+//
+// Add all points, finish(), then ask; time and memory grow with the cells. InputError where a size
+// is not > 0 or another number < 0, and where indices of cells do not fit 31 bits.
+class GroundGrid {
+ public:
+  explicit GroundGrid(const GroundSpec& spec);
+  ~GroundGrid();
+  GroundGrid(GroundGrid&&) noexcept;
+
+  void add(const Vec3& p);
+  void finish();
+  bool is_ground(const Vec3& p) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace geom

@@ -1,0 +1,141 @@
+#include "options.h"
+
+#include "cli/run.h"
+#include "geom/cloud/las_class.h"
+#include "geom/text/text_table.h"
+
+namespace cloud {
+namespace {
+
+// A class by number or name, or a group of classes.
+void add_class(const std::string& word, std::bitset<256>& classes) {
+  const auto named = geom::las_classes(word);
+  for (const std::uint8_t cls : named) classes.set(cls);
+  if (!named.empty()) return;
+  const auto number = geom::parse_number(word);
+  if (!number || !(*number >= 0 && *number <= 255) || *number != static_cast<int>(*number)) {
+    throw CLI::ValidationError("--classes", "expected numbers from 0 to 255 or names (" +
+                                                std::string(geom::las_class_names()) +
+                                                "), found \"" + word + '"');
+  }
+  classes.set(static_cast<std::size_t>(*number));
+}
+
+void add_ground(CLI::App& app, Options& options) {
+  app.add_option("--ground", options.ground, "keep (default) the ground as boxes, or drop it")
+      ->check(CLI::IsMember({"keep", "drop"}));
+  app.add_option("--ground-by", options.ground_by,
+                 "what tells the ground: the file's class, its shape, or (auto, the default) the "
+                 "class where a point has it, else the shape")
+      ->check(CLI::IsMember({"auto", "class", "shape"}));
+  app.add_option("--ground-cell", options.ground_spec.cell,
+                 "cells whose lowest returns make the ground, metres (default 2)")
+      ->check(CLI::Range(0.1, 1000.0));
+  app.add_option("--ground-slope", options.ground_spec.slope,
+                 "metres that ground may rise in a metre (default 0.1)")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--ground-height", options.ground_spec.height,
+                 "metres above the ground that still count as ground (default 0.3)")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--ground-step", options.ground_spec.step,
+                 "metres, on top of the slope, from one cell of the ground to the next (default "
+                 "1): what is behind a higher step is no ground")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option(
+         "--ground-widest", options.ground_spec.widest,
+         "metres: ground is grown from the lowest places this far around, and from surfaces "
+         "wider than this (default 200)")
+      ->check(CLI::Range(1.0, 1e6));
+}
+
+void add_objects(CLI::App& app, Options& options) {
+  app.add_option("--tolerance", options.tolerance,
+                 "points this near to each other, metres, are one object (default 1)")
+      ->check(CLI::Range(0.001, 1000.0));
+  app.add_option("--min-points", options.min_points, "drop objects of fewer points (default 1)")
+      ->check(CLI::Range(1, 1000000));
+}
+
+void add_columns(CLI::App& app, Options& options) {
+  app.add_option("--cell", options.columns.cell, "side of a column, metres (default 1)")
+      ->check(CLI::Range(0.05, 1000.0));
+  app.add_option(
+         "--step", options.columns.step,
+         "heights of columns are rounded outward to multiples of this, metres (default 0.5)")
+      ->check(CLI::Range(0.05, 1000.0));
+  app.add_option("--gap", options.columns.gap,
+                 "returns of a column that are further apart than this, metres, have free space "
+                 "between them (default 2)")
+      ->check(CLI::Range(0.0, 1e6));
+}
+
+}  // namespace
+
+void Options::add_to(CLI::App& app) {
+  app.add_option("--format", format, "what the file is (default: auto)")
+      ->check(CLI::IsMember({"auto", "pcd", "ply", "las", "xyz"}));
+  app.add_option("--mode", mode, "boxes per column (default) or per object")
+      ->check(CLI::IsMember({"columns", "objects"}));
+  add_columns(app, *this);
+  app.add_option_function<std::vector<std::string>>(
+         "--classes",
+         [this](const std::vector<std::string>& words) {
+           for (const std::string& word : words) add_class(word, classes);
+         },
+         "keep only these LAS classes, by name or number: ground,building,9,…")
+      ->delimiter(',')
+      ->type_name("CLASS,…");
+  app.add_option("--noise", noise,
+                 "keep (default) what the file classifies as noise as boxes, or drop it")
+      ->check(CLI::IsMember({"keep", "drop"}));
+  app.add_option("--outliers", outliers,
+                 "NEIGHBOURS,DEVIATIONS: drop points far from their neighbours");
+  app.add_option("--voxel", voxel, "keep one point per cube of this side, metres")
+      ->check(CLI::Range(0.001, 1000.0));
+  add_ground(app, *this);
+  add_objects(app, *this);
+  app.add_option("--unknown", unknown, "space that was not scanned: free (default) or blocked")
+      ->check(CLI::IsMember({"free", "blocked"}));
+  placement.add_to(app);
+  skipped.add_to(app);
+  map.add_to(app);
+}
+
+void Options::settle() {
+  columns.unknown_blocked = unknown == "blocked";
+  if (columns.unknown_blocked && mode == "objects") {
+    throw cli::UsageError("--unknown blocked goes with --mode columns");
+  }
+}
+
+nlohmann::ordered_json step_of(const Options& options, const std::string& hash,
+                               const std::string& ground_by, const geom::MakeMapOptions& map) {
+  nlohmann::ordered_json step = {{"tool", "skyway-cloud"},       {"input", hash},
+                                 {"format", options.format},     {"mode", options.mode},
+                                 {"cell", options.columns.cell}, {"step", options.columns.step},
+                                 {"gap", options.columns.gap},   {"ground", options.ground},
+                                 {"unknown", options.unknown}};
+  if (!options.outliers.empty()) step["outliers"] = options.outliers;
+  if (options.voxel > 0) step["voxel"] = options.voxel;
+  for (std::size_t cls = 0; cls < options.classes.size(); ++cls) {
+    if (options.classes[cls]) step["classes"].push_back(cls);
+  }
+  if (options.noise == "drop") step["noise"] = options.noise;
+  if (options.drops_ground()) step["ground_by"] = ground_by;
+  if (options.drops_ground() && ground_by == "shape") {
+    step["ground_cell"] = options.ground_spec.cell;
+    step["ground_slope"] = options.ground_spec.slope;
+    step["ground_height"] = options.ground_spec.height;
+    step["ground_step"] = options.ground_spec.step;
+    step["ground_widest"] = options.ground_spec.widest;
+  }
+  if (options.mode == "objects") {
+    step["tolerance"] = options.tolerance;
+    step["min_points"] = options.min_points;
+  }
+  options.placement.record(step);
+  step.update(cli::history_of(map));
+  return step;
+}
+
+}  // namespace cloud

@@ -1,0 +1,48 @@
+#pragma once
+
+// What skyway-cloud is asked, beside its files and shards.
+
+#include <CLI/CLI.hpp>
+#include <bitset>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/file/map_output.h"
+#include "cli/option/skipped_option.h"
+#include "geom/map/column_grid.h"
+#include "geom/map/ground_grid.h"
+#include "placement.h"
+
+namespace cloud {
+
+struct Options {
+  std::string format = "auto";
+  std::string mode = "columns";
+  std::string ground = "keep";
+  std::string ground_by = "auto";
+  std::string noise = "keep";
+  std::string unknown = "free";
+  std::string outliers;  // "NEIGHBOURS,DEVIATIONS"
+  double voxel = 0;
+  double tolerance = 1;
+  std::size_t min_points = 1;
+  std::bitset<256> classes;  // none: all
+  geom::ColumnSpec columns;
+  geom::GroundSpec ground_spec;
+  Placement placement;
+  cli::SkippedOption skipped;
+  cli::MapOptions map;
+
+  void add_to(CLI::App& app);
+  void settle();  // once parsed; throws cli::UsageError
+
+  bool drops_ground() const { return ground == "drop"; }
+  // The steps that look at all points together.
+  bool in_memory() const { return !outliers.empty() || voxel > 0 || mode == "objects"; }
+};
+
+// The step of the map's history; `hash` is that of the input, `ground_by` how ground was told.
+nlohmann::ordered_json step_of(const Options& options, const std::string& hash,
+                               const std::string& ground_by, const geom::MakeMapOptions& map);
+
+}  // namespace cloud

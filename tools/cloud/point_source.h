@@ -1,0 +1,43 @@
+#pragma once
+
+// The points of a file that were asked for, in metres of the map.
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "options.h"
+
+namespace cloud {
+
+class PointSource {
+ public:
+  // `options` must outlive it; the format and the placement are settled in it.
+  PointSource(const std::string& path, Options& options) : path_(path), options_(options) {}
+
+  // Reads the file, once more each time.
+  void for_each(const std::function<void(const geom::CloudPoint&)>& f);
+
+  // Of the last reading:
+  const std::string& hash() const { return hash_; }
+  const geom::Skipped& skipped() const { return counts_.skipped; }
+  bool says_nothing() const { return says_nothing_; }  // of what its coordinates mean
+  void report(nlohmann::ordered_json& out) const;      // how many points, and how many dropped
+
+ private:
+  bool wants(const geom::CloudPoint& p);
+  void place_wanted(std::span<const geom::CloudPoint> chunk, const std::string& name);
+
+  std::string path_;
+  Options& options_;
+  geom::CloudCounts counts_;
+  bool says_nothing_ = false;
+  std::size_t other_class_ = 0;
+  std::size_t noise_ = 0;
+  std::vector<geom::CloudPoint> wanted_;  // of a chunk
+  std::string hash_;
+};
+
+}  // namespace cloud
