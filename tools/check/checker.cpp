@@ -84,7 +84,9 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
                                        std::size_t line) const {
   const auto record = traj::read_trajectory_record(fields);
   traj::ReportRecord report{record.id, "trajectory", {}, record.provenance, {}, {}, {}};
+  report.time = record.time;
   if (record.status != traj::TrajectoryStatus::solved) {
+    together_.add(record, nullptr, source, line);
     report.result.reason = traj::reason_of(record.status);
     return report;
   }
@@ -93,6 +95,7 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
   report.overridden = loosened(record, scene.vehicle(), report.limits);
   if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
+  together_.add(record, &scene, source, line);
   traj::CheckOptions options;
   options.limits = report.limits;
   options.clearance = rules_.clearance;
@@ -111,7 +114,9 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
 traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::string& source,
                                  std::size_t line) const {
   const auto record = geom::read_path_record(fields);
+  if (together_.asked()) together_.refuse_path(record.id, source, line);
   traj::ReportRecord report{record.id, "path", {}, record.provenance, {}, {}, {}};
+  report.time = record.time;
   if (record.status != geom::PathStatus::found) {
     report.result.reason = traj::Reason::no_path;
     return report;

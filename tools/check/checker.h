@@ -12,6 +12,7 @@
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "profile_file.h"
+#include "together.h"
 #include "traj/record/report_record.h"
 #include "traj/record/trajectory_record.h"
 
@@ -26,9 +27,11 @@ struct Rules {
 
 class Checker {
  public:
-  // All must outlive this. The profile takes the clearance of what is checked, where it is open.
-  Checker(const cli::Common& common, cli::Scenes& scenes, ProfileFile& profile, const Rules& rules)
-      : common_(common), scenes_(scenes), profile_(profile), rules_(rules) {}
+  // All must outlive this. The profile takes the clearance of what is checked, where it is open,
+  // and `together` the trajectories, where it was asked for.
+  Checker(const cli::Common& common, cli::Scenes& scenes, ProfileFile& profile, Together& together,
+          const Rules& rules)
+      : common_(common), scenes_(scenes), profile_(profile), together_(together), rules_(rules) {}
 
   using Answer = std::function<void(const traj::ReportRecord&)>;
   // Answers what the shard takes of the file, in order. Returns how much is in the file.
@@ -51,6 +54,7 @@ class Checker {
   const cli::Common& common_;
   cli::Scenes& scenes_;
   ProfileFile& profile_;
+  Together& together_;
   Rules rules_;
 };
 

@@ -37,16 +37,39 @@ void JUnitFile::open() {
 
 void JUnitFile::add(const traj::ReportRecord& report, const geom::BoxMap& map) {
   if (!out_) return;
+  if (accepted(report)) return add_case(report.id, {}, {});
+  add_case(report.id, name(report.result.reason), in_words(report, map));
+}
+
+void JUnitFile::add(const traj::TogetherResult& result, const traj::TogetherTask& task,
+                    std::size_t left_out) {
+  if (!out_) return;
+  for (const traj::RefusedPair& pair : result.refused) {
+    add_case(task.ids[pair.flights.first] + " and " + task.ids[pair.flights.second],
+             pair.result.undecided ? "undecided" : "separation", traj::in_words(pair, task));
+  }
+  if (left_out > 0) {
+    add_case(
+        "together", "left_out",
+        fmt::format("{} of the flights have no trajectory to hold against the others", left_out));
+  } else {
+    add_case(fmt::format("together: the other {} pairs", result.pairs - result.refused.size()), {},
+             {});
+  }
+}
+
+void JUnitFile::add_case(const std::string& name, std::string_view failure,
+                         const std::string& message) {
   ++tests_;
   cases_ += fmt::format("    <testcase classname=\"skyway-check\" name=\"{}\"",
-                        geom::escaped_markup(report.id));
-  if (accepted(report)) {
+                        geom::escaped_markup(name));
+  if (failure.empty()) {
     cases_ += "/>\n";
     return;
   }
   ++failures_;
   cases_ += fmt::format(">\n      <failure type=\"{}\" message=\"{}\"/>\n    </testcase>\n",
-                        name(report.result.reason), geom::escaped_markup(in_words(report, map)));
+                        failure, geom::escaped_markup(message));
 }
 
 void JUnitFile::commit() {

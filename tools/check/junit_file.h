@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cli/file/files.h"
+#include "traj/record/pair_record.h"
 #include "traj/record/report_record.h"
 
 namespace checking {
@@ -20,9 +22,15 @@ class JUnitFile {
 
   void open();
   void add(const traj::ReportRecord& report, const geom::BoxMap& map);
+  // Of the check together: a case for all pairs that passed, and one for each that failed.
+  void add(const traj::TogetherResult& result, const traj::TogetherTask& task,
+           std::size_t left_out);
   void commit();
 
  private:
+  // Passed where there is no failure.
+  void add_case(const std::string& name, std::string_view failure, const std::string& message);
+
   std::string file_;
   std::optional<cli::OutputFile> out_;
   std::string cases_;

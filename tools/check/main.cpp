@@ -1,5 +1,9 @@
 // skyway-check: prove that trajectories and paths are clear of a map and inside their limits.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "checker.h"
 #include "cli/batch.h"
 #include "cli/option/limit_options.h"
@@ -7,8 +11,10 @@
 #include "cli/option/output_option.h"
 #include "cli/option/scenes.h"
 #include "cli/run.h"
+#include "cli/tell.h"
 #include "flight_logs.h"
 #include "junit_file.h"
+#include "together.h"
 #include "traj/record/certificate_record.h"
 
 namespace {
@@ -26,6 +32,7 @@ struct Options {
   bool exact = false;
   bool no_clearance = false;
   cli::DroneFileOptions drone_file;
+  checking::Together together;
   checking::FlightLogs flights;
 
   bool flight_log() const { return drone_file.format == "flight-log"; }
@@ -57,10 +64,12 @@ void Options::add_to(CLI::App& app) {
       "write the reasons why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
   flights.add_to(app);
+  together.add_to(app);
 }
 
 void Options::refuse_idle(const CLI::App& app) const {
   flights.refuse_idle(app, flight_log());
+  together.refuse_idle(app, !drone_file.format.empty());
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
   cli::only_for(app, !drone_file.format.empty(),
                 {"--start", "--origin", "--geoid", "--ground", "--takeoff-height", "--heading",
@@ -96,6 +105,23 @@ class Reports {
     out_.flush();
   }
 
+  // Of all flights against one another.
+  void add(const checking::Together& together, const traj::TogetherResult& result) {
+    failed_ += !result.ok() || together.left_out() > 0;
+    junit_.add(result, together.task(), together.left_out());
+    for (const traj::RefusedPair& pair : result.refused) {
+      out_.add(traj::to_json_line(pair, together.task()));
+    }
+    out_.add(traj::to_json_line(result, together.task(), together.left_out()));
+    if (!certificates_) return;
+    for (const traj::ProvedPair& pair : result.proved) {
+      certificates_->add(traj::certificate_line(pair, together.task()));
+    }
+    if (result.ok() && together.left_out() == 0) {
+      certificates_->add(traj::certificate_line(together.task(), together.flights()));
+    }
+  }
+
   // `total`: how many records all shards have.
   cli::Exit commit(std::size_t total) {
     const cli::Exit exit = failed_ ? cli::Exit::no : cli::Exit::yes;
@@ -127,18 +153,37 @@ class Reports {
   cli::Batch batch_;
 };
 
+void check_together(const cli::Common& common, checking::Together& together, bool exact,
+                    Reports& reports) {
+  const traj::TogetherResult result = together.check(exact, common.execution("pairs"));
+  reports.add(together, result);
+  if (result.ok()) return;
+  const auto nearest = std::min_element(
+      result.refused.begin(), result.refused.end(),
+      [](const auto& a, const auto& b) { return a.result.share < b.result.share; });
+  cli::tell(
+      common, "skyway-check",
+      fmt::format("{} of {} pairs come too near; the nearest: {}", result.refused.size(),
+                  result.pairs, traj::in_words(*nearest, together.task())));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Prove trajectories and paths free of collision and inside their limits.",
                "skyway-check"};
-  cli::Common common(app);
+  cli::Common common(app, true);
   Options options;
   options.add_to(app);
   cli::Sharding sharding;
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     options.refuse_idle(app);
+    if (sharding.asked() && options.together.asked()) {
+      throw cli::UsageError(
+          "--together holds each flight against each, and a shard holds some: leave --shard or "
+          "--together out");
+    }
     if (sharding.asked() && !options.junit.file().empty()) {
       throw cli::UsageError(
           "--junit says how all records came out, and a shard holds some: leave "
@@ -163,12 +208,15 @@ int main(int argc, char** argv) {
     if (options.flight_log()) {
       return options.flights.check(common, options.input, scenes, sharding, options.output);
     }
-    const checking::Checker checker(common, scenes, options.profile, options.rules());
+    const checking::Checker checker(common, scenes, options.profile, options.together,
+                                    options.rules());
     cli::InputFile file(options.input);
     Reports reports(options, sharding, scenes.map());
     const std::size_t total =
         checker.each(file, options.drone_file, sharding.shard(),
                      [&](const traj::ReportRecord& report) { reports.add(report); });
+    if (options.together.asked())
+      check_together(common, options.together, options.rules().exact, reports);
     const cli::Exit exit = reports.commit(total);
     reports.batch().tell(common, "skyway-check", "records failed");
     common.write_stats({{"records", reports.count()},

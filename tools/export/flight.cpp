@@ -29,6 +29,7 @@ Flight flight_of(traj::TrajectoryRecord record) {
   flight.id = record.id;
   flight.provenance = record.provenance;
   flight.limits = record.limits;
+  flight.time = record.time;
   if (record.status != traj::TrajectoryStatus::solved) {
     flight.missing = fmt::format("the record holds no trajectory (status {})", name(record.status));
   }
@@ -50,6 +51,7 @@ Flight flight_of(geom::PathRecord record) {
   Flight flight;
   flight.id = record.id;
   flight.provenance = record.provenance;
+  flight.time = record.time;
   if (record.status != geom::PathStatus::found) {
     flight.missing = fmt::format("the record holds no path (status {})", name(record.status));
   }

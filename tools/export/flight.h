@@ -22,6 +22,7 @@ struct Flight {
   geom::Polyline path;          // empty of a trajectory
   double holds = 0;             // s that it stands still in all
   bool has_velocities = false;  // at points of a path
+  geom::FlightTime time;
 };
 
 // The records of the stream, or those of one id. Two flights do not fit one drone file, so there is

@@ -58,6 +58,10 @@ void warn_of_memory(const cli::Common& common, const Task& task) {
 
 // Straight legs end in rests of their own, not in those of the record.
 void warn_of_what_is_left_out(const cli::Common& common, const Task& task, const Flight& flight) {
+  if (flight.time.any()) {
+    common.warn(fmt::format("{}: it begins {:.6g} s after the epoch; a {} file does not say when",
+                            task.id, flight.time.starts(), task.format));
+  }
   if (!exporting::has_legs(task.format)) return;
   if (flight.holds > 0) {
     common.warn(

@@ -130,6 +130,7 @@ traj::FlightReport Mission::report_of(const Entry& entry, const traj::ReferenceT
   report.status = entry.record.status;
   report.options = flight_;
   report.provenance = entry.record.provenance;
+  report.time = entry.record.time;
   if (!track) return report;
   report.duration = track->duration();
   judge(entry, flight, report);

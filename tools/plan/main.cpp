@@ -128,6 +128,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       const geom::PlanQuery& query = queries[chosen[begin + i]];
       plan::PlanResult result = planner.plan(query.from, query.to, search.started());
       records[i] = plan::path_record(scene, query.id, result);
+      records[i].time = query.time;
       moved[i] = planning::moved_ends(scene, query, result);
       why[i] = certificate(scene, query, result);
       open[i] = result.bound && !result.bound->closed;

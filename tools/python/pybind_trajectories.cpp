@@ -91,6 +91,7 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
     none.id = record.id;
     none.status = traj::TrajectoryStatus::no_path;
     none.provenance = record.provenance;
+    none.time = record.time;
     none.limits = options.limits;
     none.message = record.message.empty() ? std::string(name(record.status)) : record.message;
     return none;
@@ -99,6 +100,7 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   const auto result = traj::solve(self.scene, traj::waypoints_of(record), options);
   auto out = traj::trajectory_record(self.scene, record.id, result, options.limits);
   traj::add_bounds(record, out);
+  out.time = record.time;
   if (yaw && !out.trajectory.segments.empty()) traj::add_yaw(*yaw, out.trajectory);
   return out;
 }
@@ -110,6 +112,7 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
       agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
   traj::ReportRecord report{record.id, "trajectory", {}, geom::provenance_of(self.scene),
                             {},        {},           {}};
+  report.time = record.time;
   if (record.status != traj::TrajectoryStatus::solved) {
     report.result.reason = traj::reason_of(record.status);
     return report;
@@ -128,6 +131,7 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
 traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record, bool exact) {
   agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
   traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}, {}};
+  report.time = record.time;
   if (record.status != geom::PathStatus::found) {
     report.result.reason = traj::Reason::no_path;
     return report;

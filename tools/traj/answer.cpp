@@ -16,6 +16,7 @@ Solved solve(const geom::CollisionScene& scene, const geom::PathRecord& path, co
   traj::TrajectoryRecord record =
       traj::trajectory_record(scene, path.id, result, task.options.limits);
   traj::add_bounds(path, record);
+  record.time = path.time;
   if (task.yaw && !record.trajectory.segments.empty()) {
     traj::add_yaw(*task.yaw, record.trajectory);
   }
@@ -27,6 +28,7 @@ Solved without_path(const geom::PathRecord& path, const traj::Limits& limits) {
   record.id = path.id;
   record.status = traj::TrajectoryStatus::no_path;
   record.provenance = path.provenance;
+  record.time = path.time;
   record.limits = limits;
   record.message = path.message.empty() ? std::string(name(path.status)) : path.message;
   return {std::move(record)};

@@ -11,11 +11,18 @@
 #include "geom/base/error.h"
 #include "geom/text/geojson_crs.h"
 #include "geom/text/parse_json.h"
+#include "read_flight_time.h"
 
 namespace geom {
 namespace {
 
 using Json = nlohmann::json;
+
+// The first of two points.
+struct Begin {
+  Vec3 place;
+  FlightTime time;
+};
 
 class Features {
  public:
@@ -65,7 +72,8 @@ class Features {
         refuse("a line must have at least 2 positions");
       }
       const std::string id = id_of(feature).value_or(fmt::format("q{}", number_));
-      add_query(id, place(feature, coordinates.front()), place(feature, coordinates.back()));
+      add_query(id, place(feature, coordinates.front()), place(feature, coordinates.back()),
+                time_of(feature));
     } else if (type == "Point") {
       add_point(feature, coordinates);
     } else {
@@ -79,15 +87,23 @@ class Features {
     const Vec3 here = place(feature, position);
     const auto start = starts_.find(*id);
     if (start == starts_.end()) {
-      starts_.emplace(*id, here);
+      starts_.emplace(*id, Begin{here, time_of(feature)});
       return;
     }
-    add_query(*id, start->second, here);
+    const FlightTime& said = start->second.time;
+    add_query(*id, start->second.place, here, said.any() ? said : time_of(feature));
     starts_.erase(start);
   }
 
-  void add_query(const std::string& id, const Vec3& from, const Vec3& to) {
-    queries_.push_back({id, from, to, {}, 0, true, true});
+  void add_query(const std::string& id, const Vec3& from, const Vec3& to, const FlightTime& time) {
+    queries_.push_back({id, from, to, {}, 0, true, true, time});
+  }
+
+  // By its properties.
+  FlightTime time_of(const Json& feature) const {
+    const Json properties = feature.value("properties", Json());
+    if (!properties.is_object()) return {};
+    return flight_time_of(properties, [this](const std::string& message) { refuse(message); });
   }
 
   std::optional<std::string> id_of(const Json& feature) const {
@@ -143,7 +159,7 @@ class Features {
   const Locator& locator_;
   std::size_t number_ = 0;
   std::vector<PlanQuery> queries_;
-  std::map<std::string, Vec3> starts_;  // of points whose second is to come
+  std::map<std::string, Begin> starts_;  // of points whose second is to come
 };
 
 }  // namespace

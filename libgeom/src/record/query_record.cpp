@@ -51,6 +51,7 @@ PlanQuery parse_line(const TextLines& lines, const Locator* locator) {
   query.to = place(fields, "to", lines, locator, query.to_on_earth);
   query.best_known = fields.number("best_known");
   if (query.best_known) path_length(lines, "best_known", *query.best_known);
+  query.time = read_flight_time(fields);
   return query;
 }
 
@@ -95,6 +96,48 @@ class Columns {
   std::vector<std::string> names_;
   std::size_t id_ = 0;
   std::optional<std::size_t> set_;
+};
+
+// The columns that say when a flight begins: those that are there.
+class TimeColumns {
+ public:
+  explicit TimeColumns(const Columns& columns) {
+    for (std::size_t i = 0; i < at_.size(); ++i) at_[i] = columns.find(kNames[i]);
+  }
+
+  FlightTime parse(const TextLines& lines, const std::vector<std::string>& fields) const {
+    FlightTime time;
+    if (at_[0] && !fields[*at_[0]].empty()) {
+      time.epoch = epoch_from(fields[*at_[0]]);
+      if (!time.epoch) {
+        lines.refuse(
+            fmt::format("epoch must be an instant in UTC such as 2026-05-04T06:30:00Z (RFC 3339), "
+                        "found \"{}\"",
+                        excerpt(fields[*at_[0]])));
+      }
+    }
+    time.start = seconds(lines, fields, 1);
+    time.earliest = seconds(lines, fields, 2);
+    time.latest = seconds(lines, fields, 3);
+    if (const auto fault = time_fault(time)) lines.refuse(*fault);
+    return time;
+  }
+
+ private:
+  static constexpr std::array kNames = {"epoch", "start_s", "earliest_s", "latest_s"};
+
+  std::optional<double> seconds(const TextLines& lines, const std::vector<std::string>& fields,
+                                std::size_t i) const {
+    if (!at_[i] || fields[*at_[i]].empty()) return std::nullopt;
+    const auto value = parse_number(fields[*at_[i]]);
+    if (!value) {
+      lines.refuse(fmt::format("{} must be a number, seconds after the epoch, found \"{}\"",
+                               kNames[i], excerpt(fields[*at_[i]])));
+    }
+    return value;
+  }
+
+  std::array<std::optional<std::size_t>, 4> at_;
 };
 
 // The three columns of an end, "from" or "to": metres, or degrees and a height.
@@ -148,7 +191,10 @@ class EndColumns {
 class CsvQueries {
  public:
   explicit CsvQueries(const TextLines& header)
-      : columns_(header), from_(columns_, header, "from"), to_(columns_, header, "to") {
+      : columns_(header),
+        from_(columns_, header, "from"),
+        to_(columns_, header, "to"),
+        time_(columns_) {
     best_known_ = columns_.find("best_known_m");
   }
 
@@ -160,7 +206,8 @@ class CsvQueries {
                     {},
                     0,
                     from_.on_earth(),
-                    to_.on_earth()};
+                    to_.on_earth(),
+                    time_.parse(lines, fields)};
     if (best_known_ && !fields[*best_known_].empty()) {
       query.best_known = path_length(lines, "best_known_m",
                                      coordinate(lines, "best_known_m", fields[*best_known_]));
@@ -172,6 +219,7 @@ class CsvQueries {
   Columns columns_;
   EndColumns from_;
   EndColumns to_;
+  TimeColumns time_;
   std::optional<std::size_t> best_known_;
 };
 

@@ -56,6 +56,7 @@ ReplannedRecord replanned_record(const geom::CollisionScene& scene, const geom::
                                  const ReplanResult& result) {
   ReplannedRecord out{path_record(scene, old.id, result.plan), {}};
   geom::PathRecord& record = out.record;
+  record.time = old.time;
   if (record.points.empty()) return out;
   record.origin = result.origin;
   const Kept kept = kept_points(old.points, record.points, result.origin.kept);

@@ -120,6 +120,7 @@ std::string to_json_line(const FlightReport& r, const Airframe& airframe, const 
   if (!ok) add_failure(line, r, map);
   if (r.status == TrajectoryStatus::solved) add_flight(line, r, airframe, map);
   add(line, r.provenance);
+  add(line, r.time);
   return line.line();
 }
 

@@ -151,6 +151,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   add_not_measured(line, record);
   if (record.exact) line.add("exact", object_of(*record.exact, record, map));
   add(line, record.provenance);
+  add(line, record.time);
   add(line, record.limits);
   if (!record.overridden.empty()) line.add("overridden", record.overridden);
   return line.line();

@@ -93,6 +93,7 @@ std::string to_json_line(const TrajectoryRecord& record) {
   add_bounds(line, record);
   if (record.rung) line.add("rung", name(*record.rung));
   add(line, record.provenance);
+  add(line, record.time);
   add(line, record.limits);
   if (!record.message.empty()) line.add("message", record.message);
   if (!record.solver.empty()) line.add_json("solver", record.solver);
@@ -110,6 +111,7 @@ TrajectoryRecord read_trajectory_record(const JsonFields& fields) {
   record.id = fields.text("id");
   record.status = fields.word("status", kTrajectoryStatusWords, TrajectoryStatus::solved);
   record.provenance = geom::read_provenance(fields);
+  record.time = geom::read_flight_time(fields);
   record.limits = geom::read_limits(fields);
   record.message = fields.text("message", "");
   if (fields.has("rung")) record.rung = fields.word("rung", kRungWords, Rung::closed);

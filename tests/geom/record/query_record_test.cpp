@@ -32,6 +32,30 @@ TEST(PlanQueries, StopAtTheFirstMalformedLine) {
   EXPECT_THROW(read_plan_queries(empty, "q"), InputError);
 }
 
+TEST(PlanQueries, KnowWhenTheyBegin) {
+  std::istringstream json(
+      "{\"from\":[1,2,3],\"to\":[4,5,6],\"epoch\":\"2026-05-04T06:30:00Z\",\"start\":12.5,"
+      "\"latest\":60}");
+  const FlightTime time = read_plan_queries(json, "q")[0].time;
+  EXPECT_EQ(time, (FlightTime{"2026-05-04T06:30:00Z", 12.5, {}, 60}));
+  std::istringstream csv(
+      "id,from_x,from_y,from_z,to_x,to_y,to_z,start_s,latest_s,earliest_s,epoch\n"
+      "a,1,2,3,4,5,6,12.5,60,,2026-05-04T06:30:00Z\nb,1,2,3,4,5,6,,,,\n");
+  const auto queries = read_plan_queries(csv, "q");
+  EXPECT_EQ(queries[0].time, time);
+  EXPECT_FALSE(queries[1].time.any());
+}
+
+TEST(PlanQueries, RefuseTimesThatCannotBe) {
+  for (const char* row : {"a,1,2,3,4,5,6,06:30:00,", "a,1,2,3,4,5,6,90,60", "a,1,2,3,4,5,6,nan,"}) {
+    std::istringstream csv(
+        std::string("id,from_x,from_y,from_z,to_x,to_y,to_z,start_s,latest_s\n") + row + "\n");
+    EXPECT_THROW(read_plan_queries(csv, "q"), InputError) << row;
+  }
+  std::istringstream json("{\"from\":[1,2,3],\"to\":[4,5,6],\"start\":\"2026-05-04T06:30:00Z\"}");
+  EXPECT_THROW(read_plan_queries(json, "q"), InputError);
+}
+
 TEST(PlanQueries, KnowTheBestLengthWhereItIsGiven) {
   std::istringstream json("{\"from\":[1,2,3],\"to\":[4,5,6],\"best_known\":5.5}");
   EXPECT_EQ(read_plan_queries(json, "q")[0].best_known, 5.5);

@@ -94,8 +94,8 @@ def strict_json(line):
     return json.loads(line, object_pairs_hook=pairs, parse_constant=constant, parse_float=decimal)
 
 
-def by_id(path):
-    """The records of a file of JSON Lines, each under its id."""
+def by_id(path, others=()):
+    """The records of a file of JSON Lines, each under its id. Those of the types `others` are left out."""
     out = {}
     with open(path, encoding="utf-8", newline="\n") as file:
         for row, line in enumerate(file, 1):
@@ -103,6 +103,8 @@ def by_id(path):
                 continue
             try:
                 record = an_object(strict_json(line), "a line")
+                if record.get("type") in others:
+                    continue
                 name = text(record, "id", "a record")
                 require(name not in out, f"the id {name!r} stands twice")
             except (Refused, RecursionError, ValueError) as reason:
@@ -513,7 +515,7 @@ def verify(record, certificate, box_map):
 
 def verify_files(record_file, map_file, certificate_file):
     """Prints what became of each record, and says how many were refused."""
-    box_map, records, certificates = BoxMap(map_file), by_id(record_file), by_id(certificate_file)
+    box_map, records, certificates = BoxMap(map_file), by_id(record_file), by_id(certificate_file, ("apart", "together"))
     print(f"map {box_map.hash}: {len(box_map.boxes)} boxes, bounds {json.dumps(box_map.bounds)}")
     refused = [f"{name!a}: refused: there is no record of this certificate" for name in certificates if name not in records]
     for name, record in records.items():

@@ -68,6 +68,8 @@ class Records {
           {traj::parse_trajectory_record(text, source_, line), source_, line});
     } else if (type == "corridor" && kinds_.corridors) {
       out_.corridors.push_back({traj::parse_corridor_record(text, source_, line), source_, line});
+    } else if ((type == "pair" || type == "together") && kinds_.reports) {
+      return;  // of all flights, beside the reports of each
     } else if ((type == "report" || type == "flight") && kinds_.reports) {
       out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
     } else {

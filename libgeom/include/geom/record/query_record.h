@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/record/flight_time.h"
 #include "geom/record/locator.h"
 #include "geom/shape/vec3.h"
 
@@ -22,11 +23,14 @@ struct PlanQuery {
   std::size_t line = 0;              // of the source; 0: none
   bool from_on_earth = false;        // given as degrees, not in the map's metres
   bool to_on_earth = false;
+  FlightTime time = {};
 };
 
 // `{"id":"q1","from":[x,y,z],"to":[x,y,z]}` a line (without id: "q" and the line number), or CSV
 // with columns id,from_x,…,to_z in any order and others ignored; with a column `set` the id is
-// SET-ID. The key "best_known", or the column best_known_m (a field may be empty), must be > 0.
+// SET-ID. The key "best_known", or the column best_known_m (a field may be empty), must be > 0. The
+// keys "epoch", "start", "earliest" and "latest", or the columns epoch, start_s, earliest_s and
+// latest_s (a field may be empty), say when it begins (flight_time.h).
 // Throws InputError(source, line, …) at the first malformed line, for an id that comes
 // twice, and for a stream without queries.
 //

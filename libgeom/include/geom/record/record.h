@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geom/map/frame.h"
+#include "geom/record/flight_time.h"
 #include "geom/record/path_status.h"
 #include "geom/shape/polyline.h"
 #include "geom/vehicle/vehicle.h"
@@ -61,6 +62,7 @@ struct PathRecord {
   std::optional<double> bound;       // metres: no path between its ends is shorter
   std::vector<double> hold;          // seconds to stand still at each point, >= 0; empty: nowhere
   std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
+  FlightTime time;
 };
 
 class JsonFields;

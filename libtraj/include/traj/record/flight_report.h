@@ -29,6 +29,7 @@ struct FlightReport {
   TrackingTube tube;
   std::optional<FlightPathCheck> tube_check;
   geom::Provenance provenance;
+  geom::FlightTime time;
 };
 
 // Flown, not lost, and clear as far as that was asked.

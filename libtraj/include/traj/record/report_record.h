@@ -32,6 +32,7 @@ struct ReportRecord {
   std::optional<Vec3> home = {};
   std::size_t idle_items = 0;
   std::string detail = {};  // of the reason, in words; may be empty
+  geom::FlightTime time = {};
 };
 
 // Gives `report`, which holds what was checked of `record`, its bounds; refuses what is accepted

@@ -26,6 +26,7 @@ struct TrajectoryRecord {
   // Claims (duration_bound.h). Metres: no path between its ends is shorter; seconds: no flight is.
   std::optional<double> bound;
   std::optional<double> duration_bound;
+  geom::FlightTime time;
 };
 
 // What holds for it: its own limits and its vehicle's.

@@ -1,0 +1,52 @@
+#pragma once
+
+// When a flight begins: seconds after an instant that all flights of a stream share.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace geom {
+
+inline constexpr double kLargestTime = 1e9;  // seconds, before or after the epoch
+inline constexpr double kLeastTime = 1e-9;   // seconds: a smaller one that is not 0 is refused
+
+// What records say of it; what they do not say is absent, and not written.
+struct FlightTime {
+  std::optional<std::string> epoch;  // the instant, as epoch_from() writes it
+  std::optional<double> start;       // seconds after the epoch that it begins
+  std::optional<double> earliest;    // seconds after the epoch between which it may begin
+  std::optional<double> latest;
+
+  // Where no start is said the earliest, and 0 where that is not said either.
+  double starts() const { return start.value_or(earliest.value_or(0)); }
+  bool any() const { return epoch || start || earliest || latest; }
+
+  friend bool operator==(const FlightTime&, const FlightTime&) = default;
+};
+
+// An instant of RFC 3339 in UTC, as one instant is always written: "2026-05-04T06:30:00Z", with the
+// digits of a fraction of a second that are not 0. Nothing for other text: another offset than Z
+// or +00:00, a day that the month does not have, a leap second.
+std::optional<std::string> epoch_from(std::string_view text);
+
+// Why these times cannot be, in words: one that is no number within kLargestTime, or smaller than
+// kLeastTime and not 0, a start that is not within earliest and latest. Nothing where they can.
+std::optional<std::string> time_fault(const FlightTime& time);
+
+class JsonFields;
+class JsonLine;
+
+// Adds the members epoch, start, earliest and latest: those that are present.
+void add(JsonLine& line, const FlightTime& time);
+
+// Throws InputError where a value cannot be.
+FlightTime read_flight_time(const JsonFields& fields);
+
+// Throws InputError(source, line, …) where one of the two has an epoch that the other has not.
+void require_epoch_agrees(const std::optional<std::string>& epoch,
+                          const std::optional<std::string>& ours, std::string_view source,
+                          std::size_t line);
+
+}  // namespace geom

@@ -1,0 +1,158 @@
+#include "geom/record/flight_time.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
+#include "geom/text/parse_json.h"
+#include "read_flight_time.h"
+
+namespace geom {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// The digits at a place of the text, or -1.
+int whole_at(std::string_view text, std::size_t at, std::size_t digits) {
+  int value = 0;
+  for (const char c : text.substr(at, digits)) {
+    if (!is_digit(c)) return -1;
+    value = 10 * value + (c - '0');
+  }
+  return value;
+}
+
+int days_in(int year, int month) {
+  constexpr std::array kDays{31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+  return kDays[static_cast<std::size_t>(month - 1)] + (month == 2 && leap ? 1 : 0);
+}
+
+bool within(int value, int least, int most) { return value >= least && value <= most; }
+
+// "2026-05-04T06:30:00" is an instant.
+bool is_instant(std::string_view text) {
+  constexpr std::string_view kForm = "0000-00-00T00:00:00";
+  for (std::size_t i = 0; i < kForm.size(); ++i) {
+    const bool right = kForm[i] == '0' ? is_digit(text[i]) : text[i] == kForm[i];
+    if (!right) return false;
+  }
+  const int year = whole_at(text, 0, 4);
+  const int month = whole_at(text, 5, 2);
+  return within(month, 1, 12) && within(whole_at(text, 8, 2), 1, days_in(year, month)) &&
+         within(whole_at(text, 11, 2), 0, 23) && within(whole_at(text, 14, 2), 0, 59) &&
+         within(whole_at(text, 17, 2), 0, 59);
+}
+
+std::optional<std::string> fault_of(std::string_view key, const std::optional<double>& value) {
+  if (!value) return std::nullopt;
+  if (!(std::abs(*value) <= kLargestTime)) {
+    return fmt::format("{} must be seconds after the epoch within {:g}, found {}", key,
+                       kLargestTime, *value);
+  }
+  if (*value != 0 && std::abs(*value) < kLeastTime) {
+    return fmt::format("{} must be 0 or at least {:g} s from the epoch, found {}", key, kLeastTime,
+                       *value);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> read_epoch(const nlohmann::json& object,
+                                      const std::function<void(const std::string&)>& refuse) {
+  if (!object.contains("epoch") || object["epoch"].is_null()) return std::nullopt;
+  const nlohmann::json& value = object["epoch"];
+  const auto epoch = value.is_string() ? epoch_from(value.get<std::string>()) : std::nullopt;
+  if (!epoch) {
+    refuse("epoch must be an instant in UTC such as \"2026-05-04T06:30:00Z\" (RFC 3339), found " +
+           shown(value));
+  }
+  return epoch;
+}
+
+std::optional<double> read_seconds(const nlohmann::json& object, const char* key,
+                                   const std::function<void(const std::string&)>& refuse) {
+  if (!object.contains(key) || object[key].is_null()) return std::nullopt;
+  const nlohmann::json& value = object[key];
+  if (value.is_number()) return value.get<double>();
+  refuse(fmt::format("{} must be a number, seconds after the epoch, found {}{}", key, shown(value),
+                     value.is_string() ? ": the date of second 0 belongs in \"epoch\"" : ""));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> epoch_from(std::string_view text) {
+  constexpr std::size_t kSeconds = 19;  // characters to the end of the seconds
+  if (text.size() <= kSeconds || !is_instant(text)) return std::nullopt;
+  std::string out(text.substr(0, kSeconds));
+  text.remove_prefix(kSeconds);
+  if (text.front() == '.') {
+    const std::size_t end = text.find_first_not_of("0123456789", 1);
+    if (end == 1 || end == std::string_view::npos) return std::nullopt;
+    const std::size_t last = text.substr(0, end).find_last_not_of('0');
+    if (last > 0) out += text.substr(0, last + 1);
+    text.remove_prefix(end);
+  }
+  if (text != "Z" && text != "+00:00") return std::nullopt;
+  return out + 'Z';
+}
+
+std::optional<std::string> time_fault(const FlightTime& time) {
+  if (auto fault = fault_of("start", time.start)) return fault;
+  if (auto fault = fault_of("earliest", time.earliest)) return fault;
+  if (auto fault = fault_of("latest", time.latest)) return fault;
+  if (time.earliest && time.latest && *time.earliest > *time.latest) {
+    return fmt::format("earliest must be at most latest, found {} and {}", *time.earliest,
+                       *time.latest);
+  }
+  if (time.earliest && time.starts() < *time.earliest) {
+    return fmt::format("start must be at least earliest, found {} and {}", time.starts(),
+                       *time.earliest);
+  }
+  if (time.latest && time.starts() > *time.latest) {
+    return fmt::format("start must be at most latest, found {} and {}", time.starts(),
+                       *time.latest);
+  }
+  return std::nullopt;
+}
+
+FlightTime flight_time_of(const nlohmann::json& object,
+                          const std::function<void(const std::string&)>& refuse) {
+  FlightTime time;
+  time.epoch = read_epoch(object, refuse);
+  time.start = read_seconds(object, "start", refuse);
+  time.earliest = read_seconds(object, "earliest", refuse);
+  time.latest = read_seconds(object, "latest", refuse);
+  if (const auto fault = time_fault(time)) refuse(*fault);
+  return time;
+}
+
+void add(JsonLine& line, const FlightTime& time) {
+  line.add("epoch", time.epoch).add("start", time.start);
+  line.add("earliest", time.earliest).add("latest", time.latest);
+}
+
+FlightTime read_flight_time(const JsonFields& fields) {
+  return flight_time_of(fields.object(),
+                        [&](const std::string& message) { fields.refuse(message); });
+}
+
+void require_epoch_agrees(const std::optional<std::string>& epoch,
+                          const std::optional<std::string>& ours, std::string_view source,
+                          std::size_t line) {
+  if (epoch == ours) return;
+  const auto words = [](const std::optional<std::string>& one) {
+    return one ? '"' + *one + '"' : std::string("none");
+  };
+  throw InputError(source, line,
+                   fmt::format("expected the epoch of the others, {}, found {}: seconds after "
+                               "different instants cannot be compared",
+                               words(ours), words(epoch)));
+}
+
+}  // namespace geom

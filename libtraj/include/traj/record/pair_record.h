@@ -1,0 +1,38 @@
+#pragma once
+
+// What the check of flights against one another found, as JSON Lines records.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/record/record.h"
+#include "traj/together/check_together.h"
+
+namespace traj {
+
+// What was asked.
+struct TogetherTask {
+  std::vector<std::string> ids;  // of the flights
+  TogetherRule rule;
+  std::optional<std::string> epoch;
+  std::optional<std::string> map;  // its hash
+};
+
+// Of a pair that is refused; ends with a newline.
+std::string to_json_line(const RefusedPair& pair, const TogetherTask& task);
+
+// Of all of them; ends with a newline. `left_out`: flights that could not be looked at, which
+// refuses the whole.
+std::string to_json_line(const TogetherResult& result, const TogetherTask& task,
+                         std::size_t left_out);
+
+// Why a near pair is apart, and what all pairs claim; each ends with a newline.
+// docs/certificates.md says what they must fulfil. `flights` are those of the ids.
+std::string certificate_line(const ProvedPair& pair, const TogetherTask& task);
+std::string certificate_line(const TogetherTask& task, std::span<const TimedFlight> flights);
+
+// The refusal in a sentence.
+std::string in_words(const RefusedPair& pair, const TogetherTask& task);
+
+}  // namespace traj

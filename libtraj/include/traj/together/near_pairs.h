@@ -1,0 +1,28 @@
+#pragma once
+
+// Which of many flights may come near each other: by boxes in space and time.
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geom/base/execution.h"
+#include "traj/together/spacing.h"
+#include "traj/together/timed_flight.h"
+
+namespace traj {
+
+using FlightPair = std::pair<std::uint32_t, std::uint32_t>;  // indices of flights, first < second
+
+// Segments are halved until the box around one is at most so large, metres.
+inline constexpr double kNearStep = 100;
+
+// Every pair that is not named is apart at every instant: no box around a piece of the one, with
+// its time and grown by reach_of(), meets one of the other. Rounded outward. In order, each once.
+// By a tree of boxes in four dimensions: about as long as flights and pairs are many.
+std::vector<FlightPair> near_pairs(std::span<const TimedFlight> flights, const Spacing& spacing,
+                                   Parked parked, const geom::Execution& run = {},
+                                   double step = kNearStep);
+
+}  // namespace traj

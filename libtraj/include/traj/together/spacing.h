@@ -1,0 +1,51 @@
+#pragma once
+
+// How far apart two flights must be.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geom/shape/vec3.h"
+
+namespace traj {
+
+using geom::Vec3;
+
+// Differences of position, of reference points, that are a conflict: a closed box around zero of
+// half sizes `reach`, or, where it is `round`, the upright cylinder of radius reach.x() = reach.y()
+// and half height reach.z(). Each is > 0.
+struct Zone {
+  bool round = false;
+  Vec3 reach = Vec3::Zero();  // metres
+
+  friend bool operator==(const Zone&, const Zone&) = default;
+};
+
+Zone cylinder(double across, double up);
+
+// What one of the flights must keep out of around the other, at every instant.
+struct Spacing {
+  std::optional<Zone> zone;      // the same for all; else the sum of the two rooms, as a box
+  std::optional<Zone> downwash;  // beside it: below each of the two, and so above the other
+};
+
+// The zones of two flights with these rooms (TimedFlight), each side rounded up.
+std::vector<Zone> zones_between(const Spacing& spacing, const Vec3& room, const Vec3& other);
+
+// How far around a flight of this room another's, grown alike, must be for no zone to hold their
+// difference: half of each zone, rounded up.
+Vec3 reach_of(const Spacing& spacing, const Vec3& room);
+
+// Why nothing can be kept apart so, in words: a reach that is not > 0 or beyond 1e8 m. Nothing
+// where it can.
+std::optional<std::string> spacing_fault(const Zone& zone);
+
+// The nearness of a difference of position in a zone's own norm: below 1 inside, 1 on its surface.
+// Rounded.
+double share_of(const Zone& zone, const Vec3& difference);
+
+// How deep the difference lies in the zone, metres; < 0 outside. Rounded.
+double depth_in(const Zone& zone, const Vec3& difference);
+
+}  // namespace traj

@@ -1,0 +1,54 @@
+#include "traj/together/spacing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/base/rounding.h"
+
+namespace traj {
+
+Zone cylinder(double across, double up) { return {true, {across, across, up}}; }
+
+std::vector<Zone> zones_between(const Spacing& spacing, const Vec3& room, const Vec3& other) {
+  std::vector<Zone> zones;
+  if (spacing.zone) {
+    zones.push_back(*spacing.zone);
+  } else {
+    Zone sum;
+    for (int axis = 0; axis < 3; ++axis) sum.reach[axis] = geom::add_up(room[axis], other[axis]);
+    zones.push_back(sum);
+  }
+  if (spacing.downwash) zones.push_back(*spacing.downwash);
+  return zones;
+}
+
+Vec3 reach_of(const Spacing& spacing, const Vec3& room) {
+  Vec3 reach = spacing.zone ? Vec3(0.5 * spacing.zone->reach) : room;
+  if (spacing.downwash) reach = reach.cwiseMax(0.5 * spacing.downwash->reach);
+  return reach * (1 + 0x1p-50);  // more than zones_between() rounds sums up
+}
+
+std::optional<std::string> spacing_fault(const Zone& zone) {
+  for (const double reach : zone.reach) {
+    if (reach > 0 && reach <= geom::kLargestCoordinate) continue;
+    return fmt::format("expected metres above 0 and at most {:g}, found {}",
+                       geom::kLargestCoordinate, reach);
+  }
+  return std::nullopt;
+}
+
+double share_of(const Zone& zone, const Vec3& d) {
+  if (zone.round) {
+    return std::max(std::hypot(d.x(), d.y()) / zone.reach.x(), std::abs(d.z()) / zone.reach.z());
+  }
+  return (d.cwiseAbs().array() / zone.reach.array()).maxCoeff();
+}
+
+double depth_in(const Zone& zone, const Vec3& d) {
+  if (!zone.round) return (zone.reach - d.cwiseAbs()).minCoeff();
+  return std::min(zone.reach.x() - std::hypot(d.x(), d.y()), zone.reach.z() - std::abs(d.z()));
+}
+
+}  // namespace traj
