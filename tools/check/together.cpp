@@ -2,65 +2,22 @@
 
 #include <fmt/format.h>
 
-#include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
+#include "cli/option/spacing_options.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "traj/proof/domain.h"
 
 namespace checking {
-namespace {
-
-// Two or three numbers above 0, into `zone`.
-CLI::Option* add_zone(CLI::App& app, const std::string& flag, std::size_t count,
-                      const std::string& form, std::optional<traj::Zone>& zone,
-                      const std::string& description) {
-  return app
-      .add_option_function<std::string>(
-          flag,
-          [&zone, flag, count, form](const std::string& text) {
-            const auto v = cli::parse_numbers(text, count);
-            if (!v) {
-              throw CLI::ValidationError(
-                  flag, fmt::format("expected {} in metres, found \"{}\"", form, text));
-            }
-            zone = count == 2 ? traj::cylinder((*v)[0], (*v)[1])
-                              : traj::Zone{false, {(*v)[0], (*v)[1], (*v)[2]}};
-            if (const auto fault = traj::spacing_fault(*zone)) {
-              throw CLI::ValidationError(flag, *fault);
-            }
-          },
-          description)
-      ->type_name(form);
-}
-
-}  // namespace
 
 void Together::add_to(CLI::App& app) {
   app.add_flag("--together", asked_,
                "check the trajectories against one another, too, for all time");
-  CLI::Option* const separation =
-      add_zone(app, "--separation", 2, "H,V", task_.rule.spacing.zone,
-               "two flights conflict within H metres across and V in height, of reference points "
-               "(default: where their boxes with margins touch)");
-  add_zone(app, "--separation-box", 3, "X,Y,Z", task_.rule.spacing.zone,
-           "the same as a box: within X, Y and Z metres along the axes")
-      ->excludes(separation);
-  add_zone(app, "--downwash", 2, "R,M", task_.rule.spacing.downwash,
-           "also within R metres across and M below: a cylinder of air that a vehicle pushes down");
-  app.add_option_function<std::string>(
-         "--parked",
-         [this](const std::string& word) {
-           task_.rule.parked = geom::value_of(traj::kParkedWords, word).value_or(traj::Parked::pad);
-         },
-         "before its departure and after its arrival a flight stands on its pad, or is gone "
-         "(default pad)")
-      ->check(CLI::IsMember({"pad", "gone"}));
+  cli::add_spacing(app, task_.rule.spacing, task_.rule.parked);
 }
 
 void Together::refuse_idle(const CLI::App& app, bool drone_file) const {
-  cli::only_for(app, asked_, {"--separation", "--separation-box", "--downwash", "--parked"},
-                "--together");
+  cli::only_for(app, asked_, cli::kSpacingOptions, "--together");
   if (asked_ && drone_file) {
     throw cli::UsageError(
         "--together takes trajectories as JSON Lines, which say when each begins: "

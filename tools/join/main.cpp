@@ -116,6 +116,10 @@ int main(int argc, char** argv) {
       throw geom::InputError(shards.front().archive.name(),
                              "this is a shard of runs: join it with skyway-fly --join, with the "
                              "trajectories and options that they were flown with");
+    } else if (kind == "departures") {
+      throw geom::InputError(shards.front().archive.name(),
+                             "this is a shard of skyway-fleet: join it with skyway-fleet --join, "
+                             "with the trajectories and options that it was made with");
     } else {
       throw geom::InputError(
           shards.front().archive.name(),

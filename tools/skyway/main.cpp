@@ -33,6 +33,7 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"plan", "plan collision-free paths"},
     {"replan", "paths of an older map, kept or mended on a newer one"},
     {"traj", "minimum-snap trajectories along paths"},
+    {"fleet", "departures of many flights that keep apart"},
     {"check", "prove trajectories and paths"},
     {"fly", "fly trajectories with a simulated quadrotor"},
     {"join", "join the shards of a run"},

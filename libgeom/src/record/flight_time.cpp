@@ -84,6 +84,17 @@ std::optional<double> read_seconds(const nlohmann::json& object, const char* key
   return std::nullopt;
 }
 
+std::optional<int> read_priority(const nlohmann::json& object,
+                                 const std::function<void(const std::string&)>& refuse) {
+  if (!object.contains("priority") || object["priority"].is_null()) return std::nullopt;
+  const nlohmann::json& value = object["priority"];
+  const double number = value.is_number() ? value.get<double>() : std::nan("");
+  if (is_priority(number)) return static_cast<int>(number);
+  refuse(fmt::format("priority must be a whole number within {}, found {}", kLargestPriority,
+                     shown(value)));
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> epoch_from(std::string_view text) {
@@ -100,6 +111,10 @@ std::optional<std::string> epoch_from(std::string_view text) {
   }
   if (text != "Z" && text != "+00:00") return std::nullopt;
   return out + 'Z';
+}
+
+bool is_priority(double value) {
+  return std::abs(value) <= kLargestPriority && value == std::floor(value);
 }
 
 std::optional<std::string> time_fault(const FlightTime& time) {
@@ -128,13 +143,14 @@ FlightTime flight_time_of(const nlohmann::json& object,
   time.start = read_seconds(object, "start", refuse);
   time.earliest = read_seconds(object, "earliest", refuse);
   time.latest = read_seconds(object, "latest", refuse);
+  time.priority = read_priority(object, refuse);
   if (const auto fault = time_fault(time)) refuse(*fault);
   return time;
 }
 
 void add(JsonLine& line, const FlightTime& time) {
   line.add("epoch", time.epoch).add("start", time.start);
-  line.add("earliest", time.earliest).add("latest", time.latest);
+  line.add("earliest", time.earliest).add("latest", time.latest).add("priority", time.priority);
 }
 
 FlightTime read_flight_time(const JsonFields& fields) {

@@ -119,12 +119,13 @@ class TimeColumns {
     time.start = seconds(lines, fields, 1);
     time.earliest = seconds(lines, fields, 2);
     time.latest = seconds(lines, fields, 3);
+    time.priority = priority(lines, fields);
     if (const auto fault = time_fault(time)) lines.refuse(*fault);
     return time;
   }
 
  private:
-  static constexpr std::array kNames = {"epoch", "start_s", "earliest_s", "latest_s"};
+  static constexpr std::array kNames = {"epoch", "start_s", "earliest_s", "latest_s", "priority"};
 
   std::optional<double> seconds(const TextLines& lines, const std::vector<std::string>& fields,
                                 std::size_t i) const {
@@ -137,7 +138,18 @@ class TimeColumns {
     return value;
   }
 
-  std::array<std::optional<std::size_t>, 4> at_;
+  std::optional<int> priority(const TextLines& lines,
+                              const std::vector<std::string>& fields) const {
+    if (!at_[4] || fields[*at_[4]].empty()) return std::nullopt;
+    const auto value = parse_number(fields[*at_[4]]);
+    if (!value || !is_priority(*value)) {
+      lines.refuse(fmt::format("priority must be a whole number within {}, found \"{}\"",
+                               kLargestPriority, excerpt(fields[*at_[4]])));
+    }
+    return static_cast<int>(*value);
+  }
+
+  std::array<std::optional<std::size_t>, 5> at_;
 };
 
 // The three columns of an end, "from" or "to": metres, or degrees and a height.

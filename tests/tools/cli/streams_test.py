@@ -38,6 +38,7 @@ TOOLS = {
     "skyway-plan": ["m.boxmap", *BOX, "--from", "5,30,5", "--to", "70,10,5"],
     "skyway-replan": ["m.boxmap", "p.jsonl"],
     "skyway-traj": ["m.boxmap", "p.jsonl", *LIMITS, "--solver", "stop-and-go"],
+    "skyway-fleet": ["t.jsonl"],
     "skyway-check": ["m.boxmap", "t.jsonl"],
     "skyway-fly": ["t.jsonl", "--vehicle", "quad.json"],
     "skyway-export": ["m.boxmap", "t.jsonl", "--format", "crazyflie"],
@@ -54,6 +55,7 @@ SIDE = {
     "skyway-check": ["--certificate", "--profile", "--stats"],
     "skyway-plan": ["--tree", "--stats"],
     "skyway-traj": ["--corridor-file", "--stats"],
+    "skyway-fleet": ["--report", "--stats"],
     "skyway-fly": ["--report", "--stats"],
     "skyway-render": ["--depth", "--ids", "--stats"],
 }

@@ -37,6 +37,8 @@ const std::array kPlaces = {
     Place{"skyway-traj", "paths", {kPaths}},
     Place{"skyway-replan", "--paths", {kPaths}},
     Place{"skyway-check", "file", {kTrajectories, kPaths}, {"--file-format", "--paths-csv"}},
+    Place{"skyway-fleet", "file", {kTrajectories}},
+    Place{"skyway-fleet", "--alternatives", {kTrajectories}},
     Place{"skyway-join", "shards", {"a shard"}},
 };
 

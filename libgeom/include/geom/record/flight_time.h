@@ -10,7 +10,8 @@
 namespace geom {
 
 inline constexpr double kLargestTime = 1e9;  // seconds, before or after the epoch
-inline constexpr double kLeastTime = 1e-9;   // seconds: a smaller one that is not 0 is refused
+inline constexpr int kLargestPriority = 1000000;
+inline constexpr double kLeastTime = 1e-9;  // seconds: a smaller one that is not 0 is refused
 
 // What records say of it; what they do not say is absent, and not written.
 struct FlightTime {
@@ -18,10 +19,11 @@ struct FlightTime {
   std::optional<double> start;       // seconds after the epoch that it begins
   std::optional<double> earliest;    // seconds after the epoch between which it may begin
   std::optional<double> latest;
+  std::optional<int> priority;  // higher departs first; within kLargestPriority
 
   // Where no start is said the earliest, and 0 where that is not said either.
   double starts() const { return start.value_or(earliest.value_or(0)); }
-  bool any() const { return epoch || start || earliest || latest; }
+  bool any() const { return epoch || start || earliest || latest || priority; }
 
   friend bool operator==(const FlightTime&, const FlightTime&) = default;
 };
@@ -31,6 +33,9 @@ struct FlightTime {
 // or +00:00, a day that the month does not have, a leap second.
 std::optional<std::string> epoch_from(std::string_view text);
 
+// Whether it is a whole number within kLargestPriority.
+bool is_priority(double value);
+
 // Why these times cannot be, in words: one that is no number within kLargestTime, or smaller than
 // kLeastTime and not 0, a start that is not within earliest and latest. Nothing where they can.
 std::optional<std::string> time_fault(const FlightTime& time);
@@ -38,7 +43,7 @@ std::optional<std::string> time_fault(const FlightTime& time);
 class JsonFields;
 class JsonLine;
 
-// Adds the members epoch, start, earliest and latest: those that are present.
+// Adds the members epoch, start, earliest, latest and priority: those that are present.
 void add(JsonLine& line, const FlightTime& time);
 
 // Throws InputError where a value cannot be.

@@ -1,0 +1,51 @@
+#pragma once
+
+// When each flight of a fleet departs, and by which of its ways.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geom/base/execution.h"
+#include "traj/fleet/fleet_conflicts.h"
+#include "traj/fleet/fleet_flight.h"
+
+namespace traj {
+
+struct DepartureOptions {
+  int improve = 0;         // rounds
+  std::uint64_t seed = 0;  // of their order
+};
+
+// Of one number.
+struct Departure {
+  std::optional<double> start;  // seconds after the epoch; nothing: refused
+  std::uint32_t flight = 0;     // which way, an index of the fleet; of a refused one the first
+  std::vector<std::uint32_t> blocked;  // of a refused one: flights without which it could depart
+};
+
+struct Departures {
+  std::vector<Departure> of;  // by number
+  double before = 0;          // seconds: the sum of all delays before the rounds
+  std::size_t moved = 0;      // flights that rounds moved forward
+};
+
+// First come first served: by priority, then by number, each at the earliest time at which it is
+// too near no flight that has a departure already. Where a wait is needed, in whole milliseconds
+// after the epoch, rounded up. By the first of its ways that can depart by its latest.
+//
+// A round of improvement looks at each flight that waits, in an order drawn from the seed: without
+// those of no higher priority that are in its way, it goes first, then they in their turn; kept
+// where the sum of delays becomes less and none is refused for it.
+//
+// Numbers are 0, 1, 2, …; the flights of a number stand in the order in which they are tried.
+Departures choose_departures(std::span<const FleetFlight> flights, const FleetConflicts& conflicts,
+                             const DepartureOptions& options = {});
+
+// How many pairs would be too near if each departed at its earliest, by its first way.
+std::size_t conflicts_as_asked(std::span<const FleetFlight> flights,
+                               const FleetConflicts& conflicts);
+
+}  // namespace traj

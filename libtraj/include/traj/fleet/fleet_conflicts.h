@@ -1,0 +1,44 @@
+#pragma once
+
+// The differences of departure that are forbidden, for all pairs of a fleet at once.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/base/execution.h"
+#include "geom/base/shard.h"
+#include "traj/fleet/departure_span.h"
+#include "traj/fleet/fleet_flight.h"
+#include "traj/together/near_pairs.h"
+#include "traj/together/spacing.h"
+
+namespace traj {
+
+// Of the pairs for which any difference is forbidden that their earliest and latest departures
+// allow. At every other difference, of these and of all other pairs, two flights keep apart.
+struct FleetConflicts {
+  std::size_t looked_at = 0;             // pairs that boxes in space and time did not keep apart
+  std::vector<FlightPair> pairs;         // in order
+  std::vector<std::uint64_t> ends;       // of each pair's in `forbidden`
+  std::vector<DepartureSpan> forbidden;  // second's departure less first's, in order
+
+  std::span<const DepartureSpan> of(std::size_t pair) const {
+    const std::uint64_t begin = pair == 0 ? 0 : ends[pair - 1];
+    return std::span(forbidden).subspan(begin, ends[pair] - begin);
+  }
+};
+
+// forbidden_departures() of the pairs of which boxes of their pieces meet, each box lasting from
+// its piece's time after the earliest departure to that after the latest. So it takes about as long
+// as flights and near pairs are many. Flights of one number are no pair. `shard`: only its share of
+// the pairs that are looked at. The same for any number of threads.
+FleetConflicts fleet_conflicts(std::span<const FleetFlight> flights, const Spacing& spacing,
+                               Parked parked, const geom::Shard& shard = {},
+                               const geom::Execution& run = {});
+
+// What all shards found, in the order of the shards. `shards` must not be empty.
+FleetConflicts joined(std::span<const FleetConflicts> shards);
+
+}  // namespace traj

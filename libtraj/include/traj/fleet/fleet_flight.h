@@ -1,0 +1,21 @@
+#pragma once
+
+// A flight whose departure is to be chosen.
+
+#include <cstdint>
+
+#include "traj/curve/trajectory.h"
+#include "traj/together/timed_flight.h"
+
+namespace traj {
+
+struct FleetFlight {
+  const Trajectory* trajectory = nullptr;  // within domain.h; must outlive this
+  Vec3 room = Vec3::Zero();                // half sizes with the margin, metres, >= 0
+  double earliest = 0;                     // seconds after the epoch: when it wants to depart
+  double latest = 0;                       // >= earliest
+  int priority = 0;                        // higher goes first
+  std::uint32_t number = 0;                // several of one number are one flight by different ways
+};
+
+}  // namespace traj

@@ -1,0 +1,33 @@
+#pragma once
+
+// When two flights must not depart: the differences of departure at which they come too near.
+
+#include <span>
+#include <vector>
+
+#include "traj/curve/trajectory.h"
+#include "traj/fleet/departure_span.h"
+#include "traj/together/spacing.h"
+#include "traj/together/timed_flight.h"
+
+namespace traj {
+
+// All d within `window` for which there is an instant at which the second flight, departing d
+// seconds after the first, lies in one of the zones around it; as intervals that do not touch, in
+// order, cut to the window.
+//
+// The instants t of the first and s of the second at which they are too near are a set in the
+// plane of (t, s), and d = t - s. Each flight is cut into pieces that are straight at a constant
+// speed but for a small part of the zone; two such pieces are too near for (t, s) of a convex
+// polygon, whose corners give the least and the largest d. Rounded outward: every d that is truly
+// too near is in the answer. What is in it beyond that is what a zone larger by up to 1/50 would
+// forbid, and a microsecond.
+//
+// Trajectories within domain.h. Segments that miss each other at a joint are padded by the most of
+// that, as check_pair() does it. Parked::pad: standing at the ends counts for all time, so that an
+// interval may be without a begin or an end.
+std::vector<DepartureSpan> forbidden_departures(const Trajectory& first, const Trajectory& second,
+                                                std::span<const Zone> zones, Parked parked,
+                                                const DepartureSpan& window = {});
+
+}  // namespace traj

@@ -1,0 +1,257 @@
+#include "traj/fleet/departures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fleet/neighbours.h"
+#include "geom/base/random.h"
+#include "geom/base/rounding.h"
+
+namespace traj {
+namespace {
+
+constexpr std::size_t kMostMoved = 24;  // flights that make way for one
+
+// The first whole millisecond after `time`.
+double millisecond_after(double time) {
+  double out = std::floor(time * 1000) / 1000;
+  for (double i = 1; out <= time; ++i) out = (std::floor(time * 1000) + i) / 1000;
+  return out;
+}
+
+class Chooser {
+ public:
+  Chooser(std::span<const FleetFlight> flights, const FleetConflicts& conflicts)
+      : flights_(flights), neighbours_(flights.size(), conflicts), start_(flights.size()) {
+    for (std::uint32_t i = 0; i < flights.size(); ++i) {
+      if (flights[i].number >= ways_.size()) ways_.resize(flights[i].number + 1);
+      ways_[flights[i].number].push_back(i);
+    }
+    way_.resize(ways_.size());
+  }
+
+  void place_all() {
+    for (const std::uint32_t number : order()) place(number);
+  }
+
+  void improve(const DepartureOptions& options, Departures& out) {
+    geom::SplitMix64 random(options.seed);
+    for (int round = 0; round < options.improve; ++round) {
+      bool any = false;
+      for (const std::uint32_t number : shuffled(waiting(), random)) {
+        if (!bring_forward(number)) continue;
+        ++out.moved;
+        any = true;
+      }
+      if (!any) break;
+    }
+  }
+
+  std::vector<Departure> result() const {
+    std::vector<Departure> out(ways_.size());
+    for (std::uint32_t number = 0; number < ways_.size(); ++number) {
+      const auto& way = way_[number];
+      if (way) {
+        out[number] = {start_[*way], *way, {}};
+      } else {
+        out[number] = {std::nullopt, ways_[number].front(), blockers(number)};
+      }
+    }
+    return out;
+  }
+
+  double delay() const {
+    double sum = 0;
+    for (const auto& way : way_) {
+      if (way) sum += *start_[*way] - flights_[*way].earliest;
+    }
+    return sum;
+  }
+
+ private:
+  const FleetFlight& first_of(std::uint32_t number) const {
+    return flights_[ways_[number].front()];
+  }
+
+  // Higher priority first, then as they come.
+  std::vector<std::uint32_t> order() const {
+    std::vector<std::uint32_t> out(ways_.size());
+    std::iota(out.begin(), out.end(), 0u);
+    std::stable_sort(out.begin(), out.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return first_of(a).priority > first_of(b).priority;
+    });
+    return out;
+  }
+
+  // When a flight must not depart, for all that have a departure.
+  std::vector<DepartureSpan> closed(std::uint32_t flight) const {
+    std::vector<DepartureSpan> out;
+    neighbours_.each(flight, [&](std::uint32_t other, const DepartureSpan& span) {
+      if (start_[other]) out.push_back(after(*start_[other], span));
+      return true;
+    });
+    return united(std::move(out));
+  }
+
+  static DepartureSpan after(double start, const DepartureSpan& span) {
+    return {geom::next_down(start + span.low), geom::next_up(start + span.high)};
+  }
+
+  std::optional<double> earliest(std::uint32_t flight) const {
+    double start = flights_[flight].earliest;
+    for (const DepartureSpan& span : closed(flight)) {
+      if (span.low > start) break;
+      if (span.high < start) continue;
+      if (span.high >= flights_[flight].latest) return std::nullopt;
+      start = millisecond_after(span.high);
+    }
+    return start <= flights_[flight].latest ? std::optional(start) : std::nullopt;
+  }
+
+  bool place(std::uint32_t number) {
+    for (const std::uint32_t flight : ways_[number]) {
+      start_[flight] = earliest(flight);
+      if (!start_[flight]) continue;
+      way_[number] = flight;
+      return true;
+    }
+    return false;
+  }
+
+  void take_out(std::uint32_t number) {
+    if (way_[number]) start_[*way_[number]].reset();
+    way_[number].reset();
+  }
+
+  // Flights with a departure that is too near one that this flight could have.
+  std::vector<std::uint32_t> in_the_way(std::uint32_t flight) const {
+    std::vector<std::uint32_t> out;
+    const double from = flights_[flight].earliest;
+    const double until = start_[flight].value_or(flights_[flight].latest);
+    neighbours_.each(flight, [&](std::uint32_t other, const DepartureSpan& span) {
+      if (!start_[other]) return true;
+      const DepartureSpan at = after(*start_[other], span);
+      if (at.low > until || at.high < from) return true;
+      out.push_back(other);
+      return false;  // no more of this one
+    });
+    return out;
+  }
+
+  std::vector<std::uint32_t> blockers(std::uint32_t number) const {
+    std::vector<std::uint32_t> out;
+    for (const std::uint32_t flight : ways_[number]) {
+      const auto more = in_the_way(flight);
+      out.insert(out.end(), more.begin(), more.end());
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+
+  std::vector<std::uint32_t> waiting() const {
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t number = 0; number < ways_.size(); ++number) {
+      const auto& way = way_[number];
+      if (!way || *start_[*way] > flights_[*way].earliest || *way != ways_[number].front()) {
+        out.push_back(number);
+      }
+    }
+    return out;
+  }
+
+  static std::vector<std::uint32_t> shuffled(std::vector<std::uint32_t> numbers,
+                                             geom::SplitMix64& random) {
+    for (std::size_t i = numbers.size(); i > 1; --i) {
+      const auto k = static_cast<std::size_t>(random.whole(0, static_cast<int>(i) - 1));
+      std::swap(numbers[i - 1], numbers[std::min(k, i - 1)]);
+    }
+    return numbers;
+  }
+
+  struct Kept {
+    std::uint32_t number;
+    std::optional<std::uint32_t> way;
+    std::optional<double> start;
+  };
+
+  // What a number costs: its delay; more than any where it has no departure or another way.
+  double cost(std::uint32_t number) const {
+    const auto& way = way_[number];
+    if (!way) return kRefused;
+    const double delay = *start_[*way] - flights_[*way].earliest;
+    return delay + (*way != ways_[number].front() ? kOtherWay : 0);
+  }
+
+  bool bring_forward(std::uint32_t number) {
+    std::vector<std::uint32_t> moved{number};
+    const std::uint32_t flight = way_[number].value_or(ways_[number].front());
+    for (const std::uint32_t other : in_the_way(flight)) {
+      if (flights_[other].priority > flights_[flight].priority) continue;
+      moved.push_back(flights_[other].number);
+    }
+    if (moved.size() == 1 || moved.size() > kMostMoved) return false;
+    std::vector<Kept> kept;
+    double before = 0;
+    for (const std::uint32_t one : moved) {
+      const auto& way = way_[one];
+      kept.push_back({one, way, way ? start_[*way] : std::nullopt});
+      before += cost(one);
+    }
+    for (const std::uint32_t one : moved) take_out(one);
+    double sum = 0;
+    for (const std::uint32_t one : moved) {
+      place(one);
+      sum += cost(one);
+    }
+    if (sum < before) return true;
+    for (const std::uint32_t one : moved) take_out(one);
+    for (const Kept& one : kept) {
+      way_[one.number] = one.way;
+      if (one.way) start_[*one.way] = one.start;
+    }
+    return false;
+  }
+
+  static constexpr double kOtherWay = 1e10;  // more than any delay
+  static constexpr double kRefused = 1e14;   // more than any number of those
+
+  std::span<const FleetFlight> flights_;
+  Neighbours neighbours_;
+  std::vector<std::optional<double>> start_;       // by flight
+  std::vector<std::vector<std::uint32_t>> ways_;   // by number
+  std::vector<std::optional<std::uint32_t>> way_;  // by number
+};
+
+}  // namespace
+
+Departures choose_departures(std::span<const FleetFlight> flights, const FleetConflicts& conflicts,
+                             const DepartureOptions& options) {
+  Chooser chooser(flights, conflicts);
+  chooser.place_all();
+  Departures out;
+  out.before = chooser.delay();
+  chooser.improve(options, out);
+  out.of = chooser.result();
+  return out;
+}
+
+std::size_t conflicts_as_asked(std::span<const FleetFlight> flights,
+                               const FleetConflicts& conflicts) {
+  const auto is_first = [&](std::uint32_t i) {
+    return i == 0 || flights[i - 1].number != flights[i].number;
+  };
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < conflicts.pairs.size(); ++k) {
+    const auto [a, b] = conflicts.pairs[k];
+    if (!is_first(a) || !is_first(b)) continue;
+    const double difference = flights[b].earliest - flights[a].earliest;
+    const auto spans = conflicts.of(k);
+    count += std::any_of(spans.begin(), spans.end(),
+                         [&](const DepartureSpan& span) { return span.holds(difference); });
+  }
+  return count;
+}
+
+}  // namespace traj

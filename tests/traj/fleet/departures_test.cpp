@@ -1,0 +1,142 @@
+#include "traj/fleet/departures.h"
+
+#include <gtest/gtest.h>
+
+#include "traj/fleet/random_flights.h"
+#include "traj/together/check_together.h"
+
+namespace traj {
+namespace {
+
+using testing::random_flight;
+
+// Flights without ways: what is forbidden is given.
+std::vector<FleetFlight> flights(std::size_t count, double wait = 100) {
+  std::vector<FleetFlight> out(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    out[i].latest = wait;
+    out[i].number = i;
+  }
+  return out;
+}
+
+FleetConflicts conflicts(const std::vector<std::pair<FlightPair, DepartureSpan>>& list) {
+  FleetConflicts out;
+  for (const auto& [pair, span] : list) {
+    out.pairs.push_back(pair);
+    out.forbidden.push_back(span);
+    out.ends.push_back(out.forbidden.size());
+  }
+  return out;
+}
+
+TEST(ChooseDepartures, FirstComeFirstServed) {
+  const auto c = conflicts({{{0, 1}, {-5, 5}}, {{0, 2}, {-7.0001, 7.0001}}, {{1, 2}, {-1, 1}}});
+  const Departures chosen = choose_departures(flights(3), c);
+  EXPECT_EQ(chosen.of[0].start, 0);
+  EXPECT_EQ(chosen.of[1].start, 5.001) << "the first whole millisecond after";
+  EXPECT_EQ(chosen.of[2].start, 7.001);
+  EXPECT_NEAR(chosen.before, 12.002, 1e-9);
+}
+
+TEST(ChooseDepartures, TakesAGapThatIsThere) {
+  auto c = conflicts({{{0, 1}, {-5, 1}}});
+  c.forbidden.push_back({3, 9});
+  c.ends.back() = 2;
+  EXPECT_EQ(choose_departures(flights(2), c).of[1].start, 1.001);
+}
+
+TEST(ChooseDepartures, HigherPriorityGoesFirst) {
+  auto f = flights(2);
+  f[1].priority = 1;
+  const Departures chosen = choose_departures(f, conflicts({{{0, 1}, {-5, 3}}}));
+  EXPECT_EQ(chosen.of[1].start, 0);
+  EXPECT_EQ(chosen.of[0].start, 5.001) << "the first after the second: differences the other way";
+}
+
+TEST(ChooseDepartures, RefusesWithThoseInTheWay) {
+  const auto f = flights(3, 4);
+  const Departures chosen =
+      choose_departures(f, conflicts({{{0, 2}, {-5, 5}}, {{1, 2}, {20, 30}}}));
+  EXPECT_FALSE(chosen.of[2].start);
+  EXPECT_EQ(chosen.of[2].blocked, (std::vector<std::uint32_t>{0}));
+}
+
+TEST(ChooseDepartures, TakesTheLatestAndNoLater) {
+  const auto c = conflicts({{{0, 1}, {-5, 3.9995}}});
+  EXPECT_EQ(choose_departures(flights(2, 4), c).of[1].start, 4);
+  EXPECT_FALSE(choose_departures(flights(2, 3.9999), c).of[1].start);
+}
+
+TEST(ChooseDepartures, GoesAnotherWayOnlyWhereItWouldBeRefused) {
+  auto f = flights(3, 4);
+  f[2].number = 1;
+  const Departures other = choose_departures(f, conflicts({{{0, 1}, {-5, 5}}}));
+  ASSERT_EQ(other.of.size(), 2u);
+  EXPECT_EQ(other.of[1].flight, 2u);
+  EXPECT_EQ(other.of[1].start, 0);
+  const Departures waits = choose_departures(f, conflicts({{{0, 1}, {-3, 3}}}));
+  EXPECT_EQ(waits.of[1].flight, 1u);
+  EXPECT_EQ(waits.of[1].start, 3.001);
+}
+
+TEST(ChooseDepartures, ImprovesByLettingOneGoFirst) {
+  // The first makes two others wait; behind them it waits itself, and less.
+  const auto c = conflicts({{{0, 1}, {-1, 50}}, {{0, 2}, {-1, 50}}});
+  const Departures before = choose_departures(flights(3), c);
+  EXPECT_NEAR(before.before, 100.002, 1e-9);
+  const Departures after = choose_departures(flights(3), c, {5, 1});
+  EXPECT_EQ(after.of[1].start, 0);
+  EXPECT_EQ(after.of[2].start, 0);
+  EXPECT_EQ(after.of[0].start, 1.001);
+  EXPECT_GT(after.moved, 0u);
+}
+
+TEST(ChooseDepartures, NoRoundMovesHigherPriorityBack) {
+  auto f = flights(3);
+  f[0].priority = 2;
+  const auto c = conflicts({{{0, 1}, {-1, 50}}, {{0, 2}, {-1, 50}}});
+  EXPECT_EQ(choose_departures(f, c, {5, 1}).of[0].start, 0);
+}
+
+TEST(ConflictsAsAsked, CountsPairsOnce) {
+  auto f = flights(3);
+  f[1].earliest = 5;
+  const auto c = conflicts({{{0, 1}, {-5, 5}}, {{0, 2}, {1, 2}}, {{1, 2}, {-6, -5}}});
+  EXPECT_EQ(conflicts_as_asked(f, c), 2u);
+}
+
+// From random flights to departures that the check of pairs proves.
+TEST(ChooseDepartures, AreProved) {
+  const Spacing spacing{cylinder(8, 3), std::nullopt};
+  for (const std::uint64_t seed : {11, 12, 13}) {
+    geom::SplitMix64 random(seed);
+    std::vector<Trajectory> ways;
+    for (int i = 0; i < 80; ++i) ways.push_back(random_flight(random, 120, 15));
+    std::vector<FleetFlight> f;
+    for (std::uint32_t i = 0; i < ways.size(); ++i) {
+      const double earliest = random.uniform(0, 120);
+      f.push_back({&ways[i], Vec3::Constant(0.5), earliest, earliest + 300, random.whole(0, 2), i});
+    }
+    const FleetConflicts c = fleet_conflicts(f, spacing, Parked::gone);
+    const Departures first = choose_departures(f, c);
+    const Departures chosen = choose_departures(f, c, {20, seed});
+    std::vector<TimedFlight> timed;
+    double sum = 0;
+    for (const Departure& departure : chosen.of) {
+      ASSERT_TRUE(departure.start);
+      const FleetFlight& flight = f[departure.flight];
+      EXPECT_GE(*departure.start, flight.earliest);
+      EXPECT_LE(*departure.start, flight.latest);
+      sum += *departure.start - flight.earliest;
+      timed.push_back({flight.trajectory, *departure.start, flight.room});
+    }
+    EXPECT_TRUE(check_together(timed, {spacing, Parked::gone}).ok());
+    EXPECT_EQ(chosen.before, first.before);
+    EXPECT_LE(sum, first.before);
+    EXPECT_GT(conflicts_as_asked(f, c), 0u);
+  }
+}
+
+}  // namespace
+}  // namespace traj

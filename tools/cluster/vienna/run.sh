@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# run.sh BUILDINGS.gpkg FLIGHTS.csv FOLDER [COUNT]: an hour of flights over Vienna (Metropolis-2), from
+# its two files to departures at which every pair is proved to keep 32 m across or 7.62 m in height.
+# What stands in FOLDER already is left as it is, so that a run that was stopped goes on. The tools
+# must be in PATH.
+#   SLACK   how far boxes may reach outside a footprint, metres (1)
+#   SHARDS  in how many shares paths and trajectories are made (8)
+#   JOBS    how many at once (all cores)
+#   DELAY   the longest wait, seconds (300)
+#   IMPROVE rounds (20)
+set -euo pipefail
+buildings=$(realpath "$1")
+flights=$(realpath "$2")
+folder=$3
+count=${4:-}
+here=$(dirname "$(realpath "$0")")
+slack=${SLACK:-1} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-300} improve=${IMPROVE:-20}
+mkdir -p "$folder"
+cd "$folder"
+mkdir -p shards
+TIMEFORMAT='%R %U %S'
+
+# made FILE COMMAND ...: runs it unless FILE is there, and notes seconds, of the wall and of the CPU.
+made() {
+  local file=$1
+  shift
+  [ -e "$file" ] && return
+  { time "$@" 2>&3; } 3>&2 2>time.partial
+  echo "$file seconds $(tail -1 time.partial)" >>times.txt
+}
+# answer COMMAND ...: exit codes 0 and 1 are both answers.
+answer() {
+  local code=0
+  "$@" || code=$?
+  [ $code -le 1 ] || exit $code
+}
+# shares KIND VEHICLE COMMAND ...: all shards of it, JOBS at once, then the records of all.
+shares() {
+  local kind=$1 vehicle=$2
+  shift 2
+  export -f answer
+  seq "$shards" | xargs -P "$jobs" -I{} bash -c 'answer "$@"' share "$@" --threads 1 -q \
+    --shard "{}/$shards" -o "shards/$kind.$vehicle.{}"
+  answer skyway-join shards/"$kind.$vehicle".* -o "$kind.$vehicle.jsonl"
+}
+queries() { python3 "$here/flights.py" queries "$flights" . $count; }
+blocks() {
+  skyway-footprints "$buildings" --height-attribute bldg_h_max --slack "$slack" --floor 0 -q -o "$1" "${@:2}"
+}
+hull() {
+  blocks blocks.boxmap
+  skyway-info blocks.boxmap >blocks.info
+  skyway-query blocks.boxmap pads.jsonl --vehicle "$here/MP20.json" -q -o pads.metres
+  python3 "$here/flights.py" bounds . >bounds.partial
+  mv bounds.partial bounds.txt
+}
+city() { blocks city.boxmap --bounds="$(cat bounds.txt)"; }
+roadmap() {
+  skyway-roadmap city.boxmap --vehicle "$here/MP20.json" --margin 1 --reach 60 --threads "$jobs" -q -o city.roadmap
+}
+merged() {
+  local kind=$1
+  python3 "$here/flights.py" merge . "$kind".MP?0.jsonl >"$kind.partial"
+  mv "$kind.partial" "$kind.jsonl"
+}
+fleet() {
+  answer skyway-fleet trajectories.jsonl --separation 32,7.62 --parked gone --max-delay "$delay" \
+    --improve "$improve" -q --stats fleet.stats.json --report fleet.report.json -o fleet.jsonl
+}
+together() {
+  answer skyway-check city.boxmap fleet.jsonl --together --separation 32,7.62 --parked gone \
+    --no-clearance -q -o together.jsonl
+}
+
+made order.txt queries
+made bounds.txt hull
+made city.boxmap city
+made city.roadmap roadmap
+for queries in queries.*.jsonl; do
+  vehicle=${queries#queries.}
+  vehicle=${vehicle%.jsonl}
+  made "paths.$vehicle.jsonl" shares paths "$vehicle" skyway-plan city.boxmap --roadmap city.roadmap \
+    --queries "$queries" --vehicle "$here/$vehicle.json" --margin 1 --snap-ends 20
+  made "trajectories.$vehicle.jsonl" shares trajectories "$vehicle" skyway-traj city.boxmap \
+    "paths.$vehicle.jsonl"
+done
+made trajectories.jsonl merged trajectories
+made fleet.jsonl fleet
+made together.jsonl together
+python3 "$here/flights.py" summary .

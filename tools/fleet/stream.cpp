@@ -1,0 +1,120 @@
+#include "stream.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/file/files.h"
+#include "geom/base/error.h"
+#include "geom/base/rounding.h"
+#include "traj/proof/domain.h"
+
+namespace fleet {
+
+using geom::InputError;
+using traj::TrajectoryRecord;
+
+void Stream::read(const std::string& path) {
+  cli::InputFile file(path);
+  file.for_each_line([&](const std::string& line, std::size_t number) {
+    add(traj::parse_trajectory_record(line, file.name(), number), file.name(), number);
+  });
+  ways_ = own_;
+}
+
+void Stream::read_ways(const std::string& path) {
+  cli::InputFile file(path);
+  file.for_each_line([&](const std::string& line, std::size_t number) {
+    add_way(traj::parse_trajectory_record(line, file.name(), number), file.name(), number);
+  });
+  ways_ = own_;
+  ways_.insert(ways_.end(), others_.begin(), others_.end());
+  std::stable_sort(ways_.begin(), ways_.end(),
+                   [](const Way& a, const Way& b) { return a.flight.number < b.flight.number; });
+}
+
+void Stream::require_agrees(const TrajectoryRecord& record, const std::string& source,
+                            std::size_t line) {
+  if (!any_) {
+    provenance_ = record.provenance;
+    epoch_ = record.time.epoch;
+    any_ = true;
+  }
+  geom::require_map_agrees(record.provenance, provenance_, source, line);
+  geom::require_epoch_agrees(record.time.epoch, epoch_, source, line);
+  if (traj::outside_domain(record.trajectory, {})) {
+    throw InputError(source, line,
+                     "expected durations from 1e-9 to 1e9 s in all and coordinates within 1e8 m: "
+                     "nothing can be proved of this trajectory");
+  }
+}
+
+// As a collision scene of the record has it.
+geom::Vec3 Stream::room_of(const TrajectoryRecord& record, const std::string& source,
+                           std::size_t line) const {
+  geom::Vec3 room = geom::Vec3::Zero();
+  if (record.provenance.vehicle) {
+    for (int axis = 0; axis < 3; ++axis) {
+      room[axis] =
+          geom::add_up(record.provenance.vehicle->half[axis], record.provenance.margin.value_or(0));
+    }
+  }
+  if (rules_.by_vehicles && !(room.minCoeff() > 0)) {
+    throw InputError(source, line,
+                     "expected a vehicle with a size along each axis, as the distance follows from "
+                     "that, found none: give --separation");
+  }
+  return room;
+}
+
+void Stream::add(TrajectoryRecord record, const std::string& source, std::size_t line) {
+  if (!entry_of_.emplace(record.id, entries_.size()).second) {
+    throw InputError(source, line,
+                     fmt::format("expected each id once, found \"{}\" again (other ways for a "
+                                 "flight belong in a file of their own: --alternatives)",
+                                 record.id));
+  }
+  const TrajectoryRecord& kept = records_.emplace_back(std::move(record));
+  if (kept.status != traj::TrajectoryStatus::solved) {
+    entries_.push_back({&kept, std::nullopt});
+    return;
+  }
+  require_agrees(kept, source, line);
+  traj::FleetFlight flight;
+  flight.trajectory = &kept.trajectory;
+  flight.room = room_of(kept, source, line);
+  flight.earliest = kept.time.earliest.value_or(kept.time.starts());
+  flight.latest =
+      std::min(kept.time.latest.value_or(geom::kLargestTime), flight.earliest + rules_.max_delay);
+  flight.priority = kept.time.priority.value_or(0);
+  flight.number = numbers_++;
+  entries_.push_back({&kept, flight.number});
+  own_.push_back({&kept, flight});
+}
+
+void Stream::add_way(TrajectoryRecord record, const std::string& source, std::size_t line) {
+  if (record.status != traj::TrajectoryStatus::solved) return;
+  const auto found = entry_of_.find(record.id);
+  if (found == entry_of_.end()) {
+    throw InputError(source, line,
+                     fmt::format("expected another way for a flight of the stream, found \"{}\", "
+                                 "which is none of them",
+                                 record.id));
+  }
+  require_agrees(record, source, line);
+  const Entry& entry = entries_[found->second];
+  if (!entry.number) return;
+  Way way = own_[*entry.number];
+  way.record = &records_.emplace_back(std::move(record));
+  way.flight.trajectory = &way.record->trajectory;
+  way.flight.room = room_of(*way.record, source, line);
+  others_.push_back(way);
+}
+
+std::vector<traj::FleetFlight> Stream::flights() const {
+  std::vector<traj::FleetFlight> out;
+  for (const Way& way : ways_) out.push_back(way.flight);
+  return out;
+}
+
+}  // namespace fleet

@@ -1,0 +1,74 @@
+#pragma once
+
+// The flights of a stream of trajectories, and the other ways that they may take.
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "traj/fleet/fleet_flight.h"
+#include "traj/record/trajectory_record.h"
+
+namespace fleet {
+
+struct Rules {
+  double max_delay = 600;    // seconds that a flight may wait
+  bool by_vehicles = false;  // the distance follows from the vehicles' sizes
+};
+
+class Stream {
+ public:
+  explicit Stream(const Rules& rules) : rules_(rules) {}
+
+  // The flights, in the order in which they come. Throws InputError for an id that comes again, for
+  // records of another map, frame or epoch, and what no departure can be chosen for.
+  void read(const std::string& file);
+  // Other ways for them, with their ids. What is no solved trajectory is passed over.
+  void read_ways(const std::string& file);
+
+  // Of all ways; those of a number follow each other, the stream's own first. Once all is read.
+  std::vector<traj::FleetFlight> flights() const;
+
+  // Of way `i` of flights().
+  const traj::TrajectoryRecord& record(std::size_t i) const { return *ways_.at(i).record; }
+  std::size_t numbers() const { return numbers_; }
+
+  // All records of the stream in their order, with their number where they are flights.
+  struct Entry {
+    const traj::TrajectoryRecord* record = nullptr;
+    std::optional<std::uint32_t> number;
+  };
+  const std::vector<Entry>& entries() const { return entries_; }
+
+  const geom::Provenance& provenance() const { return provenance_; }
+  const std::optional<std::string>& epoch() const { return epoch_; }
+
+ private:
+  struct Way {
+    const traj::TrajectoryRecord* record = nullptr;
+    traj::FleetFlight flight;
+  };
+
+  void add(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
+  void add_way(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
+  void require_agrees(const traj::TrajectoryRecord& record, const std::string& source,
+                      std::size_t line);
+  geom::Vec3 room_of(const traj::TrajectoryRecord& record, const std::string& source,
+                     std::size_t line) const;
+
+  Rules rules_;
+  std::deque<traj::TrajectoryRecord> records_;  // stay where they are
+  std::vector<Entry> entries_;
+  std::vector<Way> own_;                                      // by number
+  std::vector<Way> others_;                                   // as they come
+  std::vector<Way> ways_;                                     // all, by number
+  std::map<std::string, std::size_t, std::less<>> entry_of_;  // by id
+  std::uint32_t numbers_ = 0;
+  bool any_ = false;
+  geom::Provenance provenance_;  // of the first
+  std::optional<std::string> epoch_;
+};
+
+}  // namespace fleet
