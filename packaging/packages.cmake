@@ -47,7 +47,7 @@ City tables and text maps become box maps, box maps become lattices and
 roadmaps, those give paths, and paths become minimum-snap trajectories that
 are proved free of collision and inside the vehicle's limits, and are written
 in the form that the drone reads. Every step is a command-line tool.")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, python3-skyway, make, slurm-client")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, skyway-mesh, python3-skyway, make, slurm-client")
 
 skyway_package(development libskyway-dev libdevel "libraries of the Skyway toolkit
 Headers and static libraries of what the tools are made of: box maps and exact
@@ -73,6 +73,14 @@ if(SKYWAY_CLOUD)
 Reads PCD, PLY, LAS, LAZ and XYZ point clouds, and makes box maps of them for the
 tools of the package skyway.")
   set(CPACK_DEBIAN_CLOUD_PACKAGE_RECOMMENDS skyway)
+endif()
+
+if(SKYWAY_MESH)
+  list(APPEND CPACK_COMPONENTS_ALL mesh)
+  skyway_package(mesh skyway-mesh science "models of triangles to Skyway box maps
+Reads OBJ, STL, glTF, COLLADA, 3DS and 3D Tiles, and makes box maps of them for
+the tools of the package skyway.")
+  set(CPACK_DEBIAN_MESH_PACKAGE_RECOMMENDS skyway)
 endif()
 
 if(SKYWAY_PYTHON)

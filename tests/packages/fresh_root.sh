@@ -70,6 +70,11 @@ install "$(deb skyway-footprints)"
 in_root skyway-footprints -q --allow-skipped --default-height 10 /srv/blocks.geojson -o /srv/blocks.boxmap
 in_root skyway-info /srv/blocks.boxmap > /dev/null
 
+echo "== skyway-mesh"
+install "$(deb skyway-mesh)"
+printf 'v 0 0 0\nv 4 0 0\nv 0 4 3\nf 1 2 3\n' > "$root/srv/roof.obj"
+in_root skyway-mesh -q /srv/roof.obj -o /srv/roof.boxmap
+
 echo "== python3-skyway"
 install "$(deb python3-skyway)"
 for example in read query plan solve check; do

@@ -26,6 +26,7 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"import-trajectory", "drone files and missions to trajectories and paths"},
     {"footprints", "building footprints, city and height models to box maps"},
     {"cloud", "point clouds to box maps"},
+    {"mesh", "models of triangles and 3D Tiles to box maps"},
     {"map", "look at, join, merge, patch and convert box maps"},
     {"query", "hits, clearance, nearest boxes, planes, room"},
     {"lattice", "build a lattice graph of a map"},

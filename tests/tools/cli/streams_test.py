@@ -31,6 +31,7 @@ TOOLS = {
     "skyway-import": ["village.csv"],
     "skyway-footprints": ["blocks.geojson", "--allow-skipped", "--default-height", "10"],
     "skyway-cloud": ["cloud.xyz"],
+    "skyway-mesh": ["house.obj", "--solid"],
     "skyway-map": ["crop", "m.boxmap", "--bounds", "0,0,0,60,60,60"],
     "skyway-query": ["m.boxmap", "points.jsonl", *BOX],
     "skyway-lattice": ["m.boxmap", *BOX, "--spacing", "10"],
@@ -102,6 +103,7 @@ def prepare(folder):
     (folder / "points.jsonl").write_text('{"point":[1,1,1]}\n{"point":[20,20,15]}\n')
     (folder / "q.jsonl").write_text('{"id":"a","from":[5,30,5],"to":[70,10,5]}\n{"id":"b","from":[5,5,5],"to":[70,10,5]}\n')
     (folder / "cloud.xyz").write_text("".join(f"{x} {y} {z}\n" for x in range(4) for y in range(4) for z in range(4)))
+    (folder / "house.obj").write_text("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
     must(folder, "skyway-import", "village.csv", "-o", "m.boxmap", "-q", "--bounds", "0,0,0,80,60,60")
     plan = ["m.boxmap", *BOX, "--queries", "q.jsonl"]
     must(folder, "skyway-plan", "m.boxmap", *BOX, "--from", "5,30,5", "--to", "70,10,5", "-o", "p.jsonl")
@@ -430,7 +432,7 @@ def hostile_text(folder):
         expect(f"{what} with escapes: lines", run.err.count("\n") <= 2, run)
     (folder / "b.bin").write_bytes(bytes(range(256)) * 40)
     for tool, arguments in {"skyway-check": ["m.boxmap", "b.bin"], "skyway-import": ["b.bin", "-o", "out"],
-                            "skyway-cloud": ["b.bin", "-o", "out"], "skyway-query": ["m.boxmap", "b.bin", *BOX],
+                            "skyway-cloud": ["b.bin", "-o", "out"], "skyway-mesh": ["b.bin", "-o", "out"], "skyway-query": ["m.boxmap", "b.bin", *BOX],
                             "skyway-view": ["b.bin", "-o", "out"], "skyway-info": ["b.bin"],
                             "skyway-import-flight": ["b.bin"],
                             "skyway-import-trajectory": ["b.bin"], "skyway-join": ["b.bin"],

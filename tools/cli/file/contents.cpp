@@ -157,7 +157,7 @@ void add_drone_file(const std::string& path, const DroneFileOptions& options, Co
 
 bool is_drone_file(const std::string& path) {
   const auto kind = recognise_file(path);
-  return kind && kind->tools == kDroneTools;
+  return kind && kind->tools.starts_with(kDroneTools);
 }
 
 void add_input(const std::string& path, const ContentKinds& kinds, Contents& out) {

@@ -20,6 +20,7 @@ namespace {
 using std::string_view_literals::operator""sv;
 
 constexpr std::string_view kToCloud = "convert it to LAS, PLY or PCD, which skyway-cloud reads";
+constexpr std::string_view kDroneToolsAndMesh = "skyway-check skyway-import-trajectory skyway-mesh";
 constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kToTrajectory =
     "convert its positions to a table id,x,y,z in metres, which skyway-check --paths-csv reads";
@@ -69,7 +70,8 @@ constexpr std::array kMagic = {
     Magic{0, "#ROSBAG V"sv, "a ROS bag", "", kToTrajectory},
     Magic{0, "\x89MCAP0\r\n"sv, "an MCAP log", "", kToTrajectory},
     Magic{0, "QGC WPL"sv, "a mission (WPL)", kDroneTools, ""},
-    Magic{0, "glTF"sv, "a binary glTF", kDroneTools, ""},
+    Magic{0, "b3dm"sv, "a tile of 3D Tiles", "", "give skyway-mesh the tileset.json that names it"},
+    Magic{0, "glTF"sv, "a binary glTF", kDroneToolsAndMesh, ""},
     Magic{0, "\x89PNG\r\n\x1a\n"sv, "a PNG picture", "skyway-view", ""},
     Magic{0, "\xff\xd8\xff"sv, "a JPEG picture", "", ""},
     Magic{0, "\x1f\x8b"sv, "a gzip archive", "", "unpack it with gunzip"},
@@ -110,7 +112,7 @@ constexpr std::array kElements = {
     Word{"<osm", "an OpenStreetMap file", "skyway-footprints", ""},
     Word{"CityModel", "a CityGML model", "",
          "convert it to CityJSON, which skyway-footprints reads"},
-    Word{"<COLLADA", "a COLLADA model", "", ""},
+    Word{"<COLLADA", "a COLLADA model", "skyway-mesh", ""},
     Word{"<sdf", "an SDF world", "", ""},
     Word{"<svg", "an SVG drawing", "", ""},
     Word{"<html", "an HTML page", "", ""},
@@ -143,6 +145,8 @@ constexpr std::array kJson = {
     Word{R"("type":"benchmark")", "a report of skyway-bench", "skyway-plot", ""},
     Word{R"("bounds":{"extents")", "a RotorPy world", "skyway-import", ""},
     Word{R"("tilt_max_deg":)", "a vehicle profile", "", "give it with --vehicle"},
+    Word{R"("geometricError":)", "a tileset of 3D Tiles", "skyway-mesh", ""},
+    Word{R"("bufferViews":)", "a glTF model", "skyway-mesh", ""},
     Word{R"("from":[)", "a stream of queries", "skyway-plan skyway-bench skyway-info", ""},
 };
 
@@ -243,6 +247,7 @@ constexpr std::array kBeginnings = {
     Word{"min_x_m,", "a table of boxes (box CSV)", "skyway-import skyway-map", ""},
     Word{"voxel ", "a list of voxels (.3dmap)", "skyway-import", ""},
     Word{"boundary ", "a block text", "skyway-import", ""},
+    Word{"solid ", "an STL model", "skyway-mesh", ""},
     Word{"ncols ", "a height model (ASCII grid)", "skyway-footprints", ""},
     Word{"duration,x^0,", "a Crazyflie trajectory", kDroneTools, ""},
     Word{"t_s,east_m,", "a table of setpoints", kDroneTools, ""},

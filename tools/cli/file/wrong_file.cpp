@@ -192,7 +192,8 @@ std::string swapped(const CLI::App& app, const Place& place, const std::string& 
 
 std::string made_of(const Place& place, const FileKind& kind) {
   if (place.takes.front() == kMap && kind.what != "a shard") {
-    for (const std::string_view maker : {"skyway-import", "skyway-footprints", "skyway-cloud"}) {
+    for (const std::string_view maker :
+         {"skyway-import", "skyway-footprints", "skyway-cloud", "skyway-mesh"}) {
       const auto tools = words_of(kind.tools);
       if (std::find(tools.begin(), tools.end(), maker) == tools.end()) continue;
       return fmt::format("{} makes a box map of it", maker);
@@ -233,8 +234,8 @@ std::string refusal_here(const CLI::App& app, const Place& place, const std::str
 
 std::string refusal_by_tool(const std::string& tool, const std::string& path,
                             const FileKind& kind) {
-  const bool maker =
-      tool == "skyway-import" || tool == "skyway-footprints" || tool == "skyway-cloud";
+  const bool maker = tool == "skyway-import" || tool == "skyway-footprints" ||
+                     tool == "skyway-cloud" || tool == "skyway-mesh";
   const std::string advice =
       maker && kind.what == kMap ? "it is a map already, which skyway-map changes" : use_of(kind);
   return fmt::format("{}: this is {}, which {} does not read{}{}", path, kind.what, tool,

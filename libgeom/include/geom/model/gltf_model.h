@@ -1,0 +1,27 @@
+#pragma once
+
+// glTF 2.0 (Khronos, ISO/IEC 12113:2022) as triangles.
+
+#include "geom/model/model.h"
+
+namespace geom {
+
+struct GltfModel : Model {
+  // Of each triangle the feature that its vertices name (_BATCHID, _FEATURE_ID_0), or -1.
+  std::vector<std::int64_t> feature;
+};
+
+// `.gltf` or `.glb`, by how `bytes` begin; `files` reads what it names, relative to `path`. Metres,
+// y up. A part for each node that has triangles, named as the node, its mesh or its number. All
+// meshes of the scene that the file shows (the first where it does not say) are there, each as its
+// node and those above place it, in double precision.
+//
+// Skipped and counted: points and lines; meshes that nothing in that scene shows. Refused
+// (InputError): what would move or multiply a mesh (skins, morph targets, animated nodes,
+// EXT_mesh_gpu_instancing), compressed or sparse data, any extension that the file requires and
+// that changes what stands where, indices beyond their vertices, views beyond their buffers,
+// buffers shorter than they say, nodes within themselves.
+GltfModel read_gltf(std::string_view bytes, std::string_view source, const ModelFiles& files,
+                    std::string_view path = {});
+
+}  // namespace geom

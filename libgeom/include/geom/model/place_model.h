@@ -1,0 +1,25 @@
+#pragma once
+
+// Models of 3D Tiles, from coordinates that count from the middle of the Earth to a map's.
+
+#include <optional>
+
+#include "geom/map/frame.h"
+#include "geom/model/model.h"
+
+namespace geom {
+
+struct PlacedModel {
+  Frame frame;
+  // How far the map's surface of a triangle may lie from the flat one between its corners, at most:
+  // what is straight through space is not quite in a map projection. Boxes must grow by that.
+  double bend = 0;  // metres
+};
+
+// Moves the vertices of an earth-centred model into a map about `origin`; without one, about the
+// middle of the vertices' extent, at height 0. Throws InputError(source, …) where a vertex is more
+// than 100 km from the ellipsoid or 200 km from the origin, or where there is none.
+PlacedModel place_on_map(Model& model, const std::optional<GeodeticOrigin>& origin,
+                         std::string_view source);
+
+}  // namespace geom

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstring>
+#include <istream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+#include "geom/base/error.h"
+#include "geom/model/model.h"
+#include "geom/text/excerpt.h"
+#include "geom/text/text_table.h"
+
+// 3D Systems' StereoLithography Interface Specification (1989).
+
+namespace geom {
+namespace {
+
+constexpr std::size_t kHead = 84;
+constexpr std::size_t kFacet = 50;
+
+template <class T>
+T value_at(std::string_view bytes, std::size_t at) {
+  static_assert(std::endian::native == std::endian::little);
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
+}
+
+void add_triangle(Model& model, const std::array<Vec3, 3>& corners) {
+  const auto first = static_cast<std::uint32_t>(model.mesh.vertices.size());
+  model.mesh.vertices.insert(model.mesh.vertices.end(), corners.begin(), corners.end());
+  model.mesh.triangles.push_back(
+      {{first, first + 1, first + 2}, static_cast<std::uint32_t>(model.parts.size() - 1)});
+}
+
+Model read_binary(std::string_view bytes, std::string_view source) {
+  Model model;
+  model.parts = {""};
+  const auto count = value_at<std::uint32_t>(bytes, 80);
+  model.mesh.triangles.reserve(count);
+  model.mesh.vertices.reserve(3 * static_cast<std::size_t>(count));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t k = 0; k < 9; ++k) {
+      const std::size_t at = kHead + kFacet * i + 12 + 4 * k;
+      const auto v = static_cast<double>(value_at<float>(bytes, at));
+      if (!(std::abs(v) <= kLargestCoordinate)) {
+        throw InputError(source, fmt::format("triangle {}: expected coordinates within {}, found "
+                                             "{}",
+                                             i, kLargestCoordinate, v));
+      }
+      corners[k / 3][static_cast<Eigen::Index>(k % 3)] = v;
+    }
+    add_triangle(model, corners);
+  }
+  return model;
+}
+
+class StlText {
+ public:
+  StlText(std::istream& in, std::string_view source) : lines_(in, source) {}
+
+  Model read() {
+    while (lines_.next()) {
+      if (lines_.line().empty()) continue;
+      const std::string word = next_word();
+      if (word == "solid") {
+        begin_solid();
+      } else if (word == "facet") {
+        read_facet();
+      } else if (word == "endsolid") {
+        if (!open_) refuse("solid");
+        open_ = false;
+      } else {
+        refuse("solid, facet or endsolid");
+      }
+    }
+    if (open_) lines_.refuse("expected endsolid, found the end of the file");
+    if (model_.parts.empty()) lines_.refuse("expected a solid, found none");
+    return std::move(model_);
+  }
+
+ private:
+  std::string next_word() {
+    words_.clear();
+    words_.str(std::string(lines_.line()));
+    std::string word;
+    words_ >> word;
+    return word;
+  }
+
+  [[noreturn]] void refuse(std::string_view expected) const {
+    lines_.refuse(fmt::format("expected {}, found \"{}\"", expected, excerpt(lines_.line(), 40)));
+  }
+
+  void begin_solid() {
+    if (open_) refuse("facet or endsolid");
+    open_ = true;
+    model_.parts.emplace_back(trimmed(lines_.line().substr(5)));
+  }
+
+  std::string next_line(std::string_view expected) {
+    do {
+      if (!lines_.next()) lines_.refuse(fmt::format("expected {}, found the end", expected));
+    } while (lines_.line().empty());
+    return next_word();
+  }
+
+  void read_facet() {
+    if (!open_) refuse("solid");
+    if (next_line("outer loop") != "outer") refuse("outer loop");
+    std::array<Vec3, 3> corners;
+    for (Vec3& corner : corners) {
+      if (next_line("vertex") != "vertex") refuse("vertex");
+      std::string number;
+      for (int i = 0; i < 3; ++i) {
+        if (!(words_ >> number)) refuse("vertex and three numbers");
+        corner[i] = coordinate(lines_, "vertex", number);
+      }
+    }
+    if (next_line("endloop") != "endloop") refuse("endloop after three vertices");
+    if (next_line("endfacet") != "endfacet") refuse("endfacet");
+    add_triangle(model_, corners);
+  }
+
+  TextLines lines_;
+  std::istringstream words_;
+  Model model_;
+  bool open_ = false;
+};
+
+}  // namespace
+
+Model read_stl(std::istream& in, std::string_view source) {
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (bytes.size() >= kHead) {
+    const auto count = static_cast<std::size_t>(value_at<std::uint32_t>(bytes, 80));
+    if (bytes.size() == kHead + kFacet * count) return read_binary(bytes, source);
+    if (!bytes.starts_with("solid")) {
+      throw InputError(source, fmt::format("expected {} bytes for the {} triangles that its head "
+                                           "names, found {}",
+                                           kHead + kFacet * count, count, bytes.size()));
+    }
+  }
+  std::istringstream text(bytes);
+  return StlText(text, source).read();
+}
+
+}  // namespace geom

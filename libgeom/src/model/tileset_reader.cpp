@@ -1,0 +1,222 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "batched_model.h"
+#include "geom/base/error.h"
+#include "geom/model/gltf_model.h"
+#include "geom/model/tileset.h"
+#include "geom/text/parse_json.h"
+#include "json_members.h"
+#include "model_path.h"
+
+namespace geom {
+namespace {
+
+using Transform = Eigen::Matrix4d;
+
+constexpr std::size_t kDeepest = 300;        // tiles in tiles, whatever files they stand in
+constexpr std::size_t kMostFiles = 1000000;  // read, the same ones again included
+constexpr double kNoPlaceOnEarth = 1e6;      // metres: nearer to the middle of the Earth than any
+
+class TilesetReader {
+ public:
+  explicit TilesetReader(const ModelFiles& files) : files_(files) { model_.up = UpAxis::z; }
+
+  TilesModel read(const std::string& path) {
+    model_.unit = 1;
+    read_tileset_file(path, files_(path), Transform::Identity(), 0);
+    TilesModel out;
+    out.tiles = tiles_;
+    out.coarser = coarser_;
+    out.on_earth = on_earth(path);
+    out.model = std::move(model_);
+    return out;
+  }
+
+ private:
+  using Made = bool;  // whether a tile, or one below it, has content
+
+  Made read_tileset_file(const std::string& path, const std::string& bytes, const Transform& place,
+                         std::size_t depth) {
+    if (!open_.insert(path).second) {
+      throw InputError(path, "this tileset is within itself");
+    }
+    const nlohmann::json json = parse_json(bytes, path);
+    const JsonMembers root(json, path, "tileset");
+    const std::string version = JsonMembers(root.members("asset"), path, "asset").text("version");
+    if (version != "1.0" && version != "1.1") {
+      root.refuse(fmt::format("expected version 1.0 or 1.1, found \"{}\"", version.substr(0, 20)));
+    }
+    for (const nlohmann::json& name : root.list("extensionsRequired")) {
+      if (name == "3DTILES_content_gltf" || name == "3DTILES_metadata") continue;
+      root.refuse(fmt::format("it requires the extension {}, which is not read", shown(name)));
+    }
+    if (!root.has("root")) root.refuse("expected \"root\", found none");
+    const Made made = read_tile({json.at("root"), path, "root"}, path, place, "", depth);
+    open_.erase(path);
+    return made;
+  }
+
+  static Transform transform_of(const JsonMembers& tile) {
+    Transform out = Transform::Identity();
+    const auto m = tile.numbers("transform", 16);
+    if (!m) return out;
+    for (Eigen::Index i = 0; i < 16; ++i) out(i % 4, i / 4) = (*m)[static_cast<std::size_t>(i)];
+    if (out.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+      tile.refuse("expected a transform whose last row is 0, 0, 0, 1");
+    }
+    return out;
+  }
+
+  Made read_tile(const JsonMembers& tile, const std::string& path, const Transform& above,
+                 const std::string& refine_above, std::size_t depth) {
+    if (depth > kDeepest) tile.refuse(fmt::format("more than {} tiles deep", kDeepest));
+    if (tile.has("implicitTiling") ||
+        tile.members("extensions").contains("3DTILES_implicit_tiling")) {
+      tile.refuse(
+          "implicit tiling is not read: write an explicit tileset, for example with "
+          "`3d-tiles-tools convert`");
+    }
+    const Transform place = above * transform_of(tile);
+    const std::string refine = tile.find_text("refine").value_or(refine_above);
+    if (refine != "ADD" && refine != "REPLACE") {
+      tile.refuse(
+          fmt::format("expected refine ADD or REPLACE, found \"{}\"", refine.substr(0, 20)));
+    }
+    const std::size_t children = tile.list("children").size();
+    bool all_below = children > 0;
+    bool any_below = false;
+    for (std::size_t i = 0; i < children; ++i) {
+      const Made made = read_tile(tile.at("children", i, "tile"), path, place, refine, depth + 1);
+      all_below &= made;
+      any_below |= made;
+    }
+    const std::vector<std::string> uris = contents_of(tile);
+    if (uris.empty()) return any_below;
+    if (refine == "REPLACE" && all_below) {
+      coarser_ += uris.size();
+      return true;
+    }
+    bool any = any_below;
+    for (const std::string& uri : uris) {
+      any |= read_content(path_of_uri(uri, path, path), place, depth);
+    }
+    return any;
+  }
+
+  static std::vector<std::string> contents_of(const JsonMembers& tile) {
+    std::vector<std::string> out;
+    const auto add = [&](const JsonMembers& content) {
+      const auto uri = content.has("uri") ? content.find_text("uri") : content.find_text("url");
+      if (!uri) content.refuse("expected \"uri\", found none");
+      out.push_back(*uri);
+    };
+    if (tile.has("content")) {
+      add({tile.members("content"), tile.source(), "content"});
+    }
+    for (std::size_t i = 0; i < tile.list("contents").size(); ++i) {
+      add(tile.at("contents", i, "content"));
+    }
+    if (tile.members("extensions").contains("3DTILES_multiple_contents")) {
+      tile.refuse("3DTILES_multiple_contents is not read: write version 1.1");
+    }
+    return out;
+  }
+
+  Made read_content(const std::string& path, const Transform& place, std::size_t depth) {
+    if (++files_read_ > kMostFiles) {
+      throw InputError(path, fmt::format("more than {} files of tiles", kMostFiles));
+    }
+    const std::string bytes = files_(path);
+    if (bytes.starts_with("b3dm")) {
+      ++tiles_;
+      const BatchedModel batch = read_batched_model(bytes, path);
+      Transform centred = Transform::Identity();
+      centred.topRightCorner<3, 1>() = batch.center;
+      return add(read_gltf(batch.gltf, path, files_, path), place * centred, batch.names, path);
+    }
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    if (bytes.starts_with("glTF")) {
+      ++tiles_;
+      return add(read_gltf(bytes, path, files_, path), place, {}, path);
+    }
+    if (first != std::string::npos && bytes[first] == '{') {
+      const nlohmann::json json = parse_json(bytes, path);
+      if (json.contains("root")) return read_tileset_file(path, bytes, place, depth + 1);
+      ++tiles_;
+      return add(read_gltf(bytes, path, files_, path), place, {}, path);
+    }
+    model_.skipped.add("content that is no b3dm, glb, glTF or tileset", path);
+    return false;
+  }
+
+  // Positions are y up in the glTF, and z up in the tile (OGC 22-025r4, 6.7.1.6.2).
+  Made add(GltfModel content, const Transform& place, const std::vector<std::string>& names,
+           const std::string& path) {
+    const auto first = static_cast<std::uint32_t>(model_.mesh.vertices.size());
+    if (content.mesh.vertices.size() > std::numeric_limits<std::uint32_t>::max() - first) {
+      throw InputError(path, "more than 2^32 vertices in all tiles");
+    }
+    for (const Vec3& v : content.mesh.vertices) {
+      model_.mesh.vertices.push_back(place.topLeftCorner<3, 3>() * z_up_of_y_up(v) +
+                                     place.topRightCorner<3, 1>());
+    }
+    for (std::size_t t = 0; t < content.mesh.triangles.size(); ++t) {
+      MeshTriangle triangle = content.mesh.triangles[t];
+      for (std::uint32_t& corner : triangle.corners) corner += first;
+      triangle.part = part_of(content, t, names, path);
+      model_.mesh.triangles.push_back(triangle);
+    }
+    model_.skipped.add(content.skipped);
+    return !content.mesh.triangles.empty() || !content.skipped.empty();
+  }
+
+  // Features of two tiles are two parts, whatever their names.
+  std::uint32_t part_of(const GltfModel& content, std::size_t t,
+                        const std::vector<std::string>& names, const std::string& path) {
+    const std::int64_t feature = content.feature[t];
+    const std::uint32_t node = content.mesh.triangles[t].part;
+    const std::pair key{tiles_, feature >= 0 ? feature : -1 - static_cast<std::int64_t>(node)};
+    const auto [at, added] =
+        parts_.try_emplace(key, static_cast<std::uint32_t>(model_.parts.size()));
+    if (added) {
+      const bool named = feature >= 0 && static_cast<std::size_t>(feature) < names.size();
+      model_.parts.push_back(named          ? names[static_cast<std::size_t>(feature)]
+                             : feature >= 0 ? fmt::format("{} {}", path, feature)
+                                            : content.parts[node]);
+    }
+    return at->second;
+  }
+
+  bool on_earth(const std::string& path) const {
+    const auto& all = model_.mesh.vertices;
+    const auto near = [](const Vec3& v) { return v.norm() < kNoPlaceOnEarth; };
+    const auto count = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), near));
+    if (count == all.size()) return false;
+    if (count == 0) return true;
+    throw InputError(path, fmt::format("expected earth-centred coordinates, or local ones, found "
+                                       "both: {} of {} vertices are less than 1,000 km from the "
+                                       "middle of the Earth",
+                                       count, all.size()));
+  }
+
+  const ModelFiles& files_;
+  Model model_;
+  std::set<std::string> open_;  // tilesets that this one is within
+  std::map<std::pair<std::size_t, std::int64_t>, std::uint32_t> parts_;
+  std::size_t files_read_ = 0;
+  std::size_t tiles_ = 0;
+  std::size_t coarser_ = 0;
+};
+
+}  // namespace
+
+TilesModel read_tileset(const std::string& path, const ModelFiles& files) {
+  return TilesetReader(files).read(path);
+}
+
+}  // namespace geom

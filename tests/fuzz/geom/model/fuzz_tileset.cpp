@@ -1,0 +1,16 @@
+#include "fuzz/readers.h"
+#include "geom/model/place_model.h"
+#include "geom/model/tileset.h"
+
+// A tileset, then a zero byte, then the bytes of every file that it names.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return refuses_or_reads(data, size, [](std::istream& in) {
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t end = std::min(bytes.find('\0'), bytes.size());
+    geom::TilesModel tiles = geom::read_tileset("tileset.json", [&](const std::string& path) {
+      return path == "tileset.json" ? bytes.substr(0, end)
+                                    : bytes.substr(std::min(end + 1, bytes.size()));
+    });
+    if (tiles.on_earth) geom::place_on_map(tiles.model, std::nullopt, "fuzz");
+  });
+}

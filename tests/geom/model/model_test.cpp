@@ -1,0 +1,146 @@
+#include "geom/model/model.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+
+#include "geom/archive/bytes.h"
+#include "support/refusal.h"
+
+namespace geom {
+namespace {
+
+Model obj(const std::string& text) {
+  std::istringstream in(text);
+  return read_obj(in, "a.obj");
+}
+
+Model stl(const std::string& text) {
+  std::istringstream in(text);
+  return read_stl(in, "a.stl");
+}
+
+template <class Read>
+void expect_refusal(const Read& read, const std::string& text, const std::string& message) {
+  const std::string found = support::refusal_of([&] { read(text); });
+  EXPECT_NE(found.find(message), std::string::npos) << found;
+}
+
+double area(const std::vector<Vec3>& corners,
+            const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 u = corners[b] - corners[a];
+    const Vec3 v = corners[c] - corners[a];
+    sum += 0.5 * Vec3(u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
+                      u.x() * v.y() - u.y() * v.x())
+                     .norm();
+  }
+  return sum;
+}
+
+TEST(PolygonTriangles, DoNotFillANotch) {
+  const std::vector<Vec3> notched = {{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {2, 1, 1}, {0, 4, 1}};
+  EXPECT_DOUBLE_EQ(area(notched, polygon_triangles(notched)), 10);
+  std::vector<Vec3> standing;  // the same, upright and the other way round
+  for (const Vec3& p : notched) standing.insert(standing.begin(), {7, p.x(), p.y()});
+  const auto triangles = polygon_triangles(standing);
+  EXPECT_EQ(triangles.size(), 3u);
+  EXPECT_DOUBLE_EQ(area(standing, triangles), 10);
+}
+
+TEST(PolygonTriangles, HoldAPolygonWithASlit) {
+  const std::vector<Vec3> slit = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
+                                  {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
+  EXPECT_DOUBLE_EQ(area(slit, polygon_triangles(slit)), 12);
+}
+
+TEST(PolygonTriangles, AreAFanWhereThePolygonCrossesItselfOrIsAPoint) {
+  const std::vector<Vec3> bow = {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}};
+  EXPECT_EQ(polygon_triangles(bow).size(), 2u);
+  const std::vector<Vec3> point(6, Vec3(1, 2, 3));
+  EXPECT_EQ(polygon_triangles(point).size(), 4u);
+}
+
+TEST(ReadObj, MakesTrianglesOfFacesAndPartsOfObjects) {
+  const Model model = obj(
+      "# a comment\nmtllib a.mtl\no first thing\nv 0 0 0\nv 1 0 0 1\nv 1 1 0 0.5 0.5 0.5\nv 0 1 0\n"
+      "vt 0 0\nvn 0 0 1\ng wall\nusemtl stone\ns off\nf 1/1/1 2//1 3/1 4\no other\nv 0 0 1\n"
+      "f -1 \\\n -2 -3\n");
+  ASSERT_EQ(model.mesh.triangles.size(), 3u);
+  EXPECT_EQ(model.parts, (std::vector<std::string>{"first thing", "other"}));
+  EXPECT_EQ(model.mesh.triangles[0].part, 0u);
+  EXPECT_EQ(model.mesh.triangles[2].part, 1u);
+  EXPECT_EQ(model.mesh.triangles[2].corners, (std::array<std::uint32_t, 3>{4, 3, 2}));
+  EXPECT_TRUE(model.skipped.empty());
+  EXPECT_FALSE(model.up || model.unit);
+}
+
+TEST(ReadObj, CountsWhatItDoesNotBuild) {
+  const Model model = obj("v 0 0 0\nv 1 0 0\nl 1 2\np 1\ncstype bezier\nsurf 0 1 0 1 1 2\n");
+  EXPECT_EQ(model.skipped.count(), 4u);
+  EXPECT_TRUE(model.mesh.triangles.empty());
+}
+
+TEST(ReadObj, RefusesWhatIsNoModel) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  expect_refusal(obj, "", "expected vertices");
+  expect_refusal(obj, "v 0 0\n", "a.obj:1: expected \"v\" and three numbers, found 2");
+  expect_refusal(obj, "v 0 nan 0\n", "a.obj:1");
+  expect_refusal(obj, "v 0 1e9 0\n", "a.obj:1");
+  expect_refusal(obj, "v 0 0x 0\n", "a.obj:1");
+  expect_refusal(obj, three + "f 1 2\n",
+                 "a.obj:4: expected a face of at least 3 vertices, found 2");
+  expect_refusal(obj, three + "f 1 2 4\n", "found one that is not there yet");
+  expect_refusal(obj, three + "f 1 2 0\n", "expected the number of a vertex");
+  expect_refusal(obj, three + "f 1 2 -4\n", "expected the number of a vertex");
+  expect_refusal(obj, three + "f 1 2 99999999999999999999\n", "expected the number of a vertex");
+  expect_refusal(obj, three + "f 1 2 3 \\\n", "found the end");
+}
+
+std::string binary_stl(const std::vector<float>& numbers) {
+  std::string out(80, ' ');
+  append_bytes(out, static_cast<std::uint32_t>(numbers.size() / 9));
+  for (std::size_t i = 0; i < numbers.size(); i += 9) {
+    out += std::string(12, '\0');
+    for (std::size_t k = 0; k < 9; ++k) append_bytes(out, numbers[i + k]);
+    out += std::string(2, '\0');
+  }
+  return out;
+}
+
+TEST(ReadStl, ReadsBinaryEvenWhereItBeginsAsText) {
+  std::string bytes = binary_stl({0, 0, 0, 1, 0, 0, 0, 1, 0.5f, 0, 0, 0, 1, 0, 0, 0, 1, 2});
+  bytes.replace(0, 5, "solid");
+  const Model model = stl(bytes);
+  ASSERT_EQ(model.mesh.triangles.size(), 2u);
+  EXPECT_EQ(model.mesh.vertices[2], Vec3(0, 1, 0.5));
+  expect_refusal(stl, bytes.substr(0, bytes.size() - 1), "a.stl:1");
+  bytes.replace(0, 5, "other");
+  expect_refusal(stl, bytes + "x", "expected 184 bytes for the 2 triangles");
+  bytes.replace(80, 4, "\xff\xff\xff\xff");
+  expect_refusal(stl, bytes, "found 184");
+  expect_refusal(stl, binary_stl({0, 0, 0, 1, 0, std::numeric_limits<float>::quiet_NaN(), 0, 1, 0}),
+                 "triangle 0: expected coordinates");
+}
+
+TEST(ReadStl, ReadsTextSolidBySolid) {
+  const std::string facet =
+      "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\n"
+      "endfacet\n";
+  const Model model =
+      stl("solid a\n" + facet + "endsolid a\nsolid b c\n" + facet + facet + "endsolid\n");
+  EXPECT_EQ(model.mesh.triangles.size(), 3u);
+  EXPECT_EQ(model.parts, (std::vector<std::string>{"a", "b c"}));
+  EXPECT_EQ(model.mesh.triangles[2].part, 1u);
+  expect_refusal(stl, "solid a\n" + facet, "expected endsolid");
+  expect_refusal(stl, "facet normal 0 0 1\n", "expected solid");
+  expect_refusal(stl, "solid a\nfacet\nouter loop\nvertex 0 0 0\nendloop\n", "expected vertex");
+  expect_refusal(stl, "solid a\nfacet\nouter loop\nvertex 0 0 inf\n", "a.stl:4");
+  expect_refusal(stl, "solid a\nfacet\nouter loop\nvertex 0 0\n", "a.stl:4");
+  expect_refusal(stl, "", "expected a solid");
+}
+
+}  // namespace
+}  // namespace geom
