@@ -124,3 +124,18 @@ if [ -f "$SKYWAY_REALDATA/flights/px4_small.ulg" ]; then
   grep -q "1 dropout of 0.03 s" why
 fi
 echo "real data agree"
+# Worlds: PX4's walls, jps3d's course, and San Francisco there and back.
+if [ -d "$SKYWAY_REALDATA/meshes" ]; then
+  skyway-import -q "$SKYWAY_REALDATA/meshes/walls.sdf" -o walls
+  [ "$(count walls)" -eq 4 ]
+  skyway-import -q "$SKYWAY_REALDATA/voxels/jps3d_simple3d.yaml" -o course
+  [ "$(count course)" -eq 96 ]
+  for world in map walls; do
+    skyway-map to-sdf "$world" -o there.sdf
+    skyway-import -q there.sdf -o there
+    skyway-map to-sdf there -o back.sdf
+    skyway-import -q back.sdf -o back
+    [ "$(count there)" -eq "$(count "$world")" ]
+    skyway-map diff there back > /dev/null
+  done
+fi

@@ -1,4 +1,4 @@
-// skyway-import: city tables, block texts, voxels and octrees become box maps.
+// skyway-import: city tables, block texts, simulated worlds, voxels and octrees become box maps.
 
 #include <fmt/format.h>
 
@@ -15,6 +15,7 @@
 #include "geom/import/import_boxes.h"
 #include "geom/map/make_map.h"
 #include "geom/text/counted.h"
+#include "model_files.h"
 
 namespace {
 
@@ -25,6 +26,10 @@ struct Options {
   std::string unknown = "free";
   cli::SkippedOption skipped;
   cli::MapOptions map;
+  geom::SdfOptions sdf;
+  bool collisions_only = false;
+  std::vector<std::string> without;
+  std::vector<std::string> model_path;
 };
 
 std::vector<std::string> formats() {
@@ -56,6 +61,11 @@ void warn(const geom::ImportedBoxes& boxes, bool unknown_blocked, const std::str
     cli::tell(common, "skyway-import",
               fmt::format("{}: {} kept", file,
                           geom::counted(boxes.flat, "flat box is", "flat boxes are")));
+  if (boxes.movable > 0)
+    cli::tell(common, "skyway-import",
+              fmt::format("{}: {} not static, and taken where the file puts {}", file,
+                          geom::counted(boxes.movable, "model is", "models are"),
+                          boxes.movable == 1 ? "it" : "them"));
 }
 
 nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
@@ -63,22 +73,72 @@ nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
   nlohmann::ordered_json step = {
       {"tool", "skyway-import"}, {"input", hash}, {"format", options.format}};
   step.update(cli::history_of(map));
-  if (options.format == "octomap") step["unknown"] = options.unknown;
+  if (options.format == "octomap" || options.format == "jps3d") step["unknown"] = options.unknown;
+  if (options.format == "sdf") {
+    step["slack"] = options.sdf.slack;
+    if (options.collisions_only) step["collisions_only"] = true;
+    if (!options.without.empty()) step["without"] = options.without;
+  }
   return step;
+}
+
+// Adds what the options say of SDF worlds and OctoMaps.
+void add_format_options(CLI::App& app, Options& options) {
+  app.add_option("--unknown", options.unknown,
+                 "cells of an OctoMap or a jps3d map that were never seen: free (default) or "
+                 "blocked")
+      ->check(CLI::IsMember({"free", "blocked"}));
+  app.add_option("--model-path", options.model_path,
+                 "folder that the model:// of an SDF world is looked for in; again for more");
+  app.add_option("--slack", options.sdf.slack,
+                 "how far boxes may reach outside turned and round bodies of an SDF world, metres "
+                 "(default 0.1)")
+      ->check(CLI::Range(0.001, 100.0));
+  app.add_flag("--collisions-only", options.collisions_only,
+               "leave out what an SDF world shows and nothing collides with in the simulator");
+  app.add_option("--without", options.without,
+                 "name of a model that an SDF world holds and the map shall not, such as the drone "
+                 "itself; again for more");
+}
+
+void require_fitting(const CLI::App& app, geom::BoxFormat format) {
+  using geom::BoxFormat;
+  cli::only_for(app, format == BoxFormat::octomap || format == BoxFormat::jps3d, {"--unknown"},
+                "OctoMaps and jps3d maps");
+  cli::only_for(app, format == BoxFormat::sdf,
+                {"--model-path", "--slack", "--collisions-only", "--without"}, "SDF worlds");
+}
+
+geom::ImportedBoxes imported(Options& options, geom::BoxFormat format, std::istream& in,
+                             const std::string& name, import::ModelFiles& models) {
+  options.sdf.visuals = !options.collisions_only;
+  options.sdf.without = {options.without.begin(), options.without.end()};
+  options.sdf.open = [&](const std::string& uri, const std::string& from) {
+    return models.open(uri, from);
+  };
+  geom::ImportedBoxes boxes =
+      geom::import_boxes(in, format, name, {options.unknown == "blocked", options.sdf});
+  for (const std::string& model : options.without) {
+    if (!boxes.left_out.contains(model))
+      throw geom::InputError(name, fmt::format("expected a model of the name that --without gives, "
+                                               "found none: \"{}\"",
+                                               model));
+  }
+  return boxes;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Convert a city table, block text, voxels or an OctoMap to a box map.",
+  CLI::App app{"Convert a city table, block text, Gazebo world, voxels or an OctoMap to a box map.",
                "skyway-import"};
   cli::Common common(app);
   Options options;
   std::string input;
   std::string output = "-";
   app.add_option("file", input,
-                 "FCND CSV, box CSV, block text, RotorPy JSON, Moving AI .3dmap or OctoMap .bt; - "
-                 "for stdin")
+                 "FCND CSV, box CSV, block text, RotorPy JSON, Gazebo SDF, Moving AI .3dmap, jps3d "
+                 "YAML or OctoMap .bt; - for stdin")
       ->required();
   cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
   app.add_option("--format", options.format, "what the file is (default: auto)")
@@ -87,9 +147,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"enu", "neu"}));
   app.add_option("--units", options.units, "unit of the source's numbers (default m)")
       ->check(CLI::IsMember(cli::kMetres));
-  app.add_option("--unknown", options.unknown,
-                 "cells of an OctoMap that were never seen: free (default) or blocked")
-      ->check(CLI::IsMember({"free", "blocked"}));
+  add_format_options(app, options);
   options.skipped.add_to(app);
   options.map.add_to(app, "1 for FCND tables, else 0");
   return cli::run_tool(app, argc, argv, [&] {
@@ -99,15 +157,17 @@ int main(int argc, char** argv) {
                                        ? geom::box_format_of(hashed.head(), file.name())
                                        : *geom::value_of(geom::kBoxFormatWords, options.format);
     options.format = name(format);
-    cli::only_for(app, format == geom::BoxFormat::octomap, {"--unknown"}, "OctoMaps");
-    const bool unknown_blocked = options.unknown == "blocked";
-    geom::ImportedBoxes boxes =
-        geom::import_boxes(hashed.stream(), format, file.name(), {unknown_blocked});
+    require_fitting(app, format);
+    import::ModelFiles models(options.model_path);
+    geom::ImportedBoxes boxes = imported(options, format, hashed.stream(), file.name(), models);
     if (!options.frame.empty()) boxes.frame.axes = *geom::axes_from_name(options.frame);
-    warn(boxes, unknown_blocked, file.name(), common);
+    warn(boxes, options.unknown == "blocked", file.name(), common);
     const geom::MakeMapOptions map = map_options(options, boxes);
     nlohmann::ordered_json step = step_of(hashed.hash(), options, map);
+    if (!models.hashes().empty()) step["includes"] = models.hashes();
     options.skipped.settle(boxes.skipped, file.name(), common, step);
+    if (boxes.table.boxes.empty())
+      throw geom::InputError(file.name(), "expected at least one obstacle, found none");
     const geom::MadeMap made =
         geom::make_map(std::move(boxes.table), boxes.frame,
                        nlohmann::ordered_json::array({step}).dump(), file.name(), map);
@@ -115,6 +175,7 @@ int main(int argc, char** argv) {
                                     {"flat", boxes.flat},
                                     {"largest_change_m", boxes.largest_change}};
     if (!boxes.skipped.empty()) stats["skipped"] = boxes.skipped.count();
+    if (format == geom::BoxFormat::sdf) stats["movable"] = boxes.movable;
     cli::write_map(common, output, made, file.name(), stats);
     return cli::Exit::yes;
   });

@@ -1,11 +1,13 @@
-// Looking at maps: info, to-csv, to-geojson.
+// Looking at maps: info, to-csv, to-geojson, to-sdf.
 
 #include "cli/file/describe.h"
 #include "cli/file/files.h"
 #include "geom/import/box_csv.h"
 #include "geom/map/box_geojson.h"
+#include "geom/map/box_sdf.h"
 #include "geom/map/join.h"
 #include "geom/map/statistics.h"
+#include "geom/text/counted.h"
 #include "verbs.h"
 
 namespace verbs {
@@ -96,6 +98,23 @@ Verb to_geojson(CLI::App& app, const cli::Common& common) {
             cli::OutputFile out(files->output, cli::OutputKind::text);
             geom::write_box_geojson(out.stream(), map, files->map);
             out.commit();
+            return cli::Exit::yes;
+          }};
+}
+
+Verb to_sdf(CLI::App& app, const cli::Common& common) {
+  auto files = std::make_shared<Files>();
+  CLI::App* verb =
+      files->add(app, "to-sdf", "write the boxes as a Gazebo world, to fly in the simulator");
+  return {verb, [=, &common] {
+            const BoxMap map = open(files->map, common);
+            cli::OutputFile out(files->output, cli::OutputKind::text);
+            const std::size_t larger = geom::write_box_sdf(out.stream(), map);
+            out.commit();
+            if (larger > 0) {
+              common.warn(files->map + ": " + geom::counted(larger, "box is", "boxes are") +
+                          " larger by rounding than in the map");
+            }
             return cli::Exit::yes;
           }};
 }

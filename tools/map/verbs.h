@@ -29,6 +29,7 @@ Verb to_csv(CLI::App& app, const cli::Common& common);
 Verb to_geojson(CLI::App& app, const cli::Common& common);
 Verb to_ply(CLI::App& app, const cli::Common& common);
 Verb to_gltf(CLI::App& app, const cli::Common& common);
+Verb to_sdf(CLI::App& app, const cli::Common& common);
 
 // What every verb has: a map and an output.
 struct Files {

@@ -9,7 +9,9 @@
 #include "geom/import/block_text.h"
 #include "geom/import/box_csv.h"
 #include "geom/import/fcnd_csv.h"
+#include "geom/import/jps3d_map.h"
 #include "geom/import/octomap.h"
+#include "geom/import/sdf_world.h"
 #include "geom/import/voxel_3dmap.h"
 #include "geom/import/world_json.h"
 #include "geom/text/counted.h"
@@ -18,8 +20,18 @@
 namespace geom {
 namespace {
 
+// Of text between angle brackets, whatever stands before.
+bool is_sdf(std::string_view head) {
+  const std::size_t at = head.find_first_not_of("\xef\xbb\xbf \t\r\n");
+  if (at == head.npos || head[at] != '<') return false;
+  const std::size_t root = head.find("<sdf");
+  return root != head.npos && root + 4 < head.size() &&
+         std::string_view(" \t\r\n>").find(head[root + 4]) != std::string_view::npos;
+}
+
 std::optional<BoxFormat> detect(std::string_view head) {
   if (head.starts_with("# Octomap")) return BoxFormat::octomap;
+  if (is_sdf(head)) return BoxFormat::sdf;
   std::istringstream in{std::string(head)};
   for (std::string line; std::getline(in, line);) {
     if (line.find("min_x_m") != std::string::npos) return BoxFormat::box_csv;
@@ -29,6 +41,7 @@ std::optional<BoxFormat> detect(std::string_view head) {
     if (text.starts_with("boundary") || text.starts_with("block")) return BoxFormat::block_text;
     if (text.starts_with("voxel")) return BoxFormat::voxel_3dmap;
     if (text.starts_with("{")) return BoxFormat::world_json;
+    if (text.starts_with("- ") && text.find(':') != text.npos) return BoxFormat::jps3d;
     const bool table =
         text.find("pos") != std::string::npos || text.find("half") != std::string::npos;
     const bool numbers = text.find_first_of("0123456789") < 2;
@@ -91,6 +104,30 @@ ImportedBoxes from_octomap(std::istream& in, std::string_view source, bool unkno
   return out;
 }
 
+ImportedBoxes from_sdf(std::istream& in, std::string_view source, const SdfOptions& options) {
+  SdfWorld world = read_sdf_world(in, source, options);
+  ImportedBoxes out;
+  out.table = std::move(world.table);
+  out.frame = world.frame;
+  out.bounds = world.bounds;
+  out.floor = world.floor;
+  out.flat = world.flat;
+  out.skipped = std::move(world.skipped);
+  out.movable = world.movable;
+  out.left_out = std::move(world.left_out);
+  return out;
+}
+
+ImportedBoxes from_jps3d(std::istream& in, std::string_view source, bool unknown_blocked) {
+  Jps3dMap map = read_jps3d_map(in, source, {unknown_blocked});
+  ImportedBoxes out;
+  out.table = std::move(map.table);
+  out.bounds = map.bounds;
+  out.unknown = map.unknown;
+  out.largest_change = map.largest_change;
+  return out;
+}
+
 }  // namespace
 
 BoxFormat box_format_of(std::string_view head, std::string_view source) {
@@ -98,8 +135,8 @@ BoxFormat box_format_of(std::string_view head, std::string_view source) {
   throw InputError(
       source, 1,
       fmt::format(
-          "expected an FCND table, box CSV, block text, RotorPy JSON, .3dmap or OctoMap .bt, "
-          "found a file that begins with \"{}\": name its format with --format",
+          "expected an FCND table, box CSV, block text, RotorPy JSON, .3dmap, OctoMap .bt, SDF or "
+          "jps3d YAML, found a file that begins with \"{}\": name its format with --format",
           head.substr(0, std::min<std::size_t>(60, head.find_first_of("\r\n")))));
 }
 
@@ -121,6 +158,10 @@ ImportedBoxes import_boxes(std::istream& in, BoxFormat format, std::string_view 
       return from_voxels(in, source);
     case BoxFormat::octomap:
       return from_octomap(in, source, options.unknown_blocked);
+    case BoxFormat::sdf:
+      return from_sdf(in, source, options.sdf);
+    case BoxFormat::jps3d:
+      return from_jps3d(in, source, options.unknown_blocked);
   }
   throw InputError(source, "expected a known format of boxes, found another");
 }
@@ -135,6 +176,8 @@ MadeMap make_map(ImportedBoxes boxes, std::string_view source, MakeMapOptions op
     }
     history = '[' + JsonLine().add("skipped", boxes.skipped.count()).object() + ']';
   }
+  if (boxes.table.boxes.empty())
+    throw InputError(source, "expected at least one obstacle, found none");
   if (!options.source_bounds) options.source_bounds = boxes.bounds;
   if (!options.floor) options.floor = boxes.floor;
   if (!options.seal) options.seal = boxes.seal;

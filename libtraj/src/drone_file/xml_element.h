@@ -1,26 +1,12 @@
 #pragma once
 
-// XML as a tree: what a KML or WPML file holds, read to its end.
+// The XML of drone files.
 
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
+#include "geom/text/xml_element.h"
 
 namespace traj {
 
-struct XmlElement {
-  std::string name;      // without its namespace's prefix: "LineString", also of "kml:LineString"
-  std::string prefix;    // "kml" of that; empty where there is none
-  std::size_t line = 0;  // where it begins
-  std::vector<std::pair<std::string, std::string>> attributes;  // as they stand, in their order
-  std::string text;  // its own character data, entities resolved
-  std::vector<XmlElement> children;
-};
-
-// The root element. Comments and processing instructions are left out. Throws geom::InputError
-// (source, line, …) for text that is not well-formed XML 1.0 in UTF-8 from its first byte to its
-// last, for a document type (entities of one's own), and for elements nested deeper than 100.
-XmlElement parse_xml(std::string_view text, std::string_view source);
+using geom::parse_xml;
+using geom::XmlElement;
 
 }  // namespace traj

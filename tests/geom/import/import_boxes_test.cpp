@@ -25,7 +25,11 @@ TEST(ImportBoxes, KnowsFormatsByTheirFirstLine) {
   EXPECT_EQ(box_format_of(" {\"bounds\":", "it"), BoxFormat::world_json);
   EXPECT_EQ(box_format_of("voxel 3 4 5\n", "it"), BoxFormat::voxel_3dmap);
   EXPECT_EQ(box_format_of("# Octomap OcTree binary file\n", "it"), BoxFormat::octomap);
+  EXPECT_EQ(box_format_of("\xef\xbb\xbf<?xml version=\"1.0\"?>\n<sdf version='1.9'>", "it"),
+            BoxFormat::sdf);
+  EXPECT_EQ(box_format_of("# c\n- origin: [0, 0, 0]\n", "it"), BoxFormat::jps3d);
   EXPECT_THROW(box_format_of("<html>", "it"), InputError);
+  EXPECT_THROW(box_format_of("<sdfx>", "it"), InputError);
 }
 
 TEST(ImportBoxes, SaysWhatTheFormatSays) {

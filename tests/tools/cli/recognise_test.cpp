@@ -94,6 +94,8 @@ TEST(Recognise, NamesTextsByHowTheyBegin) {
   EXPECT_EQ(what("command\ntakeoff\n"), "a Tello script");
   EXPECT_EQ(what("boundary 0 0 0 1 1 1\n"), "a block text");
   EXPECT_EQ(what("voxel 4 5 6\n"), "a list of voxels (.3dmap)");
+  EXPECT_EQ(what("- origin: [0, 0, 0]\n"), "a jps3d map");
+  EXPECT_EQ(what("<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">"), "a Gazebo world (SDF)");
   EXPECT_EQ(what("ncols 4\n"), "a height model (ASCII grid)");
   EXPECT_EQ(what(R"({"bounds": {"extents": [0, 1]}})"), "a RotorPy world");
 }

@@ -4,10 +4,12 @@
 
 #include <iosfwd>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "geom/import/sdf_world.h"
 #include "geom/import/skipped.h"
 #include "geom/map/box_table.h"
 #include "geom/map/frame.h"
@@ -16,14 +18,16 @@
 
 namespace geom {
 
-enum class BoxFormat { fcnd, box_csv, block_text, world_json, voxel_3dmap, octomap };
-inline constexpr Words<BoxFormat, 6> kBoxFormatWords{{
+enum class BoxFormat { fcnd, box_csv, block_text, world_json, voxel_3dmap, octomap, sdf, jps3d };
+inline constexpr Words<BoxFormat, 8> kBoxFormatWords{{
     {BoxFormat::fcnd, "fcnd"},
     {BoxFormat::box_csv, "box-csv"},
     {BoxFormat::block_text, "block-text"},
     {BoxFormat::world_json, "world-json"},
     {BoxFormat::voxel_3dmap, "3dmap"},
     {BoxFormat::octomap, "octomap"},
+    {BoxFormat::sdf, "sdf"},
+    {BoxFormat::jps3d, "jps3d"},
 }};
 constexpr std::string_view name(BoxFormat format) { return word_of(kBoxFormatWords, format); }
 
@@ -32,7 +36,8 @@ constexpr std::string_view name(BoxFormat format) { return word_of(kBoxFormatWor
 BoxFormat box_format_of(std::string_view head, std::string_view source);
 
 struct ImportOptions {
-  bool unknown_blocked = false;  // cells of an OctoMap that were never seen become boxes
+  bool unknown_blocked = false;  // cells of an OctoMap or a jps3d map never seen become boxes
+  SdfOptions sdf;
 };
 
 struct ImportedBoxes {
@@ -45,7 +50,9 @@ struct ImportedBoxes {
   double largest_change = 0;       // metres that rounding outward moved a face by, at most
   Skipped skipped;                 // what is or may be an obstacle and is no box
   bool allow_skipped = false;      // for make_map(): set by who accepts maps without it
-  std::size_t unknown = 0;         // cells of an OctoMap within the bounds, never seen
+  std::size_t unknown = 0;         // cells of an OctoMap or a jps3d map, never seen
+  std::size_t movable = 0;         // models of an SDF world that may move from where they stand
+  std::set<std::string> left_out;  // models of an SDF world that the options leave out
   std::vector<std::string> names;  // unknown keys that by their name are no geometry
 };
 

@@ -1,4 +1,4 @@
-#include "xml_element.h"
+#include "geom/text/xml_element.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "geom/base/error.h"
 
-namespace traj {
+namespace geom {
 namespace {
 
 constexpr std::size_t kDeepest = 100;
@@ -46,7 +46,7 @@ class XmlParser {
 
  private:
   [[noreturn]] void refuse(std::string_view message) const {
-    throw geom::InputError(source_, line_, message);
+    throw InputError(source_, line_, message);
   }
 
   bool at_end() const { return at_ == text_.size(); }
@@ -146,12 +146,25 @@ class XmlParser {
       pass(1);
       const std::string_view value = up_to(quote, "a value");
       if (value.find('<') != std::string_view::npos) refuse("expected no < in a value");
-      made.attributes.emplace_back(std::move(key), value);
+      made.attributes.emplace_back(std::move(key), resolved(value));
     }
   }
 
-  std::string entity() {
-    const std::string_view word = up_to(";", "an entity");
+  std::string resolved(std::string_view value) const {
+    std::string out;
+    for (std::size_t at = 0; at < value.size();) {
+      const std::size_t start = std::min(value.find('&', at), value.size());
+      out += value.substr(at, start - at);
+      if (start == value.size()) break;
+      const std::size_t end = value.find(';', start);
+      if (end == value.npos) refuse("an entity is not ended");
+      out += entity(value.substr(start + 1, end - start - 1));
+      at = end + 1;
+    }
+    return out;
+  }
+
+  std::string entity(std::string_view word) const {
     for (const auto& [known, meaning] :
          {std::pair{"lt", "<"}, {"gt", ">"}, {"amp", "&"}, {"quot", "\""}, {"apos", "'"}}) {
       if (word == known) return meaning;
@@ -199,7 +212,7 @@ class XmlParser {
       if (take("<![CDATA[")) {
         made.text += up_to("]]>", "a CDATA section");
       } else if (take("&")) {
-        made.text += entity();
+        made.text += entity(up_to(";", "an entity"));
       } else if (next_is("<")) {
         if (!pass_aside()) made.children.push_back(element(depth + 1));
       } else {
@@ -222,4 +235,4 @@ XmlElement parse_xml(std::string_view text, std::string_view source) {
   return XmlParser(text, source).parse();
 }
 
-}  // namespace traj
+}  // namespace geom

@@ -1,0 +1,61 @@
+#pragma once
+
+// Gazebo worlds: SDFormat 1.4 to 1.12 (sdformat.org), read from the text.
+
+#include <cstddef>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "geom/import/skipped.h"
+#include "geom/map/box_table.h"
+#include "geom/map/frame.h"
+
+namespace geom {
+
+struct SdfFile {
+  std::string name;  // for messages, and what its own URIs are relative to
+  std::string text;
+};
+
+// The model file of the URI of an <include> that stands in the file `from`: null where there is
+// none. It must live as long as the reading.
+using OpenSdfModel = std::function<const SdfFile*(const std::string& uri, const std::string& from)>;
+
+struct SdfOptions {
+  double slack = 0.1;             // metres that boxes may reach outside what is turned or round
+  bool visuals = true;            // what is seen counts, besides what collides in the simulator
+  std::set<std::string> without;  // names of models of the world that are left out
+  OpenSdfModel open;              // empty: every include is missing
+};
+
+struct SdfWorld {
+  BoxTable table;  // ids count the links from 0; labels: names of models, "a::b" nested
+  Frame frame;     // ENU; the origin where there are <spherical_coordinates>
+  std::optional<double> floor;  // the highest level plane that collides
+  std::optional<Aabb> bounds;   // of a world that skyway-map wrote
+  Skipped skipped;
+  std::size_t flat = 0;            // boxes without extent along one or two axes: kept
+  std::size_t movable = 0;         // models that are not static: taken where they stand
+  std::set<std::string> left_out;  // of `without`, those that were there
+};
+
+// Of every link all <collision> and, unless they are off, all <visual>: box, cylinder, cone,
+// sphere, ellipsoid, capsule, upright polyline. Where poses only move, and turn by quarters exactly
+// (in degrees or quaternions), a box is the sum of its numbers rounded outward once; what else is
+// turned or round is covered by boxes. What a link shows and collides with as the same boxes is
+// there once. A level plane that collides and faces up is the floor; a visual plane is the
+// rectangle that it is, and none where it lies on the floor or below.
+//
+// Poses are relative as SDFormat says: to links, joints, frames, nested models, placement frames.
+// No pose is no move. Lights, physics, plugins and materials are no obstacles. Skipped are actors,
+// roads, populations, heightmaps, images, meshes, other planes, includes that are not found, models
+// that a <state> has moved, and elements that are not known. Throws InputError(source, line, …) for
+// what is not such a file, for two worlds in one, includes and frames that lead back to themselves,
+// names that are not there, numbers that are none, more than 20 million boxes.
+SdfWorld read_sdf_world(std::istream& in, std::string_view source, const SdfOptions& options);
+
+}  // namespace geom

@@ -1,0 +1,24 @@
+#pragma once
+
+// Box maps as Gazebo worlds.
+
+#include <cstddef>
+#include <iosfwd>
+
+#include "geom/map/box_map.h"
+
+namespace geom {
+
+// SDFormat 1.7, in east-north-up axes: a static model for each label, in it a link for each box
+// with a collision and a visual, in the map's order; a plane as the floor, at the lower z of the
+// bounds; <spherical_coordinates> where the map counts from its origin. <skyway:map> and
+// <skyway:label>, which simulators pass over, keep what SDF has no words for: bounds, CRS, the
+// origin of maps that count from elsewhere, and labels that may not be names of models.
+//
+// read_sdf_world() gives the same boxes back, bit for bit, but those whose number is returned: a
+// few of the boxes that reach across 0 have no length that a double can hold, and come back an ulp
+// or so larger, never smaller. A map that was read from SDF has none of these unless bodies were
+// turned.
+std::size_t write_box_sdf(std::ostream& out, const BoxMap& map);
+
+}  // namespace geom

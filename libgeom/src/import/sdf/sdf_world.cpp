@@ -1,0 +1,222 @@
+#include "geom/import/sdf_world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <istream>
+#include <iterator>
+#include <set>
+
+#include "geom/base/error.h"
+#include "sdf_loader.h"
+#include "sdf_place_on_earth.h"
+#include "sdf_shapes.h"
+
+namespace geom {
+namespace {
+
+constexpr std::size_t kMostBoxes = 20000000;
+
+using Kinds = std::set<std::string_view>;
+
+// What is no obstacle, or is read elsewhere.
+const Kinds kOfWorld = {"atmosphere",
+                        "audio",
+                        "frame",
+                        "gravity",
+                        "gui",
+                        "include",
+                        "joint",
+                        "light",
+                        "magnetic_field",
+                        "model",
+                        "physics",
+                        "plugin",
+                        "scene",
+                        "spherical_coordinates",
+                        "state",
+                        "wind",
+                        "world"};
+const Kinds kOfModel = {"allow_auto_disable",
+                        "enable_wind",
+                        "frame",
+                        "gripper",
+                        "include",
+                        "joint",
+                        "link",
+                        "model",
+                        "plugin",
+                        "pose",
+                        "self_collide",
+                        "static"};
+const Kinds kOfLink = {
+    "audio_sink", "audio_source",      "battery",          "collision",      "enable_wind",
+    "frame",      "gravity",           "inertial",         "joint",          "kinematic",
+    "light",      "must_be_base_link", "particle_emitter", "plugin",         "pose",
+    "projector",  "self_collide",      "sensor",           "velocity_decay", "visual"};
+const Kinds kMoving = {"actor", "population", "road"};
+
+struct BoxOrder {
+  bool operator()(const Aabb& a, const Aabb& b) const {
+    for (int i = 0; i < 3; ++i) {
+      if (a.min[i] != b.min[i]) return a.min[i] < b.min[i];
+      if (a.max[i] != b.max[i]) return a.max[i] < b.max[i];
+    }
+    return false;
+  }
+};
+
+class WorldReader {
+ public:
+  WorldReader(const SdfOptions& options, SdfWorld& out)
+      : options_(options), out_(out), shapes_(options.slack, out.skipped) {}
+
+  void read(const SdfScope& world) {
+    require_known(world.node, kOfWorld);
+    for (const auto& model : world.models) {
+      if (options_.without.contains(model->name)) {
+        out_.left_out.insert(model->name);
+        continue;
+      }
+      if (!model->is_static) ++out_.movable;
+      read_model(*model, {}, "");
+    }
+    for (const SdfNode& state : world.node.all("state")) require_unmoved(state, world);
+    add_plane_pictures();
+  }
+
+ private:
+  void require_known(const SdfNode& node, const Kinds& known) {
+    for (const XmlElement& child : node.element->children) {
+      if (!child.prefix.empty() || known.contains(child.name)) continue;
+      out_.skipped.add(kMoving.contains(child.name) ? child.name : "unknown element",
+                       sdf_place(node.of(child), child.name));
+    }
+  }
+
+  void read_model(const SdfScope& model, const SdfPose& outer, const std::string& outer_label) {
+    require_known(model.node, kOfModel);
+    const SdfPose pose = outer * model.pose_in_parent();
+    const std::string label = label_of(model, outer_label);
+    for (const SdfNode& link : model.node.all("link")) read_link(model, link, pose, label);
+    for (const auto& nested : model.models) read_model(*nested, pose, label + "::");
+  }
+
+  static std::string label_of(const SdfScope& model, const std::string& outer_label) {
+    for (const XmlElement& child : model.node.element->children) {
+      if (child.prefix == "skyway" && child.name == "label") return child.text;
+    }
+    return outer_label + model.name;
+  }
+
+  void read_link(const SdfScope& model, const SdfNode& link, const SdfPose& outer,
+                 const std::string& label) {
+    require_known(link, kOfLink);
+    const SdfPose pose = model.pose_of(link);
+    std::set<Aabb, BoxOrder> there;
+    const auto take = [&](const SdfNode& part, bool seen) {
+      const SdfPose place = outer * model.pose_in_link(part, pose);
+      const SdfBoxes made = shapes_.boxes_of(part.child("geometry"), place);
+      take_boxes(part, made, seen, label, there);
+    };
+    for (const SdfNode& part : link.all("collision")) take(part, false);
+    if (options_.visuals) {
+      for (const SdfNode& part : link.all("visual")) take(part, true);
+    }
+    ++links_;
+  }
+
+  void take_boxes(const SdfNode& part, const SdfBoxes& made, bool seen, const std::string& label,
+                  std::set<Aabb, BoxOrder>& there) {
+    const bool plane = part.child("geometry").find("plane").has_value();
+    if (plane && !seen) {
+      if (made.plane) {
+        out_.floor = std::max(*made.plane, out_.floor.value_or(*made.plane));
+      } else {
+        out_.skipped.add("plane that is no floor", sdf_place(part, "a collision must be level"));
+      }
+      return;
+    }
+    for (const Aabb& box : made.boxes) {
+      if (!there.insert(box).second) continue;
+      if (plane && made.plane) {
+        pictures_.push_back({box, links_, label});
+      } else {
+        add(part, box, links_, label);
+      }
+    }
+  }
+
+  void add(const SdfNode& part, const Aabb& box, std::size_t id, const std::string& label) {
+    if (box.min.cwiseAbs().maxCoeff() > kLargestCoordinate ||
+        box.max.cwiseAbs().maxCoeff() > kLargestCoordinate) {
+      part.refuse("expected a body within 1e8 m, found one beyond");
+    }
+    if (out_.table.boxes.size() >= kMostBoxes) {
+      part.refuse(fmt::format("expected at most {} boxes, found more", kMostBoxes));
+    }
+    out_.flat += (box.min.array() == box.max.array()).any();
+    out_.table.add(box, id, out_.table.label_of(label));
+  }
+
+  // Level planes that are seen and do not lie on the floor.
+  void add_plane_pictures() {
+    for (const Picture& p : pictures_) {
+      if (out_.floor && p.box.max.z() <= *out_.floor) continue;
+      ++out_.flat;
+      out_.table.add(p.box, p.link, out_.table.label_of(p.label));
+    }
+  }
+
+  // Older simulators put models where a <state> says.
+  void require_unmoved(const SdfNode& state, const SdfScope& world) {
+    for (const XmlElement& child : state.element->children) {
+      const SdfNode node = state.of(child);
+      if (child.name == "insertions" || child.name == "deletions" ||
+          (child.name == "model" && !is_where(node, world))) {
+        out_.skipped.add("model that a state moves", sdf_place(node, node.attribute("name")));
+      }
+    }
+  }
+
+  static bool is_where(const SdfNode& state, const SdfScope& world) {
+    constexpr double kSame = 1e-6;
+    const auto pose = state.find("pose");
+    for (const auto& model : world.models) {
+      if (model->name != state.attribute("name") || !pose) continue;
+      const SdfPose is = model->pose_in_parent();
+      const SdfPose was = parse_sdf_pose(*pose);
+      return (is.place() - was.place()).norm() < kSame && (is.turn - was.turn).norm() < kSame;
+    }
+    return false;
+  }
+
+  struct Picture {
+    Aabb box;
+    std::size_t link;
+    std::string label;
+  };
+
+  const SdfOptions& options_;
+  SdfWorld& out_;
+  SdfShapes shapes_;
+  std::vector<Picture> pictures_;
+  std::size_t links_ = 0;
+};
+
+}  // namespace
+
+SdfWorld read_sdf_world(std::istream& in, std::string_view source, const SdfOptions& options) {
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  SdfWorld out;
+  SdfLoader loader(options, out.skipped);
+  const std::unique_ptr<SdfScope> world = loader.load(text, std::string(source));
+  out.frame = frame_of(world->node);
+  out.bounds = bounds_of(world->node);
+  WorldReader(options, out).read(*world);
+  return out;
+}
+
+}  // namespace geom
