@@ -161,10 +161,9 @@ void check_together(const cli::Common& common, checking::Together& together, boo
   const auto nearest = std::min_element(
       result.refused.begin(), result.refused.end(),
       [](const auto& a, const auto& b) { return a.result.share < b.result.share; });
-  cli::tell(
-      common, "skyway-check",
-      fmt::format("{} of {} pairs come too near; the nearest: {}", result.refused.size(),
-                  result.pairs, traj::in_words(*nearest, together.task())));
+  cli::tell(common, "skyway-check",
+            fmt::format("{} of {} pairs come too near; the nearest: {}", result.refused.size(),
+                        result.pairs, traj::in_words(*nearest, together.task())));
 }
 
 }  // namespace

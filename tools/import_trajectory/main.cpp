@@ -18,6 +18,7 @@ struct Importer {
   std::string source;
   double gap;  // m
   geom::Provenance provenance;
+  geom::FlightTime time;
 
   std::string trajectory_line(const cli::DroneFile& file) const {
     const traj::ClosedJoints closed = traj::close_joints(file.flown.trajectory, gap, source);
@@ -30,6 +31,7 @@ struct Importer {
     record.status = traj::TrajectoryStatus::solved;
     record.trajectory = closed.trajectory;
     record.provenance = provenance;
+    record.time = time;
     return to_json_line(record);
   }
 
@@ -45,6 +47,7 @@ struct Importer {
     record.points = file.flown.path;
     record.hold = file.flown.hold;
     record.provenance = provenance;
+    record.time = time;
     return to_json_line(record);
   }
 
@@ -74,6 +77,23 @@ geom::Frame frame_of(const std::string& map, const std::string& axes,
   return frame;
 }
 
+// When the flight begins, which no drone file says.
+void add_time(CLI::App& app, geom::FlightTime& time) {
+  app.add_option("--departure", time.start, "when the flight begins: seconds after the epoch")
+      ->check(CLI::Range(-geom::kLargestTime, geom::kLargestTime));
+  app.add_option_function<std::string>(
+         "--epoch",
+         [&time](const std::string& text) {
+           time.epoch = geom::epoch_from(text);
+           if (time.epoch) return;
+           throw CLI::ValidationError(
+               "--epoch",
+               "expected an instant in UTC such as 2026-05-04T06:30:00Z, found \"" + text + '"');
+         },
+         "the instant that --departure counts from, UTC")
+      ->type_name("INSTANT");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -87,6 +107,7 @@ int main(int argc, char** argv) {
   std::string axes;
   std::string id;
   double gap = 1e-3;
+  geom::FlightTime time;
   app.add_option("file", input, "Crazyflie CSV, WPL, QGroundControl plan, … ; - for stdin")
       ->required();
   app.add_option("--format", options.format,
@@ -109,13 +130,15 @@ int main(int argc, char** argv) {
          "metres by which segments of a trajectory may miss each other (default 0.001); ten "
          "times as many m/s and a hundred times as many m/s2")
       ->check(CLI::Range(0.0, 1.0));
+  add_time(app, time);
   app.add_option("--id", id, "id of the record (default: the file's name)");
   cli::add_output(app, "-o,--output", output,
                   "trajectories or paths, JSON Lines (default: stdout)");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({input, map});
+    if (const auto fault = geom::time_fault(time)) throw cli::UsageError(*fault);
     cli::InputFile file(input);
-    Importer importer{common, file.name(), gap, {}};
+    Importer importer{common, file.name(), gap, {}, time};
     const geom::Frame frame = frame_of(map, axes, importer.provenance);
     const cli::AskedRoom room = vehicle.asked(vehicle.profile());
     importer.provenance.vehicle = room.vehicle;

@@ -18,7 +18,7 @@ bool beyond_side(const Points<kPoints>& q, int axis, double reach) {
 
 // All n . p > radius |n| + off (|n.x| + |n.y|).
 bool beyond_upright(const Points<kPoints>& q, const Vec2& n, double radius, double off) {
-  const double least = (radius * n.norm() + off * n.lpNorm<1>()) * (1 + 0x1p-49);
+  const double least = (radius * std::hypot(n.x(), n.y()) + off * n.lpNorm<1>()) * (1 + 0x1p-49);
   if (!(least > 0)) return false;
   return std::all_of(q.begin(), q.end(),
                      [&](const Vec3& p) { return n.x() * p.x() + n.y() * p.y() > least; });

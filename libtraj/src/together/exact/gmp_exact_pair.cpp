@@ -15,7 +15,7 @@ using exact::whole;
 
 constexpr unsigned kDeepest = 60;
 constexpr std::size_t kMostPieces = 1u << 18;  // of a pair
-constexpr double kSideLength = 1 << 20;  // of an upright side: as fine as it needs to be
+constexpr double kSideLength = 1 << 20;        // of an upright side: as fine as it needs to be
 
 // Times of a flight in units of 2^-1074 s, and its segments.
 struct Line {
