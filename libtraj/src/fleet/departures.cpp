@@ -184,14 +184,51 @@ class Chooser {
     return delay + (*way != ways_[number].front() ? kOtherWay : 0);
   }
 
-  bool bring_forward(std::uint32_t number) {
-    std::vector<std::uint32_t> moved{number};
-    const std::uint32_t flight = way_[number].value_or(ways_[number].front());
-    for (const std::uint32_t other : in_the_way(flight)) {
-      if (flights_[other].priority > flights_[flight].priority) continue;
-      moved.push_back(flights_[other].number);
+  // Those that wait for one of the flights, and may be moved for this priority.
+  void add_followers(const std::vector<std::uint32_t>& blockers, int priority,
+                     std::vector<std::uint32_t>& out) const {
+    for (const std::uint32_t blocker : blockers) {
+      neighbours_.each(blocker, [&](std::uint32_t other, const DepartureSpan& span) {
+        if (!start_[other] || flights_[other].priority > priority) return true;
+        // The other's departure less the blocker's is the span turned about.
+        const DepartureSpan closed = after(*start_[blocker], {-span.high, -span.low});
+        const bool waits = closed.high >= flights_[other].earliest && closed.low <= *start_[other];
+        if (!waits || *start_[other] <= flights_[other].earliest) return true;
+        out.push_back(flights_[other].number);
+        return false;
+      });
     }
-    if (moved.size() == 1 || moved.size() > kMostMoved) return false;
+  }
+
+  // Who is taken out so that one can go first, in the order in which they come in again: it, those
+  // that wait for what is in its way, and what is in its way. Empty where nothing may be moved, or
+  // very many.
+  std::vector<std::uint32_t> to_move(std::uint32_t number) const {
+    const std::uint32_t flight = way_[number].value_or(ways_[number].front());
+    std::vector<std::uint32_t> blockers = in_the_way(flight);
+    std::erase_if(blockers, [&](std::uint32_t other) {
+      return flights_[other].priority > flights_[flight].priority;
+    });
+    if (blockers.empty() || blockers.size() > kMostMoved) return {};
+    std::vector<std::uint32_t> followers;
+    add_followers(blockers, flights_[flight].priority, followers);
+    std::sort(followers.begin(), followers.end());
+    followers.erase(std::unique(followers.begin(), followers.end()), followers.end());
+    std::vector<std::uint32_t> last;
+    for (const std::uint32_t other : blockers) last.push_back(flights_[other].number);
+    std::erase_if(followers, [&](std::uint32_t one) {
+      return one == number || std::find(last.begin(), last.end(), one) != last.end();
+    });
+    if (followers.size() > kMostMoved) followers.clear();
+    std::vector<std::uint32_t> out{number};
+    out.insert(out.end(), followers.begin(), followers.end());
+    out.insert(out.end(), last.begin(), last.end());
+    return out;
+  }
+
+  bool bring_forward(std::uint32_t number) {
+    const std::vector<std::uint32_t> moved = to_move(number);
+    if (moved.empty()) return false;
     std::vector<Kept> kept;
     double before = 0;
     for (const std::uint32_t one : moved) {

@@ -86,6 +86,18 @@ double blur_of(const StraightPiece& piece) {
   return 1e-12 * (piece.end - piece.begin) + 0x1p-50 * std::abs(piece.end);
 }
 
+// Whether the pieces lie on two sides of an upright strip as wide as the zone: what most pairs that
+// are apart are known by, in one look.
+bool apart_across(const StraightPiece& first, const StraightPiece& second, double reach) {
+  const Vec2 a = first.from.head<2>();
+  const Vec2 b = second.from.head<2>();
+  const Vec2 n = a + 0.5 * first.way.head<2>() - b - 0.5 * second.way.head<2>();
+  const double nearest = n.dot(a - b) + std::min(0.0, n.dot(first.way.head<2>())) -
+                         std::max(0.0, n.dot(second.way.head<2>()));
+  const double norm = n.norm();
+  return norm > 1e-100 && nearest > reach * norm;
+}
+
 }  // namespace
 
 std::optional<DepartureSpan> meeting_times(const StraightPiece& first, const StraightPiece& second,
@@ -102,6 +114,9 @@ std::optional<DepartureSpan> meeting_times(const StraightPiece& first, const Str
     shares.cut(n.dot(apart) - reach, Vec2(n.dot(first.way), -n.dot(second.way)), slack);
     return !shares.empty();
   };
+  // A box lies in the circle of its corners.
+  const double widest = zone.round ? zone.reach.x() : zone.reach.head<2>().norm();
+  if (apart_across(first, second, widest + across + slack)) return std::nullopt;
   if (!keep(Vec3::UnitZ(), up) || !keep(-Vec3::UnitZ(), up)) return std::nullopt;
   if (zone.round) {
     for (const Vec2& n : kAround) {

@@ -119,5 +119,18 @@ TEST(FlightTime, IsOfAPathRecord) {
   EXPECT_EQ(to_json_line(parse_path_record(line, "t", 1)), line);
 }
 
+TEST(FlightTime, HasAPriorityThatIsAWholeNumber) {
+  EXPECT_EQ(read("\"priority\":3").priority, 3);
+  EXPECT_EQ(read("\"priority\":-2.0").priority, -2);
+  EXPECT_EQ(read("\"priority\":null").priority, std::nullopt);
+  EXPECT_TRUE(read("\"priority\":0").any());
+  for (const char* wrong : {"2.5", "\"high\"", "true", "1000001", "1e300", "[1]"}) {
+    EXPECT_EQ(why_not(std::string("\"priority\":") + wrong)
+                  .find("t:1: priority must be a whole number within 1000000, found "),
+              0u)
+        << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace geom

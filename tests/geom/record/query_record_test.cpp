@@ -46,6 +46,20 @@ TEST(PlanQueries, KnowWhenTheyBegin) {
   EXPECT_FALSE(queries[1].time.any());
 }
 
+TEST(PlanQueries, HaveAPriority) {
+  std::istringstream json("{\"from\":[1,2,3],\"to\":[4,5,6],\"priority\":4}");
+  EXPECT_EQ(read_plan_queries(json, "q")[0].time.priority, 4);
+  const std::string head = "id,from_x,from_y,from_z,to_x,to_y,to_z,priority\n";
+  std::istringstream csv(head + "a,1,2,3,4,5,6,-3\nb,1,2,3,4,5,6,\n");
+  const auto queries = read_plan_queries(csv, "q");
+  EXPECT_EQ(queries[0].time.priority, -3);
+  EXPECT_FALSE(queries[1].time.any());
+  for (const char* wrong : {"1.5", "high", "nan", "2000000"}) {
+    std::istringstream bad(head + "a,1,2,3,4,5,6," + wrong + "\n");
+    EXPECT_THROW(read_plan_queries(bad, "q"), InputError) << wrong;
+  }
+}
+
 TEST(PlanQueries, RefuseTimesThatCannotBe) {
   for (const char* row : {"a,1,2,3,4,5,6,06:30:00,", "a,1,2,3,4,5,6,90,60", "a,1,2,3,4,5,6,nan,"}) {
     std::istringstream csv(

@@ -36,9 +36,9 @@ struct Departures {
 // too near no flight that has a departure already. Where a wait is needed, in whole milliseconds
 // after the epoch, rounded up. By the first of its ways that can depart by its latest.
 //
-// A round of improvement looks at each flight that waits, in an order drawn from the seed: without
-// those of no higher priority that are in its way, it goes first, then they in their turn; kept
-// where the sum of delays becomes less and none is refused for it.
+// A round of improvement looks at each flight that waits, in an order drawn from the seed: it goes
+// first, then others that wait for what was in its way, then what was in its way; none of these is
+// of higher priority. Kept where the sum of their delays becomes less and none is refused for it.
 //
 // Numbers are 0, 1, 2, …; the flights of a number stand in the order in which they are tried.
 Departures choose_departures(std::span<const FleetFlight> flights, const FleetConflicts& conflicts,
