@@ -66,10 +66,17 @@ bool is_built(const CollisionScene::Impl& impl, std::size_t g) {
 
 }  // namespace
 
-bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
+namespace {
+
+// Whether the segment meets a grown box; seen(box) is called for the one that decides.
+template <class Seen>
+bool find_hit(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b, const Seen& seen) {
   const auto hits_group = [&](const GroupTree& group, const SegmentInTree& s) {
-    return any_on_segment(group.nodes(), s,
-                          [&](std::size_t k) { return segment_hits(a, b, group.grown[k]); });
+    return any_on_segment(group.nodes(), s, [&](std::size_t k) {
+      if (!segment_hits(a, b, group.grown[k])) return false;
+      seen(group.grown[k]);
+      return true;
+    });
   };
   if (impl.groups.size() == 1) {
     const GroupTree& group = impl.touch(0);  // the only group is never given up
@@ -83,6 +90,18 @@ bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
              return hits_group(group, impl.one_frame ? s : SegmentInTree(group.frame, a, b));
            });
   });
+}
+
+}  // namespace
+
+bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
+  return find_hit(impl, a, b, [](const Aabb&) {});
+}
+
+std::optional<Aabb> blocking_box(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
+  std::optional<Aabb> box;
+  find_hit(impl, a, b, [&](const Aabb& grown) { box = grown; });
+  return box;
 }
 
 namespace {

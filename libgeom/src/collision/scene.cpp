@@ -49,6 +49,12 @@ bool CollisionScene::hits(const Vec3& a, const Vec3& b) const {
   return hits_any(*impl_, a, b);
 }
 
+std::optional<Aabb> CollisionScene::blocker(const Vec3& a, const Vec3& b) const {
+  require_points("segment", a, b);
+  if (impl_->groups.empty()) return std::nullopt;
+  return blocking_box(*impl_, a, b);
+}
+
 bool CollisionScene::free(const Vec3& a, const Vec3& b) const {
   return inside_bounds(a) && inside_bounds(b) && !hits(a, b);
 }

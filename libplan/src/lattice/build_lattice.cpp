@@ -89,13 +89,19 @@ class Stamp {
   }
 
   void block(const Aabb& box) {
-    clear(box, {0, 0, 0}, [](std::uint32_t& mask, const Index3&) { mask &= ~Lattice::kNode; });
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& x = at_[axis];
+      inside_[axis] = {std::lower_bound(x.begin(), x.end(), box.min[axis]) - x.begin() - 1,
+                       std::upper_bound(x.begin(), x.end(), box.max[axis]) - x.begin() - 1};
+    }
+    clear({0, 0, 0}, [](std::uint32_t& mask, const Index3&) { mask &= ~Lattice::kNode; });
     for (int d = 0; d < half_directions(grid_.spec.connectivity); ++d) {
       const auto& step = kDirection[static_cast<std::size_t>(d)];
       const bool straight = d < 3;  // its box is itself: overlap decides
-      clear(box, step, [&](std::uint32_t& mask, const Index3& i) {
+      clear(step, [&](std::uint32_t& mask, const Index3& i) {
         if (!(mask & 1u << d)) return;
-        if (straight || geom::segment_hits(position(i, {0, 0, 0}), position(i, step), box)) {
+        if (straight || is_inside(i, {0, 0, 0}) || is_inside(i, step) ||
+            geom::segment_hits(position(i, {0, 0, 0}), position(i, step), box)) {
           mask &= ~(1u << d);
         }
       });
@@ -111,13 +117,22 @@ class Stamp {
     return p;
   }
 
+  // Whether the node at the end of a step is inside the box.
+  bool is_inside(const Index3& i, const std::array<int, 3>& step) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t at = i[k] + step[k];
+      if (at < inside_[k].begin || at >= inside_[k].end) return false;
+    }
+    return true;
+  }
+
   // Calls f(mask, node) for the nodes of the range whose edge along `step` has an extent that meets
   // the box.
   template <class F>
-  void clear(const Aabb& box, const std::array<int, 3>& step, const F& f) {
+  void clear(const std::array<int, 3>& step, const F& f) {
     Range r[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      r[axis] = starts(axis, step[static_cast<std::size_t>(axis)], box.min[axis], box.max[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      r[axis] = starts(axis, step[axis]);
       if (r[axis].begin >= r[axis].end) return;
     }
     for (std::int64_t k = r[2].begin; k < r[2].end; ++k) {
@@ -129,12 +144,10 @@ class Stamp {
     }
   }
 
-  // Start nodes of the edges whose extent along an axis meets the closed interval: one without
-  // extent here must start inside, one with extent may also straddle it.
-  Range starts(int axis, int step, double low, double high) const {
-    const auto& x = at_[axis];
-    Range r = {std::lower_bound(x.begin(), x.end(), low) - x.begin() - 1,
-               std::upper_bound(x.begin(), x.end(), high) - x.begin() - 1};
+  // Start nodes of the edges whose extent along an axis meets the box: one without extent here must
+  // start inside, one with extent may also straddle it.
+  Range starts(std::size_t axis, int step) const {
+    Range r = inside_[axis];
     if (step > 0) --r.begin;
     if (step < 0) ++r.end;
     return {std::max<std::int64_t>(r.begin, 0), std::min(r.end, count_[axis])};
@@ -145,6 +158,7 @@ class Stamp {
   Index3 count_;
   std::uint32_t* masks_;
   std::array<std::vector<double>, 3> at_;
+  std::array<Range, 3> inside_;  // along each axis, the nodes inside the box, of all at_
 };
 
 class SceneMasks final : public MaskSource {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "last_blockers.h"
+
 namespace plan {
 namespace {
 
@@ -15,6 +17,7 @@ constexpr int kRounds = 6;
 // The shortest free chain from the first to the last point that visits points in order. The
 // neighbours in `points` see each other.
 Polyline shortest_chain(const geom::CollisionScene& scene, const Polyline& points) {
+  LastBlockers blockers(scene);
   const std::size_t n = points.size();
   std::vector<double> cost(n, std::numeric_limits<double>::infinity());
   std::vector<std::size_t> from(n, 0);
@@ -24,7 +27,7 @@ Polyline shortest_chain(const geom::CollisionScene& scene, const Polyline& point
     from[j] = j - 1;
     for (std::size_t i = 0; i + 1 < j; ++i) {
       const double through = cost[i] + (points[j] - points[i]).norm();
-      if (through < cost[j] - 1e-9 && scene.free(points[i], points[j])) {
+      if (through < cost[j] - 1e-9 && blockers.free(points[i], points[j])) {
         cost[j] = through;
         from[j] = i;
       }

@@ -12,6 +12,7 @@
 #include "loaded_tiles.h"
 #include "plan/roadmap/roadmap.h"
 #include "plan/roadmap/roadmap_fill.h"
+#include "planner/last_blockers.h"
 #include "shadows.h"
 
 namespace plan {
@@ -36,8 +37,20 @@ bool wraps(const Across& in, const Across& out) {
 // millimetre, so this forgives more.
 class Onward {
  public:
-  Onward(const Bend& bend, const Across& in) : bend_(bend), second_(!in.second_side()) {
+  Onward(const Bend& bend, const Across& in)
+      : bend_(bend),
+        first_axis_((bend.axis + 1) % 3),
+        second_axis_((bend.axis + 2) % 3),
+        second_(!in.second_side()) {
     ratio_ = second_ ? std::max(0.0, in.ratio() - kLoose) : std::min(1.0, in.ratio() + kLoose);
+  }
+
+  // Whether a path may leave in a direction.
+  bool goes(const Vec3& direction) const {
+    const Across out{direction[first_axis_] * bend_.outward[0],
+                     direction[second_axis_] * bend_.outward[1]};
+    if (out.second_side() != second_ || !out.tangent()) return false;
+    return second_ ? out.ratio() >= ratio_ : out.ratio() <= ratio_;
   }
 
   // Whether none of the node's bends can be where.
@@ -53,13 +66,15 @@ class Onward {
  private:
   // Along the first or second axis across, outward from the bend.
   std::pair<double, double> range(const BendTree::Node& node, int which) const {
-    const int k = (bend_.axis + 1 + which) % 3;
+    const int k = which == 0 ? first_axis_ : second_axis_;
     const double low = node.min[k] - bend_.position[k];
     const double high = node.max[k] - bend_.position[k];
     return bend_.outward[which] > 0 ? std::pair(low, high) : std::pair(-high, -low);
   }
 
   const Bend& bend_;
+  int first_axis_;  // across the box edge
+  int second_axis_;
   bool second_;   // side to leave on
   double ratio_;  // of Across, at most on the first side, at least on the second
 };
@@ -133,8 +148,11 @@ struct RoadmapSearch::Impl {
   Vec3 from_;
   Vec3 to_;
   double weight_ = 1;
-  std::size_t blocked_ = 0;  // links from the start
-  std::size_t unseen_ = 0;   // by the goal
+  LastBlockers from_start_{*scene_};
+  LastBlockers to_goal_{*scene_};
+  LastBlockers between_{*scene_};  // bends
+  std::size_t blocked_ = 0;        // links from the start
+  std::size_t unseen_ = 0;         // by the goal
   std::optional<Shadows> hidden_from_start_;
   std::optional<Shadows> hidden_from_goal_;
 };
@@ -211,11 +229,10 @@ void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across
     const Vec3 d = other.position - bend.position;
     const double square = d.squaredNorm();
     if (j == i || square > reach2) return;
-    const Across out = across(bend, d);
-    if (!out.tangent() || !wraps(in, out) || !across(other, -d).tangent()) return;
+    if (!onward.goes(d) || !across(other, -d).tangent()) return;
     const double through = cost + std::sqrt(square);
     if (known_as_near(j, through)) return;
-    if (!scene_->hits(bend.position, other.position)) reach(i, j, through);
+    if (!between_.hits(bend.position, other.position)) reach(i, j, through);
   });
 }
 
@@ -268,7 +285,7 @@ geom::Polyline RoadmapSearch::Impl::trace(std::uint32_t bend) const {
 bool RoadmapSearch::Impl::linked_to_start(std::uint32_t i) {
   const Vec3& bend = tiles_.bends()[i].position;
   if (hidden_from_start_ && hidden_from_start_->hides(bend)) return false;
-  if (!scene_->hits(from_, bend)) return true;
+  if (!from_start_.hits(from_, bend)) return true;
   if (++blocked_ == kBlind) hidden_from_start_.emplace(*scene_, from_);
   return false;
 }
@@ -299,7 +316,7 @@ bool RoadmapSearch::Impl::sees_goal(std::uint32_t i, const Across& in) {
   const Across out = across(bend, to_ - bend.position);
   if (!out.tangent() || !wraps(in, out)) return false;
   if (hidden_from_goal_ && hidden_from_goal_->hides(bend.position)) return false;
-  if (!scene_->hits(bend.position, to_)) return true;
+  if (!to_goal_.hits(bend.position, to_)) return true;
   if (++unseen_ == kBlind) hidden_from_goal_.emplace(*scene_, to_);
   return false;
 }

@@ -81,6 +81,25 @@ TEST_P(CollisionProperty, HitsAgreeWithRationalsOnEveryBox) {
   EXPECT_LT(hits, 2700);
 }
 
+TEST_P(CollisionProperty, ABlockerIsAGrownBoxThatIsHitWhereThereIsOne) {
+  const CollisionScene scene = this->scene(1, 0.5);
+  support::Random random(14);
+  std::set<std::vector<double>> grown;
+  const auto key = [](const Aabb& box) {
+    return std::vector<double>{box.min.x(), box.min.y(), box.min.z(),
+                               box.max.x(), box.max.y(), box.max.z()};
+  };
+  for (std::size_t i = 0; i < scene.map().size(); ++i) grown.insert(key(scene.grown(i)));
+  for (int i = 0; i < 3000; ++i) {
+    const Segment s = random_segment(random, 250, center());
+    const auto blocker = scene.blocker(s.a, s.b);
+    ASSERT_EQ(blocker.has_value(), scene.hits(s.a, s.b)) << "case " << i;
+    if (!blocker) continue;
+    ASSERT_TRUE(grown.contains(key(*blocker))) << "case " << i;
+    ASSERT_TRUE(oracle::segment_hits(s.a, s.b, *blocker)) << "case " << i;
+  }
+}
+
 TEST_P(CollisionProperty, NearestIsTheLowestIndexAtTheSmallestDistance) {
   const Vec3 center = this->center();
   const CollisionScene scene = this->scene(2, 0.5);

@@ -72,6 +72,10 @@ class CollisionScene {
   bool hits(const Vec3& a, const Vec3& b) const;
   bool hits(const Vec3& p) const { return hits(p, p); }
 
+  // A grown box that the closed segment meets, or nothing where there is none: see hits(). Which of
+  // several is not said: it may differ from run to run.
+  std::optional<Aabb> blocker(const Vec3& a, const Vec3& b) const;
+
   // Inside the bounds at both ends and free of every grown box. False of points outside, how far
   // away whatsoever.
   bool free(const Vec3& a, const Vec3& b) const;
