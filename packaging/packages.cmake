@@ -78,7 +78,7 @@ endif()
 if(SKYWAY_MESH)
   list(APPEND CPACK_COMPONENTS_ALL mesh)
   skyway_package(mesh skyway-mesh science "models of triangles to Skyway box maps
-Reads OBJ, STL, glTF, COLLADA, 3DS and 3D Tiles, and makes box maps of them for
+Reads OBJ, PLY, STL, glTF, COLLADA, 3DS and 3D Tiles, and makes box maps of them for
 the tools of the package skyway.")
   set(CPACK_DEBIAN_MESH_PACKAGE_RECOMMENDS skyway)
 endif()

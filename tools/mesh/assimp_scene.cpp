@@ -172,12 +172,11 @@ geom::Model read_scene(const std::string& bytes, const std::string& source,
   const std::size_t told = collada ? polygons_of_collada(bytes) : faces_of_3ds(bytes, source);
   Assimp::Importer importer;
   const aiScene* const scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, collada ? "dae" : "3ds");
+      importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, collada ? "dae" : format.c_str());
   if (!scene || !scene->mRootNode) {
     throw geom::InputError(
-        source,
-        fmt::format("expected a {} file, which assimp could not read: {}",
-                    collada ? "COLLADA" : "3DS", geom::excerpt(importer.GetErrorString(), 120)));
+        source, fmt::format("expected a file of format {}, which assimp could not read: {}", format,
+                            geom::excerpt(importer.GetErrorString(), 120)));
   }
   geom::Model model = Scene(*scene, source).model();
   if (collada) model.unit = 1;

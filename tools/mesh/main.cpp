@@ -38,11 +38,11 @@ struct Options {
 
 void Options::add_to(CLI::App& app) {
   app.add_option("file", input,
-                 "OBJ, STL, glTF (.gltf, .glb), COLLADA, 3DS, or the tileset.json of 3D Tiles")
+                 "OBJ, PLY, STL, glTF (.gltf, .glb), COLLADA, 3DS, or the tileset.json of 3D Tiles")
       ->required();
   cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
   app.add_option("--format", format, "what the file is (default: auto)")
-      ->check(CLI::IsMember({"auto", "obj", "stl", "gltf", "collada", "3ds", "tiles"}));
+      ->check(CLI::IsMember({"auto", "obj", "ply", "stl", "gltf", "collada", "3ds", "tiles"}));
   app.add_option("--slack", slack,
                  "how far boxes may reach outside triangles and solid, metres (default 0.25)")
       ->check(CLI::Range(0.001, 100.0));

@@ -81,15 +81,18 @@ std::string detect(const std::string& bytes, const std::string& path) {
     if (ending == end) return format;
   }
   if (bytes.starts_with("solid")) return "stl";
-  throw geom::InputError(path,
-                         "expected a file whose name ends in .obj, .stl, .dae or .3ds, a glTF "
-                         "file or a tileset.json; --format says what it is");
+  if (bytes.starts_with("ply")) return "ply";
+  throw geom::InputError(
+      path,
+      "expected a file whose name ends in .obj, .stl, .ply, .dae or .3ds, a glTF "
+      "file or a tileset.json; --format says what it is");
 }
 
 geom::Model read_model(const std::string& bytes, const std::string& path,
                        const std::string& format) {
   std::istringstream in(bytes);
   if (format == "obj") return geom::read_obj(in, path);
+  if (format == "ply") return geom::read_ply_model(in, path);
   if (format == "stl") return geom::read_stl(in, path);
   return read_scene(bytes, path, format);
 }

@@ -18,6 +18,10 @@ namespace {
 
 using Transform = Eigen::Matrix4d;
 
+bool names_tileset(std::string_view uri) {
+  return uri.substr(0, uri.find_first_of("?#")).ends_with(".json");
+}
+
 constexpr std::size_t kDeepest = 300;        // tiles in tiles, whatever files they stand in
 constexpr std::size_t kMostFiles = 1000000;  // read, the same ones again included
 constexpr double kNoPlaceOnEarth = 1e6;      // metres: nearer to the middle of the Earth than any
@@ -95,11 +99,10 @@ class TilesetReader {
       all_below &= made;
       any_below |= made;
     }
-    const std::vector<std::string> uris = contents_of(tile);
-    if (uris.empty()) return any_below;
+    std::vector<std::string> uris = contents_of(tile);
     if (refine == "REPLACE" && all_below) {
-      coarser_ += uris.size();
-      return true;
+      // A tileset is no coarser content: it has tiles of its own, of whatever size.
+      coarser_ += std::erase_if(uris, [](const std::string& uri) { return !names_tileset(uri); });
     }
     bool any = any_below;
     for (const std::string& uri : uris) {

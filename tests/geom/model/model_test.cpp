@@ -110,6 +110,57 @@ std::string binary_stl(const std::vector<float>& numbers) {
   return out;
 }
 
+Model ply(const std::string& text) {
+  std::istringstream in(text);
+  return read_ply_model(in, "a.ply");
+}
+
+std::string ply_text(const std::string& faces, int count) {
+  return "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\nproperty "
+         "double z\nproperty uchar red\nelement face " +
+         std::to_string(count) +
+         "\nproperty list uchar int vertex_indices\nproperty float quality\nend_header\n"
+         "5400000.1 0 0 9\n4 0 0 9\n4 3 2 9\n0 3 2 9\n2 5 0 9\n" +
+         faces;
+}
+
+TEST(ReadPlyModel, ReadsPolygonsInDoublePrecision) {
+  const Model model = ply(ply_text("4 0 1 2 3 0.5\n3 3 2 4 0.5\n", 2));
+  EXPECT_EQ(model.mesh.triangles.size(), 3u);
+  EXPECT_EQ(model.mesh.vertices[0].x(), 5400000.1);
+  EXPECT_EQ(model.mesh.triangles[2].corners, (std::array<std::uint32_t, 3>{3, 2, 4}));
+  EXPECT_EQ(model.blur, 0);
+}
+
+TEST(ReadPlyModel, ReadsBinary) {
+  std::string text =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float "
+      "y\nproperty float z\nelement face 1\nproperty list uchar uint vertex_index\nelement edge "
+      "1\nproperty int vertex1\nend_header\n";
+  for (const float v : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 2.f}) append_bytes(text, v);
+  append_bytes(text, std::uint8_t{3});
+  for (const std::uint32_t i : {0u, 1u, 2u}) append_bytes(text, i);
+  append_bytes(text, std::int32_t{0});
+  const Model model = ply(text);
+  ASSERT_EQ(model.mesh.triangles.size(), 1u);
+  EXPECT_EQ(model.mesh.vertices[2], Vec3(0, 1, 2));
+  EXPECT_EQ(model.skipped.count(), 1u) << "an edge";
+  expect_refusal(ply, text.substr(0, text.size() - 1), "the file ends after 0");
+  expect_refusal(ply, text + "x", "and it goes on");
+}
+
+TEST(ReadPlyModel, RefusesFacesThatAreCutOrLie) {
+  expect_refusal(ply, ply_text("4 0 1 2 3 0.5\n", 2), "expected 2 of element \"face\"");
+  expect_refusal(ply, ply_text("3 0 1 5 0\n", 1), "face 0: expected the numbers of 5 vertices");
+  expect_refusal(ply, ply_text("3 0 1 -1 0\n", 1), "face 0: expected the numbers of 5 vertices");
+  expect_refusal(ply, ply_text("3 0 1 1.5 0\n", 1), "face 0: expected the numbers of 5 vertices");
+  expect_refusal(ply, ply_text("2 0 1 0\n", 1), "face 0: expected at least 3 vertices, found 2");
+  expect_refusal(ply, "ply\nformat ascii 1.0\nend_header\n", "expected an element \"vertex\"");
+  std::string text = ply_text("3 0 1 2 0\n", 1);
+  text.replace(text.find("4 3 2 9"), 1, "nan");
+  expect_refusal(ply, text, "vertex 2: expected coordinates");
+}
+
 TEST(ReadStl, ReadsBinaryEvenWhereItBeginsAsText) {
   std::string bytes = binary_stl({0, 0, 0, 1, 0, 0, 0, 1, 0.5f, 0, 0, 0, 1, 0, 0, 0, 1, 2});
   bytes.replace(0, 5, "solid");

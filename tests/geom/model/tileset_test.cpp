@@ -72,6 +72,13 @@ TEST(ReadTileset, KeepsATileOfWhichAChildHasNothing) {
   EXPECT_EQ(made.coarser, 0u);
 }
 
+TEST(ReadTileset, KeepsATilesetThatHasChildrenBesideIt) {
+  const Files files = {{"a.json", tileset(refined(tile("a.glb"), "ADD")).dump()},
+                       {"a.glb", house()},
+                       {"b.glb", house({5, 0, 0})}};
+  EXPECT_EQ(read(refined(tile("a.json", {tile("b.glb")}), "REPLACE"), files).tiles, 2u);
+}
+
 TEST(ReadTileset, PlacesContentByTransformCentreAndTheUpwardAxisOfGltf) {
   GltfFile file(TriangleMesh{{{0, 0, 0}, {1, 2, 3}, {0, 1, 0}}, {{{0, 1, 2}, 0}}});
   json inner = tile("b.b3dm");
@@ -88,7 +95,7 @@ TEST(ReadTileset, PlacesContentByTransformCentreAndTheUpwardAxisOfGltf) {
 TEST(ReadTileset, NamesPartsByTheBatchTable) {
   GltfFile file(support::cuboid({{0, 0, 0}, {1, 1, 1}}));
   const std::size_t at = file.binary.size();
-  for (int i = 0; i < 8; ++i) append_bytes(file.binary, i == 6 ? 1.0f : 0.0f);
+  for (int i = 0; i < 8; ++i) append_bytes(file.binary, i >= 4 ? 1.0f : 0.0f);
   file.text["buffers"][0]["byteLength"] = file.binary.size();
   file.text["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", at}, {"byteLength", 32}});
   file.text["accessors"].push_back(

@@ -52,8 +52,8 @@ struct Magic {
 constexpr std::array kMagic = {
     Magic{0, "ASTM-E57"sv, "an E57 point cloud", "", kToCloud},
     Magic{0, "# .PCD"sv, "a PCD point cloud", "skyway-cloud", ""},
-    Magic{0, "ply\n"sv, "a PLY file", "skyway-cloud", ""},
-    Magic{0, "ply\r"sv, "a PLY file", "skyway-cloud", ""},
+    Magic{0, "ply\n"sv, "a PLY file", "skyway-cloud skyway-mesh", ""},
+    Magic{0, "ply\r"sv, "a PLY file", "skyway-cloud skyway-mesh", ""},
     Magic{0, "# Octomap OcTree binary"sv, "an OctoMap (.bt)", "skyway-import", ""},
     Magic{0, "# Octomap OcTree file"sv, "a full OctoMap (.ot)", "",
           "write it as .bt, which skyway-import reads"},

@@ -45,6 +45,9 @@ Model read_obj(std::istream& in, std::string_view source);
 // STL, as text or binary; a part for each solid.
 Model read_stl(std::istream& in, std::string_view source);
 
+// PLY, as text or binary: polygons of the element "face". Edges and strips are skipped and counted.
+Model read_ply_model(std::istream& in, std::string_view source);
+
 // All throw InputError(source, …) for what is malformed, cut short, no number or beyond
 // kLargestCoordinate, and for an index that has no vertex.
 
