@@ -108,6 +108,8 @@ struct LazFile {
   double scale = 0.01;
   std::array<double, 3> offset{};
   std::vector<LazFilePoint> points;
+  std::vector<std::size_t> sizes;  // of varying chunks, where they are to be these
+  std::string leading;             // a record before that of LASzip
 
   // Points near each other, with a jump now and then.
   static std::vector<LazFilePoint> scan(std::size_t count, std::uint64_t seed, bool modern) {
@@ -135,15 +137,15 @@ struct LazFile {
   }
 
   std::string bytes() const {
-    const std::string setup = laszip_record();
-    const std::size_t head = format >= 6 ? 375 : format >= 4 ? 235 : 227;
+    const std::string setup = leading + laszip_record();
+    const std::size_t head = header_size();
     std::string out(head, '\0');
     std::memcpy(out.data(), "LASF", 4);
     out[24] = 1;
     out[25] = format >= 6 ? 4 : format >= 4 ? 3 : 2;
     put<std::uint16_t>(out, 94, head);
     put<std::uint32_t>(out, 96, head + setup.size());
-    put<std::uint32_t>(out, 100, 1);
+    put<std::uint32_t>(out, 100, leading.empty() ? 1 : 2);
     out[104] = static_cast<char>(format | 0x80);
     put<std::uint16_t>(out, 105, record_size());
     put<std::uint32_t>(out, 107, points.size());
@@ -156,6 +158,17 @@ struct LazFile {
     return out + compressed(out.size());
   }
 
+  // Where each chunk is in the file, and its bytes.
+  std::vector<std::array<std::size_t, 2>> chunk_places() const {
+    std::vector<std::array<std::size_t, 2>> out;
+    std::size_t at = header_size() + leading.size() + laszip_record().size() + 8;
+    for (std::size_t i = 0, k = 0; i < points.size(); i += chunk_size(i, k++)) {
+      out.push_back({at, chunk_of(i, chunk_size(i, k)).size()});
+      at += out.back()[1];
+    }
+    return out;
+  }
+
   std::size_t record_size() const {
     std::size_t size = 0;
     for (const Item& item : items()) size += item.size;
@@ -166,6 +179,15 @@ struct LazFile {
   struct Item {
     std::uint16_t kind, size, version;
   };
+
+  std::size_t header_size() const { return format >= 6 ? 375 : format >= 4 ? 235 : 227; }
+
+  // The points of chunk `number`, which begins with point `i`.
+  std::size_t chunk_size(std::size_t i, std::size_t number) const {
+    if (!sizes.empty()) return sizes[number];
+    const std::size_t most = layout == Layout::fixed ? chunk : 1 + (i * 7 + 3) % chunk;
+    return std::min(most, points.size() - i);
+  }
 
   std::vector<Item> items() const {
     const auto v = static_cast<std::uint16_t>(version);
@@ -207,8 +229,7 @@ struct LazFile {
     std::string out(8, '\0');
     std::vector<std::array<std::size_t, 2>> chunks;
     for (std::size_t i = 0; i < points.size(); i += chunks.back()[0]) {
-      const std::size_t most = layout == Layout::fixed ? chunk : 1 + (i * 7 + 3) % chunk;
-      chunks.push_back({std::min(most, points.size() - i), out.size()});
+      chunks.push_back({chunk_size(i, chunks.size()), out.size()});
       out += chunk_of(i, chunks.back()[0]);
       chunks.back()[1] = out.size() - chunks.back()[1];
     }

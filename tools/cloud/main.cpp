@@ -9,6 +9,7 @@
 #include "cli/shard/map_shard.h"
 #include "cli/tell.h"
 #include "geom/base/error.h"
+#include "geom/cloud/clusters.h"
 #include "ground_filter.h"
 #include "options.h"
 #include "pcl_filters.h"
@@ -54,7 +55,7 @@ geom::ColumnGrid stream(PointSource& points, const Options& options, const geom:
       return;
     }
     ++kept;
-    columns.add(p.position);
+    columns.add(p.position, options.resolution);
   });
   points.report(made.report);
   if (options.drops_ground()) made.report["dropped_as_ground"] = dropped;
@@ -78,7 +79,9 @@ Points without_ground(const Points& points, const Options& options, Made& made) 
 geom::BoxTable object_boxes(const Points& points, const Options& options, Report& report) {
   geom::BoxTable table;
   std::size_t dropped = 0;
-  for (const auto& cluster : cloud::clusters(points, options.tolerance)) {
+  std::vector<geom::Vec3> places;
+  for (const CloudPoint& p : points) places.push_back(p.position);
+  for (const auto& cluster : geom::clusters(places, options.tolerance)) {
     if (cluster.size() < options.min_points) {
       dropped += cluster.size();
       continue;
@@ -131,7 +134,7 @@ geom::BoxTable filter(PointSource& source, const Options& options, const std::st
 std::string settled_history(const PointSource& points, const Options& options, const Made& made,
                             const geom::MakeMapOptions& map, const std::string& name,
                             const cli::Common& common) {
-  Report step = cloud::step_of(options, points.hash(), made.ground_by, map);
+  Report step = cloud::step_of(options, points.input(), made.ground_by, map);
   options.skipped.settle(points.skipped(), name, common, step);
   const std::string report = options.placement.report();
   if (!report.empty()) cli::tell(common, "skyway-cloud", name + ": " + report);

@@ -92,6 +92,10 @@ void Options::add_to(CLI::App& app) {
                  "NEIGHBOURS,DEVIATIONS: drop points far from their neighbours");
   app.add_option("--voxel", voxel, "keep one point per cube of this side, metres")
       ->check(CLI::Range(0.001, 1000.0));
+  app.add_option("--resolution", resolution,
+                 "of a COPC file: read points only until they are this near to each other, metres; "
+                 "needs --allow-skipped, and grows boxes by that distance")
+      ->check(CLI::Range(0.001, 1000.0));
   add_ground(app, *this);
   add_objects(app, *this);
   app.add_option("--unknown", unknown, "space that was not scanned: free (default) or blocked")
@@ -106,15 +110,32 @@ void Options::settle() {
   if (columns.unknown_blocked && mode == "objects") {
     throw cli::UsageError("--unknown blocked goes with --mode columns");
   }
+  if (resolution > 0 && !each_point_alone()) {
+    throw cli::UsageError(
+        "--resolution leaves points out, so it does not go with what looks at all of them: "
+        "--outliers, --voxel, --mode objects, --unknown blocked, --scale, --bloat-percent, and "
+        "--ground drop unless by class");
+  }
 }
 
-nlohmann::ordered_json step_of(const Options& options, const std::string& hash,
+bool Options::each_point_alone() const {
+  const bool whole_ground = drops_ground() && ground_by != "class";
+  return !in_memory() && !whole_ground && !columns.unknown_blocked && map.map.scale == 1 &&
+         map.map.bloat_percent == 0;
+}
+
+nlohmann::ordered_json step_of(const Options& options, const nlohmann::ordered_json& input,
                                const std::string& ground_by, const geom::MakeMapOptions& map) {
-  nlohmann::ordered_json step = {{"tool", "skyway-cloud"},       {"input", hash},
-                                 {"format", options.format},     {"mode", options.mode},
-                                 {"cell", options.columns.cell}, {"step", options.columns.step},
-                                 {"gap", options.columns.gap},   {"ground", options.ground},
-                                 {"unknown", options.unknown}};
+  nlohmann::ordered_json step = {{"tool", "skyway-cloud"}};
+  step.update(input);
+  step.update({{"format", options.format},
+               {"mode", options.mode},
+               {"cell", options.columns.cell},
+               {"step", options.columns.step},
+               {"gap", options.columns.gap},
+               {"ground", options.ground},
+               {"unknown", options.unknown}});
+  if (options.resolution > 0) step["resolution"] = options.resolution;
   if (!options.outliers.empty()) step["outliers"] = options.outliers;
   if (options.voxel > 0) step["voxel"] = options.voxel;
   for (std::size_t cls = 0; cls < options.classes.size(); ++cls) {

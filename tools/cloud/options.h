@@ -24,6 +24,7 @@ struct Options {
   std::string unknown = "free";
   std::string outliers;  // "NEIGHBOURS,DEVIATIONS"
   double voxel = 0;
+  double resolution = 0;  // metres; 0: all points
   double tolerance = 1;
   std::size_t min_points = 1;
   std::bitset<256> classes;  // none: all
@@ -36,13 +37,17 @@ struct Options {
   void add_to(CLI::App& app);
   void settle();  // once parsed; throws cli::UsageError
 
+  // Whether what lies outside the bounds, or is finer than the resolution, changes nothing of how
+  // the rest is made into boxes: then it need not be read.
+  bool each_point_alone() const;
+
   bool drops_ground() const { return ground == "drop"; }
   // The steps that look at all points together.
   bool in_memory() const { return !outliers.empty() || voxel > 0 || mode == "objects"; }
 };
 
-// The step of the map's history; `hash` is that of the input, `ground_by` how ground was told.
-nlohmann::ordered_json step_of(const Options& options, const std::string& hash,
+// The step of the map's history; `input` says which it was, `ground_by` how ground was told.
+nlohmann::ordered_json step_of(const Options& options, const nlohmann::ordered_json& input,
                                const std::string& ground_by, const geom::MakeMapOptions& map);
 
 }  // namespace cloud

@@ -5,8 +5,6 @@
 #include <pcl/filters/uniform_sampling.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/search/kdtree.h>
-#include <pcl/segmentation/extract_clusters.h>
 
 #include <algorithm>
 
@@ -79,25 +77,6 @@ Points one_per_voxel(const Points& points, double side, std::string_view source)
   Points out;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!removed[i]) out.push_back(points[i]);
-  }
-  return out;
-}
-
-std::vector<std::vector<std::size_t>> clusters(const Points& points, double tolerance) {
-  if (points.empty()) return {};
-  const Cloud::Ptr cloud = shifted(points);
-  auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
-  tree->setInputCloud(cloud);
-  pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
-  extraction.setClusterTolerance(tolerance);
-  extraction.setMinClusterSize(1);
-  extraction.setSearchMethod(tree);
-  extraction.setInputCloud(cloud);
-  std::vector<pcl::PointIndices> found;
-  extraction.extract(found);
-  std::vector<std::vector<std::size_t>> out;
-  for (const pcl::PointIndices& cluster : found) {
-    out.emplace_back(cluster.indices.begin(), cluster.indices.end());
   }
   return out;
 }

@@ -22,8 +22,4 @@ Points without_outliers(const Points& points, int neighbours, double deviations)
 // of cells would wrap, and points far apart count as one.
 Points one_per_voxel(const Points& points, double side, std::string_view source);
 
-// Groups of points that are linked by steps of at most `tolerance` metres, largest first
-// (pcl::EuclideanClusterExtraction).
-std::vector<std::vector<std::size_t>> clusters(const Points& points, double tolerance);
-
 }  // namespace cloud

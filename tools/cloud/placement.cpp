@@ -164,6 +164,7 @@ void Placement::settle(const geom::CoordinateReference& file, const std::string&
   const bool asked = origin_ || origin_near_points_;
   projects_ = asked && !told.crs.empty();
   if (told.kind == Kind::no_plane && !projects_) no_metres(source, told);
+  plane_ = told.kind != Kind::no_plane;
   const double plane = plane_unit(told, source);
   metres_ = {plane, plane, upward_unit(told, plane, source)};
   up_assumed_ = !told.up && vertical_units_.empty() && told.kind != Kind::none;
@@ -201,6 +202,18 @@ void Placement::lead_to(const geom::GeodeticOrigin& origin) {
   way_ = way_to_plane(*reference_, origin, source_);
   frame_.origin = origin;
   frame_.crs = plane_about(origin);
+}
+
+std::optional<geom::Aabb> Placement::in_file(const geom::Aabb& region) const {
+  if (way_) return way_->origin_of(region);
+  if (projects_) return std::nullopt;
+  const geom::Vec3 more = 1e-9 * (region.min.cwiseAbs() + region.max.cwiseAbs());
+  return geom::Aabb{(region.min - more).cwiseQuotient(metres_),
+                    (region.max + more).cwiseQuotient(metres_)};
+}
+
+std::optional<double> Placement::metres_in_file() const {
+  return plane_ ? std::optional(metres_.x()) : std::nullopt;
 }
 
 void Placement::place(std::span<geom::CloudPoint> points) {

@@ -27,6 +27,12 @@ class Placement {
 
   bool settled_by_user() const { return !units_.empty() || !crs_.empty(); }
 
+  // Once settled: a rectangle of the file's coordinates around all that comes to lie in this one of
+  // the map (z is not looked at), and the metres in a unit of x and y; nothing where that is not
+  // known before points are read, or is not the same everywhere.
+  std::optional<geom::Aabb> in_file(const geom::Aabb& region) const;
+  std::optional<double> metres_in_file() const;
+
   // Once settled: to metres of the map. The first points of all decide where `--origin auto` is.
   void place(std::span<geom::CloudPoint> points);
 
@@ -57,6 +63,7 @@ class Placement {
   std::optional<ProjReference> reference_;
   std::optional<ProjWay> way_;
   bool projects_ = false;
+  bool plane_ = true;  // x and y of the file are lengths
   geom::Frame frame_;
   std::string told_by_;
   std::string replaced_;  // what the file says, where --crs stands in its place

@@ -4,6 +4,8 @@
 
 #include "cli/file/files.h"
 #include "cli/file/hashed_input.h"
+#include "cli/file/random_input.h"
+#include "cli/run.h"
 #include "geom/base/error.h"
 #include "geom/cloud/las_class.h"
 
@@ -58,26 +60,89 @@ void PointSource::place_wanted(std::span<const CloudPoint> chunk, const std::str
   for (const CloudPoint& p : wanted_) require_in_reach(p.position, name);
 }
 
+void PointSource::settle(const geom::CoordinateReference& told, const std::string& name) {
+  says_nothing_ = told.kind == geom::CoordinateReference::Kind::none;
+  options_.placement.settle(told, name);
+}
+
 void PointSource::for_each(const std::function<void(const CloudPoint&)>& f) {
-  cli::InputFile file(path_);
-  cli::HashedInput hashed(file);
-  if (options_.format == "auto") options_.format = detect(hashed.head(), file.name());
   other_class_ = 0;
   noise_ = 0;
+  part_.reset();
+  const std::string name = path_ == "-" ? "stdin" : path_;
   const auto points = [&](std::span<const CloudPoint> chunk) {
-    place_wanted(chunk, file.name());
+    place_wanted(chunk, name);
     for (const CloudPoint& p : wanted_) f(p);
   };
-  const auto reference = [&](const geom::CoordinateReference& told) {
-    says_nothing_ = told.kind == geom::CoordinateReference::Kind::none;
-    options_.placement.settle(told, file.name());
+  read_whole(points, name);
+}
+
+// All of it, unless a part is enough and can be had.
+void PointSource::read_whole(const geom::PointSink& sink, const std::string& name) {
+  cli::InputFile file(path_);
+  cli::HashedInput hashed(file);
+  if (options_.format == "auto") options_.format = detect(hashed.head(), name);
+  if (reads_part(hashed.head())) return read_part(sink, name);
+  if (options_.resolution > 0) {
+    throw geom::InputError(name,
+                           "expected a COPC file for --resolution, found another: leave the option "
+                           "out, or make one, for example with `pdal translate in.laz "
+                           "out.copc.laz`");
+  }
+  counts_ = read(hashed.stream(), name, options_.format, sink,
+                 [&](const geom::CoordinateReference& told) { settle(told, name); });
+  input_ = {{"input", hashed.hash()}};
+}
+
+bool PointSource::reads_part(std::string_view head) const {
+  const bool asked = options_.map.map.bounds || options_.resolution > 0;
+  return asked && path_ != "-" && options_.format == "las" && options_.each_point_alone() &&
+         geom::is_copc(head);
+}
+
+// In the file's units, once these are settled.
+geom::CopcPart PointSource::part() const {
+  geom::CopcPart part;
+  const auto metres = options_.placement.metres_in_file();
+  if (options_.resolution > 0 && !metres) {
+    throw cli::UsageError("--resolution needs a file whose coordinates are lengths");
+  }
+  if (options_.resolution > 0) part.resolution = options_.resolution / *metres;
+  if (!options_.map.map.bounds) return part;
+  // What reaches into the bounds from beside them.
+  const double more = options_.columns.cell + options_.resolution + options_.map.map.inflate;
+  part.region = options_.placement.in_file(
+      geom::grow(*options_.map.map.bounds, geom::Vec3::Constant(1.001 * more)));
+  return part;
+}
+
+void PointSource::read_part(const geom::PointSink& sink, const std::string& name) {
+  cli::RandomInput file(path_);
+  const auto choose = [&](const geom::CoordinateReference& told) {
+    settle(told, name);
+    return part();
   };
-  counts_ = read(hashed.stream(), file.name(), options_.format, points, reference);
-  hash_ = hashed.hash();
+  const auto read = [&](std::uint64_t at, std::span<unsigned char> to) {
+    return file.read(at, to);
+  };
+  const geom::CopcCounts counts = geom::read_copc(read, name, choose, sink);
+  counts_ = counts.cloud;
+  part_ = counts;
+  if (counts.finer > 0) {
+    counts_.skipped.add("detail finer than --resolution",
+                        fmt::format("{} of {} points; what was read is grown by {} m", counts.finer,
+                                    counts.all - counts.outside, options_.resolution));
+  }
+  input_ = {{"input_part", file.hash_of_read()},
+            {"bytes_read", counts.bytes},
+            {"bytes", file.size()},
+            {"points_not_read", counts.outside + counts.finer}};
 }
 
 void PointSource::report(nlohmann::ordered_json& out) const {
-  out["points"] = counts_.read;
+  out["points"] = part_ ? part_->all : counts_.read;
+  if (part_) out["outside_bounds"] = part_->outside;
+  if (part_ && part_->finer > 0) out["not_read_finer"] = part_->finer;
   out["dropped_not_finite"] = counts_.not_finite;
   if (noise_ > 0) out[options_.noise == "drop" ? "dropped_as_noise" : "kept_noise"] = noise_;
   if (options_.classes.any()) out["dropped_by_class"] = other_class_;

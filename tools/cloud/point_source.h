@@ -4,10 +4,12 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "geom/cloud/copc.h"
 #include "options.h"
 
 namespace cloud {
@@ -21,13 +23,18 @@ class PointSource {
   void for_each(const std::function<void(const geom::CloudPoint&)>& f);
 
   // Of the last reading:
-  const std::string& hash() const { return hash_; }
+  const nlohmann::ordered_json& input() const { return input_; }  // for the map's history
   const geom::Skipped& skipped() const { return counts_.skipped; }
   bool says_nothing() const { return says_nothing_; }  // of what its coordinates mean
   void report(nlohmann::ordered_json& out) const;      // how many points, and how many dropped
 
  private:
   bool wants(const geom::CloudPoint& p);
+  void read_whole(const geom::PointSink& sink, const std::string& name);
+  void read_part(const geom::PointSink& sink, const std::string& name);
+  geom::CopcPart part() const;
+  bool reads_part(std::string_view head) const;
+  void settle(const geom::CoordinateReference& told, const std::string& name);
   void place_wanted(std::span<const geom::CloudPoint> chunk, const std::string& name);
 
   std::string path_;
@@ -37,7 +44,8 @@ class PointSource {
   std::size_t other_class_ = 0;
   std::size_t noise_ = 0;
   std::vector<geom::CloudPoint> wanted_;  // of a chunk
-  std::string hash_;
+  nlohmann::ordered_json input_;
+  std::optional<geom::CopcCounts> part_;  // where not all was read
 };
 
 }  // namespace cloud

@@ -207,6 +207,20 @@ void ProjWay::project(std::span<geom::CloudPoint> points) const {
   }
 }
 
+std::optional<geom::Aabb> ProjWay::origin_of(const geom::Aabb& region) const {
+  constexpr int kPointsASide = 101;
+  geom::Aabb out = region;
+  const bool told =
+      proj_trans_bounds(impl_->context.get(), impl_->way.get(), PJ_INV, region.min.x(),
+                        region.min.y(), region.max.x(), region.max.y(), &out.min.x(), &out.min.y(),
+                        &out.max.x(), &out.max.y(), kPointsASide);
+  if (!told || !out.min.allFinite() || !out.max.allFinite() || out.min.x() > out.max.x()) {
+    return std::nullopt;
+  }
+  const geom::Vec3 more = 0.01 * (out.max - out.min);
+  return geom::Aabb{out.min - more, out.max + more};
+}
+
 ProjWay way_to_plane(const ProjReference& from, const geom::GeodeticOrigin& origin,
                      const std::string& source) {
   return ProjWay(from, plane_about(origin) + " +type=crs", source);

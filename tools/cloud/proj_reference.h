@@ -11,6 +11,7 @@
 #include "geom/cloud/coordinate_reference.h"
 #include "geom/cloud/point_cloud.h"
 #include "geom/map/frame.h"
+#include "geom/shape/aabb.h"
 
 namespace cloud {
 
@@ -51,6 +52,10 @@ class ProjWay {
   // East before north, longitude before latitude. Throws geom::InputError where a point has no
   // place there. One thread at a time.
   void project(std::span<geom::CloudPoint> points) const;
+
+  // A rectangle around what comes to lie in this one (z is not looked at), with a hundredth of its
+  // sides more; nothing where PROJ cannot say.
+  std::optional<geom::Aabb> origin_of(const geom::Aabb& region) const;
 
  private:
   struct Impl;

@@ -21,6 +21,7 @@ struct ColumnGrid::Impl {
   explicit Impl(const ColumnSpec& spec);
 
   void add(const Vec3& p);
+  void add(const Vec3& p, double reach);
   std::vector<std::int32_t> spans();
   void add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high);
   BoxTable boxes(std::string_view source);
@@ -104,6 +105,18 @@ void ColumnGrid::Impl::add(const Vec3& p) {
   Span span{floor_index(p.z(), spec_.step), ceil_index(p.z(), spec_.step)};
   if (span.low == span.high) ++span.high;  // on a step: some height, so that boxes join
   add_span(floor_index(p.x(), spec_.cell), floor_index(p.y(), spec_.cell), span.low, span.high);
+}
+
+void ColumnGrid::Impl::add(const Vec3& p, double reach) {
+  const auto low = [&](double v, double size) { return floor_index(v - reach, size); };
+  const auto high = [&](double v, double size) { return floor_index(v + reach, size); };
+  Span span{low(p.z(), spec_.step), ceil_index(p.z() + reach, spec_.step)};
+  if (span.low == span.high) ++span.high;
+  for (std::int32_t y = low(p.y(), spec_.cell); y <= high(p.y(), spec_.cell); ++y) {
+    for (std::int32_t x = low(p.x(), spec_.cell); x <= high(p.x(), spec_.cell); ++x) {
+      add_span(x, y, span.low, span.high);
+    }
+  }
 }
 
 std::vector<std::int32_t> ColumnGrid::Impl::spans() {
@@ -285,7 +298,13 @@ ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(sp
 ColumnGrid::~ColumnGrid() = default;
 ColumnGrid::ColumnGrid(ColumnGrid&&) noexcept = default;
 
-void ColumnGrid::add(const Vec3& p) { impl_->add(p); }
+void ColumnGrid::add(const Vec3& p, double reach) {
+  if (reach > 0) {
+    impl_->add(p, reach);
+  } else {
+    impl_->add(p);
+  }
+}
 std::vector<std::int32_t> ColumnGrid::spans() const { return impl_->spans(); }
 void ColumnGrid::add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high) {
   impl_->add_span(x, y, low, high);

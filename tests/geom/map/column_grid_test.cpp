@@ -44,6 +44,23 @@ TEST(ColumnGrid, HoldsEveryPointNearAndFarFromTheOrigin) {
   }
 }
 
+TEST(ColumnGrid, HoldsAllWithinTheReachOfAPoint) {
+  support::Random random(11);
+  for (const double reach : {0.0, 0.3, 2.5}) {
+    ColumnGrid grid({1, 0.5, 0, false});
+    const auto points = scan(12, 50, {1000, -1000, 5});
+    for (const Vec3& p : points) grid.add(p, reach);
+    const BoxTable table = grid.boxes("test");
+    for (int i = 0; i < 20000; ++i) {
+      const auto any = [&] { return random.uniform(-reach, reach); };
+      const Vec3 near = points[random.below(points.size())] + Vec3(any(), any(), any());
+      ASSERT_TRUE(std::any_of(table.boxes.begin(), table.boxes.end(), [&](const Aabb& box) {
+        return contains(box, near);
+      })) << i;
+    }
+  }
+}
+
 TEST(ColumnGrid, DoesNotDependOnTheOrderOfThePoints) {
   auto points = scan(2, 3000, Vec3::Zero());
   const BoxTable one = boxes(points, {1, 0.5, 2, true});

@@ -26,7 +26,8 @@ class ColumnGrid {
   ~ColumnGrid();
   ColumnGrid(ColumnGrid&&) noexcept;
 
-  void add(const Vec3& p);
+  // With a reach (metres, >= 0), all that is so near to it along each axis.
+  void add(const Vec3& p, double reach = 0);
 
   // What stands in the columns, as rows of four: cell along x, along y, lowest and highest step;
   // and one of them added, of this or another grid of the same spec. Grids whose spans are all

@@ -1,0 +1,210 @@
+#include <fmt/format.h>
+
+#include <cstring>
+#include <sstream>
+
+#include "byte_source.h"
+#include "copc_hierarchy.h"
+#include "geom/cloud/copc.h"
+#include "las_header.h"
+#include "las_records.h"
+#include "laz_layers.h"
+#include "point_chunks.h"
+
+namespace geom {
+namespace {
+
+constexpr std::size_t kHead = 589;            // the header, and the record of COPC behind it
+constexpr std::uint64_t kMostHead = 1 << 26;  // records before the points
+constexpr std::size_t kLaterHead = 60;
+
+[[noreturn]] void refuse(std::string_view source, std::string_view message) {
+  throw InputError(source, message);
+}
+
+class Reader {
+ public:
+  Reader(const ReadAt& read, std::string_view source)
+      : read_([&read, this](std::uint64_t at, std::span<unsigned char> to) {
+          const std::size_t got = read(at, to);
+          counts_.bytes += got;
+          return got;
+        }),
+        source_(source) {}
+
+  CopcCounts run(const CopcChooser& choose, const PointSink& sink) {
+    read_head();
+    nodes_ = read_copc_nodes(read_, info_, source_);
+    require_all_accounted_for();
+    const CopcPart part = choose(reference_);
+    PointChunks chunks(source_, sink);
+    const int deepest = deepest_level(part);
+    for (const CopcNode& node : nodes_) {
+      if (part.region && !meets(node, *part.region)) {
+        counts_.outside += node.points;
+      } else if (node.level > deepest) {
+        counts_.finer += node.points;
+      } else {
+        read_node(node, part, chunks);
+      }
+    }
+    if (counts_.finer > 0) counts_.spacing = std::ldexp(info_.spacing, -deepest);
+    counts_.cloud = chunks.finish();
+    return counts_;
+  }
+
+ private:
+  void read_head() {
+    std::string head = read_whole(read_, 0, kHead, source_);
+    if (!is_copc(head)) refuse(source_, "expected a COPC file, found another");
+    const auto points = number_at<std::uint32_t>(reinterpret_cast<unsigned char*>(&head[96]));
+    if (points > kMostHead) {
+      refuse(source_, fmt::format("expected points within {} bytes, found them at byte {}",
+                                  kMostHead, points));
+    }
+    if (points > kHead) head += read_whole(read_, kHead, points - kHead, source_);
+    std::istringstream in(head);
+    header_ = read_las_header(in, source_);
+    LasRecords records = read_las_records(in, header_, source_);
+    if (!header_.compressed || header_.format < 6 || header_.format > 8 ||
+        records.laz->layout != LazSetup::Layout::layers || !records.laz->chunks_vary()) {
+      refuse(source_, "expected LAZ of point format 6 to 8 in chunks that vary, as COPC has it");
+    }
+    reference_ = std::move(records.reference);
+    if (reference_.kind == CoordinateReference::Kind::none && described_later()) {
+      refuse(source_,
+             "its reference system stands after its points, where it is not read: write the file "
+             "anew, for example with `pdal translate in.copc.laz out.copc.laz`");
+    }
+    setup_ = std::move(*records.laz);
+    info_ = parse_copc_info(records.copc, source_);
+    tolerance_ = 2 * header_.scale.cwiseAbs();
+    counts_.all = header_.points;
+  }
+
+  // Whether one of the records after the points describes the coordinates.
+  bool described_later() {
+    std::uint64_t at = header_.later_records;
+    for (std::uint32_t i = 0; i < header_.later_count; ++i) {
+      const std::string head = read_whole(read_, at, kLaterHead, source_);
+      const auto* bytes = reinterpret_cast<const unsigned char*>(head.data());
+      const auto id = number_at<std::uint16_t>(bytes + 18);
+      if (std::memcmp(bytes + 2, "LASF_Projection", 16) == 0 && (id == 2112 || id == 34735)) {
+        return true;
+      }
+      at += kLaterHead + number_at<std::uint64_t>(bytes + 20);
+    }
+    return false;
+  }
+
+  // Each point of the header and each byte between the first chunk and the table of chunks is of
+  // one cube: none is forgotten.
+  void require_all_accounted_for() {
+    const std::uint64_t start = header_.data;
+    const std::string place = read_whole(read_, start, 8, source_);
+    const auto table = number_at<std::uint64_t>(reinterpret_cast<const unsigned char*>(&place[0]));
+    std::uint64_t at = start + 8;
+    std::uint64_t points = 0;
+    for (const CopcNode& node : nodes_) {
+      if (node.place != at) {
+        refuse(source_, fmt::format("expected the chunk of a cube of its octree at byte {}, found "
+                                    "the next at {}: chunks are missing, or come twice",
+                                    at, node.place));
+      }
+      at += node.bytes;
+      points += node.points;
+    }
+    if (points != header_.points) {
+      refuse(source_,
+             fmt::format("its header counts {} points, and its octree {}", header_.points, points));
+    }
+    if (at != table) {
+      refuse(source_, fmt::format("its octree ends at byte {}, and its compressed points at {}: "
+                                  "chunks are missing",
+                                  at, table));
+    }
+  }
+
+  int deepest_level(const CopcPart& part) const {
+    int last = 0;
+    for (const CopcNode& node : nodes_) last = std::max(last, node.level);
+    if (!(part.resolution > 0)) return last;
+    int level = 0;
+    while (level < last && std::ldexp(info_.spacing, -level) > part.resolution) ++level;
+    return level;
+  }
+
+  Aabb reach(const CopcNode& node) const {
+    Aabb cube = node.cube(info_);
+    // What doubles lose of a cube's place and of a point's.
+    const Vec3 slack = tolerance_ + 1e-12 * (info_.centre.cwiseAbs() + Vec3::Constant(info_.half));
+    cube.min -= slack;
+    cube.max += slack;
+    return cube;
+  }
+
+  bool meets(const CopcNode& node, const Aabb& region) const {
+    const Aabb cube = reach(node);
+    return cube.min.x() <= region.max.x() && cube.max.x() >= region.min.x() &&
+           cube.min.y() <= region.max.y() && cube.max.y() >= region.min.y();
+  }
+
+  void read_node(const CopcNode& node, const CopcPart& part, PointChunks& chunks) {
+    const std::string chunk = read_whole(read_, node.place, node.bytes, source_);
+    ByteSource bytes({reinterpret_cast<const unsigned char*>(chunk.data()), chunk.size()},
+                     node.place, source_);
+    const Aabb cube = reach(node);
+    const auto take = [&](const LazPoint& raw) {
+      const Vec3 p = Vec3(raw.x, raw.y, raw.z).cwiseProduct(header_.scale) + header_.offset;
+      if (!contains(cube, p)) leaves_cube(node, p);
+      const bool inside =
+          !part.region || (p.x() >= part.region->min.x() && p.x() <= part.region->max.x() &&
+                           p.y() >= part.region->min.y() && p.y() <= part.region->max.y());
+      if (inside) {
+        chunks.add(p, raw.cls);
+      } else {
+        ++counts_.outside;
+      }
+    };
+    const std::uint64_t found = read_laz_layers(bytes, setup_, node.points, take);
+    if (found == node.points && bytes.position() == node.place + node.bytes) return;
+    bytes.refuse(
+        fmt::format("cube {}-{}-{}-{} of its octree is said to have {} points in {} bytes, "
+                    "and has {} in {}",
+                    node.level, node.x, node.y, node.z, node.points, node.bytes, found,
+                    bytes.position() - node.place));
+  }
+
+  [[noreturn]] void leaves_cube(const CopcNode& node, const Vec3& p) const {
+    refuse(source_,
+           fmt::format("point [{}, {}, {}] lies outside its cube {}-{}-{}-{} of the octree: "
+                       "read the file whole, without bounds and resolution",
+                       p.x(), p.y(), p.z(), node.level, node.x, node.y, node.z));
+  }
+
+  CopcCounts counts_;
+  ReadAt read_;
+  std::string_view source_;
+  LasHeader header_;
+  LazSetup setup_;
+  CopcInfo info_;
+  CoordinateReference reference_;
+  Vec3 tolerance_ = Vec3::Zero();
+  std::vector<CopcNode> nodes_;
+};
+
+}  // namespace
+
+bool is_copc(std::string_view head) {
+  constexpr std::size_t kUser = 375 + 2;
+  return head.size() >= kHead && head.starts_with("LASF") &&
+         head.substr(kUser, 5) == std::string_view("copc\0", 5) && head[kUser + 16] == 1 &&
+         head[kUser + 17] == 0;
+}
+
+CopcCounts read_copc(const ReadAt& read, std::string_view source, const CopcChooser& choose,
+                     const PointSink& sink) {
+  return Reader(read, source).run(choose, sink);
+}
+
+}  // namespace geom
