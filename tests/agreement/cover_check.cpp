@@ -14,6 +14,7 @@
 #include "footprints/place.h"
 #include "footprints/source.h"
 #include "geom/base/parallel.h"
+#include "geom/import/city_footprints.h"
 #include "geom/import/city_json.h"
 #include "geom/shape/cover.h"
 #include "support/cover_oracle.h"
@@ -29,8 +30,8 @@ footprints::Source read(const std::string& path) {
   if (path.ends_with(".pbf")) return footprints::read_osm(path, path, {});
   if (path.ends_with(".geojson")) return footprints::read_vector(path, path, {});
   std::ifstream in(path);
-  geom::CityJson city = geom::read_city_json(in, path);
-  return {std::move(city.footprints), city.crs, {}};
+  const geom::CityModel model = geom::read_city_json(in, path);
+  return {geom::footprints_of(model, 1, {}).footprints, model.crs, {}};
 }
 
 struct Extent {

@@ -1,7 +1,10 @@
 #include "formats.h"
 
+#include "axis_order.h"
+#include "city_gml.h"
 #include "cli/file/files.h"
 #include "geom/base/error.h"
+#include "geom/import/city_footprints.h"
 #include "geom/import/city_json.h"
 
 namespace footprints {
@@ -13,25 +16,35 @@ bool says(const std::string& path, std::string_view word) {
   return file.read_all().find(word) != std::string::npos;
 }
 
-Source read_city_json(std::istream& in, const std::string& name, const ReadOptions& options) {
-  geom::CityJson city = geom::read_city_json(in, name);
+// Heights in attributes name their unit, or are metres.
+Source source_of(geom::CityModel model, bool city_json, const std::string& name,
+                 const ReadOptions& options) {
+  orient(model, options.axes, city_json, name);
   Source source;
-  source.footprints = std::move(city.footprints);
-  source.crs = city.crs;
-  source.counts["objects"] = city.objects;
-  source.skipped = std::move(city.skipped);
+  source.crs = model.crs;
   const auto unit = height_unit(source.crs, name, options);
   if (!unit) refuse_heights(name, source.crs);
-  for (geom::Footprint& f : source.footprints) {
-    f.bottom *= *unit;
-    f.top *= *unit;
-  }
+  geom::HeightOptions heights = options.height;
+  heights.unit = options.height_unit.value_or(1);
+  geom::CityFootprints city = geom::footprints_of(model, *unit, heights);
+  source.footprints = std::move(city.footprints);
+  source.skipped = std::move(city.skipped);
+  source.counts["objects"] = city.objects;
+  for (const auto& [kind, n] : city.by_kind) source.counts[kind] = n;
+  for (const auto& [which, height] : city.heights) count_height(height, which, source);
   return source;
+}
+
+Source read_gml(std::istream& file, const std::string& name, const ReadOptions& options) {
+  CityGml city = read_city_gml(file, name, options.height.attribute);
+  if (city.placed && !city.model.crs.empty()) require_metres(city.model.crs, name);
+  return source_of(std::move(city.model), false, name, options);
 }
 
 Source read_any(const std::string& format, const std::string& path, const std::string& name,
                 std::istream& file, const ReadOptions& options) {
-  if (format == "cityjson") return read_city_json(file, name, options);
+  if (format == "cityjson") return source_of(geom::read_city_json(file, name), true, name, options);
+  if (format == "citygml") return read_gml(file, name, options);
   if (format == "osm") return read_osm(path, name, options);
   if (format == "raster") return read_raster(path, name, options);
   return read_vector(path, name, options);
@@ -43,7 +56,9 @@ std::string detect(std::string_view head, const std::string& path) {
   for (const char* end : {".pbf", ".osm", ".osm.bz2", ".osm.gz"}) {
     if (path.ends_with(end)) return "osm";
   }
-  const std::size_t first = head.find_first_not_of(" \t\r\n");
+  const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  const bool markup = first != std::string_view::npos && head[first] == '<';
+  if (markup && says(path, "CityModel")) return "citygml";
   if (first != std::string_view::npos && head[first] == '{') {
     return says(path, "\"CityJSON\"") ? "cityjson" : "vector";
   }

@@ -10,8 +10,8 @@
 
 namespace footprints {
 
-// "osm", "cityjson", "raster" or "vector", for a file that begins with `head`: CityJSON by what it
-// says, OSM by its name, height models by what GDAL makes of them.
+// "osm", "cityjson", "citygml", "raster" or "vector", for a file that begins with `head`: CityJSON
+// and CityGML by what they say, OSM by its name, height models by what GDAL makes of them.
 std::string detect(std::string_view head, const std::string& path);
 
 // `format` as above. `file` is the one at `path`, whose name is for messages. Throws

@@ -26,6 +26,7 @@ struct Options {
   std::string terrain;
   std::string origin;
   std::string height_units;
+  std::string axes;
   bool metres = false;
   CLI::Option* default_height = nullptr;
   cli::SkippedOption skipped;
@@ -36,13 +37,14 @@ struct Options {
 };
 
 void Options::add_to(CLI::App& app) {
-  app.add_option("file", input,
-                 "GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OSM .pbf, CityJSON or a GeoTIFF of "
-                 "heights")
+  app.add_option(
+         "file", input,
+         "GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OSM .pbf, CityJSON, CityGML or a GeoTIFF "
+         "of heights")
       ->required();
   cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
   app.add_option("--format", format, "what the file is (default: auto)")
-      ->check(CLI::IsMember({"auto", "vector", "osm", "cityjson", "raster"}));
+      ->check(CLI::IsMember({"auto", "vector", "osm", "cityjson", "citygml", "raster"}));
   app.add_option("--slack", slack,
                  "how far boxes may reach outside a footprint, metres (default 0.5)")
       ->check(CLI::Range(0.01, 100.0));
@@ -66,6 +68,10 @@ void Options::add_to(CLI::App& app) {
                  "unit of heights that name none (default: what the coordinate reference system "
                  "says, else m)")
       ->check(CLI::IsMember(cli::kMetres));
+  app.add_option("--axes", axes,
+                 "which coordinate of a city model comes first (default: what its coordinate "
+                 "reference system says)")
+      ->check(CLI::IsMember({"east-north", "north-east"}));
   app.add_flag("--metres", metres,
                "numbers without a coordinate reference system are metres even if they look like "
                "degrees");
@@ -137,6 +143,9 @@ City city_of(footprints::Source source, const Options& options,
     footprints::lift(source, terrain, projector.frame().crs);
   }
   footprints::check_sizes(source, options.slack, name);
+  for (const geom::Footprint& f : source.footprints) {
+    if (geom::uneven_by(f, options.slack) > options.slack / 2) ++source.counts["surfaces_uneven"];
+  }
   return {std::move(source), projector.frame()};
 }
 
@@ -155,6 +164,9 @@ int main(int argc, char** argv) {
     if (!options.height_units.empty()) {
       options.read.height_unit = cli::kMetres.at(options.height_units);
     }
+    if (!options.axes.empty())
+      options.read.axes = options.axes == "east-north" ? footprints::Axes::east_north
+                                                       : footprints::Axes::north_east;
     if (options.input == "-")
       throw cli::UsageError("footprints are read from a file, not from stdin");
     sharding.begin(app, {{"file", options.input}, {"terrain", options.terrain}},

@@ -6,12 +6,15 @@
 #include <osmium/area/assembler.hpp>
 #include <osmium/area/multipolygon_manager.hpp>
 #include <osmium/handler.hpp>
+#include <osmium/handler/check_order.hpp>
 #include <osmium/handler/node_locations_for_ways.hpp>
 #include <osmium/index/map/flex_mem.hpp>
 #include <osmium/io/bzip2_compression.hpp>
 #include <osmium/io/gzip_compression.hpp>
 #include <osmium/io/pbf_input.hpp>
 #include <osmium/io/xml_input.hpp>
+#include <osmium/object_pointer_collection.hpp>
+#include <osmium/osm/object_comparisons.hpp>
 #include <osmium/visitor.hpp>
 #include <set>
 #include <string_view>
@@ -70,6 +73,11 @@ std::string other_obstacle(const osmium::TagList& tags) {
   return "";
 }
 
+// Whether a relation is assembled to areas.
+bool is_area(const osmium::TagList& tags) {
+  return is_one_of(value_of(tags, "type"), {"multipolygon", "boundary"});
+}
+
 using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
 using Locations = osmium::handler::NodeLocationsForWays<Index, Index>;
 
@@ -109,12 +117,20 @@ class BuildingHandler : public osmium::handler::Handler {
       out_.skipped.add("part of an outline whose nodes are not in the file", which);
     }
     if (f.polygon.outer.empty()) return;
-    if (!way.is_closed()) ++out_.counts["ways_not_closed"];
+    if (!way.is_closed()) {
+      ++out_.counts["ways_not_closed"];
+      out_.skipped.add("outline that is not closed", which);
+    }
     add(way, osmium::item_type::way, std::move(f));
   }
 
   void relation(const osmium::Relation& relation) {
-    if (!is_building(relation.tags())) skip_other(relation.tags(), "relation", relation.id());
+    if (!is_building(relation.tags())) {
+      skip_other(relation.tags(), "relation", relation.id());
+    } else if (!is_area(relation.tags())) {
+      out_.skipped.add("building that is a relation without an area",
+                       fmt::format("relation {}", relation.id()));
+    }
   }
 
   void area(const osmium::Area& area) {
@@ -269,10 +285,7 @@ void for_each(const osmium::io::File& file, osmium::osm_entity_bits::type kind, 
 }
 
 bool is_building_relation(const osmium::OSMObject& object) {
-  const char* type = object.tags().get_value_by_key("type");
-  return type &&
-         (std::string_view(type) == "multipolygon" || std::string_view(type) == "boundary") &&
-         is_building(object.tags());
+  return is_area(object.tags()) && is_building(object.tags());
 }
 
 void add_hulls(const osmium::io::File& file, Locations& locations, BuildingHandler& buildings,
@@ -310,38 +323,71 @@ void add_hulls(const osmium::io::File& file, Locations& locations, BuildingHandl
   });
 }
 
+// Every object of the file to each of the handlers, in the order of the file.
+struct InOrder {
+  const osmium::io::File& file;
+
+  template <class... Handlers>
+  void operator()(Handlers&&... handlers) const {
+    osmium::io::Reader reader(file);
+    osmium::apply(reader, std::forward<Handlers>(handlers)...);
+    reader.close();
+  }
+};
+
+// The same, nodes before ways before relations and each by their numbers, as editors do not write
+// them: all of the file in memory.
+struct Sorted {
+  const osmium::io::File& file;
+
+  template <class... Handlers>
+  void operator()(Handlers&&... handlers) const {
+    osmium::memory::Buffer buffer = osmium::io::read_file(file);
+    osmium::ObjectPointerCollection objects;
+    osmium::apply(buffer, objects);
+    objects.sort(osmium::object_order_type_id_version{});
+    osmium::apply(objects.begin(), objects.end(), std::forward<Handlers>(handlers)...);
+  }
+};
+
+template <class Each>
+Source read_buildings(const osmium::io::File& file, const ReadOptions& options, const Each& each) {
+  Source out;
+  out.crs = "EPSG:4326";
+  osmium::area::MultipolygonManager<osmium::area::Assembler> manager(
+      osmium::area::Assembler::config_type{});
+  osmium::relations::read_relations(file, manager);
+  Index index;
+  Index index_of_new;  // nodes that an editor has made and no server numbered: negative ids
+  Locations locations(index, index_of_new);
+  locations.ignore_errors();  // a node that is not in the extract: skipped with its way
+  BuildingHandler buildings(options, out);
+  each(locations, buildings,
+       manager.handler([&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, buildings); }));
+  add_hulls(file, locations, buildings, out);
+  return out;
+}
+
 }  // namespace
 
 Source read_osm(const std::string& path, const std::string& name, const ReadOptions& options) {
-  Source out;
-  out.crs = "EPSG:4326";
   try {
     const osmium::io::File file(path);
-    osmium::area::MultipolygonManager<osmium::area::Assembler> manager(
-        osmium::area::Assembler::config_type{});
-    osmium::relations::read_relations(file, manager);
-    Index index;
-    Index index_of_new;  // nodes that an editor has made and no server numbered: negative ids
-    Locations locations(index, index_of_new);
-    locations.ignore_errors();  // a node that is not in the extract: skipped with its way
-    BuildingHandler buildings(options, out);
-    osmium::io::Reader reader(file);
-    osmium::apply(reader, locations, buildings,
-                  manager.handler(
-                      [&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, buildings); }));
-    reader.close();
-    add_hulls(file, locations, buildings, out);
+    try {
+      return read_buildings(file, options, InOrder{file});
+    } catch (const osmium::out_of_order_error&) {
+      return read_buildings(file, options, Sorted{file});
+    }
   } catch (const std::system_error&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
     throw geom::InputError(
-        name, fmt::format("expected whole OpenStreetMap data, sorted as by `osmium sort`, "
-                          "found other data (libosmium: {})",
+        name, fmt::format("expected whole OpenStreetMap data, each object once, found other data "
+                          "(libosmium: {}); `osmium sort` and `osmium check-refs` may tell more",
                           error.what()));
   }
-  return out;
 }
 
 }  // namespace footprints

@@ -40,10 +40,12 @@ void lift(Source& source, const Terrain& terrain, const std::string& crs) {
     const auto ground = terrain.range(reach.low, reach.high, crs);
     if (!ground) {
       ++source.counts["footprints_without_terrain"];
+      source.skipped.add("footprint without ground under it", fmt::format("feature {}", f.id));
       continue;
     }
     f.bottom += ground->low;
     f.top += ground->high;
+    for (double& height : f.heights) height += ground->high;
   }
 }
 
@@ -70,7 +72,7 @@ void keep_shard(std::vector<geom::Footprint>& footprints, const geom::Shard& sha
 }
 
 void check_sizes(const Source& source, double slack, const std::string& name) {
-  constexpr double kMostSlabs = 5e4;
+  constexpr double kMostSlabs = 1e6;
   const double reach = std::min(geom::kLargestCoordinate, 1e9 * slack);
   for (const geom::Footprint& f : source.footprints) {
     Reach around(f.polygon.outer);
@@ -80,7 +82,7 @@ void check_sizes(const Source& source, double slack, const std::string& name) {
     if (low.minCoeff() < -reach || high.maxCoeff() > reach || size > kMostSlabs * slack) {
       throw geom::InputError(
           name, fmt::format("feature {}: expected a footprint within {} m of the origin and no "
-                            "longer than {} m (5e4 times --slack), found [{}, {}] to [{}, {}]",
+                            "longer than {} m (1e6 times --slack), found [{}, {}] to [{}, {}]",
                             f.id, reach, kMostSlabs * slack, low.x(), low.y(), high.x(), high.y()));
     }
   }

@@ -14,7 +14,7 @@ namespace footprints {
 void project(std::vector<geom::Footprint>& footprints, const Projector& projector);
 
 // Down to the lowest point of the ground under it, and as high above the highest; `crs` is that of
-// the footprints. Counts those without ground under them.
+// the footprints. Those without ground under them are skipped: where they stand is not known.
 void lift(Source& source, const Terrain& terrain, const std::string& crs);
 
 // What is ground is solid: down to the lowest of all footprints, and to the floor of the map (in

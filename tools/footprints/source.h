@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "axis_order.h"
 #include "geom/import/building_height.h"
 #include "geom/import/skipped.h"
 #include "geom/map/footprint.h"
@@ -34,6 +35,7 @@ struct Source {
 
 struct ReadOptions {
   geom::HeightOptions height;
+  Axes axes = Axes::as_named;         // of city models
   std::string where;                  // OGR SQL on attributes; empty: all features
   std::optional<double> height_unit;  // metres in one of the heights that name no unit
   double height_step = 0.5;  // metres: surface models are rounded up to multiples of it; 0: not

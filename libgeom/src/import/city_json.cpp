@@ -6,7 +6,6 @@
 #include <cmath>
 #include <istream>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "geom/base/error.h"
 #include "geom/shape/vec3.h"
@@ -17,19 +16,16 @@ namespace geom {
 namespace {
 
 using Json = nlohmann::json;
-using Surface = std::vector<std::vector<Vec3>>;  // an outer ring, then holes
 
-constexpr double kWall = 1e-6;  // m2 in plan: below it a surface stands upright
-// What lies on the ground: without a geometry, nothing of it is known to be in the air.
-const std::set<std::string> kLevel = {"TINRelief", "LandUse", "WaterBody",      "Waterway",
-                                      "Road",      "Railway", "TransportSquare"};
-const std::set<std::string> kGround = {"TINRelief", "LandUse", "WaterBody", "Waterway"};
+// Attributes that may tell a height.
+constexpr const char* kHeights[] = {"measuredHeight",     "height",          "averageHeight",
+                                    "storeysAboveGround", "building:levels", "building:height"};
 
 class Reader {
  public:
   explicit Reader(std::string_view source) : source_(source) {}
 
-  CityJson read(std::istream& in) {
+  CityModel read(std::istream& in) {
     const Json root = parse_json(in, source_);
     if (!root.is_object() || root.value("type", Json()) != "CityJSON") {
       refuse("expected a JSON object with \"type\":\"CityJSON\"");
@@ -43,9 +39,16 @@ class Reader {
     read_templates(root);
     const Json objects = root.value("CityObjects", Json());
     if (!objects.is_object()) refuse("expected \"CityObjects\" to be an object");
-    std::uint64_t id = 0;
-    for (const auto& [name, object] : objects.items()) read_object(name, object, id++);
-    if (out_.footprints.empty()) refuse("expected at least one object with surfaces, found none");
+    bool surfaces = false;
+    for (const auto& [name, object] : objects.items()) {
+      out_.objects.push_back(read_object(name, object));
+      out_.objects.back().whole = whole_of(objects, name);
+      out_.objects.back().is_part = out_.objects.back().whole != name;
+      surfaces |=
+          std::any_of(out_.objects.back().geometries.begin(), out_.objects.back().geometries.end(),
+                      [](const CityGeometry& g) { return !g.surfaces.empty(); });
+    }
+    if (!surfaces) refuse("expected at least one object with surfaces, found none");
     return std::move(out_);
   }
 
@@ -103,26 +106,80 @@ class Reader {
     }
   }
 
-  void read_object(const std::string& name, const Json& object, std::uint64_t id) {
+  CityObject read_object(const std::string& name, const Json& object) {
     object_ = name;
     if (!object.is_object() || !object.value("type", Json()).is_string()) {
       refuse_object("expected an object with a type");
     }
-    const std::string type = object["type"];
-    other_ = 0;
-    const std::vector<const Json*> geometries = finest(object);
-    if (geometries.empty()) {
-      const bool parent = object.contains("children") && object["children"].is_array() &&
-                          !object["children"].empty();
-      if (other_ > 0 || !(parent || kLevel.contains(type) || type == "CityObjectGroup")) {
-        out_.skipped.add(fmt::format("{} without surfaces", type.substr(0, 40)),
-                         name.substr(0, 60));
-      }
+    CityObject out;
+    out.type = object["type"];
+    out.name = name;
+    out.has_parts =
+        object.contains("children") && object["children"].is_array() && !object["children"].empty();
+    read_attributes(object.value("attributes", Json()), out);
+    if (!object.contains("geometry")) return out;
+    const Json& list = object["geometry"];
+    if (!list.is_array()) refuse_object("geometry must be an array");
+    for (const Json& geometry : list) {
+      if (!geometry.is_object()) refuse_object("a geometry must be an object");
+      read_geometry(geometry, out);
+    }
+    return out;
+  }
+
+  static void read_attributes(const Json& attributes, CityObject& out) {
+    if (!attributes.is_object()) return;
+    for (const char* key : kHeights) {
+      const auto at = attributes.find(key);
+      if (at == attributes.end() || at->is_null()) continue;
+      out.attributes[key] = at->is_string() ? at->get<std::string>() : at->dump();
+    }
+  }
+
+  void read_geometry(const Json& geometry, CityObject& out) {
+    const Json& shape = is_instance(geometry) ? template_of(geometry) : geometry;
+    const std::string type = shape.value("type", Json()).dump();
+    if (type.find("Surface") == std::string::npos && type.find("Solid") == std::string::npos) {
+      ++out.others;
       return;
     }
+    const Json lod = shape.value("lod", Json(0));
+    CityGeometry g;
+    g.lod = lod.is_string()   ? parse_number(lod.get<std::string>()).value_or(0)
+            : lod.is_number() ? lod.get<double>()
+                              : 0;
+    g.roofs_only = says_roofs_only(shape);
     surfaces_.clear();
-    for (const Json* geometry : geometries) collect_geometry(*geometry);
-    add_footprints(id, kGround.contains(type));
+    collect_geometry(geometry);
+    g.surfaces = std::move(surfaces_);
+    out.geometries.push_back(std::move(g));
+  }
+
+  static bool says_roofs_only(const Json& shape) {
+    const Json semantics = shape.value("semantics", Json());
+    const Json list = semantics.is_object() ? semantics.value("surfaces", Json()) : Json();
+    return list.is_array() && !list.empty() &&
+           std::all_of(list.begin(), list.end(), [](const Json& s) {
+             return s.is_object() && s.value("type", Json()) == "RoofSurface";
+           });
+  }
+
+  // The outermost object that `name` is a part of; groups have members, not parts.
+  std::string whole_of(const Json& objects, const std::string& name) const {
+    std::string whole = name;
+    for (int depth = 0; depth < 10; ++depth) {
+      const Json& object = objects[whole];
+      const Json parents = object.is_object() ? object.value("parents", Json()) : Json();
+      const auto parent = std::find_if(parents.begin(), parents.end(), [&](const Json& p) {
+        if (!p.is_string()) return false;
+        const auto at = objects.find(p.get<std::string>());
+        return at != objects.end() && at->is_object() &&
+               at->value("type", Json()) != "CityObjectGroup";
+      });
+      if (parent == parents.end()) break;
+      whole = parent->get<std::string>();
+    }
+    return whole;
   }
 
   // Templates: shapes that objects place by a matrix and a reference point.
@@ -188,33 +245,6 @@ class Reader {
     std::swap(vertices_, placed);
   }
 
-  // The geometries of the highest level of detail that are made of surfaces.
-  std::vector<const Json*> finest(const Json& object) {
-    std::vector<const Json*> best;
-    double best_lod = -1;
-    if (!object.contains("geometry")) return best;
-    const Json& list = object["geometry"];
-    if (!list.is_array()) refuse_object("geometry must be an array");
-    for (const Json& geometry : list) {
-      if (!geometry.is_object()) refuse_object("a geometry must be an object");
-      const Json& shape = is_instance(geometry) ? template_of(geometry) : geometry;
-      const std::string type = shape.value("type", Json()).dump();
-      if (type.find("Surface") == std::string::npos && type.find("Solid") == std::string::npos) {
-        ++other_;
-        continue;
-      }
-      const Json lod = shape.value("lod", Json(0));
-      const double value = lod.is_string()   ? parse_number(lod.get<std::string>()).value_or(0)
-                           : lod.is_number() ? lod.get<double>()
-                                             : 0;
-      if (value < best_lod) continue;
-      if (value > best_lod) best.clear();
-      best.push_back(&geometry);
-      best_lod = value;
-    }
-    return best;
-  }
-
   // Boundaries nest to a depth that their type gives; a surface is an array of rings of indices.
   void collect(const Json& boundaries, int depth) {
     if (!boundaries.is_array()) refuse_object("boundaries must be nested arrays of vertex indices");
@@ -237,8 +267,8 @@ class Reader {
     return index.get<std::size_t>();
   }
 
-  Surface surface_of(const Json& rings) const {
-    Surface surface;
+  CitySurface surface_of(const Json& rings) const {
+    CitySurface surface;
     for (const Json& ring : rings) {
       if (!ring.is_array() || ring.empty()) refuse_object("a ring must have vertices");
       surface.emplace_back();
@@ -249,64 +279,18 @@ class Reader {
     return surface;
   }
 
-  void add_footprints(std::uint64_t id, bool ground) {
-    double bottom = kLargestCoordinate;
-    for (const Surface& surface : surfaces_) {
-      for (const Vec3& v : surface[0]) bottom = std::min(bottom, v.z());
-    }
-    if (surfaces_.empty()) {
-      out_.skipped.add("object without surfaces", object_.substr(0, 60));
-      return;
-    }
-    ++out_.objects;
-    for (const Surface& surface : surfaces_) {
-      Footprint f;
-      f.id = id;
-      f.bottom = bottom;
-      f.top = bottom;
-      f.ground = ground;
-      double area = 0;
-      for (std::size_t r = 0; r < surface.size(); ++r) {
-        std::vector<Vec2> ring;
-        for (const Vec3& v : surface[r]) {
-          ring.push_back({v.x(), v.y()});
-          f.top = std::max(f.top, v.z());
-        }
-        if (r == 0) area = plan_area(ring);
-        if (r == 0) {
-          f.polygon.outer = std::move(ring);
-        } else {
-          f.polygon.holes.push_back(std::move(ring));
-        }
-      }
-      f.likely_covered = area < kWall || f.top == bottom;
-      out_.footprints.push_back(std::move(f));
-    }
-  }
-
-  static double plan_area(const std::vector<Vec2>& ring) {
-    double twice = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-      const Vec2 a = ring[i] - ring[0];
-      const Vec2 b = ring[i + 1] - ring[0];
-      twice += a.x() * b.y() - a.y() * b.x();
-    }
-    return std::abs(twice) / 2;
-  }
-
   std::string source_;
   std::string object_;
   std::vector<Vec3> vertices_;  // while a template is placed: its own
   std::vector<Json> templates_;
   std::vector<Vec3> template_vertices_;
-  std::vector<Surface> surfaces_;
-  std::size_t other_ = 0;  // geometries of the object that are no surfaces
-  CityJson out_;
+  std::vector<CitySurface> surfaces_;
+  CityModel out_;
 };
 
 }  // namespace
 
-CityJson read_city_json(std::istream& in, std::string_view source) {
+CityModel read_city_json(std::istream& in, std::string_view source) {
   return Reader(source).read(in);
 }
 

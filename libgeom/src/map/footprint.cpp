@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
+#include "cover_slope.h"
+#include "cover_upright.h"
 #include "geom/base/parallel.h"
+#include "geom/map/box_index.h"
 #include "geom/shape/cover.h"
 
 namespace geom {
@@ -94,6 +98,99 @@ bool covered(const Footprint& f, std::span<const Aabb> boxes) {
          !encloses_gap(f, boxes);
 }
 
+// A surface of a feature, and what it is taken as.
+struct Surface {
+  const Footprint* footprint;
+  PlaneFit plane;
+  bool slopes = false;
+  bool upright = false;
+
+  Surface(const Footprint& f, double slack) : footprint(&f) {
+    if (f.heights.empty()) return;
+    plane = fit_plane(corners_of(f));
+    upright = is_upright(plane, slack);
+    slopes = !upright && plane.low < plane.high;
+  }
+  bool likely_covered() const { return upright || footprint->likely_covered; }
+};
+
+// The boxes of one feature: roofs first, then what they may hold already.
+class FeatureCover {
+ public:
+  FeatureCover(std::span<const Footprint> footprints, double slack) : slack_(slack) {
+    for (const Footprint& f : footprints) surfaces_.emplace_back(f, slack);
+    // Walls that lean by little, as corners are rounded to millimetres, stay within the boxes of
+    // the roofs on them where those reach beyond the roofs by as much.
+    for (const Surface& s : surfaces_) {
+      const double thickness = s.upright ? s.plane.thickness() : 0;
+      if (thickness <= slack / 50) margin_ = std::max(margin_, thickness);
+    }
+  }
+
+  std::vector<Aabb> boxes() {
+    std::size_t done = 0;
+    for (const bool likely : {false, true}) {
+      for (const Surface& s : surfaces_) {
+        if (s.likely_covered() != likely) continue;
+        add(s);
+        ++done;
+      }
+      if (!likely && done < surfaces_.size()) look_up();
+    }
+    return std::move(boxes_);
+  }
+
+ private:
+  void add(const Surface& s) {
+    const Footprint& f = *s.footprint;
+    if (s.upright) {
+      append(
+          cover_upright(f, s.plane, slack_, [&](const Footprint& part) { return is_held(part); }));
+    } else if (s.slopes) {
+      append(cover_slope(f, s.plane, slack_, margin_));
+    } else if (!s.likely_covered() || !is_held(f)) {
+      std::vector<Aabb> flat;
+      for (const Rectangle& r : cover(f.polygon, slack_ - 1.5 * margin_)) {
+        flat.push_back({{r.min.x() - margin_, r.min.y() - margin_, f.bottom},
+                        {r.max.x() + margin_, r.max.y() + margin_, f.top}});
+      }
+      append(flat);
+    }
+  }
+
+  // Once the roofs are covered.
+  bool is_held(const Footprint& f) {
+    constexpr double kPad = 1e-6;  // more than coordinates are rounded
+    Aabb region{Vec3::Constant(-kLargestCoordinate), Vec3::Constant(kLargestCoordinate)};
+    region.min.head<2>() = region.max.head<2>() = f.polygon.outer.front();
+    for (const Vec2& p : f.polygon.outer) {
+      region.min.head<2>() = region.min.head<2>().cwiseMin(p - Vec2::Constant(kPad));
+      region.max.head<2>() = region.max.head<2>().cwiseMax(p + Vec2::Constant(kPad));
+    }
+    std::vector<Aabb> near;
+    for (const std::size_t i : index_->near(region)) near.push_back(boxes_[i]);
+    return covered(f, near);
+  }
+
+  void look_up() {
+    index_.emplace(boxes_.empty() ? 1 : index_cell(boxes_));
+    for (std::size_t i = 0; i < boxes_.size(); ++i) index_->add(i, boxes_[i]);
+  }
+
+  void append(const std::vector<Aabb>& boxes) {
+    for (const Aabb& box : boxes) {
+      boxes_.push_back(box);
+      if (index_) index_->add(boxes_.size() - 1, box);
+    }
+  }
+
+  double slack_;
+  double margin_ = 0;
+  std::vector<Surface> surfaces_;
+  std::vector<Aabb> boxes_;
+  std::optional<BoxIndex> index_;  // once the roofs are covered
+};
+
 }  // namespace
 
 BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const Execution& run) {
@@ -104,15 +201,7 @@ BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const 
   std::vector<std::vector<Aabb>> made(first.size());
   parallel_for(first.size(), run, [&](std::size_t k) {
     const std::size_t end = k + 1 < first.size() ? first[k + 1] : footprints.size();
-    for (const bool likely : {false, true}) {
-      for (std::size_t i = first[k]; i < end; ++i) {
-        const Footprint& f = footprints[i];
-        if (f.likely_covered != likely || (likely && covered(f, made[k]))) continue;
-        for (const Rectangle& r : cover(f.polygon, slack)) {
-          made[k].push_back({{r.min.x(), r.min.y(), f.bottom}, {r.max.x(), r.max.y(), f.top}});
-        }
-      }
-    }
+    made[k] = FeatureCover(std::span(footprints).subspan(first[k], end - first[k]), slack).boxes();
   });
   BoxTable table;
   for (std::size_t k = 0; k < made.size(); ++k) {
@@ -121,6 +210,12 @@ BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const 
   }
   table.label.resize(table.boxes.size(), 0);
   return table;
+}
+
+double uneven_by(const Footprint& footprint, double slack) {
+  if (footprint.heights.empty()) return 0;
+  const PlaneFit plane = fit_plane(corners_of(footprint));
+  return is_upright(plane, slack) || plane.low == plane.high ? 0 : 2 * plane.residual;
 }
 
 }  // namespace geom

@@ -10,6 +10,7 @@ namespace {
 // however it is rounded.
 constexpr double kSurelyNear = 0.978;
 constexpr double kSurelyFar = 1.0001;
+constexpr double kLong = 16;  // times as long as high
 constexpr std::size_t kManyEdges = 32;  // near a slab: looking at each beside all is no short cut
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -125,6 +126,7 @@ std::optional<bool> SlackGauge::clear_case(const Rectangle& r) {
   const bool inside = is_inside(centre);
   if (!inside && !is_near(far_squared_, centre)) return false;
   if (inside && clear_of_edges(r)) return true;
+  if (within_bands(r)) return true;
   if ((r.max - r.min).maxCoeff() < 0.1 * slack_) return std::nullopt;
   const auto [first, second] = halves(r);
   const auto near = clear_case(first);
@@ -156,6 +158,32 @@ bool SlackGauge::beside_any(const Rectangle& r) const {
   return false;
 }
 
+// Whether a long rectangle, along which an edge runs, is surely allowed as a band beside the edge, one
+// above and one below that are inside. Halving it would end only where it is as long as high.
+bool SlackGauge::within_bands(const Rectangle& r) {
+  const Vec2 size = r.max - r.min;
+  if (size.x() < kLong * std::max(size.y(), slack_)) return false;
+  const auto settled = [&](double low, double high) {
+    const Rectangle band{{r.min.x(), low}, {r.max.x(), high}};
+    return low >= high || beside_any(band) ||
+           (is_inside(0.5 * (band.min + band.max)) && clear_of_edges(band));
+  };
+  for (const CoverEdge* edge : near_) {
+    if (edge->left > r.min.x() || edge->right < r.max.x()) continue;
+    const auto at = [&](double x) {
+      const double t = (x - edge->low.x()) / (edge->high.x() - edge->low.x());
+      return edge->low.y() + t * (edge->high.y() - edge->low.y());
+    };
+    const double reach = 0.4 * slack_;
+    const double from = std::max(r.min.y(), std::min(at(r.min.x()), at(r.max.x())) - reach);
+    const double to = std::min(r.max.y(), std::max(at(r.min.x()), at(r.max.x())) + reach);
+    if (from < to && settled(from, to) && settled(r.min.y(), from) && settled(to, r.max.y())) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Whether it is no further from one of them than rectangles are rounded outward.
 bool SlackGauge::touches_unclear(const Rectangle& r) const {
   const double pad = 2e-3 * slack_;
@@ -171,8 +199,13 @@ bool SlackGauge::touches_unclear(const Rectangle& r) const {
 bool SlackGauge::allows(const Rectangle& r) {
   if (!touches_unclear(r)) return true;
   const double radius = (0.5 * (r.max - r.min)).norm() * (1 + 1e-12);
-  // A large one, whose parts are mostly clear, is settled by those that are not.
   const bool few = near_.size() <= kManyEdges;
+  // A large one that no edge meets is settled at once, others by their parts.
+  if (few && radius > slack_ && clear_of_edges(r)) {
+    const Vec2 centre = 0.5 * (r.min + r.max);
+    if (is_inside(centre)) return true;
+    if (!is_near(far_squared_, centre)) return false;
+  }
   if (!few || radius <= slack_) {
     const Vec2 centre = 0.5 * (r.min + r.max);
     const double aside = to_edge(centre, (1 - 1e-9) * (slack_ - radius));
@@ -185,6 +218,7 @@ bool SlackGauge::allows(const Rectangle& r) {
     if (few && beside_any(r)) return true;
     if (inside && clear_of_edges(r)) return true;
   }
+  if (few && within_bands(r)) return true;
   const auto [first, second] = halves(r);
   return allows(first) && allows(second);
 }

@@ -46,6 +46,7 @@ class SlackGauge {
   bool is_near(double squared_reach, const Vec2& p) const;
   bool beside(const Rectangle& r, const CoverEdge& edge) const;
   bool beside_any(const Rectangle& r) const;
+  bool within_bands(const Rectangle& r);
   bool touches_unclear(const Rectangle& r) const;
   double to_edge(const Vec2& p, double enough) const;
   bool is_inside(const Vec2& p);

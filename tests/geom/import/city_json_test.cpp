@@ -4,21 +4,24 @@
 
 #include <sstream>
 
+#include "geom/import/city_footprints.h"
+
 namespace geom {
 namespace {
 
-CityJson city(const std::string& objects, const std::string& more = "") {
+CityFootprints city(const std::string& objects, const std::string& more = "") {
   std::istringstream in(R"({"type":"CityJSON","version":"2.0","vertices":[[0,0,0],[9,0,0],[9,9,4],)"
                         R"([50,0,0],[59,0,0],[59,9,7],[100,200,5]],"CityObjects":)" +
                         objects + more + "}");
-  return read_city_json(in, "city");
+  return footprints_of(read_city_json(in, "city"), 1, {});
 }
 
 TEST(CityJson, TakesAllGeometriesOfTheHighestLevel) {
-  const CityJson both = city(R"({"b":{"type":"Building","geometry":[)"
-                             R"({"type":"MultiSurface","lod":"1","boundaries":[[[0,1,5]]]},)"
-                             R"({"type":"MultiSurface","lod":"2","boundaries":[[[0,1,2]]]},)"
-                             R"({"type":"MultiSurface","lod":"2","boundaries":[[[3,4,5]]]}]}})");
+  const CityFootprints both =
+      city(R"({"b":{"type":"Building","geometry":[)"
+           R"({"type":"MultiSurface","lod":"1","boundaries":[[[0,1,5]]]},)"
+           R"({"type":"MultiSurface","lod":"2","boundaries":[[[0,1,2]]]},)"
+           R"({"type":"MultiSurface","lod":"2","boundaries":[[[3,4,5]]]}]}})");
   ASSERT_EQ(both.footprints.size(), 2u);
   EXPECT_EQ(both.footprints[0].top, 4);
   EXPECT_EQ(both.footprints[1].top, 7);
@@ -30,9 +33,10 @@ constexpr const char* kTree =
     R"("template":0,"boundaries":[6],"transformationMatrix":[2,0,0,1,0,2,0,0,0,0,3,0,0,0,0,1]}]}})";
 
 TEST(CityJson, PlacesTemplates) {
-  const CityJson tree = city(kTree, R"(,"geometry-templates":{"templates":[{"type":"MultiSurface",)"
-                                    R"("lod":"2","boundaries":[[[0,1,2]]]}],"vertices-templates":)"
-                                    R"([[0,0,0],[1,0,0],[1,1,2]]})");
+  const CityFootprints tree =
+      city(kTree, R"(,"geometry-templates":{"templates":[{"type":"MultiSurface",)"
+                  R"("lod":"2","boundaries":[[[0,1,2]]]}],"vertices-templates":)"
+                  R"([[0,0,0],[1,0,0],[1,1,2]]})");
   ASSERT_EQ(tree.footprints.size(), 1u);
   EXPECT_EQ(tree.footprints[0].bottom, 5);
   EXPECT_EQ(tree.footprints[0].top, 11);
@@ -43,10 +47,10 @@ TEST(CityJson, PlacesTemplates) {
 TEST(CityJson, RefusesATemplateThatIsNotThere) { EXPECT_ANY_THROW(city(kTree)); }
 
 // Objects over four points of a slope, the last of them at the origin.
-CityJson on_a_slope(const std::string& objects) {
+CityFootprints on_a_slope(const std::string& objects) {
   std::istringstream in(R"({"type":"CityJSON","version":"2.0","CityObjects":{)" + objects +
                         R"(},"vertices":[[0,0,5],[9,0,7],[0,9,6],[9,9,8],[0,0,0]]})");
-  return read_city_json(in, "t");
+  return footprints_of(read_city_json(in, "t"), 1, {});
 }
 
 TEST(CityJson, TerrainIsGroundAndBuilt) {

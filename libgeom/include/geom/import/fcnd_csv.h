@@ -19,8 +19,8 @@ struct FcndTable {
   double largest_change = 0;  // metres that rounding outward moved a face by, at most
 };
 
-// Reads `lat0 A, lon0 B`, perhaps with further such pairs (`lat1`, `lon1`), bare `A,B`, with commas,
-// blanks or both in between, or the three-line form; all of them optional. Then the header
+// Reads `lat0 A, lon0 B`, perhaps with further such pairs (`lat1`, `lon1`), bare `A,B`, with
+// commas, blanks or both in between, or the three-line form; all of them optional. Then the header
 // posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ (any order) or none. Further columns
 // are ignored unless their name speaks of a turn (yaw, rotation, …); those, and fields beyond the
 // columns, are `skipped`.

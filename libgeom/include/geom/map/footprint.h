@@ -1,6 +1,6 @@
 #pragma once
 
-// Buildings as prisms, and prisms as boxes.
+// Buildings as prisms, flat or under a roof, and prisms as boxes.
 
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace geom {
 
-// The volume over a polygon between two heights (closed).
+// The volume over a polygon from one height up to another, or up to a surface (closed).
 struct Footprint {
   Polygon polygon;
   double bottom = 0;  // metres, <= top
@@ -20,11 +20,18 @@ struct Footprint {
   std::uint64_t id = 0;         // of the feature; footprints of one feature follow each other
   bool likely_covered = false;  // a wall or floor that others of its feature probably hold already
   bool ground = false;          // of the Earth: solid however far down the map reaches
+  // Of the corners, those of `outer` first, then those of each hole: the top is the surface that
+  // they span, no corner above `top`. Empty: the top is flat.
+  std::vector<double> heights;
 };
 
 // Boxes that contain every point of the footprints, none reaching further than `slack` metres
-// (Euclidean in plan) outside its own: see geom::cover. A footprint that is likely covered gives
-// boxes only where its polygon is not within its feature's other boxes.
+// (Euclidean) outside its own: see geom::cover and geom::cover_slope. A footprint that is likely
+// covered, or stands upright, gives boxes only where it is not within its feature's other boxes.
 BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const Execution& run);
+
+// How far apart, in metres, two readings of the footprint's surface may be, since its corners lie
+// in no plane: its boxes may reach that much further outside. 0 of what stands upright or is flat.
+double uneven_by(const Footprint& footprint, double slack);
 
 }  // namespace geom

@@ -1,0 +1,40 @@
+#pragma once
+
+// City models as their files have them: objects with surfaces, before they are footprints.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geom/import/skipped.h"
+#include "geom/shape/vec3.h"
+
+namespace geom {
+
+using CitySurface = std::vector<std::vector<Vec3>>;  // an outer ring, then holes
+
+struct CityGeometry {
+  double lod = 0;
+  bool roof_edge = false;   // the outline of a roof, and not of what stands on the ground
+  bool roofs_only = false;  // the file says of all surfaces that they are roofs
+  std::vector<CitySurface> surfaces;
+};
+
+struct CityObject {
+  std::string type;  // "Building", "TINRelief", …
+  std::string name;
+  std::string whole;     // the same for all parts of one, and for that
+  bool is_part = false;  // of another
+  std::vector<CityGeometry> geometries;
+  std::size_t others = 0;  // shapes of points or lines
+  bool has_parts = false;
+  std::map<std::string, std::string> attributes;  // heights with their unit: "6.52 m"
+};
+
+struct CityModel {
+  std::vector<CityObject> objects;
+  std::string crs;  // "EPSG:7415", or empty
+  Skipped skipped;  // what the reader could not take in
+};
+
+}  // namespace geom

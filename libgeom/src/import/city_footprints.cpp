@@ -1,0 +1,248 @@
+#include "geom/import/city_footprints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "geom/shape/aabb.h"
+
+namespace geom {
+namespace {
+
+constexpr double kLevelTo = 1e-3;  // metres: what rises by less is drawn flat
+// What lies on the ground: without a geometry, nothing of it is known to be in the air.
+const std::set<std::string> kLevel = {"TINRelief",
+                                      "LandUse",
+                                      "WaterBody",
+                                      "Waterway",
+                                      "Road",
+                                      "Railway",
+                                      "TransportSquare",
+                                      "Track",
+                                      "Square",
+                                      "ReliefFeature",
+                                      "TransportationComplex"};
+const std::set<std::string> kGround = {"TINRelief", "LandUse", "WaterBody", "Waterway"};
+const std::set<std::string> kBuilding = {"Building", "BuildingPart"};
+
+// An object's surfaces that are taken, and what they say.
+struct Shape {
+  const CityObject* object = nullptr;
+  std::uint64_t id = 0;
+  double lod = 0;
+  bool roof_edges = true;  // all of them
+  bool roofs = true;
+  bool raised = false;  // drawn flat, and as high as something else says
+  std::vector<const CitySurface*> surfaces;
+  double low = std::numeric_limits<double>::infinity();  // metres
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+// What objects that are parts of one have in common.
+struct Whole {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  bool grounded = false;  // something says where its ground is
+};
+
+std::optional<Aabb> extent_of(const CityGeometry& geometry) {
+  std::vector<Vec3> points;
+  for (const CitySurface& surface : geometry.surfaces) {
+    for (const auto& ring : surface) points.insert(points.end(), ring.begin(), ring.end());
+  }
+  return bounds(std::span<const Vec3>(points));
+}
+
+// Whether `other` reaches a quarter of its size further in plan.
+bool reaches_beyond(const Aabb& other, const Aabb& extent) {
+  for (int i = 0; i < 2; ++i) {
+    const double quarter = (other.max[i] - other.min[i]) / 4;
+    if (other.min[i] < extent.min[i] - quarter || other.max[i] > extent.max[i] + quarter) {
+      return true;
+    }
+  }
+  return false;
+}
+
+class Builder {
+ public:
+  Builder(const CityModel& model, double unit, const HeightOptions& options)
+      : model_(model), unit_(unit), options_(options) {
+    out_.skipped = model.skipped;
+  }
+
+  CityFootprints build() {
+    for (std::size_t i = 0; i < model_.objects.size(); ++i) look_at(model_.objects[i], i);
+    for (const CityObject& object : model_.objects) reach_ground(object);
+    for (const Shape& shape : shapes_) {
+      if (wholes_.at(shape.object->whole).grounded) {
+        add(shape);
+      } else {
+        skip(*shape.object, "building of roofs alone, without a measured height");
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void look_at(const CityObject& object, std::uint64_t id) {
+    Shape shape = chosen(object);
+    shape.id = id;
+    if (shape.surfaces.empty()) {
+      const bool known = kLevel.contains(object.type) || object.type == "CityObjectGroup";
+      if (object.others > 0 || !(object.has_parts || known)) {
+        skip(object, fmt::format("{} without surfaces", object.type.substr(0, 40)));
+      }
+      return;
+    }
+    for (const CitySurface* surface : shape.surfaces) {
+      for (const auto& ring : *surface) {
+        for (const Vec3& p : ring) {
+          shape.low = std::min(shape.low, p.z() * unit_);
+          shape.high = std::max(shape.high, p.z() * unit_);
+        }
+      }
+    }
+    if (!stand(shape)) return;
+    Whole& whole = wholes_[object.whole];
+    whole.low = std::min(whole.low, shape.low);
+    whole.high = std::max(whole.high, shape.high);
+    whole.grounded |= shape.raised || !shape.roofs;
+    shapes_.push_back(std::move(shape));
+  }
+
+  static Shape chosen(const CityObject& object) {
+    Shape shape;
+    shape.object = &object;
+    std::optional<Aabb> extent;
+    std::vector<const CityGeometry*> order;
+    for (const CityGeometry& g : object.geometries) {
+      if (!g.surfaces.empty()) order.push_back(&g);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [](const auto* a, const auto* b) { return a->lod > b->lod; });
+    if (order.empty()) return shape;
+    shape.lod = order.front()->lod;
+    for (const CityGeometry* g : order) {
+      const std::optional<Aabb> own = extent_of(*g);
+      if (!own || (g->lod < shape.lod && !reaches_beyond(*own, *extent))) continue;
+      extent = extent ? merged(*extent, *own) : *own;
+      shape.roof_edges &= g->roof_edge;
+      shape.roofs &= g->roofs_only;
+      for (const CitySurface& surface : g->surfaces) shape.surfaces.push_back(&surface);
+    }
+    return shape;
+  }
+
+  void skip(const CityObject& object, const std::string& kind) {
+    out_.skipped.add(kind, object.name.substr(0, 60));
+  }
+
+  std::string attribute(const CityObject& object, const char* key) const {
+    const auto at = object.attributes.find(key);
+    return at == object.attributes.end() ? "" : at->second;
+  }
+
+  BuildingHeight height_of(const CityObject& object) const {
+    return building_height(
+        [&](const char* key) -> std::string {
+          const std::string asked = key;
+          std::string value = attribute(object, key);
+          if (asked == "height") {
+            const std::string measured = attribute(object, "measuredHeight");
+            if (!measured.empty()) value = measured;
+            if (value.empty()) value = attribute(object, "averageHeight");
+          }
+          if (asked == "building:levels" && value.empty()) {
+            value = attribute(object, "storeysAboveGround");
+          }
+          return asked == "min_height" || asked == "building:min_level" ? "" : value;
+        },
+        options_);
+  }
+
+  // Gives the shape the heights that its surfaces do not have. False where it cannot be built.
+  bool stand(Shape& shape) {
+    const CityObject& object = *shape.object;
+    if (kGround.contains(object.type) || kLevel.contains(object.type)) return true;
+    const bool building = kBuilding.contains(object.type);
+    if (shape.high - shape.low > kLevelTo) return true;
+    const BuildingHeight height = height_of(object);
+    if (building) out_.heights.emplace_back(object.name.substr(0, 60), height);
+    if (height.from == HeightFrom::nothing && !building) {
+      if (height.junk) {
+        skip(object, "height that is not understood");
+      } else if (shape.lod < 1) {
+        skip(object, fmt::format("{} drawn flat, without a height", object.type.substr(0, 40)));
+      }
+      return !height.junk && shape.lod >= 1;
+    }
+    if (shape.roof_edges) shape.low -= height.top;
+    shape.high += height.top;
+    shape.raised = true;
+    return true;
+  }
+
+  // What is as high as somebody has measured may begin below its surfaces.
+  void reach_ground(const CityObject& object) {
+    const auto at = wholes_.find(object.whole);
+    const auto height = parse_highest(attribute(object, "measuredHeight"), options_.unit);
+    if (at == wholes_.end() || !height || !(*height > 0)) return;
+    if (!object.is_part) at->second.low = std::min(at->second.low, at->second.high - *height);
+    at->second.grounded = true;
+  }
+
+  void add(const Shape& shape) {
+    ++out_.objects;
+    ++out_.by_kind[fmt::format("{} LoD {}", shape.object->type.substr(0, 40), shape.lod)];
+    const double bottom = wholes_.at(shape.object->whole).low;
+    for (const CitySurface* surface : shape.surfaces) {
+      Footprint f = footprint_of(*surface);
+      f.id = shape.id;
+      f.ground = kGround.contains(shape.object->type);
+      f.bottom = bottom;
+      if (shape.raised) {
+        f.heights.clear();
+        f.top = shape.high;
+      }
+      f.likely_covered = f.top <= bottom;
+      out_.footprints.push_back(std::move(f));
+    }
+  }
+
+  Footprint footprint_of(const CitySurface& surface) const {
+    Footprint f;
+    f.top = -std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t r = 0; r < surface.size(); ++r) {
+      std::vector<Vec2>& ring = r == 0 ? f.polygon.outer : f.polygon.holes.emplace_back();
+      for (const Vec3& v : surface[r]) {
+        ring.push_back({v.x(), v.y()});
+        f.heights.push_back(v.z() * unit_);
+        f.top = std::max(f.top, f.heights.back());
+        least = std::min(least, f.heights.back());
+      }
+    }
+    if (least == f.top) f.heights.clear();
+    return f;
+  }
+
+  const CityModel& model_;
+  double unit_;
+  const HeightOptions& options_;
+  std::vector<Shape> shapes_;
+  std::map<std::string, Whole> wholes_;
+  CityFootprints out_;
+};
+
+}  // namespace
+
+CityFootprints footprints_of(const CityModel& model, double unit, const HeightOptions& options) {
+  return Builder(model, unit, options).build();
+}
+
+}  // namespace geom

@@ -1,0 +1,121 @@
+#include "geom/import/city_footprints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace geom {
+namespace {
+
+CitySurface square(double low, double high, double z) {
+  return {{{low, low, z}, {high, low, z}, {high, high, z}, {low, high, z}}};
+}
+
+CityObject object(const std::string& type, std::vector<CityGeometry> geometries,
+                  std::map<std::string, std::string> attributes = {}) {
+  CityObject out;
+  out.type = type;
+  out.name = out.whole = "it";
+  out.geometries = std::move(geometries);
+  out.attributes = std::move(attributes);
+  return out;
+}
+
+CityFootprints built(std::vector<CityObject> objects, double unit = 1) {
+  CityModel model;
+  model.objects = std::move(objects);
+  return footprints_of(model, unit, {});
+}
+
+CityGeometry at_lod(double lod, std::vector<CitySurface> surfaces) {
+  CityGeometry g;
+  g.lod = lod;
+  g.surfaces = std::move(surfaces);
+  return g;
+}
+
+TEST(CityFootprints, FollowTheFinestSurfaces) {
+  const CityFootprints out = built(
+      {object("Building",
+              {at_lod(1, {square(0, 9, 0), square(0, 9, 12)}),
+               at_lod(2, {square(0, 9, 0), {{{0, 0, 4}, {9, 0, 4}, {9, 9, 10}, {0, 9, 10}}}})})});
+  ASSERT_EQ(out.footprints.size(), 2u);
+  EXPECT_EQ(out.footprints[1].bottom, 0);
+  EXPECT_EQ(out.footprints[1].top, 10);
+  EXPECT_EQ(out.footprints[1].heights, (std::vector<double>{4, 4, 10, 10}));
+  EXPECT_TRUE(out.footprints[0].likely_covered);
+  EXPECT_EQ(out.by_kind.at("Building LoD 2"), 1u);
+}
+
+TEST(CityFootprints, KeepACoarserShapeThatReachesFurther) {
+  const CityFootprints out =
+      built({object("Building", {at_lod(1, {square(0, 40, 0), square(0, 40, 12)}),
+                                 at_lod(2, {square(0, 9, 0), square(0, 9, 15)})})});
+  EXPECT_EQ(out.footprints.size(), 4u);
+}
+
+TEST(CityFootprints, CountInTheUnitOfTheModel) {
+  const CityFootprints out = built(
+      {object("Building",
+              {at_lod(2, {square(0, 9, 0), {{{0, 0, 10}, {9, 0, 10}, {9, 9, 20}, {0, 9, 20}}}})})},
+      0.3048);
+  EXPECT_DOUBLE_EQ(out.footprints[1].top, 6.096);
+  EXPECT_DOUBLE_EQ(out.footprints[1].heights[0], 3.048);
+}
+
+TEST(CityFootprints, AFlatBuildingIsAsHighAsItsAttributesSay) {
+  const auto top = [](std::map<std::string, std::string> attributes) {
+    const CityFootprints out =
+        built({object("Building", {at_lod(0, {square(0, 9, 100)})}, std::move(attributes))});
+    EXPECT_EQ(out.footprints.at(0).bottom, 100);
+    EXPECT_EQ(out.heights.size(), 1u);
+    return out.footprints.at(0).top;
+  };
+  EXPECT_DOUBLE_EQ(top({{"measuredHeight", "6.5 m"}}), 106.5);
+  EXPECT_DOUBLE_EQ(top({{"measuredHeight", "10 ft"}}), 103.048);
+  EXPECT_DOUBLE_EQ(top({{"storeysAboveGround", "4"}}), 112);
+  EXPECT_DOUBLE_EQ(top({}), 110);
+}
+
+TEST(CityFootprints, AnEdgeOfARoofMayBeAtEitherEnd) {
+  CityGeometry edge = at_lod(0, {square(0, 9, 100)});
+  edge.roof_edge = true;
+  const CityFootprints out = built({object("Building", {edge}, {{"measuredHeight", "6"}})});
+  EXPECT_EQ(out.footprints[0].bottom, 94);
+  EXPECT_EQ(out.footprints[0].top, 106);
+}
+
+TEST(CityFootprints, RoofsAloneNeedAMeasuredHeight) {
+  CityGeometry roof = at_lod(2, {{{{0, 0, 4}, {9, 0, 4}, {9, 9, 10}, {0, 9, 10}}}});
+  roof.roofs_only = true;
+  EXPECT_EQ(built({object("Building", {roof})}).skipped.count(), 1u);
+  const CityFootprints measured =
+      built({object("Building", {roof}, {{"measuredHeight", "9.5 m"}})});
+  EXPECT_EQ(measured.skipped.count(), 0u);
+  EXPECT_EQ(measured.footprints[0].bottom, 0.5);
+}
+
+TEST(CityFootprints, PartsOfOneStandOnItsLowestPoint) {
+  CityObject part = object("BuildingPart", {at_lod(2, {square(0, 9, 20), square(0, 9, 30)})});
+  part.name = "part";
+  part.is_part = true;
+  const CityFootprints out =
+      built({object("Building", {at_lod(2, {square(10, 19, 1), square(10, 19, 20)})}), part});
+  for (const Footprint& f : out.footprints) EXPECT_EQ(f.bottom, 1);
+}
+
+TEST(CityFootprints, NameWhatHasNoHeight) {
+  EXPECT_NE(built({object("CityFurniture", {at_lod(0, {square(0, 1, 5)})})})
+                .skipped.text()
+                .find("CityFurniture drawn flat"),
+            std::string::npos);
+  EXPECT_EQ(
+      built({object("SolitaryVegetationObject", {at_lod(1, {square(0, 1, 5)})}, {{"height", "8"}})})
+          .footprints[0]
+          .top,
+      13);
+  EXPECT_EQ(built({object("Road", {at_lod(0, {square(0, 1, 5)})})}).footprints.size(), 1u);
+}
+
+}  // namespace
+}  // namespace geom
