@@ -4,6 +4,7 @@
 # What stands in FOLDER already is left as it is, so that a run that was stopped goes on. The tools
 # must be in PATH.
 #   SLACK   how far boxes may reach outside a footprint, metres (1)
+#   REACH   the longest edge of the roadmap, metres (60); 0: no roadmap
 #   SHARDS  in how many shares paths and trajectories are made (8)
 #   JOBS    how many at once (all cores)
 #   DELAY   the longest wait, seconds (300)
@@ -14,7 +15,7 @@ flights=$(realpath "$2")
 folder=$3
 count=${4:-}
 here=$(dirname "$(realpath "$0")")
-slack=${SLACK:-1} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-300} improve=${IMPROVE:-20}
+slack=${SLACK:-1} reach=${REACH:-60} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-300} improve=${IMPROVE:-20}
 mkdir -p "$folder"
 cd "$folder"
 mkdir -p shards
@@ -56,7 +57,7 @@ hull() {
 }
 city() { blocks city.boxmap --bounds="$(cat bounds.txt)"; }
 roadmap() {
-  skyway-roadmap city.boxmap --vehicle "$here/MP20.json" --margin 1 --reach 60 --threads "$jobs" -q -o city.roadmap
+  skyway-roadmap city.boxmap --vehicle "$here/MP20.json" --margin 1 --reach "$reach" --threads "$jobs" -q -o city.roadmap
 }
 merged() {
   local kind=$1
@@ -75,11 +76,15 @@ together() {
 made order.txt queries
 made bounds.txt hull
 made city.boxmap city
-made city.roadmap roadmap
+with=()
+if [ "$reach" != 0 ]; then
+  made city.roadmap roadmap
+  with=(--roadmap city.roadmap)
+fi
 for queries in queries.*.jsonl; do
   vehicle=${queries#queries.}
   vehicle=${vehicle%.jsonl}
-  made "paths.$vehicle.jsonl" shares paths "$vehicle" skyway-plan city.boxmap --roadmap city.roadmap \
+  made "paths.$vehicle.jsonl" shares paths "$vehicle" skyway-plan city.boxmap "${with[@]}" \
     --queries "$queries" --vehicle "$here/$vehicle.json" --margin 1 --snap-ends 20
   made "trajectories.$vehicle.jsonl" shares trajectories "$vehicle" skyway-traj city.boxmap \
     "paths.$vehicle.jsonl"
