@@ -50,6 +50,27 @@ class Boxes {
     const double end = for_ever ? piece.end : piece.begin + until * length;
     box.low[3] = begin + flight_.earliest - pad_of(begin, flight_.earliest) - blur;
     box.high[3] = end + flight_.latest + pad_of(end, flight_.latest) + blur;
+    add_or_join(box);
+  }
+
+  // Pieces that follow each other share a box as long as it stays small.
+  void add_or_join(const TimedBox& box) {
+    if (!out_.empty()) {
+      TimedBox both = out_.back();
+      bool small = std::isfinite(both.low[3]) && std::isfinite(box.high[3]);
+      for (std::size_t i = 0; i < 4; ++i) {
+        both.low[i] = std::min(both.low[i], box.low[i]);
+        both.high[i] = std::max(both.high[i], box.high[i]);
+      }
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double reach = 2 * reach_[static_cast<int>(i)];
+        small = small && both.high[i] - both.low[i] <= kStep + reach;
+      }
+      if (small) {
+        out_.back() = both;
+        return;
+      }
+    }
     out_.push_back(box);
   }
 
