@@ -68,8 +68,10 @@ class Records {
           {traj::parse_trajectory_record(text, source_, line), source_, line});
     } else if (type == "corridor" && kinds_.corridors) {
       out_.corridors.push_back({traj::parse_corridor_record(text, source_, line), source_, line});
-    } else if ((type == "pair" || type == "together") && kinds_.reports) {
-      return;  // of all flights, beside the reports of each
+    } else if (type == "pair" && kinds_.reports) {
+      out_.pairs.push_back({traj::parse_pair_record(text, source_, line), source_, line});
+    } else if (type == "together" && kinds_.reports) {
+      out_.together.push_back({traj::parse_together_record(text, source_, line), source_, line});
     } else if ((type == "report" || type == "flight") && kinds_.reports) {
       out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
     } else {
@@ -219,6 +221,9 @@ void require_same_map(const Contents& contents, const geom::BoxMap* map) {
   all(contents.trajectories);
   all(contents.corridors);
   all(contents.reports);
+  for (const auto& [record, source, line] : contents.together) {
+    if (record.map) same.require({*record.map, {}, {}, {}}, source, line);
+  }
 }
 
 std::size_t drop_failed(Contents& contents) {

@@ -15,6 +15,7 @@
 #include "plan/sampling/search_tree_file.h"
 #include "traj/record/corridor_record.h"
 #include "traj/record/flight_log.h"
+#include "traj/record/pair_summary.h"
 #include "traj/record/report_record.h"
 #include "traj/record/trajectory_record.h"
 
@@ -37,6 +38,8 @@ struct Contents {
   std::vector<Read<traj::FlightLog>> flights;
   std::vector<Read<traj::CorridorShape>> corridors;
   std::vector<Read<traj::ReportSummary>> reports;
+  std::vector<Read<traj::PairSummary>> pairs;         // beside the reports: flights held against
+  std::vector<Read<traj::TogetherSummary>> together;  // one another
 };
 
 // What is taken beside paths, trajectories, trees and flights: not every picture shows all.

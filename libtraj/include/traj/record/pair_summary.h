@@ -1,0 +1,38 @@
+#pragma once
+
+// What the check of flights against one another said, read back for those who show it.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace traj {
+
+// A pair that was refused.
+struct PairSummary {
+  std::string first;  // ids of the two flights
+  std::string second;
+  std::string reason;  // "separation" or "undecided"
+  double time = 0;     // of the nearest approach, seconds after the epoch
+  double share = 0;    // how near then, in the norm of the zone: a conflict at 1 or below
+  double across = 0;   // metres apart then, over the ground and in height
+  double up = 0;
+};
+
+// Of all flights.
+struct TogetherSummary {
+  bool ok = false;
+  std::size_t flights = 0;
+  std::size_t pairs = 0;
+  std::size_t refused = 0;
+  std::size_t left_out = 0;        // flights that could not be looked at
+  std::optional<std::string> map;  // its hash
+};
+
+// Both throw InputError(source, line, …) for anything that is not such a record.
+PairSummary parse_pair_record(std::string_view json, std::string_view source, std::size_t line);
+TogetherSummary parse_together_record(std::string_view json, std::string_view source,
+                                      std::size_t line);
+
+}  // namespace traj

@@ -1,0 +1,74 @@
+#include "traj/record/pair_summary.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "geom/text/json_fields.h"
+
+namespace traj {
+namespace {
+
+bool ok_of(const geom::JsonFields& fields) {
+  const nlohmann::json& value = fields.value("ok");
+  if (!value.is_boolean()) {
+    fields.refuse(fmt::format("ok must be true or false, found {}", value.dump()));
+  }
+  return value.get<bool>();
+}
+
+double number(const geom::JsonFields& fields, const char* key) {
+  const auto value = fields.number(key);
+  if (!value) fields.refuse(fmt::format("expected a number as \"{}\", found none", key));
+  return *value;
+}
+
+std::size_t count(const geom::JsonFields& fields, const char* key) {
+  const nlohmann::json& value = fields.value(key);
+  if (!value.is_number_unsigned()) {
+    fields.refuse(fmt::format("{} must be a whole number >= 0, found {}", key, value.dump()));
+  }
+  return value.get<std::uint64_t>();
+}
+
+}  // namespace
+
+PairSummary parse_pair_record(std::string_view json, std::string_view source, std::size_t line) {
+  const geom::JsonFields fields(json, source, line);
+  fields.require_type("pair");
+  const nlohmann::json& ids = fields.value("ids");
+  if (!ids.is_array() || ids.size() != 2 || !ids[0].is_string() || !ids[1].is_string()) {
+    fields.refuse(fmt::format("ids must be the ids of two flights, found {}", ids.dump()));
+  }
+  if (ok_of(fields)) fields.refuse("expected a pair that was refused, found one with ok true");
+  PairSummary pair;
+  pair.first = ids[0].get<std::string>();
+  pair.second = ids[1].get<std::string>();
+  pair.reason = fields.text("reason");
+  pair.time = number(fields, "time");
+  pair.share = number(fields, "share");
+  pair.across = number(fields, "across");
+  pair.up = number(fields, "up");
+  return pair;
+}
+
+TogetherSummary parse_together_record(std::string_view json, std::string_view source,
+                                      std::size_t line) {
+  const geom::JsonFields fields(json, source, line);
+  fields.require_type("together");
+  TogetherSummary all;
+  all.ok = ok_of(fields);
+  all.flights = count(fields, "flights");
+  all.pairs = count(fields, "pairs");
+  all.refused = count(fields, "refused");
+  if (fields.has("left_out")) all.left_out = count(fields, "left_out");
+  if (fields.has("map")) all.map = fields.text("map");
+  if (all.ok && (all.refused > 0 || all.left_out > 0)) {
+    fields.refuse(fmt::format("ok is true beside {} refused pairs and {} flights left out",
+                              all.refused, all.left_out));
+  }
+  return all;
+}
+
+}  // namespace traj

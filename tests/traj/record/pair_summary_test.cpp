@@ -1,0 +1,79 @@
+#include "traj/record/pair_summary.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/base/error.h"
+#include "traj/record/pair_record.h"
+
+namespace traj {
+namespace {
+
+Trajectory straight(const Vec3& from, const Vec3& to) {
+  Segment s{8, {}, {}};
+  for (int i = 0; i < kPoints; ++i) s.point[i] = from + (to - from) * (i / 7.0);
+  return {{s}};
+}
+
+TEST(PairSummary, IsWhatWasWritten) {
+  const Trajectory a = straight({0, 0, 30}, {80, 0, 30});
+  const Trajectory b = straight({40, -40, 31}, {40, 40, 31});
+  const std::vector<TimedFlight> flights{{&a, 5, {1, 1, 1}}, {&b, 5, {2, 2, 2}}};
+  const TogetherTask task{{"a", "b"}, {}, {}, "sha256:0"};
+  const TogetherResult result = check_together(flights, task.rule);
+  ASSERT_EQ(result.refused.size(), 1u);
+  const PairSummary pair = parse_pair_record(to_json_line(result.refused[0], task), "f", 1);
+  EXPECT_EQ(pair.first, "a");
+  EXPECT_EQ(pair.second, "b");
+  EXPECT_EQ(pair.reason, "separation");
+  EXPECT_EQ(pair.time, result.refused[0].result.time);
+  EXPECT_EQ(pair.share, result.refused[0].result.share);
+  EXPECT_NEAR(pair.up, 1, 1e-12);
+  const TogetherSummary all = parse_together_record(to_json_line(result, task, 3), "f", 2);
+  EXPECT_FALSE(all.ok);
+  EXPECT_EQ(all.flights, 2u);
+  EXPECT_EQ(all.pairs, 1u);
+  EXPECT_EQ(all.refused, 1u);
+  EXPECT_EQ(all.left_out, 3u);
+  EXPECT_EQ(all.map, "sha256:0");
+}
+
+void expect_refused(const std::string& json, const std::string& why) {
+  const bool all = json.find("together") != std::string::npos;
+  try {
+    if (all) {
+      parse_together_record(json, "f", 4);
+    } else {
+      parse_pair_record(json, "f", 4);
+    }
+    ADD_FAILURE() << json;
+  } catch (const geom::InputError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("f:4"), std::string::npos) << said;
+    EXPECT_NE(said.find(why), std::string::npos) << said;
+  }
+}
+
+TEST(PairSummary, RefusesWhatIsNone) {
+  const std::string rest = R"("reason":"separation","time":1,"share":0.5,"across":1,"up":0})";
+  expect_refused(R"({"type":"pair","ids":["a"],"ok":false,)" + rest, "ids");
+  expect_refused(R"({"type":"pair","ids":["a",1],"ok":false,)" + rest, "ids");
+  expect_refused(R"({"type":"pair","ids":["a","b"],"ok":true,)" + rest, "ok");
+  expect_refused(R"({"type":"pair","ids":["a","b"],"ok":0,)" + rest, "ok");
+  expect_refused(R"({"type":"pair","ids":["a","b"],"ok":false,"reason":"separation"})", "time");
+  expect_refused(R"({"type":"report","ids":["a","b"],"ok":false,)" + rest, "report");
+}
+
+TEST(TogetherSummary, IsNotOkBesideRefusals) {
+  const auto of = [](const char* ok, const char* refused, const char* more) {
+    return std::string(R"({"type":"together","ok":)") + ok +
+           R"(,"flights":3,"pairs":3,"refused":)" + refused + more + "}";
+  };
+  EXPECT_TRUE(parse_together_record(of("true", "0", ""), "f", 1).ok);
+  expect_refused(of("true", "1", ""), "ok is true");
+  expect_refused(of("true", "0", R"(,"left_out":1)"), "ok is true");
+  expect_refused(of("true", "-1", ""), "refused");
+  expect_refused(of("\"yes\"", "0", ""), "ok");
+}
+
+}  // namespace
+}  // namespace traj
