@@ -13,6 +13,7 @@ constexpr std::size_t kMostSamples = 2000;   // of one motion: two a pixel of a 
 constexpr std::size_t kAllSamples = 60000;   // of all together
 constexpr std::size_t kFewestSamples = 100;  // of one, however many there are
 constexpr double kSamplesPerSecond = 50;
+constexpr std::size_t kAllKnots = 500000;  // of all trajectories together: 26 MB
 
 class Reach {
  public:
@@ -70,6 +71,12 @@ std::size_t samples_of(double seconds, std::size_t motions) {
   return std::max<std::size_t>(2, static_cast<std::size_t>(std::min<double>(wanted, most)));
 }
 
+// A few trajectories are sampled; many have their joints.
+Sampling sampling_of(double seconds, std::size_t trajectories, std::size_t motions) {
+  if (trajectories <= kMostAlone) return {samples_of(seconds, motions), false};
+  return {std::max<std::size_t>(2, kAllKnots / trajectories), true};
+}
+
 // What a flight was for: the trajectory of its id, else the only one, else nothing is known.
 geom::Provenance made_for(const cli::Contents& contents, const traj::FlightLog& flight) {
   for (const auto& [record, source, line] : contents.trajectories) {
@@ -79,16 +86,18 @@ geom::Provenance made_for(const cli::Contents& contents, const traj::FlightLog& 
   return {};
 }
 
-Json motions(const cli::Contents& contents, const LocalFrame& frame, Clearance& clearance,
-             Bundle& bundle) {
+Json motions(const cli::Contents& contents, const LocalFrame& frame, const Fleet& fleet,
+             Clearance& clearance, Bundle& bundle) {
   Json out = Json::array();
-  const std::size_t count = contents.trajectories.size() + contents.flights.size();
+  const std::size_t trajectories = contents.trajectories.size();
+  const std::size_t count = trajectories + contents.flights.size();
   for (const auto& read : contents.trajectories) {
     const traj::TrajectoryRecord& record = read.record;
     if (record.status != traj::TrajectoryStatus::solved) continue;
-    const std::size_t samples = samples_of(traj::duration(record.trajectory), count);
-    out.push_back(trajectory_layer(read, samples, axes_of(contents, record.provenance), frame,
+    const Sampling sampling = sampling_of(traj::duration(record.trajectory), trajectories, count);
+    out.push_back(trajectory_layer(read, sampling, axes_of(contents, record.provenance), frame,
                                    clearance, bundle));
+    fleet.add_times(record, out.back());
   }
   for (const auto& read : contents.flights) {
     const auto& log = read.record;
@@ -138,7 +147,7 @@ Extent extent_of(const cli::Contents& contents) {
 }
 
 Json describe(const cli::Contents& contents, const std::optional<Frames>& frames,
-              const cli::VehicleOptions& vehicle, Bundle& bundle) {
+              const cli::VehicleOptions& vehicle, const geom::Execution& run, Bundle& bundle) {
   const Extent extent = extent_of(contents);
   const LocalFrame& frame = extent.frame;
   Clearance clearance(contents, vehicle);
@@ -163,7 +172,9 @@ Json describe(const cli::Contents& contents, const std::optional<Frames>& frames
   each("corridors", contents.corridors, [&](const auto& r) {
     return corridor_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
   });
-  out["motions"] = motions(contents, frame, clearance, bundle);
+  const Fleet fleet(contents, run);
+  out["motions"] = motions(contents, frame, fleet, clearance, bundle);
+  if (fleet.together()) out["fleet"] = fleet.json(bundle);
   if (frames) out["frames"] = frames_layer(*frames, contents, bundle);
   out["unsolved"] = unsolved(contents);
   each("reports", contents.reports, [&](const auto& r) {

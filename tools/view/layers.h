@@ -6,6 +6,7 @@
 #include "cli/file/contents.h"
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
+#include "fleet.h"
 #include "frames.h"
 #include "local_frame.h"
 
@@ -24,7 +25,7 @@ Extent extent_of(const cli::Contents& contents);
 
 // Everything the page holds: the value of its <script id="skyway-meta">.
 Json describe(const cli::Contents& contents, const std::optional<Frames>& frames,
-              const cli::VehicleOptions& vehicle, Bundle& bundle);
+              const cli::VehicleOptions& vehicle, const geom::Execution& run, Bundle& bundle);
 
 // The obstacles that the vehicle's distance is taken from.
 class Clearance {
@@ -55,8 +56,14 @@ Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const 
                     Bundle& bundle);
 Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame);
 
-// `samples` instants, evenly spaced (>= 2); the trajectory is not empty.
-Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& trajectory, std::size_t samples,
+// How a trajectory stands in the page: at `count` instants, evenly spaced, or at its joints, at
+// most so many (>= 2).
+struct Sampling {
+  std::size_t count = 2;
+  bool joints = false;
+};
+// The trajectory is not empty.
+Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& trajectory, const Sampling& sampling,
                       geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
                       Bundle& bundle);
 // At most `samples` rows of the log, the first and the last among them. `made_for` says for which

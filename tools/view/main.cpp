@@ -86,7 +86,8 @@ int main(int argc, char** argv) {
     std::optional<view::Frames> frames;
     if (!pictures.names.empty()) frames = view::read_frames(pictures);
     view::Bundle bundle;
-    const view::Json meta = view::describe(contents, frames, vehicle, bundle);
+    const view::Json meta =
+        view::describe(contents, frames, vehicle, common.execution("pairs"), bundle);
     const std::string page = view::page(title, meta, bundle);
     cli::OutputFile out(output, cli::OutputKind::artefact);
     out.stream() << page;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "knots.h"
 #include "layers.h"
 #include "traj/curve/yaw.h"
 #include "traj/proof/clearance.h"
@@ -148,38 +149,67 @@ struct Columns {
   }
 };
 
-}  // namespace
+constexpr double kStepsOfMany = 100;  // of the clearance, where there are many flights
+constexpr std::size_t kYawsOfMany = 100;
 
-Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& read, std::size_t samples,
-                      geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
-                      Bundle& bundle) {
-  const traj::TrajectoryRecord& record = read.record;
-  const double end = traj::duration(record.trajectory);
-  const double step = end / static_cast<double>(samples - 1);
-  std::vector<float> position, velocity, acceleration, jerk, yaw;
+double instant(double end, std::size_t i, std::size_t count) {
+  return end * static_cast<double>(i) / static_cast<double>(count - 1);
+}
+
+void add_samples(Json& out, const traj::Trajectory& trajectory, std::size_t samples,
+                 geom::Axes axes, const LocalFrame& frame, Bundle& bundle) {
+  const double end = traj::duration(trajectory);
+  std::vector<float> position, velocity, acceleration, jerk;
   for (std::size_t i = 0; i < samples; ++i) {
-    const double t = end * static_cast<double>(i) / static_cast<double>(samples - 1);
-    const traj::State s = traj::evaluate(record.trajectory, t);
+    const traj::State s = traj::evaluate(trajectory, instant(end, i, samples));
     append(position, frame.at(axes, s.position));
     append(velocity, geom::to_enu(axes, s.velocity));
     append(acceleration, geom::to_enu(axes, s.acceleration));
     append(jerk, geom::to_enu(axes, s.jerk));
-    const auto angle = traj::yaw_at(record.trajectory, t);
-    if (angle) yaw.push_back(static_cast<float>(geom::yaw_to_enu(axes, *angle)));
   }
-  Json out = {{"kind", "trajectory"}, {"id", record.id}, {"duration", end}, {"samples", samples}};
-  if (record.rung) out["rung"] = name(*record.rung);
-  if (const auto gap = traj::duration_gap(record)) out["slower"] = traj::slower_words(*gap);
-  out["segments"] = record.trajectory.segments.size();
-  out["limits"] = as_json(traj::limits_of(record));
   out["position"] = added(position, bundle);
   out["velocity"] = added(velocity, bundle);
   out["acceleration"] = added(acceleration, bundle);
   out["jerk"] = added(jerk, bundle);
-  if (yaw.size() == samples) out["yaw"] = added(yaw, bundle);
+}
+
+// Evenly spread; nothing where a segment has none.
+void add_yaw(Json& out, const traj::Trajectory& trajectory, const Sampling& sampling,
+             geom::Axes axes, Bundle& bundle) {
+  const std::size_t samples = sampling.joints ? kYawsOfMany : sampling.count;
+  const double end = traj::duration(trajectory);
+  std::vector<float> yaw;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const auto angle = traj::yaw_at(trajectory, instant(end, i, samples));
+    if (!angle) return;
+    yaw.push_back(static_cast<float>(geom::yaw_to_enu(axes, *angle)));
+  }
+  out["yaw"] = added(yaw, bundle);
+}
+
+}  // namespace
+
+Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& read, const Sampling& sampling,
+                      geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
+                      Bundle& bundle) {
+  const traj::TrajectoryRecord& record = read.record;
+  const double end = traj::duration(record.trajectory);
+  Json out = {{"kind", "trajectory"}, {"id", record.id}, {"duration", end}};
+  if (!sampling.joints) out["samples"] = sampling.count;
+  if (record.rung) out["rung"] = name(*record.rung);
+  if (const auto gap = traj::duration_gap(record)) out["slower"] = traj::slower_words(*gap);
+  out["segments"] = record.trajectory.segments.size();
+  out["limits"] = as_json(traj::limits_of(record));
+  if (sampling.joints) {
+    add_knots(out, knots_of(record.trajectory, sampling.count), axes, frame, bundle);
+  } else {
+    add_samples(out, record.trajectory, sampling.count, axes, frame, bundle);
+  }
+  add_yaw(out, record.trajectory, sampling, axes, bundle);
   out["joints"] = added(joints(record.trajectory), bundle);
   if (const auto* scene = clearance.scene_for(record.provenance, read.source, read.line)) {
-    add_clearance(out, traj::clearance_profile(*scene, record.trajectory, step), bundle);
+    const double steps = sampling.joints ? kStepsOfMany : static_cast<double>(sampling.count - 1);
+    add_clearance(out, traj::clearance_profile(*scene, record.trajectory, end / steps), bundle);
   }
   add_vehicle(out, clearance.vehicle(record.provenance), axes);
   return out;

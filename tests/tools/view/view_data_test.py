@@ -6,6 +6,7 @@ The map is north-east-up, so that everything must be turned into east-north-up o
 import json
 import math
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -204,6 +205,98 @@ def check_imported(folder):
         assert ("error_max" in layer["summary"]) == has and "saturated" in layer["summary"]
 
 
+def fleet_records(count):
+    """Trajectories of an early and a late part that meet only in position, side by side, each 3 s after the one before."""
+    pick = random.Random(6)
+    records = []
+    for i in range(count):
+        x = [5 + i + pick.uniform(-0.2, 0.2) for _ in range(8)]
+        y = [pick.uniform(2, 50) for _ in range(8)]
+        z = [pick.uniform(40, 50) for _ in range(8)]
+        segments = [{"duration": pick.uniform(2, 9), "x": x, "y": y, "z": z},
+                    {"duration": pick.uniform(2, 9), "x": x[::-1], "y": y[::-1], "z": z[::-1]}]
+        segments[1].update({k: [segments[0][k][7]] + [pick.uniform(45, 46) for _ in range(7)] for k in "z"})
+        segments[1].update({k: [segments[0][k][7]] + segments[1][k][1:] for k in "xy"})
+        records.append({"type": "trajectory", "id": f"f{i}", "status": "solved", "frame": "neu", "margin": 0,
+                        "vehicle": {"name": "v", "half": [0.1, 0.1, 0.1]}, "epoch": "2026-05-04T06:30:00Z",
+                        "start": 100 + 3 * i, "earliest": 100 + 2 * i,
+                        "duration": sum(s["duration"] for s in segments), "segments": segments})
+    return records
+
+
+def knot_state(page, layer, t, derivative):
+    """Of the polynomial of degree 7 that has the states of the knots around t, by Bernstein's form of their ends."""
+    steps, columns = page.array(layer["step"]), {k: page.array(layer[k]) for k in ("position", "velocity", "acceleration", "jerk")}
+    i, begin = 0, 0
+    while i + 2 < layer["knots"] and begin + steps[i + 1] <= t:
+        i += 1
+        begin += steps[i]
+    h, out = steps[i + 1], []
+    for axis in range(3):
+        at = lambda key, k: columns[key][3 * k + axis] + (page.meta["origin"][axis] if key == "position" else 0)
+        ends = []
+        for k, d in ((i, h), (i + 1, -h)):
+            p, v, a, j = (at(key, k) for key in columns)
+            ends.append([p, p + d * v / 7, p + 2 * d * v / 7 + d * d * a / 42,
+                         p + 3 * d * v / 7 + 3 * d * d * a / 42 + d**3 * j / 210])
+        values = ends[0] + ends[1][::-1]
+        for k in range(derivative):
+            values = [(len(values) - 1) * (b - a) / h for a, b in zip(values, values[1:])]
+        out.append(bernstein(values, min(max((t - begin) / h, 0), 1)))
+    return out
+
+
+def check_fleet(folder):
+    """Many flights: knots that give back the polynomials, times, nearest approaches, and pairs as the check said."""
+    records = fleet_records(40)
+    (folder / "fleet.jsonl").write_text("".join(json.dumps(r) + "\n" for r in records))
+    run("skyway-view", folder / "map", folder / "fleet.jsonl", "-o", folder / "fleet.html")
+    page = Page(folder / "fleet.html")
+    fleet = page.meta["fleet"]
+    assert fleet["begin"] == 100 and fleet["epoch"] == "2026-05-04T06:30:00Z" and "check" not in fleet
+    for i, (record, layer) in enumerate(zip(records, page.meta["motions"], strict=True)):
+        assert layer["knots"] == 4 and "samples" not in layer  # two at the joint, where the parts do not meet
+        assert layer["start"] == 3 * i and layer["delay"] == i and abs(layer["duration"] - record["duration"]) < 1e-12
+        for t in (0, 0.3, 1.7, record["segments"][0]["duration"] + 0.4, record["duration"] - 1e-3):
+            close(knot_state(page, layer, t, 0), enu(evaluate(record, t, 0)), 1e-3)
+            close(knot_state(page, layer, t, 1), enu(evaluate(record, t, 1)), 5e-3)
+    check_approaches(page, records, fleet)
+    separation = ("--separation", "1.5,1.5", "--parked", "gone")
+    report = subprocess.run([str(bin_dir / "skyway-check"), str(folder / "map"), str(folder / "fleet.jsonl"), "--together", *separation,
+                             "--vmax", "1000", "-q"], text=True, capture_output=True).stdout
+    (folder / "report.jsonl").write_text(report)
+    run("skyway-view", folder / "map", folder / "fleet.jsonl", folder / "report.jsonl", "-o", folder / "fleet.html")
+    lines = [json.loads(line) for line in report.splitlines()]
+    refused = sorted((r for r in lines if r["type"] == "pair"), key=lambda r: r["share"])
+    shown = [p for p in Page(folder / "fleet.html").meta["fleet"]["pairs"] if "reason" in p]
+    assert len(shown) == len(refused) > 0
+    for pair, said in zip(shown, refused, strict=True):
+        assert [f"f{i}" for i in pair["of"]] == said["ids"] and abs(pair["time"] - (said["time"] - 100)) < 1e-9
+        assert abs(pair["distance"] - math.hypot(said["across"], said["up"])) < 1e-9
+    check = Page(folder / "fleet.html").meta["fleet"]["check"]
+    assert not check["ok"] and check["refused"] == len(refused) and check["pairs"] == 40 * 39 // 2
+    few = [json.dumps({**r, "start": None, "earliest": None, "epoch": None}) for r in records[:5]]
+    (folder / "few.jsonl").write_text("\n".join(few) + "\n")  # no times, few flights: as ever
+    run("skyway-view", folder / "map", folder / "few.jsonl", "-o", folder / "few.html")
+    meta = Page(folder / "few.html").meta
+    assert "fleet" not in meta and all("samples" in m and "start" not in m for m in meta["motions"])
+
+
+def check_approaches(page, records, fleet):
+    """No farther than samples, and at the place and time that they say."""
+    at = lambda r, t: evaluate(r, t - r["start"], 0)
+    nearest = page.array(fleet["nearest"])
+    assert fleet["pairs"] and fleet["near"] >= len(fleet["pairs"])
+    for pair in fleet["pairs"][:10]:
+        a, b = (records[i] for i in pair["of"])
+        time = pair["time"] + fleet["begin"]
+        assert abs(math.dist(at(a, time), at(b, time)) - pair["distance"]) < 1e-5
+        begin, end = max(a["start"], b["start"]), min(a["start"] + a["duration"], b["start"] + b["duration"])
+        sampled = min(math.dist(at(a, t), at(b, t)) for t in (begin + (end - begin) * k / 300 for k in range(301)))
+        assert pair["distance"] <= sampled + 2e-3, (pair, sampled)
+        assert all(nearest[i] <= pair["distance"] + 1e-5 for i in pair["of"])
+
+
 def main(folder):
     run("skyway-import", data / "village.csv", "-q", "--bounds", "0,0,0,80,60,60", "-o", folder / "map")
     vehicle = ["--vehicle", "box:1,1,1"]
@@ -238,6 +331,7 @@ def main(folder):
     run("skyway-view", *files, "--title", "A < B & C", "-o", folder / "again.html")
     assert (folder / "again.html").read_bytes() == page_file.read_bytes()
     check_imported(folder)
+    check_fleet(folder)
 
 
 with tempfile.TemporaryDirectory() as name:

@@ -454,6 +454,101 @@ def shows_missions(browser, folder, page):
     viewer.picture("missions-paths")
 
 
+def make_fleet(folder, count):
+    """Flights over the houses, one each two seconds, in two directions that cross; some begin late."""
+    make_missions(folder, 2)
+    lines = []
+    for i in range(count):
+        across, along = 5 + 190 * i / (count - 1), (10, 190) if i % 2 else (190, 10)
+        ends = [(across, along[0], 40), (across, along[1], 40)] if i % 3 else [(along[0], across, 40), (along[1], across, 40)]
+        query = {"id": f"f{i:03}", "from": ends[0], "to": ends[1], "epoch": "2026-05-04T06:30:00Z", "start": 60 + 2 * i,
+                 "earliest": 60 + 2 * i - i % 5}
+        lines.append(json.dumps(query))
+    (folder / "fleet.queries").write_text("\n".join(lines) + "\n")
+    run("skyway-plan", "-q", folder / "houses", "--vehicle", "box:0.5,0.5,0.3", "--queries", folder / "fleet.queries", "-o", folder / "fleet.paths")
+    run("skyway-traj", "-q", folder / "houses", folder / "fleet.paths", "--vmax", "8", "--amax", "6", "--solver", "closed", "-o",
+        folder / "fleet.flights")
+    run("skyway-check", "-q", folder / "houses", folder / "fleet.flights", "--together", "--separation", "10,5", "--parked", "gone",
+        "-o", folder / "fleet.report", yes=False)
+
+
+def shows_fleet(browser, folder, page):
+    """A hundred flights and twenty at once: one clock, one draw call, the nearest pair, a list that is still of use."""
+    make_fleet(folder, 120)
+    flights = [json.loads(line) for line in (folder / "fleet.flights").read_text().splitlines()]
+    run("skyway-view", *[folder / f for f in ("houses", "fleet.paths", "fleet.flights", "fleet.report")], "--title", "Fleet", "-o", page)
+    print(f"fleet page: {page.stat().st_size} bytes")
+    viewer = Viewer(browser, page)
+    last = max(f["start"] + f["duration"] for f in flights)
+    assert abs(viewer.get("duration") - (last - 60)) < 1e-3 and viewer.get("fleet")["flights"] == 120
+    assert viewer.get("drawCalls") < 25, viewer.get("drawCalls")
+    viewer.figures("120 flights")
+    assert "06:31:00" in browser.run("return document.querySelector('.clock').textContent")
+    for share in (0.3, 0.6):
+        browser.pointer(("move", *browser.centre("#scrub", share)), ("down",), ("up",))
+        time = viewer.get("time") + 60
+        viewer.until(f"skyway.fleet.airborne === {sum(f['start'] <= time <= f['start'] + f['duration'] for f in flights)}")
+    viewer.picture("fleet")
+    browser.run("[...document.querySelectorAll('[role=tab]')].find(t => t.textContent === 'Motion').click()")
+    finds_flights(viewer)
+    colours_flights(viewer)
+    jumps_to_pairs(viewer, [json.loads(line) for line in (folder / "fleet.report").read_text().splitlines()])
+    browser.click("#theme")
+    browser.key("h")
+    viewer.picture("fleet-dark")
+
+
+def finds_flights(viewer):
+    browser, listed = viewer.browser, "return [...document.querySelectorAll('.mission')].map(b => b.dataset.mission)"
+    assert len(browser.run(listed)) == 120
+    browser.run("const f = document.getElementById('find'); f.value = '07'; f.dispatchEvent(new Event('input'))")
+    assert browser.run(listed) == ["f007", *(f"f{i:03}" for i in range(70, 80)), "f107"]
+    browser.click("[data-mission=f071]")
+    assert viewer.get("mission") == "f071" and viewer.get("motion") == "f071 (planned)"
+    browser.run("const f = document.getElementById('find'); f.value = ''; f.dispatchEvent(new Event('input'))")
+    browser.run("const s = document.querySelector('.tools select'); s.value = 'delay'; s.dispatchEvent(new Event('change'))")
+    assert browser.run(listed)[0] == "f004"  # 4 s late, as every fifth: the first of these
+    begin = viewer.get("time")
+    browser.click("[data-plot=velocity] canvas")  # its own time, from its departure on
+    flown = viewer.get("time")
+    assert flown != begin and viewer.get("values")["velocity"]["norm"] > 1
+    viewer.until("skyway.frames > 0")
+
+
+def colours_flights(viewer):
+    for value in ("delay", "nearest", ""):
+        viewer.browser.run("const s = [...document.querySelectorAll('#layers select')].find(e => [...e.options].some(o => "
+                           f"o.value === 'nearest')); s.value = '{value}'; s.dispatchEvent(new Event('change'))")
+        shown = viewer.browser.run("return document.querySelectorAll('#layers .ramp').length")
+        assert shown == (2 if value else 1), (value, shown)
+        viewer.picture(f"fleet-{value or 'plain'}")
+
+
+def jumps_to_pairs(viewer, report):
+    """To the nearest that the check refused, by the key and by the list."""
+    browser = viewer.browser
+    refused = sorted((r for r in report if r["type"] == "pair"), key=lambda r: r["share"])
+    assert refused and "failed the check" in browser.run("return document.querySelector('#side').textContent")
+    browser.run("document.activeElement.blur()")
+    browser.key("j")
+    pair = viewer.get("pair")
+    assert pair["ids"] == refused[0]["ids"] and viewer.get("camera") == "pair"
+    assert abs(viewer.get("time") - (refused[0]["time"] - 60)) < 1e-6
+    viewer.until("skyway.pair.now !== null")
+    apart = (refused[0]["across"] ** 2 + refused[0]["up"] ** 2) ** 0.5
+    assert abs(viewer.get("pair")["now"] - apart) < 1e-2, (viewer.get("pair"), apart)
+    browser.run("[...document.querySelectorAll('[role=tab]')].find(t => t.textContent === 'Pairs').click()")
+    browser.run("document.querySelectorAll('button.pair')[1].click()")
+    assert viewer.get("pair")["ids"] == refused[1]["ids"]
+    browser.click("#nearest")
+    assert viewer.get("pair")["ids"] == refused[0]["ids"]
+    viewer.picture("fleet-pair")
+    browser.run("[...document.querySelectorAll('[role=tab]')].find(t => t.textContent === 'Motion').click()")
+    browser.run("document.activeElement.blur()")
+    browser.key("n")
+    assert viewer.get("pair") is None
+
+
 def fits_a_phone(browser, page):
     """The time axis lies below the plots, and nothing shines between the parts."""
     narrow = Viewer(browser, page, "light", (390, 844))
@@ -544,6 +639,7 @@ def main(folder):
         shows_failure(browser, demo, page)
         shows_large_city(browser, folder, page)
         shows_missions(browser, folder, page)
+        shows_fleet(browser, folder, page)
         shows_buildings(browser, folder, page)
         shows_room(browser, folder, page)
         shows_labels(browser, folder, page)

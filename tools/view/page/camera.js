@@ -1,7 +1,9 @@
-// Four ways to look: free, from above, beside the vehicle, and along with it.
+// Ways to look: free, from above, beside the vehicle, along with it, and between two vehicles.
 
 const cameraModes = [["free", "Free", "turn, move and zoom freely (1)"], ["top", "Top", "from above, north up (2)"],
-  ["follow", "Follow", "keeps the vehicle in the middle (3)"], ["ride", "Ride", "flies along behind it (4)"]];
+  ["follow", "Follow", "keeps the vehicle in the middle (3)"], ["ride", "Ride", "flies along behind it (4)"],
+  ["pair", "Pair", "keeps both vehicles of a pair in the middle (5)"]];
+const cameraFollows = mode => mode === "follow" || mode === "ride" || mode === "pair";
 
 const usualPitch = 0.62;
 
@@ -32,7 +34,7 @@ class View {
 
   // `sight`: the motion to follow, the time, and what tells whether it is hidden from a place.
   set(mode, sight) {
-    const followed = this.mode === "follow" || this.mode === "ride";
+    const followed = cameraFollows(this.mode);
     if ((mode === "free" || mode === "top") && followed) this.home();
     if (mode === "top") {
       this.orbit.heading = 0;
@@ -43,7 +45,17 @@ class View {
       this.orbit.distance = Math.min(followed ? this.orbit.distance : 30, 16);
       this.orbit.elevation = 0.28;
     }
+    if (mode === "pair") this.lookBetween(sight);
     this.mode = mode;
+  }
+
+  // From where both of the pair are seen well.
+  lookBetween({ pair, time }) {
+    const [a, b] = pair.of.map(i => motions[i].place(time));
+    const size = Math.max(...pair.of.map(i => (motions[i].data.vehicle || { half: [0.25] }).half[0]));
+    this.orbit.distance = Math.min(Math.max(6 * a.distanceTo(b), 8 * size, 0.5), this.extent().across);
+    this.orbit.elevation = 0.45;
+    if (Math.hypot(b.x - a.x, b.y - a.y) > 0.01) this.orbit.heading = -Math.atan2(b.y - a.y, b.x - a.x);  // across the line
   }
 
   // From behind the vehicle and above it, or the nearest such place that it is not hidden from.
@@ -52,9 +64,9 @@ class View {
     orbit.distance = Math.min(this.extent().across / 6, 90);
     orbit.elevation = usualPitch;
     if (!motion) return;
-    const t = Math.min(time, motion.duration), east = motion.heading(t, 1.2);
+    const t = motion.local(time), east = motion.heading(t, 1.2);
     const behind = east === null ? orbit.heading : Math.PI / 2 - east;
-    motion.vector(motion.position, t, orbit.target);
+    motion.place(time, orbit.target);
     for (const steeper of [0, 0.2, 0.4]) {
       for (const turn of [0.5, -0.5, 0, 1, -1, 1.6, -1.6, 2.3, -2.3, Math.PI]) {
         orbit.heading = behind + turn;
@@ -68,12 +80,16 @@ class View {
   }
 
   // Where the motion is at the time, for the modes that go with it.
-  track(motion, time) {
-    if (!motion || (this.mode !== "follow" && this.mode !== "ride")) return;
-    const t = Math.min(time, motion.duration);
-    motion.vector(motion.position, t, this.orbit.target);
+  track(motion, time, pair) {
+    if (this.mode === "pair" && pair) {
+      const [a, b] = pair.of.map(i => motions[i].place(time));
+      this.orbit.target.copy(a).lerp(b, 0.5);
+      return;
+    }
+    if (!motion || !cameraFollows(this.mode)) return;
+    motion.place(time, this.orbit.target);
     if (this.mode !== "ride") return;
-    const east = motion.heading(t, 1.2);
+    const east = motion.heading(motion.local(time), 1.2);
     if (east !== null) this.orbit.heading = Math.PI / 2 - east;
   }
 

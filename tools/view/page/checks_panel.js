@@ -43,7 +43,7 @@ function goToFailure(check) {
   if (check.checked !== "path" && check.time !== undefined && clock.duration > 0) {
     if (motion) selection.chooseMotion(motion);
     clock.play(false);
-    clock.set(check.time);
+    clock.set(check.time + (motion ? motion.begin : 0));
   }
 }
 

@@ -1,8 +1,8 @@
-// The time that everything shows.
+// The time that everything shows: seconds since the first departure.
 
 const clock = (() => {
   const listeners = [];
-  const duration = motions.reduce((most, m) => Math.max(most, m.duration), 0);
+  const duration = motions.reduce((most, m) => Math.max(most, m.begin + m.duration), 0);
   let time = 0, playing = false, rate = 1;
   const tell = () => { for (const f of listeners) f(time); };
   return {
@@ -27,3 +27,11 @@ const clock = (() => {
     follow(f) { listeners.push(f); f(time); },
   };
 })();
+
+// What a time of the clock is called: by the hour where the records say it, else in seconds after their epoch.
+function clockWords(time, digits = 2) {
+  const seconds = time + (together ? together.begin : 0);
+  const from = together && together.epoch ? Date.parse(together.epoch) : NaN;
+  const at = new Date(from + 1000 * seconds);
+  return Number.isNaN(at.getTime()) ? decimals(seconds, digits) : `${at.toISOString().slice(11, 21)} UTC`;
+}

@@ -48,7 +48,8 @@ function makeContentsPanel() {
       ...meta.unsolved.map(m => [m.id, m.status.replaceAll("_", " "), "–"])])));
   }
   parts.push(element("p", { class: "soft" },
-    "Metres, east–north–up. Motion between samples is drawn, not proved; clearances are the least of each step, to 1 mm."));
+    "Metres, east–north–up. Motion between samples is drawn, not proved; clearances are the least of each step, to 1 mm." +
+    (motions.some(m => m.knots) ? " Many trajectories are given by their states at joints, in single precision." : "")));
   return element("div", {}, parts);
 }
 
@@ -63,5 +64,7 @@ function summaryWords() {
   const failed = meta.reports.filter(r => !r.ok).length;
   if (meta.reports.length) words.push(failed ? `${decimals(failed, 0)} of ${count(meta.reports.length, "check")} failed`
     : `${count(meta.reports.length, "check")} passed`);
+  if (together && together.check) words.push(together.check.ok ? `${count(together.check.pairs, "pair")} proved apart`
+    : `${decimals(together.check.refused, 0)} of ${count(together.check.pairs, "pair")} failed`);
   return words.join(" · ");
 }

@@ -26,6 +26,8 @@ const keys = [
   { on: ["2"], shown: ["2"], words: "camera: from above", act: () => setCamera("top") },
   { on: ["3"], shown: ["3"], words: "camera: follow the vehicle", needs: moving, act: () => setCamera("follow") },
   { on: ["4"], shown: ["4"], words: "camera: ride behind it", needs: moving, act: () => setCamera("ride") },
+  { on: ["5"], shown: ["5"], words: "camera: both vehicles of a pair", needs: hasPairs, act: () => setCamera("pair") },
+  { on: ["j"], shown: ["J"], words: "the nearest pair of flights, and the next", needs: hasPairs, act: () => jumpToNext() },
   { on: ["n", "p"], shown: ["N", "P"], words: "next or previous mission", needs: () => manyMissions,
     act: e => selection.step(e.key.toLowerCase() === "n" ? 1 : -1) },
   { on: arrows, shown: ["←", "→", "↑", "↓"], words: "turn the view; with Shift move it", where: "view",

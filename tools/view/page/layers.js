@@ -69,11 +69,51 @@ function pathLayer() {
   const key = element("ul", { class: "keys" }, element("li", {}, manyMissions ? null : swatch("var(--path)", "line"),
     element("span", {}, "ring: start; disc: goal")));
   return layer(found.length === 1 ? "Path" : "Paths", found.length === 1 ? metres(found[0].length)
-    : count(found.length, "path"), stage.pathGroup, key);
+    : count(found.length, "path"), stage.pathGroup, key, !(stage.fleet && found.length > mostAlone));
+}
+
+// What a fleet may be coloured by beside the quantities: a value of each flight.
+const fleetColours = [["delay", "delay", "s", 1, m => (m.data.delay === undefined ? NaN : m.data.delay)],
+  ["nearest", "nearest approach", "m", 1, m => (m.nearest === undefined ? NaN : m.nearest)]];
+
+function fleetLayer() {
+  const { fleet } = stage, legend = element("div");
+  const offered = fleetColours.filter(([, , , , value]) => motions.some(m => Number.isFinite(value(m))));
+  const colour = element("div", { class: "row" }, element("span", {}, "Colour"), choice("Colour flights by",
+    [["", "one a flight"], ...offered.map(([key, words]) => [key, words])], "", key => colourFleet(key, legend)));
+  const trails = element("div", { class: "row" }, element("span", {}, "Ways"), choice("How much of the ways is drawn",
+    [["20", "trails of 20 s"], ["60", "trails of 60 s"], ["0", "whole"]], String(fleet.trail), value => {
+      fleet.trail = Number(value);
+      stage.redraw();
+    }));
+  const flying = element("span", { class: "note" });
+  colourFleet("", legend);
+  clock.follow(time => {
+    const words = `${decimals(motions.filter(m => m.flies(time)).length, 0)} of ${decimals(motions.length, 0)} in the air`;
+    if (flying.textContent !== words) flying.textContent = words;
+  });
+  return layer("Flights", flying, stage.motionGroup, [colour, trails, legend]);
+}
+
+function colourFleet(key, legend) {
+  const chosen = fleetColours.find(([name]) => name === key), { fleet } = stage;
+  if (chosen) {
+    const [, , unit, digits, value] = chosen;
+    const range = extremesOf(motions.map(value).filter(Number.isFinite));
+    fleet.colourBy(value, range);
+    legend.replaceChildren(...rampLegend(valueStops, withUnit(range[0], digits, unit), withUnit(range[1], digits, unit)),
+      element("p", { class: "soft" }, key === "nearest" ? `Grey: no other within ${metres(together.within)}, or at rest.` : "Grey: not known, or at rest."));
+  } else {
+    fleet.colourBy(null);
+    legend.replaceChildren(element("p", { class: "soft" }, "Eight colours take turns; grey: at rest."));
+  }
+  legend.append(element("p", { class: "soft" }, "Vehicles are enlarged from afar."));
+  stage.redraw();
 }
 
 function motionLayer() {
   if (!motions.length) return null;
+  if (stage.fleet) return fleetLayer();
   const legend = element("div");
   const offered = quantities.filter(q => q.key !== "position" && q.key !== "motors" &&
     motions.some(m => available(q, m)));

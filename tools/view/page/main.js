@@ -9,8 +9,10 @@ const motionPanel = motions.length ? new MotionPanel() : null;
 makeLayers();
 const tabs = makeTabs([
   ...(motionPanel ? [["Motion", motionPanel.element]] : manyMissions ? [["Missions", element("div", {}, makeMissionList())]] : []),
+  ...(together && motions.length > 1 ? [["Pairs", makePairsPanel()]] : []),
   ...(meta.reports.length ? [["Checks", makeChecksPanel()]] : []),
   ["Contents", makeContentsPanel()]]);
+if (together && together.check && !together.check.ok) tabs.show("Pairs");
 if (meta.reports.some(r => !r.ok)) tabs.show("Checks");
 stage.view.home();  // now that it is known what the cards leave of the view
 listenToKeys();

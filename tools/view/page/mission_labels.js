@@ -6,12 +6,33 @@ class MissionLabels {
   constructor(stage) {
     this.stage = stage;
     this.holder = byId("mission-labels");
-    const chosen = manyMissions ? missions.slice(0, mostLabels) : [];
-    this.labels = chosen.filter(m => m.motions.length || m.paths.some(p => p.points)).map(mission => ({
-      mission, size: null, point: new THREE.Vector3(), element: element("button", { type: "button", class: "mission-label",
-        tabindex: "-1", style: `--c:var(--${mission.colour})`, onclick: () => selection.choose(mission) }, mission.id) }));
-    this.holder.append(...this.labels.map(l => l.element));
-    selection.follow(() => this.order());
+    this.made = new Map();
+    this.labels = manyMissions ? missions.slice(0, together && missions.length > mostLabels ? 0 : mostLabels)
+      .filter(m => this.placed(m)).map(m => this.label(m)) : [];
+    selection.follow(() => {
+      if (together) this.nameChosen();
+      this.order();
+    });
+  }
+
+  placed(mission) { return mission.motions.length > 0 || mission.paths.some(p => p.points); }
+
+  label(mission) {
+    if (!this.made.has(mission)) {
+      const made = element("button", { type: "button", class: "mission-label", tabindex: "-1",
+        style: `--c:var(--${mission.colour})`, onclick: () => selection.choose(mission) }, mission.id);
+      this.holder.append(made);
+      this.made.set(mission, { mission, size: null, point: new THREE.Vector3(), element: made });
+    }
+    return this.made.get(mission);
+  }
+
+  // Of a fleet that is too large for names, those that are looked at have one.
+  nameChosen() {
+    if (missions.length <= mostLabels) return;
+    for (const l of this.labels) l.element.style.visibility = "hidden";
+    const chosen = selection.pair ? selection.pair.of.map(i => motions[i].mission) : [selection.mission];
+    this.labels = [...new Set(chosen)].filter(m => m && this.placed(m)).map(m => this.label(m));
   }
 
   // The chosen one first: it is never left out.
@@ -24,7 +45,7 @@ class MissionLabels {
 
   place({ mission, point }) {
     const motion = mission === selection.mission ? selection.motion : mission.motion(false);
-    if (motion) return motion.vector(motion.position, Math.min(clock.time, motion.duration), point);
+    if (motion) return motion.place(clock.time, point);
     return point.fromArray(arrayOf(mission.paths.find(p => p.points).points), 0);
   }
 

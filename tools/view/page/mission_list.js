@@ -18,20 +18,59 @@ function missionSwatch({ colour, pattern }) {
   return element("span", { class: `swatch line pattern-${pattern}`, style: `--c:var(--${colour})` });
 }
 
+// How a fleet's list may be ordered: words, and what counts of a mission, the least first.
+const missionOrders = [["id", "as in the file", m => m.index], ["start", "departure", m => orderOf(m, x => x.begin)],
+  ["delay", "delay, longest first", m => orderOf(m, x => -x.data.delay)],
+  ["nearest", "nearest approach", m => orderOf(m, x => x.nearest)]];
+
+function orderOf(mission, value) {
+  const v = mission.motions.length ? value(mission.motions[0]) : NaN;
+  return Number.isFinite(v) ? v : Infinity;
+}
+
+// The missions that hold `words` in their id, in that order.
+function chosenMissions(words, order) {
+  const [, , value] = missionOrders.find(([key]) => key === order);
+  const part = words.trim().toLowerCase();
+  const found = missions.filter(m => m.id.toLowerCase().includes(part));
+  return found.map(m => [value(m), m.index, m]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(([, , m]) => m);
+}
+
 function makeMissionList() {
-  const shown = missions.slice(0, listedMissions);
-  const entries = shown.map(missionEntry);
-  const list = element("ul", { class: "missions", "aria-label": "Missions" }, entries);
-  selection.follow(() => {
+  let shown = [], entries = [];
+  const list = element("ul", { class: "missions", "aria-label": "Missions" });
+  const more = element("p", { class: "soft" });
+  const mark = () => {
     entries.forEach((entry, i) => entry.firstChild.setAttribute("aria-pressed", String(shown[i] === selection.mission)));
-    const entry = selection.mission && entries[selection.mission.index];
+    const entry = entries[shown.indexOf(selection.mission)];
     if (!entry) return;
-    const top = entry.offsetTop - list.offsetTop;
+    const top = entry.offsetTop;
     if (top < list.scrollTop || top + entry.offsetHeight > list.scrollTop + list.clientHeight) {
       list.scrollTop = top - list.clientHeight / 2;
     }
-  });
-  const more = missions.length - shown.length;
-  return element("section", {}, element("h2", {}, count(missions.length, "mission")), list,
-    more ? element("p", { class: "soft" }, `and ${decimals(more, 0)} more: click their lines`) : null);
+  };
+  const fill = found => {
+    shown = found.slice(0, listedMissions);
+    entries = shown.map(missionEntry);
+    list.replaceChildren(...entries);
+    const left = found.length - shown.length;
+    more.textContent = left ? `and ${decimals(left, 0)} more: ${together ? "name a part of their id" : "click their lines"}` : "";
+    more.hidden = !left;
+    mark();
+  };
+  const tools = together ? missionTools(fill) : null;
+  fill(missions);
+  selection.follow(mark);
+  return element("section", {}, element("h2", {}, count(missions.length, together ? "flight" : "mission")), tools, list, more);
+}
+
+// Finding and ordering the flights of a fleet.
+function missionTools(fill) {
+  let words = "", order = "id";
+  const again = () => fill(chosenMissions(words, order));
+  const find = element("input", { type: "search", id: "find", placeholder: "find by id", "aria-label": "Find flights by id",
+    oninput: () => { words = find.value; again(); } });
+  const known = missionOrders.filter(([key, , value]) => key === "id" || missions.some(m => Number.isFinite(value(m))));
+  return element("div", { class: "row tools" }, find, choice("Order of the flights", known.map(([key, words]) => [key, words]),
+    "id", key => { order = key; again(); }));
 }

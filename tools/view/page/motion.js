@@ -6,22 +6,58 @@ function plannedLimits(id) {
   return planned ? planned.limits : {};
 }
 
+// A flight begins when its trajectory does.
+function plannedStart(id) {
+  const planned = meta.motions.find(m => m.id === id && m.start !== undefined);
+  return planned ? planned.start : 0;
+}
+
+const derivatives = ["position", "velocity", "acceleration", "jerk"];
+const shownSamples = 400, shownPerSecond = 4;  // of a motion that is given by knots
+
 class Motion {
   constructor(data) {
     this.data = data;
     this.id = data.id;
     this.isFlight = data.kind === "flight";
     this.duration = data.duration;
+    this.begin = data.start ?? plannedStart(data.id);  // on the clock
     this.samples = data.samples;
-    for (const key of ["position", "velocity", "acceleration", "jerk", "yaw", "clearance", "clearance_end", "attitude",
-      "setpoint", "setpoint_velocity", "error", "motors", "joints"]) {
+    for (const key of ["yaw", "clearance", "clearance_end", "attitude", "setpoint", "setpoint_velocity", "error", "motors",
+      "joints"]) {
       this[key] = arrayOf(data[key]);
     }
+    if (data.knots) this.expand(data); else for (const key of derivatives) this[key] = arrayOf(data[key]);
     this.time = arrayOf(data.time) || Float32Array.from(
       { length: this.samples }, (_, i) => this.duration * i / (this.samples - 1));
     this.limits = data.limits || plannedLimits(data.id);
     this.name = `${data.id} (${this.isFlight ? "flown" : "planned"})`;
     this.cache = new Map();
+  }
+
+  // Samples of what knots say, each kind when it is first asked for.
+  expand(data) {
+    this.knots = new Knots(data);
+    this.samples = Math.min(Math.max(Math.ceil(this.duration * shownPerSecond) + 1, 2), shownSamples);
+    derivatives.forEach((key, order) => Object.defineProperty(this, key, { configurable: true, get: () => {
+      const values = new Float32Array(3 * this.samples);
+      for (let i = 0; i < this.samples; ++i) this.knots.evaluate(this.duration * i / (this.samples - 1), order, values, 3 * i);
+      Object.defineProperty(this, key, { value: values });
+      return values;
+    } }));
+  }
+
+  // Seconds since it began, of a time of the clock; at rest before and after.
+  local(time) { return Math.min(Math.max(time - this.begin, 0), this.duration); }
+
+  flies(time) { return time >= this.begin && time <= this.begin + this.duration; }
+
+  // Where it is at a time of the clock.
+  place(time, out = new THREE.Vector3()) {
+    const t = this.local(time);
+    if (!this.knots) return this.vector(this.position, t, out);
+    this.knots.evaluate(t, 0, place3);
+    return out.fromArray(place3);
   }
 
   // The sample before t, and the share of the way to the next.
@@ -82,10 +118,17 @@ class Motion {
     const up = this.acceleration ? this.vector(this.acceleration, t) : new THREE.Vector3();  // a log without attitude
     up.z += gravity;
     up.normalize();
-    const yaw = this.yaw ? this.scalar(this.yaw, t) : this.heading(t) ?? 0;
+    const yaw = this.yawAt(t) ?? this.heading(t) ?? 0;
     const left = new THREE.Vector3().crossVectors(up, new THREE.Vector3(Math.cos(yaw), Math.sin(yaw), 0)).normalize();
     const ahead = new THREE.Vector3().crossVectors(left, up);
     return out.setFromRotationMatrix(new THREE.Matrix4().makeBasis(ahead, left, up));
+  }
+
+  // As the trajectory says; its yaws are spread evenly.
+  yawAt(t) {
+    if (!this.yaw) return null;
+    const at = this.duration > 0 ? t / this.duration * (this.yaw.length - 1) : 0, i = Math.min(Math.floor(at), this.yaw.length - 2);
+    return this.yaw[i] + (this.yaw[i + 1] - this.yaw[i]) * (at - i);
   }
 
   // A value a sample, worked out once.
@@ -97,6 +140,13 @@ class Motion {
   }
 }
 
+const place3 = new Float64Array(3);
+
 const gravity = 9.80665;  // m/s2
 
+// Motions that share one time: when each begins is known, or there are too many to draw one by one.
+const together = meta.fleet || null;
+
 const motions = meta.motions.map(data => new Motion(data));
+
+if (together) arrayOf(together.nearest).forEach((distance, i) => { motions[i].nearest = distance; });

@@ -25,9 +25,10 @@ class MotionPanel {
     this.numbers.replaceChildren(motion ? facts(motionFacts(motion)) : element("p", { class: "soft" },
       `No motion: ${(mission.failure || "only a path").replaceAll("_", " ")}`));
     this.hover = null;
+    plotSpan.of(motion);
     const on = {
       hover: (time, plot) => { this.hover = time === null ? null : { time, plot }; this.update(); },
-      set: time => { this.hover = null; clock.set(time); },
+      set: time => { this.hover = null; clock.set(plotSpan.begin + time); },
     };
     this.plots = motion ? quantities.filter(q => available(q, motion)).map(q => new Plot(q, motion, on)) : [];
     this.holder.replaceChildren(...this.plots.map(plot => plot.element));
@@ -52,9 +53,9 @@ class MotionPanel {
   }
 
   update() {
-    const shown = this.hover ? this.hover.time : clock.time;
+    const now = plotSpan.local(), shown = this.hover ? this.hover.time : now;
     if (this.frames) this.frames.show(motions.indexOf(selection.motion), shown);
-    for (const plot of this.plots) plot.update(clock.time, shown);
+    for (const plot of this.plots) plot.update(now, shown);
     const words = this.hover ? `At ${withUnit(shown, 2, "s")}, under the pointer`
       : `At ${withUnit(shown, 2, "s")} · dashed: limit${this.plots.some(p => p.motion.joints) ? " · thin uprights: joints of segments" : ""}`;
     if (this.note.textContent !== words) this.note.textContent = words;
@@ -64,6 +65,9 @@ class MotionPanel {
 function motionFacts(motion) {
   const { data } = motion, { summary, vehicle } = data;
   return [
+    ["Departure", together ? clockWords(motion.begin, 1) + (together.epoch ? "" : `${thinSpace}s`) : null],
+    ["Delay", data.delay === undefined ? null : withUnit(data.delay, 1, "s")],
+    ["Nearest to another flight", together && Number.isFinite(motion.nearest) ? metres(motion.nearest) : null],
     ["Duration", withUnit(motion.duration, 2, "s")],
     ["Beside the fastest", data.slower || null],
     ["Segments", data.segments ? `${decimals(data.segments, 0)}${data.rung ? `, ${data.rung.replaceAll("_", " ")}` : ""}` : null],

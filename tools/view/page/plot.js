@@ -14,12 +14,23 @@ function fitCanvas(canvas, height) {
   return { c, width };
 }
 
+// What the plots show: all the time there is or, where flights begin at times of their own, one flight from its departure
+// on. Plots count from there.
+const plotSpan = {
+  begin: 0, duration: clock.duration,
+  of(motion) {
+    this.begin = together && motion ? motion.begin : 0;
+    this.duration = together && motion ? motion.duration : clock.duration;
+  },
+  local() { return Math.min(Math.max(clock.time - this.begin, 0), this.duration); },
+};
+
 function timeToX(t, width) {
-  return plotLeft + (width - plotLeft - plotRight) * (clock.duration ? t / clock.duration : 0);
+  return plotLeft + (width - plotLeft - plotRight) * (plotSpan.duration ? t / plotSpan.duration : 0);
 }
 
 function xToTime(x, width) {
-  return Math.min(Math.max((x - plotLeft) / (width - plotLeft - plotRight), 0), 1) * clock.duration;
+  return Math.min(Math.max((x - plotLeft) / (width - plotLeft - plotRight), 0), 1) * plotSpan.duration;
 }
 
 class Plot {
@@ -32,7 +43,7 @@ class Plot {
     this.range();
     this.surface = element("canvas", { class: "surface", tabindex: "0", role: "slider",
       "aria-label": `${quantity.name} over time; moves the time`, "aria-valuemin": "0",
-      "aria-valuemax": clock.duration.toFixed(2) });
+      "aria-valuemax": plotSpan.duration.toFixed(2) });
     this.values = this.curves.map(() => element("span"));
     this.element = element("div", { class: "plot", "data-plot": quantity.key }, this.head(), this.surface);
     this.base = document.createElement("canvas");
@@ -199,9 +210,9 @@ class Plot {
     this.surface.addEventListener("pointerleave", () => on.hover(null, this));
     this.surface.addEventListener("keydown", e => {
       const step = { ArrowLeft: -1, ArrowRight: 1, PageDown: -10, PageUp: 10 }[e.key];
-      if (step) on.set(clock.time + step * clock.duration / 200);
+      if (step) on.set(plotSpan.local() + step * plotSpan.duration / 200);
       else if (e.key === "Home") on.set(0);
-      else if (e.key === "End") on.set(clock.duration);
+      else if (e.key === "End") on.set(plotSpan.duration);
       else return;
       e.preventDefault();
       e.stopPropagation();
@@ -225,7 +236,7 @@ class TimeAxis {
   }
   paint() {
     const { c, width } = fitCanvas(this.canvas, 26);
-    const marks = ticks(0, clock.duration, 6), digits = tickDigits(marks);
+    const marks = ticks(0, plotSpan.duration, 6), digits = tickDigits(marks);
     c.fillStyle = theme.css("soft");
     c.textBaseline = "top";
     line(c, theme.css("line"), plotLeft, 0.5, width - plotRight, 0.5);

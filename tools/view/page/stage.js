@@ -1,12 +1,13 @@
 // The scene and its picture: drawn only when something changed.
 
-const mostDrops = 24;
+const mostDrops = 24, mostAlone = 32;
 
 class Stage {
   constructor() {
     this.scene = new THREE.Scene();
     this.view = new View();
     this.parts = { trees: [], lattices: [], ribbons: [], vehicles: [], markers: [], lines: [] };
+    this.stood = new Map();  // what was made of motions that stood out
     this.due = true;
     this.frames = 0;
     this.frameMs = 0;
@@ -62,9 +63,14 @@ class Stage {
     parts.corridors = meta.corridors.filter(data => data.pieces).map(data => new Corridor(data));
     for (const part of [...parts.lattices, ...parts.trees, ...parts.corridors]) this.add(part.object);
     this.pathGroup = this.add(new THREE.Group());
-    for (const data of meta.paths) this.addPath(data);
+    if (together && meta.paths.length > mostAlone) this.addPaths(); else for (const data of meta.paths) this.addPath(data);
     this.motionGroup = this.add(new THREE.Group());
-    for (const motion of motions) this.addMotion(motion);
+    if (together) {
+      this.fleet = new Fleet(motions);
+      this.motionGroup.add(this.fleet.object);
+    } else for (const motion of motions) this.addMotion(motion);
+    this.pairLine = new PairLine();
+    this.add(this.pairLine.object);
     this.checkGroup = this.add(new THREE.Group());
     for (const check of meta.reports) {
       if (check.ok || !check.place) continue;
@@ -100,6 +106,45 @@ class Stage {
     }
   }
 
+  // Many of them as one.
+  addPaths() {
+    const found = meta.paths.filter(data => data.points);
+    const ways = new Ways(found.map(data => ({ points: arrayOf(data.points), mission: missionOfPath.get(data), time: null })));
+    ways.show(0, 0);
+    this.pathGroup.add(ways.object);
+  }
+
+  // Of a fleet the motions that are looked at stand out: those before are taken away.
+  standOut(chosen) {
+    const { parts } = this;
+    for (const vehicle of parts.vehicles) this.motionGroup.remove(vehicle.object);
+    for (const line of parts.lines.filter(l => l.group === this.motionGroup)) this.motionGroup.remove(line.ribbon.object);
+    parts.lines = parts.lines.filter(l => l.group !== this.motionGroup);
+    parts.vehicles = [];
+    parts.ribbons = [];
+    for (const motion of chosen) {
+      const key = `${motion.isFlight} ${motions.indexOf(motion)}`;
+      if (!this.stood.has(key)) {
+        this.addMotion(motion);
+        this.stood.set(key, { vehicle: parts.vehicles.pop(), line: motion.samples >= 2 ? parts.lines.pop() : null });
+        if (motion.samples >= 2) parts.ribbons.pop();
+      }
+      const { vehicle, line } = this.stood.get(key);
+      parts.vehicles.push(vehicle);
+      this.motionGroup.add(vehicle.object);
+      if (!line) continue;
+      parts.lines.push(line);
+      parts.ribbons.push(line.ribbon);
+      this.motionGroup.add(line.ribbon.object);
+    }
+  }
+
+  // What the fleet has drawn by itself: the pair that is looked at, or the motion.
+  chosenMotions() {
+    if (selection.pair) return selection.pair.of.map(i => motions[i]);
+    return selection.motion ? [selection.motion] : [];
+  }
+
   addMotion(motion) {
     if (motion.samples >= 2) {
       const style = lineStyle(motion.mission, motion.isFlight ? "flown" : "motion", 3);
@@ -123,10 +168,11 @@ class Stage {
 
   // The chosen mission is drawn bolder, and has its line down to the floor.
   showChosen() {
+    if (this.fleet) this.standOut(this.chosenMotions());
     const bold = manyMissions ? 1.6 : 1;
     for (const line of this.parts.lines) line.ribbon.setWidth(line.width * (line.mission === selection.mission ? bold : 1));
     for (const vehicle of this.parts.vehicles) {
-      vehicle.drop.object.visible = vehicle.motion === selection.motion || motions.length <= mostDrops;
+      vehicle.drop.object.visible = Boolean(this.fleet) || vehicle.motion === selection.motion || motions.length <= mostDrops;
     }
     this.redraw();
   }
@@ -165,8 +211,14 @@ class Stage {
     this.surface.addEventListener("pointermove", e => {
       if (e.buttons || !manyMissions) return;
       const box = this.surface.getBoundingClientRect();
-      this.surface.classList.toggle("on-line", Boolean(this.lineAt(e.clientX - box.left, e.clientY - box.top)));
+      const at = [e.clientX - box.left, e.clientY - box.top];
+      this.surface.classList.toggle("on-line", Boolean(this.vehicleAt(...at) || this.lineAt(...at)));
     });
+  }
+
+  vehicleAt(x, y) {
+    if (!this.fleet || !this.motionGroup.visible) return null;
+    return this.fleet.at(x, y, this.view.camera, this.surface.clientWidth, this.surface.clientHeight);
   }
 
   lineAt(x, y) {
@@ -200,8 +252,13 @@ class Stage {
     orbit.target.y += (ray.origin.y + ray.direction.y * away - orbit.target.y) * share;
   }
 
-  // A click means a line where one is near, else a box.
+  // A click means a vehicle of the fleet or a line where one is near, else a box.
   pick(x, y) {
+    const motion = this.vehicleAt(x, y);
+    if (motion) {
+      selection.chooseMotion(motion);
+      return this.redraw();
+    }
     const line = manyMissions ? this.lineAt(x, y) : null;
     if (line) selection.choose(line.mission);
     if (this.picked) {
@@ -212,7 +269,7 @@ class Stage {
   }
 
   look(mode) {
-    this.view.set(mode, { motion: selection.motion, time: clock.time, hidden: (from, to) => this.hidden(from, to) });
+    this.view.set(mode, { motion: selection.motion, pair: selection.pair, time: clock.time, hidden: (from, to) => this.hidden(from, to) });
     this.redraw();
   }
 
@@ -231,12 +288,14 @@ class Stage {
     const width = this.surface.clientWidth, height = this.surface.clientHeight;
     if (!width || !height) return;
     this.fit(width, height);
-    this.view.track(selection.motion, clock.time);
+    this.view.track(selection.motion, clock.time, selection.pair);
     this.view.apply(width, height);
     const perPixel = this.view.perPixel(height);
     patternPeriod.value = roundUp(this.metresPerPixel() * 12);
     for (const marker of this.parts.markers) marker.resize(perPixel);
     for (const vehicle of this.parts.vehicles) vehicle.update(clock.time, this.view.camera.position, perPixel);
+    if (this.fleet) this.fleet.update(clock.time, perPixel, new Set(this.chosenMotions()));
+    this.pairLine.update(selection.pair, clock.time, this.view.camera, width, height);
     const reach = this.view.orbit.distance + this.view.extent().across * 0.6;
     if (this.boxes) {
       this.boxes.setHaze(reach);

@@ -25,14 +25,14 @@ function missionState(mission) {
 // Whether no box stands between the camera and the vehicle that is followed.
 function seesVehicle() {
   const { motion } = selection;
-  const at = motion && motion.vector(motion.position, Math.min(clock.time, motion.duration));
+  const at = motion && motion.place(clock.time);
   return Boolean(at) && !stage.hidden(stage.view.camera.position, at);
 }
 
 function exposeState() {
   const values = () => {
     const out = {};
-    const time = motionPanel && motionPanel.hover ? motionPanel.hover.time : clock.time;
+    const time = motionPanel && motionPanel.hover ? motionPanel.hover.time : motionPanel && plotSpan.local();
     for (const plot of motionPanel ? motionPanel.plots : []) {
       out[plot.quantity.key] = Object.fromEntries(plot.curves.map((curve, k) => [curve.name, plot.at(time)[k]]));
     }
@@ -40,7 +40,7 @@ function exposeState() {
   };
   const position = () => {
     const { motion } = selection;
-    return motion && motion.vector(motion.position, clock.time).toArray().map((x, i) => x + origin[i]);
+    return motion && motion.place(clock.time).toArray().map((x, i) => x + origin[i]);
   };
   const info = () => (stage.renderer ? stage.renderer.info.render : { calls: 0, triangles: 0 });
   const getters = {
@@ -48,6 +48,9 @@ function exposeState() {
     playing: () => clock.playing, rate: () => clock.rate, camera: () => stage.view.mode, theme: () => theme.current(),
     motion: () => (selection.motion ? selection.motion.name : null), boxes: () => (stage.boxes ? stage.boxes.count : 0),
     mission: () => (selection.mission ? selection.mission.id : null), missions: () => missions.map(missionState),
+    fleet: () => (stage.fleet ? stage.fleet.state() : null),
+    pair: () => selection.pair && { ids: selection.pair.of.map(i => motions[i].id), time: selection.pair.time,
+      distance: selection.pair.distance, now: stage.pairLine.distance },
     buildings: () => (stage.boxes ? stage.boxes.buildings : 0), seen: () => seesVehicle(),
     drawCalls: () => info().calls, triangles: () => info().triangles, frames: () => stage.frames,
     frameMs: () => stage.frameMs,

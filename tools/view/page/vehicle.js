@@ -16,8 +16,8 @@ function merged(parts) {
   return geometry;
 }
 
-// About 1 from the middle to a rotor's outer edge: x ahead, z up.
-function quadrotor() {
+// About 1 from the middle to a rotor's outer edge: x ahead, z up. `sides` of a rotor.
+function quadrotor(sides) {
   const parts = [new THREE.BoxBufferGeometry(0.62, 0.3, 0.18)];
   const nose = new THREE.ConeBufferGeometry(0.12, 0.3, 12);
   nose.rotateZ(-Math.PI / 2);
@@ -28,7 +28,7 @@ function quadrotor() {
     const arm = new THREE.BoxBufferGeometry(0.7, 0.07, 0.06);
     arm.translate(0.35, 0, 0);
     arm.rotateZ(angle);
-    const rotor = new THREE.CylinderBufferGeometry(0.33, 0.33, 0.03, 28);
+    const rotor = new THREE.CylinderBufferGeometry(0.33, 0.33, 0.03, sides);
     rotor.rotateX(Math.PI / 2);
     rotor.translate(0.68 * Math.cos(angle), 0.68 * Math.sin(angle), 0.1);
     parts.push(arm, rotor);
@@ -36,7 +36,7 @@ function quadrotor() {
   return merged(parts);
 }
 
-const vehicleShape = quadrotor();
+const vehicleShape = quadrotor(28);
 
 class Vehicle {
   // Over the floor of the map, in metres.
@@ -70,8 +70,8 @@ class Vehicle {
   }
 
   update(time, eye, perPixel) {
-    const t = Math.min(time, this.motion.duration);
-    this.motion.vector(this.motion.position, t, this.body.position);
+    const t = this.motion.local(time);
+    this.motion.place(time, this.body.position);
     this.motion.orientation(t, this.body.quaternion);
     const seen = this.body.position.distanceTo(eye) * perPixel * vehiclePixels / 2;
     this.enlarged = seen > this.radius;

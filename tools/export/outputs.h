@@ -1,0 +1,41 @@
+#pragma once
+
+// Where the files of a run go.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cli/run.h"
+#include "options.h"
+#include "output_names.h"
+
+namespace exporting {
+
+// The files of one record, or of all.
+class Outputs {
+ public:
+  explicit Outputs(const Options& options);
+
+  bool each() const { return names_[0].each(); }
+
+  // Throws where two records would be one file.
+  void add(const std::string& id);
+
+  // Files of an earlier run that would be taken for the record's, though it was refused.
+  std::vector<std::string> stale(std::size_t index) const;
+
+  // Of the record that was added as the `index`-th. Of many, each appears as it is whole.
+  void save(std::size_t index, const std::string& format, const Written& written) const;
+
+ private:
+  using Files = std::array<std::string, 3>;
+  std::array<OutputNames, 3> names_;
+  std::string source_;
+  std::array<bool, 3> wanted_;
+  std::vector<Files> files_;
+};
+
+void warn_of_stale(const cli::Common& common, const std::vector<std::string>& files);
+
+}  // namespace exporting

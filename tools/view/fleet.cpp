@@ -1,0 +1,120 @@
+#include "fleet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "geom/base/error.h"
+#include "traj/proof/domain.h"
+
+namespace view {
+namespace {
+
+constexpr std::size_t kMostPairs = 500;  // in the page
+constexpr double kFarthest = 200;        // metres: what is farther apart is not near
+constexpr std::size_t kPairsAFlight = 2;
+
+}  // namespace
+
+Fleet::Fleet(const cli::Contents& contents, const geom::Execution& run) : contents_(contents) {
+  bool timed = false;
+  const auto& all = contents.trajectories;
+  for (const auto& [record, source, line] : all) {
+    geom::require_epoch_agrees(record.time.epoch, all.front().record.time.epoch, source, line);
+    if (record.status != traj::TrajectoryStatus::solved) continue;
+    timed = timed || record.time.any();
+    const double start = record.time.starts();
+    begin_ = flights_.empty() ? start : std::min(begin_, start);
+    flights_.push_back(&record);
+  }
+  together_ = !flights_.empty() && (timed || !contents.pairs.empty() ||
+                                    !contents.together.empty() || flights_.size() > kMostAlone);
+  if (together_) measure(run);
+}
+
+void Fleet::measure(const geom::Execution& run) {
+  std::vector<traj::TimedFlight> timed;
+  std::vector<std::uint32_t> of;
+  for (std::size_t i = 0; i < flights_.size(); ++i) {
+    if (traj::outside_domain(flights_[i]->trajectory, {})) continue;
+    timed.push_back({&flights_[i]->trajectory, flights_[i]->time.starts(), geom::Vec3::Zero()});
+    of.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (timed.size() < 2) return;
+  approaches_ = traj::nearest_approaches(timed, kPairsAFlight * timed.size(), kFarthest, run);
+  for (traj::Approach& approach : approaches_.list) {
+    auto& [a, b] = approach.flights;
+    a = of[a];
+    b = of[b];
+  }
+}
+
+void Fleet::add_times(const traj::TrajectoryRecord& record, Json& motion) const {
+  if (!together_) return;
+  motion["start"] = record.time.starts() - begin_;
+  if (record.time.start && record.time.earliest) {
+    motion["delay"] = *record.time.start - *record.time.earliest;
+  }
+}
+
+// Those that the check refused, as near as it says; then the nearest of the others.
+std::vector<Fleet::Pair> Fleet::pairs() const {
+  std::map<std::string, std::size_t> index;
+  for (std::size_t i = 0; i < flights_.size(); ++i) index.emplace(flights_[i]->id, i);
+  std::vector<Pair> out;
+  std::vector<traj::PairSummary> refused;
+  for (const auto& read : contents_.pairs) refused.push_back(read.record);
+  std::stable_sort(refused.begin(), refused.end(),
+                   [](const auto& a, const auto& b) { return a.share < b.share; });
+  std::set<std::pair<std::size_t, std::size_t>> told;
+  for (const traj::PairSummary& pair : refused) {
+    const auto a = index.find(pair.first);
+    const auto b = index.find(pair.second);
+    if (a == index.end() || b == index.end()) continue;
+    told.insert(std::minmax(a->second, b->second));
+    out.push_back(
+        {a->second, b->second, pair.time - begin_, std::hypot(pair.across, pair.up), pair.reason});
+  }
+  for (const traj::Approach& approach : approaches_.list) {
+    if (out.size() >= kMostPairs) break;
+    const auto [a, b] = approach.flights;
+    if (told.count({a, b})) continue;
+    out.push_back({a, b, approach.time - begin_, approach.distance, ""});
+  }
+  if (out.size() > kMostPairs) out.resize(kMostPairs);
+  return out;
+}
+
+Json Fleet::json(Bundle& bundle) const {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  std::vector<float> nearest(flights_.size(), kNone);
+  for (const traj::Approach& approach : approaches_.list) {
+    for (const std::uint32_t i : {approach.flights.first, approach.flights.second}) {
+      if (std::isnan(nearest[i])) nearest[i] = static_cast<float>(approach.distance);
+    }
+  }
+  Json out = {{"begin", begin_}};
+  if (const auto& epoch = flights_.front()->time.epoch) out["epoch"] = *epoch;
+  out["within"] = approaches_.within;
+  out["near"] = approaches_.list.size();
+  out["nearest"] = bundle.add(std::span<const float>(nearest));
+  out["pairs"] = Json::array();
+  for (const Pair& pair : pairs()) {
+    out["pairs"].push_back(
+        {{"of", {pair.first, pair.second}}, {"time", pair.time}, {"distance", pair.distance}});
+    if (!pair.reason.empty()) out["pairs"].back()["reason"] = pair.reason;
+  }
+  if (!contents_.together.empty()) {
+    const traj::TogetherSummary& check = contents_.together.front().record;
+    out["check"] = {{"ok", check.ok},
+                    {"flights", check.flights},
+                    {"pairs", check.pairs},
+                    {"refused", check.refused},
+                    {"left_out", check.left_out}};
+  }
+  return out;
+}
+
+}  // namespace view
