@@ -15,6 +15,7 @@
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "comparison.h"
+#include "fleet.h"
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
 #include "geom/text/excerpt.h"
@@ -23,6 +24,7 @@
 #include "tracking.h"
 #include "tracks.h"
 #include "traj/curve/to_enu.h"
+#include "traj/proof/domain.h"
 
 namespace {
 
@@ -34,8 +36,11 @@ struct Options {
   std::vector<std::string> inputs;
   std::string output = "-";
   std::string id;
+  double within = 0;  // metres; 0: as far as some pairs are
   cli::VehicleOptions vehicle;
 };
+
+constexpr double kFarthest = 200;  // metres: pairs that are farther apart are not looked for
 
 // What there is to draw of the inputs, all made for `map` where one is given.
 cli::Contents read(const Options& options, const geom::BoxMap* map) {
@@ -156,6 +161,36 @@ std::string bench(const Options& options) {
   return plot::comparison(reports);
 }
 
+std::string fleet(const Options& options) {
+  const cli::Contents contents = read(options, nullptr);
+  cli::require_same_map(contents, nullptr);
+  const auto& first = first_of(contents.trajectories, options, "solved trajectories").record;
+  std::vector<plot::FleetFlight> flights;
+  std::vector<traj::TimedFlight> timed;
+  for (const auto& [record, source, line] : contents.trajectories) {
+    geom::require_epoch_agrees(record.time.epoch, first.time.epoch, source, line);
+    if (traj::outside_domain(record.trajectory, {})) {
+      throw geom::InputError(source, line,
+                             "expected a trajectory that can be flown, found one "
+                             "with times or coordinates out of range");
+    }
+    const double start = record.time.starts();
+    flights.push_back({record.id, start, traj::duration(record.trajectory), {}});
+    if (record.time.start && record.time.earliest) {
+      flights.back().delay = start - *record.time.earliest;
+    }
+    timed.push_back({&record.trajectory, start, geom::Vec3::Zero()});
+  }
+  const geom::Execution run = options.common.execution("pairs");
+  traj::Approaches approaches{options.within, {}};
+  if (options.within > 0) {
+    approaches.list = traj::nearest_approaches(timed, options.within, run);
+  } else {
+    approaches = traj::nearest_approaches(timed, 2 * timed.size(), kFarthest, run);
+  }
+  return plot::fleet(flights, approaches);
+}
+
 struct Verb {
   CLI::App* app;
   std::string (*draw)(const Options&);
@@ -178,6 +213,7 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
   CLI::App* tracking_verb = add("tracking", "a flight beside its setpoints");
   CLI::App* clearance_verb = add("clearance", "distance to the obstacles along the way");
   CLI::App* bench_verb = add("bench", "times and lengths of planners");
+  CLI::App* fleet_verb = add("fleet", "delays, least distances of pairs, flights in the air");
   for (CLI::App* verb : {plan_verb, clearance_verb}) {
     verb->add_option("map", options.map, "box map; - for stdin")->required();
   }
@@ -192,16 +228,20 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
   clearance_verb->add_option("files", options.inputs, "paths, or trajectories and flights")
       ->required();
   bench_verb->add_option("reports", options.inputs, "reports of skyway-bench")->required();
+  fleet_verb->add_option("files", options.inputs, "trajectories; - for stdin")->required();
+  fleet_verb
+      ->add_option(
+          "--within", options.within,
+          "pairs that come nearer than this, metres (default: as far as there are twice as "
+          "many pairs as flights, at most 200)")
+      ->check(CLI::Range(1e-3, 10000.0));
   for (CLI::App* verb : {plan_verb, profile_verb, tracking_verb, clearance_verb}) {
     verb->add_option("--id", options.id, "only this one");
   }
   options.vehicle.add_to(*clearance_verb);
   options.vehicle.add_memory_to(*clearance_verb);
-  return {{plan_verb, plan},
-          {profile_verb, profile},
-          {tracking_verb, tracking},
-          {clearance_verb, clearance},
-          {bench_verb, bench}};
+  return {{plan_verb, plan},           {profile_verb, profile}, {tracking_verb, tracking},
+          {clearance_verb, clearance}, {bench_verb, bench},     {fleet_verb, fleet}};
 }
 
 }  // namespace

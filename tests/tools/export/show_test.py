@@ -101,6 +101,7 @@ def main(folder):
     assert len(reports) == 31 and all(r["ok"] for r in reports)
     check_folder(folder, flights, folder / "show")
     assert "Thirty Crazyflies" in (folder / "show.html").read_text()
+    assert "30 flights" in (folder / "fleet.svg").read_text()
     check_refusals(folder)
     check_unchecked(folder)
 

@@ -8,6 +8,8 @@
 #include "plot/clearance.h"
 #include "plot/comparison.h"
 #include "plot/figure.h"
+#include "plot/fleet.h"
+#include "plot/histogram.h"
 #include "plot/motion_profile.h"
 #include "plot/plan_view.h"
 #include "plot/ticks.h"
@@ -18,6 +20,10 @@ namespace {
 
 using plot::Point;
 using support::Random;
+
+bool holds(const std::string& svg, const std::string& words) {
+  return svg.find(words) != std::string::npos;
+}
 
 TEST(TicksProperty, AreRoundWithinTheRangeAndNeitherFewNorMany) {
   Random random(31);
@@ -55,8 +61,63 @@ TEST(Thinned, KeepsEndsAndExtremes) {
   EXPECT_EQ(plot::thinned({{0, 1}, {1, 2}}, 500).size(), 2u);
 }
 
-bool holds(const std::string& svg, const std::string& words) {
-  return svg.find(words) != std::string::npos;
+TEST(Histogram, HoldsEachValueOnceInRoundBins) {
+  Random random(5);
+  for (int i = 0; i < 500; ++i) {
+    std::vector<double> values;
+    const double scale = std::pow(10, random.uniform(-3, 5));
+    for (int k = random.below(50); k >= 0; --k) values.push_back(scale * random.uniform(-1, 3));
+    const plot::Histogram bars = plot::histogram(values, 40);
+    SCOPED_TRACE(testing::Message() << "seed 5, case " << i);
+    std::size_t all = 0;
+    for (const std::size_t count : bars.counts) all += count;
+    EXPECT_EQ(all, values.size());
+    EXPECT_LE(bars.counts.size(), 43u);
+    for (const double v : values) {
+      EXPECT_GE(v, bars.low - 1e-9 * scale);
+      EXPECT_LE(v, bars.high() + 1e-9 * scale);
+    }
+  }
+}
+
+TEST(Histogram, OfEqualValuesOrNoneIsOneBin) {
+  EXPECT_EQ(plot::histogram({}, 40).counts, std::vector<std::size_t>{0});
+  const std::vector<double> zeros(7, 0.0);
+  EXPECT_EQ(plot::histogram(zeros, 40).counts, std::vector<std::size_t>{7});
+}
+
+TEST(InTheAir, CountsFromDepartureUntilArrival) {
+  const std::vector<plot::FleetFlight> flights{
+      {"a", 0, 10, {}}, {"b", 5, 10, {}}, {"c", 10, 2, {}}, {"d", 20, 0, {}}};
+  const auto steps = plot::in_the_air(flights);
+  const auto at = [&](double t) {
+    std::size_t now = 0;
+    for (const auto& step : steps) now = step.time <= t ? step.flights : now;
+    return now;
+  };
+  EXPECT_EQ(at(0), 1u);
+  EXPECT_EQ(at(5), 2u);
+  EXPECT_EQ(at(10), 2u);  // one arrives as another departs
+  EXPECT_EQ(at(12), 1u);
+  EXPECT_EQ(at(15), 0u);
+  EXPECT_EQ(at(20), 0u);
+}
+
+TEST(FleetPlot, SaysDelaysTheNearestPairAndTheMostInTheAir) {
+  const std::vector<plot::FleetFlight> flights{
+      {"a<b", 0, 10, 0.0}, {"c", 5, 10, 5.0}, {"d", 10, 20, 10.0}};
+  traj::Approaches approaches{20, {}};
+  approaches.list.push_back({{0, 2}, 1.25, 10, {}, {}});
+  const std::string svg = plot::fleet(flights, approaches);
+  for (const char* words :
+       {"3 flights", "2 of 3 flights late", "5 s in the mean", "10 s at most", "1 pair within 20 m",
+        "least 1.25 m: a&lt;b and d at 10 s", "2 in the air at once at most, at 5 s"}) {
+    EXPECT_TRUE(holds(svg, words)) << words;
+  }
+  EXPECT_FALSE(holds(svg, "nan"));
+  const std::vector<plot::FleetFlight> alone{{"a", 0, 1, {}}};
+  EXPECT_TRUE(holds(plot::fleet(alone, {50, {}}), "no pair within 50 m"));
+  EXPECT_TRUE(holds(plot::fleet(alone, {50, {}}), "no delays"));
 }
 
 TEST(MotionProfile, ShowsUnitsAndLimitsOnce) {
