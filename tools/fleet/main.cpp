@@ -82,7 +82,7 @@ traj::TogetherResult prove(const fleet::Schedule& schedule, const Options& optio
 
 void write(const fleet::Schedule& schedule, const traj::TogetherResult& proof,
            const Options& options) {
-  cli::OutputFile out(options.output, cli::OutputKind::text, options.input);
+  cli::OutputFile out(options.output, cli::OutputKind::text);
   for (const std::string& record : schedule.records()) out.stream() << record;
   out.commit();
   if (options.report.empty()) return;

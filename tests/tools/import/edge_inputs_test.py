@@ -50,20 +50,23 @@ def wkt(unit):
 
 def clouds():
     codes = {"m": 9001, "ft": 9002, "us-ft": 9003}
+    systems = {"m": 26910, "ft": 2992, "us-ft": 2263}  # of that unit, which PROJ knows
     for case in range(CASES):
         unit = random.choice(list(codes))
-        how = random.choice(["text", "keys", "no unit", "degrees", "contradiction"])
-        keys = {"keys": [1024, 0, 1, 1, 3072, 0, 1, 2992, 3076, 0, 1, codes[unit]],
-                "no unit": [1024, 0, 1, 1, 3072, 0, 1, 2992], "degrees": [1024, 0, 1, 2, 2048, 0, 1, 4326]}.get(how)
+        other = random.choice([u for u in codes if u != unit])
+        how = random.choice(["text", "keys", "named", "no unit", "degrees", "contradiction", "contradicting keys"])
+        keys = {"keys": [1024, 0, 1, 1, 3072, 0, 1, systems[unit], 3076, 0, 1, codes[unit]],
+                "contradicting keys": [1024, 0, 1, 1, 3072, 0, 1, systems[unit], 3076, 0, 1, codes[other]],
+                "named": [1024, 0, 1, 1, 3072, 0, 1, systems[unit]], "no unit": [1024, 0, 1, 1, 3072, 0, 1, 32767],
+                "degrees": [1024, 0, 1, 2, 2048, 0, 1, 4326]}.get(how)
         if keys:
             record = (b"LASF_Projection", 34735, struct.pack(f"<{4 + len(keys)}H", 1, 1, 0, len(keys) // 4, *keys))
         else:
             record = (b"LASF_Projection", 2112, wkt(unit).encode() + b"\0")
         pathlib.Path("c.las").write_bytes(las([(1000, 2000, 300), (1300, 2100, 330)], [record]))
-        other = random.choice([u for u in codes if u != unit])
         options = ["--units", other] if how == "contradiction" else []
         done = run("skyway-cloud", "c.las", "-o", "c.boxmap", *options)
-        if how in ("no unit", "degrees", "contradiction"):
+        if how in ("no unit", "degrees", "contradiction", "contradicting keys"):
             expect("cloud", (case, how), done.returncode == 3, done)
             continue
         length = {"m": 1, "ft": FEET, "us-ft": SURVEY}[unit]
