@@ -9,7 +9,9 @@
 #include <assimp/Importer.hpp>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 
+#include "collada_links.h"
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
 
@@ -39,6 +41,18 @@ class Scene {
     return std::move(model_);
   }
 
+  // Of all meshes that a node shows, each once; after model().
+  std::size_t polygons() const {
+    std::size_t sum = 0;
+    for (const unsigned i : shown_) {
+      const aiMesh& mesh = *scene_.mMeshes[i];
+      sum += static_cast<std::size_t>(
+          std::count_if(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
+                        [](const aiFace& face) { return face.mNumIndices >= 3; }));
+    }
+    return sum;
+  }
+
  private:
   [[noreturn]] void refuse(const std::string& message) const {
     throw geom::InputError(source_, message);
@@ -65,6 +79,7 @@ class Scene {
     const Transform size = size_above * local.cwiseAbs();
     const std::size_t before = model_.mesh.triangles.size();
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      shown_.insert(node.mMeshes[i]);
       add_mesh(*scene_.mMeshes[node.mMeshes[i]], place, size, depth);
     }
     if (model_.mesh.triangles.size() > before) model_.parts.emplace_back(node.mName.C_Str());
@@ -110,6 +125,7 @@ class Scene {
   const aiScene& scene_;
   const std::string& source_;
   geom::Model model_;
+  std::set<unsigned> shown_;  // meshes
 };
 
 // The sum of the counts that COLLADA's elements of polygons name, each once.
@@ -153,23 +169,14 @@ std::size_t faces_of_3ds(std::string_view bytes, const std::string& source, int 
   return sum;
 }
 
-std::size_t polygons_of(const aiScene& scene) {
-  std::size_t sum = 0;
-  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-    const aiMesh& mesh = *scene.mMeshes[i];
-    sum += static_cast<std::size_t>(
-        std::count_if(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
-                      [](const aiFace& face) { return face.mNumIndices >= 3; }));
-  }
-  return sum;
-}
-
 }  // namespace
 
 geom::Model read_scene(const std::string& bytes, const std::string& source,
                        const std::string& format) {
   const bool collada = format == "collada";
   const std::size_t told = collada ? polygons_of_collada(bytes) : faces_of_3ds(bytes, source);
+  geom::Skipped skipped;
+  if (collada) check_collada_links(bytes, source, skipped);
   Assimp::Importer importer;
   const aiScene* const scene =
       importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, collada ? "dae" : format.c_str());
@@ -178,9 +185,11 @@ geom::Model read_scene(const std::string& bytes, const std::string& source,
         source, fmt::format("expected a file of format {}, which assimp could not read: {}", format,
                             geom::excerpt(importer.GetErrorString(), 120)));
   }
-  geom::Model model = Scene(*scene, source).model();
+  Scene read(*scene, source);
+  geom::Model model = read.model();
+  model.skipped.add(skipped);
   if (collada) model.unit = 1;
-  if (const std::size_t built = polygons_of(*scene); built < told) {
+  if (const std::size_t built = read.polygons(); built < told) {
     model.skipped.add("polygons that assimp did not give",
                       fmt::format("{} of {}", told - built, told));
   }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -49,24 +51,45 @@ struct Whole {
   bool grounded = false;  // something says where its ground is
 };
 
-std::optional<Aabb> extent_of(const CityGeometry& geometry) {
-  std::vector<Vec3> points;
-  for (const CitySurface& surface : geometry.surfaces) {
-    for (const auto& ring : surface) points.insert(points.end(), ring.begin(), ring.end());
-  }
-  return bounds(std::span<const Vec3>(points));
-}
+// Where geometries are, and how much of the plan their surfaces take, one over the other.
+struct Extent {
+  std::optional<Aabb> box;
+  double plan = 0;
 
-// Whether `other` reaches a quarter of its size further in plan.
-bool reaches_beyond(const Aabb& other, const Aabb& extent) {
-  for (int i = 0; i < 2; ++i) {
-    const double quarter = (other.max[i] - other.min[i]) / 4;
-    if (other.min[i] < extent.min[i] - quarter || other.max[i] > extent.max[i] + quarter) {
-      return true;
+  void add(const CityGeometry& geometry) {
+    std::vector<Vec3> points;
+    for (const CitySurface& surface : geometry.surfaces) {
+      for (const auto& ring : surface) points.insert(points.end(), ring.begin(), ring.end());
+      if (!surface.empty()) plan += plan_of(surface.front());
     }
+    add({bounds(std::span<const Vec3>(points)), 0});
   }
-  return false;
-}
+  void add(const Extent& other) {
+    if (other.box) box = box ? merged(*box, *other.box) : *other.box;
+    plan += other.plan;
+  }
+
+  // Whether this reaches a quarter of its size further in plan or up, or takes half as much of the
+  // plan again: so the roofs of one level are kept where another has windows or walls alone.
+  bool reaches_beyond(const Extent& other) const {
+    if (!box || !other.box) return box.has_value();
+    const Vec3 quarter = (box->max - box->min) / 4;
+    const bool further = (box->max.array() > (other.box->max + quarter).array()).any() ||
+                         (box->min.array() < (other.box->min - quarter).array()).head<2>().any();
+    return further || plan > 1.5 * other.plan;
+  }
+
+ private:
+  static double plan_of(const std::vector<Vec3>& ring) {
+    double twice = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec3 a = ring[i] - ring.front();
+      const Vec3 b = ring[(i + 1) % ring.size()] - ring.front();
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return std::abs(twice) / 2;
+  }
+};
 
 class Builder {
  public:
@@ -118,24 +141,27 @@ class Builder {
   static Shape chosen(const CityObject& object) {
     Shape shape;
     shape.object = &object;
-    std::optional<Aabb> extent;
-    std::vector<const CityGeometry*> order;
+    std::map<double, std::vector<const CityGeometry*>, std::greater<>> levels;  // finest first
     for (const CityGeometry& g : object.geometries) {
-      if (!g.surfaces.empty()) order.push_back(&g);
+      if (!g.surfaces.empty()) levels[g.lod].push_back(&g);
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [](const auto* a, const auto* b) { return a->lod > b->lod; });
-    if (order.empty()) return shape;
-    shape.lod = order.front()->lod;
-    for (const CityGeometry* g : order) {
-      const std::optional<Aabb> own = extent_of(*g);
-      if (!own || (g->lod < shape.lod && !reaches_beyond(*own, *extent))) continue;
-      extent = extent ? merged(*extent, *own) : *own;
-      shape.roof_edges &= g->roof_edge;
-      shape.roofs &= g->roofs_only;
-      for (const CitySurface& surface : g->surfaces) shape.surfaces.push_back(&surface);
+    if (levels.empty()) return shape;
+    shape.lod = levels.begin()->first;
+    Extent extent;
+    for (const auto& [lod, geometries] : levels) {
+      Extent own;
+      for (const CityGeometry* g : geometries) own.add(*g);
+      if (!own.reaches_beyond(extent)) continue;
+      extent.add(own);
+      for (const CityGeometry* g : geometries) take(*g, shape);
     }
     return shape;
+  }
+
+  static void take(const CityGeometry& g, Shape& shape) {
+    shape.roof_edges &= g.roof_edge;
+    shape.roofs &= g.roofs_only;
+    for (const CitySurface& surface : g.surfaces) shape.surfaces.push_back(&surface);
   }
 
   void skip(const CityObject& object, const std::string& kind) {

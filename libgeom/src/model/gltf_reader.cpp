@@ -13,8 +13,9 @@ namespace {
 
 using Transform = Eigen::Matrix4d;
 
-constexpr std::size_t kDeepest = 1000;          // nodes in nodes
-constexpr std::size_t kMostPlaced = 100000000;  // vertices, wherever nodes place them
+constexpr std::size_t kDeepest = 1000;             // nodes in nodes
+constexpr std::size_t kMostPlaced = 100000000;     // vertices, wherever nodes place them
+constexpr std::size_t kMostTriangles = 300000000;  // no cover takes more
 
 // Extensions that a file may require and that change no place of anything.
 bool is_harmless(const std::string& extension) {
@@ -206,6 +207,11 @@ class GltfReader {
   void add_triangles(const JsonMembers& primitive, std::uint64_t mode,
                      const std::vector<std::uint64_t>& order, std::uint32_t first,
                      const std::vector<double>& features) {
+    const std::size_t more = mode == 4 ? order.size() / 3 : order.size();
+    if (model_.mesh.triangles.size() + more > kMostTriangles) {
+      primitive.refuse(
+          fmt::format("more than {} triangles, each where its nodes place it", kMostTriangles));
+    }
     const auto part = static_cast<std::uint32_t>(model_.parts.size());
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       const auto at = [&](std::size_t k) { return first + static_cast<std::uint32_t>(order[k]); };
@@ -225,8 +231,16 @@ class GltfReader {
     for (std::size_t k = 1; mode == 6 && k + 1 < n; ++k) add(0, k, k + 1);
   }
 
-  // What is in the file, and in no node of the scene.
+  // What is in the file, and in no node of the scene: a mesh may be shown, and stand elsewhere too.
   void count_unseen() {
+    for (std::size_t i = 0; i < data_.root().list("nodes").size(); ++i) {
+      const JsonMembers node = data_.root().at("nodes", i, "node");
+      const auto mesh = node.find_whole("mesh");
+      if (!mesh || seen_.contains(i)) continue;
+      shown_.insert(*mesh);
+      model_.skipped.add("node that the scene does not show",
+                         node.find_text("name").value_or(fmt::format("{}", i)));
+    }
     const std::size_t meshes = data_.root().list("meshes").size();
     for (std::size_t i = 0; i < meshes; ++i) {
       if (shown_.contains(i)) continue;

@@ -22,9 +22,10 @@ bool names_tileset(std::string_view uri) {
   return uri.substr(0, uri.find_first_of("?#")).ends_with(".json");
 }
 
-constexpr std::size_t kDeepest = 300;        // tiles in tiles, whatever files they stand in
-constexpr std::size_t kMostFiles = 1000000;  // read, the same ones again included
-constexpr double kNoPlaceOnEarth = 1e6;      // metres: nearer to the middle of the Earth than any
+constexpr std::size_t kDeepest = 300;              // tiles in tiles, whatever files they stand in
+constexpr std::size_t kMostFiles = 1000000;        // read, the same ones again included
+constexpr std::size_t kMostTriangles = 300000000;  // no cover takes more
+constexpr double kNoPlaceOnEarth = 1e6;  // metres: nearer to the middle of the Earth than any
 
 class TilesetReader {
  public:
@@ -55,6 +56,7 @@ class TilesetReader {
     if (version != "1.0" && version != "1.1") {
       root.refuse(fmt::format("expected version 1.0 or 1.1, found \"{}\"", version.substr(0, 20)));
     }
+    take_up_axis(JsonMembers(root.members("asset"), path, "asset"), depth == 0);
     for (const nlohmann::json& name : root.list("extensionsRequired")) {
       if (name == "3DTILES_content_gltf" || name == "3DTILES_metadata") continue;
       root.refuse(fmt::format("it requires the extension {}, which is not read", shown(name)));
@@ -63,6 +65,17 @@ class TilesetReader {
     const Made made = read_tile({json.at("root"), path, "root"}, path, place, "", depth);
     open_.erase(path);
     return made;
+  }
+
+  // Older writers have content that is z up already and say so; the standard has no such word.
+  void take_up_axis(const JsonMembers& asset, bool first) {
+    const std::string up = asset.find_text("gltfUpAxis").value_or("Y");
+    const bool z = up == "Z" || up == "z";
+    if (!z && up != "Y" && up != "y") {
+      asset.refuse(fmt::format("expected gltfUpAxis Y or Z, found \"{}\"", up.substr(0, 20)));
+    }
+    if (first) z_up_ = z;
+    if (z != z_up_) asset.refuse("expected one gltfUpAxis in all tilesets, found another");
   }
 
   static Transform transform_of(const JsonMembers& tile) {
@@ -157,7 +170,8 @@ class TilesetReader {
     return false;
   }
 
-  // Positions are y up in the glTF, and z up in the tile (OGC 22-025r4, 6.7.1.6.2).
+  // Positions are y up in the glTF, and z up in the tile (OGC 22-025r4, 6.7.1.6.2), unless the
+  // tileset says otherwise.
   Made add(GltfModel content, const Transform& place, const std::vector<std::string>& names,
            const std::string& path) {
     const auto first = static_cast<std::uint32_t>(model_.mesh.vertices.size());
@@ -165,8 +179,11 @@ class TilesetReader {
       throw InputError(path, "more than 2^32 vertices in all tiles");
     }
     for (const Vec3& v : content.mesh.vertices) {
-      model_.mesh.vertices.push_back(place.topLeftCorner<3, 3>() * z_up_of_y_up(v) +
+      model_.mesh.vertices.push_back(place.topLeftCorner<3, 3>() * (z_up_ ? v : z_up_of_y_up(v)) +
                                      place.topRightCorner<3, 1>());
+    }
+    if (content.mesh.triangles.size() > kMostTriangles - model_.mesh.triangles.size()) {
+      throw InputError(path, fmt::format("more than {} triangles in all tiles", kMostTriangles));
     }
     for (std::size_t t = 0; t < content.mesh.triangles.size(); ++t) {
       MeshTriangle triangle = content.mesh.triangles[t];
@@ -211,6 +228,7 @@ class TilesetReader {
   Model model_;
   std::set<std::string> open_;  // tilesets that this one is within
   std::map<std::pair<std::size_t, std::int64_t>, std::uint32_t> parts_;
+  bool z_up_ = false;  // in the glTF, too
   std::size_t files_read_ = 0;
   std::size_t tiles_ = 0;
   std::size_t coarser_ = 0;

@@ -54,6 +54,31 @@ TEST(CityFootprints, KeepACoarserShapeThatReachesFurther) {
   EXPECT_EQ(out.footprints.size(), 4u);
 }
 
+TEST(CityFootprints, KeepACoarserShapeThatRisesHigherOrHasTheRoofs) {
+  const auto upright = [](double y, double low, double high) {
+    return CitySurface{{{0, y, low}, {9, y, low}, {9, y, high}, {0, y, high}}};
+  };
+  const CityGeometry block = at_lod(1, {square(0, 9, 0), square(0, 9, 30)});
+  const auto tops = [&](CityGeometry finer) {
+    const auto out = built({object("Building", {std::move(finer), block})});
+    return std::count_if(out.footprints.begin(), out.footprints.end(), [](const Footprint& f) {
+      return f.top == 30 && f.polygon.outer[2].y() != f.polygon.outer[0].y();
+    });
+  };
+  EXPECT_EQ(tops(at_lod(3, {upright(0, 2, 4), upright(9, 2, 4)})), 1) << "windows";
+  EXPECT_EQ(tops(at_lod(2, {upright(0, 0, 30), upright(9, 0, 30)})), 1) << "walls";
+  EXPECT_EQ(tops(at_lod(2, {square(0, 9, 0)})), 1) << "the ground of a building";
+  EXPECT_EQ(tops(at_lod(2, {square(0, 9, 0), square(0, 9, 25)})), 0);
+}
+
+TEST(CityFootprints, TakeAllOfALevelTogether) {
+  const CityFootprints out =
+      built({object("Building", {at_lod(3, {{{{0, 0, 2}, {9, 0, 2}, {9, 0, 4}, {0, 0, 4}}}}),
+                                 at_lod(2, {square(0, 9, 0)}), at_lod(2, {square(0, 9, 30)})})});
+  ASSERT_EQ(out.footprints.size(), 3u);
+  EXPECT_EQ(out.footprints[2].top, 30);
+}
+
 TEST(CityFootprints, CountInTheUnitOfTheModel) {
   const CityFootprints out = built(
       {object("Building",

@@ -117,6 +117,25 @@ TEST(SdfWorld, SkipsModelsThatAStateHasMoved) {
   EXPECT_EQ(read(model + state("<insertions/>")).skipped.count(), 1u);
 }
 
+TEST(SdfWorld, SkipsModelsOfWhichAStateMovesOrScalesAPart) {
+  const std::string model = sdf_model("a", "1 2 3 0 0 0", sdf_box("1 1 1"));
+  const auto skipped = [&](const std::string& inside) {
+    return read(model + "<state world_name='w'><model name='a'><pose>1 2 3 0 0 0</pose>" + inside +
+                "</model></state>")
+        .skipped.count();
+  };
+  const auto moved = [&](const std::string& pose) {
+    return skipped("<link name='l'><pose>" + pose + "</pose></link>");
+  };
+  EXPECT_EQ(skipped("<scale>1 1 1</scale>"), 0u);
+  EXPECT_EQ(skipped("<scale>1 1 3</scale>"), 1u);
+  EXPECT_EQ(moved("1 2 3 0 -0 0"), 0u) << "in the world";
+  EXPECT_EQ(moved("0 0 0 0 0 0"), 0u) << "in the model";
+  EXPECT_EQ(moved("9 2 3 0 0 0"), 1u);
+  EXPECT_EQ(moved("1 2 3 0 0 1"), 1u);
+  EXPECT_EQ(skipped("<model name='none'><pose>0 0 0 0 0 0</pose></model>"), 1u);
+}
+
 TEST(SdfWorld, LabelsOfNestedModelsNameThemAll) {
   const SdfWorld out = read("<model name='o'><static>1</static>" +
                             sdf_model("i", "", sdf_box("1 1 1")) + "</model>");

@@ -124,6 +124,16 @@ TEST(ReadGltf, CountsPointsLinesAndMeshesThatAreNotShown) {
   EXPECT_NE(model.skipped.text().find("hidden"), std::string::npos);
 }
 
+TEST(ReadGltf, CountsNodesThatAnotherSceneShows) {
+  GltfFile file(support::cuboid(kBox));
+  file.text["nodes"].push_back({{"name", "far"}, {"mesh", 0}, {"translation", {100, 0, 0}}});
+  file.text["scenes"].push_back({{"nodes", {1}}});
+  const GltfModel model = read(file);
+  EXPECT_EQ(model.mesh.triangles.size(), 12u);
+  EXPECT_EQ(model.skipped.count(), 1u);
+  EXPECT_NE(model.skipped.text().find("far"), std::string::npos);
+}
+
 TEST(ReadGltf, TellsTheFeatureOfEachTriangle) {
   GltfFile file(support::cuboid(kBox));
   const std::size_t at = file.binary.size();

@@ -92,6 +92,26 @@ TEST(ReadTileset, PlacesContentByTransformCentreAndTheUpwardAxisOfGltf) {
   EXPECT_EQ(read(root, files).model.mesh.vertices[1], Vec3(13, 101, 1002));
 }
 
+TEST(ReadTileset, KeepsContentUprightThatIsZUpAlready) {
+  json set = tileset(refined(tile("a.glb"), "ADD"));
+  Files files = {{"a.glb", house()}};
+  const auto top = [&](const char* up) {
+    set["asset"]["gltfUpAxis"] = up;
+    files["tileset.json"] = set.dump();
+    return read(files).model.mesh.vertices[7];
+  };
+  EXPECT_EQ(top("Y"), Vec3(1, -3, 2));
+  EXPECT_EQ(top("Z"), Vec3(1, 2, 3));
+  set["asset"]["gltfUpAxis"] = "X";
+  files["tileset.json"] = set.dump();
+  expect_refusal("expected gltfUpAxis Y or Z", files);
+  json outer = tileset(refined(tile("inner.json"), "ADD"));
+  set["asset"]["gltfUpAxis"] = "Z";
+  files["inner.json"] = set.dump();
+  files["tileset.json"] = outer.dump();
+  expect_refusal("one gltfUpAxis in all tilesets", files);
+}
+
 TEST(ReadTileset, NamesPartsByTheBatchTable) {
   GltfFile file(support::cuboid({{0, 0, 0}, {1, 1, 1}}));
   const std::size_t at = file.binary.size();

@@ -175,22 +175,55 @@ class WorldReader {
     for (const XmlElement& child : state.element->children) {
       const SdfNode node = state.of(child);
       if (child.name == "insertions" || child.name == "deletions" ||
-          (child.name == "model" && !is_where(node, world))) {
+          (child.name == "model" && !is_where(node, world, {}))) {
         out_.skipped.add("model that a state moves", sdf_place(node, node.attribute("name")));
       }
     }
   }
 
-  static bool is_where(const SdfNode& state, const SdfScope& world) {
+  // Whether the model, its links and the models within stand where the state has them, at the same
+  // size.
+  static bool is_where(const SdfNode& state, const SdfScope& scope, const SdfPose& outer) {
     constexpr double kSame = 1e-6;
     const auto pose = state.find("pose");
-    for (const auto& model : world.models) {
+    if (const auto scale = state.find("scale")) {
+      const std::vector<double> v = scale->numbers(3);
+      if (std::any_of(v.begin(), v.end(), [](double s) { return s != 1; })) return false;
+    }
+    for (const auto& model : scope.models) {
       if (model->name != state.attribute("name") || !pose) continue;
-      const SdfPose is = model->pose_in_parent();
+      const SdfPose own = model->pose_in_parent();
+      const SdfPose is = outer * own;
       const SdfPose was = parse_sdf_pose(*pose);
-      return (is.place() - was.place()).norm() < kSame && (is.turn - was.turn).norm() < kSame;
+      if (!is_same(is, was, kSame) && !is_same(own, was, kSame)) return false;
+      const auto models = state.all("model");
+      return links_are_where(state, *model, is) &&
+             std::all_of(models.begin(), models.end(),
+                         [&](const SdfNode& inner) { return is_where(inner, *model, is); });
     }
     return false;
+  }
+
+  // Simulators write the place in the world, in six digits; people that in the model.
+  static bool links_are_where(const SdfNode& state, const SdfScope& model, const SdfPose& outer) {
+    for (const SdfNode& moved : state.all("link")) {
+      const auto pose = moved.find("pose");
+      if (!pose) continue;
+      const SdfPose was = parse_sdf_pose(*pose);
+      const double same = 1e-5 * std::max(1.0, was.place().norm());
+      bool found = false;
+      for (const SdfNode& link : model.node.all("link")) {
+        if (link.attribute("name") != moved.attribute("name")) continue;
+        const SdfPose own = model.pose_of(link);
+        found |= is_same(own, was, same) || is_same(outer * own, was, same);
+      }
+      if (!found) return false;
+    }
+    return true;
+  }
+
+  static bool is_same(const SdfPose& a, const SdfPose& b, double same) {
+    return (a.place() - b.place()).norm() < same && (a.turn - b.turn).norm() < std::min(same, 1e-5);
   }
 
   struct Picture {

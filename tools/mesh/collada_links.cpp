@@ -1,0 +1,128 @@
+#include "collada_links.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "geom/base/error.h"
+#include "geom/text/excerpt.h"
+
+namespace mesh {
+namespace {
+
+constexpr double kMostNodes = 1e6;  // wherever others place them
+constexpr std::size_t kDeepest = 200;
+
+// The value of an attribute of a tag; empty where there is none.
+std::string_view attribute(std::string_view tag, std::string_view key) {
+  for (std::size_t at = 0; (at = tag.find(key, at)) != std::string_view::npos;) {
+    const bool alone = at > 0 && std::string_view(" \t\r\n").find(tag[at - 1]) != tag.npos;
+    at += key.size();
+    std::string_view rest = tag.substr(at);
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+    if (!alone || !rest.starts_with('=')) continue;
+    rest.remove_prefix(1);
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+    if (rest.empty() || (rest[0] != '"' && rest[0] != '\'')) continue;
+    return rest.substr(1, rest.find(rest[0], 1) - 1);
+  }
+  return {};
+}
+
+class Links {
+ public:
+  Links(const std::string& source, geom::Skipped& skipped) : source_(source), skipped_(skipped) {}
+
+  void read(std::string_view text) {
+    for (std::size_t at = 0; (at = text.find('<', at)) != std::string_view::npos;) {
+      const bool comment = text.substr(at).starts_with("<!--");
+      const std::size_t end = text.find(comment ? "-->" : ">", at);
+      if (end == std::string_view::npos) break;
+      if (!comment) take(text.substr(at + 1, end - at - 1));
+      at = end;
+    }
+    for (const std::string& geometry : placed_) {
+      if (!geometries_.contains(geometry)) lose(geometry, "geometry");
+    }
+    for (const std::string& geometry : geometries_) {
+      if (!placed_.contains(geometry)) skipped_.add("geometry that no node places", geometry);
+    }
+    if (scenes_ > 1) skipped_.add("scenes beside the first", fmt::format("{} in all", scenes_));
+    for (const auto& [node, inner] : nodes_) count(node, 0);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw geom::InputError(source_, message);
+  }
+
+  void lose(std::string_view url, const char* what) {
+    skipped_.add(fmt::format("{} that is not in the file", what), geom::excerpt(url, 60));
+  }
+
+  void take(std::string_view tag) {
+    const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/", 1));
+    std::string id(attribute(tag, "id"));
+    if (name == "skew") refuse("it has a <skew>, which is not read: write its nodes with matrices");
+    if (name == "instance_controller") {
+      refuse("bones or morphs move its meshes (<instance_controller>): write one state of it");
+    }
+    scenes_ += name == "visual_scene";
+    if (name == "geometry") geometries_.insert(id);
+    if (name == "node") {
+      if (id.empty()) id = attribute(tag, "name");  // assimp finds them by that, too
+      nodes_[id];
+      if (!tag.ends_with('/')) open_.push_back(id);
+    }
+    if (name == "/node" && !open_.empty()) open_.pop_back();
+    const bool node = name == "instance_node";
+    if (!node && name != "instance_geometry") return;
+    const std::string_view url = attribute(tag, "url");
+    if (!url.starts_with('#')) {
+      lose(url, node ? "node" : "geometry");
+    } else if (node) {
+      place_node(std::string(url.substr(1)));
+    } else {
+      placed_.emplace(url.substr(1));
+    }
+  }
+
+  void place_node(const std::string& id) {
+    for (const std::string& outer : open_) nodes_[outer].push_back(id);
+  }
+
+  // The nodes that one stands for, with all that it places.
+  double count(const std::string& node, std::size_t depth) {
+    if (const auto known = counts_.find(node); known != counts_.end()) return known->second;
+    if (!nodes_.contains(node)) {
+      lose(node, "node");
+      return counts_[node] = 0;
+    }
+    if (depth > kDeepest)
+      refuse("expected nodes that do not place themselves, found one that does");
+    double sum = 1;
+    for (const std::string& inner : nodes_.at(node)) sum += count(inner, depth + 1);
+    if (sum > kMostNodes) refuse("expected nodes that place less than 1e6 others, found more");
+    return counts_[node] = sum;
+  }
+
+  const std::string& source_;
+  geom::Skipped& skipped_;
+  std::set<std::string> geometries_;
+  std::set<std::string> placed_;                           // geometries
+  std::map<std::string, std::vector<std::string>> nodes_;  // by id: which others they place
+  std::map<std::string, double> counts_;
+  std::vector<std::string> open_;  // nodes
+  int scenes_ = 0;
+};
+
+}  // namespace
+
+void check_collada_links(std::string_view text, const std::string& source, geom::Skipped& skipped) {
+  Links(source, skipped).read(text);
+}
+
+}  // namespace mesh

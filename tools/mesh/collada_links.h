@@ -1,0 +1,16 @@
+#pragma once
+
+// What a COLLADA file names and assimp would leave out without a word, or fall over.
+
+#include <string>
+#include <string_view>
+
+#include "geom/import/skipped.h"
+
+namespace mesh {
+
+// Adds to `skipped` what is placed from elsewhere or is not there. Throws InputError for nodes that
+// are within themselves or multiply beyond a million, for skews, and for what bones or morphs move.
+void check_collada_links(std::string_view text, const std::string& source, geom::Skipped& skipped);
+
+}  // namespace mesh
