@@ -25,8 +25,9 @@ class ObjReader {
     std::string whole;
     while (lines_.next()) {
       std::string_view line = lines_.line();
-      if (line.starts_with('#')) continue;
+      line = line.substr(0, line.find('#'));  // a comment goes to the end of its line, "\" or not
       if (line.ends_with('\\')) {
+        require_numbers(whole.empty() ? line : whole);
         whole += line.substr(0, line.size() - 1);
         whole += ' ';
         continue;
@@ -45,9 +46,19 @@ class ObjReader {
   }
 
  private:
+  // A name may end in a backslash that does not mean to swallow the next line.
+  void require_numbers(std::string_view line) const {
+    const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
+    const std::string_view word = line.substr(first, line.find_first_of(" \t\\", first) - first);
+    for (const char* known : {"v", "vt", "vn", "f", "fo", "l", "p"}) {
+      if (word == known) return;
+    }
+    lines_.refuse(fmt::format("expected a line of numbers before \"\\\", found \"{}\"",
+                              excerpt(line, 40)));
+  }
+
   void add(std::string_view line) {
     words_.clear();
-    line = line.substr(0, line.find('#'));
     for (std::size_t at = 0; (at = line.find_first_not_of(" \t", at)) != std::string_view::npos;) {
       const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
       words_.push_back(line.substr(at, end - at));

@@ -96,6 +96,7 @@ TEST(ReadObj, RefusesWhatIsNoModel) {
   expect_refusal(obj, three + "f 1 2 0\n", "expected the number of a vertex");
   expect_refusal(obj, three + "f 1 2 -4\n", "expected the number of a vertex");
   expect_refusal(obj, three + "f 1 2 99999999999999999999\n", "expected the number of a vertex");
+  expect_refusal(obj, three + "usemtl C:\\wood\\\nf 1 2 3\n", "expected a line of numbers");
   expect_refusal(obj, three + "f 1 2 3 \\\n", "found the end");
 }
 
