@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "geom/map/footprint.h"
 #include "geom/shape/vec3.h"
@@ -13,6 +14,24 @@
 namespace oracle {
 
 using geom::Vec3;
+
+inline bool any_holds(const std::vector<geom::Aabb>& boxes, const Vec3& p) {
+  return std::any_of(boxes.begin(), boxes.end(),
+                     [&](const geom::Aabb& b) { return geom::contains(b, p); });
+}
+
+// Solid under the ring's corners, down to a height.
+inline geom::Footprint solid_under(const std::vector<Vec3>& ring, double bottom = 0) {
+  geom::Footprint f;
+  f.bottom = bottom;
+  f.top = ring.front().z();
+  for (const Vec3& p : ring) {
+    f.polygon.outer.push_back(p.head<2>());
+    f.heights.push_back(p.z());
+    f.top = std::max(f.top, p.z());
+  }
+  return f;
+}
 
 // Below a fan of triangles about the first corner, down to a height. The ring is convex in plan, or
 // upright.

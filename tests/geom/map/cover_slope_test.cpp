@@ -9,28 +9,15 @@
 namespace geom {
 namespace {
 
-bool any_holds(const std::vector<Aabb>& boxes, const Vec3& p) {
-  return std::any_of(boxes.begin(), boxes.end(), [&](const Aabb& b) { return contains(b, p); });
-}
-
-Footprint under(const std::vector<Vec3>& ring, double bottom = 0) {
-  Footprint f;
-  f.bottom = bottom;
-  f.top = ring.front().z();
-  for (const Vec3& p : ring) {
-    f.polygon.outer.push_back(p.head<2>());
-    f.heights.push_back(p.z());
-    f.top = std::max(f.top, p.z());
-  }
-  return f;
-}
+using oracle::any_holds;
+using oracle::solid_under;
 
 std::vector<Aabb> covered(const Footprint& f, double slack, double margin = 0) {
   return cover_slope(f, fit_plane(corners_of(f)), slack, margin);
 }
 
 TEST(CoverSlope, FollowsARoofInStripes) {
-  const Footprint roof = under({{0, 0, 3}, {12, 0, 3}, {12, 5, 8}, {0, 5, 8}});
+  const Footprint roof = solid_under({{0, 0, 3}, {12, 0, 3}, {12, 5, 8}, {0, 5, 8}});
   const std::vector<Aabb> boxes = covered(roof, 0.5);
   EXPECT_LT(boxes.size(), 25u);
   EXPECT_TRUE(any_holds(boxes, {6, 2.5, 5.5}));
@@ -39,11 +26,11 @@ TEST(CoverSlope, FollowsARoofInStripes) {
 }
 
 TEST(CoverSlope, TakesASteepFacetInFewSteps) {
-  EXPECT_LT(covered(under({{0, 0, 0}, {4, 0, 0}, {4, 1, 30}, {0, 1, 30}}), 0.5).size(), 10u);
+  EXPECT_LT(covered(solid_under({{0, 0, 0}, {4, 0, 0}, {4, 1, 30}, {0, 1, 30}}), 0.5).size(), 10u);
 }
 
 TEST(CoverSlope, KeepsAHoleOpen) {
-  Footprint f = under({{0, 0, 2}, {20, 0, 2}, {20, 20, 12}, {0, 20, 12}});
+  Footprint f = solid_under({{0, 0, 2}, {20, 0, 2}, {20, 20, 12}, {0, 20, 12}});
   f.polygon.holes = {{{8, 8}, {12, 8}, {12, 12}, {8, 12}}};
   f.heights.insert(f.heights.end(), {6, 6, 8, 8});
   const std::vector<Aabb> boxes = covered(f, 0.5);
@@ -59,7 +46,7 @@ TEST(CoverSlope, CoversRingsOfAnyNumberOfCorners) {
     const Vec2 p(20 * std::cos(angle), 20 * std::sin(angle));
     ring.push_back({p.x(), p.y(), 30 + 0.3 * p.x() + 0.2 * p.y()});
   }
-  const Footprint f = under(ring);
+  const Footprint f = solid_under(ring);
   const std::vector<Aabb> boxes = covered(f, 0.5);
   const oracle::SolidBelow solid(f);
   support::Random random(3);
@@ -85,7 +72,7 @@ TEST(CoverSlope, HoldsAllBelowAndKeepsTheSlack) {
       const double noise = k % 3 == 0 ? random.uniform(-0.01, 0.01) : 0;
       ring.push_back({p.x(), p.y(), 60 + steep * gradient.dot(p - Vec2(100, -50)) + noise});
     }
-    const Footprint f = under(ring, 10);
+    const Footprint f = solid_under(ring, 10);
     const PlaneFit plane = fit_plane(corners_of(f));
     if (is_upright(plane, slack)) continue;
     const std::vector<Aabb> boxes = covered(f, slack, k % 2 ? slack / 50 : 0);

@@ -9,39 +9,27 @@
 namespace geom {
 namespace {
 
-bool any_holds(const std::vector<Aabb>& boxes, const Vec3& p) {
-  return std::any_of(boxes.begin(), boxes.end(), [&](const Aabb& b) { return contains(b, p); });
-}
-
-Footprint wall(const std::vector<Vec3>& ring, double bottom = 0) {
-  Footprint f;
-  f.bottom = bottom;
-  f.top = ring.front().z();
-  for (const Vec3& p : ring) {
-    f.polygon.outer.push_back(p.head<2>());
-    f.heights.push_back(p.z());
-    f.top = std::max(f.top, p.z());
-  }
-  return f;
-}
+using oracle::any_holds;
+using oracle::solid_under;
 
 std::vector<Aabb> covered(const Footprint& f, double slack) {
   return cover_upright(f, fit_plane(corners_of(f)), slack, [](const Footprint&) { return false; });
 }
 
 TEST(CoverUpright, AWallIsOneBox) {
-  const auto boxes = covered(wall({{0, 0, 0}, {9, 0, 0}, {9, 0, 5}, {0, 0, 5}}), 0.5);
+  const auto boxes = covered(solid_under({{0, 0, 0}, {9, 0, 0}, {9, 0, 5}, {0, 0, 5}}), 0.5);
   ASSERT_EQ(boxes.size(), 1u);
   EXPECT_EQ(boxes[0].max.z(), 5);
   EXPECT_LT(boxes[0].max.y() - boxes[0].min.y(), 1e-6);
 }
 
 TEST(CoverUpright, FollowsAGableAndABattlement) {
-  const auto gable = covered(wall({{0, 0, 0}, {8, 0, 0}, {8, 0, 4}, {4, 0, 8}, {0, 0, 4}}), 0.5);
+  const auto gable =
+      covered(solid_under({{0, 0, 0}, {8, 0, 0}, {8, 0, 4}, {4, 0, 8}, {0, 0, 4}}), 0.5);
   EXPECT_TRUE(any_holds(gable, {4, 0, 8}));
   EXPECT_FALSE(any_holds(gable, {1, 0, 6}));
   const auto battlement = covered(
-      wall(
+      solid_under(
           {{0, 0, 0}, {6, 0, 0}, {6, 0, 9}, {4, 0, 9}, {4, 0, 5}, {2, 0, 5}, {2, 0, 9}, {0, 0, 9}}),
       0.5);
   EXPECT_TRUE(any_holds(battlement, {1, 0, 9}));
@@ -50,11 +38,11 @@ TEST(CoverUpright, FollowsAGableAndABattlement) {
 }
 
 TEST(CoverUpright, APoleIsABoxToo) {
-  EXPECT_TRUE(any_holds(covered(wall({{3, 3, 0}, {3, 3, 9}, {3, 3, 4}}), 0.5), {3, 3, 9}));
+  EXPECT_TRUE(any_holds(covered(solid_under({{3, 3, 0}, {3, 3, 9}, {3, 3, 4}}), 0.5), {3, 3, 9}));
 }
 
 TEST(CoverUpright, LeavesOutWhatOthersHold) {
-  const Footprint f = wall({{0, 0, 0}, {8, 0, 0}, {8, 0, 4}, {0, 0, 4}});
+  const Footprint f = solid_under({{0, 0, 0}, {8, 0, 0}, {8, 0, 4}, {0, 0, 4}});
   EXPECT_TRUE(cover_upright(f, fit_plane(corners_of(f)), 0.5, [](const Footprint&) {
                 return true;
               }).empty());
@@ -72,9 +60,9 @@ TEST(CoverUpright, HoldsAllBelowAndKeepsTheSlack) {
                   along * std::sin(turn) + aside * std::cos(turn), z);
     };
     // A fan about the first corner: what it spans is below the ring's upper edges.
-    const Footprint f = wall({at(0, 2), at(9, 2), at(9, random.uniform(5, 9)),
-                              at(5, random.uniform(9, 14)), at(0, random.uniform(5, 9))},
-                             2);
+    const Footprint f = solid_under({at(0, 2), at(9, 2), at(9, random.uniform(5, 9)),
+                                     at(5, random.uniform(9, 14)), at(0, random.uniform(5, 9))},
+                                    2);
     const std::vector<Aabb> boxes = covered(f, slack);
     const oracle::SolidBelow solid(f);
     for (int i = 0; i < 300; ++i) {
