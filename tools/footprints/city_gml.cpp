@@ -122,7 +122,10 @@ class Reader : public XmlHandler {
       begin_shape(element, frame);
     } else if (kLines.contains(name) || name == "controlPoint") {
       const bool apart = shapes_open_.empty() || name == "controlPoint";
-      if (!objects_.empty() && apart && !implicit_) ++object().others;
+      if (!objects_.empty() && apart && !implicit_) {
+        ++object().others;
+        object().drawn += draws_lines(frames_.back().name);
+      }
     } else if (is_type(name)) {
       take_type(element, frame);
     } else {

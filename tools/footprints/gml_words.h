@@ -51,6 +51,11 @@ inline bool is_type(std::string_view name) {
   return !name.empty() && name[0] >= 'A' && name[0] <= 'Z';
 }
 
+// Properties whose lines are the object, and not where it meets the ground or has its address.
+inline bool draws_lines(std::string_view property) {
+  return property.ends_with("MultiCurve") || property.ends_with("Geometry");
+}
+
 // "urn:ogc:def:uom:UCUM::m" and "#m" as "m".
 inline std::string unit_of(std::string_view uom) {
   const std::size_t at = uom.find_last_of(":#/");

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstring>
 #include <sstream>
 
@@ -92,7 +93,11 @@ class Reader {
       if (std::memcmp(bytes + 2, "LASF_Projection", 16) == 0 && (id == 2112 || id == 34735)) {
         return true;
       }
-      at += kLaterHead + number_at<std::uint64_t>(bytes + 20);
+      const auto length = number_at<std::uint64_t>(bytes + 20);
+      if (length >= UINT64_MAX - kLaterHead - at) {  // it would lead back, and never end
+        refuse(source_, fmt::format("a record after its points claims {} bytes", length));
+      }
+      at += kLaterHead + length;
     }
     return false;
   }

@@ -122,6 +122,11 @@ class Builder {
       }
       return;
     }
+    // Lines of what lies on the ground are its middle or its network.
+    if (object.drawn > 0 && !kLevel.contains(object.type)) {
+      skip(object,
+           fmt::format("{} of lines or points beside its surfaces", object.type.substr(0, 40)));
+    }
     for (const CitySurface* surface : shape.surfaces) {
       for (const auto& ring : *surface) {
         for (const Vec3& p : ring) {

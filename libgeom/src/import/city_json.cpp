@@ -141,6 +141,7 @@ class Reader {
     const std::string type = shape.value("type", Json()).dump();
     if (type.find("Surface") == std::string::npos && type.find("Solid") == std::string::npos) {
       ++out.others;
+      ++out.drawn;
       return;
     }
     const Json lod = shape.value("lod", Json(0));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <sstream>
 
 #include "geom/base/error.h"
@@ -147,6 +149,17 @@ TEST(Copc, RefusesAPageThatLeadsToItself) {
   std::memcpy(&root, &bytes[375 + 54 + 40], 8);
   const std::size_t last = root + 32 * file.page;  // the entry that leads on
   std::memcpy(&bytes[last + 16], &root, 8);
+  EXPECT_THROW(read_part(bytes, {}), InputError);
+}
+
+TEST(Copc, RefusesALaterRecordThatLeadsBack) {
+  std::string bytes = file_bytes();
+  std::uint64_t at = 0;
+  std::memcpy(&at, &bytes[235], 8);
+  const std::uint32_t many = 0xFFFFFFFF;
+  std::memcpy(&bytes[243], &many, 4);
+  const std::uint64_t back = UINT64_MAX - 59;
+  std::memcpy(&bytes[at + 20], &back, 8);
   EXPECT_THROW(read_part(bytes, {}), InputError);
 }
 

@@ -129,6 +129,17 @@ TEST(CityFootprints, PartsOfOneStandOnItsLowestPoint) {
   for (const Footprint& f : out.footprints) EXPECT_EQ(f.bottom, 1);
 }
 
+TEST(CityFootprints, NameLinesBesideSurfaces) {
+  CityObject house = object("Building", {at_lod(2, {square(0, 9, 0), square(0, 9, 15)})});
+  house.others = 1;  // where it meets the ground
+  EXPECT_TRUE(built({house}).skipped.empty());
+  house.drawn = 1;
+  EXPECT_EQ(built({house}).skipped.count(), 1u);
+  EXPECT_EQ(built({house}).footprints.size(), 2u);
+  house.type = "Road";
+  EXPECT_TRUE(built({house}).skipped.empty());
+}
+
 TEST(CityFootprints, NameWhatHasNoHeight) {
   EXPECT_NE(built({object("CityFurniture", {at_lod(0, {square(0, 1, 5)})})})
                 .skipped.text()

@@ -26,7 +26,8 @@ struct CityObject {
   std::string whole;     // the same for all parts of one, and for that
   bool is_part = false;  // of another
   std::vector<CityGeometry> geometries;
-  std::size_t others = 0;  // shapes of points or lines
+  std::size_t others = 0;  // shapes of points or lines,
+  std::size_t drawn = 0;   // and of these, those that draw the object, as lines do an aerial
   bool has_parts = false;
   std::map<std::string, std::string> attributes;  // heights with their unit: "6.52 m"
 };
