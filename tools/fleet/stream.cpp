@@ -35,12 +35,12 @@ void Stream::read_ways(const std::string& path) {
 
 void Stream::require_agrees(const TrajectoryRecord& record, const std::string& source,
                             std::size_t line) {
-  if (!any_) {
-    provenance_ = record.provenance;
-    epoch_ = record.time.epoch;
-    any_ = true;
-  }
+  if (!any_) epoch_ = record.time.epoch;
+  any_ = true;
   geom::require_map_agrees(record.provenance, provenance_, source, line);
+  // What the first does not say, others may: they must agree among themselves.
+  if (!provenance_.map) provenance_.map = record.provenance.map;
+  if (!provenance_.frame) provenance_.frame = record.provenance.frame;
   geom::require_epoch_agrees(record.time.epoch, epoch_, source, line);
   if (traj::outside_domain(record.trajectory, {})) {
     throw InputError(source, line,

@@ -67,7 +67,7 @@ class Stream {
   std::map<std::string, std::size_t, std::less<>> entry_of_;  // by id
   std::uint32_t numbers_ = 0;
   bool any_ = false;
-  geom::Provenance provenance_;  // of the first
+  geom::Provenance provenance_;  // map and frame of those that say them
   std::optional<std::string> epoch_;
 };
 
