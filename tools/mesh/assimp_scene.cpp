@@ -143,6 +143,17 @@ std::size_t polygons_of_collada(std::string_view text) {
   return sum;
 }
 
+// A master scale, which assimp divides by and other programs pass over.
+void require_no_scale(std::string_view chunk, const std::string& source) {
+  float scale = 0;
+  if (chunk.size() >= sizeof scale) std::memcpy(&scale, chunk.data(), sizeof scale);
+  if (scale == 1) return;
+  throw geom::InputError(source,
+                         fmt::format("expected a 3DS file whose master scale is 1, found {}: "
+                                     "programs differ in what it means",
+                                     scale));
+}
+
 // The sum of the counts of 3DS chunks of faces (0x4120), which are in others.
 std::size_t faces_of_3ds(std::string_view bytes, const std::string& source, int depth = 0) {
   const auto word = [&](std::size_t at, std::size_t size) {
@@ -161,6 +172,7 @@ std::size_t faces_of_3ds(std::string_view bytes, const std::string& source, int 
     }
     std::string_view inner = bytes.substr(at + 6, length - 6);
     if (id == 0x4000) inner = inner.substr(std::min(inner.find('\0'), inner.size() - 1) + 1);
+    if (id == 0x0100) require_no_scale(inner, source);
     if (id == 0x4120 && inner.size() >= 2) sum += word(at + 6, 2);
     const bool nested = id == 0x4D4D || id == 0x3D3D || id == 0x4000 || id == 0x4100;
     if (nested && depth < 10) sum += faces_of_3ds(inner, source, depth + 1);
