@@ -19,6 +19,14 @@ bool is_safe(char c) {
          kOthers.find(c) != std::string_view::npos;
 }
 
+// Of a name in which letters beyond ASCII are not looked at.
+std::string without_case(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return name;
+}
+
 }  // namespace
 
 std::string safe_name(const std::string& id) {
@@ -42,7 +50,7 @@ std::string OutputNames::of(const std::string& id, const std::string& source) {
   if (!each()) return pattern_;
   std::string name = pattern_;
   name.replace(at_, 2, safe_name(id));
-  const auto [there, is_new] = id_of_.emplace(name, id);
+  const auto [there, is_new] = id_of_.emplace(without_case(name), id);
   if (!is_new) {
     throw geom::InputError(
         source, fmt::format("expected ids that give different files, found \"{}\" and \"{}\" for "

@@ -19,13 +19,14 @@ class OutputNames {
 
   bool each() const { return at_ != std::string::npos; }  // a file for each id
 
-  // Throws geom::InputError(source, …) where another id has that name.
+  // Throws geom::InputError(source, …) where another id has that name, or one that differs by upper
+  // and lower case alone: many drives and sticks keep one file for both.
   std::string of(const std::string& id, const std::string& source);
 
  private:
   std::string pattern_;
-  std::size_t at_;  // of %s
-  std::map<std::string, std::string> id_of_;
+  std::size_t at_;                            // of %s
+  std::map<std::string, std::string> id_of_;  // by the name in lower case
 };
 
 }  // namespace exporting

@@ -144,7 +144,11 @@ class Show {
 
   std::string spacing_words() const {
     const auto& spacing = options_.spacing;
-    if (!spacing.zone) return "the vehicles' boxes with their margins";
+    if (!spacing.zone) {
+      const double spare = options_.vehicle.spare;
+      return spare > 0 ? fmt::format("the vehicles' boxes with their margins less {} m", spare)
+                       : "the vehicles' boxes with their margins";
+    }
     const geom::Vec3& reach = spacing.zone->reach;
     return spacing.zone->round ? fmt::format("{} m across or {} m in height", reach.x(), reach.z())
                                : fmt::format("{} m along x, {} m along y or {} m in height",
@@ -158,6 +162,9 @@ class Show {
     } else {
       out += fmt::format("# Proved clear of the map, and apart by {}, while they begin so.\n",
                          spacing_words());
+      if (options_.parked == traj::Parked::gone) {
+        out += "# Only in flight: one that stands before or after was not looked at.\n";
+      }
     }
     out += fmt::format("checked: {}\n", !options_.unchecked);
     const auto& epoch = acts_.front().flight->time.epoch;

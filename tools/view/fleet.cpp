@@ -87,6 +87,15 @@ std::vector<Fleet::Pair> Fleet::pairs() const {
   return out;
 }
 
+const traj::TogetherSummary* Fleet::verdict() const {
+  const traj::TogetherSummary* out = nullptr;
+  for (const auto& [check, source, line] : contents_.together) {
+    if (!check.ok) return &check;
+    if (check.flights == flights_.size()) out = &check;
+  }
+  return out;
+}
+
 Json Fleet::json(Bundle& bundle) const {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   std::vector<float> nearest(flights_.size(), kNone);
@@ -106,13 +115,12 @@ Json Fleet::json(Bundle& bundle) const {
         {{"of", {pair.first, pair.second}}, {"time", pair.time}, {"distance", pair.distance}});
     if (!pair.reason.empty()) out["pairs"].back()["reason"] = pair.reason;
   }
-  if (!contents_.together.empty()) {
-    const traj::TogetherSummary& check = contents_.together.front().record;
-    out["check"] = {{"ok", check.ok},
-                    {"flights", check.flights},
-                    {"pairs", check.pairs},
-                    {"refused", check.refused},
-                    {"left_out", check.left_out}};
+  if (const traj::TogetherSummary* check = verdict()) {
+    out["check"] = {{"ok", check->ok},
+                    {"flights", check->flights},
+                    {"pairs", check->pairs},
+                    {"refused", check->refused},
+                    {"left_out", check->left_out}};
   }
   return out;
 }

@@ -43,6 +43,9 @@ class Fleet {
 
   void measure(const geom::Execution& run);
   std::vector<Pair> pairs() const;
+  // A check that failed, where there is one, else one of as many flights as are shown; null where
+  // there is neither.
+  const traj::TogetherSummary* verdict() const;
 
   const cli::Contents& contents_;
   std::vector<const traj::TrajectoryRecord*> flights_;

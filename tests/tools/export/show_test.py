@@ -71,15 +71,31 @@ def check_refusals(folder):
     same = cut[1].replace('"id":"cf2"', '"id":"c/f"') + "\n" + cut[2].replace('"id":"cf3"', '"id":"c?f"') + "\n"
     (folder / "same.jsonl").write_text(same)
     assert "c_f.csv" in run(export.format("same.jsonl", "same"), folder, 3).stderr
+    case = cut[0] + "\n" + cut[1].replace('"id":"cf2"', '"id":"CF1"') + "\n"  # one file where names have no case
+    (folder / "case.jsonl").write_text(case)
+    assert "CF1.csv" in run(export.format("case.jsonl", "case"), folder, 3).stderr
     epoch = cut[1].replace('"start":', '"epoch":"2026-05-04T06:30:00Z","start":', 1)
     (folder / "epoch.jsonl").write_text("\n".join([cut[0], epoch]) + "\n")
     assert "epoch" in run(export.format("epoch.jsonl", "epoch"), folder, 3).stderr
     before = (folder / "show" / "cf1.csv").read_bytes()
     assert "is there" in run(export.format("wishes.jsonl", "show"), folder, 2).stderr
     assert (folder / "show" / "cf1.csv").read_bytes() == before
-    for name in ("near", "wide", "twice", "same", "epoch"):
+    for name in ("near", "wide", "twice", "same", "case", "epoch"):
         assert not (folder / name).exists(), name
     assert not list(folder.glob("*.part")), list(folder.glob("*.part"))
+
+
+def check_words(folder):
+    """show.yaml claims no more than was proved."""
+    def words(name, *options):
+        command = " ".join(["skyway-export room.boxmap flights.jsonl --format crazyflie --show", name, *options])
+        run(command, folder)
+        return (folder / name / "show.yaml").read_text().split("checked:")[0]
+
+    stands = "stands before or after was not looked at"
+    assert stands not in words("pad", "--separation 0.25,0.3")
+    assert stands in words("gone", "--separation 0.25,0.3 --parked gone")
+    assert "with their margins less 0.05 m, while" in words("spared", "--spare 0.05")
 
 
 def check_unchecked(folder):
@@ -103,6 +119,7 @@ def main(folder):
     assert "Thirty Crazyflies" in (folder / "show.html").read_text()
     assert "30 flights" in (folder / "fleet.svg").read_text()
     check_refusals(folder)
+    check_words(folder)
     check_unchecked(folder)
 
 

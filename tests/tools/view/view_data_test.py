@@ -275,11 +275,27 @@ def check_fleet(folder):
         assert abs(pair["distance"] - math.hypot(said["across"], said["up"])) < 1e-9
     check = Page(folder / "fleet.html").meta["fleet"]["check"]
     assert not check["ok"] and check["refused"] == len(refused) and check["pairs"] == 40 * 39 // 2
+    check_verdict(folder, lines[-1])
     few = [json.dumps({**r, "start": None, "earliest": None, "epoch": None}) for r in records[:5]]
     (folder / "few.jsonl").write_text("\n".join(few) + "\n")  # no times, few flights: as ever
     run("skyway-view", folder / "map", folder / "few.jsonl", "-o", folder / "few.html")
     meta = Page(folder / "few.html").meta
     assert "fleet" not in meta and all("samples" in m and "start" not in m for m in meta["motions"])
+
+
+def check_verdict(folder, failed):
+    """Of several checks one that failed is shown; none that says ok of other flights."""
+    good = {**failed, "ok": True, "refused": 0}
+
+    def shown(*lines):
+        (folder / "verdicts.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
+        run("skyway-view", folder / "map", folder / "fleet.jsonl", folder / "verdicts.jsonl", "-o", folder / "verdicts.html")
+        return Page(folder / "verdicts.html").meta["fleet"].get("check")
+
+    assert shown(good)["ok"]
+    assert not shown(good, failed)["ok"] and not shown(failed, good)["ok"]
+    assert shown({**good, "flights": 39, "pairs": 39 * 19}) is None
+    assert shown({**good, "flights": 39, "pairs": 39 * 19}, good)["flights"] == 40
 
 
 def check_approaches(page, records, fleet):

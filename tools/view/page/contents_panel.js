@@ -66,5 +66,6 @@ function summaryWords() {
     : `${count(meta.reports.length, "check")} passed`);
   if (together && together.check) words.push(together.check.ok ? `${count(together.check.pairs, "pair")} proved apart`
     : `${decimals(together.check.refused, 0)} of ${count(together.check.pairs, "pair")} failed`);
+  if (together && together.check && together.check.left_out) words.push(`${count(together.check.left_out, "flight")} not compared`);
   return words.join(" · ");
 }
