@@ -53,8 +53,8 @@ class ObjReader {
     for (const char* known : {"v", "vt", "vn", "f", "fo", "l", "p"}) {
       if (word == known) return;
     }
-    lines_.refuse(fmt::format("expected a line of numbers before \"\\\", found \"{}\"",
-                              excerpt(line, 40)));
+    lines_.refuse(
+        fmt::format("expected a line of numbers before \"\\\", found \"{}\"", excerpt(line, 40)));
   }
 
   void add(std::string_view line) {

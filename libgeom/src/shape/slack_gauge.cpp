@@ -10,7 +10,7 @@ namespace {
 // however it is rounded.
 constexpr double kSurelyNear = 0.978;
 constexpr double kSurelyFar = 1.0001;
-constexpr double kLong = 16;  // times as long as high
+constexpr double kLong = 16;            // times as long as high
 constexpr std::size_t kManyEdges = 32;  // near a slab: looking at each beside all is no short cut
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -158,8 +158,8 @@ bool SlackGauge::beside_any(const Rectangle& r) const {
   return false;
 }
 
-// Whether a long rectangle, along which an edge runs, is surely allowed as a band beside the edge, one
-// above and one below that are inside. Halving it would end only where it is as long as high.
+// Whether a long rectangle, along which an edge runs, is surely allowed as a band beside the edge,
+// one above and one below that are inside. Halving it would end only where it is as long as high.
 bool SlackGauge::within_bands(const Rectangle& r) {
   const Vec2 size = r.max - r.min;
   if (size.x() < kLong * std::max(size.y(), slack_)) return false;

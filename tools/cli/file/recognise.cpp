@@ -152,7 +152,8 @@ constexpr std::array kJson = {
 // In ZIP archives, by the name or the text of the first entry. A shard tells of what it is a part
 // of.
 constexpr std::array kZip = {
-    Word{R"("format":"skyway-shard")", "a shard", "skyway-join skyway-fleet skyway-fly skyway-info", ""},
+    Word{R"("format":"skyway-shard")", "a shard", "skyway-join skyway-fleet skyway-fly skyway-info",
+         ""},
     Word{R"("format":"skyway-boxmap")", "a box map", kMapTools, ""},
     Word{R"("format":"skyway-roadmap")", "a roadmap",
          "skyway-plan skyway-replan skyway-roadmap skyway-bench skyway-info", ""},
