@@ -111,6 +111,8 @@ def mutants(records, certificate):
     yield "a flight twice", changed(lambda r, c: r.append(r[0]))
     yield "another epoch", changed(lambda r, c: c[claim].__setitem__("epoch", "2026-05-04T07:30:00Z"))
     yield "another epoch of one", changed(lambda r, c: r[0].__setitem__("epoch", "2026-05-04T07:30:00Z"))
+    yield "another map of one", changed(lambda r, c: [r[i].__setitem__("map", m) for i, m in ((0, "sha256:a"), (1, "sha256:b"))])
+    yield "another frame of one", changed(lambda r, c: [r[i].__setitem__("frame", f) for i, f in ((0, "enu"), (1, "neu"))])
     yield "neither pad nor gone", changed(lambda r, c: c[claim].__setitem__("parked", "hidden"))
     yield "a status", changed(lambda r, c: r[0].__setitem__("status", "infeasible"))
     first = certificate[proofs[0]]["ids"]
@@ -119,6 +121,7 @@ def mutants(records, certificate):
     yield "the one where the other is", changed(lambda r, c: next(x for x in r if x["id"] == other["id"]).update(met))
     if "rooms" in certificate[claim]:
         yield "less room", changed(lambda r, c: c[claim]["rooms"][0].__setitem__(2, 0.25))
+        yield "no size", changed(lambda r, c: [r[0].pop("vehicle"), c[claim]["rooms"].__setitem__(0, [0, 0, 0])])
         yield "no rooms", changed(lambda r, c: c[claim].pop("rooms"))
     else:
         yield "a wider zone", changed(lambda r, c: c[claim]["separation"].__setitem__("reach", [90, 90, 90]))

@@ -121,6 +121,9 @@ class Claim:
         ids = entries(line.get("flights"), "flights")
         require(ids == [f.id for f in flights], "the flights of the certificate are not those of the records, in order")
         require(all(record.get("epoch") == line.get("epoch") for record in records), "the epochs differ")
+        for key in ("map", "frame"):
+            require(len({record[key] for record in records if record.get(key) is not None}) <= 1,
+                    f"the records say different values of {key}")
         self.zone = None if line.get("separation") == "vehicles" else self.read(line.get("separation"))
         self.downwash = self.read(line["downwash"]) if "downwash" in line else None
         self.rooms = None
@@ -128,6 +131,7 @@ class Claim:
             rooms = entries(line.get("rooms"), "rooms")
             require(len(rooms) == len(flights), "each flight must have a room")
             self.rooms = {f.id: [F(c) for c in numbers(room, 3, "a room", 0)] for f, room in zip(flights, rooms)}
+            require(all(c > 0 for room in self.rooms.values() for c in room), "a room has no size")
             for record in records:
                 self.require_room(record)
 
