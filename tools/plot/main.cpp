@@ -145,6 +145,13 @@ std::string clearance(const Options& options) {
   }
   const geom::CollisionScene& scene =
       scenes.scene_for(plot::provenance_of(contents), options.inputs[0], 0);
+  const auto require_same_room = [&](const auto& list) {
+    for (const auto& [record, source, line] : list) {
+      scenes.require_same_room(record.provenance, source, line);
+    }
+  };
+  require_same_room(contents.trajectories);
+  if (contents.trajectories.empty() && contents.flights.empty()) require_same_room(contents.paths);
   const plot::Tracks tracks = plot::tracks_of(contents, scene);
   first_of(tracks.list, options, "a path, a trajectory or a flight of some length");
   return plot::clearance(scene, tracks.list, tracks.x_label, paths_left_out(contents, options));

@@ -41,6 +41,15 @@ const geom::CollisionScene& Scenes::scene_for(const geom::Provenance& record,
   return build(room);
 }
 
+void Scenes::require_same_room(const geom::Provenance& record, std::string_view source,
+                               std::size_t line) const {
+  const Room room = agreed_room(record, asked_, differences_, source, line);
+  if (scene_ && scene_->vehicle() == room.vehicle && scene_->margin() == room.margin) return;
+  throw geom::InputError(source, line,
+                         "expected the vehicle and margin of the records before, found others: "
+                         "draw them apart, or name one for all with --vehicle and --margin");
+}
+
 nlohmann::ordered_json Scenes::stats() const {
   const geom::CollisionCounts counts = scene_ ? scene_->counts() : geom::CollisionCounts();
   return {{"groups", counts.groups},

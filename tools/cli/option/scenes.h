@@ -25,6 +25,10 @@ class Scenes {
   const geom::CollisionScene& scene_for(const geom::Provenance& record, std::string_view source,
                                         std::size_t line);
   const geom::CollisionScene& scene();  // by the options alone
+  // For what looks at several records in the last scene: InputError(source, line, …) where that is
+  // not of this one's room.
+  void require_same_room(const geom::Provenance& record, std::string_view source,
+                         std::size_t line) const;
   const geom::BoxMap& map() const { return map_; }
 
   // For --stats: how many groups of tiles the last scene built, and built again.
