@@ -94,6 +94,14 @@ void add_time(CLI::App& app, geom::FlightTime& time) {
       ->type_name("INSTANT");
 }
 
+void add_gap(CLI::App& app, double& gap) {
+  app.add_option(
+         "--gap", gap,
+         "metres by which segments of a trajectory may miss each other (default 0.001); ten "
+         "times as many m/s and a hundred times as many m/s2")
+      ->check(CLI::Range(0.0, 1.0));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -125,11 +133,7 @@ int main(int argc, char** argv) {
   cli::add_point(
       app, "--start", options.start,
       "where a Tello stands before it takes off, along the axes of --frame or of the map");
-  app.add_option(
-         "--gap", gap,
-         "metres by which segments of a trajectory may miss each other (default 0.001); ten "
-         "times as many m/s and a hundred times as many m/s2")
-      ->check(CLI::Range(0.0, 1.0));
+  add_gap(app, gap);
   add_time(app, time);
   app.add_option("--id", id, "id of the record (default: the file's name)");
   cli::add_output(app, "-o,--output", output,

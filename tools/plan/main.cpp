@@ -109,6 +109,26 @@ std::string certificate(const geom::CollisionScene& scene, const geom::PlanQuery
                                               geom::provenance_of(scene)});
 }
 
+// Answers queries, by layers where these were named.
+class Answers {
+ public:
+  Answers(plan::Planner& planner, const geom::CollisionScene& scene,
+          const planning::SearchOptions& search)
+      : planner_(planner), search_(search) {
+    if (search.layers) layered_.emplace(scene, planner, *search.layers);
+  }
+
+  plan::PlanResult to(const geom::PlanQuery& query) {
+    return layered_ ? layered_->plan(query.from, query.to, search_.started())
+                    : planner_.plan(query.from, query.to, search_.started());
+  }
+
+ private:
+  plan::Planner& planner_;
+  const planning::SearchOptions& search_;
+  std::optional<plan::LayerPlanner> layered_;
+};
+
 // Paths are written block by block, for the next tool of a pipe.
 Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
                   const std::vector<geom::PlanQuery>& queries, const geom::Shard& shard,
@@ -116,6 +136,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
   constexpr std::size_t kBlock = 1024;
   const std::vector<std::size_t> chosen = shard.items(queries.size());
   Planned planned;
+  Answers answers(planner, scene, search);
   for (std::size_t begin = 0; begin < chosen.size(); begin += kBlock) {
     std::vector<geom::PathRecord> records(std::min(kBlock, chosen.size() - begin));
     std::vector<std::vector<std::string>> moved(records.size());
@@ -126,7 +147,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
     };
     geom::parallel_for(records.size(), {run.threads, progress}, [&](std::size_t i) {
       const geom::PlanQuery& query = queries[chosen[begin + i]];
-      plan::PlanResult result = planner.plan(query.from, query.to, search.started());
+      plan::PlanResult result = answers.to(query);
       records[i] = plan::path_record(scene, query.id, result);
       records[i].time = query.time;
       moved[i] = planning::moved_ends(scene, query, result);

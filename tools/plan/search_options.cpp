@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <map>
 
+#include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/word_for.h"
@@ -15,6 +17,7 @@ namespace planning {
 namespace {
 
 constexpr double kSpacing = 10;  // metres, in a city
+constexpr int kMostLayers = 360;
 
 const std::map<std::string, plan::Method> kMethod = [] {
   std::map<std::string, plan::Method> out;
@@ -35,6 +38,30 @@ void add_path_options(CLI::App& app, plan::PlanOptions& options) {
          "move a blocked or outside end to the nearest free place within this, metres; stderr "
          "says where to")
       ->check(CLI::Range(0.0, 1e4));
+}
+
+void add_layers(CLI::App& app, std::optional<plan::Layers>& layers) {
+  app.add_option_function<std::string>(
+         "--layers",
+         [&layers](const std::string& text) {
+           const auto v = cli::parse_numbers(text, 3);
+           const bool good = v && (*v)[1] > 0 && (*v)[2] >= 1 && (*v)[2] <= kMostLayers &&
+                             (*v)[2] == std::floor((*v)[2]);
+           if (!good) {
+             throw CLI::ValidationError(
+                 "--layers", fmt::format("expected LOW,STEP,COUNT: metres, metres above 0, and "
+                                         "1 to {} layers, found \"{}\"",
+                                         kMostLayers, text));
+           }
+           layers = plan::Layers{(*v)[0], (*v)[1], static_cast<int>((*v)[2])};
+         },
+         "cruise in one of COUNT layers, each STEP metres high, from LOW on upwards, by the "
+         "direction: the first is for flights from north to before 360/COUNT degrees clockwise")
+      ->type_name("LOW,STEP,COUNT")
+      ->excludes("--bound")
+      ->excludes("--resample")
+      ->excludes("--raw")
+      ->excludes("--certificate");
 }
 
 void add_sampling_options(CLI::App& app, plan::SamplingOptions& sampling) {
@@ -87,6 +114,7 @@ void SearchOptions::add_to(CLI::App& app) {
   cli::add_output(app, "--certificate", certificate,
                   "write for each unreachable goal (auto) and each bound what shows it "
                   "(docs/certificates.md)");
+  add_layers(app, layers);
   app.add_flag(
          "--fill", fill,
          "--roadmap is worked out where queries come to it, and kept: made where there is none, "
@@ -110,7 +138,7 @@ void SearchOptions::refuse_idle(const CLI::App& app, const cli::ArtefactFiles& f
   cli::only_for(app, plan.method == Method::automatic || plan.gap > 0, {"--certificate"},
                 "the method auto, and for --bound");
   cli::only_for(app, !sampling, {"--lattice", "--roadmap"}, "the methods auto and astar");
-  cli::only_for(app, plan.method == Method::automatic, {"--fill"}, "the method auto");
+  cli::only_for(app, plan.method == Method::automatic, {"--fill", "--layers"}, "the method auto");
   if (fill && files.roadmap == "-") {
     throw cli::UsageError("--fill needs a file, which it writes anew, found stdin as --roadmap");
   }

@@ -8,12 +8,14 @@
 
 #include "cli/file/artefacts.h"
 #include "plan/lattice/build_lattice.h"
+#include "plan/planner/layers.h"
 #include "plan/planner/plan.h"
 
 namespace planning {
 
 struct SearchOptions {
   plan::PlanOptions plan;
+  std::optional<plan::Layers> layers;  // to cruise in
   std::optional<double> spacing;  // metres, of astar's lattice where no file gives one
   int connect = 26;               // its neighbours of a node
   double seconds = 0;             // a search; 0: no end

@@ -14,6 +14,7 @@ std::string search_report(const PlanResult& result) {
       return geom::JsonLine().add("step", s.name).add("points", s.points).add("length", s.length);
     });
   }
+  report.add("layer", result.layer);
   report.add("snapped_start", result.snapped_start).add("snapped_goal", result.snapped_goal);
   return report.object();
 }

@@ -5,20 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
 
-#include "geom/base/error.h"
+#include "bend_steps.h"
 #include "geom/base/precondition.h"
 #include "geom/text/counted.h"
 #include "lattice_level.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/shortcut.h"
 #include "plan/planner/snap_end.h"
-#include "plan/planner/taut.h"
 #include "plan/reach/reach.h"
 #include "plan/roadmap/roadmap_fill.h"
 #include "refused_end.h"
 #include "shown_point.h"
+#include "step.h"
 
 namespace plan {
 namespace {
@@ -29,17 +28,6 @@ constexpr double kSpacing = 10;       // metres: of the first lattice on a map o
 constexpr int kLevels = 3;            // each of half the spacing of the one before
 constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets a finer one
 constexpr double kDetour = 1.2;       // of the straight line: then a finer lattice may know better
-constexpr double kCorridor = 40;      // metres beside a lattice's path that bends are sought in
-constexpr double kClose = 4;          // metres beside a path that bends are sought in more closely
-constexpr double kClosePart = 3;      // metres: how closely
-constexpr double kCloseMost = 150;  // metres between ends: beyond, bends are close enough as it is
-constexpr std::size_t kPaths = 4;   // compared once pulled taut
-constexpr double kBend = 10;  // metres that bends in the middle of their parts may cost a path
-constexpr double kCorridorPart = 10;          // metres
-constexpr double kCorridorReach = 300;        // metres
-constexpr std::size_t kFirstBends = 8000;     // settled before it is known that there is a way
-constexpr std::size_t kFromGoalBends = 4000;  // settled the other way round
-constexpr std::size_t kCorridorBends = 3000;  // settled at most
 
 double nodes_at(const geom::Aabb& inner, double spacing) {
   double nodes = 1;
@@ -58,41 +46,6 @@ std::vector<double> spacings_for(const geom::Aabb& inner) {
   return spacings;
 }
 
-// What was read may say what it likes of its edges.
-void require_free(const geom::CollisionScene& scene, const Polyline& path, const char* source) {
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    if (scene.free(path[i - 1], path[i])) continue;
-    throw geom::InputError(
-        source,
-        fmt::format("the edge from {} to {} is blocked on this map: make the file again for it",
-                    shown(path[i - 1]), shown(path[i])));
-  }
-}
-
-bool polished(const PlanOptions& options) {
-  return !options.raw && options.quality != Quality::fast;
-}
-
-PathStep step_of(std::string_view name, const Polyline& path) {
-  return {name, path.size(), geom::length(path)};
-}
-
-// What is asked, once both ends are free.
-struct Task {
-  Vec3 from;
-  Vec3 to;
-  const PlanOptions& options;
-
-  double straight() const { return (to - from).norm(); }
-};
-
-// A path that a step of the recipe found, and how it came about.
-struct Found {
-  Polyline path;
-  std::vector<PathStep> steps;
-  std::size_t expanded = 0;
-};
-
 PlanResult with(Found found, Route route, PlanResult result) {
   result.status = PathStatus::found;
   result.route = route;
@@ -100,10 +53,6 @@ PlanResult with(Found found, Route route, PlanResult result) {
   result.steps = std::move(found.steps);
   result.expanded = found.expanded;
   return result;
-}
-
-bool shorter(const Polyline& path, const Polyline& than) {
-  return than.empty() || geom::length(path) < geom::length(than);
 }
 
 std::string why_not(const PlanResult& result) {
@@ -142,25 +91,10 @@ struct Planner::Impl {
   PlanResult by_cells(const Task& task, ReachResult reached, PlanResult tried) const;
   PlanResult by_level(LatticeLevel& level, const Task& task);
 
-  // What follow give a path that is shorter than `than`, or any where `than` is empty.
-  std::optional<Found> by_roadmap(const Task& task, RoadmapLimits limits, const Polyline& than);
-  std::optional<Found> by_roadmap_from_goal(const Task& task);
-  std::optional<Found> by_corridor(const Task& task, const Polyline& than) const;
-  std::optional<Found> by_close_bends(const Task& task, const Polyline& than) const;
-  std::optional<Found> by_bends(RoadmapSearch& search, const Task& task, RoadmapLimits limits,
-                                const Polyline& than) const;
-
-  Found refined(const Polyline& raw, const PlanOptions& options) const;
-
   const geom::CollisionScene& scene_;
-  bool has_roadmap() const { return roadmap_ || fill_; }
-
-  const Roadmap* roadmap_;
-  RoadmapFill* fill_;  // in its place
+  BendSteps bends_;
   Reach reach_;
   Bounder bounder_;
-  std::mutex mutex_;  // guards the workspaces
-  std::vector<std::unique_ptr<RoadmapSearch>> idle_;
   std::vector<std::unique_ptr<LatticeLevel>> levels_;         // from the first to try to finer ones
   std::vector<std::unique_ptr<LatticeLevel>> coarse_levels_;  // for where the first are too large
 };
@@ -178,7 +112,7 @@ std::string_view name(Method method) {
 
 Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
                     const Roadmap* roadmap, RoadmapFill* fill)
-    : scene_(scene), roadmap_(roadmap), fill_(fill), reach_(scene), bounder_(scene) {
+    : scene_(scene), bends_(scene, roadmap, fill), reach_(scene), bounder_(scene) {
   const auto lazy = [&](double spacing) {
     const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
     return std::make_unique<LatticeLevel>(lazy_lattice(scene, spec), false);
@@ -201,7 +135,7 @@ PlanResult Planner::Impl::by_level(LatticeLevel& level, const Task& task) {
 PlanResult Planner::Impl::by_lattices(const Task& task, std::optional<ReachResult> reached) {
   const auto shortened = [&](PlanResult result) {
     if (result.path.empty()) return result;
-    Found found = refined(result.path, task.options);
+    Found found = refined(scene_, result.path, task.options);
     found.expanded = result.expanded;
     return with(std::move(found), Route::lattice, std::move(result));
   };
@@ -260,84 +194,9 @@ PlanResult Planner::Impl::by_cells(const Task& task, ReachResult reached, PlanRe
         "there is a way, but it is too narrow for numbers to follow, near {}", shown(way[i]));
     return result;
   }
-  Found found = refined(way, task.options);
+  Found found = refined(scene_, way, task.options);
   found.expanded = reached.looked_at;
   return with(std::move(found), Route::cells, {});
-}
-
-// The shortest of a roadmap's paths once they are pulled taut.
-std::optional<Found> Planner::Impl::by_bends(RoadmapSearch& search, const Task& task,
-                                             RoadmapLimits limits, const Polyline& than) const {
-  if (task.options.quality == Quality::best) {
-    limits.paths = kPaths;
-    limits.beyond = kBend / task.straight();
-  }
-  const RoadmapResult result = search.search(task.from, task.to, limits);
-  std::optional<Found> best;
-  for (const Polyline& raw : result.paths) {
-    require_free(scene_, raw, "roadmap");
-    Found tried{raw, {step_of("search", raw)}, result.settled};
-    if (polished(task.options)) {
-      tried.path = taut(scene_, raw);
-      tried.steps.push_back(step_of("taut", tried.path));
-    }
-    if (shorter(tried.path, best ? best->path : than)) best = std::move(tried);
-  }
-  return best;
-}
-
-// With bends closer to each other along the path that there is.
-std::optional<Found> Planner::Impl::by_close_bends(const Task& task, const Polyline& than) const {
-  RoadmapSearch search(scene_, bends_along(scene_, kClosePart, than, kClose), kCorridorReach);
-  return by_bends(search, task, {kCorridorBends}, than);
-}
-
-std::optional<Found> Planner::Impl::by_roadmap(const Task& task, RoadmapLimits limits,
-                                               const Polyline& than) {
-  std::unique_ptr<RoadmapSearch> search;
-  {
-    const std::lock_guard lock(mutex_);
-    if (!idle_.empty()) {
-      search = std::move(idle_.back());
-      idle_.pop_back();
-    }
-  }
-  if (!search) {
-    search = fill_ ? std::make_unique<RoadmapSearch>(scene_, *fill_)
-                   : std::make_unique<RoadmapSearch>(scene_, *roadmap_);
-  }
-  auto found = by_bends(*search, task, limits, than);
-  const std::lock_guard lock(mutex_);
-  idle_.push_back(std::move(search));
-  return found;
-}
-
-// From an end in a yard there are far fewer bends to settle than on the way to it.
-std::optional<Found> Planner::Impl::by_roadmap_from_goal(const Task& task) {
-  auto found = by_roadmap({task.to, task.from, task.options}, {kFromGoalBends}, {});
-  if (found) std::reverse(found->path.begin(), found->path.end());
-  return found;
-}
-
-// Bends around the boxes near a path that a lattice gave.
-std::optional<Found> Planner::Impl::by_corridor(const Task& task, const Polyline& than) const {
-  const double width = task.options.quality == Quality::best ? 2 * kCorridor : kCorridor;
-  RoadmapSearch search(scene_, bends_along(scene_, kCorridorPart, than, width), kCorridorReach);
-  RoadmapLimits limits{kCorridorBends};
-  limits.weight = task.straight() < 1000 ? 1.02 : 1.04;
-  return by_bends(search, task, limits, than);
-}
-
-// Shortens what a search found.
-Found Planner::Impl::refined(const Polyline& raw, const PlanOptions& options) const {
-  Found found{raw, {step_of("search", raw)}};
-  if (options.raw) return found;
-  found.path = shortcut(scene_, found.path);
-  found.steps.push_back(step_of("shortcut", found.path));
-  if (!polished(options)) return found;
-  found.path = taut(scene_, found.path);
-  found.steps.push_back(step_of("taut", found.path));
-  return found;
 }
 
 PlanResult Planner::Impl::by_sampling(const Task& task) {
@@ -372,7 +231,7 @@ PlanResult Planner::Impl::by_method(const Task& task) {
     if (result.path.empty()) result.message = why_not(result);
   }
   if (result.path.empty()) return result;
-  Found found = refined(result.path, task.options);
+  Found found = refined(scene_, result.path, task.options);
   found.expanded = result.expanded;
   const Route route = *result.route;
   return with(std::move(found), route, std::move(result));
@@ -384,27 +243,23 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
     return with({straight, {step_of("search", straight)}}, Route::straight, {});
   }
   std::optional<ReachResult> reached;
-  if (has_roadmap()) {
-    auto found = by_roadmap(task, {kFirstBends}, {});
-    if (!found) found = by_roadmap_from_goal(task);
+  if (bends_.has_roadmap()) {
+    auto found = bends_.at_once(task);
     if (!found) {
       reached = reach_.ask(task.from, task.to);
       if (reached->answer == Reachable::no) return by_cells(task, std::move(*reached), {});
-      found = by_roadmap(task, {}, {});
+      found = bends_.exhaustively(task);
     }
     if (found) {
-      if (task.options.quality == Quality::best && task.straight() < kCloseMost) {
-        if (auto closer = by_close_bends(task, found->path)) found = std::move(closer);
-      }
+      if (auto closer = bends_.closer(task, found->path)) found = std::move(closer);
       return with(std::move(*found), Route::roadmap, {});
     }
   }
   PlanResult result = by_lattices(task, std::move(reached));
   if (result.path.empty() || !polished(task.options)) return result;
-  auto better = has_roadmap() ? by_roadmap(task, {kCorridorBends}, result.path)
-                              : by_corridor(task, result.path);
+  auto better = bends_.better(task, result.path);
   if (!better) return result;
-  return with(std::move(*better), has_roadmap() ? Route::roadmap : Route::corridor,
+  return with(std::move(*better), bends_.has_roadmap() ? Route::roadmap : Route::corridor,
               std::move(result));
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "geom/collision/collision.h"
@@ -51,7 +52,7 @@ struct PlanOptions {
   double snap_ends = 0;  // metres a blocked or outside end may move (nearest_free()); 0: not
 };
 
-// What is left of a path after a step: "search", "shortcut", "taut", "bound", "resample".
+// What is left of a path after a step: "search", "shortcut", "taut", "bound", "resample", "layer".
 struct PathStep {
   std::string_view name;
   std::size_t points = 0;
@@ -79,6 +80,7 @@ struct PlanResult {
   std::optional<LengthBound> bound;    // of what was found, where a gap was given
   std::optional<Vec3> snapped_start;   // where an end was moved to
   std::optional<Vec3> snapped_goal;
+  std::optional<std::pair<double, double>> layer;  // heights it goes in between its ends (layers.h)
 };
 
 // The recipe of Method::automatic, in this order:
