@@ -7,6 +7,7 @@
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "traj/proof/domain.h"
+#include "traj/together/flights_hash.h"
 
 namespace checking {
 
@@ -66,6 +67,7 @@ void Together::refuse_path(const std::string& id, const std::string& source,
 
 traj::TogetherResult Together::check(bool exact, const geom::Execution& run) {
   task_.rule.exact = exact;
+  task_.flights_hash = traj::flights_hash(task_.ids, flights_, task_.epoch);
   return traj::check_together(flights_, task_.rule, run);
 }
 

@@ -8,6 +8,7 @@
 
 #include "geom/base/error.h"
 #include "traj/proof/domain.h"
+#include "traj/together/flights_hash.h"
 
 namespace view {
 namespace {
@@ -31,7 +32,19 @@ Fleet::Fleet(const cli::Contents& contents, const geom::Execution& run) : conten
   }
   together_ = !flights_.empty() && (timed || !contents.pairs.empty() ||
                                     !contents.together.empty() || flights_.size() > kMostAlone);
-  if (together_) measure(run);
+  if (!together_) return;
+  if (!contents.together.empty()) hash_ = hash();
+  measure(run);
+}
+
+std::string Fleet::hash() const {
+  std::vector<std::string> ids;
+  std::vector<traj::TimedFlight> flights;
+  for (const traj::TrajectoryRecord* record : flights_) {
+    ids.push_back(record->id);
+    flights.push_back({&record->trajectory, record->time.starts(), geom::Vec3::Zero()});
+  }
+  return traj::flights_hash(ids, flights, flights_.front()->time.epoch);
 }
 
 void Fleet::measure(const geom::Execution& run) {
@@ -91,7 +104,7 @@ const traj::TogetherSummary* Fleet::verdict() const {
   const traj::TogetherSummary* out = nullptr;
   for (const auto& [check, source, line] : contents_.together) {
     if (!check.ok) return &check;
-    if (check.flights == flights_.size()) out = &check;
+    if (check.flights_hash == hash_) out = &check;
   }
   return out;
 }

@@ -41,9 +41,10 @@ class Fleet {
     std::string reason;   // of the check; empty where it did not refuse the pair
   };
 
+  std::string hash() const;
   void measure(const geom::Execution& run);
   std::vector<Pair> pairs() const;
-  // A check that failed, where there is one, else one of as many flights as are shown; null where
+  // A check that failed, where there is one, else one of the flights that are shown; null where
   // there is neither.
   const traj::TogetherSummary* verdict() const;
 
@@ -51,6 +52,7 @@ class Fleet {
   std::vector<const traj::TrajectoryRecord*> flights_;
   bool together_ = false;
   double begin_ = 0;
+  std::string hash_;  // of the flights; empty where no check is to be compared with it
   traj::Approaches approaches_;
 };
 

@@ -79,6 +79,7 @@ std::string to_json_line(const TogetherResult& result, const TogetherTask& task,
   return line.add("parked", name(task.rule.parked))
       .add("map", task.map)
       .add("epoch", task.epoch)
+      .add("flights_hash", task.flights_hash)
       .line();
 }
 

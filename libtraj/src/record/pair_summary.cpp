@@ -64,6 +64,7 @@ TogetherSummary parse_together_record(std::string_view json, std::string_view so
   all.refused = count(fields, "refused");
   if (fields.has("left_out")) all.left_out = count(fields, "left_out");
   if (fields.has("map")) all.map = fields.text("map");
+  all.flights_hash = fields.text("flights_hash");
   if (all.ok && (all.refused > 0 || all.left_out > 0)) {
     fields.refuse(fmt::format("ok is true beside {} refused pairs and {} flights left out",
                               all.refused, all.left_out));

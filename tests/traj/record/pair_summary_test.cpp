@@ -18,7 +18,7 @@ TEST(PairSummary, IsWhatWasWritten) {
   const Trajectory a = straight({0, 0, 30}, {80, 0, 30});
   const Trajectory b = straight({40, -40, 31}, {40, 40, 31});
   const std::vector<TimedFlight> flights{{&a, 5, {1, 1, 1}}, {&b, 5, {2, 2, 2}}};
-  const TogetherTask task{{"a", "b"}, {}, {}, "sha256:0"};
+  const TogetherTask task{{"a", "b"}, {}, {}, "sha256:0", "12ab"};
   const TogetherResult result = check_together(flights, task.rule);
   ASSERT_EQ(result.refused.size(), 1u);
   const PairSummary pair = parse_pair_record(to_json_line(result.refused[0], task), "f", 1);
@@ -35,6 +35,7 @@ TEST(PairSummary, IsWhatWasWritten) {
   EXPECT_EQ(all.refused, 1u);
   EXPECT_EQ(all.left_out, 3u);
   EXPECT_EQ(all.map, "sha256:0");
+  EXPECT_EQ(all.flights_hash, "12ab");
 }
 
 void expect_refused(const std::string& json, const std::string& why) {
@@ -66,13 +67,15 @@ TEST(PairSummary, RefusesWhatIsNone) {
 TEST(TogetherSummary, IsNotOkBesideRefusals) {
   const auto of = [](const char* ok, const char* refused, const char* more) {
     return std::string(R"({"type":"together","ok":)") + ok +
-           R"(,"flights":3,"pairs":3,"refused":)" + refused + more + "}";
+           R"(,"flights_hash":"0","flights":3,"pairs":3,"refused":)" + refused + more + "}";
   };
   EXPECT_TRUE(parse_together_record(of("true", "0", ""), "f", 1).ok);
   expect_refused(of("true", "1", ""), "ok is true");
   expect_refused(of("true", "0", R"(,"left_out":1)"), "ok is true");
   expect_refused(of("true", "-1", ""), "refused");
   expect_refused(of("\"yes\"", "0", ""), "ok");
+  expect_refused(R"({"type":"together","ok":true,"flights":3,"pairs":3,"refused":0})",
+                 "flights_hash");
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct TogetherTask {
   TogetherRule rule;
   std::optional<std::string> epoch;
   std::optional<std::string> map;  // its hash
+  std::string flights_hash;        // see flights_hash.h
 };
 
 // Of a pair that is refused; ends with a newline.

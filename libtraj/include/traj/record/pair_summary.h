@@ -28,6 +28,7 @@ struct TogetherSummary {
   std::size_t refused = 0;
   std::size_t left_out = 0;        // flights that could not be looked at
   std::optional<std::string> map;  // its hash
+  std::string flights_hash;        // see flights_hash.h
 };
 
 // Both throw InputError(source, line, …) for anything that is not such a record.

@@ -1,0 +1,20 @@
+#pragma once
+
+// Which flights a check of all against one another was of.
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "traj/together/timed_flight.h"
+
+namespace traj {
+
+// SHA-256, in hexadecimal, over the epoch (empty where there is none), a line feed, and the flights
+// sorted by id: of each the id, a line feed, its start, the number of its segments, and of each
+// segment the duration and the control points, all as little-endian float64. It does not hang on
+// the order of the stream. `ids` are those of `flights`.
+std::string flights_hash(std::span<const std::string> ids, std::span<const TimedFlight> flights,
+                         const std::optional<std::string>& epoch);
+
+}  // namespace traj
