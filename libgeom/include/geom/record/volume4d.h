@@ -1,0 +1,42 @@
+#pragma once
+
+// Volumes of airspace, each with its altitudes and times: the Volume4D of ASTM F3548-21, by which
+// operators tell each other where they will fly, and authorities where nobody may.
+
+#include <iosfwd>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/map/geodetic_outline.h"
+
+namespace geom {
+
+// Closed in space and time.
+struct Volume4d {
+  GeodeticOutline outline;
+  std::optional<double> lower;  // metres above the ellipsoid of WGS 84; absent: open below
+  std::optional<double> upper;  // > lower; absent: open above
+  std::optional<std::string>
+      start;                       // as epoch_from() writes it (flight_time.h); absent: since ever
+  std::optional<std::string> end;  // > start; absent: for ever
+};
+
+// All volumes of a file, at least one, in order: one Volume4D, a list of them, the details of an
+// operational intent or of a constraint (`volumes`, then `off_nominal_volumes`), these with their
+// `reference`, or the answer to a question for one (`operational_intent`, `constraint`).
+//
+// Throws InputError(source, …) for whatever else stands there: a member that is not known, both
+// outlines or none, altitudes above anything but the ellipsoid (W84) or in other units than metres
+// (M), a unit, reference or format that is not said, times in another form than RFC 3339 in UTC,
+// ends that are not after (above) begins, places that are not on Earth, vertices that come twice in
+// a row, and a ring whose last is its first. A member that is null is absent.
+std::vector<Volume4d> read_volumes_4d(std::istream& in, std::string_view source);
+
+// The details of an operational intent: JSON, a volume a line. Numbers come back as they are.
+std::string operational_intent_details(std::span<const Volume4d> volumes,
+                                       std::optional<int> priority);
+
+}  // namespace geom

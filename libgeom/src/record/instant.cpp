@@ -1,0 +1,123 @@
+#include "geom/record/instant.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+
+#include "geom/base/rounding.h"
+#include "geom/record/flight_time.h"
+
+namespace geom {
+namespace {
+
+__extension__ using Whole = __int128;
+
+constexpr int kDigits = 18;                                  // of a second that count one by one
+constexpr std::int64_t kSecond = 1'000'000'000'000'000'000;  // attoseconds
+constexpr std::int64_t kMillisecond = kSecond / 1000;
+constexpr std::int64_t kDaySeconds = 86'400;
+
+// Attoseconds since 1970, rounded down, and whether that left something out.
+struct Attoseconds {
+  Whole count = 0;
+  bool more = false;
+};
+
+std::int64_t number_in(std::string_view text) {
+  std::int64_t value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+// "2026-05-04T06:30:00.25Z"
+Attoseconds attoseconds_of(std::string_view instant) {
+  using namespace std::chrono;
+  assert(epoch_from(instant) == instant);
+  const auto part = [&](std::size_t at, std::size_t n) { return number_in(instant.substr(at, n)); };
+  const sys_days day = year(static_cast<int>(part(0, 4))) / static_cast<int>(part(5, 2)) /
+                       static_cast<int>(part(8, 2));
+  const std::int64_t seconds = day.time_since_epoch().count() * kDaySeconds + part(11, 2) * 3600 +
+                               part(14, 2) * 60 + part(17, 2);
+  Attoseconds out{static_cast<Whole>(seconds) * kSecond};
+  if (instant[19] != '.') return out;
+  std::string digits(instant.substr(20, instant.size() - 21));
+  out.more = digits.size() > kDigits;
+  digits.resize(kDigits, '0');
+  out.count += number_in(digits);
+  return out;
+}
+
+// The double, where there is one: 10^18 is 2^18 times 5^18.
+std::optional<double> exact_seconds(Whole attoseconds) {
+  constexpr std::int64_t kFives = kSecond >> kDigits;
+  if (attoseconds % kFives != 0) return std::nullopt;
+  const Whole parts = attoseconds / kFives;
+  const auto nearest = static_cast<double>(parts);
+  if (static_cast<Whole>(nearest) != parts) return std::nullopt;
+  return std::ldexp(nearest, -kDigits);
+}
+
+// Off by a unit in the last place or less before the steps: two roundings.
+double nearly_seconds(Whole attoseconds) {
+  return static_cast<double>(attoseconds) / static_cast<double>(kSecond);
+}
+double seconds_down(Whole attoseconds) {
+  const auto exact = exact_seconds(attoseconds);
+  return exact ? *exact : next_down(next_down(nearly_seconds(attoseconds)));
+}
+double seconds_up(Whole attoseconds) { return -seconds_down(-attoseconds); }
+
+// By way of whole 2^-60 s.
+Whole attoseconds_down(double seconds) {
+  assert(std::abs(seconds) <= 1e10);
+  const auto parts = static_cast<Whole>(std::floor(std::ldexp(seconds, 60)));
+  const Whole whole = parts >> 60;
+  return whole * kSecond + ((parts - (whole << 60)) * kSecond >> 60);
+}
+
+std::optional<std::string> text_of(Whole milliseconds) {
+  using namespace std::chrono;
+  const auto floor_of = [](Whole a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); };
+  const Whole seconds = floor_of(milliseconds, 1000);
+  const Whole days = floor_of(seconds, kDaySeconds);
+  const auto thousandths = static_cast<int>(milliseconds - seconds * 1000);
+  const auto second = static_cast<int>(seconds - days * kDaySeconds);
+  const sys_days first = year(0) / 1 / 1;
+  const sys_days last = year(9999) / 12 / 31;
+  if (days < first.time_since_epoch().count() || days > last.time_since_epoch().count()) {
+    return std::nullopt;
+  }
+  const year_month_day date(sys_days(std::chrono::days(static_cast<int>(days))));
+  return epoch_from(fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z",
+                                static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                                static_cast<unsigned>(date.day()), second / 3600, second / 60 % 60,
+                                second % 60, thousandths));
+}
+
+}  // namespace
+
+SecondsBetween seconds_between(std::string_view epoch, std::string_view instant) {
+  const Attoseconds from = attoseconds_of(epoch);
+  const Attoseconds to = attoseconds_of(instant);
+  const Whole difference = to.count - from.count;
+  if (from.more && to.more && epoch == instant) return {};
+  return {seconds_down(difference - (from.more ? 1 : 0)),
+          seconds_up(difference + (to.more ? 1 : 0))};
+}
+
+std::optional<std::string> instant_not_after(std::string_view epoch, double seconds) {
+  const Whole at = attoseconds_of(epoch).count + attoseconds_down(seconds);
+  return text_of(at / kMillisecond - (at % kMillisecond < 0 ? 1 : 0));
+}
+
+std::optional<std::string> instant_not_before(std::string_view epoch, double seconds) {
+  const Attoseconds from = attoseconds_of(epoch);
+  const Whole at = from.count + (from.more ? 1 : 0) - attoseconds_down(-seconds);
+  return text_of(at / kMillisecond + (at % kMillisecond > 0 ? 1 : 0));
+}
+
+}  // namespace geom
