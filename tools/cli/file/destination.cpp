@@ -8,7 +8,8 @@
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
-#include <system_error>
+
+#include "io_failure.h"
 
 namespace cli {
 namespace {
@@ -16,10 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostLinks = 40;
-
-[[noreturn]] void fail(int error, const std::string& path) {
-  throw std::system_error(error, std::generic_category(), "cannot write " + path);
-}
 
 // Of this process, and of any way to write it where /proc is not mounted.
 bool is_descriptor_folder(const fs::path& folder) {
@@ -48,16 +45,16 @@ Destination destination_of(const std::string& path) {
   struct stat info {};
   for (int links = 0; lstat(at.c_str(), &info) == 0 && S_ISLNK(info.st_mode); ++links) {
     if (descriptor_named(at)) break;
-    if (links == kMostLinks) fail(ELOOP, path);
+    if (links == kMostLinks) cannot_write(path, ELOOP);
     std::error_code error;
     const fs::path target = fs::read_symlink(at, error);
-    if (error) fail(error.value(), path);
+    if (error) cannot_write(path, error.value());
     at = target.is_absolute() ? target : at.parent_path() / target;
   }
   if (const auto number = descriptor_named(at)) return {at, *number, true, std::nullopt};
   if (stat(at.c_str(), &info) != 0) return {at, -1, false, std::nullopt};
   if (!S_ISREG(info.st_mode)) return {at, -1, true, std::nullopt};
-  if (access(at.c_str(), W_OK) != 0) fail(errno, path);
+  if (access(at.c_str(), W_OK) != 0) cannot_write(path, errno);
   return {at, -1, false, info.st_mode & 0777};
 }
 

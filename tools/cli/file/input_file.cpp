@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <iterator>
 #include <streambuf>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -15,15 +14,12 @@
 #include "files.h"
 #include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
+#include "io_failure.h"
 #include "run_files.h"
 #include "verified_mark.h"
 
 namespace cli {
 namespace {
-
-[[noreturn]] void fail(int error, const std::string& name) {
-  throw std::system_error(error, std::generic_category(), "cannot read " + name);
-}
 
 void note_input(const std::string& path) {
   if (RunFiles* const files = RunFiles::current()) files->add_input(path);
@@ -47,7 +43,7 @@ class DescriptorInput : public std::streambuf {
     do {
       n = ::read(descriptor_, buffer_.data(), buffer_.size());
     } while (n < 0 && errno == EINTR);
-    if (n < 0) fail(errno, name_);
+    if (n < 0) cannot_read(name_, errno);
     setg(buffer_.data(), buffer_.data(), buffer_.data() + n);
     if (n == 0) return traits_type::eof();
     note_head();
@@ -88,13 +84,13 @@ InputFile::InputFile(const std::string& path) : name_(path == "-" ? "stdin" : pa
     return;
   }
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(errno, path);
+  if (descriptor < 0) cannot_read(path, errno);
   source_ = std::shared_ptr<Source>(new Source(descriptor, path), [descriptor](Source* source) {
     delete source;
     ::close(descriptor);
   });
   struct stat info {};
-  if (fstat(descriptor, &info) == 0 && S_ISDIR(info.st_mode)) fail(EISDIR, path);
+  if (fstat(descriptor, &info) == 0 && S_ISDIR(info.st_mode)) cannot_read(path, EISDIR);
 }
 
 std::istream& InputFile::stream() { return source_->stream; }
@@ -123,7 +119,7 @@ std::string InputFile::read_all() { return {std::istreambuf_iterator<char>(strea
 
 geom::ArrayArchive open_archive(const std::string& path) {
   if (path != "-") {
-    if (access(path.c_str(), R_OK) != 0) fail(errno, path);
+    if (access(path.c_str(), R_OK) != 0) cannot_read(path, errno);
     note_input(path);
     return geom::ArrayArchive::map(path);
   }

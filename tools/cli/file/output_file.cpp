@@ -11,22 +11,18 @@
 #include <cstdio>
 #include <filesystem>
 #include <streambuf>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "cli/run.h"
 #include "destination.h"
 #include "files.h"
+#include "io_failure.h"
 #include "run_files.h"
 #include "standard_streams.h"
 
 namespace cli {
 namespace {
-
-[[noreturn]] void fail(const std::string& name) {
-  throw std::system_error(errno ? errno : EIO, std::generic_category(), "cannot write " + name);
-}
 
 // Writes to a file descriptor, and throws std::system_error with the reason when that fails.
 class DescriptorBuffer : public std::streambuf {
@@ -46,7 +42,7 @@ class DescriptorBuffer : public std::streambuf {
     for (const char* at = begin; at < end;) {
       const ssize_t written = ::write(descriptor_, at, static_cast<std::size_t>(end - at));
       if (written < 0 && errno == EPIPE && is_stdout_) end_as_by_sigpipe();
-      if (written < 0 && errno != EINTR) fail(name_);
+      if (written < 0 && errno != EINTR) cannot_write(name_);
       at += std::max<ssize_t>(written, 0);
     }
     return 0;
@@ -125,7 +121,7 @@ class Replacement : public Unpublished {
     }
     if (descriptor_ < 0) {
       named_ = false;
-      fail(path_);
+      cannot_write(path_);
     }
     if (to.mode) keep_permissions(*to.mode);
   }
@@ -141,11 +137,11 @@ class Replacement : public Unpublished {
 
   void prepare() override {
     if (!named_) name();
-    if (close(std::exchange(descriptor_, -1)) != 0) fail(path_);
+    if (close(std::exchange(descriptor_, -1)) != 0) cannot_write(path_);
   }
 
   void publish() override {
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_);
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) cannot_write(path_);
     named_ = false;
   }
 
@@ -154,7 +150,7 @@ class Replacement : public Unpublished {
     std::remove(temporary_.c_str());  // of a process of this number that was killed
     const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
     if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) {
-      fail(path_);
+      cannot_write(path_);
     }
     named_ = true;
   }
@@ -179,7 +175,7 @@ int open_in_place(const Destination& to, const std::string& path) {
   const int descriptor = to.descriptor >= 0
                              ? fcntl(to.descriptor, F_DUPFD_CLOEXEC, 3)
                              : ::open(to.path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
-  if (descriptor < 0) fail(path);
+  if (descriptor < 0) cannot_write(path);
   return descriptor;
 }
 
@@ -188,7 +184,7 @@ void require_writable(int descriptor, const std::string& name) {
   const int flags = fcntl(descriptor, F_GETFL);
   if (flags >= 0 && (flags & O_ACCMODE) != O_RDONLY) return;
   errno = EBADF;
-  fail(name);
+  cannot_write(name);
 }
 
 }  // namespace
@@ -241,7 +237,7 @@ void OutputFile::commit() {
 
 void OutputFile::commit_now() {
   flush();
-  if (in_place_ >= 0 && close(std::exchange(in_place_, -1)) != 0) fail("an output");
+  if (in_place_ >= 0 && close(std::exchange(in_place_, -1)) != 0) cannot_write("an output");
   if (!unpublished_) return;
   unpublished_->prepare();
   unpublished_->publish();

@@ -5,20 +5,14 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
+
+#include "io_failure.h"
 
 namespace cli {
-namespace {
-
-[[noreturn]] void fail(const std::string& path) {
-  throw std::system_error(errno, std::generic_category(), "cannot read " + path);
-}
-
-}  // namespace
 
 RandomInput::RandomInput(const std::string& path)
     : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-  if (descriptor_ < 0) fail(path);
+  if (descriptor_ < 0) cannot_read(path);
   struct stat info {};
   if (fstat(descriptor_, &info) == 0) size_ = static_cast<std::uint64_t>(info.st_size);
 }
@@ -32,7 +26,7 @@ std::size_t RandomInput::read(std::uint64_t at, std::span<unsigned char> to) {
     const ssize_t n =
         ::pread(descriptor_, to.data() + done, to.size() - done, static_cast<off_t>(at + done));
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail(path_);
+    if (n < 0) cannot_read(path_);
     if (n == 0) break;
     done += static_cast<std::size_t>(n);
   }

@@ -31,7 +31,7 @@ void add_path(std::vector<std::string>& keys, const fs::path& path) {
   keys.push_back("path " + (error ? path : real / path.filename()).string());
 }
 
-std::string shown(const std::string& path) { return path == "-" ? "stdout" : path; }
+std::string output_in_words(const std::string& path) { return path == "-" ? "stdout" : path; }
 
 }  // namespace
 
@@ -72,9 +72,9 @@ void RunFiles::refuse_another(const std::string& path, const Keys& keys) const {
     const auto other = outputs_by_key_.find(key);
     if (other == outputs_by_key_.end()) continue;
     if (other->second.expected && other->second.path == path) continue;
-    throw UsageError(
-        fmt::format("two outputs go to one file, {}{}: one of them would be lost", shown(path),
-                    other->second.path == path ? "" : " and " + shown(other->second.path)));
+    throw UsageError(fmt::format(
+        "two outputs go to one file, {}{}: one of them would be lost", output_in_words(path),
+        other->second.path == path ? "" : " and " + output_in_words(other->second.path)));
   }
 }
 
@@ -95,7 +95,8 @@ void RunFiles::add_input(const std::string& path) {
     const auto output = outputs_by_key_.find(key);
     if (output != outputs_by_key_.end() && !(output->second.expected && output->second.main)) {
       throw UsageError(fmt::format("the output {} is the input {}: give it another name",
-                                   shown(output->second.path), path == "-" ? "stdin" : path));
+                                   output_in_words(output->second.path),
+                                   path == "-" ? "stdin" : path));
     }
     inputs_by_key_.emplace(key, path);
   }
@@ -108,7 +109,8 @@ void RunFiles::add_output(const std::string& path, std::string_view updated) {
   for (const std::string& key : keys) {
     const auto input = inputs_by_key_.find(key);
     if (input == inputs_by_key_.end() || input->second == updated) continue;
-    throw UsageError(fmt::format("the output {} is the input {}: give it another name", shown(path),
+    throw UsageError(fmt::format("the output {} is the input {}: give it another name",
+                                 output_in_words(path),
                                  input->second == "-" ? "stdin" : input->second));
   }
   for (const std::string& key : keys) outputs_by_key_[key] = {path, false, false};
