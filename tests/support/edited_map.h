@@ -33,6 +33,8 @@ struct EditedMap {
   std::vector<std::uint8_t> tile_large;
   std::vector<double> tile_extent;
   std::vector<std::uint64_t> tile_range;
+  std::vector<std::uint64_t> timed;
+  std::vector<double> times;
 
   explicit EditedMap(const geom::BoxMap& map) {
     const auto archive = geom::ArrayArchive::from_bytes(file_of(map), "map");
@@ -45,6 +47,9 @@ struct EditedMap {
     copy(tile_large, archive.array<std::uint8_t>("tile_large"));
     copy(tile_extent, archive.array<double>("tile_extent", 6));
     copy(tile_range, archive.array<std::uint64_t>("tile_range", 2));
+    if (!archive.has("timed")) return;
+    copy(timed, archive.array<std::uint64_t>("timed"));
+    copy(times, archive.array<double>("times", 2));
   }
 
   std::size_t tiles() const { return tile_large.size(); }
@@ -71,7 +76,7 @@ struct EditedMap {
   std::vector<std::byte> file() const {
     using geom::named_array;
     const auto view = [](const auto& v) { return std::span(v); };
-    const geom::NamedArray arrays[] = {
+    std::vector<geom::NamedArray> arrays = {
         named_array<double>("boxes", view(boxes), 6),
         named_array<std::uint64_t>("ids", view(ids)),
         named_array<std::uint32_t>("label", view(label)),
@@ -80,6 +85,8 @@ struct EditedMap {
         named_array<double>("tile_extent", view(tile_extent), 6),
         named_array<std::uint64_t>("tile_range", view(tile_range), 2),
     };
+    if (!timed.empty()) arrays.push_back(named_array<std::uint64_t>("timed", view(timed)));
+    if (!times.empty()) arrays.push_back(named_array<double>("times", view(times), 2));
     std::ostringstream out;
     geom::write_array_archive(out, meta.dump(), arrays);
     return bytes_of(out.str());

@@ -15,6 +15,7 @@
 #include "geom/base/error.h"
 #include "geom/import/box_csv.h"
 #include "geom/map/join.h"
+#include "geom/record/flight_time.h"
 #include "geom/text/json_line.h"
 #include "verbs.h"
 #include "volumes.h"
@@ -31,10 +32,11 @@ using Json = nlohmann::ordered_json;
 struct Entry {
   std::array<double, 6> box;
   std::string label;
+  geom::TimeSpan time;
   std::uint64_t id;
 
   friend bool operator<(const Entry& a, const Entry& b) {
-    return std::tie(a.box, a.label) < std::tie(b.box, b.label);
+    return std::tie(a.box, a.label, a.time) < std::tie(b.box, b.label, b.time);
   }
 };
 
@@ -45,6 +47,7 @@ std::vector<Entry> entries(const BoxMap& map) {
     const Aabb& b = boxes[i];
     out.push_back({{b.min[0], b.min[1], b.min[2], b.max[0], b.max[1], b.max[2]},
                    map.labels()[map.label()[i]],
+                   map.time(i),
                    map.ids()[i]});
   }
   std::sort(out.begin(), out.end());
@@ -55,7 +58,10 @@ std::string line_of(const char* change, const Entry& entry) {
   geom::JsonLine line;
   line.add("type", "box").add("change", change).add("id", entry.id);
   line.add("min", std::span(entry.box).first(3)).add("max", std::span(entry.box).last(3));
-  return line.add("label", entry.label).line();
+  line.add("label", entry.label);
+  if (std::isfinite(entry.time.from)) line.add("from", entry.time.from);
+  if (std::isfinite(entry.time.until)) line.add("until", entry.time.until);
+  return line.line();
 }
 
 cli::Exit run_diff(const std::string& before, const std::string& after, const std::string& output,
@@ -65,6 +71,7 @@ cli::Exit run_diff(const std::string& before, const std::string& after, const st
   const BoxMap b = open(after, common);
   const bool same_place = a.spec().frame == b.spec().frame;
   const bool same_bounds = a.spec().bounds == b.spec().bounds;
+  const bool same_epoch = a.spec().epoch == b.spec().epoch;
   const auto was = entries(a);
   const auto is = entries(b);
   std::vector<Entry> removed;
@@ -77,10 +84,11 @@ cli::Exit run_diff(const std::string& before, const std::string& after, const st
   geom::JsonLine summary;
   summary.add("type", "diff").add("removed", removed.size()).add("added", added.size());
   summary.add("same_frame", same_place).add("same_bounds", same_bounds);
+  if (a.spec().epoch || b.spec().epoch) summary.add("same_epoch", same_epoch);
   out.stream() << summary.line();
   out.commit();
   common.write_stats({{"removed", removed.size()}, {"added", added.size()}});
-  const bool same = removed.empty() && added.empty() && same_place && same_bounds;
+  const bool same = removed.empty() && added.empty() && same_place && same_bounds && same_epoch;
   return same ? cli::Exit::yes : cli::Exit::no;
 }
 
@@ -89,8 +97,10 @@ struct Changes {
   std::string remove;
   std::string keep_out;
   std::string fence;
+  std::string epoch;
   bool local = false;
   double slack = 0.5;
+  std::optional<double> zero_height;
 };
 
 // "1,2,3", or a file of ids between white space and commas.
@@ -141,10 +151,28 @@ void renumber(BoxTable& fresh, const BoxTable& table) {
   for (std::uint64_t& id : fresh.ids) id = next++;
 }
 
+// The instant that the map's times count from; one that has another keeps it.
+void set_epoch(geom::BoxMapSpec& spec, const std::string& word, const std::string& map,
+               Json& step) {
+  const auto epoch = geom::epoch_from(word);
+  if (!epoch) {
+    throw cli::UsageError(
+        "--epoch: expected an instant in UTC such as 2026-05-04T06:30:00Z (RFC 3339), found \"" +
+        word + '"');
+  }
+  if (spec.epoch && *spec.epoch != *epoch) {
+    throw geom::InputError(
+        map, fmt::format("expected the epoch {}, as --epoch says, found {}", *epoch, *spec.epoch));
+  }
+  spec.epoch = epoch;
+  step["epoch"] = *epoch;
+}
+
 void run_patch(const Files& files, const Changes& changes, const cli::Common& common) {
   if (changes.add.empty() && changes.remove.empty() && changes.keep_out.empty() &&
-      changes.fence.empty()) {
-    throw cli::UsageError("nothing to change: give --add, --remove, --keep-out or --fence");
+      changes.fence.empty() && changes.epoch.empty()) {
+    throw cli::UsageError(
+        "nothing to change: give --add, --remove, --keep-out, --fence or --epoch");
   }
   cli::at_most_one_stdin({files.map, changes.add, changes.keep_out, changes.fence});
   const BoxMap map = open(files.map, common);
@@ -163,13 +191,18 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
     cli::InputFile file(changes.add);
     add("added", geom::read_box_csv(file.stream(), file.name()));
   }
-  const Volumes volumes{map.spec(), changes.slack};
+  geom::BoxMapSpec spec = map.spec();
+  if (!changes.epoch.empty()) set_epoch(spec, changes.epoch, files.map, step);
+  if (changes.zero_height && changes.keep_out.empty()) {
+    throw cli::UsageError("--zero-height: expected --keep-out with volumes of ASTM F3548");
+  }
+  const Volumes volumes{spec, changes.slack, changes.zero_height};
   if (!changes.keep_out.empty()) {
     add("keep_out", volumes.keep_out(changes.keep_out, changes.local));
   }
   if (!changes.fence.empty()) add("fence", volumes.fence(changes.fence));
   if (table.boxes.empty()) throw geom::InputError(files.map, "the patch leaves no boxes at all");
-  write(files, map.spec(), table, step);
+  write(files, spec, table, step);
   common.write_stats(stats);
 }
 
@@ -199,9 +232,16 @@ Verb patch(CLI::App& app, const cli::Common& common) {
   CLI::App* verb = files->add(app, "patch", "add boxes, remove boxes, keep volumes out");
   verb->add_option("--add", changes->add, "box CSV of boxes to add");
   verb->add_option("--remove", changes->remove, "ids to remove: 1,2,3 or a file of them");
-  verb->add_option("--keep-out", changes->keep_out,
-                   "GeoJSON of no-fly volumes (lower, upper: metres); they become boxes labelled "
-                   "keep-out");
+  verb->add_option(
+      "--keep-out", changes->keep_out,
+      "no-fly volumes: GeoJSON (lower, upper: metres; from, until: times), or Volume4D "
+      "of ASTM F3548; they become boxes labelled keep-out");
+  verb->add_option(
+          "--zero-height", changes->zero_height,
+          "height of the map's z = 0 above the ellipsoid, metres, for volumes of ASTM F3548")
+      ->check(CLI::Range(-1e4, 1e5));
+  verb->add_option("--epoch", changes->epoch,
+                   "the instant that the map's times count from (RFC 3339, UTC)");
   verb->add_flag("--keep-out-local", changes->local,
                  "its coordinates are the map's metres, not longitude and latitude");
   verb->add_option("--fence", changes->fence,

@@ -143,6 +143,7 @@ Verb mesh_verb(CLI::App& app, const cli::Common& common, const char* name, const
             cli::OutputFile out(files->output, cli::OutputKind::artefact);
             write(out.stream(), parts);
             out.commit();
+            warn_of_times(files->map, map, common);
             return cli::Exit::yes;
           }};
 }

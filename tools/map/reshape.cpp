@@ -52,6 +52,17 @@ void run_crop(const Files& files, const Aabb& region, const cli::MetresOption& m
   write(files, spec, geom::table_of(map, &region), step);
 }
 
+// Seconds after different instants cannot stand in one map.
+void join_epoch(geom::BoxMapSpec& spec, const BoxMap& other, const std::string& name) {
+  const auto& epoch = other.spec().epoch;
+  if (!epoch || spec.epoch == epoch) return;
+  if (spec.epoch) {
+    throw geom::InputError(name, fmt::format("expected the epoch of the maps before, {}, found {}",
+                                             *spec.epoch, *epoch));
+  }
+  spec.epoch = epoch;
+}
+
 void run_join(const std::vector<std::string>& names, const std::string& output,
               const cli::Common& common) {
   cli::at_most_one_stdin({names[0]});
@@ -71,6 +82,7 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
     histories.push_back(geom::parse_ordered_json(past.empty() ? "[]" : past, names[i]));
     skipped += cli::skipped_in(other.spec());
     geom::append(table, geom::in_frame(spec.frame, other, names[i]));
+    join_epoch(spec, other, names[i]);
     // Bounds move as a box does.
     geom::BoxMapSpec moved = other.spec();
     BoxTable corner;

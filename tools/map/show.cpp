@@ -56,6 +56,12 @@ Json description(const BoxMap& map, bool all) {
 
 }  // namespace
 
+void warn_of_times(const std::string& name, const BoxMap& map, const cli::Common& common) {
+  if (map.timed().empty()) return;
+  common.warn(name + ": " + geom::counted(map.timed().size(), "box is", "boxes are") +
+              " there for a time only, which the file written does not say");
+}
+
 Verb info(CLI::App& app, const cli::Common& common) {
   struct Flags {
     bool json = false;
@@ -111,6 +117,7 @@ Verb to_sdf(CLI::App& app, const cli::Common& common) {
             cli::OutputFile out(files->output, cli::OutputKind::text);
             const std::size_t larger = geom::write_box_sdf(out.stream(), map);
             out.commit();
+            warn_of_times(files->map, map, common);
             if (larger > 0) {
               common.warn(files->map + ": " + geom::counted(larger, "box is", "boxes are") +
                           " larger by rounding than in the map");

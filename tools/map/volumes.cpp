@@ -4,13 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/file/files.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
 #include "geom/import/keep_out.h"
+#include "geom/import/volume_keep_out.h"
 #include "geom/map/join.h"
+#include "geom/record/instant.h"
+#include "geom/record/volume4d.h"
 #include "geom/shape/cover.h"
+#include "geom/text/parse_json.h"
 #include "traj/drone_file/fence_file.h"
 
 namespace verbs {
@@ -42,6 +48,45 @@ void refuse_long_stairs(const geom::Polygon& polygon, double slack, const std::s
                   feature, kMostSteps * slack, longest, std::ceil(longest / kMostSteps)));
 }
 
+// One JSON value in the form of ASTM F3548, and not of GeoJSON.
+bool is_f3548(const std::string& text, const std::string& name) {
+  const nlohmann::ordered_json root = geom::parse_ordered_json(text, name);
+  if (!root.is_object()) return root.is_array();
+  for (const char* key : {"volume", "volumes", "off_nominal_volumes", "details",
+                          "operational_intent", "constraint"}) {
+    if (root.contains(key)) return true;
+  }
+  return false;
+}
+
+// When a volume is there, rounded outward.
+geom::TimeSpan time_of(const geom::Volume4d& volume, const std::optional<std::string>& epoch,
+                       const std::string& name) {
+  geom::TimeSpan out;
+  if (!volume.start && !volume.end) return out;
+  if (!epoch) {
+    throw geom::InputError(
+        name, "the times of its volumes count from an epoch, and the map has none: give --epoch");
+  }
+  if (volume.start) out.from = geom::seconds_between(*epoch, *volume.start).least;
+  if (volume.end) out.until = geom::seconds_between(*epoch, *volume.end).most;
+  if (const auto fault = geom::span_fault(out)) throw geom::InputError(name, *fault);
+  return out;
+}
+
+geom::KeepOut f3548_zones(const std::string& text, const std::string& name,
+                          const Volumes& volumes) {
+  std::istringstream in(text);
+  const geom::BoxMapSpec& spec = volumes.spec;
+  const std::vector<geom::Volume4d> read = geom::read_volumes_4d(in, name);
+  geom::KeepOut zones = geom::keep_out_of(
+      read, name, spec.frame, {volumes.zero_height, spec.bounds.min.z(), spec.bounds.max.z()});
+  for (const geom::Volume4d& volume : read) {
+    zones.times.push_back(time_of(volume, spec.epoch, name));
+  }
+  return zones;
+}
+
 // A rectangle around the bounds and the ring.
 std::vector<Vec2> around(const geom::Aabb& bounds, const std::vector<Vec2>& ring) {
   Vec2 low = bounds.min.head<2>();
@@ -59,8 +104,19 @@ std::vector<Vec2> around(const geom::Aabb& bounds, const std::vector<Vec2>& ring
 
 geom::BoxTable Volumes::keep_out(const std::string& path, bool local) const {
   cli::InputFile file(path);
-  const geom::KeepOut zones = geom::read_keep_out(
-      file.stream(), file.name(), spec.frame, {local, spec.bounds.min.z(), spec.bounds.max.z()});
+  const std::string text = file.read_all();
+  const bool f3548 = is_f3548(text, file.name());
+  if (f3548 && local) {
+    throw cli::UsageError("--keep-out-local: volumes of ASTM F3548 are in degrees");
+  }
+  if (!f3548 && zero_height) {
+    throw cli::UsageError("--zero-height: the altitudes of GeoJSON are in the map's z already");
+  }
+  std::istringstream in(text);
+  const geom::KeepOut zones =
+      f3548 ? f3548_zones(text, file.name(), *this)
+            : geom::read_keep_out(in, file.name(), spec.frame,
+                                  {local, spec.bounds.min.z(), spec.bounds.max.z(), spec.epoch});
   geom::BoxTable table;
   for (std::size_t i = 0; i < zones.volumes.size(); ++i) {
     const geom::Footprint& zone = zones.volumes[i];
@@ -72,6 +128,7 @@ geom::BoxTable Volumes::keep_out(const std::string& path, bool local) const {
       one.add({Vec3(r.min.x(), r.min.y(), zone.bottom) - bulge,
                Vec3(r.max.x(), r.max.y(), zone.top) + bulge},
               zone.id, 1);
+      one.set_time(one.boxes.size() - 1, zones.times[i]);
     }
     geom::append(table, one);
   }

@@ -2,6 +2,7 @@
 
 // Volumes that a map is to keep vehicles out of, as boxes.
 
+#include <optional>
 #include <string>
 
 #include "geom/map/box_map.h"
@@ -12,8 +13,10 @@ namespace verbs {
 struct Volumes {
   const geom::BoxMapSpec& spec;
   double slack;  // metres that boxes may reach outside a volume
+  // Of z = 0 above the ellipsoid, metres, where it is not as the frame says.
+  std::optional<double> zero_height = {};
 
-  // Of GeoJSON; `local`: in the map's metres.
+  // Of GeoJSON, or of volumes of ASTM F3548. `local`: in the map's metres.
   geom::BoxTable keep_out(const std::string& path, bool local) const;
 
   // What the fences of a mission's file forbid within the bounds: exclusions, and all outside of

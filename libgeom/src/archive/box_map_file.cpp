@@ -18,16 +18,20 @@ namespace geom {
 namespace {
 
 constexpr int kVersion = 1;
+constexpr int kTimedVersion = 2;  // of maps of which some boxes are not always there
 using Json = nlohmann::json;
 
 std::string meta_of(const BoxMap& map) {
   const BoxMapSpec& spec = map.spec();
   JsonLine meta;
-  meta.add("format", "skyway-boxmap").add("version", kVersion).add("hash", map.hash());
+  meta.add("format", "skyway-boxmap")
+      .add("version", map.timed().empty() ? kVersion : kTimedVersion);
+  meta.add("hash", map.hash());
   meta.add("frame", name(spec.frame.axes));
   if (const auto& origin = spec.frame.origin) {
     meta.add("origin", std::tuple(origin->latitude, origin->longitude, origin->height));
   }
+  meta.add("epoch", spec.epoch);
   meta.add("crs", spec.frame.crs).add("bounds", std::tuple(spec.bounds.min, spec.bounds.max));
   meta.add("bounds_from", spec.bounds_from).add("tile_size", spec.tile_size);
   meta.add("boxes", map.boxes().size()).add("labels", map.labels());
@@ -51,8 +55,10 @@ void require_box_map(const JsonFields& meta) {
     meta.refuse(fmt::format("expected a box map (format \"skyway-boxmap\"), found format {}",
                             found("format")));
   }
-  if (found("version") != std::to_string(kVersion)) {
-    meta.refuse(fmt::format("expected box map version {}, found {}", kVersion, found("version")));
+  if (found("version") != std::to_string(kVersion) &&
+      found("version") != std::to_string(kTimedVersion)) {
+    meta.refuse(fmt::format("expected box map version {} or {}, found {}", kVersion, kTimedVersion,
+                            found("version")));
   }
 }
 
@@ -81,6 +87,7 @@ BoxMapSpec spec_of(const JsonFields& meta) {
     const Vec3 origin = meta.point("origin");
     spec.frame.origin = GeodeticOrigin{origin[0], origin[1], origin[2]};
   }
+  if (meta.has("epoch")) spec.epoch = meta.text("epoch");
   spec.frame.crs = meta.text("crs");
   const std::vector<Vec3> corners = meta.points("bounds");
   if (corners.size() != 2 || (corners[0].array() > corners[1].array()).any()) {
@@ -147,6 +154,27 @@ void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
   }
 }
 
+// They are few, so all of them are looked at to open a map: whoever has it need not ask again.
+void read_timed(const ArrayArchive& archive, const JsonFields& meta, BoxMap::Data& data) {
+  const bool said = meta.number("version") == kTimedVersion;
+  const bool there = archive.has("timed") || archive.has("times");
+  if (said != there) {
+    meta.refuse(said ? "a map of version 2 must have the arrays timed and times, found none"
+                     : "a map with the arrays timed and times must be of version 2, found 1");
+  }
+  if (there) {
+    const auto ends = archive.array<double>("times", 2);
+    data.timed = {archive.array<std::uint64_t>("timed"),
+                  {reinterpret_cast<const TimeSpan*>(ends.data()), ends.size() / 2}};
+    if (data.timed.box.empty() && data.timed.time.empty()) {
+      meta.refuse("a map of version 2 must have boxes that are there for a time, found none");
+    }
+  }
+  if (const auto fault = timed_fault(data.timed, data.boxes.size(), data.spec.epoch)) {
+    meta.refuse(*fault);
+  }
+}
+
 }  // namespace
 
 void write_box_map(std::ostream& out, const BoxMap& map) {
@@ -163,7 +191,7 @@ void write_box_map(std::ostream& out, const BoxMap& map) {
   }
   const std::span<const double> boxes(reinterpret_cast<const double*>(map.boxes().data()),
                                       6 * map.boxes().size());
-  const NamedArray arrays[] = {
+  std::vector<NamedArray> arrays = {
       named_array<double>("boxes", boxes, 6),
       named_array<std::uint64_t>("ids", map.ids()),
       named_array<std::uint32_t>("label", map.label()),
@@ -172,6 +200,13 @@ void write_box_map(std::ostream& out, const BoxMap& map) {
       named_array<double>("tile_extent", extent, 6),
       named_array<std::uint64_t>("tile_range", range, 2),
   };
+  if (!map.timed().empty()) {
+    static_assert(sizeof(TimeSpan) == 2 * sizeof(double));
+    const std::span<const double> times(reinterpret_cast<const double*>(map.times().data()),
+                                        2 * map.times().size());
+    arrays.push_back(named_array<std::uint64_t>("timed", map.timed()));
+    arrays.push_back(named_array<double>("times", times, 2));
+  }
   write_array_archive(out, meta_of(map), arrays);
 }
 
@@ -200,6 +235,7 @@ BoxMap read_box_map(const ArrayArchive& archive, Verified known) {
                                 data->boxes.size(), data->ids.size(), data->label.size()));
   }
   read_tiles(archive, *data);
+  read_timed(archive, meta, *data);
   data->archive = archive;
   data->verified = known;
   return BoxMap(data);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <ostream>
@@ -63,8 +64,10 @@ BoxTable read_box_csv(std::istream& in, std::string_view source) {
 }
 
 void write_box_csv(std::ostream& out, const BoxTable& table) {
+  const bool timed = std::any_of(table.times.begin(), table.times.end(),
+                                 [](const TimeSpan& time) { return !time.always(); });
   std::string text(kHeader);
-  text += '\n';
+  text += timed ? ",from_s,until_s\n" : "\n";
   for (std::size_t i = 0; i < table.boxes.size(); ++i) {
     for (const Vec3* corner : {&table.boxes[i].min, &table.boxes[i].max}) {
       for (const double v : *corner) {
@@ -72,7 +75,15 @@ void write_box_csv(std::ostream& out, const BoxTable& table) {
         text += ',';
       }
     }
-    text += csv_field(table.labels[table.label[i]]) + '\n';
+    text += csv_field(table.labels[table.label[i]]);
+    if (timed) {
+      const TimeSpan time = table.time(i);
+      for (const double end : {time.from, time.until}) {
+        text += ',';
+        if (std::isfinite(end)) append_number(text, end);
+      }
+    }
+    text += '\n';
   }
   out << text;
 }

@@ -9,6 +9,8 @@
 
 #include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"
+#include "geom/record/flight_time.h"
+#include "geom/record/instant.h"
 #include "geom/text/geojson_crs.h"
 #include "geom/text/parse_json.h"
 
@@ -33,6 +35,7 @@ class Reader {
     const Json root = parse_json(in, source_);
     if (!root.is_object()) refuse("expected a GeoJSON object, found another value");
     require_wgs84(root);
+    require_epoch(root);
     const std::string type = root.value("type", Json()).dump();
     if (type == "\"FeatureCollection\"") {
       const Json features = root.value("features", Json());
@@ -54,6 +57,17 @@ class Reader {
     if (!options_.local && has_foreign_crs(object)) throw InputError(source_, kForeignCrs);
   }
 
+  void require_epoch(const Json& root) const {
+    if (!root.contains("epoch") || root["epoch"].is_null()) return;
+    const Json& value = root["epoch"];
+    if (!options_.epoch || !value.is_string() ||
+        epoch_from(value.get<std::string>()) != options_.epoch) {
+      throw InputError(source_,
+                       fmt::format("expected the epoch of the map, {}, found {}",
+                                   options_.epoch.value_or("which has none"), shown(value)));
+    }
+  }
+
   void read_feature(const Json& feature) {
     const Json properties =
         feature.is_object() ? feature.value("properties", Json::object()) : Json();
@@ -69,6 +83,8 @@ class Reader {
       refuse(fmt::format("the lower altitude must be <= the upper one, found {} and {}",
                          volume.bottom, volume.top));
     }
+    time_ = {end_of(properties, "from").first, end_of(properties, "until").second};
+    if (const auto fault = span_fault(time_)) refuse(*fault);
     const Json name = properties.is_object() ? properties.value("name", Json()) : Json();
     label_ = "keep-out" + (name.is_string() ? ": " + name.get<std::string>() : std::string());
     const std::string type = geometry.value("type", Json()).dump();
@@ -81,6 +97,28 @@ class Reader {
       refuse("expected a Polygon or a MultiPolygon, found " + type.substr(0, 40));
     }
     ++feature_;
+  }
+
+  // Where it is between, in seconds after the epoch; all times where nothing is said.
+  std::pair<double, double> end_of(const Json& properties, const char* key) const {
+    if (!properties.is_object() || !properties.contains(key) || properties[key].is_null()) {
+      return {TimeSpan{}.from, TimeSpan{}.until};
+    }
+    const Json& value = properties[key];
+    if (!options_.epoch) {
+      refuse(fmt::format("{} counts from an epoch, and the map has none: give --epoch", key));
+    }
+    if (value.is_number()) return {value.get<double>(), value.get<double>()};
+    const auto instant =
+        value.is_string() ? epoch_from(value.get<std::string>()) : std::optional<std::string>();
+    if (!instant) {
+      refuse(
+          fmt::format("{} must be seconds after the epoch, or an instant in UTC such as "
+                      "\"2026-05-04T06:30:00Z\" (RFC 3339), found {}",
+                      key, shown(value)));
+    }
+    const SecondsBetween after = seconds_between(*options_.epoch, *instant);
+    return {after.least, after.most};
   }
 
   double altitude(const Json& properties, std::initializer_list<const char*> keys,
@@ -107,6 +145,7 @@ class Reader {
     out_.volumes.push_back(std::move(volume));
     out_.labels.push_back(label_);
     out_.bulge.push_back(bulge);
+    out_.times.push_back(time_);
   }
 
   std::vector<Vec2> ring(const Json& positions, double& bulge) const {
@@ -162,6 +201,7 @@ class Reader {
   std::unique_ptr<GeographicFrame> geographic_;  // unless local
   std::size_t feature_ = 0;
   std::string label_;
+  TimeSpan time_;
   KeepOut out_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <ostream>
 #include <string>
 
@@ -34,6 +35,9 @@ std::string feature(const GeographicFrame& earth, const BoxMap& map, std::size_t
   const std::string& label = map.labels()[map.label()[i]];
   if (!label.empty()) properties.add("label", label);
   properties.add("base", box.min.z()).add("height", box.max.z() - box.min.z());
+  const TimeSpan time = map.time(i);
+  if (std::isfinite(time.from)) properties.add("from", time.from);
+  if (std::isfinite(time.until)) properties.add("until", time.until);
   JsonLine geometry;
   geometry.add("type", "Polygon").add_json("coordinates", "[[" + ring(earth, box) + "]]");
   JsonLine line;
@@ -51,7 +55,9 @@ void write_box_geojson(std::ostream& out, const BoxMap& map, std::string_view so
                      "write its metres with to-csv");
   }
   const GeographicFrame earth(*frame.origin);
-  out << "{\"type\":\"FeatureCollection\",\"features\":[\n";
+  out << "{\"type\":\"FeatureCollection\",";
+  if (map.spec().epoch) out << "\"epoch\":\"" << *map.spec().epoch << "\",";
+  out << "\"features\":[\n";
   for (std::size_t i = 0; i < map.size(); ++i) {
     out << feature(earth, map, i) << (i + 1 < map.size() ? ",\n" : "\n");
   }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <tuple>
 
 #include "box_map_data.h"
+#include "geom/base/error.h"
 #include "hash.h"
 #include "tile_order.h"
 #include "verify.h"
@@ -31,7 +31,9 @@ std::vector<Placed> in_order(double tile_size, const BoxTable& table) {
     const std::size_t a = one.box;
     const std::size_t b = other.box;
     if (!(table.boxes[a] == table.boxes[b])) return comes_before(table.boxes[a], table.boxes[b]);
-    return std::tie(table.ids[a], a) < std::tie(table.ids[b], b);
+    if (table.ids[a] != table.ids[b]) return table.ids[a] < table.ids[b];
+    if (const auto times = table.time(a) <=> table.time(b); times != 0) return times < 0;
+    return a < b;
   };
   for (auto first = order.begin(); first != order.end();) {
     const auto last =
@@ -44,6 +46,9 @@ std::vector<Placed> in_order(double tile_size, const BoxTable& table) {
 
 std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable& table) {
   static_assert(sizeof(Aabb) == 6 * sizeof(double) && std::endian::native == std::endian::little);
+  for (const TimeSpan& span : table.times) {
+    if (const auto fault = span_fault(span)) throw InputError("the map", *fault);
+  }
   const std::vector<Placed> order = in_order(spec.tile_size, table);
   auto data = std::make_shared<BoxMap::Data>();
   auto own = std::make_shared<BoxMap::Data::Owned>();
@@ -60,6 +65,10 @@ std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable&
     Tile& tile = tiles.back();
     tile.extent = merged(tile.extent, box);
     ++tile.count;
+    if (const TimeSpan time = canonical(table.time(i)); !time.always()) {
+      own->timed.push_back(own->boxes.size());
+      own->times.push_back(time);
+    }
     own->boxes.push_back(box);
     own->ids.push_back(table.ids[i]);
     own->label.push_back(table.label[i]);
@@ -70,7 +79,11 @@ std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable&
   data->boxes = own->boxes;
   data->ids = own->ids;
   data->label = own->label;
-  data->hash = hash_of(data->spec, tiles, data->boxes, {});
+  data->timed = {own->timed, own->times};
+  if (const auto fault = timed_fault(data->timed, data->boxes.size(), data->spec.epoch)) {
+    throw InputError("the map", *fault);
+  }
+  data->hash = hash_of(data->spec, tiles, data->boxes, data->timed, {});
   data->tiles.set(std::move(tiles));
   data->owned = std::move(own);
   return data;
@@ -108,6 +121,9 @@ std::span<const Tile> BoxMap::tiles() const {
   require(Verified::extents);
   return data_->tiles.all();
 }
+std::span<const std::uint64_t> BoxMap::timed() const { return data_->timed.box; }
+std::span<const TimeSpan> BoxMap::times() const { return data_->timed.time; }
+TimeSpan BoxMap::time(std::size_t i) const { return data_->timed.of(i); }
 const std::string& BoxMap::hash() const { return data_->hash; }
 
 Verified BoxMap::verified() const { return data_->verified.load(std::memory_order_acquire); }

@@ -12,6 +12,7 @@
 #include "geom/archive/array_archive.h"
 #include "geom/map/box_map.h"
 #include "tile_table.h"
+#include "timed_boxes.h"
 
 namespace geom {
 
@@ -20,6 +21,8 @@ struct BoxMap::Data {
     std::vector<Aabb> boxes;
     std::vector<std::uint64_t> ids;
     std::vector<std::uint32_t> label;
+    std::vector<std::uint64_t> timed;
+    std::vector<TimeSpan> times;
   };
 
   BoxMapSpec spec;
@@ -29,6 +32,7 @@ struct BoxMap::Data {
   std::span<const Aabb> boxes;
   std::span<const std::uint64_t> ids;
   std::span<const std::uint32_t> label;
+  TimedBoxes timed;
   std::shared_ptr<const Owned> owned;   // what the spans point into, or
   std::optional<ArrayArchive> archive;  // the file that does, and that is to be verified
 

@@ -17,6 +17,10 @@ std::uint32_t BoxTable::label_of(std::string_view text) {
 }
 
 void append(BoxTable& a, const BoxTable& b) {
+  if (!b.times.empty()) {
+    a.times.resize(a.boxes.size());
+    a.times.insert(a.times.end(), b.times.begin(), b.times.end());
+  }
   std::vector<std::uint32_t> label_of;
   for (const std::string& label : b.labels) label_of.push_back(a.label_of(label));
   a.boxes.insert(a.boxes.end(), b.boxes.begin(), b.boxes.end());

@@ -195,11 +195,35 @@ void add_boxes(Sha256& sum, std::span<const Column> columns, const Execution& ru
   }
 }
 
+// Once more, with their times, by box and then by time.
+void add_timed(Sha256& sum, std::span<const Aabb> boxes, const TimedBoxes& timed) {
+  struct Entry {
+    Aabb box;
+    TimeSpan time;
+  };
+  static_assert(sizeof(Entry) == 8 * sizeof(double));
+  std::vector<Entry> entries;
+  entries.reserve(timed.box.size());
+  for (std::size_t k = 0; k < timed.box.size(); ++k) {
+    entries.push_back({canonical(boxes[timed.box[k]]), canonical(timed.time[k])});
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    if (!(a.box == b.box)) return comes_before(a.box, b.box);
+    return a.time < b.time;
+  });
+  sum.update(std::as_bytes(std::span(entries)));
+}
+
 }  // namespace
 
 std::string hash_of(const BoxMapSpec& spec, std::span<const Tile> tiles,
-                    std::span<const Aabb> boxes, const Execution& run) {
+                    std::span<const Aabb> boxes, const TimedBoxes& timed, const Execution& run) {
   Sha256 sum;
+  if (!timed.box.empty()) {
+    const std::string times =
+        "timed\n" + std::to_string(timed.box.size()) + '\n' + *spec.epoch + '\n';
+    sum.update(std::as_bytes(std::span(times)));
+  }
   const std::string head = std::string(name(spec.frame.axes)) + '\n' + spec.frame.crs + '\n';
   sum.update(std::as_bytes(std::span(head)));
   if (spec.frame.origin) {
@@ -210,6 +234,7 @@ std::string hash_of(const BoxMapSpec& spec, std::span<const Tile> tiles,
   const Aabb bounds = canonical(spec.bounds);
   sum.update(std::as_bytes(std::span(&bounds, 1)));
   add_boxes(sum, columns_of(spec.tile_size, tiles, boxes), run);
+  add_timed(sum, boxes, timed);
   return "sha256:" + sum.hex();
 }
 

@@ -6,13 +6,15 @@
 #include <string>
 
 #include "geom/map/box_map.h"
+#include "timed_boxes.h"
 
 namespace geom {
 
 // "sha256:" and 64 hexadecimal digits: of frame, CRS, origin, bounds and the boxes by min, then
-// max. Precondition: each box is in its tile, and those of a tile are in order. Takes a few tens of
-// megabytes, whatever the size of the map.
+// max; where some boxes are not always there, of the epoch and of these with their times, too.
+// Precondition: each box is in its tile, and those of a tile are in order; `timed` has no fault.
+// Takes a few tens of megabytes and what the timed boxes take, whatever the size of the map.
 std::string hash_of(const BoxMapSpec& spec, std::span<const Tile> tiles,
-                    std::span<const Aabb> boxes, const Execution& run);
+                    std::span<const Aabb> boxes, const TimedBoxes& timed, const Execution& run);
 
 }  // namespace geom

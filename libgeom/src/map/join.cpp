@@ -62,6 +62,7 @@ BoxTable table_of(const BoxMap& map, const Aabb* region) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (region && !overlap(boxes[i], *region)) continue;
     table.add(boxes[i], map.ids()[i], map.label()[i]);
+    if (!map.timed().empty()) table.set_time(table.boxes.size() - 1, map.time(i));
   }
   return table;
 }

@@ -21,7 +21,9 @@ std::size_t drop_contained(BoxTable& table) {
     const Aabb& box = table.boxes[i];
     for (const std::size_t k : index.near({box.min, box.min})) {
       if (k == i || !flag[k] || !inside(box, table.boxes[k])) continue;
-      if (table.boxes[k] == box && k > i) continue;  // of equal ones the first stays
+      if (!table.time(k).contains(table.time(i))) continue;
+      // Of equal ones the first stays.
+      if (table.boxes[k] == box && table.time(k) == table.time(i) && k > i) continue;
       flag[i] = 0;
       break;
     }
@@ -37,8 +39,14 @@ std::size_t join_along(BoxTable& table, int axis) {
   const int c = (axis + 2) % 3;
   const auto key = [&](std::size_t i) {
     const Aabb& box = table.boxes[i];
-    return std::array{static_cast<double>(table.label[i]), box.min[b], box.max[b], box.min[c],
-                      box.max[c]};
+    const TimeSpan time = table.time(i);
+    return std::array{static_cast<double>(table.label[i]),
+                      box.min[b],
+                      box.max[b],
+                      box.min[c],
+                      box.max[c],
+                      time.from,
+                      time.until};
   };
   std::vector<std::size_t> order(table.boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -25,19 +25,23 @@ class Surroundings {
  public:
   // `slack` is taken a little smaller, which covers the rounding of what is compared with it: sums
   // of squares of rounded differences, each within a few units in the last place.
-  Surroundings(std::vector<Aabb> boxes, double slack)
-      : boxes_(std::move(boxes)),
+  Surroundings(const BoxTable& table, double slack)
+      : boxes_(table.boxes),
+        times_(table.times),
         slack_(slack),
         most_(slack * slack * (1 - 1e-14)),
         index_(index_cell(boxes_) + slack) {
+    times_.resize(times_.empty() ? 0 : boxes_.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i) index_.add(i, boxes_[i]);
   }
 
-  // Whether they hold all of `hull`: never wrongly yes; no where it would take too long to tell.
-  bool hold(const Aabb& hull) const {
+  // Whether those that are there all that time hold all of `hull`: never wrongly yes; no where it
+  // would take too long to tell.
+  bool hold(const Aabb& hull, const TimeSpan& time) const {
     const Aabb around = grow(hull, Vec3::Constant(slack_));
     std::vector<Aabb> near;
     for (const std::size_t i : index_.near(around)) {
+      if (!times_.empty() && !times_[i].contains(time)) continue;
       if (overlap(boxes_[i], around)) near.push_back(boxes_[i]);
     }
     std::size_t work = 0;
@@ -94,6 +98,7 @@ class Surroundings {
   }
 
   std::vector<Aabb> boxes_;
+  std::vector<TimeSpan> times_;  // empty where all are always there
   double slack_;
   double most_;
   BoxIndex index_;
@@ -120,7 +125,7 @@ struct Round {
     for (const std::size_t k : index.near(around)) {
       const Aabb& other = table.boxes[k];
       if (k == i || !(fresh[i] || fresh[k]) || table.label[k] != table.label[i] ||
-          !overlap(other, around)) {
+          table.time(k) != table.time(i) || !overlap(other, around)) {
         continue;
       }
       choices.push_back(
@@ -132,7 +137,7 @@ struct Round {
     });
     for (const Choice& choice : choices) {
       ++tried;
-      if (room.hold(merged(box, table.boxes[choice.other]))) return choice;
+      if (room.hold(merged(box, table.boxes[choice.other]), table.time(i))) return choice;
     }
     return std::nullopt;
   }
@@ -160,17 +165,10 @@ std::size_t join_pairs(BoxTable& table, std::vector<char>& fresh,
   }
   std::size_t n = 0;
   for (std::size_t i = 0; i < best.size(); ++i) {
-    if (state[i] == gone) continue;
-    table.boxes[n] = table.boxes[i];
-    table.ids[n] = table.ids[i];
-    table.label[n] = table.label[i];
-    fresh[n] = fresh[i];
-    ++n;
+    if (state[i] != gone) fresh[n++] = fresh[i];
   }
-  table.boxes.resize(n);
-  table.ids.resize(n);
-  table.label.resize(n);
   fresh.resize(n);
+  table.keep_if([&](std::size_t i) { return state[i] != gone; });
   return best.size() - n;
 }
 
@@ -179,7 +177,7 @@ std::size_t join_pairs(BoxTable& table, std::vector<char>& fresh,
 Simplified simplify(BoxTable input, double slack, const Execution& run) {
   Simplified out{merge(std::move(input)).table, 0, 0};
   BoxTable& table = out.table;
-  const Surroundings room(table.boxes, slack);
+  const Surroundings room(table, slack);
   std::vector<char> fresh(table.boxes.size(), 1);
   std::size_t joined = 1;
   while (joined > 0) {

@@ -53,5 +53,6 @@ inline Aabb canonical(Aabb box) {
   box.max.array() += 0.0;
   return box;
 }
+inline TimeSpan canonical(const TimeSpan& span) { return {span.from + 0.0, span.until + 0.0}; }
 
 }  // namespace geom

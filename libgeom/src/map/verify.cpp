@@ -84,9 +84,14 @@ void check_place(const BoxMap::Data& data, std::size_t t, std::size_t begin, std
                                shown(data.boxes[i])));
     }
     if (i == tile.first || comes_before(data.boxes[i - 1], data.boxes[i])) continue;
-    if (data.boxes[i - 1] == data.boxes[i] && data.ids[i - 1] <= data.ids[i]) continue;
-    refuse(data, fmt::format("box {} of tile {} must not come before box {}, by min, max and id", i,
-                             t, i - 1));
+    if (data.boxes[i - 1] == data.boxes[i] && data.ids[i - 1] < data.ids[i]) continue;
+    if (data.boxes[i - 1] == data.boxes[i] && data.ids[i - 1] == data.ids[i] &&
+        data.timed.of(i - 1) <= data.timed.of(i)) {
+      continue;
+    }
+    refuse(data, fmt::format("box {} of tile {} must not come before box {}, by min, max, id and "
+                             "time",
+                             i, t, i - 1));
   }
 }
 
@@ -103,7 +108,7 @@ void verify_contents(const BoxMap::Data& data, const Execution& run) {
   for_each_stretch_of_tiles(data, run, [&](std::size_t t, std::size_t begin, std::size_t end) {
     check_place(data, t, begin, end);
   });
-  const std::string found = hash_of(data.spec, data.tiles.all(), data.boxes, run);
+  const std::string found = hash_of(data.spec, data.tiles.all(), data.boxes, data.timed, run);
   if (found != data.hash) {
     refuse(data, fmt::format("the map names the hash {}, and its boxes have {}", data.hash, found));
   }

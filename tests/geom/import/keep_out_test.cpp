@@ -72,6 +72,54 @@ TEST(KeepOut, RefusesDegreesOfAnotherKind) {
   }
 }
 
+KeepOut timed(const std::string& properties, const KeepOutOptions& options,
+              const std::string& more = "") {
+  std::istringstream in(
+      R"({"type":"FeatureCollection",)" + more +
+      R"("features":[{"type":"Feature","properties":{"lower":1,"upper":9)" + properties +
+      R"(},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}}]})");
+  return read_keep_out(in, "zones", {}, options);
+}
+
+const KeepOutOptions kTimed{true, 0, 9, "2026-05-04T06:30:00Z"};
+
+TEST(KeepOut, IsThereWhenItsTimesSay) {
+  const auto time = [](const std::string& properties) {
+    return timed(properties, kTimed).times.at(0);
+  };
+  const TimeSpan always;
+  EXPECT_TRUE(time("").always());
+  EXPECT_TRUE(time(R"(,"from":null,"until":null)").always());
+  EXPECT_EQ(time(R"(,"from":-60.5)"), (TimeSpan{-60.5, always.until}));
+  EXPECT_EQ(time(R"(,"until":60)"), (TimeSpan{always.from, 60}));
+  EXPECT_EQ(time(R"(,"from":"2026-05-04T06:30:00Z","until":"2026-05-05T06:30:01+00:00")"),
+            (TimeSpan{0, 86401}));
+  const TimeSpan part =
+      time(R"(,"from":"2026-05-04T06:30:00.1Z","until":"2026-05-04T06:30:00.1Z")");
+  EXPECT_LT(part.from, 0.1);
+  EXPECT_GT(part.until, 0.1);
+  EXPECT_NEAR(part.from, part.until, 1e-14);
+}
+
+TEST(KeepOut, RefusesTimesThatCannotBe) {
+  const auto refusal = [](const std::string& properties, const KeepOutOptions& options = kTimed,
+                          const std::string& more = "") {
+    return support::refusal_of([&] { timed(properties, options, more); });
+  };
+  EXPECT_NE(refusal(R"(,"from":"2026-05-04")").find("found \"2026-05-04\""), std::string::npos);
+  EXPECT_NE(refusal(R"(,"from":"12")").find("seconds after the epoch"), std::string::npos);
+  EXPECT_NE(refusal(R"(,"until":true)").find("until must be seconds"), std::string::npos);
+  EXPECT_NE(refusal(R"(,"from":5,"until":4)").find("from must be at most until, found 5 and 4"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"(,"until":1777876200)").find("within 1e+09"), std::string::npos);
+  EXPECT_NE(refusal(R"(,"from":"1960-01-01T00:00:00Z")").find("within 1e+09"), std::string::npos);
+  EXPECT_NE(refusal(R"(,"until":4)", {.local = true}).find("give --epoch"), std::string::npos);
+  const std::string other = R"("epoch":"2026-05-04T06:31:00Z",)";
+  EXPECT_NE(refusal("", kTimed, other).find("expected the epoch of the map"), std::string::npos);
+  EXPECT_NE(refusal("", {.local = true}, other).find("which has none"), std::string::npos);
+  EXPECT_EQ(refusal("", kTimed, R"("epoch":"2026-05-04T06:30:00.0Z",)"), "");
+}
+
 TEST(KeepOut, RefusesWhatIsNoVolume) {
   for (
       const char* text :

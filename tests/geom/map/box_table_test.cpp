@@ -18,6 +18,31 @@ TEST(BoxTable, KeepsALabelOnce) {
   EXPECT_EQ(table.labels, (std::vector<std::string>{"", "church", "mast", "tower"}));
 }
 
+TEST(BoxTable, KeepsTheTimesOfBoxesWhateverBecomesOfThem) {
+  BoxTable table;
+  for (int i = 0; i < 6; ++i) table.add(unit(i), 10 + i);
+  table.set_time(1, {1, 2});
+  table.set_time(3, {3, 4});
+  table.boxes.push_back(unit(9));  // by hand
+  table.ids.push_back(19);
+  table.label.push_back(0);
+  EXPECT_TRUE(table.time(0).always() && table.time(6).always());
+  BoxTable kept = table;
+  kept.keep_if([](std::size_t i) { return i != 1 && i != 2; });  // 10, 13, 14, 15, 19
+  EXPECT_TRUE(kept.time(0).always() && kept.time(2).always() && kept.time(4).always());
+  EXPECT_EQ(kept.time(1), (TimeSpan{3, 4}));
+  BoxTable last = table;
+  last.keep_if([](std::size_t i) { return i >= 4; });
+  EXPECT_TRUE(last.time(0).always() && last.time(1).always() && last.time(2).always());
+  BoxTable more;
+  more.add(unit(20), 30);
+  append(more, table);
+  append(more, last);
+  EXPECT_TRUE(more.time(0).always() && more.time(1).always() && more.time(8).always());
+  EXPECT_EQ(more.time(2), (TimeSpan{1, 2}));
+  EXPECT_EQ(more.time(4), (TimeSpan{3, 4}));
+}
+
 TEST(BoxTable, KeepsWhatIsAskedForInItsOrder) {
   BoxTable table;
   for (int i = 0; i < 6; ++i) table.add(unit(i), 10 + i, table.label_of(i % 2 ? "odd" : "even"));

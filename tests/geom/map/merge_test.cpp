@@ -76,5 +76,33 @@ TEST(Merge, KeepsLabelsApartUnlessContained) {
   EXPECT_EQ(after.contained, 1u);
 }
 
+// Within a time, at its ends, and between two.
+std::vector<Aabb> there_at(const BoxTable& table, double t) {
+  std::vector<Aabb> out;
+  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
+    if (table.time(i).meets({t, t})) out.push_back(table.boxes[i]);
+  }
+  return out;
+}
+
+TEST(Merge, LeavesTheUnionTheSameAtEachInstant) {
+  std::size_t fewer = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    BoxTable before = crowd(seed, 80);
+    support::Random random(seed + 100);
+    for (std::size_t i = 0; i < before.boxes.size(); ++i) {
+      const double from = random.below(3);
+      if (random.below(3)) before.set_time(i, {from, from + random.below(3)});
+    }
+    const BoxTable after = merge(before).table;
+    fewer += after.boxes.size() < before.boxes.size();
+    for (double t = -0.5; t <= 5; t += 0.5) {
+      ASSERT_EQ(oracle::not_held(there_at(before, t), there_at(after, t)), 0u) << seed << ' ' << t;
+      ASSERT_EQ(oracle::not_held(there_at(after, t), there_at(before, t)), 0u) << seed << ' ' << t;
+    }
+  }
+  EXPECT_EQ(fewer, 20u);
+}
+
 }  // namespace
 }  // namespace geom

@@ -107,5 +107,21 @@ TEST(Simplify, KeepsLabelsApartAndLeavesNothingAlone) {
   EXPECT_TRUE(simplify(support::table_of({}), 1).table.boxes.empty());
 }
 
+TEST(Simplify, KeepsTimesApart) {
+  BoxTable before = support::table_of({{{0, 0, 0}, {4, 4, 4}}, {{5, 0, 0}, {9, 4, 4}}});
+  before.set_time(0, {0, 10});
+  EXPECT_EQ(simplify(before, 2).table.boxes.size(), 2u);
+  before.set_time(1, {0, 10});
+  const BoxTable joined = simplify(before, 2).table;
+  ASSERT_EQ(joined.boxes.size(), 1u);
+  EXPECT_EQ(joined.time(0), (TimeSpan{0, 10}));
+  // A third one that fills the gap, but not at these times, is no reason to join them.
+  before.add({{4, 0, 0}, {5, 4, 4}}, 3);
+  before.set_time(2, {0, 9});
+  EXPECT_EQ(simplify(before, 0.1).table.boxes.size(), 3u);
+  before.set_time(2, {-1, 11});
+  EXPECT_EQ(simplify(before, 0.1).table.boxes.size(), 2u);
+}
+
 }  // namespace
 }  // namespace geom

@@ -29,6 +29,8 @@ nlohmann::ordered_json describe(const geom::BoxMap& map) {
                      {"height_m", spec.frame.origin->height}};
   }
   if (!spec.frame.crs.empty()) out["crs"] = spec.frame.crs;
+  if (spec.epoch) out["epoch"] = *spec.epoch;
+  if (!map.timed().empty()) out["timed_boxes"] = map.timed().size();
   if (const std::size_t skipped = skipped_in(spec)) out["skipped_obstacles"] = skipped;
   out["history"] = history_of(map);
   return out;

@@ -3,12 +3,14 @@
 // No-fly volumes: GeoJSON polygons with a lower and an upper altitude.
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "geom/map/footprint.h"
 #include "geom/map/frame.h"
+#include "geom/map/time_span.h"
 
 namespace geom {
 
@@ -16,22 +18,27 @@ struct KeepOut {
   std::vector<Footprint> volumes;   // in the map's coordinates; ids count the features from 0
   std::vector<std::string> labels;  // "keep-out: NAME", one a volume
   std::vector<double> bulge;        // metres the true outline may reach outside the polygon
+  std::vector<TimeSpan> times;      // when each is there, rounded outward
 };
 
 struct KeepOutOptions {
   bool local = false;  // coordinates are the map's own metres, not longitude and latitude
   double floor = 0;    // metres: where a volume without lower altitude starts
   double ceiling = 0;  // where one without upper altitude ends
+  // The instant that seconds count from, as epoch_from() writes it (geom/record/flight_time.h).
+  std::optional<std::string> epoch;
 };
 
 // An edge is straight in longitude and latitude, as GeoJSON has it, and bends in metres: it is cut
 // into pieces of 200 m or less (or 1000 pieces), and `bulge` bounds what they leave out.
 //
 // A FeatureCollection, a Feature or a geometry of Polygons and MultiPolygons. Properties: `lower`
-// or `lower_altitude_m`, `upper` or `upper_altitude_m` (metres in the map's z), and `name`.
-// Throws InputError(source, …) for malformed JSON, other geometries, rings of fewer than 4
-// positions, altitudes that are no numbers or inverted, and without `local` for a frame that has no
-// origin.
+// or `lower_altitude_m`, `upper` or `upper_altitude_m` (metres in the map's z), and `name`. A
+// volume is always there unless the property `from` or `until` says otherwise: seconds after the
+// epoch, or an instant in UTC (RFC 3339). Both are closed. A member `epoch` of the whole names the
+// epoch. Throws InputError(source, …) for malformed JSON, other geometries, rings of fewer than 4
+// positions, altitudes that are no numbers or inverted, times that are none or inverted, times
+// without an epoch, another epoch, and without `local` for a frame that has no origin.
 KeepOut read_keep_out(std::istream& in, std::string_view source, const Frame& frame,
                       const KeepOutOptions& options);
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct BoxMapSpec {
   std::string bounds_from;  // "source", "obstacles" or "option": who set the bounds
   double tile_size = 100;   // metres, > 0
   std::string history;      // one JSON array: a line of options and input hashes per step
+  // The instant that times of boxes count from, as epoch_from() writes it (flight_time.h).
+  std::optional<std::string> epoch;
 };
 
 // How much of what a map's file says of itself was held against what it holds (docs/formats.md,
@@ -49,7 +52,8 @@ enum class Verified : std::uint8_t {
 // decides for good (a proof, a map made of this one) calls require(Verified::contents).
 class BoxMap {
  public:
-  // Sorts `table` into tiles. No box may be inverted or not finite (precondition).
+  // Sorts `table` into tiles. No box may be inverted or not finite (precondition). Where some are
+  // not always there, InputError("the map", …) unless there is an epoch and each time is one.
   BoxMap(BoxMapSpec spec, const BoxTable& table);
 
   const BoxMapSpec& spec() const;
@@ -63,8 +67,14 @@ class BoxMap {
   const std::vector<std::string>& labels() const;
   std::span<const Tile> tiles() const;
 
-  // "sha256:" and 64 hexadecimal digits: SHA-256 of frame, bounds and the sorted boxes. A claim of
-  // the file's until its contents are verified.
+  // Of boxes that are not always there. Whoever does not ask counts them as always there, which is
+  // on the safe side of every answer about free space.
+  std::span<const std::uint64_t> timed() const;  // their indices, ascending
+  std::span<const TimeSpan> times() const;       // when each of these is there
+  TimeSpan time(std::size_t i) const;            // of any box; log of the timed ones
+
+  // "sha256:" and 64 hexadecimal digits: SHA-256 of frame, bounds, the sorted boxes and times. A
+  // claim of the file's until its contents are verified.
   const std::string& hash() const;
 
   // Verifies what is not yet: reads all boxes for the extents, all bytes for the contents. Throws

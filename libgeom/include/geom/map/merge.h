@@ -8,13 +8,16 @@ namespace geom {
 
 struct Merged {
   BoxTable table;
-  std::size_t contained = 0;  // boxes dropped because another contains them, whatever its label
-  std::size_t joined = 0;     // boxes that became part of a neighbour of the same label
+  // Boxes dropped because another contains them, at all times at which they are there, whatever its
+  // label; and boxes that became part of a neighbour of the same label and times.
+  std::size_t contained = 0;
+  std::size_t joined = 0;
 };
 
 // Drops contained boxes and joins those that are equal on two axes and touch or overlap on the
-// third, until neither finds anything. The union is exactly the same closed set: no coordinate is
-// new. A joined box has the smallest id of its parts. O(n log n) a round. Deterministic.
+// third, until neither finds anything. At each instant the union is exactly the same closed set: no
+// coordinate is new. A joined box has the smallest id of its parts. O(n log n) a round.
+// Deterministic.
 Merged merge(BoxTable table);
 
 }  // namespace geom

@@ -13,11 +13,12 @@ struct Simplified {
   std::size_t tried = 0;   // pairs looked at
 };
 
-// Joins near boxes of one label into their hull where every point of the hull is within `slack`
-// metres (>= 0, Euclidean) of an input box: so each input box lies in one output box, and no output
-// box reaches further than the slack from the input, in real arithmetic. Greedy: in each round
-// every box looks for the neighbour that adds least volume and fits, and the best pairs are joined,
-// until there is none. After and before merge(). Deterministic, for any number of threads.
+// Joins near boxes of one label and of the same times into their hull where every point of the hull
+// is within `slack` metres (>= 0, Euclidean) of an input box that is there at all these times: so
+// each input box lies in one output box, and no output box reaches further than the slack from the
+// input, in real arithmetic. Greedy: in each round every box looks for the neighbour that adds
+// least volume and fits, and the best pairs are joined, until there is none. After and before
+// merge(). Deterministic, for any number of threads.
 Simplified simplify(BoxTable table, double slack, const Execution& run = {});
 
 }  // namespace geom

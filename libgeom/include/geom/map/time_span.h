@@ -1,0 +1,33 @@
+#pragma once
+
+// From when until when an obstacle is there.
+
+#include <compare>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace geom {
+
+// Closed, in seconds after the map's epoch: the obstacle is there at both ends. `from` may be
+// -infinity and `until` infinity; both together are an obstacle that is always there.
+//
+//   const TimeSpan half_an_hour{3600, 5400};
+struct TimeSpan {
+  double from = -std::numeric_limits<double>::infinity();
+  double until = std::numeric_limits<double>::infinity();
+
+  bool always() const { return *this == TimeSpan{}; }
+  // Whether the two have an instant in common; closed. False of what is no number.
+  bool meets(const TimeSpan& other) const { return from <= other.until && other.from <= until; }
+  bool contains(const TimeSpan& other) const { return from <= other.from && other.until <= until; }
+
+  friend bool operator==(const TimeSpan&, const TimeSpan&) = default;
+  friend auto operator<=>(const TimeSpan&, const TimeSpan&) = default;
+};
+
+// Why that is none, in words: an end that is no number, or beyond kLargestTime and not infinite; a
+// `from` after `until`. Nothing where it is one.
+std::optional<std::string> span_fault(const TimeSpan& span);
+
+}  // namespace geom
