@@ -4,6 +4,7 @@
 
 #include "cli/option/limit_options.h"
 #include "cli/run.h"
+#include "geom/record/start_on_map.h"
 #include "geom/text/json_fields.h"
 #include "traj/proof/check.h"
 #include "traj/proof/clearance.h"
@@ -15,8 +16,9 @@ namespace checking {
 namespace {
 
 // The scene says only what vehicle it is for; the exact check looks at the map itself.
-traj::ExactTask exact_task(const geom::CollisionScene& scene, const traj::Limits& limits) {
-  return {scene.map(), scene.vehicle(), scene.margin(), limits};
+traj::ExactTask exact_task(const geom::CollisionScene& scene, const traj::Limits& limits,
+                           const std::optional<double>& start = {}, bool stands = false) {
+  return {scene.map(), scene.vehicle(), scene.margin(), limits, start, stands};
 }
 
 // Only --override allows it.
@@ -39,6 +41,13 @@ std::string corner_note(const traj::Flown& flown) {
       "the vehicle does not stop at {}: corners were looked at within {:.3g} m "
       "(--acceptance says otherwise)",
       where, flown.acceptance);
+}
+
+// Of a collision while it stands on its pads.
+std::string standing_detail(const traj::CheckResult& result) {
+  if (result.reason != traj::Reason::collision) return {};
+  if (result.time < 0) return "where it stands before it begins";
+  return result.time > result.duration ? "where it stands after its end" : "";
 }
 
 // What is in the way of a take-off.
@@ -99,9 +108,14 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
   traj::CheckOptions options;
   options.limits = report.limits;
   options.clearance = rules_.clearance;
+  options.start = geom::start_on(scene.map(), record.time, source, line);
+  options.stands = together_.parks();
+  report.by_time = options.start.has_value();
   report.result = traj::check(scene, record.trajectory, options);
+  if (report.by_time) report.detail = standing_detail(report.result);
   if (rules_.exact) {
-    report.exact = traj::check_exactly(exact_task(scene, report.limits), record.trajectory);
+    report.exact = traj::check_exactly(
+        exact_task(scene, report.limits, options.start, options.stands), record.trajectory);
   }
   traj::add_bounds(record, report);
   if (profile_.is_open() && report.result.duration > 0) {
@@ -122,6 +136,7 @@ traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::stri
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
+  geom::start_on(scene.map(), {record.time.epoch, {}, {}, {}, {}}, source, line);
   if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
   report.result = traj::check_path(scene, record.points, {}, rules_.clearance);

@@ -85,6 +85,7 @@ class Reports {
       : map_(map),
         profile_(options.profile),
         junit_(options.junit),
+        parks_(options.together.parks()),
         out_(options.output, "output", sharding) {
     if (!options.certificate.empty())
       certificates_.emplace(options.certificate, "certificate", sharding);
@@ -138,14 +139,21 @@ class Reports {
 
  private:
   std::string certificate(const traj::ReportRecord& report) const {
-    return to_json_line(traj::CertificateRecord{report.id, report.checked, *report.exact,
-                                                map_.spec().bounds, report.provenance,
-                                                report.limits, report.overridden});
+    traj::CertificateRecord record{report.id,          report.checked,    *report.exact,
+                                   map_.spec().bounds, report.provenance, report.limits,
+                                   report.overridden};
+    if (report.by_time) {
+      record.epoch = map_.spec().epoch;
+      record.start = report.time.start;
+      record.stands = parks_;
+    }
+    return to_json_line(record);
   }
 
   const geom::BoxMap& map_;
   checking::ProfileFile& profile_;
   checking::JUnitFile& junit_;
+  bool parks_;
   cli::RecordOutput out_;
   std::optional<cli::RecordOutput> certificates_;
   std::size_t count_ = 0;

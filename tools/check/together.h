@@ -21,6 +21,8 @@ class Together {
  public:
   void add_to(CLI::App& app);
   bool asked() const { return asked_; }
+  // Whether flights stand at their ends before and after.
+  bool parks() const { return asked_ && task_.rule.parked == traj::Parked::pad; }
   // Throws cli::UsageError for options that mean nothing, alone or with files of drones.
   void refuse_idle(const CLI::App& app, bool drone_file) const;
 

@@ -35,7 +35,8 @@ struct Planned {
   std::size_t records = 0;
   std::size_t found = 0;
   cli::Batch batch;
-  std::size_t open = 0;  // paths whose bound is further away than was asked for
+  std::size_t timed = 0;  // boxes that are there for a time only
+  std::size_t open = 0;   // paths whose bound is further away than was asked for
   planning::SnappedEnds snapped;
   geom::PathRecord last;
   plan::SearchTree tree;  // of the last query, where it is to be written
@@ -194,6 +195,12 @@ void tell(const cli::Common& common, const Planned& planned, double gap, bool of
               fmt::format("no proof within {} for {} of {}: there may be shorter ones", gap,
                           planned.open, geom::counted(planned.found, "path")));
   }
+  if (planned.timed > 0) {
+    cli::tell(common, "skyway-plan",
+              fmt::format("{} there for a time only, and counted as always there: no path passes "
+                          "them, and bounds and unreachable are of the map with them",
+                          geom::counted(planned.timed, "box is", "boxes are")));
+  }
   planned.batch.tell(common, "skyway-plan", "queries have no path");
   if (of_one && !planned.found) cli::complain("skyway-plan", planned.last.message);
 }
@@ -242,8 +249,9 @@ int main(int argc, char** argv) {
     search.check(queries.size());
     const auto planner = given.planner(scene, named ? &*named : given.lattice());
     Outputs out(output, search.certificate, sharding);
-    const Planned planned = plan_each(*planner, scene, queries, sharding.shard(), search,
-                                      common.execution("paths"), out);
+    Planned planned = plan_each(*planner, scene, queries, sharding.shard(), search,
+                                common.execution("paths"), out);
+    planned.timed = scene.map().timed().size();
     const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;
     given.save();
     out.commit(queries.size(), exit);

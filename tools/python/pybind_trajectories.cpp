@@ -10,6 +10,7 @@
 #include "cli/option/solver_words.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
+#include "geom/record/start_on_map.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 #include "traj/curve/yaw.h"
@@ -118,10 +119,14 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
     return report;
   }
   report.limits = geom::limits_that_hold({asked, record.limits, vehicle.limits});
-  report.result = traj::check(self.scene, record.trajectory, report.limits);
+  traj::CheckOptions options;
+  options.limits = report.limits;
+  options.start = geom::start_on(self.scene.map(), record.time, record.id, 0);
+  report.by_time = options.start.has_value();
+  report.result = traj::check(self.scene, record.trajectory, options);
   if (exact) {
     report.exact = traj::check_exactly(
-        {self.scene.map(), self.scene.vehicle(), self.scene.margin(), report.limits},
+        {self.scene.map(), self.scene.vehicle(), self.scene.margin(), report.limits, options.start},
         record.trajectory);
   }
   traj::add_bounds(record, report);
@@ -130,6 +135,7 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
 
 traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record, bool exact) {
   agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
+  geom::start_on(self.scene.map(), {record.time.epoch, {}, {}, {}, {}}, record.id, 0);
   traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}, {}};
   report.time = record.time;
   if (record.status != geom::PathStatus::found) {

@@ -107,6 +107,7 @@ std::string to_json_line(const PathRecord& record) {
   line.add("type", "path").add("id", record.id).add("status", name(record.status));
   add(line, record.provenance);
   add(line, record.time);
+  if (record.closed_times) line.add("timed_boxes", "always_there");
   if (!record.message.empty()) line.add("message", record.message);
   if (!record.search.empty()) line.add_json("search", record.search);
   if (record.origin) add_origin(line, *record.origin);
@@ -129,6 +130,7 @@ PathRecord read_path_record(const JsonFields& fields) {
   record.status = fields.word("status", kPathStatusWords, PathStatus::found);
   record.provenance = read_provenance(fields);
   record.time = read_flight_time(fields);
+  record.closed_times = fields.text("timed_boxes", "") == "always_there";
   record.message = fields.text("message", "");
   if (fields.has("search")) record.search = fields.value("search").dump();
   if (fields.has("points")) record.points = fields.points("points");

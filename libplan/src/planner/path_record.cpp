@@ -28,6 +28,7 @@ geom::PathRecord path_record(const geom::CollisionScene& scene, std::string id,
   record.status = result.status;
   record.points = result.path;
   record.provenance = geom::provenance_of(scene);
+  record.closed_times = !scene.map().timed().empty();
   record.message = result.message;
   if (result.bound) record.bound = result.bound->bound;
   if (result.route) record.search = search_report(result);

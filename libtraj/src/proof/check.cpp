@@ -11,6 +11,7 @@
 #include "check_place.h"
 #include "curve/curve_piece.h"
 #include "geom/base/error.h"
+#include "geom/record/flight_time.h"
 #include "least_clearance.h"
 #include "traj/curve/continuity.h"
 #include "traj/proof/domain.h"
@@ -30,6 +31,10 @@ void require_numbers(const CheckOptions& options) {
   require("acceleration_gap", options.acceleration_gap);
   require("yaw_gap", options.yaw_gap);
   require("yaw_rate_gap", options.yaw_rate_gap);
+  if (options.start && !(std::abs(*options.start) <= geom::kLargestTime)) {
+    throw geom::InputError("start", fmt::format("expected seconds within {:g}, found {}",
+                                                geom::kLargestTime, *options.start));
+  }
 }
 
 // Of the yaw (order 0) or its rate at a joint; one without yaw goes with any.
@@ -86,6 +91,16 @@ std::vector<Piece> pieces_and_steps(const Trajectory& trajectory, std::span<cons
   return pieces;
 }
 
+// The pieces, and where it stands before `first` and after `last`.
+std::vector<Piece> with_stands(std::vector<Piece> pieces, const Piece& first, const Piece& last) {
+  const auto stand = [&](const Vec3& p, double begin, double end, const Vec3& stray) {
+    pieces.push_back({{p, p, p, p, p, p, p, p}, begin, end, stray});
+  };
+  stand(first.q[0], -kEver, first.begin, first.stray);
+  stand(last.q[kDegree], last.end, kEver, last.stray);
+  return pieces;
+}
+
 }  // namespace
 
 CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
@@ -99,11 +114,18 @@ CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajector
   result.looked = true;
   result.duration = duration(trajectory);
   const std::vector<Piece> pieces = pieces_and_steps(trajectory, options.stray);
+  const BoxTimes times(scene.map(), options.start, pieces.size(), result.duration);
   check_joints(trajectory, options, result);
-  if (result.reason == Reason::none) check_place(scene, pieces, result);
+  if (result.reason == Reason::none && options.stands && times.count()) {
+    const Piece& last = pieces[trajectory.segments.size() - 1];
+    check_place(scene, times, with_stands(pieces, pieces.front(), last), result);
+  } else if (result.reason == Reason::none) {
+    check_place(scene, times, pieces, result);
+  }
   check_limits(trajectory, options, result);
   result.jumps = largest_jumps(trajectory);
-  if (options.clearance == Clearance::measured) result.clearance = least_clearance(scene, pieces);
+  if (options.clearance == Clearance::measured)
+    result.clearance = least_clearance(scene, times, pieces);
   result.ok = result.reason == Reason::none;
   return result;
 }
@@ -138,7 +160,7 @@ CheckResult check_path(const geom::CollisionScene& scene, std::span<const Vec3> 
     return result;
   }
   result.looked = true;
-  check_place(scene, pieces, result);
+  check_place(scene, BoxTimes(), pieces, result);
   if (clearance == Clearance::measured) result.clearance = least_clearance(scene, legs);
   result.ok = result.reason == Reason::none;
   return result;

@@ -42,14 +42,15 @@ bool too_small(const Piece& piece, int depth) {
   return (box.max - box.min).maxCoeff() < kSmallest || depth >= kDeepest;
 }
 
-// The first time that cannot be shown clear of every grown box, or nothing. Works relative to an
-// origin on the curve, so errors scale with the piece and not with its coordinates.
-std::optional<double> first_touch(const Piece& piece, const std::vector<geom::Aabb>& near,
-                                  int depth, double scale) {
+// The first time that cannot be shown clear of every grown box by place or by time, or nothing.
+// Works relative to an origin on the curve, so errors scale with the piece and not with its
+// coordinates.
+std::optional<double> first_touch(const Piece& piece, const std::vector<TimedBox>& near, int depth,
+                                  double scale) {
   const geom::Aabb box = sure_box(piece, depth, scale);
-  std::vector<geom::Aabb> rest;
-  for (const geom::Aabb& grown : near) {
-    if (geom::overlap(box, grown)) rest.push_back(grown);
+  std::vector<TimedBox> rest;
+  for (const TimedBox& grown : near) {
+    if (geom::overlap(box, grown.box) && grown.time.meets(time_of(piece))) rest.push_back(grown);
   }
   if (rest.empty()) return std::nullopt;
   if (too_small(piece, depth)) return piece.middle();
@@ -88,8 +89,9 @@ bool on_the_line_between_its_ends(const Piece& piece) {
 // The proof that one piece of a curve is clear of a scene.
 class TouchSearch {
  public:
-  TouchSearch(const geom::CollisionScene& scene, const Piece& piece)
+  TouchSearch(const geom::CollisionScene& scene, const BoxTimes& times, const Piece& piece)
       : scene_(scene),
+        times_(times),
         origin_(piece.q[0]),
         whole_(around(origin_, piece)),
         scale_(largest_coordinate(whole_)) {}
@@ -100,14 +102,16 @@ class TouchSearch {
  private:
   // The first time in `piece` that cannot be shown clear. `region` holds it, in the map's frame.
   std::optional<double> touch(const Piece& piece, const geom::Aabb& region, int depth) {
-    const auto boxes = scene_.boxes_meeting(region, kMany);
+    const auto boxes = too_small(piece, depth) ? scene_.boxes_meeting(region)
+                                               : scene_.boxes_meeting(region, kMany);
     looked_at_ += boxes ? boxes->size() : kMany;
     if (boxes) {
-      std::vector<geom::Aabb> near;
-      for (const std::size_t i : *boxes) near.push_back(moved(scene_.grown(i), -origin_));
+      std::vector<TimedBox> near;
+      for (const std::size_t i : *boxes) {
+        near.push_back({moved(scene_.grown(i), -origin_), times_.of(i)});
+      }
       return first_touch(piece, near, depth, scale_);
     }
-    if (too_small(piece, depth)) return piece.middle();
     const auto [l, r] = piece.halved();
     if (const auto t = touch(l, region_of(l, depth + 1), depth + 1)) return t;
     return touch(r, region_of(r, depth + 1), depth + 1);
@@ -118,17 +122,20 @@ class TouchSearch {
   }
 
   const geom::CollisionScene& scene_;
+  const BoxTimes& times_;
   Vec3 origin_;
   Piece whole_;
   double scale_;
   std::size_t looked_at_ = 0;
 };
 
-bool touches(const geom::CollisionScene& scene, const Piece& piece, CheckResult& result) {
+bool touches(const geom::CollisionScene& scene, const BoxTimes& times, const Piece& piece,
+             CheckResult& result) {
   if (piece.stray.isZero(0) && on_the_line_between_its_ends(piece)) {
-    return scene.hits(piece.q.front(), piece.q.back());
+    const bool hits = scene.hits(piece.q.front(), piece.q.back());
+    if (!hits || !times.count()) return hits;  // else it may be at another time
   }
-  TouchSearch search(scene, piece);
+  TouchSearch search(scene, times, piece);
   const bool touching = search.touches();
   result.looked_at += search.looked_at();
   return touching;
@@ -173,10 +180,11 @@ struct Part : Piece {
   }
 };
 
-// How deep the curve is in obstacles, by parts with few around them.
+// How deep the curve is in obstacles while they are there, by parts with few around them.
 class DepthSearch {
  public:
-  explicit DepthSearch(const geom::CollisionScene& scene) : scene_(scene) {}
+  DepthSearch(const geom::CollisionScene& scene, const BoxTimes& times)
+      : scene_(scene), times_(times) {}
 
   // Cut up to so many times until few boxes are left; parts without any are left out.
   void add(const Piece& piece, int cuts = kMostCuts) {
@@ -189,9 +197,9 @@ class DepthSearch {
       add(l, cuts - 1);
       return add(r, cuts - 1);
     }
-    std::vector<geom::Aabb> list;
+    std::vector<TimedBox> list;
     for (const std::size_t i : few ? *few : scene_.boxes_meeting(region)) {
-      list.push_back(padded(scene_.grown(i), piece.stray));
+      list.push_back({padded(scene_.grown(i), piece.stray), times_.of(i)});
     }
     looked_at_ += list.size();
     if (list.empty()) return;
@@ -206,9 +214,10 @@ class DepthSearch {
     const auto depth = [&](const Part& part, const Vec3& p) {
       const geom::Aabb hull = hull_box(part.q);
       Estimate e{-kInfinity, -kInfinity};
-      for (const geom::Aabb& box : lists_[part.list]) {
-        e.value = std::max(e.value, depth_in(box, p));
+      for (const auto& [box, time] : lists_[part.list]) {
+        if (!time.meets(time_of(part))) continue;
         e.bound = std::max(e.bound, most_depth_in(box, hull));
+        if (is_there(time, part.middle())) e.value = std::max(e.value, depth_in(box, p));
       }
       return e;
     };
@@ -223,6 +232,7 @@ class DepthSearch {
     const double reach = kBeside + std::max(0.0, -worst.value);
     const geom::Aabb around = padded({worst.place, worst.place}, stray_);
     for (const std::size_t i : scene_.boxes_meeting(beside(around, reach))) {
+      if (!is_there(times_.of(i), worst.time)) continue;
       const double depth = depth_in(padded(scene_.grown(i), stray_), worst.place);
       if (depth > most) {
         most = depth;
@@ -233,6 +243,8 @@ class DepthSearch {
   }
 
  private:
+  static bool is_there(const geom::TimeSpan& time, double at) { return time.meets({at, at}); }
+
   // Wider by that, and by what rounding may have moved its points.
   static geom::Aabb beside(const geom::Aabb& box, double reach) {
     const double far = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
@@ -241,18 +253,21 @@ class DepthSearch {
   }
 
   const geom::CollisionScene& scene_;
+  const BoxTimes& times_;
   std::vector<Part> parts_;
-  std::vector<std::vector<geom::Aabb>> lists_;
+  std::vector<std::vector<TimedBox>> lists_;
   Vec3 stray_ = Vec3::Zero();  // the largest
   std::size_t looked_at_ = 0;
 };
 
-void report_collision(const geom::CollisionScene& scene, const std::vector<Piece>& bad,
-                      CheckResult& result) {
-  DepthSearch search(scene);
+void report_collision(const geom::CollisionScene& scene, const BoxTimes& times,
+                      const std::vector<Piece>& bad, CheckResult& result) {
+  DepthSearch search(scene, times);
   for (const Piece& piece : bad) search.add(piece);
   result.looked_at += search.looked_at();
-  const Largest worst = search.deepest();
+  Largest worst = search.deepest();
+  // A box that is there for an instant may be at none that was looked at.
+  if (worst.value == -kInfinity) worst = {0, bad.front().middle(), middle_of(bad.front().q)};
   result.box = search.box_at(worst);
   note(result, Reason::collision, worst);
 }
@@ -280,8 +295,8 @@ void note(CheckResult& result, Reason reason, const Largest& worst) {
   result.worst = worst.value;
 }
 
-void check_place(const geom::CollisionScene& scene, const std::vector<Piece>& pieces,
-                 CheckResult& result) {
+void check_place(const geom::CollisionScene& scene, const BoxTimes& times,
+                 const std::vector<Piece>& pieces, CheckResult& result) {
   std::vector<Piece> outside;
   std::vector<Piece> colliding;
   for (const Piece& piece : pieces) {
@@ -289,9 +304,9 @@ void check_place(const geom::CollisionScene& scene, const std::vector<Piece>& pi
   }
   if (!outside.empty()) return report_outside(scene, outside, result);
   for (const Piece& piece : pieces) {
-    if (touches(scene, piece, result)) colliding.push_back(piece);
+    if (touches(scene, times, piece, result)) colliding.push_back(piece);
   }
-  if (!colliding.empty()) report_collision(scene, colliding, result);
+  if (!colliding.empty()) report_collision(scene, times, colliding, result);
 }
 
 }  // namespace traj

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "box_times.h"
 #include "curve/curve_piece.h"
 #include "geom/collision/collision.h"
 #include "traj/proof/check.h"
@@ -14,9 +15,9 @@ namespace traj {
 void note(CheckResult& result, Reason reason, const Largest& worst);
 
 // Notes where the pieces leave the bounds furthest; if none does, where one is deepest in an
-// obstacle, unless all are shown to be clear. Costs what lies near the curve, not what lies in the
-// box around it.
-void check_place(const geom::CollisionScene& scene, const std::vector<Piece>& pieces,
-                 CheckResult& result);
+// obstacle while that is there, unless all are shown to be clear. Costs what lies near the curve,
+// not what lies in the box around it.
+void check_place(const geom::CollisionScene& scene, const BoxTimes& times,
+                 const std::vector<Piece>& pieces, CheckResult& result);
 
 }  // namespace traj

@@ -21,9 +21,12 @@ std::pair<Points<kPoints>, Points<kPoints>> cut(Points<kPoints> q, double u) {
 
 double parts_of(double length, double step) { return std::max(1.0, std::ceil(length / step)); }
 
-template <class Part>
-ClearanceSpan span_of(const geom::CollisionScene& scene, const Part& part) {
-  return {part.begin, part.end, least_clearance(scene, std::vector{part})->value};
+// A box that is there for a time counts as always there.
+ClearanceSpan span_of(const geom::CollisionScene& scene, const Piece& part) {
+  return {part.begin, part.end, least_clearance(scene, BoxTimes(), {part})->value};
+}
+ClearanceSpan span_of(const geom::CollisionScene& scene, const Leg& part) {
+  return {part.begin, part.end, least_clearance(scene, {part})->value};
 }
 
 void append_spans(const geom::CollisionScene& scene, Piece piece, double step,

@@ -69,9 +69,15 @@ double bulge(const Points<kPoints>& q) {
 template <class Part>
 class Search {
  public:
-  explicit Search(const geom::CollisionScene& scene) : scene_(scene) {}
+  Search(const geom::CollisionScene& scene, const BoxTimes& times) : scene_(scene), times_(times) {}
 
-  Extreme over(const std::vector<Part>& parts) {
+  // Nothing where no box is there at any of these times.
+  std::optional<Extreme> over(const std::vector<Part>& parts) {
+    if (times_.count()) {
+      const auto then = boxes_then({parts.front().begin, parts.back().end});
+      if (then.empty()) return std::nullopt;
+      measure(parts.front(), then);
+    }
     for (const Part& part : parts) add(part);
     while (!open_.empty()) {
       const Open next = open_.top();
@@ -79,7 +85,8 @@ class Search {
       if (std::max(0.0, next.bound) >= enough()) break;
       look(next.part);
     }
-    return {std::max(0.0, best_.value), best_.time};
+    if (best_.value == kInfinity) return std::nullopt;
+    return Extreme{std::max(0.0, best_.value), best_.time};
   }
 
  private:
@@ -94,8 +101,18 @@ class Search {
 
   static double beside(const Part& part) { return part.stray.norm(); }
 
-  geom::Aabb grown(std::size_t i) const {
-    return geom::grow(scene_.map().box(i), scene_.vehicle().half);
+  TimedBox grown(std::size_t i) const {
+    return {geom::grow(scene_.map().box(i), scene_.vehicle().half), times_.of(i)};
+  }
+
+  // All of them that are there then: so that there is something to compare with, where the nearest
+  // ones may be there at other times.
+  std::vector<TimedBox> boxes_then(const geom::TimeSpan& time) const {
+    std::vector<TimedBox> out;
+    for (std::size_t i = 0; i < scene_.map().size(); ++i) {
+      if (times_.of(i).meets(time)) out.push_back(grown(i));
+    }
+    return out;
   }
 
   // Tells most boxes that need not be grown exactly, which takes longer.
@@ -139,30 +156,31 @@ class Search {
       ++halvings_;
       return;
     }
-    std::vector<geom::Aabb> near;
+    std::vector<TimedBox> near;
     for (const std::size_t i : *found) {
       if (may_matter(part, hull, i)) near.push_back(grown(i));
     }
     measure(part, near);
   }
 
-  void measure(const Leg& leg, std::span<const geom::Aabb> near) {
-    for (const geom::Aabb& box : near) {
+  void measure(const Leg& leg, std::span<const TimedBox> near) {
+    for (const auto& [box, time] : near) {
       const double t = geom::nearest_share(leg.from, leg.to, box);
       const double value = geom::distance(leg.from + t * (leg.to - leg.from), box) - beside(leg);
       if (value < best_.value) best_ = {value, leg.begin + t * (leg.end - leg.begin)};
     }
   }
 
-  void measure(const Piece& piece, std::span<const geom::Aabb> near) {
+  void measure(const Piece& piece, std::span<const TimedBox> near) {
     touch(piece.q.front(), piece.begin, beside(piece), near);
     touch(piece.q.back(), piece.end, beside(piece), near);
     refine(piece, near, 0);
   }
 
   // At a point of the way.
-  void touch(const Vec3& p, double time, double beside, std::span<const geom::Aabb> near) {
-    for (const geom::Aabb& box : near) {
+  void touch(const Vec3& p, double time, double beside, std::span<const TimedBox> near) {
+    for (const auto& [box, there] : near) {
+      if (!there.meets({time, time})) continue;
       const double value = geom::distance(p, box) - beside;
       if (value < best_.value) best_ = {value, time};
     }
@@ -170,12 +188,13 @@ class Search {
 
   // Leaves out the boxes that the line between the ends, and what the curve is beside it, keep
   // further from than matters; halves the curve beside the others.
-  void refine(const Piece& piece, std::span<const geom::Aabb> near, int depth) {
+  void refine(const Piece& piece, std::span<const TimedBox> near, int depth) {
     const double out = bulge(piece.q) + beside(piece);
-    std::vector<geom::Aabb> rest;
-    for (const geom::Aabb& box : near) {
-      const double least = geom::distance(piece.q.front(), piece.q.back(), box) - out;
-      if (least < enough()) rest.push_back(box);
+    std::vector<TimedBox> rest;
+    for (const TimedBox& one : near) {
+      if (!one.time.meets(time_of(piece))) continue;
+      const double least = geom::distance(piece.q.front(), piece.q.back(), one.box) - out;
+      if (least < enough()) rest.push_back(one);
     }
     if (rest.empty() || depth == kDeepest) return;
     const auto [l, r] = piece.halved();
@@ -185,27 +204,29 @@ class Search {
   }
 
   const geom::CollisionScene& scene_;
+  const BoxTimes& times_;
   Extreme best_{kInfinity, 0};
   std::priority_queue<Open> open_;
   int halvings_ = 0;
 };
 
 template <class Part>
-std::optional<Extreme> least(const geom::CollisionScene& scene, const std::vector<Part>& parts) {
+std::optional<Extreme> least(const geom::CollisionScene& scene, const BoxTimes& times,
+                             const std::vector<Part>& parts) {
   if (scene.map().size() == 0) return std::nullopt;
-  return Search<Part>(scene).over(parts);
+  return Search<Part>(scene, times).over(parts);
 }
 
 }  // namespace
 
-std::optional<Extreme> least_clearance(const geom::CollisionScene& scene,
+std::optional<Extreme> least_clearance(const geom::CollisionScene& scene, const BoxTimes& times,
                                        const std::vector<Piece>& pieces) {
-  return least(scene, pieces);
+  return least(scene, times, pieces);
 }
 
 std::optional<Extreme> least_clearance(const geom::CollisionScene& scene,
                                        const std::vector<Leg>& legs) {
-  return least(scene, legs);
+  return least(scene, BoxTimes(), legs);
 }
 
 }  // namespace traj

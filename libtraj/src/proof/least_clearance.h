@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "box_times.h"
 #include "curve/curve_piece.h"
 #include "geom/collision/collision.h"
 #include "traj/proof/check.h"
@@ -23,7 +24,8 @@ struct Leg {
 // The least distance to the obstacles grown by the vehicle without its margin, and when: of curves
 // to 1 mm, of legs to rounding. Nothing on a map without obstacles. Costs what lies about as near
 // as the answer.
-std::optional<Extreme> least_clearance(const geom::CollisionScene& scene,
+// A box counts while it is there.
+std::optional<Extreme> least_clearance(const geom::CollisionScene& scene, const BoxTimes& times,
                                        const std::vector<Piece>& pieces);
 std::optional<Extreme> least_clearance(const geom::CollisionScene& scene,
                                        const std::vector<Leg>& legs);

@@ -14,9 +14,9 @@ void add_cover(JsonLine& line, const char* key, const Cover& cover) {
   if (!cover.empty()) line.add(key, cover);
 }
 
-// A piece, a box, and on which side of which axis: "+x".
+// A piece, a box, and on which side of which axis: "+x"; "+t" is later.
 std::tuple<std::size_t, std::size_t, std::string> list_of(const PieceAndPlane& plane) {
-  return {plane.piece, plane.box, {plane.towards ? '+' : '-', "xyz"[plane.axis]}};
+  return {plane.piece, plane.box, {plane.towards ? '+' : '-', "xyzt"[plane.axis]}};
 }
 
 void add_clear(JsonLine& line, const ClearCover& cover) {
@@ -47,6 +47,8 @@ std::string to_json_line(const CertificateRecord& record) {
   add(line, record.provenance);
   add(line, record.limits);
   if (!record.overridden.empty()) line.add("overridden", record.overridden);
+  line.add("epoch", record.epoch).add("start", record.start);
+  if (record.stands) line.add("parked", "pad");
   line.add("bounds", std::tuple(record.bounds.min, record.bounds.max));
   line.add("segments", record.proof.segments, object_of);
   return line.line();

@@ -140,6 +140,9 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   if (!record.detail.empty()) line.add("detail", record.detail);
   line.add("home", record.home);
   if (record.idle_items) line.add("idle_items", record.idle_items);
+  if (result.looked && !map.timed().empty()) {
+    line.add("timed_boxes", record.by_time ? "by_time" : "always_there");
+  }
   add_extreme(line, "clearance", result.clearance);
   if (result.duration > 0) line.add("duration", result.duration);
   line.add("claimed_bound", record.claimed_bound).add("duration_bound", record.duration_bound);

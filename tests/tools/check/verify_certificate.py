@@ -11,6 +11,7 @@ import ast
 import hashlib
 import json
 import math
+import re
 import struct
 import sys
 import zipfile
@@ -116,16 +117,32 @@ def by_id(path, others=()):
 
 # ---- The map.
 
-def float_rows(data):
-    """The bytes of each row of an array of float64, six a row."""
-    require(data[:6] == b"\x93NUMPY" and data[6] in (1, 2), "boxes.npy is no NumPy array")
+def array_rows(data, name, dtype, columns):
+    """The bytes of each row of an array of so many 8-byte numbers a row."""
+    require(data[:6] == b"\x93NUMPY" and data[6] in (1, 2), f"{name}.npy is no NumPy array")
     at = 8 + (2 if data[6] == 1 else 4)
     end = at + int.from_bytes(data[8:at], "little")
-    header = an_object(ast.literal_eval(data[at:end].decode("ascii")), "the header of boxes.npy")
-    shape = header.get("shape")
-    require(header.get("descr") == "<f8" and header.get("fortran_order") is False and type(shape) is tuple and
-            len(shape) == 2 and shape[1] == 6 and len(data) - end == 48 * shape[0], f"boxes.npy is not n x 6 float64: {header}")
-    return [data[i:i + 48] for i in range(end, len(data), 48)]
+    header = an_object(ast.literal_eval(data[at:end].decode("ascii")), f"the header of {name}.npy")
+    row = 8 * columns
+    count = (len(data) - end) // row
+    require(header.get("descr") == dtype and header.get("fortran_order") is False and
+            header.get("shape") == ((count,) if columns == 1 else (count, columns)) and len(data) - end == row * count,
+            f"{name}.npy is not n x {columns} {dtype}: {header}")
+    return [data[i:i + row] for i in range(end, len(data), row)]
+
+
+def float_rows(data):
+    """The bytes of each row of an array of float64, six a row."""
+    return array_rows(data, "boxes", "<f8", 6)
+
+
+SECONDS = 1e9  # from the epoch, at most: what the tools read
+EPOCH = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d*[1-9])?Z")
+
+
+def an_epoch(value, what):
+    require(type(value) is str and EPOCH.fullmatch(value), f"the epoch of {what} must be an instant such as 2026-05-04T06:30:00Z, found {shown(value)}")
+    return value
 
 
 class BoxMap:
@@ -137,11 +154,18 @@ class BoxMap:
             require(len(set(names)) == len(names), "a file stands twice in the map")
             meta = an_object(strict_json(archive.read("meta.json")), "meta.json")
             rows = float_rows(archive.read("boxes.npy"))
-        require(meta.get("format") == "skyway-boxmap" and meta.get("version") == 1, "the map is no skyway-boxmap of version 1")
+            timed = "timed.npy" in names or "times.npy" in names
+            indices = array_rows(archive.read("timed.npy"), "timed", "<u8", 1) if timed else []
+            spans = array_rows(archive.read("times.npy"), "times", "<f8", 2) if timed else []
+        require(meta.get("format") == "skyway-boxmap" and meta.get("version") == (2 if timed else 1),
+                "the map is no skyway-boxmap of version 1, or of version 2 with times")
         require(meta.get("boxes") == len(rows), f"the map says {shown(meta.get('boxes'))} boxes and has {len(rows)}")
         self.boxes = [struct.unpack("<6d", row) for row in rows]
         for i, box in enumerate(self.boxes):
             corners(box, f"box {i}")
+        self.epoch = an_epoch(meta["epoch"], "the map") if "epoch" in meta else None
+        self.times = self.looked_at(indices, spans)
+        require(not timed or self.times, "a map of version 2 must have boxes that are there for a time")
         self.frame = text(meta, "frame", "the map")
         require(self.frame in ("enu", "neu"), f"the frame must be enu or neu, found {self.frame!r}")
         sides = entries(meta.get("bounds"), "the bounds of the map")
@@ -150,13 +174,31 @@ class BoxMap:
         self.hash = self.worked_out(meta, rows)
         require(meta.get("hash") == self.hash, f"the map says the hash {shown(meta.get('hash'))}, its content has {self.hash}")
 
+    def looked_at(self, indices, spans):
+        """From when until when boxes are there, seconds after the epoch, by their number; None: no such end."""
+        require(len(indices) == len(spans), f"{len(indices)} timed boxes, {len(spans)} times")
+        require(not indices or self.epoch is not None, "boxes have times, and the map has no epoch")
+        out, before = {}, -1
+        for index, span in zip(indices, spans):
+            i, (start, end) = struct.unpack("<Q", index)[0], struct.unpack("<2d", span)
+            require(before < i < len(self.boxes), f"timed box {i} is out of order, or none")
+            require(start <= end and (abs(start) <= SECONDS or start == -math.inf) and (abs(end) <= SECONDS or end == math.inf) and
+                    (start, end) != (-math.inf, math.inf), f"box {i} is there from {start} until {end}")
+            out[i] = (None if start == -math.inf else F(start), None if end == math.inf else F(end))
+            before = i
+        self.raw_times = dict(zip(out, spans))
+        return out
+
     def worked_out(self, meta, rows):
-        total = hashlib.sha256(f"{self.frame}\n{text(meta, 'crs', 'the map')}\n".encode())
+        head = f"timed\n{len(self.times)}\n{self.epoch}\n" if self.times else ""
+        total = hashlib.sha256(f"{head}{self.frame}\n{text(meta, 'crs', 'the map')}\n".encode())
         if "origin" in meta:
             total.update(struct.pack("<3d", *numbers(meta["origin"], 3, "the origin of the map")))
         total.update(struct.pack("<6d", *self.bounds[0], *self.bounds[1]))
         for i in sorted(range(len(rows)), key=self.boxes.__getitem__):
             total.update(rows[i])
+        for i in sorted(self.times, key=lambda i: (self.boxes[i], struct.unpack("<2d", self.raw_times[i]))):
+            total.update(rows[i] + self.raw_times[i])
         return "sha256:" + total.hexdigest()
 
 
@@ -283,21 +325,40 @@ class Verifier:
         self.low = [F(b) + g for b, g in zip(box_map.bounds[0], grow)]
         self.high = [F(b) - g for b, g in zip(box_map.bounds[1], grow)]
         self.limits = claim["limits"]
+        # When boxes are there, where the record says when it begins; else always.
+        self.start, self.stands = claim.get("start"), claim.get("parked") == "pad"
+        self.times = box_map.times if self.start is not None else {}
 
-    def planes(self, proof, parts):
+    def later(self, index, when):
+        """1 where the box is there only after that stretch of time, -1 where only before; else 0."""
+        start, end = self.times.get(index, (None, None))
+        if start is not None and start > when[1]:
+            return 1
+        return -1 if end is not None and end < when[0] else 0
+
+    def planes(self, proof, parts, whens):
         """The planes by piece and box; each must do what it says, needed or not."""
         out = {}
         for entry in entries(proof.get("planes", []), "planes"):
             require(type(entry) is list and len(entry) == 3, f"a plane must be [piece, box, plane], found {shown(entry)}")
             at = (whole_number(entry[0], "a piece", len(parts)), whole_number(entry[1], "a box", len(self.boxes)))
             require(at not in out, f"two planes for box {at[1]} and piece {at[0]}")
-            require(apart(parts[at[0]], *self.boxes[at[1]], entry[2]), f"a plane does not part box {at[1]} from piece {at[0]}")
+            by_time = entry[2] in ("+t", "-t")
+            if by_time:
+                require(self.later(at[1], whens[at[0]]) == (1 if entry[2] == "+t" else -1),
+                        f"box {at[1]} is there while piece {at[0]} is flown, or on its other side")
+            require(by_time or apart(parts[at[0]], *self.boxes[at[1]], entry[2]), f"a plane does not part box {at[1]} from piece {at[0]}")
             out[at] = entry[2]
         return out
 
-    def clear(self, points, proof):
+    def clear(self, points, proof, when=(F(0), F(0))):
         parts = list(pieces(points, proof.get("clear")))
-        planes = self.planes(proof, parts)
+        whens, at = [], F(0)
+        for depth in proof["clear"]:
+            length = F(1, 2**depth)
+            whens.append([when[0] + (when[1] - when[0]) * share for share in (at, at + length)])
+            at += length
+        planes = self.planes(proof, parts, whens)
         for piece_number, piece in enumerate(parts):
             low, high = bounding_box(piece)
             (x0, y0, z0), (x1, y1, z1) = map(float, low), map(float, high)
@@ -368,7 +429,15 @@ class Verifier:
             begin = derivative([[y] for y in after[2]], order)[0][0] / after[0]**order
             require(abs(begin - end) <= F(most) * F(1001, 1000), "the yaw of two segments does not join")
 
-    def joint(self, before, after, proof):
+    def standing(self, segments, end):
+        """No timed box holds the first point before the start, nor the last one after the end."""
+        for i, (start, until) in self.times.items():
+            low, high = self.boxes[i]
+            for p, free in ((segments[0][1][0], start is not None and start > self.start),
+                            (segments[-1][1][-1], until is not None and until < end)):
+                require(free or not all(l <= c <= h for l, c, h in zip(low, p, high)), f"box {i} meets it where it stands")
+
+    def joint(self, before, after, proof, instant):
         self.yaw_joint(before, after)
         for order, most in enumerate([1e-9, 1e-6, 1e-4]):
             end = derivative(before[1], order)[-1]
@@ -377,7 +446,7 @@ class Verifier:
             require(sum(c * c for c in step) <= (F(most) * F(1001, 1000)) ** 2, "two segments do not join")
         if before[1][-1] != after[1][0]:
             require("gap" in proof, "the step between two segments is not shown to be clear")
-            self.clear([before[1][-1], after[1][0]], proof["gap"])
+            self.clear([before[1][-1], after[1][0]], proof["gap"], (instant, instant))
 
     def trajectory(self, record, proofs):
         segments = [a_segment(s, f"segments[{i}]") for i, s in enumerate(entries(record.get("segments"), "segments"))]
@@ -386,8 +455,13 @@ class Verifier:
         check_keys(proofs, len(segments), lambda i: {"clear", "bounds", "planes", "gap"} | {
             cover for cover, limit in COVERS.items()
             if limit in self.limits and (cover != "yaw_rate" or segments[i][2] is not None)})
-        for (duration, points, yaw), proof in zip(segments, proofs):
-            self.clear(points, proof)
+        instants = [F(0) if self.start is None else self.start]
+        for duration, _, _ in segments:
+            instants.append(instants[-1] + duration)
+        if self.stands:
+            self.standing(segments, instants[-1])
+        for i, ((duration, points, yaw), proof) in enumerate(zip(segments, proofs)):
+            self.clear(points, proof, instants[i:i + 2])
             self.inside(points, proof)
             self.norm(points, duration, 1, "vmax", "speed", proof)
             self.norm(points, duration, 2, "amax", "acceleration", proof)
@@ -398,8 +472,8 @@ class Verifier:
             self.thrust(points, duration, proof)
             self.body_rate(points, duration, proof)
             self.yaw_rate(yaw, duration, proof)
-        for before, after, proof in zip(segments, segments[1:], proofs):
-            self.joint(before, after, proof)
+        for before, after, proof, instant in zip(segments, segments[1:], proofs, instants[1:]):
+            self.joint(before, after, proof, instant)
         require("gap" not in proofs[-1], "a gap after the last segment")
 
     def path(self, record, proofs):
@@ -491,8 +565,24 @@ def claim_of(record, certificate, box_map):
     require(sides == list(box_map.bounds), "the certificate has other bounds than the map")
     asked = said_by(record, box_map, "the record", ())
     made = said_by(certificate, box_map, "the certificate", ("map", "frame", "vehicle", "margin"))
-    return {"half": [max(pair) for pair in zip(asked["half"], made["half"])],
-            "margin": max(asked["margin"], made["margin"]), "limits": stricter(asked["limits"], made["limits"])}
+    claim = {"half": [max(pair) for pair in zip(asked["half"], made["half"])],
+             "margin": max(asked["margin"], made["margin"]), "limits": stricter(asked["limits"], made["limits"])}
+    return claim | times_claimed(record, certificate, box_map)
+
+
+def times_claimed(record, certificate, box_map):
+    """When the flight begins by the map's clock, where the certificate counts boxes by time."""
+    for one, what in ((record, "the record"), (certificate, "the certificate")):
+        if box_map.epoch is not None and "epoch" in one:
+            require(an_epoch(one["epoch"], what) == box_map.epoch, f"{what} counts from {one['epoch']}, the map from {box_map.epoch}")
+    require("parked" not in certificate or ("start" in certificate and certificate["parked"] == "pad"), "parked must be \"pad\", with a start")
+    if "start" not in certificate:
+        return {}
+    require(record.get("type") == "trajectory" and box_map.times, "a start is claimed where no time counts")
+    require("epoch" in record and "epoch" in certificate, "a start without the epoch that it counts from")
+    start = F(number(record.get("start"), "start of the record", -SECONDS, SECONDS))
+    require(F(number(certificate["start"], "start of the certificate", -SECONDS, SECONDS)) == start, "the certificate has another start than the record")
+    return {"start": start} | {key: certificate[key] for key in ("parked",) if key in certificate}
 
 
 def verify(record, certificate, box_map):
@@ -508,7 +598,7 @@ def verify(record, certificate, box_map):
     proofs = certificate.get("segments")
     if kind == "trajectory":
         verifier.trajectory(record, proofs)
-        return claim
+        return {key: float(value) if key == "start" else value for key, value in claim.items()}
     verifier.path(record, proofs)
     return {"half": claim["half"], "margin": claim["margin"]}
 

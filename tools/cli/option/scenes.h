@@ -21,7 +21,7 @@ class Scenes {
   Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences);
 
   // Of agreed_room. Throws geom::InputError(source, line, …) where the record is of another map or
-  // frame too.
+  // frame too. One of the map without its boxes that are there for a time is of this one.
   const geom::CollisionScene& scene_for(const geom::Provenance& record, std::string_view source,
                                         std::size_t line);
   const geom::CollisionScene& scene();  // by the options alone
@@ -37,8 +37,10 @@ class Scenes {
 
  private:
   const geom::CollisionScene& build(const Room& room);
+  bool is_of_always_there(const geom::Provenance& record);
 
   geom::BoxMap map_;
+  std::optional<std::string> always_there_;  // the hash, once it was asked for
   std::optional<traj::VehicleProfile> profile_;
   AskedRoom asked_;
   Differences differences_;

@@ -63,6 +63,9 @@ struct PathRecord {
   std::vector<double> hold;          // seconds to stand still at each point, >= 0; empty: nowhere
   std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
   FlightTime time;
+  // Some boxes of the map are there for a time only, and were counted as always there: so status
+  // and bound are of a world with no less in the way than there is.
+  bool closed_times = false;
 };
 
 class JsonFields;

@@ -42,6 +42,13 @@ struct CheckOptions {
   double yaw_rate_gap = 1e-6;      // rad/s
   double limit_slack = 0;          // relative, on every limit
   Clearance clearance = Clearance::measured;
+  // When it begins, seconds after the epoch of the scene's map, within geom::kLargestTime: boxes
+  // that are there for a time must be clear at that time only (closed at both ends, rounded
+  // outward). Nothing: each of them counts as always there.
+  std::optional<double> start;
+  // Before it begins it stands at its first point, and after it has ended at its last one, for
+  // ever: clear of what comes there or was there. Matters with `start` alone.
+  bool stands = false;
 };
 
 struct Extreme {
@@ -64,8 +71,9 @@ struct CheckResult {
   std::size_t looked_at = 0;  // obstacles near the pieces it was cut into: what the place cost
 
   double duration = 0;  // seconds
-  // Metres to the obstacles grown by the vehicle without its margin, the least: of trajectories to
-  // 1 mm, of paths to rounding. Absent without obstacles, and where it was left out.
+  // Metres to the obstacles that are there at the instant, grown by the vehicle without its margin,
+  // the least: of trajectories to 1 mm, of paths to rounding. Absent without obstacles, and where
+  // it was left out.
   std::optional<Extreme> clearance;
   // The largest of what was measured, to a relative 1e-4; absent: not measured, as of a path, which
   // has no times, and of a yaw that no segment says.
@@ -76,8 +84,9 @@ struct CheckResult {
 // Decides by control points: a piece whose control points' box meets no grown obstacle is clear
 // (the curve lies in their convex hull), others are halved. Sound in floating point: rounding is
 // added to every box, so "ok" holds in real arithmetic, and what is refused comes within 1e-9 m of
-// an obstacle or 1e-12 (relative) of a limit. A segment whose control points all equal one end
-// or the other is the straight line between, and is decided exactly.
+// an obstacle or 1e-12 (relative) of a limit; of a box that is there for a time, at an instant
+// within 1e-6 s of that time (1e-12 of the duration, where that is more). A segment whose control
+// points all equal one end or the other is the straight line between, and is decided exactly.
 CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
                   const CheckOptions& options);
 CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,

@@ -33,6 +33,8 @@ struct ReportRecord {
   std::size_t idle_items = 0;
   std::string detail = {};  // of the reason, in words; may be empty
   geom::FlightTime time = {};
+  // Whether boxes that are there for a time were looked at by time; else as always there.
+  bool by_time = false;
 };
 
 // Gives `report`, which holds what was checked of `record`, its bounds; refuses what is accepted

@@ -114,10 +114,13 @@ class Proof {
       if (!joint(segments[i], segments[i + 1], t)) return result_;
     }
     const auto each = [&](const auto& step) {
-      double begin = 0;
-      for (std::size_t i = 0; i < segments.size(); begin += segments[i++].duration) {
-        const Timing timing{begin, segments[i].duration};
+      Timing timing{0, 0, start(), {}};
+      for (std::size_t i = 0; i < segments.size(); ++i) {
+        timing.duration = segments[i].duration;
+        timing.to = timing.from + whole(timing.duration);
         if (!step(segments[i], timing, result_.segments[i])) return false;
+        timing.begin += timing.duration;
+        timing.from = timing.to;
       }
       return true;
     };
@@ -135,7 +138,7 @@ class Proof {
                  each([&](const Segment& s, Timing timing, SegmentProof& proof) {
                    return clear(s.point, timing, proof.clear);
                  }) &&
-                 gaps(trajectory) &&
+                 gaps(trajectory) && stands(trajectory) &&
                  std::all_of(kOrderOfLimits.begin(), kOrderOfLimits.end(), holds);
     return result_;
   }
@@ -156,11 +159,11 @@ class Proof {
       return std::array{points[i], points[std::min(i + 1, points.size() - 1)]};
     };
     for (std::size_t i = 0; i < legs; ++i) {
-      const Timing timing{static_cast<double>(i), 1};
+      const Timing timing{static_cast<double>(i), 1, {}, {}};
       if (!inside(leg(i), timing, result_.segments[i].bounds)) return result_;
     }
     for (std::size_t i = 0; i < legs; ++i) {
-      const Timing timing{static_cast<double>(i), 1};
+      const Timing timing{static_cast<double>(i), 1, {}, {}};
       if (!clear(leg(i), timing, result_.segments[i].clear)) return result_;
     }
     result_.ok = true;
@@ -169,9 +172,13 @@ class Proof {
 
  private:
   struct Timing {
-    double begin;
+    double begin;  // rounded, for reports
     double duration;
+    Whole from;  // seconds after the epoch in 2^-1074, where times count
+    Whole to;
   };
+
+  Whole start() const { return whole(task_.start.value_or(0)); }
 
   static Curve curve_through(std::span<const Vec3> points) {
     Curve curve;
@@ -261,13 +268,22 @@ class Proof {
       const bool beyond = ((box.min - reach).array() > high.array()).any();
       const bool before = ((box.max + reach).array() < low.array()).any();
       if (beyond || before) continue;
-      Box grown{whole(box.min), whole(box.max), i};
-      for (int axis = 0; axis < 3; ++axis) {
-        grown.low[axis] -= grown_by_[axis];
-        grown.high[axis] += grown_by_[axis];
-      }
-      out.push_back(std::move(grown));
+      out.push_back(grown(i));
     }
+    return out;
+  }
+
+  Box grown(std::size_t i) const {
+    const geom::Aabb& box = task_.map.boxes()[i];
+    Box out{whole(box.min), whole(box.max), i};
+    for (int axis = 0; axis < 3; ++axis) {
+      out.low[axis] -= grown_by_[axis];
+      out.high[axis] += grown_by_[axis];
+    }
+    if (!task_.start) return out;
+    const geom::TimeSpan time = task_.map.time(i);
+    if (std::isfinite(time.from)) out.from = whole(time.from);
+    if (std::isfinite(time.until)) out.until = whole(time.until);
     return out;
   }
 
@@ -276,25 +292,51 @@ class Proof {
     std::vector<const Box*> near;
     for (const Box& box : boxes) near.push_back(&box);
     exact::JudgeClear judge(cover.planes);
-    auto stop = fill(exact::exposed(curve_through(points), near), 0, 0, judge, cover.pieces);
+    auto stop = fill(exact::exposed(curve_through(points), near, {timing.from, timing.to}), 0, 0,
+                     judge, cover.pieces);
     if (!stop) return true;
     result_.box = judge.culprit;
     // The planes of a straight piece leave nothing out: halving it only looks for the place.
     const bool straight = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
       return p == points.front() || p == points.back();
     });
-    if (straight) stop->undecided = false;
+    if (straight && !task_.start) stop->undecided = false;
     return refuse(Reason::collision, *stop, timing, points);
+  }
+
+  // Each box is apart in place or time from the first point before the begin, and from the last one
+  // after the end.
+  bool stands(const Trajectory& trajectory) {
+    if (!task_.start || !task_.stands) return true;
+    const Vec3& first = trajectory.segments.front().point[0];
+    const Vec3& last = trajectory.segments.back().point[kDegree];
+    const Whole begin = start();
+    Whole end = begin;
+    for (const Segment& s : trajectory.segments) end += whole(s.duration);
+    for (const std::size_t i : task_.map.timed()) {
+      const Box box = grown(i);
+      result_.box = i;
+      if (!(box.from && *box.from > begin) && exact::holds_point(box, whole(first), 0)) {
+        return refuse(Reason::collision, 0, first);
+      }
+      if (!(box.until && *box.until < end) && exact::holds_point(box, whole(last), 0)) {
+        return refuse(Reason::collision, duration(trajectory), last);
+      }
+    }
+    result_.box.reset();
+    return true;
   }
 
   bool gaps(const Trajectory& trajectory) {
     double t = 0;
+    Whole instant = start();
     for (std::size_t i = 0; i + 1 < trajectory.segments.size(); ++i) {
       const Segment& s = trajectory.segments[i];
       t += s.duration;
+      instant += whole(s.duration);
       const std::array ends{s.point[kDegree], trajectory.segments[i + 1].point[0]};
       if (ends[0] == ends[1]) continue;
-      if (!clear(ends, {t, 0}, result_.segments[i].gap.emplace())) return false;
+      if (!clear(ends, {t, 0, instant, instant}, result_.segments[i].gap.emplace())) return false;
     }
     return true;
   }

@@ -19,13 +19,6 @@ Interval range(const std::vector<Point>& points, int axis) {
   return {(*low)[axis], (*high)[axis]};
 }
 
-bool holds_point(const Box& box, const Point& p, unsigned shift) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (p[axis] < box.low[axis] << shift || p[axis] > box.high[axis] << shift) return false;
-  }
-  return true;
-}
-
 // A normal across an axis and the chord of a curve, and where the curve lies along it.
 struct Direction {
   int axis;
@@ -68,8 +61,21 @@ std::optional<PieceAndPlane> separating(std::span<const Direction> directions, c
 
 }  // namespace
 
-Exposed exposed(Curve curve, const std::vector<const Box*>& boxes) {
-  Exposed out{std::move(curve), {}};
+int side_in_time(const Box& box, const Stretch& when) {
+  if (box.from && *box.from << when.shift > when.end) return 1;
+  if (box.until && *box.until << when.shift < when.begin) return -1;
+  return 0;
+}
+
+bool holds_point(const Box& box, const Point& p, unsigned shift) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (p[axis] < box.low[axis] << shift || p[axis] > box.high[axis] << shift) return false;
+  }
+  return true;
+}
+
+Exposed exposed(Curve curve, const std::vector<const Box*>& boxes, Stretch when) {
+  Exposed out{std::move(curve), {}, std::move(when)};
   std::array<Interval, 3> r;
   for (int axis = 0; axis < 3; ++axis) r[axis] = range(out.curve.points, axis);
   const unsigned shift = out.curve.shift;
@@ -85,20 +91,35 @@ Exposed exposed(Curve curve, const std::vector<const Box*>& boxes) {
 
 std::pair<Exposed, Exposed> halves(const Exposed& piece) {
   auto [left, right] = halves(piece.curve);
-  return {exposed(std::move(left), piece.near), exposed(std::move(right), piece.near)};
+  const Stretch& when = piece.when;
+  const Whole middle = when.begin + when.end;
+  const unsigned shift = when.shift + 1;
+  return {exposed(std::move(left), piece.near, {when.begin << 1, middle, shift}),
+          exposed(std::move(right), piece.near, {middle, when.end << 1, shift})};
 }
 
 Verdict JudgeClear::operator()(const Exposed& piece, std::size_t number) {
   if (piece.near.empty()) return Verdict::holds;
   const Curve& curve = piece.curve;
+  const auto& [begin, end, shift] = piece.when;
   for (const Box* box : piece.near) {
     culprit = box->index;
-    if (holds_point(*box, curve.points.front(), curve.shift)) return Verdict::fails_at_begin;
-    if (holds_point(*box, curve.points.back(), curve.shift)) return Verdict::fails_at_end;
+    if (side_in_time(*box, {begin, begin, shift}) == 0 &&
+        holds_point(*box, curve.points.front(), curve.shift)) {
+      return Verdict::fails_at_begin;
+    }
+    if (side_in_time(*box, {end, end, shift}) == 0 &&
+        holds_point(*box, curve.points.back(), curve.shift)) {
+      return Verdict::fails_at_end;
+    }
   }
   const Direction directions[] = {{curve, 0}, {curve, 1}, {curve, 2}};
   const std::size_t before = planes_.size();
   for (const Box* box : piece.near) {
+    if (const int side = side_in_time(*box, piece.when)) {
+      planes_.push_back({number, box->index, kTimeAxis, side > 0});
+      continue;
+    }
     if (const auto plane = separating(directions, *box, curve.shift, number)) {
       planes_.push_back(*plane);
       continue;

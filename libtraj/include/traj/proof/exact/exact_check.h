@@ -26,11 +26,17 @@ struct ExactTask {
   geom::Vehicle vehicle;
   double margin = 0;  // metres, >= 0
   Limits limits;
+  // As in CheckOptions: when the trajectory begins, and whether it stands before and after.
+  std::optional<double> start = {};
+  bool stands = false;
 };
 
-// A plane through no control point of a piece, with all of them on one side and the obstacle on the
-// other. Its normal is the unit vector of `axis` times (cross product) the way from the piece's
-// first control point to its last; the obstacle is on the side it points to, or on the other.
+// Why a piece misses an obstacle. By time (`axis` is kTimeAxis): the obstacle is there only after
+// the piece has ended (`towards`), or only before it begins. By place: a plane through no control
+// point of a piece, with all of them on one side and the obstacle on the other. Its normal is the
+// unit vector of `axis` times (cross product) the way from the piece's first control point to its
+// last; the obstacle is on the side it points to, or on the other.
+inline constexpr int kTimeAxis = 3;
 struct PieceAndPlane {
   std::size_t piece = 0;  // of the cover it belongs to
   std::size_t box = 0;    // index into BoxMap::boxes()
@@ -42,7 +48,7 @@ struct PieceAndPlane {
 // to the power of minus that, sum to one.
 using Cover = std::vector<std::uint8_t>;
 
-// Each obstacle that the bounding box of a piece's control points meets has a plane.
+// Each obstacle that the bounding box of a piece's control points meets has one of these.
 struct ClearCover {
   Cover pieces;
   std::vector<PieceAndPlane> planes;
