@@ -6,6 +6,7 @@
 
 #include "cli/batch.h"
 #include "cli/file/files.h"
+#include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/spacing_options.h"
 #include "cli/run.h"
@@ -13,6 +14,7 @@
 #include "cli/tell.h"
 #include "schedule.h"
 #include "stream.h"
+#include "timed_map.h"
 
 namespace {
 
@@ -20,6 +22,8 @@ struct Options {
   std::string input = "-";
   std::string output = "-";
   std::string report;
+  std::string map;
+  cli::VehicleOptions vehicle;
   std::vector<std::string> alternatives;
   traj::Spacing spacing;
   traj::Parked parked = traj::Parked::pad;
@@ -33,6 +37,11 @@ void Options::add_to(CLI::App& app) {
   app.add_option("file", input, "trajectories, JSON Lines (default: stdin)");
   cli::add_output(app, "-o,--output", output, "the same with their departures (default: stdout)");
   cli::add_output(app, "--report", report, "delays, and who was refused for whom, JSON");
+  app.add_option(
+      "--map", map,
+      "box map, whose boxes with times flights keep clear of; the flights must be proved "
+      "on it but for these");
+  vehicle.add_to(app);
   cli::add_spacing(app, spacing, parked);
   app.add_option("--max-delay", max_delay,
                  "seconds that a flight may wait after its earliest departure (default 600)")
@@ -124,11 +133,15 @@ int main(int argc, char** argv) {
   sharding.add_join_to(app, "all shards of the pairs, which are then read and not worked out")
       ->expected(1, -1);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin(options.input, options.alternatives);
+    cli::only_for(app, !options.map.empty(), {"--vehicle", "--margin"}, "--map");
+    std::vector<std::string> others = options.alternatives;
+    if (!options.map.empty()) others.push_back(options.map);
+    cli::at_most_one_stdin(options.input, others);
     cli::Sharding::Files inputs{{"file", options.input}};
     for (const std::string& file : options.alternatives) {
       inputs.emplace_back(fmt::format("alternatives {}", inputs.size()), file);
     }
+    if (!options.map.empty()) inputs.emplace_back("map", options.map);
     if (sharding.asked() && !options.report.empty()) {
       throw cli::UsageError("a shard has no output but -o: give --report later, with --join");
     }
@@ -136,7 +149,11 @@ int main(int argc, char** argv) {
     if (const auto done = sharding.finished(common)) return *done;
     Clock clock;
     const fleet::Stream stream = read_stream(options);
-    const std::vector<traj::FleetFlight> flights = stream.flights();
+    std::vector<traj::FleetFlight> flights = stream.flights();
+    std::optional<fleet::TimedMap> map;
+    if (!options.map.empty()) {
+      map.emplace(options.map, options.vehicle, common).close(stream, options.parked, flights);
+    }
     const double read_s = clock.lap();
     const std::vector<cli::ShardFile> shards = sharding.shards();
     const traj::FleetConflicts conflicts =
@@ -155,6 +172,7 @@ int main(int argc, char** argv) {
     const fleet::Schedule schedule({stream, flights, conflicts, departures}, options.spacing,
                                    options.parked);
     const traj::TogetherResult proof = prove(schedule, options, common.execution("proof"));
+    if (map) map->prove(stream, flights, departures, options.parked);
     const double prove_s = clock.lap();
     write(schedule, proof, options);
     tell(common, stream, schedule, departures);

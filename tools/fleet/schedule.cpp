@@ -61,6 +61,10 @@ std::string Schedule::why_refused(std::uint32_t number) const {
   std::vector<std::string> ids = blocked_ids(departure);
   const std::size_t all = ids.size();
   ids.resize(std::min(all, kNamed));
+  if (all == 0) {
+    return fmt::format("the map's boxes with times leave it no departure from {} to {} s",
+                       flight.earliest, flight.latest);
+  }
   return fmt::format("no departure from {} to {} s keeps it apart from {}{}", flight.earliest,
                      flight.latest, fmt::join(ids, ", "),
                      all > kNamed ? fmt::format(" and {} more", all - kNamed) : "");

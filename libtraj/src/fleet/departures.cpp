@@ -84,9 +84,9 @@ class Chooser {
     return out;
   }
 
-  // When a flight must not depart, for all that have a departure.
+  // When a flight must not depart, for the map and for all that have a departure.
   std::vector<DepartureSpan> closed(std::uint32_t flight) const {
-    std::vector<DepartureSpan> out;
+    std::vector<DepartureSpan> out = flights_[flight].forbidden;
     neighbours_.each(flight, [&](std::uint32_t other, const DepartureSpan& span) {
       if (start_[other]) out.push_back(after(*start_[other], span));
       return true;

@@ -3,8 +3,10 @@
 // A flight whose departure is to be chosen.
 
 #include <cstdint>
+#include <vector>
 
 #include "traj/curve/trajectory.h"
+#include "traj/fleet/departure_span.h"
 #include "traj/together/timed_flight.h"
 
 namespace traj {
@@ -16,6 +18,8 @@ struct FleetFlight {
   double latest = 0;                       // >= earliest
   int priority = 0;                        // higher goes first
   std::uint32_t number = 0;                // several of one number are one flight by different ways
+  // Seconds after the epoch at which it must not depart, whatever others do: forbidden_by_map().
+  std::vector<DepartureSpan> forbidden = {};
 };
 
 }  // namespace traj

@@ -1,0 +1,29 @@
+#pragma once
+
+// When a flight must not depart, whatever others do: the map's boxes that are there for a time.
+
+#include <vector>
+
+#include "geom/collision/collision.h"
+#include "traj/curve/trajectory.h"
+#include "traj/fleet/departure_span.h"
+#include "traj/together/timed_flight.h"
+
+namespace traj {
+
+// All departures, in seconds after the map's epoch, with which there is an instant at which the
+// flight is in a grown box of the scene while that box is there; as intervals that do not touch, in
+// order. Boxes that are always there are left out: no departure helps against them.
+//
+// A curve that may be in a box from t1 to t2 after its begin meets a box that is there from `from`
+// until `until` with the departures [from - t2, until - t1]. Curves are halved down to a
+// hundredth of a second; all is rounded outward, so every departure that truly meets a box is in
+// the answer. What is in it beyond that: a box counts for the whole of a piece of a hundredth of a
+// second whose control points' bounding box it meets, and a microsecond.
+//
+// Trajectories within domain.h. Parked::pad: it stands at its ends for all time. Costs what lies
+// near the curve.
+std::vector<DepartureSpan> forbidden_by_map(const geom::CollisionScene& scene,
+                                            const Trajectory& trajectory, Parked parked);
+
+}  // namespace traj

@@ -1,0 +1,115 @@
+#include "timed_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+#include "cli/file/files.h"
+#include "cli/option/scenes.h"
+#include "geom/base/error.h"
+#include "geom/base/parallel.h"
+#include "geom/record/start_on_map.h"
+#include "traj/fleet/forbidden_by_map.h"
+#include "traj/proof/check.h"
+
+namespace fleet {
+namespace {
+
+// By what a scene is made for.
+bool comes_before(const geom::Provenance& a, const geom::Provenance& b) {
+  const auto key = [](const geom::Provenance& p) {
+    const geom::Vec3 half = p.vehicle ? p.vehicle->half : geom::Vec3(-1, -1, -1);
+    return std::tuple(half[0], half[1], half[2], p.vehicle ? p.vehicle->name : "",
+                      p.margin.value_or(0));
+  };
+  return key(a) < key(b);
+}
+
+[[noreturn]] void refuse(const std::string& id, const geom::BoxMap& map,
+                         const traj::CheckResult& result, double start) {
+  const std::string what =
+      fmt::format("{} ({:.6g} s after its begin)", name(result.reason), result.time);
+  const bool by_time = result.box && !map.time(*result.box).always();
+  if (!by_time) {
+    throw geom::InputError(
+        id,
+        "expected a flight that is proved on the map of --map but for its boxes with times, "
+        "found " +
+            what + ": skyway-check says more");
+  }
+  throw std::runtime_error(
+      fmt::format("the departure {} of {} could not be proved on the map: {}; nothing was written",
+                  start, id, what));
+}
+
+}  // namespace
+
+TimedMap::TimedMap(const std::string& file, cli::VehicleOptions vehicle, const cli::Common& common)
+    : file_(file),
+      vehicle_(std::move(vehicle)),
+      common_(common),
+      map_(cli::open_map(file, geom::Verified::contents, common.execution("verify"))) {}
+
+template <class F>
+void TimedMap::each(const Stream& stream, std::vector<std::size_t> ways, const F& f) const {
+  const auto made_for = [&](std::size_t way) -> const geom::Provenance& {
+    return stream.record(way).provenance;
+  };
+  std::stable_sort(ways.begin(), ways.end(), [&](std::size_t a, std::size_t b) {
+    return comes_before(made_for(a), made_for(b));
+  });
+  cli::Scenes scenes(map_, vehicle_, cli::Differences::refused);
+  for (auto first = ways.begin(); first != ways.end();) {
+    const auto last = std::find_if(first, ways.end(), [&](std::size_t way) {
+      return comes_before(made_for(*first), made_for(way));
+    });
+    for (auto way = first; way != last; ++way) {
+      scenes.scene_for(made_for(*way), stream.record(*way).id, 0);
+    }
+    const geom::CollisionScene& scene = scenes.scene_for(made_for(*first), file_, 0);
+    const std::span<const std::size_t> group(first, last);
+    geom::parallel_for(group.size(), common_.execution("map"),
+                       [&](std::size_t k) { f(scene, group[k]); });
+    first = last;
+  }
+}
+
+void TimedMap::close(const Stream& stream, traj::Parked parked,
+                     std::vector<traj::FleetFlight>& flights) const {
+  std::vector<std::size_t> ways(flights.size());
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    ways[i] = i;
+    geom::start_on(map_, {stream.record(i).time.epoch, 0.0, {}, {}, {}}, stream.record(i).id, 0);
+  }
+  each(stream, std::move(ways), [&](const geom::CollisionScene& scene, std::size_t way) {
+    flights[way].forbidden = traj::forbidden_by_map(scene, *flights[way].trajectory, parked);
+  });
+}
+
+void TimedMap::prove(const Stream& stream, std::span<const traj::FleetFlight> flights,
+                     const traj::Departures& departures, traj::Parked parked) const {
+  std::vector<std::size_t> ways;
+  std::vector<double> start(flights.size());
+  for (const traj::Departure& departure : departures.of) {
+    if (!departure.start) continue;
+    ways.push_back(departure.flight);
+    start[departure.flight] = *departure.start;
+  }
+  each(stream, std::move(ways), [&](const geom::CollisionScene& scene, std::size_t way) {
+    const traj::TrajectoryRecord& record = stream.record(way);
+    traj::CheckOptions options;
+    const auto& vehicle = record.provenance.vehicle;
+    const geom::Limits own = vehicle ? vehicle->limits : geom::Limits{};
+    options.limits =
+        geom::limits_that_hold({{}, record.limits, geom::stricter(scene.vehicle().limits, own)});
+    options.clearance = traj::Clearance::left_out;
+    options.start = start[way];
+    options.stands = parked == traj::Parked::pad;
+    const traj::CheckResult result = traj::check(scene, record.trajectory, options);
+    if (!result.ok) refuse(record.id, map_, result, start[way]);
+  });
+}
+
+}  // namespace fleet
