@@ -170,7 +170,7 @@ std::string line_of(const Report& report) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Convert a point cloud to a box map.", "skyway-cloud"};
-  cli::Common common(app);
+  cli::Common common(app, true);
   Options options;
   std::string input;
   std::string output = "-";
@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
     const std::string name = input == "-" ? "stdin" : input;
     sharding.begin(app, {{"file", input}}, {{"output", output}});
     if (const auto done = sharding.finished(common)) return *done;
-    PointSource points(input, options);
+    PointSource points(input, options, common.execution("points"));
     Made made;
     if (sharding.asked()) {
       const geom::ColumnGrid columns = stream(points, options, sharding.shard(), made);

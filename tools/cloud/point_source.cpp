@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "cli/file/files.h"
 #include "cli/file/hashed_input.h"
 #include "cli/file/random_input.h"
@@ -23,10 +25,9 @@ std::string detect(std::string_view head, const std::string& name) {
   return "xyz";
 }
 
+// All but LAS, which have no place for a reference system.
 geom::CloudCounts read(std::istream& in, const std::string& name, const std::string& format,
-                       const geom::PointSink& sink, const geom::ReferenceSink& reference) {
-  if (format == "las") return geom::read_las(in, name, sink, reference);
-  reference({});  // the others have no place for it
+                       const geom::PointSink& sink) {
   if (format == "ply") return geom::read_ply(in, name, sink);
   if (format == "pcd") return geom::read_pcd(in, name, sink);
   return geom::read_xyz(in, name, sink);
@@ -89,9 +90,24 @@ void PointSource::read_whole(const geom::PointSink& sink, const std::string& nam
                            "out, or make one, for example with `pdal translate in.laz "
                            "out.copc.laz`");
   }
-  counts_ = read(hashed.stream(), name, options_.format, sink,
-                 [&](const geom::CoordinateReference& told) { settle(told, name); });
+  if (options_.format == "las") {
+    counts_ = read_las(hashed.stream(), name, sink,
+                       [&](const geom::CoordinateReference& told) { settle(told, name); });
+  } else {
+    settle({}, name);
+    counts_ = read(hashed.stream(), name, options_.format, sink);
+  }
   input_ = {{"input", hashed.hash()}};
+}
+
+geom::CloudCounts PointSource::read_las(std::istream& in, const std::string& name,
+                                        const geom::PointSink& sink,
+                                        const geom::ReferenceSink& reference) const {
+  const auto ahead = [&](std::uint64_t at, std::span<unsigned char> to) -> std::size_t {
+    if (!std::filesystem::is_regular_file(path_)) return 0;  // a pipe has one way only
+    return cli::RandomInput(path_).read(at, to);
+  };
+  return geom::read_las(in, name, sink, reference, {run_, ahead});
 }
 
 bool PointSource::reads_part(std::string_view head) const {
@@ -125,7 +141,7 @@ void PointSource::read_part(const geom::PointSink& sink, const std::string& name
   const auto read = [&](std::uint64_t at, std::span<unsigned char> to) {
     return file.read(at, to);
   };
-  const geom::CopcCounts counts = geom::read_copc(read, name, choose, sink);
+  const geom::CopcCounts counts = geom::read_copc(read, name, choose, sink, run_);
   counts_ = counts.cloud;
   part_ = counts;
   if (counts.finer > 0) {

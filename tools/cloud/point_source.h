@@ -17,9 +17,10 @@ namespace cloud {
 class PointSource {
  public:
   // `options` must outlive it; the format and the placement are settled in it.
-  PointSource(const std::string& path, Options& options) : path_(path), options_(options) {}
+  PointSource(const std::string& path, Options& options, const geom::Execution& run)
+      : path_(path), options_(options), run_(run) {}
 
-  // Reads the file, once more each time.
+  // Reads the file, once more each time. `f` is called by one thread at a time.
   void for_each(const std::function<void(const geom::CloudPoint&)>& f);
 
   // Of the last reading:
@@ -32,6 +33,8 @@ class PointSource {
   bool wants(const geom::CloudPoint& p);
   void read_whole(const geom::PointSink& sink, const std::string& name);
   void read_part(const geom::PointSink& sink, const std::string& name);
+  geom::CloudCounts read_las(std::istream& in, const std::string& name, const geom::PointSink& sink,
+                             const geom::ReferenceSink& reference) const;
   geom::CopcPart part() const;
   bool reads_part(std::string_view head) const;
   void settle(const geom::CoordinateReference& told, const std::string& name);
@@ -39,6 +42,7 @@ class PointSource {
 
   std::string path_;
   Options& options_;
+  geom::Execution run_;
   geom::CloudCounts counts_;
   bool says_nothing_ = false;
   std::size_t other_class_ = 0;

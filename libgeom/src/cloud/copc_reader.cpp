@@ -6,10 +6,11 @@
 
 #include "byte_source.h"
 #include "copc_hierarchy.h"
+#include "geom/base/in_order.h"
 #include "geom/cloud/copc.h"
 #include "las_header.h"
 #include "las_records.h"
-#include "laz_layers.h"
+#include "laz_chunk.h"
 #include "point_chunks.h"
 
 namespace geom {
@@ -33,28 +34,46 @@ class Reader {
         }),
         source_(source) {}
 
-  CopcCounts run(const CopcChooser& choose, const PointSink& sink) {
+  CopcCounts run(const CopcChooser& choose, const PointSink& sink, const Execution& run) {
     read_head();
     nodes_ = read_copc_nodes(read_, info_, source_);
     require_all_accounted_for();
     const CopcPart part = choose(reference_);
-    PointChunks chunks(source_, sink);
     const int deepest = deepest_level(part);
+    std::vector<CopcNode> wanted;
+    std::uint64_t most = 0;
     for (const CopcNode& node : nodes_) {
       if (part.region && !meets(node, *part.region)) {
         counts_.outside += node.points;
       } else if (node.level > deepest) {
         counts_.finer += node.points;
       } else {
-        read_node(node, part, chunks);
+        wanted.push_back(node);
+        most = std::max<std::uint64_t>(most, node.points);
       }
     }
     if (counts_.finer > 0) counts_.spacing = std::ldexp(info_.spacing, -deepest);
+    PointChunks chunks(source_, sink);
+    auto next = wanted.begin();
+    in_order<NodeChunk>(
+        run, laz_window(run, most),
+        [&]() -> std::optional<NodeChunk> {
+          if (next == wanted.end()) return std::nullopt;
+          const CopcNode& node = *next++;
+          return NodeChunk{&node, read_chunk(node)};
+        },
+        [&](NodeChunk& read) { read.chunk.decode(setup_, source_); },
+        [&](const NodeChunk& read) { take(read, part, chunks); });
     counts_.cloud = chunks.finish();
     return counts_;
   }
 
  private:
+  struct NodeChunk {
+    const CopcNode* node;
+    LazChunk chunk;
+  };
+
   void read_head() {
     std::string head = read_whole(read_, 0, kHead, source_);
     if (!is_copc(head)) refuse(source_, "expected a COPC file, found another");
@@ -154,14 +173,23 @@ class Reader {
            cube.min.y() <= region.max.y() && cube.max.y() >= region.min.y();
   }
 
-  void read_node(const CopcNode& node, const CopcPart& part, PointChunks& chunks) {
+  LazChunk read_chunk(const CopcNode& node) {
     const std::string chunk = read_whole(read_, node.place, node.bytes, source_);
     ByteSource bytes({reinterpret_cast<const unsigned char*>(chunk.data()), chunk.size()},
                      node.place, source_);
-    const Aabb cube = reach(node);
-    const auto take = [&](const LazPoint& raw) {
+    LazChunk out = LazChunk::of_layers(bytes, setup_, node.points);
+    if (out.points() == node.points && out.bytes() == node.bytes) return out;
+    bytes.refuse(fmt::format(
+        "cube {}-{}-{}-{} of its octree is said to have {} points in {} bytes, "
+        "and has {} in {}",
+        node.level, node.x, node.y, node.z, node.points, node.bytes, out.points(), out.bytes()));
+  }
+
+  void take(const NodeChunk& read, const CopcPart& part, PointChunks& chunks) {
+    const Aabb cube = reach(*read.node);
+    read.chunk.for_each(setup_, source_, [&](const LazPoint& raw) {
       const Vec3 p = Vec3(raw.x, raw.y, raw.z).cwiseProduct(header_.scale) + header_.offset;
-      if (!contains(cube, p)) leaves_cube(node, p);
+      if (!contains(cube, p)) leaves_cube(*read.node, p);
       const bool inside =
           !part.region || (p.x() >= part.region->min.x() && p.x() <= part.region->max.x() &&
                            p.y() >= part.region->min.y() && p.y() <= part.region->max.y());
@@ -170,14 +198,7 @@ class Reader {
       } else {
         ++counts_.outside;
       }
-    };
-    const std::uint64_t found = read_laz_layers(bytes, setup_, node.points, take);
-    if (found == node.points && bytes.position() == node.place + node.bytes) return;
-    bytes.refuse(
-        fmt::format("cube {}-{}-{}-{} of its octree is said to have {} points in {} bytes, "
-                    "and has {} in {}",
-                    node.level, node.x, node.y, node.z, node.points, node.bytes, found,
-                    bytes.position() - node.place));
+    });
   }
 
   [[noreturn]] void leaves_cube(const CopcNode& node, const Vec3& p) const {
@@ -208,8 +229,8 @@ bool is_copc(std::string_view head) {
 }
 
 CopcCounts read_copc(const ReadAt& read, std::string_view source, const CopcChooser& choose,
-                     const PointSink& sink) {
-  return Reader(read, source).run(choose, sink);
+                     const PointSink& sink, const Execution& run) {
+  return Reader(read, source).run(choose, sink, run);
 }
 
 }  // namespace geom

@@ -75,8 +75,8 @@ void read_points(ByteSource& bytes, const LasHeader& h, PointChunks& chunks) {
 }
 
 void read_compressed(ByteSource& bytes, const LasHeader& h, const LazSetup& setup,
-                     PointChunks& chunks) {
-  for_each_laz_point(bytes, setup, h.points, [&](const LazPoint& p) {
+                     const LasReading& reading, PointChunks& chunks) {
+  for_each_laz_point(bytes, setup, h.points, reading, [&](const LazPoint& p) {
     chunks.add(Vec3(p.x, p.y, p.z).cwiseProduct(h.scale) + h.offset, p.cls);
   });
   // Some writers leave a few bytes behind the table of chunks; a second file would be longer.
@@ -87,14 +87,14 @@ void read_compressed(ByteSource& bytes, const LasHeader& h, const LazSetup& setu
 }  // namespace
 
 CloudCounts read_las(std::istream& in, std::string_view source, const PointSink& sink,
-                     const ReferenceSink& reference) {
+                     const ReferenceSink& reference, const LasReading& reading) {
   const LasHeader h = read_las_header(in, source);
   const LasRecords told = read_las_records(in, h, source);
   if (reference) reference(told.reference);
   PointChunks chunks(source, sink);
   ByteSource bytes(in, h.data, source);
   if (told.laz) {
-    read_compressed(bytes, h, *told.laz, chunks);
+    read_compressed(bytes, h, *told.laz, reading, chunks);
   } else {
     read_points(bytes, h, chunks);
   }

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
+#include "geom/base/error.h"
+#include "geom/base/in_order.h"
 #include "integer_decoder.h"
-#include "laz_items.h"
-#include "laz_layers.h"
+#include "laz_chunk.h"
 
 namespace geom {
 namespace {
@@ -95,21 +96,6 @@ class TablePlace {
   std::int64_t place_;
 };
 
-void read_items(ByteSource& bytes, const LazSetup& setup, std::uint64_t count,
-                const LazPointSink& sink) {
-  std::vector<unsigned char> first;
-  bytes.read(setup.point_bytes, first);
-  const auto items = laz_item_decoders(setup, first);
-  LazPoint point = first_laz_point(setup, first);
-  sink(point);
-  RangeDecoder code(bytes);
-  for (std::uint64_t i = 1; i < count; ++i) {
-    for (const auto& item : items) item->next(code, point);
-    sink(point);
-  }
-  code.require_end();
-}
-
 // The points of each chunk, which only the table knows.
 std::vector<Chunk> table_ahead(ByteSource& bytes, const TablePlace& place, const LazSetup& setup) {
   const std::uint64_t start = bytes.position();
@@ -129,57 +115,126 @@ std::vector<Chunk> table_ahead(ByteSource& bytes, const TablePlace& place, const
   return read_table(ahead, true, rest.size() / setup.point_bytes, true);
 }
 
-// Where the chunks' numbers of points come from.
-class ChunkCounts {
- public:
-  ChunkCounts(const LazSetup& setup, std::vector<Chunk> table)
-      : setup_(setup), table_(std::move(table)) {}
+// The table by the other way, of chunks of a fixed number of points; empty where it is not to be
+// had, or is not what it can be. Then the chunks are read one after the other, and what is wrong
+// with the file is found there.
+std::vector<Chunk> table_told(const ReadAt& ahead, const TablePlace& place, const LazSetup& setup,
+                              std::uint64_t start, std::uint64_t points) {
+  constexpr std::uint64_t kMostPoints = 1U << 22;  // of a chunk whose code is held
+  constexpr std::uint64_t kMostEntry = 8;          // bytes of a chunk in the table, generously
+  constexpr std::uint64_t kMostChunks = 1U << 22;
+  const std::uint64_t chunks = (points - 1) / setup.chunk_points + 1;
+  if (!ahead || place.at_end() || setup.chunk_points > kMostPoints || chunks > kMostChunks)
+    return {};
+  std::vector<unsigned char> code(kMostEntry * (chunks + 4));
+  code.resize(ahead(place.place(), code));
+  std::vector<Chunk> table;
+  try {
+    ByteSource bytes(code, place.place(), "");
+    table = read_table(bytes, false, chunks, false);
+  } catch (const InputError&) {  // the one in its place will say what is wrong
+    return {};
+  }
+  std::uint64_t end = start;
+  for (Chunk& chunk : table) {
+    chunk.points = std::min<std::uint64_t>(setup.chunk_points, points);
+    points -= chunk.points;
+    if (chunk.bytes > 1000 + 2 * chunk.points * setup.point_bytes) return {};  // no encoder's
+    end += chunk.bytes;
+  }
+  return end == place.place() ? table : std::vector<Chunk>{};
+}
 
-  std::uint64_t of(ByteSource& bytes, std::size_t chunk, std::uint64_t left) const {
-    if (!setup_.chunks_vary()) return std::min<std::uint64_t>(setup_.chunk_points, left);
-    if (setup_.layout != Layout::chunks) return left;
-    const std::uint64_t told = chunk < table_.size() ? table_[chunk].points : 0;
-    if (told == 0 || told > left) {
-      bytes.refuse(
-          fmt::format("its table of chunks says that chunk {} has {} points, and {} are "
-                      "left",
-                      chunk, told, left));
+class Reader {
+ public:
+  Reader(ByteSource& bytes, const LazSetup& setup, std::uint64_t points, const LasReading& reading,
+         const LazPointSink& sink)
+      : bytes_(bytes), setup_(setup), left_(points), run_(reading.run), sink_(sink), place_(bytes) {
+    if (setup.layout != Layout::chunks) return;
+    table_ = setup.chunks_vary()
+                 ? table_ahead(bytes, place_, setup)
+                 : table_told(reading.ahead, place_, setup, bytes.position(), points);
+  }
+
+  void run() {
+    if (setup_.layout == Layout::layers || setup_.chunks_vary() || !table_.empty()) {
+      read_on_all_threads();
+    } else {
+      read_one_by_one();
     }
-    return told;
+    place_.require(bytes_, setup_.chunks_vary(), found_);
   }
 
  private:
+  void read_one_by_one() {
+    while (left_ > 0) {
+      const std::uint64_t start = bytes_.position();
+      const std::uint64_t count = std::min<std::uint64_t>(setup_.chunk_points, left_);
+      read_laz_items(bytes_, setup_, count, sink_);
+      add({count, bytes_.position() - start});
+    }
+  }
+
+  void read_on_all_threads() {
+    std::uint64_t most = setup_.chunks_vary() ? 0 : setup_.chunk_points;
+    for (const Chunk& chunk : table_) most = std::max(most, chunk.points);
+    const auto next = [&]() -> std::optional<LazChunk> {
+      if (left_ == 0) return std::nullopt;
+      LazChunk chunk = setup_.layout == Layout::layers ? layers() : items();
+      add({chunk.points(), chunk.bytes()});
+      return chunk;
+    };
+    in_order<LazChunk>(
+        run_, laz_window(run_, most), next,
+        [&](LazChunk& chunk) { chunk.decode(setup_, bytes_.source()); },
+        [&](const LazChunk& chunk) { chunk.for_each(setup_, bytes_.source(), sink_); });
+  }
+
+  LazChunk layers() {
+    const bool vary = setup_.chunks_vary();
+    const std::uint64_t most = vary ? left_ : std::min<std::uint64_t>(setup_.chunk_points, left_);
+    LazChunk chunk = LazChunk::of_layers(bytes_, setup_, most);
+    if (!vary && chunk.points() != most) {
+      bytes_.refuse(
+          fmt::format("expected a chunk of {} points, and it says {}", most, chunk.points()));
+    }
+    return chunk;
+  }
+
+  LazChunk items() {
+    const std::size_t number = found_.size();
+    const Chunk told = number < table_.size() ? table_[number] : Chunk();
+    if (told.points == 0 || told.points > left_) {
+      bytes_.refuse(
+          fmt::format("its table of chunks says that chunk {} has {} points, and {} are "
+                      "left",
+                      number, told.points, left_));
+    }
+    return LazChunk::of_items(bytes_, told.points, told.bytes);
+  }
+
+  void add(const Chunk& chunk) {
+    left_ -= chunk.points;
+    found_.push_back(chunk);
+  }
+
+  ByteSource& bytes_;
   const LazSetup& setup_;
-  std::vector<Chunk> table_;
+  std::uint64_t left_;  // points
+  const Execution& run_;
+  const LazPointSink& sink_;
+  TablePlace place_;
+  std::vector<Chunk> table_;  // where it is known before the chunks
+  std::vector<Chunk> found_;
 };
 
 }  // namespace
 
 void for_each_laz_point(ByteSource& bytes, const LazSetup& setup, std::uint64_t points,
-                        const LazPointSink& sink) {
+                        const LasReading& reading, const LazPointSink& sink) {
   if (points == 0) return;
-  if (setup.layout == Layout::one_stream) return read_items(bytes, setup, points, sink);
-  const TablePlace place(bytes);
-  const bool vary = setup.chunks_vary();
-  const ChunkCounts counts(setup, vary && setup.layout == Layout::chunks
-                                      ? table_ahead(bytes, place, setup)
-                                      : std::vector<Chunk>());
-  std::vector<Chunk> found;
-  for (std::uint64_t left = points; left > 0; left -= found.back().points) {
-    const std::uint64_t start = bytes.position();
-    std::uint64_t count = counts.of(bytes, found.size(), left);
-    if (setup.layout == Layout::layers) {
-      const std::uint64_t inside = read_laz_layers(bytes, setup, count, sink);
-      if (!vary && inside != count) {
-        bytes.refuse(fmt::format("expected a chunk of {} points, and it says {}", count, inside));
-      }
-      count = inside;
-    } else {
-      read_items(bytes, setup, count, sink);
-    }
-    found.push_back({count, bytes.position() - start});
-  }
-  place.require(bytes, vary, found);
+  if (setup.layout == Layout::one_stream) return read_laz_items(bytes, setup, points, sink);
+  Reader(bytes, setup, points, reading, sink).run();
 }
 
 }  // namespace geom

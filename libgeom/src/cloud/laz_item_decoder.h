@@ -6,6 +6,7 @@
 // is decoded as it takes to come to the next point.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -19,6 +20,9 @@ struct LazPoint {
   std::int32_t z = 0;
   std::uint8_t cls = 0;
 };
+
+// Is given the points one by one, in the file's order.
+using LazPointSink = std::function<void(const LazPoint&)>;
 
 class LazItemDecoder {
  public:

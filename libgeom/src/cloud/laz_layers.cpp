@@ -57,14 +57,12 @@ std::int32_t wrapped_sum(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
 }
 
-// The bytes of one layer, all of which its points must take. An empty one changes nothing.
+// The code of one layer, all of whose bytes its points must take. An empty one changes nothing.
 class Layer {
  public:
-  Layer(ByteSource& from, std::uint32_t size) {
-    start_ = from.position();
-    from.read(size, data_);
-    bytes_.emplace(data_, start_, from.source());
-    if (size > 0) code_.emplace(*bytes_);
+  Layer(const LazLayers::Layer& layer, std::string_view source)
+      : end_(layer.at + layer.bytes.size()), bytes_(layer.bytes, layer.at, source) {
+    if (!layer.bytes.empty()) code_.emplace(bytes_);
   }
 
   bool empty() const { return !code_; }
@@ -72,21 +70,18 @@ class Layer {
 
   void require_end() const {
     if (code_) code_->require_end();
-    if (bytes_->position() != end()) {
-      bytes_->refuse(
+    if (bytes_.position() != end_) {
+      bytes_.refuse(
           fmt::format("its compressed points are damaged: a layer ends at byte {}, and "
                       "its points at {}",
-                      end(), bytes_->position()));
+                      end_, bytes_.position()));
     }
   }
 
  private:
-  std::uint64_t end() const { return start_ + data_.size(); }
-
-  std::vector<unsigned char> data_;
-  std::optional<ByteSource> bytes_;
+  std::uint64_t end_;
+  ByteSource bytes_;
   std::optional<RangeDecoder> code_;
-  std::uint64_t start_ = 0;
 };
 
 struct Layers {
@@ -210,16 +205,15 @@ class Channels {
 
 }  // namespace
 
-std::uint64_t read_laz_layers(ByteSource& bytes, const LazSetup& setup, std::uint64_t at_most,
-                              const LazPointSink& sink) {
-  std::vector<unsigned char> first;
-  bytes.read(setup.point_bytes, first);
-  const std::uint64_t count = bytes.number<std::uint32_t>();
-  if (count == 0 || count > at_most) {
+LazLayers read_laz_layers(ByteSource& bytes, const LazSetup& setup, std::uint64_t at_most) {
+  LazLayers out;
+  bytes.read(setup.point_bytes, out.first);
+  out.points = bytes.number<std::uint32_t>();
+  if (out.points == 0 || out.points > at_most) {
     bytes.refuse(
         fmt::format("a chunk of compressed points says that it holds {}, and 1 to {} are "
                     "left",
-                    count, at_most));
+                    out.points, at_most));
   }
   std::vector<std::uint32_t> sizes;
   for (const LazItem& item : setup.items) {
@@ -227,19 +221,27 @@ std::uint64_t read_laz_layers(ByteSource& bytes, const LazSetup& setup, std::uin
       sizes.push_back(bytes.number<std::uint32_t>());
     }
   }
-  Layers layers{{bytes, sizes[0]}, {bytes, sizes[1]}, {bytes, sizes[2]}};
-  if (layers.place.empty()) bytes.refuse("a chunk of compressed points has no layer of places");
-  for (std::size_t i = 3; i < sizes.size(); ++i) {
+  for (std::size_t i = 0; i < out.layers.size(); ++i) {
+    out.layers[i].at = bytes.position();
+    bytes.read(sizes[i], out.layers[i].bytes);
+  }
+  if (sizes[0] == 0) bytes.refuse("a chunk of compressed points has no layer of places");
+  for (std::size_t i = out.layers.size(); i < sizes.size(); ++i) {
     if (bytes.skip(sizes[i]) < sizes[i]) {
       bytes.refuse("a chunk of compressed points is cut short");
     }
   }
-  const LazPoint point = first_laz_point(setup, first);
-  Channels channels(point, first);
+  return out;
+}
+
+void decode_laz_layers(const LazLayers& chunk, const LazSetup& setup, std::string_view source,
+                       const LazPointSink& sink) {
+  Layers layers{{chunk.layers[0], source}, {chunk.layers[1], source}, {chunk.layers[2], source}};
+  const LazPoint point = first_laz_point(setup, chunk.first);
+  Channels channels(point, chunk.first);
   sink(point);
-  for (std::uint64_t i = 1; i < count; ++i) sink(channels.next(layers));
+  for (std::uint64_t i = 1; i < chunk.points; ++i) sink(channels.next(layers));
   for (const Layer* layer : {&layers.place, &layers.height, &layers.cls}) layer->require_end();
-  return count;
 }
 
 }  // namespace geom

@@ -20,7 +20,7 @@ struct Found {
   CopcCounts counts;
 };
 
-Found read_part(const std::string& bytes, const CopcPart& part) {
+Found read_part(const std::string& bytes, const CopcPart& part, unsigned threads = 1) {
   Found found;
   const ReadAt read = [&](std::uint64_t at, std::span<unsigned char> to) {
     if (at >= bytes.size()) return std::size_t{0};
@@ -32,7 +32,8 @@ Found read_part(const std::string& bytes, const CopcPart& part) {
       read, "t", [&](const CoordinateReference&) { return part; },
       [&](std::span<const CloudPoint> chunk) {
         for (const CloudPoint& p : chunk) found.points.push_back(p.position);
-      });
+      },
+      {threads, {}});
   return found;
 }
 
@@ -94,6 +95,20 @@ TEST(Copc, OfARegionNoPointIsMissing) {
     const Found found = read_part(file_bytes(), {region, 0});
     ASSERT_EQ(sorted(found.points), sorted(expected)) << i;
     ASSERT_EQ(found.counts.outside + expected.size(), all.size()) << i;
+  }
+}
+
+TEST(Copc, ThreadsChangeNeitherPointsNorCounts) {
+  for (const CopcPart& part : {CopcPart{}, CopcPart{Aabb{{200, 200, 0}, {600, 500, 0}}, 5}}) {
+    const Found one = read_part(file_bytes(), part);
+    for (const unsigned threads : {2u, 7u}) {
+      const Found found = read_part(file_bytes(), part, threads);
+      EXPECT_EQ(found.points, one.points);
+      EXPECT_EQ(found.counts.outside, one.counts.outside);
+      EXPECT_EQ(found.counts.finer, one.counts.finer);
+      EXPECT_EQ(found.counts.bytes, one.counts.bytes);
+      EXPECT_EQ(found.counts.cloud.read, one.counts.cloud.read);
+    }
   }
 }
 
@@ -167,13 +182,15 @@ TEST(Copc, RefusesPointsOutsideTheirCube) {
   CopcFile file = CopcFile::scan(3000, 7, 100);
   file.points.back().x = 90000;
   file.points.back().y = 0;
-  EXPECT_THROW(read_part(file.bytes(), {}), InputError);
+  for (const unsigned threads : {1u, 3u}) {
+    EXPECT_THROW(read_part(file.bytes(), {}, threads), InputError);
+  }
 }
 
 TEST(Copc, RefusesEveryFileCutShort) {
   const std::string bytes = CopcFile::scan(300, 9, 40).bytes();
   for (std::size_t n = 0; n < bytes.size(); ++n) {
-    ASSERT_THROW(read_part(bytes.substr(0, n), {}), InputError) << n;
+    ASSERT_THROW(read_part(bytes.substr(0, n), {}, n % 16 ? 1 : 3), InputError) << n;
   }
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <sstream>
 
@@ -13,28 +14,67 @@ namespace {
 using support::LazFile;
 using Layout = LazFile::Layout;
 
-std::vector<CloudPoint> read(const std::string& bytes) {
+// What a reading gives: points, or why there are none.
+struct Reading {
+  std::vector<CloudPoint> points;
+  std::string refusal;
+};
+
+Reading read(const std::string& bytes, const LasReading& how) {
   std::istringstream in(bytes);
-  std::vector<CloudPoint> out;
-  read_las(in, "test.laz", [&](std::span<const CloudPoint> chunk) {
-    out.insert(out.end(), chunk.begin(), chunk.end());
-  });
+  Reading out;
+  try {
+    read_las(
+        in, "test.laz",
+        [&](std::span<const CloudPoint> chunk) {
+          out.points.insert(out.points.end(), chunk.begin(), chunk.end());
+        },
+        {}, how);
+  } catch (const InputError& error) {
+    out.refusal = error.what();
+  }
   return out;
 }
 
-// What read_las says of the bytes; "" where it reads them.
-std::string refusal(const std::string& bytes) {
-  try {
-    read(bytes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+ReadAt way_into(const std::string& bytes) {
+  return [&](std::uint64_t at, std::span<unsigned char> to) {
+    const std::size_t from = std::min<std::uint64_t>(at, bytes.size());
+    const std::size_t n = std::min(to.size(), bytes.size() - from);
+    std::copy_n(bytes.data() + from, n, to.data());
+    return n;
+  };
 }
 
+void expect_equal(const Reading& a, const Reading& b, const std::string& what) {
+  ASSERT_EQ(a.points.size(), b.points.size()) << what;
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    ASSERT_EQ(a.points[i].position, b.points[i].position) << what << ", point " << i;
+    ASSERT_EQ(a.points[i].cls, b.points[i].cls) << what << ", point " << i;
+  }
+}
+
+// What all ways to read the bytes come to: one thread or three, with a second way into the file or
+// without one.
+Reading read(const std::string& bytes) {
+  const Reading front_to_back = read(bytes, {});
+  const Reading ahead = read(bytes, {{1, {}}, way_into(bytes)});
+  EXPECT_EQ(front_to_back.refusal.empty(), ahead.refusal.empty());
+  for (const LasReading& how : {LasReading{{3, {}}, {}}, LasReading{{3, {}}, way_into(bytes)}}) {
+    const Reading& one = how.ahead ? ahead : front_to_back;
+    const Reading three = read(bytes, how);
+    EXPECT_EQ(three.refusal, one.refusal);
+    if (one.refusal.empty()) expect_equal(three, front_to_back, "three threads");
+  }
+  return ahead;
+}
+
+// What read_las says of the bytes; "" where it reads them.
+std::string refusal(const std::string& bytes) { return read(bytes).refusal; }
+
 void expect_points(const LazFile& file, const std::string& what) {
-  std::vector<CloudPoint> found;
-  ASSERT_NO_THROW(found = read(file.bytes())) << what;
+  const Reading reading = read(file.bytes());
+  ASSERT_EQ(reading.refusal, "") << what;
+  const std::vector<CloudPoint>& found = reading.points;
   ASSERT_EQ(found.size(), file.points.size()) << what;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const support::LazFilePoint& p = file.points[i];
@@ -120,7 +160,10 @@ TEST(Laz, RefusesEveryFileCutShort) {
       file.layout = layout;
       const std::string whole = file.bytes();
       for (std::size_t size = 0; size < whole.size(); ++size) {
-        EXPECT_NE(refusal(whole.substr(0, size)), "") << "format " << format << ", " << size;
+        const std::string cut = whole.substr(0, size);
+        const LasReading how{{1 + static_cast<unsigned>(size % 16 == 0), {}},
+                             size % 2 ? way_into(cut) : ReadAt()};
+        EXPECT_NE(read(cut, how).refusal, "") << "format " << format << ", " << size;
       }
     }
   }
@@ -216,6 +259,47 @@ TEST(Laz, SaysWhatIsWrong) {
   std::string wide = whole;
   wide[105] = 21;
   EXPECT_NE(refusal(wide).find("21 bytes a point, and its items have 20"), std::string::npos);
+}
+
+// The table is looked at before its turn, and the file may be another then.
+TEST(Laz, ATableSeenAheadIsHeldAgainstTheOneInItsPlace) {
+  LazFile file = file_of(3, 300);
+  file.chunk = 50;
+  const std::string whole = file.bytes();
+  std::uint32_t data = 0;
+  std::memcpy(&data, whole.data() + 96, 4);
+  std::uint64_t table = 0;
+  std::memcpy(&table, whole.data() + data, 8);
+  for (const std::size_t at : {0u, 3u, 4u, 7u, 8u, 9u, 11u}) {
+    std::string changed = whole;
+    changed[table + at] = static_cast<char>(changed[table + at] ^ 0x11);
+    EXPECT_NE(read(changed, {{2, {}}, way_into(whole)}).refusal, "") << at;
+    // What is seen ahead alone is wrong: the file is right, or one of its chunks is not as long.
+    const Reading reading = read(whole, {{2, {}}, way_into(changed)});
+    if (reading.refusal.empty()) expect_equal(reading, read(whole, {}), "another table");
+  }
+}
+
+TEST(Laz, AWayIntoTheFileThatLeadsNowhereChangesNothing) {
+  const std::string whole = file_of(3, 300).bytes();
+  const ReadAt nowhere = [](std::uint64_t, std::span<unsigned char>) { return std::size_t{0}; };
+  const Reading reading = read(whole, {{2, {}}, nowhere});
+  EXPECT_EQ(reading.refusal, "");
+  expect_equal(reading, read(whole, {}), "no table");
+}
+
+// Of chunks too large to be held when they are decoded, points come as of small ones.
+TEST(Laz, ReadsVeryLargeChunks) {
+  for (const unsigned format : {0u, 6u}) {
+    for (const Layout layout : {Layout::fixed, Layout::varying}) {
+      LazFile file = file_of(format, 300000);
+      file.layout = layout;
+      file.chunk = 290000;
+      file.sizes = layout == Layout::varying ? std::vector<std::size_t>{290000, 10000}
+                                             : std::vector<std::size_t>{};
+      expect_points(file, "format " + std::to_string(format));
+    }
+  }
 }
 
 }  // namespace

@@ -10,9 +10,6 @@
 
 namespace geom {
 
-// Reads up to `to.size()` bytes from this place of a file; gives how many there were.
-using ReadAt = std::function<std::size_t(std::uint64_t at, std::span<unsigned char> to)>;
-
 // In the units of the file.
 struct CopcPart {
   // Closed; z is not looked at. Nothing: all points.
@@ -44,7 +41,10 @@ bool is_copc(std::string_view head);
 //
 // What a level holds of the levels below it is a promise of its writer: with a resolution, some
 // obstacles of the region are read only in part, or not at all. `counts.finer` says that it is so.
+//
+// Chunks are decoded on all threads of `run`; `read` and `sink` are called by one thread at a time
+// each, which need not be the caller's. Points and counts do not depend on it.
 CopcCounts read_copc(const ReadAt& read, std::string_view source, const CopcChooser& choose,
-                     const PointSink& sink);
+                     const PointSink& sink, const Execution& run = {});
 
 }  // namespace geom

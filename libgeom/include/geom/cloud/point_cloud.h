@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "geom/base/execution.h"
 #include "geom/cloud/coordinate_reference.h"
 #include "geom/import/skipped.h"
 #include "geom/shape/vec3.h"
@@ -25,6 +26,15 @@ using PointSink = std::function<void(std::span<const CloudPoint>)>;
 // Is told what a file says of its coordinates, before the first point.
 using ReferenceSink = std::function<void(const CoordinateReference&)>;
 
+// Reads up to `to.size()` bytes from this place of a file; gives how many there were.
+using ReadAt = std::function<std::size_t(std::uint64_t at, std::span<unsigned char> to)>;
+
+// What changes the time that reading LAS takes, and nothing else.
+struct LasReading {
+  Execution run = {};  // chunks of LAZ are decoded on all threads; not so in formats 0 to 5 where
+  ReadAt ahead = {};   // there is no second way into the file, to where it says how large they are
+};
+
 struct CloudCounts {
   std::size_t read = 0;        // points in the file
   std::size_t not_finite = 0;  // of these, left out: a coordinate is NaN or infinite
@@ -40,13 +50,15 @@ CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink&
 
 // LAS 1.0 to 1.4 and LAZ, point formats 0 to 10; COPC is read whole, as the LAZ that it is. Debian
 // packages no LAZ library, so the decoder is ours: M. Isenburg, "LASzip: lossless compression of
-// LiDAR data", PE&RS 79(2), 2013, and the format as published, items of versions 1, 2 and 3. A chunk
-// that takes other bytes than its table or its layers say throws, and so does one that is cut short.
-// Memory grows with a chunk of layers, and with the compressed points where chunks of formats 0 to
-// 5 vary in size. The reference is what its GeoTIFF keys and its well-known text say, read where
-// they stand before the points; two that differ, and one that stands after the points alone, throw.
+// LiDAR data", PE&RS 79(2), 2013, and the format as published, items of versions 1, 2 and 3. A
+// chunk that takes other bytes than its table or its layers say throws, and so does one that is cut
+// short. Memory grows with chunks of layers (three, and a dozen for each further thread), and with
+// the compressed points where chunks of formats 0 to 5 vary in size. The sink is called by one
+// thread at a time, which need not be the caller's. The reference is what its GeoTIFF keys and its
+// well-known text say, read where they stand before the points; two that differ, and one that
+// stands after the points alone, throw.
 CloudCounts read_las(std::istream& in, std::string_view source, const PointSink& sink,
-                     const ReferenceSink& reference = {});
+                     const ReferenceSink& reference = {}, const LasReading& reading = {});
 
 // Three numbers a line, then anything; fields by white space, comma or semicolon; `#` and `//`
 // start comments, and a first line that starts with a word or is a number alone is a header.

@@ -1,0 +1,122 @@
+#include "geom/base/in_order.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <string>
+
+namespace geom {
+namespace {
+
+struct Item {
+  int number = 0;
+  int square = 0;
+};
+
+// Squares of 0 to count - 1; what is thrown where, -1: nowhere.
+struct Squares {
+  int count = 200;
+  int next_throws = -1;
+  int work_throws = -1;
+  int take_throws = -1;
+  std::vector<int> taken = {};
+
+  void run(unsigned threads, std::size_t window) {
+    int at = 0;
+    const auto throw_at = [](int number, int where, const char* what) {
+      if (number == where) throw std::runtime_error(what + std::to_string(number));
+    };
+    const auto next = [&]() -> std::optional<Item> {
+      throw_at(at, next_throws, "next ");
+      if (at == count) return std::nullopt;
+      return Item{at++, 0};
+    };
+    const auto work = [&](Item& item) {
+      throw_at(item.number, work_throws, "work ");
+      item.square = item.number * item.number;
+    };
+    const auto take = [&](const Item& item) {
+      throw_at(item.number, take_throws, "take ");
+      taken.push_back(item.square);
+    };
+    in_order<Item>({threads, {}}, window, next, work, take);
+  }
+
+  std::string thrown(unsigned threads, std::size_t window) {
+    try {
+      run(threads, window);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+constexpr unsigned kThreads[] = {1, 2, 7};
+constexpr std::size_t kWindows[] = {0, 7, 64, 5000};
+
+TEST(InOrder, TakesEachItemOnceInItsOrder) {
+  for (const unsigned threads : kThreads) {
+    for (const std::size_t window : kWindows) {
+      for (const int count : {0, 1, 2, 200}) {
+        Squares squares{.count = count};
+        squares.run(threads, window);
+        ASSERT_EQ(squares.taken.size(), static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i) {
+          ASSERT_EQ(squares.taken[static_cast<std::size_t>(i)], i * i);
+        }
+      }
+    }
+  }
+}
+
+// Whatever the threads: the first by item, and of one item next before work before take.
+TEST(InOrder, ThrowsWhatOneThreadWouldHaveThrown) {
+  for (const unsigned threads : kThreads) {
+    for (const std::size_t window : kWindows) {
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ((Squares{.next_throws = 11, .work_throws = 12}).thrown(threads, window),
+                  "next 11");
+        EXPECT_EQ((Squares{.next_throws = 12, .work_throws = 11}).thrown(threads, window),
+                  "work 11");
+        EXPECT_EQ((Squares{.next_throws = 12, .take_throws = 11}).thrown(threads, window),
+                  "take 11");
+        EXPECT_EQ((Squares{.work_throws = 12, .take_throws = 11}).thrown(threads, window),
+                  "take 11");
+        EXPECT_EQ((Squares{.next_throws = 200, .work_throws = 199}).thrown(threads, window),
+                  "work 199");
+      }
+    }
+  }
+}
+
+TEST(InOrder, TakesAllItemsBeforeTheOneThatThrew) {
+  for (const unsigned threads : kThreads) {
+    for (const std::size_t window : kWindows) {
+      for (Squares squares : {Squares{.next_throws = 77}, Squares{.work_throws = 77}}) {
+        EXPECT_NE(squares.thrown(threads, window), "");
+        EXPECT_EQ(squares.taken.size(), 77u);
+      }
+    }
+  }
+}
+
+TEST(InOrder, HoldsNoMoreThanThreeWindows) {
+  std::atomic<int> held = 0;
+  std::atomic<int> most = 0;
+  int left = 300;
+  const auto next = [&]() -> std::optional<Item> {
+    if (left-- == 0) return std::nullopt;
+    const int now = ++held;
+    if (now > most) most = now;
+    return Item{};
+  };
+  in_order<Item>(
+      {7, {}}, 5, next, [](Item&) {}, [&](const Item&) { --held; });
+  EXPECT_LE(most, 15);
+  EXPECT_EQ(held, 0);
+}
+
+}  // namespace
+}  // namespace geom
