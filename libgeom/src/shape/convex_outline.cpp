@@ -1,4 +1,4 @@
-#include "convex_outline.h"
+#include "geom/shape/convex_outline.h"
 
 #include <algorithm>
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "convex_outline.h"
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
+#include "geom/shape/convex_outline.h"
 #include "geom/shape/cover.h"
 #include "geom/shape/ring_stack.h"
 

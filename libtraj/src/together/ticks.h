@@ -29,6 +29,20 @@ inline double seconds_of(Ticks ticks) { return std::ldexp(static_cast<double>(ti
 inline double seconds_below(Ticks ticks) { return geom::next_down(seconds_of(ticks)); }
 inline double seconds_above(Ticks ticks) { return geom::next_up(seconds_of(ticks)); }
 
+// The latest time that is not later and that ticks_of() takes, of any within 1e9 s.
+inline double whole_time_below(double seconds) {
+  constexpr double kLeast = 1e-9;
+  if (seconds == 0 || std::abs(seconds) >= kLeast) return seconds;
+  return seconds < 0 ? -kLeast : 0;
+}
+
+// The least double that is not below, where one is that near.
+inline double seconds_not_below(Ticks ticks) {
+  const double seconds = seconds_of(ticks);
+  const bool exact = whole_time_below(seconds) == seconds && ticks_of(seconds) >= ticks;
+  return exact ? seconds : geom::next_up(seconds);
+}
+
 // `part` / `whole`, relative to 3 * 2^-53; 0 <= part <= whole.
 inline double ratio(Ticks part, Ticks whole) {
   return static_cast<double>(part) / static_cast<double>(whole);

@@ -1,4 +1,4 @@
-#include "shape/convex_outline.h"
+#include "geom/shape/convex_outline.h"
 
 #include <gtest/gtest.h>
 

@@ -31,5 +31,16 @@ TEST(Ticks, AreBetweenTheirBounds) {
   EXPECT_TRUE(ticks_of(seconds_below(t)) < t && t < ticks_of(seconds_above(t)));
 }
 
+TEST(Ticks, HaveTheirLeastDoubleAbove) {
+  EXPECT_EQ(seconds_not_below(ticks_of(0.1)), 0.1);
+  EXPECT_EQ(seconds_not_below(0), 0);
+  EXPECT_EQ(seconds_not_below(ticks_of(0.1) + 1), geom::next_up(0.1));
+  EXPECT_EQ(seconds_not_below(ticks_of(0.1) - 1), 0.1);
+  EXPECT_GT(seconds_not_below(1), 0);
+  EXPECT_EQ(whole_time_below(1e-10), 0);
+  EXPECT_EQ(whole_time_below(-1e-10), -1e-9);
+  EXPECT_EQ(whole_time_below(-1e-9), -1e-9);
+}
+
 }  // namespace
 }  // namespace traj
