@@ -2,6 +2,7 @@
 #include "geom/record/record.h"
 #include "plan/sampling/search_tree_file.h"
 #include "traj/record/corridor_record.h"
+#include "traj/record/moving_record.h"
 #include "traj/record/report_record.h"
 #include "traj/record/trajectory_record.h"
 
@@ -26,6 +27,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   refuses_or_reads(data, size,
                    [&](std::istream&) { traj::parse_corridor_record(line, "fuzz", 1); });
   refuses_or_reads(data, size, read_tree);
+  refuses_or_reads(data, size, [&](std::istream&) { traj::parse_moving_record(line, "fuzz", 1); });
   return refuses_or_reads(data, size,
                           [&](std::istream&) { traj::parse_trajectory_record(line, "fuzz", 1); });
 }

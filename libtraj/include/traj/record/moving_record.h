@@ -1,0 +1,58 @@
+#pragma once
+
+// Obstacles that move, as JSON Lines records, and what the check against them found.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/map/frame.h"
+#include "geom/text/json_fields.h"
+#include "traj/together/moving_box.h"
+
+namespace traj {
+
+// {"type":"moving","id":…,"epoch":…,"from":…,"until":…,"min":[x,y,z],"max":[x,y,z],
+//  "velocity":[x,y,z],"growth":[x,y,z]}, and the frame and map that it is for, where it says so.
+struct MovingRecord {
+  std::string id;
+  std::optional<std::string> epoch;
+  std::optional<geom::Axes> frame;
+  std::optional<std::string> map;  // its hash
+  MovingBox box;
+};
+
+// Throws InputError(source, line, …) for a key that is missing or not known, and for a box that
+// cannot be judged (moving_box_fault).
+MovingRecord parse_moving_record(std::string_view json, std::string_view source, std::size_t line);
+
+// A flight that is not clear of an obstacle.
+struct MovingConflict {
+  std::string flight;
+  std::string obstacle;
+  MovingResult result;
+};
+
+// What the check against all obstacles came to.
+struct MovingSummary {
+  std::size_t flights = 0;
+  std::size_t left_out = 0;  // that could not be looked at, which refuses the whole
+  std::size_t obstacles = 0;
+  std::size_t pieces = 0;
+  std::size_t refused = 0;
+  Parked parked = Parked::pad;
+  std::optional<std::string> epoch;
+
+  bool ok() const { return refused == 0 && left_out == 0; }
+};
+
+// Each ends with a newline.
+std::string to_json_line(const MovingConflict& conflict, const std::optional<std::string>& epoch);
+std::string to_json_line(const MovingSummary& summary);
+
+// The refusal in a sentence.
+std::string in_words(const MovingConflict& conflict);
+
+}  // namespace traj

@@ -1,0 +1,51 @@
+#pragma once
+
+// Obstacles that move: the proof that a flight keeps clear of them at every instant.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "geom/shape/aabb.h"
+#include "traj/together/timed_flight.h"
+
+namespace traj {
+
+inline constexpr double kFastestBox = 1e4;  // m/s along an axis, of a box and of its growth
+
+// A closed box that goes straight on and may grow: at t its faces are at min + (velocity - growth)
+// (t - from) and max + (velocity + growth) (t - from). It is there from `from` until `until`, both
+// instants included, and at no other.
+struct MovingBox {
+  geom::Aabb box;                // at `from`; metres in the map's axes
+  Vec3 velocity = Vec3::Zero();  // m/s
+  Vec3 growth = Vec3::Zero();    // m/s of each half size, >= 0
+  double from = 0;               // seconds after the epoch, each within FlightTime's
+  double until = 0;              // > from
+};
+
+// Why it cannot be judged, in words: a number that is not finite or too large, a box whose min is
+// above its max, growth below 0, times that are none, or a place that it goes to beyond
+// geom::kLargestCoordinate. Nothing where it can.
+std::optional<std::string> moving_box_fault(const MovingBox& box);
+
+struct MovingResult {
+  bool clear = false;
+  // Not clear, and no instant of contact is known either: they are within rounding of it, or the
+  // halvings came to an end.
+  bool undecided = false;
+  std::size_t pieces = 0;  // that were looked at
+  // Where they are not clear: an instant of contact or close to one, and the flight's place then.
+  double time = 0;
+  Vec3 place = Vec3::Zero();
+};
+
+// Decides whether the box of the flight's room, closed, touches the obstacle at any instant; before
+// its departure and after its arrival it stands at its first and its last point, or is gone
+// (`parked`). By control points of the flight's position less that of each face, on each stretch of
+// time between joints (timeline.h): all of them beyond a face is clear, else the stretch is halved.
+// "clear" holds in real arithmetic; the obstacle is taken larger by what its faces' places round
+// by, 1e-15 of its coordinates. Requires moving_box_fault() to have no answer.
+MovingResult check_moving(const TimedFlight& flight, const MovingBox& box, Parked parked);
+
+}  // namespace traj
