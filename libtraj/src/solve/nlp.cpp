@@ -57,14 +57,24 @@ void Nlp::add_variables() {
   }
 }
 
+// Position, velocity, acceleration or jerk of the guess: of the state at the piece's start, then
+// end.
+const Vec3& Nlp::fixed_part(std::size_t piece, int m) const {
+  const State& s = spec_.state[piece + (m < 4 ? 0 : 1)];
+  const std::array<const Vec3*, 4> parts{&s.position, &s.velocity, &s.acceleration, &s.jerk};
+  return *parts[static_cast<std::size_t>(power_of(m))];
+}
+
 // Whether a point depends on any variable, and is not another piece's too: the first point of a
 // derivative is the last of the piece before.
 bool Nlp::moves(std::size_t piece, int order, int point) const {
   if (order > 0 && point == 0) return false;
   for (int m = 0; m < kStates; ++m) {
-    if (kTables[order][point][m] != 0 && global(piece, local_of(m, 0)) >= 0) return true;
+    if (kTables[order][point][m] == 0) continue;
+    if (global(piece, local_of(m, 0)) >= 0) return true;
+    // Of what is fixed, only what is not at rest moves with the duration.
+    if (power_of(m) != order && !fixed_part(piece, m).isZero(0)) return true;
   }
-  // At rest, what hangs on the duration alone stands still.
   return false;
 }
 

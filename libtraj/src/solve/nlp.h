@@ -24,7 +24,8 @@ struct QuadraticLimit {
 // What the problem is made of.
 struct NlpSpec {
   Corridor corridor;
-  std::vector<State> state;  // the guess: one more than pieces; first and last at rest, and fixed
+  std::vector<State> state;  // the guess: one more than pieces; first and last are fixed, without
+                             // acceleration and jerk
   std::vector<double> time;  // the guess: one a piece
   std::vector<QuadraticLimit> limits;
   double rho = 1e-3;
@@ -102,6 +103,7 @@ class Nlp {
   State state(std::size_t joint, std::span<const double> x) const;
   Piece piece(std::size_t index, std::span<const double> x) const;
   double scale(std::size_t piece, int local) const;
+  const Vec3& fixed_part(std::size_t piece, int state) const;
   bool moves(std::size_t piece, int order, int point) const;
   Vec3 slope(const Row& row, const Vec3& z) const;
   std::span<const Group> groups(std::size_t piece) const;

@@ -12,6 +12,19 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Infinite where nothing limits it.
+double speed_along(const Vec3& leg, const Limits& limits) {
+  const double length = leg.norm();
+  if (length == 0) return kInfinity;
+  double vmax = limits[Limit::speed].value_or(kInfinity);
+  const auto share = [&](const std::optional<double>& limit, double part) {
+    if (limit && part > 0) vmax = std::min(vmax, *limit * (length / part));
+  };
+  share(limits[Limit::horizontal_speed], leg.head<2>().norm());
+  share(limits[Limit::vertical_speed], std::abs(leg.z()));
+  return vmax;
+}
+
 }  // namespace
 
 SpeedProfile nominal_profile(const Limits& limits, double length) {
@@ -40,6 +53,18 @@ SpeedProfile nominal_profile(const Limits& limits, double length) {
   }
   profile.amax = amax.value_or(profile.vmax);
   return profile;
+}
+
+SpeedProfile along_leg(const Vec3& leg, const Limits& limits, const SpeedProfile& nominal) {
+  const double vmax = speed_along(leg, limits);
+  return {vmax < kInfinity ? vmax : nominal.vmax, nominal.amax};
+}
+
+std::optional<SpeedProfile> cruise_profile(const Vec3& leg, const Limits& limits) {
+  const bool held = limits[Limit::acceleration] || limits[Limit::tilt] || limits[Limit::thrust];
+  const double vmax = speed_along(leg, limits);
+  if (!held || !(vmax < kInfinity)) return std::nullopt;
+  return SpeedProfile{vmax, nominal_profile(limits, leg.norm()).amax};
 }
 
 }  // namespace traj

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "banded_solve.h"
+#include "cruise.h"
 #include "curve/portable_math.h"
 #include "ipopt_solve.h"
 #include "nlp.h"
@@ -30,17 +31,38 @@ double length_of(const Corridor& corridor) {
   return sum;
 }
 
+std::vector<SpeedProfile> profiles(const Corridor& corridor, const Limits& limits) {
+  const SpeedProfile nominal = nominal_profile(limits, length_of(corridor));
+  std::vector<SpeedProfile> out;
+  for (const CorridorPiece& piece : corridor) {
+    out.push_back(along_leg(piece.to - piece.from, limits, nominal));
+  }
+  return out;
+}
+
+// Velocities at the ends of a part of a corridor.
+struct Ends {
+  Vec3 first = Vec3::Zero();
+  Vec3 last = Vec3::Zero();
+};
+
 // The curve of least snap through the joints, rolling at half the acceleration: near enough to
 // feasible. (With straight velocities and no acceleration at the joints, close turns took hundreds
 // of times what the limits allow.)
-void add_guess(const SpeedProfile& profile, NlpSpec& spec) {
+void add_guess(std::vector<SpeedProfile> legs, const Ends& ends, NlpSpec& spec) {
   const std::vector<Vec3> points = points_of(spec.corridor);
-  const SpeedProfile gentle{profile.vmax, profile.amax / 2};
-  const std::vector<double> speeds =
-      corner_speeds(points, gentle, {gentle.amax, kCornerDeviation, true});
-  spec.time = rolling_times(points, speeds, gentle);
+  for (SpeedProfile& leg : legs) leg.amax /= 2;
+  const std::vector<double> speeds = corner_speeds(
+      points, legs,
+      {legs.front().amax, kCornerDeviation, true, ends.first.norm(), ends.last.norm()});
+  spec.time = rolling_times(points, speeds, legs);
   for (const Vec3& p : points) spec.state.push_back({p});
-  const Trajectory curve = min_snap(points, spec.time);
+  spec.state.front().velocity = ends.first;
+  spec.state.back().velocity = ends.last;
+  std::vector<Waypoint> waypoints = waypoints_at(points);
+  waypoints.front().velocity = ends.first;
+  waypoints.back().velocity = ends.last;
+  const Trajectory curve = min_snap(waypoints, spec.time);
   if (curve.segments.size() != spec.time.size()) return;  // lengths lost to rounding
   for (std::size_t i = 1; i < curve.segments.size(); ++i) {
     spec.state[i] = evaluate(curve.segments[i], 0);
@@ -49,10 +71,13 @@ void add_guess(const SpeedProfile& profile, NlpSpec& spec) {
 }
 
 // What moves a Bernstein point of the shorter neighbour by about a metre, within the limits.
-void add_scales(const SpeedProfile& profile, NlpSpec& spec) {
+void add_scales(std::span<const SpeedProfile> legs, NlpSpec& spec) {
   const std::size_t n = spec.time.size();
   for (std::size_t i = 0; i <= n; ++i) {
-    const double t = std::min(spec.time[i == 0 ? 0 : i - 1], spec.time[std::min(i, n - 1)]);
+    const std::size_t before = i == 0 ? 0 : i - 1;
+    const std::size_t after = std::min(i, n - 1);
+    const double t = std::min(spec.time[before], spec.time[after]);
+    const SpeedProfile profile{std::min(legs[before].vmax, legs[after].vmax), legs[after].amax};
     spec.scale.push_back({1, std::min(profile.vmax, 7 / t), std::min(profile.amax, 42 / (t * t)),
                           std::min(20.0, 210 / (t * t * t))});
   }
@@ -82,14 +107,14 @@ std::vector<QuadraticLimit> quadratic(const Limits& limits) {
   return out;
 }
 
-NlpSpec problem(const Corridor& corridor, const OptimizeOptions& options) {
+NlpSpec problem(const Corridor& corridor, const Ends& ends, const OptimizeOptions& options) {
   NlpSpec spec;
   spec.corridor = corridor;
   spec.rho = options.rho;
-  const SpeedProfile profile = nominal_profile(options.limits, length_of(corridor));
+  const std::vector<SpeedProfile> legs = profiles(corridor, options.limits);
   spec.limits = quadratic(options.limits);
-  add_guess(profile, spec);
-  add_scales(profile, spec);
+  add_guess(legs, ends, spec);
+  add_scales(legs, spec);
   return spec;
 }
 
@@ -133,23 +158,29 @@ OptimizeOptions in_units(OptimizeOptions options, const Units& units) {
   return options;  // rho is one of these units: see OptimizeOptions
 }
 
-// Back again; the rests at the ends exactly where they were asked for.
-Trajectory in_metres(Trajectory trajectory, const Units& units, const Corridor& given) {
+// Back again; the states at the ends exactly what was asked for.
+Trajectory in_metres(Trajectory trajectory, const Units& units, const Corridor& given,
+                     const Ends& ends) {
   for (Segment& s : trajectory.segments) {
     s.duration *= units.time;
     for (Vec3& p : s.point) p = p * units.length + origin_of(given);
   }
-  std::fill_n(trajectory.segments.front().point.begin(), 4, given.front().from);
-  std::fill_n(trajectory.segments.back().point.begin() + 4, 4, given.back().to);
+  Segment& first = trajectory.segments.front();
+  Segment& last = trajectory.segments.back();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double share = static_cast<double>(i) / kDegree;
+    first.point[i] = given.front().from + share * first.duration * ends.first;
+    last.point[kDegree - i] = given.back().to - share * last.duration * ends.last;
+  }
   return trajectory;
 }
 
 // What a solver came back with, in metres, as the problem sees it.
 template <class Outcome>
 OptimizeResult judged(const Nlp& nlp, const Outcome& outcome, const Units& units,
-                      const Corridor& given) {
+                      const Corridor& given, const Ends& ends) {
   OptimizeResult result;
-  result.trajectory = in_metres(nlp.trajectory(outcome.x), units, given);
+  result.trajectory = in_metres(nlp.trajectory(outcome.x), units, given, ends);
   result.status = outcome.status;
   result.settled = outcome.settled;
   result.iterations = outcome.iterations;
@@ -161,18 +192,56 @@ OptimizeResult judged(const Nlp& nlp, const Outcome& outcome, const Units& units
   return result;
 }
 
-}  // namespace
-
-OptimizeResult optimize(const Corridor& given, const OptimizeOptions& asked) {
+OptimizeResult optimize_part(const Corridor& given, const Ends& ends,
+                             const OptimizeOptions& asked) {
   assert(given.size() >= 2);
   const Units units = units_for(given);
+  const double speed = units.length / units.time;
   const Corridor corridor = in_units(given, units);
   const OptimizeOptions options = in_units(asked, units);
-  const Nlp nlp(problem(corridor, options));
+  const Nlp nlp(problem(corridor, {ends.first / speed, ends.last / speed}, options));
   if (options.optimizer == Optimizer::banded) {
-    return judged(nlp, banded_solve(nlp, options.max_iterations), units, given);
+    return judged(nlp, banded_solve(nlp, options.max_iterations), units, given, ends);
   }
-  return judged(nlp, ipopt_solve(nlp, options.max_iterations), units, given);
+  return judged(nlp, ipopt_solve(nlp, options.max_iterations), units, given, ends);
+}
+
+// Flies `part` after what `whole` has already. Its word is that of the first part that did not
+// settle, else of the last.
+void append(const OptimizeResult& part, OptimizeResult& whole) {
+  auto& segments = whole.trajectory.segments;
+  segments.insert(segments.end(), part.trajectory.segments.begin(), part.trajectory.segments.end());
+  if (whole.settled) whole.status = part.status;
+  whole.settled = whole.settled && part.settled;
+  whole.iterations = std::max(whole.iterations, part.iterations);
+  whole.objective += part.objective;
+  whole.max_violation = std::max(whole.max_violation, part.max_violation);
+}
+
+}  // namespace
+
+OptimizeResult optimize(const Corridor& given, const OptimizeOptions& options) {
+  if (!options.cruise) return optimize_part(given, {}, options);
+  const std::vector<Stretch> all = stretches(given, options.limits, options.rho);
+  if (all.size() == 1) return optimize_part(given, {}, options);
+  OptimizeResult whole;
+  whole.settled = true;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto pieces = all[i].of(given);
+    if (all[i].cruises()) {
+      const Trajectory straight = cruise(pieces, all[i].velocity);
+      auto& segments = whole.trajectory.segments;
+      segments.insert(segments.end(), straight.segments.begin(), straight.segments.end());
+      whole.objective += duration(straight);
+      continue;
+    }
+    Ends ends;
+    if (i > 0) ends.first = all[i - 1].velocity;
+    if (i + 1 < all.size()) ends.last = all[i + 1].velocity;
+    append(optimize_part(Corridor(pieces.begin(), pieces.end()), ends, options), whole);
+  }
+  assert(whole.trajectory.segments.size() == given.size());
+  return whole;
 }
 
 }  // namespace traj

@@ -82,11 +82,12 @@ std::optional<Trajectory> optimised_in(Corridor corridor, Optimizer optimizer,
                                        const SolveOptions& options, SolveResult& result) {
   if (corridor.empty()) return std::nullopt;
   const int most = result.rounds + kRounds;
-  while (true) {
+  // What cruises stays on the path, so where that is not proved the optimiser takes all of it.
+  for (bool cruise = true;; cruise = false) {
     ++result.rounds;
     result.corridor = corridor;
-    const OptimizeResult round =
-        optimize(corridor, {options.limits, options.rho, options.max_iterations, optimizer});
+    const OptimizeResult round = optimize(
+        corridor, {options.limits, options.rho, options.max_iterations, optimizer, cruise});
     result.solver_status = round.status;
     result.iterations += round.iterations;
     result.objective = round.objective;

@@ -11,11 +11,10 @@ namespace {
 
 // The largest speed around a corner between unit directions: an arc of radius r that stays within
 // d of the corner has r = d s / (1 - s), s the sine of half the inner angle.
-double corner_speed(const Vec3& in, const Vec3& out, const SpeedProfile& profile,
-                    const Turns& turns) {
+double corner_speed(const Vec3& in, const Vec3& out, double vmax, const Turns& turns) {
   const double s = std::sqrt(std::clamp((1 + in.dot(out)) / 2, 0.0, 1.0));
   const double reach = turns.acceleration * turns.deviation * s;
-  if (reach >= profile.vmax * profile.vmax * (1 - s)) return profile.vmax;
+  if (reach >= vmax * vmax * (1 - s)) return vmax;
   return std::sqrt(reach / (1 - s));
 }
 
@@ -83,13 +82,17 @@ std::vector<double> stopping_times(std::span<const Vec3> points, const SpeedProf
   return times;
 }
 
-std::vector<double> corner_speeds(std::span<const Vec3> points, const SpeedProfile& profile,
+std::vector<double> corner_speeds(std::span<const Vec3> points, std::span<const SpeedProfile> legs,
                                   const Turns& turns) {
   const std::size_t n = points.size();
+  assert(legs.size() + 1 == n);
   std::vector<double> speed(n, 0.0);
+  speed.front() = turns.first;
+  speed.back() = turns.last;
   const auto leg = [&](std::size_t i) { return Vec3(points[i + 1] - points[i]); };
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    speed[i] = corner_speed(leg(i - 1).normalized(), leg(i).normalized(), profile, turns);
+    const double vmax = std::min(legs[i - 1].vmax, legs[i].vmax);
+    speed[i] = corner_speed(leg(i - 1).normalized(), leg(i).normalized(), vmax, turns);
   }
   if (turns.within_legs) {
     const std::vector<double> radii = turn_radii(points);
@@ -97,27 +100,39 @@ std::vector<double> corner_speeds(std::span<const Vec3> points, const SpeedProfi
       speed[i] = std::min(speed[i], std::sqrt(turns.acceleration * radii[i]));
     }
   }
-  const auto reachable = [&](double v, double length) {
-    return std::sqrt(v * v + 2 * profile.amax * length);
+  const auto reachable = [&](double v, std::size_t i) {
+    return std::sqrt(v * v + 2 * legs[i].amax * leg(i).norm());
   };
   for (std::size_t i = 1; i < n; ++i) {
-    speed[i] = std::min(speed[i], reachable(speed[i - 1], leg(i - 1).norm()));
+    speed[i] = std::min(speed[i], reachable(speed[i - 1], i - 1));
   }
   for (std::size_t i = n; i-- > 1;) {
-    speed[i - 1] = std::min(speed[i - 1], reachable(speed[i], leg(i - 1).norm()));
+    speed[i - 1] = std::min(speed[i - 1], reachable(speed[i], i - 1));
   }
   return speed;
 }
 
+std::vector<double> corner_speeds(std::span<const Vec3> points, const SpeedProfile& profile,
+                                  const Turns& turns) {
+  if (points.empty()) return {};
+  return corner_speeds(points, std::vector(points.size() - 1, profile), turns);
+}
+
 std::vector<double> rolling_times(std::span<const Vec3> points, std::span<const double> speeds,
-                                  const SpeedProfile& profile) {
-  assert(speeds.size() == points.size());
+                                  std::span<const SpeedProfile> legs) {
+  assert(speeds.size() == points.size() && legs.size() + 1 == points.size());
   std::vector<double> times;
   for (std::size_t i = 1; i < points.size(); ++i) {
     times.push_back(
-        leg_time((points[i] - points[i - 1]).norm(), speeds[i - 1], speeds[i], profile));
+        leg_time((points[i] - points[i - 1]).norm(), speeds[i - 1], speeds[i], legs[i - 1]));
   }
   return times;
+}
+
+std::vector<double> rolling_times(std::span<const Vec3> points, std::span<const double> speeds,
+                                  const SpeedProfile& profile) {
+  if (points.empty()) return {};
+  return rolling_times(points, speeds, std::vector(points.size() - 1, profile));
 }
 
 }  // namespace traj

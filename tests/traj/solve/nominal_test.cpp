@@ -40,5 +40,25 @@ TEST(NominalProfile, FindsWhatIsMissingFromTheOther) {
   EXPECT_GT(nominal_profile({{Limit::acceleration, 4}}, 0).vmax, 0) << "of a path of no length";
 }
 
+TEST(AlongLeg, TakesOfEachLimitItsShareOfTheDirection) {
+  const Limits limits{{Limit::horizontal_speed, 10}, {Limit::vertical_speed, 5}};
+  const SpeedProfile nominal = nominal_profile(limits, 100);
+  EXPECT_EQ(along_leg({30, 40, 0}, limits, nominal).vmax, 10);
+  EXPECT_EQ(along_leg({0, 0, -7}, limits, nominal).vmax, 5);
+  EXPECT_DOUBLE_EQ(along_leg({4, 0, 3}, limits, nominal).vmax, 5 / 0.6) << "5 m/s upwards";
+  EXPECT_DOUBLE_EQ(along_leg({4, 0, 1}, limits, nominal).vmax, 10 * std::hypot(4, 1) / 4);
+  EXPECT_EQ(along_leg({30, 40, 0}, limits, nominal).amax, nominal.amax);
+  Limits both = limits;
+  both[Limit::speed] = 8;
+  EXPECT_EQ(along_leg({30, 40, 0}, both, nominal).vmax, 8);
+}
+
+TEST(AlongLeg, HasTheProfileGivenWhereNothingLimitsTheSpeed) {
+  const Limits limits{{Limit::acceleration, 4}};
+  EXPECT_EQ(along_leg({1, 0, 0}, limits, nominal_profile(limits, 25)).vmax, 10);
+  EXPECT_EQ(along_leg({1, 0, 0}, {{Limit::vertical_speed, 3}}, {3, 3}).vmax, 3);
+  EXPECT_EQ(along_leg(Vec3::Zero(), {{Limit::speed, 8}}, {7, 3}).vmax, 7) << "of no length";
+}
+
 }  // namespace
 }  // namespace traj

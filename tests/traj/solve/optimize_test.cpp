@@ -26,6 +26,21 @@ TEST(Optimize, FliesAStraightLineNearlyAsFastAsTheLimitsAllow) {
               1e-9);
 }
 
+// A level flight that began at the speed of climbing took three times the iterations.
+TEST(Optimize, StartsALevelFlightAtItsHorizontalSpeed) {
+  OptimizeOptions one{{{Limit::speed, 15}, {Limit::acceleration, 3}}, 1e-3, 200};
+  one.optimizer = Optimizer::banded;
+  OptimizeOptions two = one;
+  two.limits = {
+      {Limit::horizontal_speed, 15}, {Limit::vertical_speed, 3}, {Limit::acceleration, 3}};
+  const Corridor corridor = straight(1500);
+  const OptimizeResult plain = optimize(corridor, one);
+  const OptimizeResult mixed = optimize(corridor, two);
+  EXPECT_TRUE(mixed.settled);
+  EXPECT_NEAR(duration(mixed.trajectory), duration(plain.trajectory), 0.1);
+  EXPECT_LT(mixed.iterations, 2 * plain.iterations);
+}
+
 TEST(Optimize, TradesDurationForSnap) {
   const Corridor corridor = straight(100);
   const auto fast =

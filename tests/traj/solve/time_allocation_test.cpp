@@ -78,6 +78,16 @@ TEST(CornerSpeeds, PassForwardAndBackwardFromRest) {
 }
 
 // The deviation would allow more than an arc that begins half the short leg away.
+TEST(CornerSpeeds, KeepToTheProfileOfEachLeg) {
+  const std::vector<Vec3> straight{Vec3::Zero(), Vec3(20, 0, 0), Vec3(40, 0, 0), Vec3(60, 0, 0)};
+  const std::vector<SpeedProfile> legs{{5, 2}, {3, 2}, {6, 2}};
+  const auto speeds = corner_speeds(straight, legs, {1, 1});
+  EXPECT_EQ(speeds, (std::vector<double>{0, 3, 3, 0})) << "of two legs the slower";
+  const auto times = rolling_times(straight, speeds, legs);
+  EXPECT_DOUBLE_EQ(times[0], 2.5 + 1 + (20 - 6.25 - 4) / 5) << "up to 5 m/s, down to 3 m/s";
+  EXPECT_DOUBLE_EQ(times[1], 20 / 3.0);
+}
+
 TEST(CornerSpeeds, RoundACornerOfAShortLegWithinTheLeg) {
   const Turns turns{2, 0.5};
   Turns within = turns;
