@@ -60,10 +60,10 @@ std::pair<std::size_t, std::size_t> raster(const geom::Polygon& polygon, double 
   return {cells.size(), runs};
 }
 
-std::vector<Footprint> read_projected(const std::string& path) {
+std::vector<Footprint> read_projected(const std::string& path, double slack) {
   footprints::Source source = read(path);
   const footprints::Projector projector(source, path, std::nullopt, true);
-  footprints::project(source.footprints, projector);
+  footprints::project(source, projector, slack);
   return std::move(source.footprints);
 }
 
@@ -176,7 +176,7 @@ int main(int argc, char** argv) {
   const std::string path = argv[1];
   const double slack = argc > 2 ? std::atof(argv[2]) : 0.5;
   const auto wanted = static_cast<std::size_t>(argc > 3 ? std::atof(argv[3]) : 1e6);
-  const std::vector<Footprint> footprints = read_projected(path);
+  const std::vector<Footprint> footprints = read_projected(path, slack);
   const geom::BoxTable table = geom::boxes_of(footprints, slack, {2, {}});
   const Boxes boxes(table);
   const Tally corners = check_corners(footprints, boxes);

@@ -17,18 +17,13 @@ constexpr double kHighest = 1e4;        // metres
 struct Raster {
   Dataset dataset;
   GDALRasterBand* band = nullptr;
-  double transform[6];
+  CellGrid grid;
   std::string crs;
   int width = 0;
   int height = 0;
   double scale = 1;  // of the numbers in the file
   double offset = 0;
   double metres = 1;  // per unit of the band
-
-  geom::Vec2 corner(double column, double row) const {
-    return {transform[0] + column * transform[1] + row * transform[2],
-            transform[3] + column * transform[4] + row * transform[5]};
-  }
 
   // A row's heights in metres; NaN where there is no data.
   void read_row(int row, const std::string& name, double* out) const {
@@ -120,7 +115,7 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
     throw geom::InputError(name, fmt::format("expected at most 2e9 cells, found {} x {}",
                                              raster.width, raster.height));
   }
-  if (raster.dataset->GetGeoTransform(raster.transform) != CE_None) {
+  if (raster.dataset->GetGeoTransform(raster.grid.transform) != CE_None) {
     throw geom::InputError(
         name,
         "expected a raster that says where on Earth its cells are, found one that "
@@ -140,6 +135,7 @@ class SurfaceReader {
 
   Source read() {
     out_.crs = raster_.crs;
+    if (!raster_.crs.empty()) out_.grid = raster_.grid;
     geom::RowMerge<double, Add> merge(Add{*this});
     std::vector<double> cells(static_cast<std::size_t>(raster_.width));
     for (int row = 0; row < raster_.height; ++row) {
@@ -168,31 +164,21 @@ class SurfaceReader {
     return steps * step_;
   }
 
-  // All corners of cells along the sides: a long side that is straight here bends once projected.
-  template <class Corner>
-  static std::vector<geom::Vec2> cell_corners(const geom::CellRectangle<double>& r,
-                                              const Corner& corner) {
-    std::vector<geom::Vec2> out;
-    for (long i = r.first_column; i < r.last_column; ++i) out.push_back(corner(i, r.first_row));
-    for (long j = r.first_row; j < r.last_row; ++j) out.push_back(corner(r.last_column, j));
-    for (long i = r.last_column; i > r.first_column; --i) out.push_back(corner(i, r.last_row));
-    for (long j = r.last_row; j > r.first_row; --j) out.push_back(corner(r.first_column, j));
-    return out;
-  }
-
   struct Add {
     SurfaceReader& reader;
 
     void operator()(const geom::CellRectangle<double>& r) const {
-      const auto corner = [&](long column, long row) {
-        return reader.raster_.corner(static_cast<double>(column), static_cast<double>(row));
-      };
+      const CellGrid& grid = reader.raster_.grid;
+      const CellGrid::Cells cells{static_cast<int>(r.first_column), static_cast<int>(r.last_column),
+                                  static_cast<int>(r.first_row), static_cast<int>(r.last_row)};
       geom::Footprint f;
       f.id = reader.out_.footprints.size();
       f.top = r.value;
-      f.polygon.outer = {corner(r.first_column, r.first_row), corner(r.last_column, r.first_row),
-                         corner(r.last_column, r.last_row), corner(r.first_column, r.last_row)};
-      if (!reader.out_.crs.empty()) f.polygon.outer = cell_corners(r, corner);
+      f.polygon.outer = {grid.corner(cells.first_column, cells.first_row),
+                         grid.corner(cells.last_column, cells.first_row),
+                         grid.corner(cells.last_column, cells.last_row),
+                         grid.corner(cells.first_column, cells.last_row)};
+      if (reader.out_.grid) reader.out_.grid->of.push_back(cells);
       reader.out_.footprints.push_back(std::move(f));
     }
   };
@@ -226,7 +212,7 @@ Terrain::Terrain(const std::string& path, const std::string& name, const ReadOpt
                                        kMostTerrain, raster.width, raster.height));
   }
   crs_ = raster.crs;
-  std::copy(raster.transform, raster.transform + 6, transform_);
+  std::copy(raster.grid.transform, raster.grid.transform + 6, transform_);
   width_ = raster.width;
   height_ = raster.height;
   cells_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));

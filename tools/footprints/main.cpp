@@ -137,7 +137,7 @@ City city_of(footprints::Source source, const Options& options,
   if (floor) *floor /= map.scale;
   footprints::sink_ground(source.footprints, floor);
   if (sharding.asked()) footprints::keep_shard(source.footprints, sharding.shard());
-  footprints::project(source.footprints, projector);
+  footprints::project(source, projector, options.slack);
   if (!options.terrain.empty()) {
     const footprints::Terrain terrain(options.terrain, options.terrain, options.read);
     footprints::lift(source, terrain, projector.frame().crs);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "geom/base/error.h"
 
@@ -23,14 +25,91 @@ struct Reach {
   }
 };
 
+double distance_to_segment(const geom::Vec2& p, const geom::Vec2& a, const geom::Vec2& b) {
+  const geom::Vec2 step = b - a;
+  const double squared = step.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(step) / squared, 0.0, 1.0) : 0;
+  return (a + t * step - p).norm();
+}
+
+// How far corners are from the straight sides between those at `ends`, the first of which is 0.
+double bulge_of(std::span<const geom::Vec2> ring, const std::array<std::size_t, 4>& ends) {
+  double bulge = 0;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const std::size_t end = side < 3 ? ends[side + 1] : ring.size();
+    const geom::Vec2& a = ring[ends[side]];
+    const geom::Vec2& b = ring[end < ring.size() ? end : 0];
+    for (std::size_t i = ends[side] + 1; i < end; ++i) {
+      bulge = std::max(bulge, distance_to_segment(ring[i], a, b));
+    }
+  }
+  return bulge > 0 ? bulge + 1e-9 : 0;  // more than sums are rounded
+}
+
+// A footprint's corners among those that are converted together.
+class Corners {
+ public:
+  // Takes them.
+  Corners(geom::Footprint& footprint, const std::optional<CellGrid>& grid,
+          std::vector<geom::Vec2>& all)
+      : footprint_(&footprint), first_(all.size()) {
+    if (grid) {
+      const CellGrid::Cells& cells = grid->of[footprint.id];
+      const auto columns = static_cast<std::size_t>(cells.last_column - cells.first_column);
+      const auto rows = static_cast<std::size_t>(cells.last_row - cells.first_row);
+      ends_ = {0, columns, columns + rows, 2 * columns + rows};
+      const std::vector<geom::Vec2> ring = grid->ring(cells);
+      all.insert(all.end(), ring.begin(), ring.end());
+    } else {
+      for_each_ring([&](const auto& ring) { all.insert(all.end(), ring.begin(), ring.end()); });
+    }
+  }
+
+  // Puts them back, converted.
+  void place(std::span<const geom::Vec2> all, double slack) const {
+    if (!ends_) {
+      std::size_t next = first_;
+      for_each_ring([&](auto& ring) {
+        for (geom::Vec2& p : ring) p = all[next++];
+      });
+      return;
+    }
+    const auto& ends = *ends_;
+    const std::span ring = all.subspan(first_, 2 * ends[2]);
+    const double bulge = bulge_of(ring, ends);
+    if (bulge <= slack / 100) {
+      footprint_->bulge = bulge;
+      for (std::size_t i = 0; i < 4; ++i) footprint_->polygon.outer[i] = ring[ends[i]];
+    } else {
+      footprint_->polygon.outer.assign(ring.begin(), ring.end());
+    }
+  }
+
+ private:
+  template <class F>
+  void for_each_ring(const F& f) const {
+    f(footprint_->polygon.outer);
+    for (auto& hole : footprint_->polygon.holes) f(hole);
+  }
+
+  geom::Footprint* footprint_;
+  std::size_t first_;
+  std::optional<std::array<std::size_t, 4>> ends_;  // of the sides of a rectangle of cells
+};
+
 }  // namespace
 
-void project(std::vector<geom::Footprint>& footprints, const Projector& projector) {
-  for (geom::Footprint& f : footprints) {
-    for (geom::Vec2& p : f.polygon.outer) p = projector(p);
-    for (auto& hole : f.polygon.holes) {
-      for (geom::Vec2& p : hole) p = projector(p);
-    }
+void project(Source& source, const Projector& projector, double slack) {
+  constexpr std::size_t kTogether = 1U << 16;  // points, and those of one footprint
+  std::vector<geom::Vec2> all;
+  std::vector<Corners> taken;
+  for (std::size_t i = 0; i < source.footprints.size(); ++i) {
+    taken.emplace_back(source.footprints[i], source.grid, all);
+    if (all.size() < kTogether && i + 1 < source.footprints.size()) continue;
+    projector.convert(all);
+    for (const Corners& corners : taken) corners.place(all, slack);
+    all.clear();
+    taken.clear();
   }
 }
 

@@ -10,8 +10,10 @@
 
 namespace footprints {
 
-// Every corner, into metres of the map.
-void project(std::vector<geom::Footprint>& footprints, const Projector& projector);
+// Every corner, into metres of the map. Rectangles of cells of a height model keep four corners
+// where their sides are then straight to a hundredth of the slack (metres), which is their bulge;
+// others get all corners of cells along their sides.
+void project(Source& source, const Projector& projector, double slack);
 
 // Down to the lowest point of the ground under it, and as high above the highest; `crs` is that of
 // the footprints. Those without ground under them are skipped: where they stand is not known.

@@ -22,10 +22,30 @@ struct NumericAttribute {
   double high = 0;
 };
 
+// Where the cells of a height model are.
+struct CellGrid {
+  struct Cells {  // [first_column, last_column) x [first_row, last_row)
+    int first_column;
+    int last_column;
+    int first_row;
+    int last_row;
+  };
+  double transform[6];    // GDAL's, from columns and rows to coordinates
+  std::vector<Cells> of;  // of each footprint, by its id
+
+  geom::Vec2 corner(double column, double row) const {
+    return {transform[0] + column * transform[1] + row * transform[2],
+            transform[3] + column * transform[4] + row * transform[5]};
+  }
+  // All corners of cells along the sides, beginning at that of the first column and row.
+  std::vector<geom::Vec2> ring(const Cells& cells) const;
+};
+
 struct Source {
   using Warnings = std::vector<std::string>;
 
   std::vector<geom::Footprint> footprints;
+  std::optional<CellGrid> grid;               // of a height model with a CRS
   std::string crs;                            // whatever PROJ understands; empty: local metres
   std::map<std::string, std::size_t> counts;  // for the report: "heights from levels", …
   geom::Skipped skipped;                      // what is or may be an obstacle and is no footprint
@@ -69,8 +89,8 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
 bool is_raster(const std::string& path);
 
 // A surface or terrain model of one band: rectangles of cells of equal height, from the lowest cell
-// up. Where there is a CRS their sides have all corners of cells, since straight lines bend when
-// projected.
+// up. Where there is a CRS, `grid` knows the corners of cells along their sides, since straight
+// lines bend when projected.
 Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options);
 
 // OpenStreetMap data: ways and multipolygons that are buildings, building parts, or towers, masts,
@@ -113,7 +133,8 @@ class Projector {
             bool metres);
   ~Projector();
 
-  geom::Vec2 operator()(const geom::Vec2& p) const;
+  // Many at once cost less than each, and those that are the same bit for bit cost one.
+  void convert(std::vector<geom::Vec2>& points) const;
   const geom::Frame& frame() const { return frame_; }
 
  private:

@@ -148,11 +148,12 @@ class FeatureCover {
           cover_upright(f, s.plane, slack_, [&](const Footprint& part) { return is_held(part); }));
     } else if (s.slopes) {
       append(cover_slope(f, s.plane, slack_, margin_));
-    } else if (!s.likely_covered() || !is_held(f)) {
+    } else if (!s.likely_covered() || f.bulge > 0 || !is_held(f)) {
+      const double pad = margin_ + f.bulge;  // a corner moves by up to 1.5 times as much
       std::vector<Aabb> flat;
-      for (const Rectangle& r : cover(f.polygon, slack_ - 1.5 * margin_)) {
-        flat.push_back({{r.min.x() - margin_, r.min.y() - margin_, f.bottom},
-                        {r.max.x() + margin_, r.max.y() + margin_, f.top}});
+      for (const Rectangle& r : cover(f.polygon, slack_ - 1.5 * pad - f.bulge)) {
+        flat.push_back({{r.min.x() - pad, r.min.y() - pad, f.bottom},
+                        {r.max.x() + pad, r.max.y() + pad, f.top}});
       }
       append(flat);
     }

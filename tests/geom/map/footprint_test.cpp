@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/base/error.h"
+#include "support/cover_oracle.h"
+#include "support/exact_cover.h"
+
 namespace geom {
 namespace {
 
@@ -28,6 +32,35 @@ TEST(BoxesOf, KeepAFloorUnderAnOpenCourt) {
   const BoxTable table = boxes_of(house, 0.2, {});
   EXPECT_TRUE(any_holds(table, {5, 5, 0}));
   EXPECT_FALSE(any_holds(table, {5, 5, 1}));
+}
+
+// The sides may lie beside those of the polygon, further out or further in.
+TEST(BoxesOf, HoldWhatBulgesAndReachNoFurtherThanFromWhatIsHollow) {
+  const double slack = 0.5;
+  for (const double bulge : {0.001, 0.02, 0.15}) {
+    for (const double lean : {0.0, 0.1, 3.0}) {
+      const auto sheared = [&](double by) -> std::vector<Vec2> {
+        return {{-by, -by}, {40 + by, lean - by}, {40 + by, lean + 9 + by}, {-by, 9 + by}};
+      };
+      Footprint f{{sheared(0), {}}, 0, 5, 1};
+      f.bulge = bulge;
+      const BoxTable table = boxes_of({f}, slack, {});
+      std::vector<Rectangle> rectangles;
+      for (const Aabb& box : table.boxes) {
+        rectangles.push_back({box.min.head<2>(), box.max.head<2>()});
+      }
+      EXPECT_TRUE(oracle::exactly_covered({sheared(0.7 * bulge), {}}, rectangles));
+      for (const Rectangle& r : rectangles) {
+        EXPECT_LE(oracle::furthest_outside({sheared(-0.7 * bulge), {}}, r, 1e-3), slack + 1e-3);
+      }
+    }
+  }
+}
+
+TEST(BoxesOf, RefusesABulgeBeyondTheSlack) {
+  Footprint f{{{{0, 0}, {40, 3}, {40, 12}, {0, 9}}, {}}, 0, 5, 1};
+  f.bulge = 0.4;
+  EXPECT_THROW(boxes_of({f}, 0.5, {}), InputError);
 }
 
 }  // namespace

@@ -163,5 +163,60 @@ TEST(Cover, OfPointsAndLinesHasNoExtentToSpeakOf) {
   EXPECT_TRUE(cover({}, 0.5).empty());
 }
 
+// What leans by less than the slack is one rectangle, whatever corners its sides have.
+TEST(Cover, AStripThatLeansLittleIsOneRectangle) {
+  support::Random random(5);
+  for (int i = 0; i < 40; ++i) {
+    const double width = random.uniform(2, 300);
+    const double height = random.uniform(2, 300);
+    const double most = 0.5 / std::hypot(width, height);  // of the slack 0.5, in radians
+    const double angle = random.uniform(-1, 1) * most;
+    Polygon strip = rotated_rectangle(width, height, angle, {1e4, -3e4});
+    std::vector<Vec2> fine;
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (int part = 0; part < 7; ++part) {
+        fine.push_back(strip.outer[k] + part / 7.0 * (strip.outer[(k + 1) % 4] - strip.outer[k]));
+      }
+    }
+    strip.outer = fine;
+    EXPECT_EQ(cover(strip, 0.51).size(), 1u) << i;
+    expect_cover(strip, 0.51, random, "strip " + std::to_string(i));
+  }
+}
+
+// As rows of a raster do on the plane of another projection.
+TEST(Cover, ALongStripThatLeansIsAPieceForEachSlackThatItRises) {
+  support::Random random(7);
+  for (const bool upright : {false, true}) {
+    for (const double angle : {0.02, -0.013}) {
+      Polygon strip = rotated_rectangle(200, 9, angle, {1e4, -3e4});
+      if (upright) {
+        for (Vec2& p : strip.outer) p = {p.y(), p.x()};
+      }
+      const double rise = 200 * std::abs(std::sin(angle));
+      EXPECT_LE(cover(strip, 0.5).size(), static_cast<std::size_t>(rise / 0.5) + 3);
+      expect_cover(strip, 0.5, random, "long strip", 1e-3);
+    }
+  }
+}
+
+// A polygon along the sides of its rectangle alone, which is hollow.
+TEST(Cover, AFrameAroundNothingIsNotOneRectangle) {
+  const Polygon ring{{{0, 0},
+                      {20, 0},
+                      {20, 20},
+                      {0, 20},
+                      {0, 0.2},
+                      {0.2, 0.2},
+                      {0.2, 19.8},
+                      {19.8, 19.8},
+                      {19.8, 0.1},
+                      {0, 0.1}},
+                     {}};
+  EXPECT_GT(cover(ring, 0.5).size(), 1u);
+  support::Random random(6);
+  expect_cover(ring, 0.5, random, "frame");
+}
+
 }  // namespace
 }  // namespace geom

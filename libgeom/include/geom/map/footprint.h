@@ -23,11 +23,16 @@ struct Footprint {
   // Of the corners, those of `outer` first, then those of each hole: the top is the surface that
   // they span, no corner above `top`. Empty: the top is flat.
   std::vector<double> heights;
+  // The footprint's sides may lie that far beside those of the polygon, metres: boxes hold what is
+  // so far outside of it, and reach no further than the slack outside what is so far inside. Of flat
+  // tops alone.
+  double bulge = 0;
 };
 
 // Boxes that contain every point of the footprints, none reaching further than `slack` metres
 // (Euclidean) outside its own: see geom::cover and geom::cover_slope. A footprint that is likely
-// covered, or stands upright, gives boxes only where it is not within its feature's other boxes.
+// covered, or stands upright, gives boxes only where it is not within its feature's other boxes. A
+// bulge must be less than a third of the slack (InputError).
 BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const Execution& run);
 
 // How far apart, in metres, two readings of the footprint's surface may be, since its corners lie

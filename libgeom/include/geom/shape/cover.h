@@ -15,7 +15,9 @@ struct Rectangle {  // closed; min <= max on both axes
 
 // Rectangles that contain every point of the closed polygon, none of them reaching further than
 // `slack` metres (> 0, Euclidean) outside it. Slabs along one axis, each as wide as the slack
-// allows; along the axis that needs fewer. An axis-aligned rectangle gives one, a polygon of one
+// allows; along the axis that needs fewer. A polygon within the slack of the rectangle around it gives
+// that, where its edges all run near its sides; a convex quadrilateral that is long and leans may
+// give pieces of one length. An axis-aligned rectangle gives one, a polygon of one
 // point or line rectangles without extent. Rectangles are rounded outward by 1e-9 m and 4 units in
 // the last place, which the slack includes; it must be at least 1e-6 m and 1e-9 of the coordinates
 // (InputError otherwise).
