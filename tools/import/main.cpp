@@ -90,9 +90,10 @@ void add_format_options(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"free", "blocked"}));
   app.add_option("--model-path", options.model_path,
                  "folder that the model:// of an SDF world is looked for in; again for more");
-  app.add_option("--slack", options.sdf.slack,
-                 "how far boxes may reach outside turned and round bodies of an SDF world, metres "
-                 "(default 0.1)")
+  app.add_option(
+         "--slack", options.sdf.slack,
+         "how far boxes may reach outside meshes, and turned and round bodies, of an SDF world, "
+         "metres (default 0.1)")
       ->check(CLI::Range(0.001, 100.0));
   app.add_flag("--collisions-only", options.collisions_only,
                "leave out what an SDF world shows and nothing collides with in the simulator");
@@ -115,6 +116,9 @@ geom::ImportedBoxes imported(Options& options, geom::BoxFormat format, std::istr
   options.sdf.without = {options.without.begin(), options.without.end()};
   options.sdf.open = [&](const std::string& uri, const std::string& from) {
     return models.open(uri, from);
+  };
+  options.sdf.open_mesh = [&](const std::string& uri, const std::string& from) {
+    return models.open_mesh(uri, from);
   };
   geom::ImportedBoxes boxes =
       geom::import_boxes(in, format, name, {options.unknown == "blocked", options.sdf});

@@ -79,9 +79,18 @@ const geom::SdfFile* ModelFiles::open(const std::string& uri, const std::string&
   const auto named = path_of(uri, from);
   if (!named) return nullptr;
   std::error_code error;
-  const std::string path = fs::is_directory(*named, error) ? model_in(*named) : *named;
+  return load(fs::is_directory(*named, error) ? model_in(*named) : *named);
+}
+
+const geom::SdfFile* ModelFiles::open_mesh(const std::string& uri, const std::string& from) {
+  const auto named = path_of(uri, from);
+  return named ? load(*named) : nullptr;
+}
+
+const geom::SdfFile* ModelFiles::load(const std::string& path) {
   const auto known = files_.find(path);
   if (known != files_.end()) return &known->second;
+  std::error_code error;
   if (!fs::is_regular_file(path, error)) return nullptr;
   std::string text = cli::InputFile(path).read_all();
   geom::Sha256 sum;

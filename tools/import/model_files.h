@@ -20,11 +20,16 @@ class ModelFiles {
   // Null where there is none.
   const geom::SdfFile* open(const std::string& uri, const std::string& from);
 
+  // The file of a <mesh>. Null where there is none.
+  const geom::SdfFile* open_mesh(const std::string& uri, const std::string& from);
+
   // "sha256:…" of the files that were opened, in their order.
   const std::vector<std::string>& hashes() const { return hashes_; }
 
  private:
   std::optional<std::string> path_of(const std::string& uri, const std::string& from) const;
+
+  const geom::SdfFile* load(const std::string& path);
 
   std::vector<std::string> folders_;            // --model-path
   std::map<std::string, geom::SdfFile> files_;  // by their paths

@@ -21,15 +21,16 @@ struct SdfFile {
   std::string text;
 };
 
-// The model file of the URI of an <include> that stands in the file `from`: null where there is
-// none. It must live as long as the reading.
-using OpenSdfModel = std::function<const SdfFile*(const std::string& uri, const std::string& from)>;
+// The file that a URI names, which stands in the file `from`: null where there is none. It must
+// live as long as the reading.
+using OpenSdfFile = std::function<const SdfFile*(const std::string& uri, const std::string& from)>;
 
 struct SdfOptions {
   double slack = 0.1;             // metres that boxes may reach outside what is turned or round
   bool visuals = true;            // what is seen counts, besides what collides in the simulator
   std::set<std::string> without;  // names of models of the world that are left out
-  OpenSdfModel open;              // empty: every include is missing
+  OpenSdfFile open;               // the model of an <include>; empty: every one is missing
+  OpenSdfFile open_mesh;          // the triangles of a <mesh>; empty: every one is missing
 };
 
 struct SdfWorld {
@@ -50,12 +51,19 @@ struct SdfWorld {
 // there once. A level plane that collides and faces up is the floor; a visual plane is the
 // rectangle that it is, and none where it lies on the floor or below.
 //
+// A <mesh> is an OBJ or STL file, by its ending, and its numbers are metres with z up, as
+// simulators take them; they are scaled, turned and moved. Its closed surfaces are solid, as a box
+// is, and the rest is a shell; both are covered within the slack. Simulators differ in which axis
+// of COLLADA and glTF files is up, so meshes of these are skipped; so are parts of meshes
+// (<submesh>), and convex shapes made of them (`optimization`).
+//
 // Poses are relative as SDFormat says: to links, joints, frames, nested models, placement frames.
 // No pose is no move. Lights, physics, plugins and materials are no obstacles. Skipped are actors,
-// roads, populations, heightmaps, images, meshes, other planes, includes that are not found, models
-// that a <state> has moved, and elements that are not known. Throws InputError(source, line, …) for
-// what is not such a file, for two worlds in one, includes and frames that lead back to themselves,
-// names that are not there, numbers that are none, more than 20 million boxes.
+// roads, populations, heightmaps, images, other meshes, other planes, files that are not found,
+// models that a <state> has moved, and elements that are not known. Throws InputError(source, line,
+// …) for what is not such a file, for two worlds in one, includes and frames that lead back to
+// themselves, names that are not there, numbers that are none, more than 20 million boxes, and what
+// read_obj() and read_stl() refuse.
 SdfWorld read_sdf_world(std::istream& in, std::string_view source, const SdfOptions& options);
 
 }  // namespace geom

@@ -165,6 +165,13 @@ Aabb placed_box(const SdfPose& pose, const Vec3& half) {
   return box;
 }
 
+void require_known_place(const SdfPose& pose, double reach, double slack, const SdfNode& at) {
+  const double error = pose.shift_error + (pose.turn_error + 1e-13) * reach;
+  if (error <= 0.01 * slack) return;
+  at.refuse(fmt::format("the place of <{}> is known to {:.3g} m only: give more slack", at.name(),
+                        error));
+}
+
 Aabb shifted(const SdfPose& pose, const Aabb& turned, double reach) {
   const double error = pose.shift_error + (pose.turn_error + (pose.exact() ? 0 : 1e-13)) * reach;
   Aabb box;

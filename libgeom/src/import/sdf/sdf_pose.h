@@ -33,6 +33,10 @@ SdfPose parse_sdf_pose(const SdfNode& pose);
 // exact. Rounded outward once.
 Aabb placed_box(const SdfPose& pose, const Vec3& half);
 
+// Refuses, at the element `at`, a pose that may be off by more than a hundredth of `slack` for
+// points of a body that reaches `reach` metres from its origin.
+void require_known_place(const SdfPose& pose, double reach, double slack, const SdfNode& at);
+
 // A box that is turned already moved by the pose's shift, grown by what the errors may move the
 // points of a body that reaches `reach` metres from its origin.
 Aabb shifted(const SdfPose& pose, const Aabb& turned, double reach);

@@ -47,11 +47,7 @@ void SdfShapes::skip(const SdfNode& node, const std::string& kind) const {
 std::vector<Aabb> SdfShapes::turned(const RingStack& solid, const SdfPose& pose,
                                     const SdfNode& at) const {
   const double reach = reach_of(solid);
-  const double error = pose.shift_error + (pose.turn_error + 1e-13) * reach;
-  if (error > 0.01 * slack_) {
-    at.refuse(fmt::format("the place of <{}> is known to {:.3g} m only: give more slack", at.name(),
-                          error));
-  }
+  require_known_place(pose, reach, slack_, at);
   RingStack around = solid;
   for (Vec3& c : around.corners) c = pose.turn * c;
   std::vector<Aabb> out;
@@ -147,13 +143,14 @@ SdfBoxes SdfShapes::polylines(const std::vector<SdfNode>& shapes, const SdfPose&
 SdfBoxes SdfShapes::shape(const SdfNode& shape, const SdfPose& pose) const {
   const std::string& kind = shape.name();
   const double error = kOfRound * slack_;
-  const SdfShapes rest((1 - kOfRound) * slack_, skipped_);
+  const SdfShapes rest((1 - kOfRound) * slack_, meshes_, skipped_);
   const auto round = [&](const RingStack& solid) {
     return SdfBoxes{rest.turned(solid, pose, shape), {}};
   };
   try {
     if (kind == "box") return box(shape, pose);
     if (kind == "plane") return plane(shape, pose);
+    if (kind == "mesh") return {meshes_.boxes_of(shape, pose), {}};
     if (kind == "cylinder") {
       const Round r = round_of(shape);
       return round(cylinder_stack(r.radius, r.length, error));
@@ -180,7 +177,7 @@ SdfBoxes SdfShapes::shape(const SdfNode& shape, const SdfPose& pose) const {
     if (std::string_view(problem.what()).starts_with(*shape.source)) throw;
     shape.refuse(problem.what());
   }
-  skip(shape, kind == "mesh" || kind == "heightmap" || kind == "image" ? kind : "unknown geometry");
+  skip(shape, kind == "heightmap" || kind == "image" ? kind : "unknown geometry");
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/import/skipped.h"
+#include "sdf_meshes.h"
 #include "sdf_pose.h"
 
 namespace geom {
@@ -18,7 +19,8 @@ struct SdfBoxes {
 
 class SdfShapes {
  public:
-  SdfShapes(double slack, Skipped& skipped) : slack_(slack), skipped_(skipped) {}
+  SdfShapes(double slack, SdfMeshes& meshes, Skipped& skipped)
+      : slack_(slack), meshes_(meshes), skipped_(skipped) {}
 
   // Of the element in the world. A plane gives its rectangle as well. What cannot be built is
   // skipped.
@@ -34,6 +36,7 @@ class SdfShapes {
   void skip(const SdfNode& node, const std::string& kind) const;
 
   double slack_;
+  SdfMeshes& meshes_;
   Skipped& skipped_;
 };
 

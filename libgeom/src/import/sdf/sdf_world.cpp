@@ -71,7 +71,10 @@ struct BoxOrder {
 class WorldReader {
  public:
   WorldReader(const SdfOptions& options, SdfWorld& out)
-      : options_(options), out_(out), shapes_(options.slack, out.skipped) {}
+      : options_(options),
+        out_(out),
+        meshes_(options, out.skipped),
+        shapes_(options.slack, meshes_, out.skipped) {}
 
   void read(const SdfScope& world) {
     require_known(world.node, kOfWorld);
@@ -234,6 +237,7 @@ class WorldReader {
 
   const SdfOptions& options_;
   SdfWorld& out_;
+  SdfMeshes meshes_;
   SdfShapes shapes_;
   std::vector<Picture> pictures_;
   std::size_t links_ = 0;

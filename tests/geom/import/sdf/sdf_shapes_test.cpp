@@ -17,8 +17,10 @@ Made made(const std::string& geometry, const std::string& pose = "", double slac
   const XmlElement place = parse_xml("<pose degrees='true'>" + pose + "</pose>", "w");
   const std::string source = "w";
   Made m;
-  m.out =
-      SdfShapes(slack, m.skipped).boxes_of({&shape, &source}, parse_sdf_pose({&place, &source}));
+  const SdfOptions options;
+  SdfMeshes meshes(options, m.skipped);
+  m.out = SdfShapes(slack, meshes, m.skipped)
+              .boxes_of({&shape, &source}, parse_sdf_pose({&place, &source}));
   return m;
 }
 

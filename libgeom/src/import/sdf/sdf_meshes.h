@@ -1,0 +1,33 @@
+#pragma once
+
+// The <mesh> of SDF as boxes.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geom/import/sdf_world.h"
+#include "geom/model/model.h"
+#include "sdf_pose.h"
+
+namespace geom {
+
+class SdfMeshes {
+ public:
+  SdfMeshes(const SdfOptions& options, Skipped& skipped) : options_(options), skipped_(skipped) {}
+
+  // Of the element in the world: boxes that hold its triangles and what closed surfaces of them
+  // enclose, within the slack. What is not read is skipped, and so is what the file itself has
+  // besides triangles.
+  std::vector<Aabb> boxes_of(const SdfNode& mesh, const SdfPose& pose);
+
+ private:
+  bool skips(const SdfNode& mesh);
+  const Model* find(const SdfNode& uri);
+
+  const SdfOptions& options_;
+  Skipped& skipped_;
+  std::map<std::string, Model> models_;  // by the names of their files
+};
+
+}  // namespace geom

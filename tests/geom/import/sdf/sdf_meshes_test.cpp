@@ -1,0 +1,135 @@
+#include "import/sdf/sdf_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+#include "support/refusal.h"
+
+namespace geom {
+namespace {
+
+// A closed cuboid from (0, 0, 0) to (4, 2, 1).
+const std::string kCrate =
+    "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nv 0 0 1\nv 4 0 1\nv 4 2 1\nv 0 2 1\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+const std::string kSheet =
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 3\nvertex 1 0 3\nvertex 0 1 3\n"
+    "endloop\nendfacet\nendsolid s\n";
+
+struct Made {
+  std::vector<Aabb> boxes;
+  Skipped skipped;
+};
+
+Made made(const std::string& inside, const std::string& pose = "", double slack = 0.1,
+          const std::string& text = kCrate) {
+  const XmlElement shape = parse_xml("<mesh>" + inside + "</mesh>", "w");
+  const XmlElement place = parse_xml("<pose degrees='true'>" + pose + "</pose>", "w");
+  const std::string source = "w";
+  const SdfFile crate{"models/crate.obj", text};
+  const SdfFile sheet{"models/sheet.stl", kSheet};
+  SdfOptions options;
+  options.slack = slack;
+  options.open_mesh = [&](const std::string& uri, const std::string& from) {
+    EXPECT_EQ(from, "w");
+    return uri == "crate.obj" ? &crate : uri == "sheet.STL" ? &sheet : nullptr;
+  };
+  Made m;
+  m.boxes =
+      SdfMeshes(options, m.skipped).boxes_of({&shape, &source}, parse_sdf_pose({&place, &source}));
+  return m;
+}
+
+bool any_contains(const std::vector<Aabb>& boxes, const Vec3& p) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Aabb& b) { return contains(b, p); });
+}
+
+std::string refusal(const std::string& inside, const std::string& pose = "",
+                    const std::string& text = kCrate) {
+  return support::refusal_of([&] { made(inside, pose, 0.1, text); });
+}
+
+TEST(SdfMeshes, AClosedCuboidIsItsBoxExactly) {
+  const Made m = made("<uri>crate.obj</uri>", "10 20 30 0 0 90");
+  EXPECT_EQ(m.boxes, (std::vector<Aabb>{{{8, 20, 30}, {10, 24, 31}}}));
+  EXPECT_TRUE(m.skipped.empty());
+}
+
+TEST(SdfMeshes, ScaleComesBeforeThePoseAndMayMirror) {
+  const Made m = made("<uri>crate.obj</uri><scale>0.5 -1 3</scale>", "10 0 0 0 0 0");
+  ASSERT_EQ(m.boxes.size(), 1u);
+  EXPECT_TRUE(m.boxes[0].min.isApprox(Vec3(10, -2, 0), 1e-12));
+  EXPECT_TRUE(contains(m.boxes[0], Vec3(10, -2, 0)));
+  EXPECT_TRUE(contains(m.boxes[0], Vec3(12, 0, 3)));
+  EXPECT_LE(m.boxes[0].max.z(), 3 + 1e-9);
+}
+
+TEST(SdfMeshes, HoldWhatIsTurnedWithinTheSlack) {
+  const double slack = 0.05;
+  const Made m = made("<uri>crate.obj</uri>", "100 0 0 20 30 40", slack);
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(40 * std::numbers::pi / 180, Vec3::UnitZ()) *
+                                Eigen::AngleAxisd(30 * std::numbers::pi / 180, Vec3::UnitY()) *
+                                Eigen::AngleAxisd(20 * std::numbers::pi / 180, Vec3::UnitX()))
+                                   .toRotationMatrix();
+  const auto at = [&](double x, double y, double z) -> Vec3 {
+    return turn * Vec3(x, y, z) + Vec3(100, 0, 0);
+  };
+  for (int i = 0; i <= 8; ++i) {
+    for (int j = 0; j <= 8; ++j) {
+      for (int k = 0; k <= 8; ++k) {
+        EXPECT_TRUE(any_contains(m.boxes, at(i * 0.5, j * 0.25, k * 0.125)));
+      }
+    }
+  }
+  const double beside = 2 * slack;
+  EXPECT_FALSE(any_contains(m.boxes, at(-beside, 1, 0.5)));
+  EXPECT_FALSE(any_contains(m.boxes, at(2, 2 + beside, 0.5)));
+  EXPECT_FALSE(any_contains(m.boxes, at(2, 1, 1 + beside)));
+}
+
+TEST(SdfMeshes, ReadStlWhateverTheCaseOfItsEnding) {
+  const Made m = made("<uri> sheet.STL </uri>", "0 0 1 0 0 0");
+  EXPECT_TRUE(any_contains(m.boxes, {0.2, 0.2, 4}));
+  EXPECT_FALSE(any_contains(m.boxes, {0.2, 0.2, 3.8}));
+}
+
+TEST(SdfMeshes, SkipWhatIsNotReadOrMayHoldMore) {
+  const std::string uri = "<uri>crate.obj</uri>";
+  for (const auto& [inside, kind] :
+       {std::pair<std::string, std::string>{"<uri>crate.dae</uri>", "neither OBJ nor STL"},
+        {"<uri>crate.glb</uri>", "neither OBJ nor STL"},
+        {"<uri>obj</uri>", "neither OBJ nor STL"},
+        {"<uri>barrel.obj</uri>", "not found"},
+        {uri + "<submesh><name>lid</name></submesh>", "part of a mesh"},
+        {uri + "<tile>2 2</tile>", "unknown element"}}) {
+    const Made m = made(inside);
+    EXPECT_TRUE(m.boxes.empty()) << inside;
+    EXPECT_NE(m.skipped.text().find(kind), std::string::npos) << m.skipped.text();
+  }
+  EXPECT_EQ(made(uri, "", 0.1, kCrate + "l 1 2\n").skipped.count(), 1u) << "a line of the file";
+  const XmlElement convex = parse_xml("<mesh optimization='convex_hull'>" + uri + "</mesh>", "w");
+  const std::string source = "w";
+  Skipped skipped;
+  const SdfOptions none;
+  SdfMeshes meshes(none, skipped);
+  EXPECT_TRUE(meshes.boxes_of({&convex, &source}, {}).empty());
+  EXPECT_EQ(skipped.count(), 1u);
+}
+
+TEST(SdfMeshes, RefuseWhatIsMalformedOrCut) {
+  EXPECT_NE(refusal("").find("expected <uri>"), std::string::npos);
+  EXPECT_NE(refusal("<uri>crate.obj</uri><scale>1 0 1</scale>").find("must not be 0"),
+            std::string::npos);
+  EXPECT_NE(refusal("<uri>crate.obj</uri><scale>1 1</scale>"), "");
+  EXPECT_NE(refusal("<uri>crate.obj</uri><scale>1e8 1e8 1e8</scale>"), "") << "beyond 1e8 m";
+  EXPECT_NE(refusal("<uri>crate.obj</uri>", "", kCrate + "f 1 2 9\n").find("models/crate.obj:15"),
+            std::string::npos);
+  EXPECT_NE(refusal("<uri>crate.obj</uri>", "", "v 0 0 0\n").find("expected triangles, found none"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace geom
