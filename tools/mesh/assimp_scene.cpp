@@ -14,6 +14,7 @@
 #include "collada_links.h"
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
+#include "try_in_child.h"
 
 namespace mesh {
 namespace {
@@ -189,9 +190,17 @@ geom::Model read_scene(const std::string& bytes, const std::string& source,
   const std::size_t told = collada ? polygons_of_collada(bytes) : faces_of_3ds(bytes, source);
   geom::Skipped skipped;
   if (collada) check_collada_links(bytes, source, skipped);
+  const auto scene_of = [&](Assimp::Importer& importer) {
+    return importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0,
+                                       collada ? "dae" : format.c_str());
+  };
+  const auto trial = [&] {
+    Assimp::Importer importer;
+    scene_of(importer);
+  };
+  try_in_child(trial, "assimp", source);
   Assimp::Importer importer;
-  const aiScene* const scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, collada ? "dae" : format.c_str());
+  const aiScene* const scene = scene_of(importer);
   if (!scene || !scene->mRootNode) {
     throw geom::InputError(
         source, fmt::format("expected a file of format {}, which assimp could not read: {}", format,

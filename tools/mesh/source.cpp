@@ -10,6 +10,7 @@
 
 #include "assimp_scene.h"
 #include "cli/file/files.h"
+#include "draco_decoder.h"
 #include "geom/base/error.h"
 #include "geom/base/sha256.h"
 #include "geom/model/gltf_model.h"
@@ -108,7 +109,7 @@ Source read(const std::string& path, const std::string& format) {
   const std::string name = std::filesystem::path(path).filename().string();
   if (out.format == "tiles") {
     const geom::ModelFiles files = [&](const std::string& p) { return folder.read(p); };
-    geom::TilesModel tiles = geom::read_tileset(name, files);
+    geom::TilesModel tiles = geom::read_tileset(name, files, decode_draco);
     out.model = std::move(tiles.model);
     out.tiles = tiles.tiles;
     out.coarser = tiles.coarser;
@@ -116,7 +117,7 @@ Source read(const std::string& path, const std::string& format) {
   } else if (out.format == "gltf") {
     folder.add(name, bytes);
     const geom::ModelFiles files = [&](const std::string& p) { return folder.read(p); };
-    out.model = geom::read_gltf(bytes, path, files);
+    out.model = geom::read_gltf(bytes, path, files, {}, decode_draco);
   } else {
     folder.add(name, bytes);
     out.model = read_model(bytes, path, out.format);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geom/base/error.h"
@@ -55,6 +56,30 @@ std::size_t columns_of(const std::string& type) {
       {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}};
   const auto at = kColumns.find(type);
   return at == kColumns.end() ? 0 : at->second;
+}
+
+// What an accessor of this type is made of.
+Component component_in(const JsonMembers& accessor, const std::string& type) {
+  if (accessor.text("type") != type) {
+    accessor.refuse(
+        fmt::format("expected type {}, found \"{}\"", type, accessor.text("type").substr(0, 20)));
+  }
+  const auto component = component_of(accessor.whole("componentType"));
+  if (!component) accessor.refuse("expected a component type of glTF");
+  if (accessor.has("sparse")) accessor.refuse("it is sparse, which is not read");
+  return *component;
+}
+
+// Refuses what is no number, and normalises where the accessor says so.
+void finish(GltfData::Numbers& rows, const JsonMembers& accessor, const Component& component) {
+  const bool normalised = accessor.truth("normalized") && component.most > 0;
+  for (std::size_t i = 0; i < rows.values.size(); ++i) {
+    double& v = rows.values[i];
+    if (!std::isfinite(v)) {
+      accessor.refuse(fmt::format("expected numbers, found {} as value {}", v, i / rows.columns));
+    }
+    if (normalised) v = std::max(v / component.most, -1.0);
+  }
 }
 
 }  // namespace
@@ -147,21 +172,25 @@ std::string_view GltfData::view(std::uint64_t i, std::uint64_t& stride) {
   return bytes.substr(offset, length);
 }
 
+std::string_view GltfData::view(std::uint64_t i) {
+  std::uint64_t stride = 0;
+  return view(i, stride);
+}
+
+bool GltfData::has_rows(std::uint64_t accessor) const {
+  return root().at("accessors", accessor, "accessor").has("bufferView");
+}
+
 GltfData::Numbers GltfData::numbers(std::uint64_t accessor, const std::string& type) {
   const JsonMembers a = root().at("accessors", accessor, "accessor");
-  if (a.text("type") != type) {
-    a.refuse(fmt::format("expected type {}, found \"{}\"", type, a.text("type").substr(0, 20)));
-  }
-  const auto component = component_of(a.whole("componentType"));
-  if (!component) a.refuse("expected a component type of glTF");
-  if (a.has("sparse")) a.refuse("it is sparse, which is not read");
+  const Component component = component_in(a, type);
   const auto view_number = a.find_whole("bufferView");
   if (!view_number) a.refuse("it has no \"bufferView\": its numbers are compressed, or missing");
   Numbers out;
   out.columns = columns_of(type);
   std::uint64_t stride = 0;
   const std::string_view bytes = view(*view_number, stride);
-  const std::uint64_t row = out.columns * component->bytes;
+  const std::uint64_t row = out.columns * component.bytes;
   if (stride == 0) stride = row;
   if (stride < row || stride > 255) {
     a.refuse(fmt::format("expected a stride from {} to 255, found {}", row, stride));
@@ -178,17 +207,35 @@ GltfData::Numbers GltfData::numbers(std::uint64_t accessor, const std::string& t
                     "{} bytes",
                     count, bytes.size(), offset, stride));
   }
-  const bool normalised = a.truth("normalized") && component->most > 0;
   out.values.reserve(count * out.columns);
   for (std::uint64_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < out.columns; ++k) {
-      const std::size_t at = offset + i * stride + k * component->bytes;
-      double v = component_at(bytes, at, *component);
-      if (!std::isfinite(v)) a.refuse(fmt::format("expected numbers, found {} as value {}", v, i));
-      if (normalised) v = std::max(v / component->most, -1.0);
-      out.values.push_back(v);
+      const std::size_t at = offset + i * stride + k * component.bytes;
+      out.values.push_back(component_at(bytes, at, component));
     }
   }
+  finish(out, a, component);
+  return out;
+}
+
+GltfData::Numbers GltfData::numbers(std::uint64_t accessor, const std::string& type,
+                                    const DracoMesh::Attribute& unpacked) {
+  const JsonMembers a = root().at("accessors", accessor, "accessor");
+  const Component component = component_in(a, type);
+  Numbers out{columns_of(type), unpacked.values};
+  if (unpacked.columns != out.columns || out.count() != a.whole("count")) {
+    a.refuse(fmt::format("expected {} rows of {}, found {} rows of {} in what Draco compressed",
+                         a.whole("count"), out.columns,
+                         unpacked.values.size() / std::max<std::size_t>(unpacked.columns, 1),
+                         unpacked.columns));
+  }
+  if (a.truth("normalized") && unpacked.component_type != a.whole("componentType")) {
+    a.refuse(
+        fmt::format("it is normalised, and expected component type {}, found {} in what "
+                    "Draco compressed",
+                    a.whole("componentType"), unpacked.component_type));
+  }
+  finish(out, a, component);
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/model/draco_mesh.h"
 #include "geom/model/model.h"
 #include "json_members.h"
 
@@ -32,6 +33,16 @@ class GltfData {
   // `type`: VEC3, SCALAR or whatever is wanted. Refuses sparse ones, views and buffers that are
   // too short, and what is no number.
   Numbers numbers(std::uint64_t accessor, const std::string& type);
+
+  // The same of an accessor whose rows Draco has compressed, and that must say as many.
+  Numbers numbers(std::uint64_t accessor, const std::string& type,
+                  const DracoMesh::Attribute& unpacked);
+
+  // Whether the file has the numbers of an accessor as they are.
+  bool has_rows(std::uint64_t accessor) const;
+
+  // The bytes of a view, which may be compressed.
+  std::string_view view(std::uint64_t i);
 
  private:
   void read_container(std::string_view bytes);

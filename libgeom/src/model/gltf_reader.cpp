@@ -17,6 +17,8 @@ constexpr std::size_t kDeepest = 1000;             // nodes in nodes
 constexpr std::size_t kMostPlaced = 100000000;     // vertices, wherever nodes place them
 constexpr std::size_t kMostTriangles = 300000000;  // no cover takes more
 
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
+
 // Extensions that a file may require and that change no place of anything.
 bool is_harmless(const std::string& extension) {
   static const std::set<std::string> kHarmless = {
@@ -56,8 +58,8 @@ Transform local_transform(const JsonMembers& node) {
 class GltfReader {
  public:
   GltfReader(std::string_view bytes, std::string_view source, const ModelFiles& files,
-             std::string_view path)
-      : data_(bytes, std::string(source), files, path) {
+             std::string_view path, const DracoDecoder& draco)
+      : data_(bytes, std::string(source), files, path), draco_(draco) {
     model_.up = UpAxis::y;
     model_.unit = 1;
   }
@@ -78,6 +80,7 @@ class GltfReader {
     }
     for (const nlohmann::json& name : data_.root().list("extensionsRequired")) {
       if (name.is_string() && is_harmless(name.get<std::string>())) continue;
+      if (name == kDraco && draco_) continue;
       data_.root().refuse(fmt::format(
           "it requires the extension {}, which is not read: write the file without it, for example "
           "with `gltf-transform copy in.glb out.glb`",
@@ -157,26 +160,85 @@ class GltfReader {
     }
     const JsonMembers attributes(primitive.members("attributes"), data_.source(), "attributes");
     const auto positions = attributes.find_whole("POSITION");
-    if (!positions) {
-      primitive.refuse("it has no positions, or they are compressed (KHR_draco_mesh_compression)");
+    if (!positions) primitive.refuse("it has no positions");
+    const bool packed =
+        draco_ && !data_.has_rows(*positions) && primitive.members("extensions").contains(kDraco);
+    const Drawn drawn = packed ? unpacked(primitive, attributes, *positions, mode)
+                               : plain(primitive, attributes, *positions);
+    for (const std::uint64_t v : drawn.order) {
+      if (v < drawn.vertices.count()) continue;
+      primitive.refuse(
+          fmt::format("expected indices below {}, the number of its vertices, found {}",
+                      drawn.vertices.count(), v));
     }
-    const GltfData::Numbers vertices = data_.numbers(*positions, "VEC3");
-    std::vector<std::uint64_t> order;
+    if (feature_name(attributes) && drawn.features.size() < drawn.vertices.count()) {
+      attributes.refuse("expected a feature for each vertex");
+    }
+    add_triangles(primitive, packed ? 4 : mode, drawn.order,
+                  add_vertices(primitive, drawn.vertices, place), drawn.features);
+  }
+
+  struct Drawn {
+    GltfData::Numbers vertices;
+    std::vector<std::uint64_t> order;  // of vertices, as the mode makes triangles of them
+    std::vector<double> features;      // of each vertex; empty where the file names none
+  };
+
+  Drawn plain(const JsonMembers& primitive, const JsonMembers& attributes,
+              std::uint64_t positions) {
+    Drawn out;
+    out.vertices = data_.numbers(positions, "VEC3");
     if (const auto indices = primitive.find_whole("indices")) {
       for (const double v : data_.numbers(*indices, "SCALAR").values) {
         if (v < 0 || v != std::floor(v)) primitive.refuse("expected whole numbers as indices");
-        order.push_back(static_cast<std::uint64_t>(v));
+        out.order.push_back(static_cast<std::uint64_t>(v));
       }
     } else {
-      for (std::size_t k = 0; k < vertices.count(); ++k) order.push_back(k);
+      for (std::size_t k = 0; k < out.vertices.count(); ++k) out.order.push_back(k);
     }
-    for (const std::uint64_t v : order) {
-      if (v < vertices.count()) continue;
-      primitive.refuse(fmt::format(
-          "expected indices below {}, the number of its vertices, found {}", vertices.count(), v));
+    if (const auto name = feature_name(attributes)) {
+      out.features = data_.numbers(attributes.whole(name), "SCALAR").values;
     }
-    add_triangles(primitive, mode, order, add_vertices(primitive, vertices, place),
-                  features_of(attributes, vertices.count()));
+    return out;
+  }
+
+  // Draco gives triangles, also of what was a strip.
+  Drawn unpacked(const JsonMembers& primitive, const JsonMembers& attributes,
+                 std::uint64_t positions, std::uint64_t mode) {
+    if (mode == 6) primitive.refuse("expected no fan in what Draco compressed, found one");
+    const JsonMembers packed(primitive.members("extensions").at(kDraco), data_.source(), kDraco);
+    const JsonMembers numbers(packed.members("attributes"), data_.source(), kDraco);
+    const DracoMesh mesh = draco_(data_.view(packed.whole("bufferView")), data_.source());
+    const auto rows = [&](const char* name, std::uint64_t accessor, const char* type) {
+      const auto found = mesh.attributes.find(numbers.whole(name));
+      if (found == mesh.attributes.end()) {
+        numbers.refuse(fmt::format("expected its {} in what Draco compressed, found none", name));
+      }
+      return data_.numbers(accessor, type, found->second);
+    };
+    Drawn out{rows("POSITION", positions, "VEC3"), mesh.corners, {}};
+    const auto indices = primitive.find_whole("indices");
+    if (mode == 4 && indices) {
+      const JsonMembers a = data_.root().at("accessors", *indices, "accessor");
+      if (a.whole("count") != out.order.size()) {
+        a.refuse(fmt::format("expected {} indices, found {} in what Draco compressed",
+                             a.whole("count"), out.order.size()));
+      }
+    }
+    if (const char* name = feature_name(attributes)) {
+      const std::uint64_t accessor = attributes.whole(name);
+      out.features = numbers.has(name) ? rows(name, accessor, "SCALAR").values
+                                       : data_.numbers(accessor, "SCALAR").values;
+    }
+    return out;
+  }
+
+  // The attribute that names the feature of each vertex; null where there is none.
+  static const char* feature_name(const JsonMembers& attributes) {
+    for (const char* name : {"_BATCHID", "_FEATURE_ID_0"}) {
+      if (attributes.has(name)) return name;
+    }
+    return nullptr;
   }
 
   std::uint32_t add_vertices(const JsonMembers& primitive, const GltfData::Numbers& vertices,
@@ -192,16 +254,6 @@ class GltfReader {
       out.push_back(place.topLeftCorner<3, 3>() * p + place.topRightCorner<3, 1>());
     }
     return static_cast<std::uint32_t>(first);
-  }
-
-  // Of each vertex; empty where the file names none.
-  std::vector<double> features_of(const JsonMembers& attributes, std::size_t count) {
-    auto at = attributes.find_whole("_BATCHID");
-    if (!at) at = attributes.find_whole("_FEATURE_ID_0");
-    if (!at) return {};
-    std::vector<double> out = data_.numbers(*at, "SCALAR").values;
-    if (out.size() < count) attributes.refuse("expected a feature for each vertex");
-    return out;
   }
 
   void add_triangles(const JsonMembers& primitive, std::uint64_t mode,
@@ -250,6 +302,7 @@ class GltfReader {
   }
 
   GltfData data_;
+  const DracoDecoder& draco_;
   GltfModel model_;
   std::set<std::uint64_t> seen_;   // nodes
   std::set<std::uint64_t> shown_;  // meshes
@@ -258,8 +311,8 @@ class GltfReader {
 }  // namespace
 
 GltfModel read_gltf(std::string_view bytes, std::string_view source, const ModelFiles& files,
-                    std::string_view path) {
-  return GltfReader(bytes, source, files, path).read();
+                    std::string_view path, const DracoDecoder& draco) {
+  return GltfReader(bytes, source, files, path, draco).read();
 }
 
 }  // namespace geom

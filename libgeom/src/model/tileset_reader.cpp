@@ -29,7 +29,9 @@ constexpr double kNoPlaceOnEarth = 1e6;  // metres: nearer to the middle of the 
 
 class TilesetReader {
  public:
-  explicit TilesetReader(const ModelFiles& files) : files_(files) { model_.up = UpAxis::z; }
+  TilesetReader(const ModelFiles& files, const DracoDecoder& draco) : files_(files), draco_(draco) {
+    model_.up = UpAxis::z;
+  }
 
   TilesModel read(const std::string& path) {
     model_.unit = 1;
@@ -153,18 +155,18 @@ class TilesetReader {
       const BatchedModel batch = read_batched_model(bytes, path);
       Transform centred = Transform::Identity();
       centred.topRightCorner<3, 1>() = batch.center;
-      return add(read_gltf(batch.gltf, path, files_, path), place * centred, batch.names, path);
+      return add(read_gltf(batch.gltf, path, files_, path, draco_), place * centred, batch.names, path);
     }
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     if (bytes.starts_with("glTF")) {
       ++tiles_;
-      return add(read_gltf(bytes, path, files_, path), place, {}, path);
+      return add(read_gltf(bytes, path, files_, path, draco_), place, {}, path);
     }
     if (first != std::string::npos && bytes[first] == '{') {
       const nlohmann::json json = parse_json(bytes, path);
       if (json.contains("root")) return read_tileset_file(path, bytes, place, depth + 1);
       ++tiles_;
-      return add(read_gltf(bytes, path, files_, path), place, {}, path);
+      return add(read_gltf(bytes, path, files_, path, draco_), place, {}, path);
     }
     model_.skipped.add("content that is no b3dm, glb, glTF or tileset", path);
     return false;
@@ -225,6 +227,7 @@ class TilesetReader {
   }
 
   const ModelFiles& files_;
+  const DracoDecoder& draco_;
   Model model_;
   std::set<std::string> open_;  // tilesets that this one is within
   std::map<std::pair<std::size_t, std::int64_t>, std::uint32_t> parts_;
@@ -236,8 +239,9 @@ class TilesetReader {
 
 }  // namespace
 
-TilesModel read_tileset(const std::string& path, const ModelFiles& files) {
-  return TilesetReader(files).read(path);
+TilesModel read_tileset(const std::string& path, const ModelFiles& files,
+                        const DracoDecoder& draco) {
+  return TilesetReader(files, draco).read(path);
 }
 
 }  // namespace geom

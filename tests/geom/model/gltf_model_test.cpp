@@ -147,6 +147,112 @@ TEST(ReadGltf, TellsTheFeatureOfEachTriangle) {
   EXPECT_EQ(read(file).feature, std::vector<std::int64_t>(12, 7));
 }
 
+// The cuboid with nothing but the word "cuboid" in its view, and a decoder that knows it.
+struct PackedFile : GltfFile {
+  DracoMesh mesh;
+
+  PackedFile() : GltfFile(support::cuboid(kBox)) {
+    const GltfModel plain = read(*this);
+    mesh.vertices = 8;
+    for (const MeshTriangle& t : plain.mesh.triangles) {
+      mesh.corners.insert(mesh.corners.end(), t.corners.begin(), t.corners.end());
+    }
+    DracoMesh::Attribute& positions = mesh.attributes[5];
+    positions = {5126, 3, {}};
+    for (const Vec3& v : plain.mesh.vertices) {
+      positions.values.insert(positions.values.end(), v.begin(), v.end());
+    }
+    binary = "cuboid";
+    text["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    text["buffers"][0]["byteLength"] = 6;
+    text["bufferViews"] = json::parse(R"([{"buffer": 0, "byteLength": 6}])");
+    for (json& accessor : text["accessors"]) accessor.erase("bufferView");
+    extension() = {{"bufferView", 0}, {"attributes", {{"POSITION", 5}}}};
+  }
+
+  json& primitive() { return text["meshes"][0]["primitives"][0]; }
+  json& extension() { return primitive()["extensions"]["KHR_draco_mesh_compression"]; }
+
+  GltfModel unpacked() const {
+    return read_gltf(bytes(), "a.glb", no_file, {},
+                     [&](std::string_view packed, const std::string& source) {
+                       EXPECT_EQ(source, "a.glb");
+                       if (packed != "cuboid") throw InputError(source, "not packed");
+                       return mesh;
+                     });
+  }
+  void expect_refusal(const std::string& message) const {
+    const std::string found = support::refusal_of([&] { unpacked(); });
+    EXPECT_NE(found.find(message), std::string::npos) << found;
+  }
+};
+
+TEST(ReadGltf, ReadsWhatADecoderUnpacks) {
+  const GltfModel plain = read(GltfFile(support::cuboid(kBox)));
+  PackedFile file;
+  EXPECT_EQ(file.unpacked().mesh.vertices, plain.mesh.vertices);
+  for (std::size_t t = 0; t < 12; ++t) {
+    EXPECT_EQ(file.unpacked().mesh.triangles[t].corners, plain.mesh.triangles[t].corners);
+  }
+  file.primitive()["mode"] = 5;
+  EXPECT_EQ(file.unpacked().mesh.triangles.size(), 12u) << "of a strip, triangles as well";
+  file.primitive()["attributes"]["_BATCHID"] = 2;
+  file.text["accessors"].push_back({{"componentType", 5126}, {"type", "SCALAR"}, {"count", 8}});
+  file.extension()["attributes"]["_BATCHID"] = 6;
+  file.mesh.attributes[6] = {5121, 1, std::vector<double>(8, 7)};
+  EXPECT_EQ(file.unpacked().feature, std::vector<std::int64_t>(12, 7));
+}
+
+TEST(ReadGltf, ReadsWhatIsThereUnpackedTooWithAndWithoutADecoder) {
+  GltfFile file(support::cuboid(kBox));
+  file.text["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", 0}, {"attributes", {{"POSITION", 5}}}};
+  const DracoDecoder none = [](std::string_view, const std::string& source) -> DracoMesh {
+    throw InputError(source, "nothing to unpack");
+  };
+  EXPECT_EQ(read(file).mesh.triangles.size(), 12u);
+  EXPECT_EQ(read_gltf(file.bytes(), "a.glb", no_file, {}, none).mesh.triangles.size(), 12u);
+}
+
+TEST(ReadGltf, RefusesWhatDracoHasOtherwiseThanTheFileSays) {
+  const PackedFile good;
+  expect_refusal(good.bytes(), "it requires the extension KHR_draco_mesh_compression");
+  PackedFile file = good;
+  file.text.erase("extensionsRequired");
+  expect_refusal(file.bytes(), "its numbers are compressed, or missing");
+  file = good;
+  file.text["accessors"][0]["count"] = 9;
+  file.expect_refusal("expected 9 rows of 3, found 8 rows of 3 in what Draco compressed");
+  file = good;
+  file.text["accessors"][1]["count"] = 39;
+  file.expect_refusal("expected 39 indices, found 36 in what Draco compressed");
+  file = good;
+  file.mesh.corners[7] = 8;
+  file.expect_refusal("expected indices below 8, the number of its vertices, found 8");
+  file = good;
+  file.mesh.attributes[5].values[4] = std::numeric_limits<double>::quiet_NaN();
+  file.expect_refusal("expected numbers, found nan");
+  file = good;
+  file.mesh.attributes[5].columns = 4;
+  file.expect_refusal("rows of 4 in what Draco compressed");
+  file = good;
+  file.text["accessors"][0]["normalized"] = true;
+  file.text["accessors"][0]["componentType"] = 5120;
+  file.expect_refusal("it is normalised, and expected component type 5120, found 5126");
+  file = good;
+  file.extension()["attributes"]["POSITION"] = 4;
+  file.expect_refusal("expected its POSITION in what Draco compressed, found none");
+  file = good;
+  file.primitive()["mode"] = 6;
+  file.expect_refusal("expected no fan");
+  file = good;
+  file.binary = "cubo";
+  file.expect_refusal("not packed");
+  file = good;
+  file.extension() = 1;
+  file.expect_refusal("expected an object, found 1");
+}
+
 TEST(ReadGltf, RefusesWhatMovesOrMultipliesAMesh) {
   const GltfFile good(support::cuboid(kBox));
   GltfFile file = good;

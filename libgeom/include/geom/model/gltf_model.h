@@ -2,6 +2,7 @@
 
 // glTF 2.0 (Khronos, ISO/IEC 12113:2022) as triangles.
 
+#include "geom/model/draco_mesh.h"
 #include "geom/model/model.h"
 
 namespace geom {
@@ -18,10 +19,13 @@ struct GltfModel : Model {
 //
 // Skipped and counted: points and lines; meshes that nothing in that scene shows. Refused
 // (InputError): what would move or multiply a mesh (skins, morph targets, animated nodes,
-// EXT_mesh_gpu_instancing), compressed or sparse data, any extension that the file requires and
-// that changes what stands where, indices beyond their vertices, views beyond their buffers,
-// buffers shorter than they say, nodes within themselves.
+// EXT_mesh_gpu_instancing), sparse data, data compressed otherwise than the next lines say, any
+// extension that the file requires and that changes what stands where, indices beyond their
+// vertices, views beyond their buffers, buffers shorter than they say, nodes within themselves.
+//
+// What Draco has compressed is read where `draco` is given, and counts must be those that the
+// accessors say. Where a file has the same data uncompressed too, these are read, with or without.
 GltfModel read_gltf(std::string_view bytes, std::string_view source, const ModelFiles& files,
-                    std::string_view path = {});
+                    std::string_view path = {}, const DracoDecoder& draco = {});
 
 }  // namespace geom

@@ -2,6 +2,7 @@
 
 // 3D Tiles 1.0 and 1.1 (OGC 22-025r4) as triangles.
 
+#include "geom/model/draco_mesh.h"
 #include "geom/model/model.h"
 
 namespace geom {
@@ -20,8 +21,10 @@ struct TilesModel {
 // Bounding volumes are not looked at: nothing is left out because of them.
 //
 // Skipped and counted: content of other kinds (i3dm, pnts, cmpt and what is not known). Refused
-// (InputError): implicit tiling, a tileset within itself, a b3dm whose lengths do not add up, a
-// path that leaves the folder or names another host, and what read_gltf() refuses.
-TilesModel read_tileset(const std::string& path, const ModelFiles& files);
+// (InputError): implicit tiling, a tileset within itself,
+// a b3dm whose lengths do not add up, a path that leaves the folder or names another host, and what
+// read_gltf() refuses; `draco` is as there.
+TilesModel read_tileset(const std::string& path, const ModelFiles& files,
+                        const DracoDecoder& draco = {});
 
 }  // namespace geom

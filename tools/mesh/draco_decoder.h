@@ -1,0 +1,13 @@
+#pragma once
+
+// What Draco has compressed, as libdraco decodes it.
+
+#include "geom/model/draco_mesh.h"
+
+namespace mesh {
+
+// A geom::DracoDecoder. Throws geom::InputError(source, …) for what libdraco refuses, for points,
+// and for what is inconsistent: triangles without a vertex, vertices without a value.
+geom::DracoMesh decode_draco(std::string_view bytes, const std::string& source);
+
+}  // namespace mesh
