@@ -10,6 +10,7 @@
 #include "geom/model/gltf_model.h"
 #include "geom/model/tileset.h"
 #include "geom/text/parse_json.h"
+#include "implicit_tiles.h"
 #include "json_members.h"
 #include "model_path.h"
 
@@ -46,6 +47,7 @@ class TilesetReader {
 
  private:
   using Made = bool;  // whether a tile, or one below it, has content
+  using Below = ImplicitTiles::Below;
 
   Made read_tileset_file(const std::string& path, const std::string& bytes, const Transform& place,
                          std::size_t depth) {
@@ -94,11 +96,8 @@ class TilesetReader {
   Made read_tile(const JsonMembers& tile, const std::string& path, const Transform& above,
                  const std::string& refine_above, std::size_t depth) {
     if (depth > kDeepest) tile.refuse(fmt::format("more than {} tiles deep", kDeepest));
-    if (tile.has("implicitTiling") ||
-        tile.members("extensions").contains("3DTILES_implicit_tiling")) {
-      tile.refuse(
-          "implicit tiling is not read: write an explicit tileset, for example with "
-          "`3d-tiles-tools convert`");
+    if (tile.members("extensions").contains("3DTILES_implicit_tiling")) {
+      tile.refuse("3DTILES_implicit_tiling is not read: write version 1.1");
     }
     const Transform place = above * transform_of(tile);
     const std::string refine = tile.find_text("refine").value_or(refine_above);
@@ -106,20 +105,30 @@ class TilesetReader {
       tile.refuse(
           fmt::format("expected refine ADD or REPLACE, found \"{}\"", refine.substr(0, 20)));
     }
+    if (tile.has("implicitTiling")) {
+      const auto read = [&](const std::vector<std::string>& uris, Below below, std::size_t level) {
+        return read_contents(uris, below, refine, path, place, depth + level);
+      };
+      return ImplicitTiles(tile, contents_of(tile), path, files_, read).read();
+    }
     const std::size_t children = tile.list("children").size();
-    bool all_below = children > 0;
-    bool any_below = false;
+    Below below{children > 0, false};
     for (std::size_t i = 0; i < children; ++i) {
       const Made made = read_tile(tile.at("children", i, "tile"), path, place, refine, depth + 1);
-      all_below &= made;
-      any_below |= made;
+      below.all &= made;
+      below.any |= made;
     }
-    std::vector<std::string> uris = contents_of(tile);
-    if (refine == "REPLACE" && all_below) {
+    return read_contents(contents_of(tile), below, refine, path, place, depth);
+  }
+
+  // Of a tile, when those below it are read.
+  Made read_contents(std::vector<std::string> uris, Below below, const std::string& refine,
+                     const std::string& path, const Transform& place, std::size_t depth) {
+    if (refine == "REPLACE" && below.all) {
       // A tileset is no coarser content: it has tiles of its own, of whatever size.
       coarser_ += std::erase_if(uris, [](const std::string& uri) { return !names_tileset(uri); });
     }
-    bool any = any_below;
+    bool any = below.any;
     for (const std::string& uri : uris) {
       any |= read_content(path_of_uri(uri, path, path), place, depth);
     }
@@ -155,7 +164,8 @@ class TilesetReader {
       const BatchedModel batch = read_batched_model(bytes, path);
       Transform centred = Transform::Identity();
       centred.topRightCorner<3, 1>() = batch.center;
-      return add(read_gltf(batch.gltf, path, files_, path, draco_), place * centred, batch.names, path);
+      return add(read_gltf(batch.gltf, path, files_, path, draco_), place * centred, batch.names,
+                 path);
     }
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     if (bytes.starts_with("glTF")) {

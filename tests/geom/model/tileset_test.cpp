@@ -6,6 +6,7 @@
 
 #include "support/glb_file.h"
 #include "support/refusal.h"
+#include "support/subtree_file.h"
 #include "support/triangle_shapes.h"
 
 namespace geom {
@@ -152,8 +153,8 @@ TEST(ReadTileset, RefusesWhatItWouldReadWrongly) {
   const Files files = {{"a.glb", house()}};
   const json good = refined(tile("a.glb"), "ADD");
   json root = good;
-  root["implicitTiling"] = json::object();
-  expect_refusal("implicit tiling is not read", root, files);
+  root["extensions"]["3DTILES_implicit_tiling"] = json::object();
+  expect_refusal("3DTILES_implicit_tiling is not read", root, files);
   root = good;
   root.erase("refine");
   expect_refusal("expected refine ADD or REPLACE, found \"\"", root, files);
@@ -176,6 +177,72 @@ TEST(ReadTileset, RefusesWhatItWouldReadWrongly) {
   all["extensionsRequired"] = {"3DTILES_implicit_tiling"};
   other["tileset.json"] = all.dump();
   expect_refusal("it requires the extension", other);
+}
+
+// Two subtrees of two levels: the root; (0, 0) and (1, 1) below; (3, 2) and (2, 3) below the last.
+json implicit_root(const char* refine) {
+  json root = refined(tile("c/{level}-{x}-{y}.glb"), refine);
+  root.erase("children");
+  root["implicitTiling"] = {{"subdivisionScheme", "QUADTREE"},
+                            {"subtreeLevels", 2},
+                            {"availableLevels", 3},
+                            {"subtrees", {{"uri", "s/{level}/{x}/{y}.subtree"}}}};
+  return root;
+}
+Files implicit_files() {
+  return {{"s/0/0/0.subtree", support::SubtreeFile("11001", {"11001"}, "0000000000000110").bytes()},
+          {"s/2/3/2.subtree", support::SubtreeFile("10000", {"1"}, "0").bytes()},
+          {"s/2/2/3.subtree", support::SubtreeFile("10000", {"10000"}, "0").bytes()},
+          {"c/0-0-0.glb", house()},
+          {"c/1-0-0.glb", house({5, 0, 0})},
+          {"c/1-1-1.glb", house({6, 0, 0})},
+          {"c/2-3-2.glb", house({7, 0, 0})},
+          {"c/2-2-3.glb", house({8, 0, 0})}};
+}
+
+TEST(ReadTileset, ReadsTheTilesOfSubtrees) {
+  EXPECT_EQ(read(implicit_root("ADD"), implicit_files()).tiles, 5u);
+  const TilesModel finest = read(implicit_root("REPLACE"), implicit_files());
+  EXPECT_EQ(finest.tiles, 3u);
+  EXPECT_EQ(finest.coarser, 2u);
+  EXPECT_EQ(finest.model.mesh.vertices[0].x(), 5);
+  EXPECT_EQ(finest.model.mesh.vertices[8].x(), 7);
+  EXPECT_EQ(finest.model.mesh.vertices[16].x(), 8);
+}
+
+TEST(ReadTileset, KeepsATileOfWhichAnImplicitChildHasNothing) {
+  Files files = implicit_files();
+  files["s/2/2/3.subtree"] = support::SubtreeFile("10000", {"0"}, "0").bytes();
+  const TilesModel made = read(implicit_root("REPLACE"), files);
+  EXPECT_EQ(made.coarser, 1u) << "the root alone";
+  EXPECT_EQ(made.tiles, 3u);
+}
+
+TEST(ReadTileset, RefusesImplicitTilesThatAreNotThereOrNotAsTheySay) {
+  for (const auto& [path, bytes] : implicit_files()) {
+    Files files = implicit_files();
+    files.erase(path);
+    expect_refusal(path + ": not there", implicit_root("ADD"), files);
+  }
+  const Files files = implicit_files();
+  const auto refused = [&](const char* key, const json& value, const char* message) {
+    json root = implicit_root("ADD");
+    root["implicitTiling"][key] = value;
+    expect_refusal(message, root, files);
+  };
+  refused("availableLevels", 2, "expected tiles on 2 levels, as it says, found one on level 2");
+  refused("availableLevels", 61, "expected availableLevels from 1 to 60");
+  refused("subtreeLevels", 0, "expected subtreeLevels from 1 to 13, found 0");
+  refused("subtreeLevels", 40, "expected subtreeLevels from 1 to 13, found 40");
+  refused("subdivisionScheme", "KD", "expected subdivisionScheme QUADTREE or OCTREE");
+  refused("subdivisionScheme", "OCTREE", "expected {z} in the URI");
+  refused("subtrees", {{"uri", "s/{level}/{x}.subtree"}}, "expected {y} in the URI");
+  json root = implicit_root("ADD");
+  root["children"] = json::array({tile("c/0-0-0.glb")});
+  expect_refusal("expected no children beside implicitTiling", root, files);
+  root = implicit_root("ADD");
+  root["content"]["uri"] = "c/0-0-0.glb";
+  expect_refusal("expected {level} in the URI", root, files);
 }
 
 TEST(ReadTileset, RefusesTilesThatAreDeeperThanAnyone) {

@@ -18,10 +18,11 @@ struct TilesModel {
 // The `tileset.json` at `path` and all that it names, by `files` (paths relative to the folder of
 // `path`). Content is b3dm, glb, glTF, or another tileset. Of tiles that replace each other the
 // finest are taken: a tile's own content is left out only where each of its children has some.
-// Bounding volumes are not looked at: nothing is left out because of them.
+// Bounding volumes are not looked at: nothing is left out because of them. Implicit tiles are those
+// that their subtrees say there are.
 //
 // Skipped and counted: content of other kinds (i3dm, pnts, cmpt and what is not known). Refused
-// (InputError): implicit tiling, a tileset within itself,
+// (InputError): a tileset within itself, subtrees whose bits contradict each other or the tileset,
 // a b3dm whose lengths do not add up, a path that leaves the folder or names another host, and what
 // read_gltf() refuses; `draco` is as there.
 TilesModel read_tileset(const std::string& path, const ModelFiles& files,
