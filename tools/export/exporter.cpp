@@ -9,6 +9,7 @@
 #include "traj/curve/to_enu.h"
 #include "traj/drone_file/crazyflie.h"
 #include "traj/drone_file/straight_legs.h"
+#include "volumes.h"
 
 namespace exporting {
 namespace {
@@ -115,13 +116,15 @@ Exporter::Export Exporter::make(const Flight& flight) {
                                     : write_checked(flight, made.task);
   if (!made.written) return made;
   if (made.task.format == "crazyflie") warn_of_memory(common_, made.task);
-  warn_of_what_is_left_out(common_, made.task, flight, !options_.show.empty());
+  const bool says_when = !options_.show.empty() || made.task.format == "volume4d";
+  warn_of_what_is_left_out(common_, made.task, flight, says_when);
   if (!made.written->note.empty()) common_.warn(flight.id + ": " + made.written->note);
   return made;
 }
 
 // Why the format cannot have it, or nothing.
 std::string Exporter::not_for(const Flight& flight) const {
+  if (task_.format == "volume4d") return no_volumes_for(flight);
   if (flight.path.empty() || has_legs(task_.format)) return "";
   return fmt::format(
       "a {} file has times, and a path has none: make a trajectory of it "
@@ -134,6 +137,7 @@ std::optional<Written> Exporter::write_checked(const Flight& flight, Task& task)
   task.limits = geom::limits_that_hold({{}, flight.limits, scene.vehicle().limits});
   task.frame = scene.map().spec().frame;
   set_way(flight, task.frame.axes, task);
+  if (task.format == "volume4d") return write_volumes(scene, flight, task);
   set_ground(scene, flight, task);
   auto [written, result] = write_proved(scene, task);
   if (result.ok) {

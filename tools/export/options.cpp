@@ -12,6 +12,7 @@
 #include "cli/run.h"
 #include "dji_options.h"
 #include "output_names.h"
+#include "traj/airspace/flight_volumes.h"
 
 namespace exporting {
 namespace {
@@ -31,6 +32,7 @@ void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked)
   cli::only_for(app, format == "dji-wpml", {"--wpml-version", "--aircraft", "--turns"},
                 "--format dji-wpml");
   cli::only_for(app, format == "crazyflie", {"--show"}, "--format crazyflie");
+  cli::only_for(app, format == "volume4d", {"--volumes", "--buffer"}, "--format volume4d");
   cli::only_for(app, !unchecked, {"--margin", "--spare"}, "an export that is checked");
 }
 
@@ -60,7 +62,7 @@ void Options::add_to(CLI::App& app, Task& task) {
   app.add_option("--format", task.format, "what to write")
       ->required()
       ->check(CLI::IsMember({"tello", "crazyflie", "qgc-plan", "wpl", "dji-wpml", "setpoints",
-                             "kml", "geojson", "gltf"}));
+                             "kml", "geojson", "gltf", "volume4d"}));
   app.add_option("--rate", task.rate, "setpoints: how many a second, Hz (default 50)")
       ->check(CLI::Range(0.1, 10000.0));
   app.add_option("--axes", axes, "setpoints: axes, enu or ned (default enu)")
@@ -76,6 +78,13 @@ void Options::add_to(CLI::App& app, Task& task) {
       ->check(CLI::Range(0.1, 100.0));
   app.add_flag("--hover", hover, "end a mission hovering, without landing");
   add_dji_options(app, task.dji, task.turns);
+  app.add_option("--volumes", task.volumes,
+                 "volume4d: how many volumes of airspace at most, one after the other (default 8)")
+      ->check(CLI::Range(std::size_t{1}, traj::kMostVolumes));
+  app.add_option("--buffer", task.buffer,
+                 "volume4d: metres around the vehicle and its margin on every side, for how far it "
+                 "may stray (default 0)")
+      ->check(CLI::Range(0.0, 1000.0));
   task.placement.add_to(app);
   app.add_option("--id", id, "which record of the stream (default: its only one)");
   app.add_flag("--unchecked", unchecked, "write without a map and without a proof");
@@ -100,6 +109,11 @@ void Options::add_to(CLI::App& app, Task& task) {
 }
 
 void Options::require_sound(const CLI::App& app, const Task& task) const {
+  if (unchecked && task.format == "volume4d") {
+    throw cli::UsageError(
+        "volumes of airspace are proved to hold the flight or not written at all: leave "
+        "--unchecked out");
+  }
   if (files.empty() && !unchecked) throw cli::UsageError("map is required (or --unchecked)");
   if (files.size() > map_files() + 1) throw cli::UsageError("--unchecked takes no map");
   if (!unchecked) cli::at_most_one_stdin({files[0], input()});

@@ -150,7 +150,9 @@ std::optional<double> speed_limit(const traj::Limits& limits) {
   return speed;
 }
 
-bool has_legs(const std::string& format) { return format != "crazyflie" && format != "setpoints"; }
+bool has_legs(const std::string& format) {
+  return format != "crazyflie" && format != "setpoints" && format != "volume4d";
+}
 
 void require_few_rows(double seconds, double rate) {
   constexpr double kMostRows = 1e7;  // 2 GB of text

@@ -29,6 +29,8 @@ struct Task {
   std::optional<double> speed;  // m/s
   traj::DjiOptions dji;         // version, aircraft, and turns as far as they are known to fit
   std::optional<double> turns;  // m, asked for
+  std::size_t volumes = 8;      // of airspace, at most
+  double buffer = 0;            // m around the vehicle and its margin, of volumes of airspace
   bool checked = true;
 };
 
