@@ -128,7 +128,7 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
 traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::string& source,
                                  std::size_t line) const {
   const auto record = geom::read_path_record(fields);
-  if (together_.asked()) together_.refuse_path(record.id, source, line);
+  if (together_.collects()) together_.refuse_path(record.id, source, line);
   traj::ReportRecord report{record.id, "path", {}, record.provenance, {}, {}, {}};
   report.time = record.time;
   if (record.status != geom::PathStatus::found) {

@@ -58,6 +58,24 @@ void JUnitFile::add(const traj::TogetherResult& result, const traj::TogetherTask
   }
 }
 
+void JUnitFile::add(std::span<const traj::MovingConflict> conflicts,
+                    const traj::MovingSummary& summary) {
+  if (!out_) return;
+  for (const traj::MovingConflict& one : conflicts) {
+    add_case(one.flight + " and " + one.obstacle, one.result.undecided ? "undecided" : "moving",
+             traj::in_words(one));
+  }
+  if (summary.left_out > 0) {
+    add_case("moving", "left_out",
+             fmt::format("{} of the flights have no trajectory to hold against obstacles",
+                         summary.left_out));
+  } else {
+    add_case(fmt::format("moving: the other {} pairs of a flight and an obstacle",
+                         summary.flights * summary.obstacles - conflicts.size()),
+             {}, {});
+  }
+}
+
 void JUnitFile::add_case(const std::string& name, std::string_view failure,
                          const std::string& message) {
   ++tests_;

@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "cli/file/files.h"
+#include "traj/record/moving_record.h"
 #include "traj/record/pair_record.h"
 #include "traj/record/report_record.h"
 
@@ -25,6 +27,8 @@ class JUnitFile {
   // Of the check together: a case for all pairs that passed, and one for each that failed.
   void add(const traj::TogetherResult& result, const traj::TogetherTask& task,
            std::size_t left_out);
+  // Of the check against obstacles that move, alike.
+  void add(std::span<const traj::MovingConflict> conflicts, const traj::MovingSummary& summary);
   void commit();
 
  private:

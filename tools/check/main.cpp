@@ -123,6 +123,16 @@ class Reports {
     }
   }
 
+  // Of all flights against obstacles that move.
+  void add(const checking::Moving::Found& found) {
+    failed_ += !found.summary.ok();
+    junit_.add(found.conflicts, found.summary);
+    for (const traj::MovingConflict& one : found.conflicts) {
+      out_.add(traj::to_json_line(one, found.summary.epoch));
+    }
+    out_.add(traj::to_json_line(found.summary));
+  }
+
   // `total`: how many records all shards have.
   cli::Exit commit(std::size_t total) {
     const cli::Exit exit = failed_ ? cli::Exit::no : cli::Exit::yes;
@@ -174,6 +184,16 @@ void check_together(const cli::Common& common, checking::Together& together, boo
                         result.pairs, traj::in_words(*nearest, together.task())));
 }
 
+void check_moving(const cli::Common& common, checking::Together& together, Reports& reports) {
+  const auto found = together.moving().check(together.flights(), together.task(),
+                                             together.left_out(), common.execution("flights"));
+  reports.add(found);
+  if (found.conflicts.empty()) return;
+  cli::tell(common, "skyway-check",
+            fmt::format("{} meetings with obstacles that move; the first: {}",
+                        found.conflicts.size(), traj::in_words(found.conflicts.front())));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -191,13 +211,23 @@ int main(int argc, char** argv) {
           "--together holds each flight against each, and a shard holds some: leave --shard or "
           "--together out");
     }
+    if (sharding.asked() && options.together.moving().asked()) {
+      throw cli::UsageError(
+          "--moving says how all flights came out, and a shard holds some: leave --shard or "
+          "--moving out");
+    }
+    if (options.together.moving().asked() && options.rules().exact) {
+      throw cli::UsageError(
+          "--exact and --certificate do not look at obstacles that move: check with --moving in a "
+          "run of its own");
+    }
     if (sharding.asked() && !options.junit.file().empty()) {
       throw cli::UsageError(
           "--junit says how all records came out, and a shard holds some: leave "
           "--shard or --junit out");
     }
-    cli::at_most_one_stdin(
-        {options.map, options.input, options.flights.plan(), options.flights.tube()});
+    cli::at_most_one_stdin({options.map, options.input, options.flights.plan(),
+                            options.flights.tube(), options.together.moving().file()});
     sharding.begin(app,
                    {{"map", options.map},
                     {"file", options.input},
@@ -215,6 +245,7 @@ int main(int argc, char** argv) {
     if (options.flight_log()) {
       return options.flights.check(common, options.input, scenes, sharding, options.output);
     }
+    if (options.together.moving().asked()) options.together.moving().read(scenes.map());
     const checking::Checker checker(common, scenes, options.profile, options.together,
                                     options.rules());
     cli::InputFile file(options.input);
@@ -224,6 +255,7 @@ int main(int argc, char** argv) {
                      [&](const traj::ReportRecord& report) { reports.add(report); });
     if (options.together.asked())
       check_together(common, options.together, options.rules().exact, reports);
+    if (options.together.moving().asked()) check_moving(common, options.together, reports);
     const cli::Exit exit = reports.commit(total);
     reports.batch().tell(common, "skyway-check", "records failed");
     common.write_stats({{"records", reports.count()},

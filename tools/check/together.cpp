@@ -15,20 +15,26 @@ void Together::add_to(CLI::App& app) {
   app.add_flag("--together", asked_,
                "check the trajectories against one another, too, for all time");
   cli::add_spacing(app, task_.rule.spacing, task_.rule.parked);
+  moving_.add_to(app);
 }
 
 void Together::refuse_idle(const CLI::App& app, bool drone_file) const {
-  cli::only_for(app, asked_, cli::kSpacingOptions, "--together");
-  if (asked_ && drone_file) {
+  for (const char* option : cli::kSpacingOptions) {
+    const bool parked = std::string_view(option) == "--parked";
+    cli::only_for(app, parked ? collects() : asked_, {option},
+                  parked ? "--together or --moving" : "--together");
+  }
+  if (collects() && drone_file) {
     throw cli::UsageError(
-        "--together takes trajectories as JSON Lines, which say when each begins: "
-        "skyway-import-trajectory makes them of drone files");
+        fmt::format("{} takes trajectories as JSON Lines, which say when each begins: "
+                    "skyway-import-trajectory makes them of drone files",
+                    name()));
   }
 }
 
 void Together::require_room(const traj::TimedFlight& flight, const std::string& source,
                             std::size_t line) const {
-  if (task_.rule.spacing.zone || flight.room.minCoeff() > 0) return;
+  if (!asked_ || task_.rule.spacing.zone || flight.room.minCoeff() > 0) return;
   throw geom::InputError(source, line,
                          "expected a vehicle with a size along each axis, as the distance follows "
                          "from that, found none: give --separation");
@@ -36,7 +42,7 @@ void Together::require_room(const traj::TimedFlight& flight, const std::string& 
 
 void Together::add(const traj::TrajectoryRecord& record, const geom::CollisionScene* scene,
                    const std::string& source, std::size_t line) {
-  if (!asked_) return;
+  if (!collects()) return;
   if (!ids_.insert(record.id).second) {
     throw geom::InputError(source, line,
                            fmt::format("expected each id once, found \"{}\" again", record.id));
@@ -60,9 +66,9 @@ void Together::refuse_path(const std::string& id, const std::string& source,
                            std::size_t line) const {
   throw geom::InputError(
       source, line,
-      fmt::format("expected a trajectory, as --together needs times, found the path \"{}\": "
-                  "skyway-traj makes one of it",
-                  id));
+      fmt::format("expected a trajectory, as {} needs times, found the path \"{}\": skyway-traj "
+                  "makes one of it",
+                  name(), id));
 }
 
 traj::TogetherResult Together::check(bool exact, const geom::Execution& run) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// --together of skyway-check: the trajectories of a stream held against one another.
+// --together and --moving of skyway-check: the trajectories of a stream held against one another,
+// and against obstacles that move.
 
 #include <CLI/CLI.hpp>
 #include <deque>
@@ -12,6 +13,7 @@
 
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"
+#include "moving.h"
 #include "traj/record/pair_record.h"
 #include "traj/record/trajectory_record.h"
 
@@ -23,6 +25,8 @@ class Together {
   bool asked() const { return asked_; }
   // Whether flights stand at their ends before and after.
   bool parks() const { return asked_ && task_.rule.parked == traj::Parked::pad; }
+  bool collects() const { return asked_ || moving_.asked(); }  // the flights
+  Moving& moving() { return moving_; }
   // Throws cli::UsageError for options that mean nothing, alone or with files of drones.
   void refuse_idle(const CLI::App& app, bool drone_file) const;
 
@@ -42,10 +46,12 @@ class Together {
   std::size_t left_out() const { return left_out_; }
 
  private:
+  const char* name() const { return asked_ ? "--together" : "--moving"; }
   void require_room(const traj::TimedFlight& flight, const std::string& source,
                     std::size_t line) const;
 
   bool asked_ = false;
+  Moving moving_;
   traj::TogetherTask task_;
   std::set<std::string> ids_;  // of all records
   bool any_ = false;           // record, yet
