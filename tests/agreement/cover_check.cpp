@@ -31,7 +31,10 @@ footprints::Source read(const std::string& path) {
   if (path.ends_with(".geojson")) return footprints::read_vector(path, path, {});
   std::ifstream in(path);
   const geom::CityModel model = geom::read_city_json(in, path);
-  return {geom::footprints_of(model, 1, {}).footprints, model.crs, {}};
+  footprints::Source source;
+  source.footprints = geom::footprints_of(model, 1, {}).footprints;
+  source.crs = model.crs;
+  return source;
 }
 
 struct Extent {

@@ -291,14 +291,11 @@ TEST(Laz, AWayIntoTheFileThatLeadsNowhereChangesNothing) {
 // Of chunks too large to be held when they are decoded, points come as of small ones.
 TEST(Laz, ReadsVeryLargeChunks) {
   for (const unsigned format : {0u, 6u}) {
-    for (const Layout layout : {Layout::fixed, Layout::varying}) {
-      LazFile file = file_of(format, 300000);
-      file.layout = layout;
-      file.chunk = 290000;
-      file.sizes = layout == Layout::varying ? std::vector<std::size_t>{290000, 10000}
-                                             : std::vector<std::size_t>{};
-      expect_points(file, "format " + std::to_string(format));
-    }
+    LazFile file = file_of(format, 264000);
+    file.layout = format == 0 ? Layout::fixed : Layout::varying;
+    file.chunk = 263000;
+    if (format == 6) file.sizes = {263000, 1000};
+    expect_points(file, "format " + std::to_string(format));
   }
 }
 
