@@ -15,7 +15,8 @@
 namespace geom {
 namespace {
 
-constexpr double kLevelTo = 1e-3;  // metres: what rises by less is drawn flat
+constexpr double kLevelTo = 1e-3;     // metres: what rises by less is drawn flat
+constexpr double kPlanOfParts = 1.1;  // outlines of parts are drawn less finely, or more
 // What lies on the ground: without a geometry, nothing of it is known to be in the air.
 const std::set<std::string> kLevel = {"TINRelief",
                                       "LandUse",
@@ -57,12 +58,11 @@ struct Extent {
   double plan = 0;
 
   void add(const CityGeometry& geometry) {
-    std::vector<Vec3> points;
-    for (const CitySurface& surface : geometry.surfaces) {
-      for (const auto& ring : surface) points.insert(points.end(), ring.begin(), ring.end());
-      if (!surface.empty()) plan += plan_of(surface.front());
-    }
-    add({bounds(std::span<const Vec3>(points)), 0});
+    for (const CitySurface& surface : geometry.surfaces) add(surface);
+  }
+  void add(const CitySurface& surface) {
+    for (const auto& ring : surface) add({bounds(std::span<const Vec3>(ring)), 0});
+    if (!surface.empty()) plan += plan_of(surface.front());
   }
   void add(const Extent& other) {
     if (other.box) box = box ? merged(*box, *other.box) : *other.box;
@@ -99,6 +99,7 @@ class Builder {
   }
 
   CityFootprints build() {
+    for (const CityObject& object : model_.objects) note_part(object);
     for (std::size_t i = 0; i < model_.objects.size(); ++i) look_at(model_.objects[i], i);
     for (const CityObject& object : model_.objects) reach_ground(object);
     for (const Shape& shape : shapes_) {
@@ -141,6 +142,25 @@ class Builder {
     whole.high = std::max(whole.high, shape.high);
     whole.grounded |= shape.raised || !shape.roofs;
     shapes_.push_back(std::move(shape));
+  }
+
+  // What the parts of a whole have that is not flat.
+  void note_part(const CityObject& object) {
+    if (!object.is_part) return;
+    Extent extent;
+    for (const CitySurface* surface : chosen(object).surfaces) extent.add(*surface);
+    if (!extent.box || (extent.box->max.z() - extent.box->min.z()) * unit_ <= kLevelTo) return;
+    parts_[object.whole].add(extent);
+  }
+
+  // Whether the shape, drawn flat, is the plan of parts that stand on all of it: their roofs are
+  // its heights. Parts have their plan twice, as a floor and as roofs.
+  bool is_plan_of_parts(const Shape& shape) const {
+    const auto parts = parts_.find(shape.object->whole);
+    if (shape.lod >= 1 || !shape.object->has_parts || parts == parts_.end()) return false;
+    Extent own;
+    for (const CitySurface* surface : shape.surfaces) own.add(*surface);
+    return !own.reaches_beyond(parts->second) && own.plan <= kPlanOfParts * parts->second.plan / 2;
   }
 
   static Shape chosen(const CityObject& object) {
@@ -201,7 +221,7 @@ class Builder {
     const CityObject& object = *shape.object;
     if (kGround.contains(object.type) || kLevel.contains(object.type)) return true;
     const bool building = kBuilding.contains(object.type);
-    if (shape.high - shape.low > kLevelTo) return true;
+    if (shape.high - shape.low > kLevelTo || is_plan_of_parts(shape)) return true;
     const BuildingHeight height = height_of(object);
     if (building) out_.heights.emplace_back(object.name.substr(0, 60), height);
     if (height.from == HeightFrom::nothing && !building) {
@@ -267,6 +287,7 @@ class Builder {
   const HeightOptions& options_;
   std::vector<Shape> shapes_;
   std::map<std::string, Whole> wholes_;
+  std::map<std::string, Extent> parts_;  // of wholes: what stands up of their parts
   CityFootprints out_;
 };
 

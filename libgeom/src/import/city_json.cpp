@@ -68,7 +68,9 @@ class Reader {
     const std::string code = at == std::string::npos ? text : text.substr(at + 1);
     const bool digits = !code.empty() && code.size() < 10 &&
                         code.find_first_not_of("0123456789") == std::string::npos;
-    out_.crs = digits ? "EPSG:" + code : text;
+    // The last code of a system of two is that of its heights alone.
+    const bool compound = text.find("EPSG") != text.rfind("EPSG");
+    out_.crs = digits && !compound ? "EPSG:" + code : text;
   }
 
   double number(const Json& value, std::string_view what) const {

@@ -153,5 +153,51 @@ TEST(CityFootprints, NameWhatHasNoHeight) {
   EXPECT_EQ(built({object("Road", {at_lod(0, {square(0, 1, 5)})})}).footprints.size(), 1u);
 }
 
+// As the buildings of a country are published: a plan, and what stands on it as a part.
+std::vector<CityObject> plan_and_part(double part_to) {
+  CityObject building = object("Building", {at_lod(0, {square(0, 10, 1)})});
+  building.has_parts = true;
+  CityObject part =
+      object("BuildingPart",
+             {at_lod(2, {square(0, part_to, 1),
+                         {{{0, 0, 4}, {part_to, 0, 4}, {part_to, part_to, 9}, {0, part_to, 9}}}})});
+  part.is_part = true;
+  return {building, part};
+}
+
+TEST(CityFootprints, APlanHasItsHeightFromThePartsThatStandOnIt) {
+  for (const bool part_first : {false, true}) {
+    auto objects = plan_and_part(9.7);
+    if (part_first) std::swap(objects[0], objects[1]);
+    const CityFootprints out = built(objects);
+    EXPECT_TRUE(out.heights.empty());
+    EXPECT_TRUE(out.skipped.empty());
+    ASSERT_EQ(out.footprints.size(), 3u);
+    const Footprint& plan = out.footprints[part_first ? 2 : 0];
+    EXPECT_EQ(plan.top, 1);
+    EXPECT_EQ(plan.bottom, 1);
+  }
+}
+
+// A wing that no part stands on may be as high as any.
+TEST(CityFootprints, APlanThatPartsDoNotFillNeedsAHeight) {
+  EXPECT_EQ(built(plan_and_part(8)).heights.size(), 1u);
+  // As far as the plan in both directions, and half of it.
+  auto objects = plan_and_part(10);
+  objects[1] = object(
+      "BuildingPart",
+      {at_lod(2, {{{{0, 0, 1}, {10, 0, 1}, {0, 10, 1}}}, {{{0, 0, 4}, {10, 0, 4}, {0, 10, 9}}}})});
+  objects[1].is_part = true;
+  EXPECT_EQ(built(objects).heights.size(), 1u);
+  // Drawn flat themselves.
+  objects[1] = object("BuildingPart", {at_lod(0, {square(0, 10, 1)})});
+  objects[1].is_part = true;
+  EXPECT_EQ(built(objects).heights.size(), 2u);
+  // Parts of another building.
+  objects = plan_and_part(10);
+  objects[1].whole = "another";
+  EXPECT_EQ(built(objects).heights.size(), 1u);
+}
+
 }  // namespace
 }  // namespace geom

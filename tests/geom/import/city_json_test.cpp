@@ -46,6 +46,30 @@ TEST(CityJson, PlacesTemplates) {
 
 TEST(CityJson, RefusesATemplateThatIsNotThere) { EXPECT_ANY_THROW(city(kTree)); }
 
+std::string crs_of(const std::string& named) {
+  std::istringstream in(
+      R"({"type":"CityJSON","version":"2.0","vertices":[[0,0,0],[9,0,0],[9,9,4]],)"
+      R"("CityObjects":{"b":{"type":"Building","geometry":[{"type":"MultiSurface",)"
+      R"("lod":"2","boundaries":[[[0,1,2]]]}]}},"metadata":{"referenceSystem":")" +
+      named + R"("}})");
+  return read_city_json(in, "t").crs;
+}
+
+TEST(CityJson, NamesItsReferenceSystemByItsCode) {
+  EXPECT_EQ(crs_of("https://www.opengis.net/def/crs/EPSG/0/7415"), "EPSG:7415");
+  EXPECT_EQ(crs_of("urn:ogc:def:crs:EPSG::7415"), "EPSG:7415");
+}
+
+// Of two systems the last is that of heights: its code alone would place nothing.
+TEST(CityJson, NamesACompoundReferenceSystemAsTheFileDoes) {
+  for (const char* named :
+       {"https://www.opengis.net/def/crs-compound?1=https://www.opengis.net/def/"
+        "crs/EPSG/0/28992&2=https://www.opengis.net/def/crs/EPSG/0/5709",
+        "urn:ogc:def:crs,crs:EPSG::28992,crs:EPSG::5709"}) {
+    EXPECT_EQ(crs_of(named), named);
+  }
+}
+
 // Objects over four points of a slope, the last of them at the origin.
 CityFootprints on_a_slope(const std::string& objects) {
   std::istringstream in(R"({"type":"CityJSON","version":"2.0","CityObjects":{)" + objects +

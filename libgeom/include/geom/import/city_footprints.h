@@ -30,7 +30,9 @@ struct CityFootprints {
 // building that is drawn flat stands on that as high as `measuredHeight`, `height` or
 // `storeysAboveGround` say, or else `options.default_height`; a roof's edge alone is taken at
 // either end of that height. Others that are drawn flat reach up by their `height` or
-// `averageHeight`.
+// `averageHeight`. A plan in level of detail 0 of an object whose parts stand on it has its heights
+// from them, and lies on the ground: where they reach over a quarter less of it, or together over a
+// tenth less, it needs a height of its own.
 //
 // Skipped are: an object without surfaces, unless it has parts, lies on the ground or is a group;
 // one that stands up, is drawn flat in level of detail 0 and has no height; and a building of roofs

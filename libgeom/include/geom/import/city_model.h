@@ -34,7 +34,7 @@ struct CityObject {
 
 struct CityModel {
   std::vector<CityObject> objects;
-  std::string crs;  // "EPSG:7415", or empty
+  std::string crs;  // "EPSG:7415", or as the file names it, or empty
   Skipped skipped;  // what the reader could not take in
 };
 
