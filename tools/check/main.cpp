@@ -194,6 +194,30 @@ void check_moving(const cli::Common& common, checking::Together& together, Repor
                         found.conflicts.size(), traj::in_words(found.conflicts.front())));
 }
 
+// What does not go together.
+void refuse_together(const Options& options, bool shard) {
+  if (shard && options.together.asked()) {
+    throw cli::UsageError(
+        "--together holds each flight against each, and a shard holds some: leave --shard or "
+        "--together out");
+  }
+  if (shard && options.together.moving().asked()) {
+    throw cli::UsageError(
+        "--moving says how all flights came out, and a shard holds some: leave --shard or "
+        "--moving out");
+  }
+  if (options.together.moving().asked() && options.rules().exact) {
+    throw cli::UsageError(
+        "--exact and --certificate do not look at obstacles that move: check with --moving in a "
+        "run of its own");
+  }
+  if (shard && !options.junit.file().empty()) {
+    throw cli::UsageError(
+        "--junit says how all records came out, and a shard holds some: leave "
+        "--shard or --junit out");
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -206,26 +230,7 @@ int main(int argc, char** argv) {
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     options.refuse_idle(app);
-    if (sharding.asked() && options.together.asked()) {
-      throw cli::UsageError(
-          "--together holds each flight against each, and a shard holds some: leave --shard or "
-          "--together out");
-    }
-    if (sharding.asked() && options.together.moving().asked()) {
-      throw cli::UsageError(
-          "--moving says how all flights came out, and a shard holds some: leave --shard or "
-          "--moving out");
-    }
-    if (options.together.moving().asked() && options.rules().exact) {
-      throw cli::UsageError(
-          "--exact and --certificate do not look at obstacles that move: check with --moving in a "
-          "run of its own");
-    }
-    if (sharding.asked() && !options.junit.file().empty()) {
-      throw cli::UsageError(
-          "--junit says how all records came out, and a shard holds some: leave "
-          "--shard or --junit out");
-    }
+    refuse_together(options, sharding.asked());
     cli::at_most_one_stdin({options.map, options.input, options.flights.plan(),
                             options.flights.tube(), options.together.moving().file()});
     sharding.begin(app,
