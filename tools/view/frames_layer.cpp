@@ -11,8 +11,8 @@
 namespace view {
 namespace {
 
-constexpr double kFarthest = 5;     // metres from the vehicle to its camera
-constexpr double kLateness = 1e-6;  // seconds that a frame may be outside the motion
+constexpr double kFarthestCamera = 5;  // metres from the vehicle to its camera
+constexpr double kLateness = 1e-6;     // seconds that a frame may be outside the motion
 
 // As they stand in the page: solved trajectories, then flights.
 std::vector<render::Motion> motions_of(const cli::Contents& contents) {
@@ -52,12 +52,12 @@ Json frames_layer(const Frames& frames, const cli::Contents& contents, Bundle& b
       best = i;
     }
   }
-  if (!(least <= kFarthest)) {
+  if (!(least <= kFarthestCamera)) {
     throw geom::InputError(
         frames.source,
         fmt::format("expected frames along a trajectory or flight of this page, the camera within "
                     "{} m of it at all times; found {}",
-                    kFarthest,
+                    kFarthestCamera,
                     std::isfinite(least) ? fmt::format("the nearest {:.3g} m away", least)
                                          : "none that lasts so long"));
   }
