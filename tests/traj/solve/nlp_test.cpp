@@ -26,6 +26,7 @@ Nlp random_problem(testing::Random& random) {
   for (std::size_t k = 0; k <= n; ++k) {
     const bool end = k == 0 || k == n;
     State s = end ? State{random.vector(20)} : random.state(5);
+    if (k == n) s.velocity = Vec3(2, -3, 1);  // fixed, and not at rest
     spec.state.push_back(s);
     spec.scale.push_back({1, random.number(1, 8), random.number(1, 6), random.number(5, 20)});
   }
