@@ -115,8 +115,11 @@ TEST(Simplify, KeepsTimesApart) {
   const BoxTable joined = simplify(before, 2).table;
   ASSERT_EQ(joined.boxes.size(), 1u);
   EXPECT_EQ(joined.time(0), (TimeSpan{0, 10}));
-  // A third one that fills the gap, but not at these times, is no reason to join them.
-  before.add({{4, 0, 0}, {5, 4, 4}}, 3);
+  // A third one that fills the corner between them, but not at these times, is no reason to join.
+  before =
+      support::table_of({{{0, 0, 0}, {4, 4, 4}}, {{4, 0, 0}, {8, 2, 4}}, {{4, 2, 0}, {8, 4, 4}}});
+  before.set_time(0, {0, 10});
+  before.set_time(1, {0, 10});
   before.set_time(2, {0, 9});
   EXPECT_EQ(simplify(before, 0.1).table.boxes.size(), 3u);
   before.set_time(2, {-1, 11});
