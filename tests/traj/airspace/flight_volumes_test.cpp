@@ -100,6 +100,27 @@ TEST(FlightVolumes, HoldTheFlight) {
   }
 }
 
+// Control points that lie so near each other give outlines with edges of millimetres.
+TEST(FlightVolumes, HoldFlightsThatStopAndGo) {
+  Flight flight;
+  Vec3 at(30, 5, 5);
+  for (const Vec3& to :
+       {Vec3(26.001, 26.001, 4.949), Vec3(16.999, 34.999, 4.962), Vec3(10, 70, 5)}) {
+    Segment s;
+    s.duration = 6;
+    for (std::size_t k = 0; k < kPoints; ++k) s.point[k] = k < kPoints / 2 ? at : to;
+    flight.trajectory.segments.push_back(s);
+    at = to;
+  }
+  flight.on_earth = {{&flight.trajectory, 12.5, Vec3(1, 1, 1)},
+                     "2026-05-04T06:30:00Z",
+                     {37.79248, -122.39745, -10}};
+  for (const std::size_t most : {1u, 2u, 5u, 12u, 64u}) {
+    const auto volumes = flight_volumes(flight.on_earth, most, "f");
+    EXPECT_EQ(why_not_held(flight.on_earth, volumes, "f"), std::nullopt) << most;
+  }
+}
+
 TEST(FlightVolumes, HoldEveryCornerAsOthersSeeIt) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     Flight flight;

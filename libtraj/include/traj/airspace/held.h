@@ -24,9 +24,9 @@ struct FlightOnEarth {
 // arrival one follows the other without a gap, in order. Else what does not hold, in words.
 //
 // Proved as check_pair() proves: by the control points of stretches of the curve, which lie within
-// the polygon's edges less their bulge (geom::outline_on_map) and 1e-6 m for projecting and
-// rounding; stretches are halved. So edges may be taken as straight in degrees, as geodesics or in
-// metres. Outlines must be convex polygons; throws geom::InputError(source, …) as outline_on_map().
+// the polygon, from each of whose edges a plane keeps them away by its bulge (geom::outline_on_map)
+// and 1e-6 m for projecting and rounding; stretches are halved. So edges may be taken as straight
+// in degrees, as geodesics or in metres. Throws geom::InputError(source, …) as outline_on_map().
 std::optional<std::string> why_not_held(const FlightOnEarth& flight,
                                         std::span<const geom::Volume4d> volumes,
                                         std::string_view source);
