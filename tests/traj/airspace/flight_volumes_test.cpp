@@ -118,6 +118,32 @@ TEST(FlightVolumes, HoldFlightsThatStopAndGo) {
   for (const std::size_t most : {1u, 2u, 5u, 12u, 64u}) {
     const auto volumes = flight_volumes(flight.on_earth, most, "f");
     EXPECT_EQ(why_not_held(flight.on_earth, volumes, "f"), std::nullopt) << most;
+// Their sides have many corners that lie all but on one line.
+TEST(FlightVolumes, HoldFlightsOfStraightLegs) {
+  std::mt19937_64 random(5);
+  for (const double size : {20.0, 200.0, 3000.0}) {
+    std::uniform_real_distribution<> across(-size, size);
+    std::uniform_real_distribution<> up(20, 400);
+    for (int i = 0; i < 8; ++i) {
+      Flight flight;
+      Vec3 at(across(random), across(random), up(random));
+      for (int leg = 0; leg < 2; ++leg) {
+        const Vec3 to(across(random), across(random), up(random));
+        Segment s;
+        s.duration = size / 5;
+        for (std::size_t k = 0; k < kPoints; ++k) {
+          s.point[k] = at + (to - at) * (static_cast<double>(k) / kDegree);
+        }
+        flight.trajectory.segments.push_back(s);
+        at = s.point.back();
+      }
+      flight.on_earth = {
+          {&flight.trajectory, 12.5, Vec3(1, 1, 1)}, "2026-05-04T06:30:00Z", kOrigin};
+      for (const std::size_t most : {1u, 8u}) {
+        const auto volumes = flight_volumes(flight.on_earth, most, "f");
+        EXPECT_EQ(why_not_held(flight.on_earth, volumes, "f"), std::nullopt) << size << ' ' << i;
+      }
+    }
   }
 }
 
