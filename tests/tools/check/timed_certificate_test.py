@@ -61,7 +61,12 @@ with tempfile.TemporaryDirectory() as folder:
         json.dump({"type": "FeatureCollection", "features": zones}, file)
     tool("skyway-map", "patch", "m.boxmap", "--keep-out", "z.geojson", "--keep-out-local", "--epoch", EPOCH, "-o", "t.boxmap")
     box_map = BoxMap("t.boxmap")
-    assert box_map.times and box_map.hash != BoxMap("m.boxmap").hash
+    # Always-there volumes as well: the map that only the timed ones were added to.
+    with open("a.geojson", "w") as file:
+        json.dump({"type": "FeatureCollection", "features": [z for z in zones if not {"from", "until"} & set(z["properties"])]}, file)
+    tool("skyway-map", "patch", "m.boxmap", "--keep-out", "a.geojson", "--keep-out-local", "-o", "a.boxmap")
+    without = BoxMap("a.boxmap")
+    assert box_map.times and len({box_map.hash, without.hash, BoxMap("m.boxmap").hash}) == 3 and without.always_there == without.hash
     place = lambda: [random.uniform(0, 100), random.uniform(0, 100), random.uniform(5, 20)]
     records = [flight(f"f{i}", random.choice([random.uniform(-300, 1800), random.randrange(0, 1500, 30)]), random.uniform(5, 60),
                       [place() for _ in range(random.randint(2, 4))]) for i in range(300)]
@@ -80,6 +85,8 @@ with tempfile.TemporaryDirectory() as folder:
             assert by_id[record["id"]]["timed_boxes"] == "by_time"
             assert ("parked" in certificate) == (len(options) == 3)
             verify(record, certificate, box_map)
+            verify(changed(record, lambda r: r.update(map=without.hash)), certificate, box_map)
+            assert refused(record, changed(certificate, lambda c: c.update(map=without.hash)), box_map)
             verified += 1
             standing += "parked" in certificate
             assert refused(changed(record, lambda r: r.update(start=r["start"] + 1)), certificate, box_map)

@@ -171,7 +171,9 @@ class BoxMap:
         sides = entries(meta.get("bounds"), "the bounds of the map")
         require(len(sides) == 2, "the bounds of the map must be two corners")
         self.bounds = corners(sum((numbers(side, 3, "the bounds of the map") for side in sides), []), "the bounds of the map")
-        self.hash = self.worked_out(meta, rows)
+        self.hash = self.worked_out(meta, rows, range(len(rows)))
+        # Of the map before boxes with times were added, which records may name.
+        self.always_there = self.worked_out(meta, rows, [i for i in range(len(rows)) if i not in self.times])
         require(meta.get("hash") == self.hash, f"the map says the hash {shown(meta.get('hash'))}, its content has {self.hash}")
 
     def looked_at(self, indices, spans):
@@ -189,15 +191,17 @@ class BoxMap:
         self.raw_times = dict(zip(out, spans))
         return out
 
-    def worked_out(self, meta, rows):
-        head = f"timed\n{len(self.times)}\n{self.epoch}\n" if self.times else ""
+    def worked_out(self, meta, rows, some):
+        """The hash of the map of some of its boxes."""
+        timed = [i for i in some if i in self.times]
+        head = f"timed\n{len(timed)}\n{self.epoch}\n" if timed else ""
         total = hashlib.sha256(f"{head}{self.frame}\n{text(meta, 'crs', 'the map')}\n".encode())
         if "origin" in meta:
             total.update(struct.pack("<3d", *numbers(meta["origin"], 3, "the origin of the map")))
         total.update(struct.pack("<6d", *self.bounds[0], *self.bounds[1]))
-        for i in sorted(range(len(rows)), key=self.boxes.__getitem__):
+        for i in sorted(some, key=self.boxes.__getitem__):
             total.update(rows[i])
-        for i in sorted(self.times, key=lambda i: (self.boxes[i], struct.unpack("<2d", self.raw_times[i]))):
+        for i in sorted(timed, key=lambda i: (self.boxes[i], struct.unpack("<2d", self.raw_times[i]))):
             total.update(rows[i] + self.raw_times[i])
         return "sha256:" + total.hexdigest()
 
@@ -539,11 +543,11 @@ def limits_of(record):
     return limits
 
 
-def said_by(record, box_map, what, keys):
+def said_by(record, box_map, what, keys, hashes):
     """What a record, or a certificate, says was asked. All of `keys` must be there."""
     missing = [key for key in keys if key not in record]
     require(not missing, f"{what} does not say {missing}")
-    require(record.get("map", box_map.hash) == box_map.hash, f"{what} is of another map: {shown(record.get('map'))}, this one is {box_map.hash}")
+    require(record.get("map", box_map.hash) in hashes, f"{what} is of another map: {shown(record.get('map'))}, this one is {box_map.hash}")
     require(record.get("frame", box_map.frame) == box_map.frame, f"{what} is in the frame {shown(record.get('frame'))}, the map in {box_map.frame}")
     vehicle = an_object(record.get("vehicle", {"half": [0, 0, 0]}), f"the vehicle of {what}")
     if "name" in vehicle:
@@ -563,8 +567,8 @@ def claim_of(record, certificate, box_map):
     """The stricter of what was asked for the record and what the certificate was made with."""
     sides = [numbers(s, 3, "the bounds") for s in entries(certificate.get("bounds"), "the bounds of the certificate")]
     require(sides == list(box_map.bounds), "the certificate has other bounds than the map")
-    asked = said_by(record, box_map, "the record", ())
-    made = said_by(certificate, box_map, "the certificate", ("map", "frame", "vehicle", "margin"))
+    asked = said_by(record, box_map, "the record", (), (box_map.hash, box_map.always_there))
+    made = said_by(certificate, box_map, "the certificate", ("map", "frame", "vehicle", "margin"), (box_map.hash,))
     claim = {"half": [max(pair) for pair in zip(asked["half"], made["half"])],
              "margin": max(asked["margin"], made["margin"]), "limits": stricter(asked["limits"], made["limits"])}
     return claim | times_claimed(record, certificate, box_map)
