@@ -30,6 +30,7 @@ void be_quiet() {
 
 void try_in_child(const std::function<void()>& read, const std::string& library,
                   const std::string& source) {
+  std::signal(SIGCHLD, SIG_DFL);  // a parent may leave it ignored: then no child can be waited for
   const pid_t child = fork();
   if (child < 0) {
     throw std::system_error(errno, std::generic_category(),

@@ -86,6 +86,7 @@ class Child {
     std::array<int, 2> ends;
     if (::pipe(ends.data()) != 0) fail("pipe");
     const pid_t parent = ::getpid();
+    std::signal(SIGCHLD, SIG_DFL);  // a parent may leave it ignored: then how it ended is not known
     process_ = ::fork();
     if (process_ < 0) fail("fork");
     if (process_ > 0) {
