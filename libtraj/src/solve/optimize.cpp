@@ -226,6 +226,7 @@ OptimizeResult optimize(const Corridor& given, const OptimizeOptions& options) {
   if (all.size() == 1) return optimize_part(given, {}, options);
   OptimizeResult whole;
   whole.settled = true;
+  whole.cruises = true;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto pieces = all[i].of(given);
     if (all[i].cruises()) {

@@ -82,7 +82,8 @@ std::optional<Trajectory> optimised_in(Corridor corridor, Optimizer optimizer,
                                        const SolveOptions& options, SolveResult& result) {
   if (corridor.empty()) return std::nullopt;
   const int most = result.rounds + kRounds;
-  // What cruises stays on the path, so where that is not proved the optimiser takes all of it.
+  // What cruises stays on the path and hands on its speed: where that is not proved, or a part
+  // beside it does not settle, the optimiser takes all of it.
   for (bool cruise = true;; cruise = false) {
     ++result.rounds;
     result.corridor = corridor;
@@ -92,15 +93,15 @@ std::optional<Trajectory> optimised_in(Corridor corridor, Optimizer optimizer,
     result.iterations += round.iterations;
     result.objective = round.objective;
     result.max_violation = round.max_violation;
+    if (round.cruises && !round.settled) continue;
     const bool ipopt_follows =
         options.solver == Solver::automatic && optimizer == Optimizer::banded;
     if (ipopt_follows && !round.settled) return std::nullopt;
     const Trajectory curve =
         slowed(round.trajectory, smallest_factor(round.trajectory, options.limits));
     if (proved(scene, curve, options.limits, result)) return curve;
-    if (result.rounds == most || add_planes_met(scene, curve, corridor) == 0) {
-      return std::nullopt;
-    }
+    if (result.rounds == most) return std::nullopt;
+    if (add_planes_met(scene, curve, corridor) == 0 && !round.cruises) return std::nullopt;
   }
 }
 

@@ -113,5 +113,25 @@ TEST(Cruise, IsProvedWithWhatIsBesideIt) {
   EXPECT_EQ(result.trajectory.segments.back().point.back(), path.back());
 }
 
+// Beside the cruise of this climb the banded optimiser ends with a step too small.
+TEST(Cruise, GivesWayWhereAPartBesideItDoesNotSettle) {
+  const geom::Aabb bounds{Vec3(-50, -50, 0), Vec3(50, 50, 150)};
+  const geom::CollisionScene scene =
+      testing::scene_of({{Vec3(30, 30, 0), Vec3(40, 40, 50)}}, bounds);
+  const geom::Polyline climb{Vec3(0, 0, 10), Vec3(0, 0, 75.130578512195029),
+                             Vec3(0, 0, 132.11742781556626)};
+  SolveOptions options;
+  options.limits = {{Limit::speed, 2.5984893880977507},
+                    {Limit::tilt, 0.43493255321780971},
+                    {Limit::thrust, 19.432771017442068}};
+  for (const Solver solver : {Solver::automatic, Solver::banded}) {
+    options.solver = solver;
+    const SolveResult result = solve(scene, climb, options);
+    ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
+    EXPECT_EQ(result.rung, Rung::banded);
+    EXPECT_LT(duration(result.trajectory), 60) << "122 m at 2.6 m/s";
+  }
+}
+
 }  // namespace
 }  // namespace traj

@@ -29,6 +29,7 @@ struct OptimizeResult {
   Trajectory trajectory;               // one segment a piece; whatever the solver came back with
   std::string status = "was not run";  // the solver's word; never a proof
   bool settled = false;                // whether it ended because there was little left to gain
+  bool cruises = false;                // whether a part of it is flown at constant speed
   int iterations = 0;                  // of parts, the most
   double objective = 0;                // duration + rho * integral of snap^2
   double max_violation = 0;  // of the constraints, in their own units: metres, squared ratios
