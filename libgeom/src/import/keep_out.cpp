@@ -57,9 +57,9 @@ class Reader {
     if (!options_.local && has_foreign_crs(object)) throw InputError(source_, kForeignCrs);
   }
 
-  void require_epoch(const Json& root) const {
-    if (!root.contains("epoch") || root["epoch"].is_null()) return;
-    const Json& value = root["epoch"];
+  void require_epoch(const Json& object) const {
+    if (!object.contains("epoch") || object["epoch"].is_null()) return;
+    const Json& value = object["epoch"];
     if (!options_.epoch || !value.is_string() ||
         epoch_from(value.get<std::string>()) != options_.epoch) {
       throw InputError(source_,
@@ -75,6 +75,9 @@ class Reader {
     if (!geometry.is_object()) refuse("expected a feature with a geometry, found none");
     require_wgs84(feature);
     require_wgs84(geometry);
+    if (properties.contains("from") || properties.contains("until")) {
+      for (const Json* object : {&feature, &properties, &geometry}) require_epoch(*object);
+    }
     Footprint volume;
     volume.id = feature_;
     volume.bottom = altitude(properties, {"lower", "lower_altitude_m"}, options_.floor);

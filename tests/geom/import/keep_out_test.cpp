@@ -118,6 +118,10 @@ TEST(KeepOut, RefusesTimesThatCannotBe) {
   EXPECT_NE(refusal("", kTimed, other).find("expected the epoch of the map"), std::string::npos);
   EXPECT_NE(refusal("", {.local = true}, other).find("which has none"), std::string::npos);
   EXPECT_EQ(refusal("", kTimed, R"("epoch":"2026-05-04T06:30:00.0Z",)"), "");
+  EXPECT_NE(refusal(R"(,"from":100,"epoch":"2026-05-04T07:30:00Z")").find("the epoch of the map"),
+            std::string::npos);
+  EXPECT_EQ(refusal(R"(,"from":100,"epoch":"2026-05-04T06:30:00Z")"), "");
+  EXPECT_EQ(refusal(R"(,"epoch":2020.5)", {.local = true}), "");  // of nothing here
 }
 
 TEST(KeepOut, RefusesWhatIsNoVolume) {

@@ -35,10 +35,11 @@ struct KeepOutOptions {
 // A FeatureCollection, a Feature or a geometry of Polygons and MultiPolygons. Properties: `lower`
 // or `lower_altitude_m`, `upper` or `upper_altitude_m` (metres in the map's z), and `name`. A
 // volume is always there unless the property `from` or `until` says otherwise: seconds after the
-// epoch, or an instant in UTC (RFC 3339). Both are closed. A member `epoch` of the whole names the
-// epoch. Throws InputError(source, …) for malformed JSON, other geometries, rings of fewer than 4
-// positions, altitudes that are no numbers or inverted, times that are none or inverted, times
-// without an epoch, another epoch, and without `local` for a frame that has no origin.
+// epoch, or an instant in UTC (RFC 3339). Both are closed. A member `epoch` of the whole, or of a
+// volume with times, names the epoch. Throws InputError(source, …) for malformed JSON, other
+// geometries, rings of fewer than 4 positions, altitudes that are no numbers or inverted, times
+// that are none or inverted, times without an epoch, another epoch, and without `local` for a frame
+// that has no origin.
 KeepOut read_keep_out(std::istream& in, std::string_view source, const Frame& frame,
                       const KeepOutOptions& options);
 
