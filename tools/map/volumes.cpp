@@ -29,7 +29,7 @@ using geom::Vec3;
 // than seconds.
 void refuse_long_stairs(const geom::Polygon& polygon, double slack, const std::string& name,
                         std::uint64_t feature) {
-  constexpr double kMostSteps = 1e4;
+  constexpr double kMostPieces = 1e4;
   double longest = 0;
   const auto look_at = [&](const std::vector<Vec2>& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -39,13 +39,13 @@ void refuse_long_stairs(const geom::Polygon& polygon, double slack, const std::s
   };
   look_at(polygon.outer);
   std::for_each(polygon.holes.begin(), polygon.holes.end(), look_at);
-  if (longest <= kMostSteps * slack) return;
+  if (longest <= kMostPieces * slack) return;
   throw geom::InputError(
       name,
       fmt::format("feature {}: expected sloping sides of at most {:.6g} m (1e4 times --slack), "
                   "found one of {:.6g} m: give --slack {:.3g} or more, or cut the volume to the "
                   "map",
-                  feature, kMostSteps * slack, longest, std::ceil(longest / kMostSteps)));
+                  feature, kMostPieces * slack, longest, std::ceil(longest / kMostPieces)));
 }
 
 // One JSON value in the form of ASTM F3548, and not of GeoJSON.

@@ -26,6 +26,14 @@ void Skipped::add(const Skipped& other) {
   }
 }
 
+void Skipped::add_of(std::string_view file, const Skipped& other) {
+  Skipped named = other;
+  for (auto& [name, kind] : named.kinds_) {
+    for (std::string& which : kind.first) which = fmt::format("{}: {}", file, which);
+  }
+  add(named);
+}
+
 std::size_t Skipped::count() const {
   std::size_t count = 0;
   for (const auto& [name, kind] : kinds_) count += kind.count;

@@ -103,6 +103,9 @@ Subtree::Subtree(const std::string& path, const SubtreeShape& shape, const Model
   }
   SubtreeBytes bytes(path, files);
   const JsonMembers root = bytes.root();
+  if (root.members("extensions").contains("3DTILES_multiple_contents")) {
+    root.refuse("3DTILES_multiple_contents is not read: write version 1.1");
+  }
   const auto availability = [&](const char* key, std::uint64_t count) {
     return read({root.members(key), path, key}, bytes, count);
   };
@@ -118,6 +121,7 @@ Subtree::Subtree(const std::string& path, const SubtreeShape& shape, const Model
         read(root.at("contentAvailability", k, "contentAvailability"), bytes, tiles));
   }
   require_whole(path);
+  if (!has_tile(0, 0)) root.refuse("expected the tile that it begins with, found none");
 }
 
 Subtree::Availability Subtree::read(const JsonMembers& availability, SubtreeBytes& bytes,

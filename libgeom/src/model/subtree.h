@@ -22,7 +22,8 @@ class Subtree {
  public:
   // The subtree file at `path`, as JSON or binary; `files` reads others that it names. Throws
   // InputError for what is malformed or cut short, for counts that are not those of its bits, and
-  // for what would be lost: tiles below none, content of no tile, subtrees below none.
+  // for what would be lost: tiles below none, content of no tile, subtrees below none, all of a
+  // subtree without its first tile.
   Subtree(const std::string& path, const SubtreeShape& shape, const ModelFiles& files);
 
   bool has_tile(std::uint64_t level, std::uint64_t i) const { return tiles_.at(place(level, i)); }

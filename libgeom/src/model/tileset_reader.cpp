@@ -203,7 +203,7 @@ class TilesetReader {
       triangle.part = part_of(content, t, names, path);
       model_.mesh.triangles.push_back(triangle);
     }
-    model_.skipped.add(content.skipped);
+    model_.skipped.add_of(path, content.skipped);
     return !content.mesh.triangles.empty() || !content.skipped.empty();
   }
 

@@ -14,4 +14,15 @@ TEST(Skipped, NamesTheFirstOfEachKind) {
   EXPECT_EQ(skipped.text(), "1 x a (x), 5 x b (line 1, line 2, line 3, …)");
 }
 
+TEST(Skipped, SaysOfWhichFileItIs) {
+  geom::Skipped part;
+  part.add("a", "line 7");
+  geom::Skipped whole;
+  whole.add("a", "line 2");
+  whole.add_of("b.obj", part);
+  whole.add_of("c.obj", part);
+  EXPECT_EQ(whole.text(), "3 x a (line 2, b.obj: line 7, c.obj: line 7)");
+  EXPECT_EQ(part.text(), "1 x a (line 7)");
+}
+
 }  // namespace

@@ -98,6 +98,9 @@ TEST(Subtree, RefusesWhatIsCutAndWhatLies) {
   file = kGood;
   file.text["bufferViews"][0]["byteOffset"] = 4;
   expect_refusal(file, "expected it within the 4 bytes of its buffer");
+  file = kGood;
+  file.text["extensions"]["3DTILES_multiple_contents"] = json::object();
+  expect_refusal(file, "3DTILES_multiple_contents is not read");
   expect_refusal(kGood, "expected contentAvailability of 2 contents, found 1", {4, 2, 2});
   expect_refusal(kGood, "bits, found", {4, 3, 1});
 }
@@ -107,6 +110,7 @@ TEST(Subtree, RefusesWhatWouldHangBelowNothing) {
   expect_refusal(SubtreeFile("11000", {"00010"}, "0"), "content is available at level 1");
   expect_refusal(SubtreeFile("11000", {"0"}, "0000100000000000"),
                  "a subtree below is available at level 1 of the subtree, place 1");
+  expect_refusal(SubtreeFile("0", {"1"}, "1"), "expected the tile that it begins with, found none");
 }
 
 }  // namespace

@@ -149,6 +149,14 @@ TEST(ReadTileset, CountsContentThatItDoesNotKnow) {
   EXPECT_EQ(read(root, files).model.skipped.count(), 4u);
 }
 
+TEST(ReadTileset, SaysWhichTileHoldsWhatCannotBeBuilt) {
+  GltfFile file(TriangleMesh{{{0, 0, 0}, {1, 2, 3}, {0, 1, 0}}, {{{0, 1, 2}, 0}}});
+  file.text["meshes"][0]["primitives"][0]["mode"] = 1;
+  const Files files = {{"a.glb", house()}, {"b.glb", file.bytes()}};
+  const json root = refined(tile("", {tile("a.glb"), tile("b.glb")}), "ADD");
+  EXPECT_EQ(read(root, files).model.skipped.text(), "1 x points or lines (b.glb: mode 1)");
+}
+
 TEST(ReadTileset, RefusesWhatItWouldReadWrongly) {
   const Files files = {{"a.glb", house()}};
   const json good = refined(tile("a.glb"), "ADD");

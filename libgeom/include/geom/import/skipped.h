@@ -17,6 +17,7 @@ class Skipped {
   // `kind`: "unknown keyword"; `which`: "line 7: window".
   void add(const std::string& kind, std::string which);
   void add(const Skipped& other);
+  void add_of(std::string_view file, const Skipped& other);  // its names say that they are of that
 
   bool empty() const { return kinds_.empty(); }
   std::size_t count() const;

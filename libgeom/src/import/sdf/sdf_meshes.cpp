@@ -39,7 +39,7 @@ bool SdfMeshes::skips(const SdfNode& mesh) {
   return false;
 }
 
-const Model* SdfMeshes::find(const SdfNode& uri) {
+const SdfMeshes::MeshFile* SdfMeshes::find(const SdfNode& uri) {
   const std::string name(uri.text());
   const std::string ending = ending_of(name);
   if (ending != ".obj" && ending != ".stl") {
@@ -51,23 +51,23 @@ const Model* SdfMeshes::find(const SdfNode& uri) {
     skipped_.add("mesh that is not found", sdf_place(uri, name));
     return nullptr;
   }
-  const auto known = models_.find(file->name);
-  if (known != models_.end()) return &known->second;
+  const auto known = files_.find(file->name);
+  if (known != files_.end()) return &known->second;
   std::istringstream in(file->text);
   Model model = ending == ".obj" ? read_obj(in, file->name) : read_stl(in, file->name);
   if (model.mesh.triangles.empty() && model.skipped.empty()) {
     throw InputError(file->name, "expected triangles, found none");
   }
-  return &(models_[file->name] = std::move(model));
+  return &(files_[file->name] = {file->name, std::move(model)});
 }
 
 std::vector<Aabb> SdfMeshes::boxes_of(const SdfNode& mesh, const SdfPose& pose) {
   if (skips(mesh)) return {};
   const Vec3 scale = scale_of(mesh);
-  const Model* model = find(mesh.child("uri"));
-  if (!model) return {};
-  skipped_.add(model->skipped);
-  TriangleMesh turned = model->mesh;
+  const MeshFile* file = find(mesh.child("uri"));
+  if (!file) return {};
+  skipped_.add_of(file->name, file->model.skipped);
+  TriangleMesh turned = file->model.mesh;
   double reach = 0;
   for (Vec3& v : turned.vertices) {
     v = v.cwiseProduct(scale);

@@ -23,11 +23,15 @@ class SdfMeshes {
 
  private:
   bool skips(const SdfNode& mesh);
-  const Model* find(const SdfNode& uri);
+  struct MeshFile {
+    std::string name;
+    Model model;
+  };
+  const MeshFile* find(const SdfNode& uri);
 
   const SdfOptions& options_;
   Skipped& skipped_;
-  std::map<std::string, Model> models_;  // by the names of their files
+  std::map<std::string, MeshFile> files_;  // by their names
 };
 
 }  // namespace geom
