@@ -27,6 +27,7 @@ class Together {
   bool parks() const { return asked_ && task_.rule.parked == traj::Parked::pad; }
   bool collects() const { return asked_ || moving_.asked(); }  // the flights
   Moving& moving() { return moving_; }
+  const Moving& moving() const { return moving_; }
   // Throws cli::UsageError for options that mean nothing, alone or with files of drones.
   void refuse_idle(const CLI::App& app, bool drone_file) const;
 
