@@ -118,6 +118,9 @@ TEST(FlightVolumes, HoldFlightsThatStopAndGo) {
   for (const std::size_t most : {1u, 2u, 5u, 12u, 64u}) {
     const auto volumes = flight_volumes(flight.on_earth, most, "f");
     EXPECT_EQ(why_not_held(flight.on_earth, volumes, "f"), std::nullopt) << most;
+  }
+}
+
 // Their sides have many corners that lie all but on one line.
 TEST(FlightVolumes, HoldFlightsOfStraightLegs) {
   std::mt19937_64 random(5);
