@@ -3,6 +3,7 @@
 flights.py queries FLIGHTS.csv FOLDER [COUNT]   the first COUNT in the order in which they were filed
 flights.py bounds FOLDER                        of the blocks and all pads, 200 m wider, on stdout
 flights.py merge FOLDER FILE ...                records of several files in the order of the queries
+flights.py refused FOLDER                       queries of the flights that no departure keeps apart
 flights.py summary FOLDER                       what came of it
 
 A row of the table: time filed, id, vehicle, time asked for, origin and destination as (longitude,
@@ -94,6 +95,14 @@ def merge(folder, files):
         sys.stdout.buffer.write(streams[file].read(length))
 
 
+def refused(folder):
+    report = json.loads((folder / "first.report.json").read_text())
+    wanted = {flight["id"] for flight in report["refused"]}
+    for file in sorted(folder.glob("queries.*.jsonl")):
+        lines = [line for line in file.read_text().splitlines() if json.loads(line)["id"] in wanted]
+        if lines:
+            write(folder / file.name.replace("queries", "refused", 1), lines)
+
 
 def summary(folder):
     report = json.loads((folder / "fleet.report.json").read_text())
@@ -127,6 +136,8 @@ def main():
         bounds(pathlib.Path(rest[0]))
     elif verb == "merge":
         merge(pathlib.Path(rest[0]), rest[1:])
+    elif verb == "refused":
+        refused(pathlib.Path(rest[0]))
     elif verb == "summary":
         summary(pathlib.Path(rest[0]))
     else:

@@ -9,6 +9,7 @@
 #   JOBS    how many at once (all cores)
 #   DELAY   the longest wait, seconds (300)
 #   IMPROVE rounds (20)
+#   LAYERS  where flights cruise that are planned anew, as they would wait longer (70,7.8,6)
 set -euo pipefail
 buildings=$(realpath "$1")
 flights=$(realpath "$2")
@@ -16,6 +17,7 @@ folder=$3
 count=${4:-}
 here=$(dirname "$(realpath "$0")")
 slack=${SLACK:-1} reach=${REACH:-60} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-300} improve=${IMPROVE:-20}
+layers=${LAYERS:-70,7.8,6}
 mkdir -p "$folder"
 cd "$folder"
 mkdir -p shards
@@ -64,9 +66,18 @@ merged() {
   python3 "$here/flights.py" merge . "$kind".MP?0.jsonl >"$kind.partial"
   mv "$kind.partial" "$kind.jsonl"
 }
-fleet() {
+# departures NAME [OPTION ...]: into NAME.jsonl, with a report.
+departures() {
+  local name=$1
   answer skyway-fleet trajectories.jsonl --separation 32,7.62 --parked gone --max-delay "$delay" \
-    --improve "$improve" -q --stats fleet.stats.json --report fleet.report.json -o fleet.jsonl
+    --improve "$improve" -q --stats "$name.stats.json" --report "$name.report.json" -o "$name.jsonl" "${@:2}"
+}
+# Flights that no departure keeps apart, by the layer of their direction.
+anew() {
+  local vehicle=$1
+  answer skyway-plan city.boxmap --queries "refused.$vehicle" --vehicle "$here/${vehicle%.jsonl}.json" --margin 1 \
+    --snap-ends 20 --layers "$layers" --threads "$jobs" -q -o "anew.paths.$vehicle"
+  answer skyway-traj city.boxmap "anew.paths.$vehicle" --threads "$jobs" -q -o "anew.$vehicle"
 }
 together() {
   answer skyway-check city.boxmap fleet.jsonl --together --separation 32,7.62 --parked gone \
@@ -90,6 +101,15 @@ for queries in queries.*.jsonl; do
     "paths.$vehicle.jsonl"
 done
 made trajectories.jsonl merged trajectories
-made fleet.jsonl fleet
+made first.jsonl departures first
+python3 "$here/flights.py" refused .
+others=()
+for queries in refused.*.jsonl; do
+  [ -e "$queries" ] || continue
+  vehicle=${queries#refused.}
+  made "anew.$vehicle" anew "$vehicle"
+  others+=(--alternatives "anew.$vehicle")
+done
+made fleet.jsonl departures fleet "${others[@]}"
 made together.jsonl together
 python3 "$here/flights.py" summary .
