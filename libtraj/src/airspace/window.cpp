@@ -28,7 +28,7 @@ Window window_of(const Timeline& line, double begin, double end) {
   out.from = line.segments->front().point.front();
   const Trajectory standing = still(out.from, duration);
   const Timeline clock(TimedFlight{&standing, begin, Vec3::Zero()});
-  for (const Stretch& stretch : stretches(line, clock, Parked::gone)) {
+  for (const CommonStretch& stretch : stretches(line, clock, Parked::gone)) {
     const RelativeCurve curve = relative_curve(line, clock, stretch);
     const double off = geom::add_up(rounding_after(curve, 0), line.gap);
     out.stretches.push_back({curve, off});

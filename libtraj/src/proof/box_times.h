@@ -35,7 +35,7 @@ class BoxTimes {
 inline geom::TimeSpan time_of(const Piece& piece) { return {piece.begin, piece.end}; }
 
 // A box near a curve, and when it is there.
-struct TimedBox {
+struct BoxInTime {
   geom::Aabb box;
   geom::TimeSpan time;
 };

@@ -45,11 +45,11 @@ bool too_small(const Piece& piece, int depth) {
 // The first time that cannot be shown clear of every grown box by place or by time, or nothing.
 // Works relative to an origin on the curve, so errors scale with the piece and not with its
 // coordinates.
-std::optional<double> first_touch(const Piece& piece, const std::vector<TimedBox>& near, int depth,
+std::optional<double> first_touch(const Piece& piece, const std::vector<BoxInTime>& near, int depth,
                                   double scale) {
   const geom::Aabb box = sure_box(piece, depth, scale);
-  std::vector<TimedBox> rest;
-  for (const TimedBox& grown : near) {
+  std::vector<BoxInTime> rest;
+  for (const BoxInTime& grown : near) {
     if (geom::overlap(box, grown.box) && grown.time.meets(time_of(piece))) rest.push_back(grown);
   }
   if (rest.empty()) return std::nullopt;
@@ -106,7 +106,7 @@ class TouchSearch {
                                                : scene_.boxes_meeting(region, kMany);
     looked_at_ += boxes ? boxes->size() : kMany;
     if (boxes) {
-      std::vector<TimedBox> near;
+      std::vector<BoxInTime> near;
       for (const std::size_t i : *boxes) {
         near.push_back({moved(scene_.grown(i), -origin_), times_.of(i)});
       }
@@ -197,7 +197,7 @@ class DepthSearch {
       add(l, cuts - 1);
       return add(r, cuts - 1);
     }
-    std::vector<TimedBox> list;
+    std::vector<BoxInTime> list;
     for (const std::size_t i : few ? *few : scene_.boxes_meeting(region)) {
       list.push_back({padded(scene_.grown(i), piece.stray), times_.of(i)});
     }
@@ -255,7 +255,7 @@ class DepthSearch {
   const geom::CollisionScene& scene_;
   const BoxTimes& times_;
   std::vector<Part> parts_;
-  std::vector<std::vector<TimedBox>> lists_;
+  std::vector<std::vector<BoxInTime>> lists_;
   Vec3 stray_ = Vec3::Zero();  // the largest
   std::size_t looked_at_ = 0;
 };

@@ -101,14 +101,14 @@ class Search {
 
   static double beside(const Part& part) { return part.stray.norm(); }
 
-  TimedBox grown(std::size_t i) const {
+  BoxInTime grown(std::size_t i) const {
     return {geom::grow(scene_.map().box(i), scene_.vehicle().half), times_.of(i)};
   }
 
   // All of them that are there then: so that there is something to compare with, where the nearest
   // ones may be there at other times.
-  std::vector<TimedBox> boxes_then(const geom::TimeSpan& time) const {
-    std::vector<TimedBox> out;
+  std::vector<BoxInTime> boxes_then(const geom::TimeSpan& time) const {
+    std::vector<BoxInTime> out;
     for (std::size_t i = 0; i < scene_.map().size(); ++i) {
       if (times_.of(i).meets(time)) out.push_back(grown(i));
     }
@@ -156,14 +156,14 @@ class Search {
       ++halvings_;
       return;
     }
-    std::vector<TimedBox> near;
+    std::vector<BoxInTime> near;
     for (const std::size_t i : *found) {
       if (may_matter(part, hull, i)) near.push_back(grown(i));
     }
     measure(part, near);
   }
 
-  void measure(const Leg& leg, std::span<const TimedBox> near) {
+  void measure(const Leg& leg, std::span<const BoxInTime> near) {
     for (const auto& [box, time] : near) {
       const double t = geom::nearest_share(leg.from, leg.to, box);
       const double value = geom::distance(leg.from + t * (leg.to - leg.from), box) - beside(leg);
@@ -171,14 +171,14 @@ class Search {
     }
   }
 
-  void measure(const Piece& piece, std::span<const TimedBox> near) {
+  void measure(const Piece& piece, std::span<const BoxInTime> near) {
     touch(piece.q.front(), piece.begin, beside(piece), near);
     touch(piece.q.back(), piece.end, beside(piece), near);
     refine(piece, near, 0);
   }
 
   // At a point of the way.
-  void touch(const Vec3& p, double time, double beside, std::span<const TimedBox> near) {
+  void touch(const Vec3& p, double time, double beside, std::span<const BoxInTime> near) {
     for (const auto& [box, there] : near) {
       if (!there.meets({time, time})) continue;
       const double value = geom::distance(p, box) - beside;
@@ -188,10 +188,10 @@ class Search {
 
   // Leaves out the boxes that the line between the ends, and what the curve is beside it, keep
   // further from than matters; halves the curve beside the others.
-  void refine(const Piece& piece, std::span<const TimedBox> near, int depth) {
+  void refine(const Piece& piece, std::span<const BoxInTime> near, int depth) {
     const double out = bulge(piece.q) + beside(piece);
-    std::vector<TimedBox> rest;
-    for (const TimedBox& one : near) {
+    std::vector<BoxInTime> rest;
+    for (const BoxInTime& one : near) {
       if (!one.time.meets(time_of(piece))) continue;
       const double least = geom::distance(piece.q.front(), piece.q.back(), one.box) - out;
       if (least < enough()) rest.push_back(one);

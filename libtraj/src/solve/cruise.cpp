@@ -46,8 +46,8 @@ double run_up(const SpeedProfile& profile, const Limits& limits, double rho) {
 }
 
 // What cruises of the leg of pieces [first, last), or nothing: first == last.
-Stretch cruise_in(const Corridor& corridor, std::size_t first, std::size_t last,
-                  const Limits& limits, double rho) {
+CruisePart cruise_in(const Corridor& corridor, std::size_t first, std::size_t last,
+                     const Limits& limits, double rho) {
   const Vec3 leg = joint(corridor, last) - joint(corridor, first);
   const double length = leg.norm();
   const auto profile = cruise_profile(leg, limits);
@@ -56,7 +56,7 @@ Stretch cruise_in(const Corridor& corridor, std::size_t first, std::size_t last,
   const auto beyond = [&](std::size_t i) {
     return (joint(corridor, i) - joint(corridor, first)).norm();
   };
-  Stretch out{first, last};
+  CruisePart out{first, last};
   while (out.first < last && beyond(out.first) < far) ++out.first;
   while (out.last > out.first && length - beyond(out.last) < far) --out.last;
   out.velocity =
@@ -66,12 +66,12 @@ Stretch cruise_in(const Corridor& corridor, std::size_t first, std::size_t last,
 
 }  // namespace
 
-std::vector<Stretch> stretches(const Corridor& corridor, const Limits& limits, double rho) {
-  std::vector<Stretch> out;
+std::vector<CruisePart> cruise_parts(const Corridor& corridor, const Limits& limits, double rho) {
+  std::vector<CruisePart> out;
   std::size_t done = 0;
   for (std::size_t first = 0; first < corridor.size();) {
     const std::size_t last = end_of_leg(corridor, first);
-    const Stretch found = cruise_in(corridor, first, last, limits, rho);
+    const CruisePart found = cruise_in(corridor, first, last, limits, rho);
     if (found.first < found.last && found.first >= done + 2 && found.last + 2 <= corridor.size()) {
       out.push_back({done, found.first});
       out.push_back(found);

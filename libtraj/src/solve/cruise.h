@@ -13,7 +13,7 @@ namespace traj {
 
 // Pieces [first, last) of a corridor, and the velocity that all of them are flown at: zero where it
 // is left to an optimiser.
-struct Stretch {
+struct CruisePart {
   std::size_t first = 0;
   std::size_t last = 0;
   Vec3 velocity = Vec3::Zero();  // m/s
@@ -29,7 +29,7 @@ struct Stretch {
 // from rest and for the snap to fade, which `rho` (optimize.h) weighs. So a leg cruises between
 // those distances from its ends, at joints, and never where the limits leave its speed open. Of two
 // cruises at least two pieces lie in between, and before the first and after the last as many.
-std::vector<Stretch> stretches(const Corridor& corridor, const Limits& limits, double rho);
+std::vector<CruisePart> cruise_parts(const Corridor& corridor, const Limits& limits, double rho);
 
 // Straight at that velocity, one segment a piece: as exact as numbers are.
 Trajectory cruise(std::span<const CorridorPiece> pieces, const Vec3& velocity);

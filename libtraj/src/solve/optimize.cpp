@@ -222,7 +222,7 @@ void append(const OptimizeResult& part, OptimizeResult& whole) {
 
 OptimizeResult optimize(const Corridor& given, const OptimizeOptions& options) {
   if (!options.cruise) return optimize_part(given, {}, options);
-  const std::vector<Stretch> all = stretches(given, options.limits, options.rho);
+  const std::vector<CruisePart> all = cruise_parts(given, options.limits, options.rho);
   if (all.size() == 1) return optimize_part(given, {}, options);
   OptimizeResult whole;
   whole.settled = true;

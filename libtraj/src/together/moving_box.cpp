@@ -77,7 +77,7 @@ class MovingSearch {
 
   // False where it touches, or may touch; says where.
   bool clear_of(const Timeline& flight, MovingResult& result) {
-    for (const Stretch& stretch : stretches(flight, low_, Parked::gone)) {
+    for (const CommonStretch& stretch : stretches(flight, low_, Parked::gone)) {
       const Sight sight{relative_curve(flight, low_, stretch),
                         relative_curve(flight, high_, stretch), seconds_of(*stretch.begin),
                         seconds_of(*stretch.end), flight.gap};

@@ -28,7 +28,7 @@ double least_distance(const Points<kPoints>& q, const Vec3& middle) {
 
 std::vector<Piece> pieces_between(const Timeline& a, const Timeline& b) {
   std::vector<Piece> pieces;
-  for (const Stretch& stretch : stretches(a, b, Parked::gone)) {
+  for (const CommonStretch& stretch : stretches(a, b, Parked::gone)) {
     if (!stretch.begin || !stretch.end || !stretch.segment || !stretch.other) continue;
     pieces.push_back(
         {relative_curve(a, b, stretch).q, seconds_of(*stretch.begin), seconds_of(*stretch.end)});

@@ -29,7 +29,7 @@ class PairSearch {
  public:
   PairSearch(const Timeline& a, const Timeline& b, Parked parked)
       : a_(a), b_(b), gap_(a.gap + b.gap) {
-    for (const Stretch& stretch : stretches(a_, b_, parked)) {
+    for (const CommonStretch& stretch : stretches(a_, b_, parked)) {
       Course course{relative_curve(a_, b_, stretch), {}, !stretch.segment && !stretch.other};
       if (stretch.begin) course.time.begin = seconds_of(*stretch.begin);
       if (stretch.end) course.time.end = seconds_of(*stretch.end);

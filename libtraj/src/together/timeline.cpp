@@ -41,7 +41,7 @@ Curve seen_from(const Vec3& origin, Curve q) {
   return q;
 }
 
-Curve points_of(const Timeline& line, const Stretch& stretch,
+Curve points_of(const Timeline& line, const CommonStretch& stretch,
                 const std::optional<std::size_t>& segment, bool over, const Vec3& origin) {
   const auto& segments = *line.segments;
   if (!segment) {
@@ -74,7 +74,7 @@ std::optional<std::size_t> segment_after(const Timeline& line, Ticks from) {
   return static_cast<std::size_t>(next - line.joint.begin()) - 1;
 }
 
-Stretch stretch_between(const Timeline& a, const Timeline& b, Ticks begin, Ticks end) {
+CommonStretch stretch_between(const Timeline& a, const Timeline& b, Ticks begin, Ticks end) {
   return {begin,
           end,
           segment_after(a, begin),
@@ -111,8 +111,8 @@ Timeline::Timeline(const TimedFlight& flight) : segments(&flight.trajectory->seg
   }
 }
 
-std::vector<Stretch> stretches(const Timeline& a, const Timeline& b, Parked parked) {
-  std::vector<Stretch> out;
+std::vector<CommonStretch> stretches(const Timeline& a, const Timeline& b, Parked parked) {
+  std::vector<CommonStretch> out;
   const bool pad = parked == Parked::pad;
   const Ticks begin =
       pad ? std::min(a.joint.front(), b.joint.front()) : std::max(a.joint.front(), b.joint.front());
@@ -134,7 +134,7 @@ std::vector<Stretch> stretches(const Timeline& a, const Timeline& b, Parked park
   return out;
 }
 
-RelativeCurve relative_curve(const Timeline& a, const Timeline& b, const Stretch& stretch) {
+RelativeCurve relative_curve(const Timeline& a, const Timeline& b, const CommonStretch& stretch) {
   const Vec3 origin =
       a.segments->at(stretch.segment.value_or(stretch.first_over ? a.segments->size() - 1 : 0))
           .point.front();

@@ -23,7 +23,7 @@ struct Timeline {
 
 // A time in which each of two flights is on one segment, or parked. Without a begin or an end both
 // are parked for ever on that side.
-struct Stretch {
+struct CommonStretch {
   std::optional<Ticks> begin;
   std::optional<Ticks> end;
   std::optional<std::size_t> segment;  // of the first flight; none: parked
@@ -34,7 +34,7 @@ struct Stretch {
 
 // All time in which both are there, in order; the ends of neighbours are the same instant. An
 // instant alone is a stretch where that is all they share.
-std::vector<Stretch> stretches(const Timeline& a, const Timeline& b, Parked parked);
+std::vector<CommonStretch> stretches(const Timeline& a, const Timeline& b, Parked parked);
 
 // The way of the first flight as the other sees it: its position less the other's, as the control
 // points of one polynomial over the stretch. `scale` bounds every coordinate that went into it,
@@ -43,7 +43,7 @@ struct RelativeCurve {
   Points<kPoints> q{};
   double scale = 0;
 };
-RelativeCurve relative_curve(const Timeline& a, const Timeline& b, const Stretch& stretch);
+RelativeCurve relative_curve(const Timeline& a, const Timeline& b, const CommonStretch& stretch);
 
 // How far each coordinate of a point may be off after so many halvings of the whole stretch.
 inline double rounding_after(const RelativeCurve& whole, int halvings) {

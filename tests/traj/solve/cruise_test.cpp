@@ -19,7 +19,7 @@ const Limits kLimits{
 Corridor along(const geom::Polyline& path) { return pieces_between(joints(path)); }
 
 // One after another, from the first piece to the last, and never a single piece between cruises.
-void expect_whole(const std::vector<Stretch>& all, const Corridor& corridor) {
+void expect_whole(const std::vector<CruisePart>& all, const Corridor& corridor) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(all[i].first, at);
@@ -34,7 +34,7 @@ void expect_whole(const std::vector<Stretch>& all, const Corridor& corridor) {
 TEST(Stretches, CruiseInTheMiddleOfLongLegs) {
   const Corridor corridor =
       along({Vec3::Zero(), Vec3(900, 0, 0), Vec3(900, 60, 0), Vec3(0, 60, 90)});
-  const auto all = stretches(corridor, kLimits, 1e-3);
+  const auto all = cruise_parts(corridor, kLimits, 1e-3);
   expect_whole(all, corridor);
   ASSERT_EQ(all.size(), 5u) << "60 m are too few";
   EXPECT_EQ(all[1].velocity, Vec3(10, 0, 0));
@@ -46,13 +46,13 @@ TEST(Stretches, CruiseInTheMiddleOfLongLegs) {
 }
 
 TEST(Stretches, AreOneWhereTheLegIsShortOrItsSpeedOpen) {
-  EXPECT_EQ(stretches(along({Vec3::Zero(), Vec3(90, 0, 0)}), kLimits, 1e-3).size(), 1u);
+  EXPECT_EQ(cruise_parts(along({Vec3::Zero(), Vec3(90, 0, 0)}), kLimits, 1e-3).size(), 1u);
   const Corridor far = along({Vec3::Zero(), Vec3(9000, 0, 0)});
-  EXPECT_EQ(stretches(far, {{Limit::acceleration, 3}}, 1e-3).size(), 1u);
-  EXPECT_EQ(stretches(far, {{Limit::vertical_speed, 3}, {Limit::acceleration, 3}}, 1e-3).size(),
+  EXPECT_EQ(cruise_parts(far, {{Limit::acceleration, 3}}, 1e-3).size(), 1u);
+  EXPECT_EQ(cruise_parts(far, {{Limit::vertical_speed, 3}, {Limit::acceleration, 3}}, 1e-3).size(),
             1u);
-  EXPECT_EQ(stretches(far, {{Limit::speed, 10}}, 1e-3).size(), 1u) << "no acceleration is given";
-  EXPECT_EQ(stretches(far, kLimits, 1e-3).size(), 3u);
+  EXPECT_EQ(cruise_parts(far, {{Limit::speed, 10}}, 1e-3).size(), 1u) << "no acceleration is given";
+  EXPECT_EQ(cruise_parts(far, kLimits, 1e-3).size(), 3u);
 }
 
 TEST(Stretches, AreTheSameFarFromTheOrigin) {
@@ -60,8 +60,8 @@ TEST(Stretches, AreTheSameFarFromTheOrigin) {
   const geom::Polyline path{Vec3::Zero(), Vec3(701, 311, 13), Vec3(900, -800, 20)};
   geom::Polyline moved = path;
   for (Vec3& p : moved) p += far;
-  const auto here = stretches(along(path), kLimits, 1e-3);
-  const auto there = stretches(along(moved), kLimits, 1e-3);
+  const auto here = cruise_parts(along(path), kLimits, 1e-3);
+  const auto there = cruise_parts(along(moved), kLimits, 1e-3);
   ASSERT_EQ(here.size(), 5u);
   ASSERT_EQ(there.size(), here.size());
   for (std::size_t i = 0; i < here.size(); ++i) EXPECT_EQ(there[i].first, here[i].first);
@@ -69,7 +69,7 @@ TEST(Stretches, AreTheSameFarFromTheOrigin) {
 
 TEST(Cruise, IsExactlyStraightFromEndToEndOfItsPieces) {
   const Corridor corridor = along({Vec3::Zero(), Vec3(300, 400, 50)});
-  const auto all = stretches(corridor, kLimits, 1e-3);
+  const auto all = cruise_parts(corridor, kLimits, 1e-3);
   ASSERT_EQ(all.size(), 3u);
   const auto pieces = all[1].of(corridor);
   const Trajectory curve = cruise(pieces, all[1].velocity);

@@ -49,7 +49,7 @@ TEST(Stretches, LieSideBySideOverAllTime) {
     for (std::size_t k = 0; k + 1 < pads.size(); ++k) {
       EXPECT_TRUE(*pads[k].end == *pads[k + 1].begin);
     }
-    for (const Stretch& s : stretches(one, other, Parked::gone)) {
+    for (const CommonStretch& s : stretches(one, other, Parked::gone)) {
       EXPECT_TRUE(s.segment && s.other);
       EXPECT_TRUE(*s.begin >= one.joint[*s.segment] && *s.end <= one.joint[*s.segment + 1]);
       EXPECT_TRUE(*s.begin >= other.joint[*s.other] && *s.end <= other.joint[*s.other + 1]);
@@ -79,7 +79,7 @@ TEST(RelativeCurve, IsThePositionLessTheOthers) {
     const double start_b = random.uniform(0, 4);
     const Timeline one({&a, start_a, {}});
     const Timeline other({&b, start_b, {}});
-    for (const Stretch& s : stretches(one, other, Parked::pad)) {
+    for (const CommonStretch& s : stretches(one, other, Parked::pad)) {
       if (!s.begin || !s.end) continue;
       const RelativeCurve curve = relative_curve(one, other, s);
       const double from = seconds_of(*s.begin);
