@@ -33,21 +33,46 @@ class Distance {
     return crossings % 2 == 1 || (outer != 0 && !in_hole) ? 0 : best;
   }
 
+  // No point of the rectangle is further from the polygon: the distance to one edge is greatest at
+  // a corner, since it is convex.
+  long double at_most(const Rectangle& r) const {
+    long double best = 1e30L;
+    const auto try_ring = [&](const std::vector<Vec2>& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        long double furthest = 0;
+        for (const long double x : {r.min.x(), r.max.x()}) {
+          for (const long double y : {r.min.y(), r.max.y()}) {
+            furthest = std::max(furthest, to_edge(ring[i], ring[(i + 1) % ring.size()], x, y));
+          }
+        }
+        best = std::min(best, furthest);
+      }
+    };
+    try_ring(polygon_.outer);
+    for (const auto& hole : polygon_.holes) try_ring(hole);
+    return best;
+  }
+
  private:
+  static long double to_edge(const Vec2& a, const Vec2& b, long double x, long double y) {
+    const long double dx = static_cast<long double>(b.x()) - a.x();
+    const long double dy = static_cast<long double>(b.y()) - a.y();
+    const long double square = dx * dx + dy * dy;
+    long double t = square > 0 ? ((x - a.x()) * dx + (y - a.y()) * dy) / square : 0;
+    t = std::clamp(t, 0.0L, 1.0L);
+    return std::hypot(a.x() + t * dx - x, a.y() + t * dy - y);
+  }
+
   static int look(const std::vector<Vec2>& ring, long double x, long double y, int& crossings,
                   long double& best) {
     int turns = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& a = ring[i];
       const Vec2& b = ring[(i + 1) % ring.size()];
-      const long double dx = static_cast<long double>(b.x()) - a.x();
-      const long double dy = static_cast<long double>(b.y()) - a.y();
-      const long double square = dx * dx + dy * dy;
-      long double t = square > 0 ? ((x - a.x()) * dx + (y - a.y()) * dy) / square : 0;
-      t = std::clamp(t, 0.0L, 1.0L);
-      best = std::min(best, std::hypot(a.x() + t * dx - x, a.y() + t * dy - y));
+      best = std::min(best, to_edge(a, b, x, y));
       if ((a.y() > y) == (b.y() > y)) continue;
-      if (a.x() + (y - a.y()) / dy * dx <= x) continue;
+      const long double dy = static_cast<long double>(b.y()) - a.y();
+      if (a.x() + (y - a.y()) / dy * (static_cast<long double>(b.x()) - a.x()) <= x) continue;
       turns += dy > 0 ? 1 : -1;
       ++crossings;
     }
@@ -58,21 +83,24 @@ class Distance {
 };
 
 // The furthest that any point of the rectangle lies from the polygon, to `tolerance`: best first by
-// the bound that distance grows no faster than one goes.
-inline double furthest_outside(const Polygon& polygon, const Rectangle& r, double tolerance) {
+// two bounds, that distance grows no faster than one goes and that of the nearest edge. Where all
+// of it lies within `least`, that is the answer: small rectangles deep inside are not cut to dust.
+inline double furthest_outside(const Polygon& polygon, const Rectangle& r, double tolerance,
+                               double least = 0) {
   const Distance distance(polygon);
   struct Piece {
     long double bound;
     Rectangle r;
     bool operator<(const Piece& other) const { return bound < other.bound; }
   };
-  long double best = 0;
+  long double best = least;
   std::priority_queue<Piece> open;
   const auto push = [&](const Rectangle& piece) {
     const Vec2 c = 0.5 * (piece.min + piece.max);
     const long double d = distance(c.x(), c.y());
     best = std::max(best, d);
-    open.push({d + 0.5L * (piece.max - piece.min).norm(), piece});
+    open.push(
+        {std::min(d + 0.5L * (piece.max - piece.min).norm(), distance.at_most(piece)), piece});
   };
   push(r);
   while (open.top().bound > best + tolerance) {
@@ -86,7 +114,7 @@ inline double furthest_outside(const Polygon& polygon, const Rectangle& r, doubl
     push(low);
     push(high);
   }
-  return static_cast<double>(open.top().bound);
+  return static_cast<double>(std::max(best, open.top().bound));
 }
 
 }  // namespace oracle

@@ -55,7 +55,7 @@ void expect_boxes_within_slack(const Source& grid, double slack, const std::stri
     }
     EXPECT_TRUE(oracle::exactly_covered(f.polygon, rectangles)) << what << ", rectangle " << f.id;
     for (const geom::Rectangle& r : rectangles) {
-      EXPECT_LE(oracle::furthest_outside(f.polygon, r, 1e-3 * slack), slack * 1.001)
+      EXPECT_LE(oracle::furthest_outside(f.polygon, r, 1e-3 * slack, slack), slack * 1.001)
           << what << ", rectangle " << f.id;
     }
   }
