@@ -25,12 +25,17 @@ class Distance {
   explicit Distance(const Polygon& polygon) : polygon_(polygon) {}
 
   long double operator()(long double x, long double y) const {
+    return std::max(0.0L, signed_at(x, y));
+  }
+
+  // Inside it is negative, and its size is the distance to the edges.
+  long double signed_at(long double x, long double y) const {
     int crossings = 0;
     bool in_hole = false;
     long double best = 1e30L;
     const int outer = look(polygon_.outer, x, y, crossings, best);
     for (const auto& hole : polygon_.holes) in_hole |= look(hole, x, y, crossings, best) != 0;
-    return crossings % 2 == 1 || (outer != 0 && !in_hole) ? 0 : best;
+    return crossings % 2 == 1 || (outer != 0 && !in_hole) ? -best : best;
   }
 
   // No point of the rectangle is further from the polygon: the distance to one edge is greatest at
@@ -97,8 +102,11 @@ inline double furthest_outside(const Polygon& polygon, const Rectangle& r, doubl
   std::priority_queue<Piece> open;
   const auto push = [&](const Rectangle& piece) {
     const Vec2 c = 0.5 * (piece.min + piece.max);
-    const long double d = distance(c.x(), c.y());
+    const long double d = distance.signed_at(c.x(), c.y());
     best = std::max(best, d);
+    for (const double x : {piece.min.x(), piece.max.x()}) {
+      for (const double y : {piece.min.y(), piece.max.y()}) best = std::max(best, distance(x, y));
+    }
     open.push(
         {std::min(d + 0.5L * (piece.max - piece.min).norm(), distance.at_most(piece)), piece});
   };

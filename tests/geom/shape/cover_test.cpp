@@ -67,7 +67,8 @@ void expect_cover(const Polygon& polygon, double slack, support::Random& random,
   }
   ASSERT_TRUE(oracle::exactly_covered(polygon, rectangles)) << what;
   for (const Rectangle& r : rectangles) {
-    ASSERT_LE(oracle::furthest_outside(polygon, r, loose * slack), slack * (1 + 2 * loose)) << what;
+    ASSERT_LE(oracle::furthest_outside(polygon, r, loose * slack, slack), slack * (1 + 2 * loose))
+        << what;
   }
 }
 
