@@ -2,23 +2,29 @@
 
 flights.py queries FLIGHTS.csv FOLDER [COUNT]   the first COUNT in the order in which they were filed
 flights.py bounds FOLDER                        of the blocks and all pads, 200 m wider, on stdout
-flights.py merge FOLDER FILE ...                records of several files in the order of the queries
+flights.py loiterers FOLDER FILE ...            records of the flights that have a geofence
+flights.py fences FOLDER                        geofences of these from their arrival on, no-fly volumes
+flights.py merge FOLDER FILE ...                records of several files in the order of the queries; of
+                                                equal ids that of the last
 flights.py refused FOLDER                       queries of the flights that no departure keeps apart
 flights.py summary FOLDER                       what came of it
 
 A row of the table: time filed, id, vehicle, time asked for, origin and destination as (longitude,
-latitude), priority from 1 to 4, and of loitering missions a geofence: seconds from their arrival on,
-west, east, south, north.
+latitude), priority from 1 to 4, and of loitering missions a geofence: for how many seconds from their
+arrival on, west, east, south, north.
 """
 
 import csv
 import json
+import os
 import pathlib
 import sys
 
 ABOVE_GROUND = 2  # metres: where flights begin and end
 AROUND = 200  # metres beyond the hull of blocks and pads
 CEILING = 120  # metres
+FIRST = 9  # a priority above all others
+EPOCH = os.environ["EPOCH"]
 
 
 def seconds(text):
@@ -51,14 +57,15 @@ def queries(table, folder, count):
         pads.update((place(origin), place(destination)))
     for filed, name, vehicle, asked, origin, destination, priority, *_ in found:
         query = {"id": name, "from": place(origin), "to": place(destination),
-                 "earliest": seconds(asked), "priority": int(priority)}
+                 "earliest": seconds(asked), "priority": int(priority), "epoch": EPOCH}
         by_vehicle.setdefault(vehicle, []).append(json.dumps(query))
     for vehicle, lines in by_vehicle.items():
         write(folder / f"queries.{vehicle}.jsonl", lines)
     write(folder / "pads.jsonl", [json.dumps({"point": pad}) for pad in sorted(pads)])
     write(folder / "order.txt", [row[1] for row in found])
-    fences = [row[1] for row in found if any(row[7:])]
-    write(folder / "geofences.txt", fences)
+    fences = [{"id": row[1], "seconds": float(row[7]), "sides": [float(x) for x in row[8:12]]}
+              for row in found if any(row[7:])]
+    write(folder / "geofences.jsonl", [json.dumps(fence) for fence in fences])
 
 
 def bounds(folder):
@@ -78,19 +85,58 @@ def bounds(folder):
     print(",".join(f"{x:.0f}" for x in corners))
 
 
+def name_of(line):
+    """The id stands near the front of every record."""
+    begin = line.index(b'"id":') + 5
+    return json.loads(line[begin:line.index(b",", begin)])
+
+
+def geofences(folder):
+    return {fence["id"]: fence
+            for fence in map(json.loads, (folder / "geofences.jsonl").read_text().splitlines())}
+
+
+def loiterers(folder, files):
+    wanted = geofences(folder)
+    for file in files:
+        with open(file, "rb") as stream:
+            sys.stdout.buffer.writelines(line for line in stream if name_of(line) in wanted)
+
+
+def fences(folder):
+    """Each opens for all others a second after its own flight arrived, and is then gone. That flight's
+    departure stays as it is: what departs after it goes around."""
+    wanted = geofences(folder)
+    volumes = []
+    pinned = []
+    for line in (folder / "loiterers.jsonl").read_text().splitlines():
+        flight = json.loads(line)
+        start = flight["start"]
+        begin = start + flight["duration"] + 1
+        west, east, south, north = wanted[flight["id"]]["sides"]
+        corners = [[west, south], [east, south], [east, north], [west, north], [west, south]]
+        volumes.append({
+            "type": "Feature", "geometry": {"type": "Polygon", "coordinates": [corners]},
+            "properties": {"name": flight["id"], "from": begin,
+                           "until": begin - 1 + wanted[flight["id"]]["seconds"]}})
+        flight.update(priority=FIRST, earliest=start, latest=start)
+        pinned.append(json.dumps(flight))
+    write(folder / "pinned.jsonl", pinned)
+    write(folder / "fences.geojson", [json.dumps({"type": "FeatureCollection", "epoch": EPOCH, "features": volumes})])
+
+
 def merge(folder, files):
     order = {name: i for i, name in enumerate((folder / "order.txt").read_text().split())}
-    where = []  # of each record: its place in the order, its file, begin and length
+    where = {}  # of each record: its place in the order, its file, begin and length
     for file in files:
         with open(file, "rb") as stream:
             begin = 0
             for line in stream:
-                # The id stands near the front of every record.
-                name = json.loads(line[line.index(b'"id":') + 5:line.index(b",", line.index(b'"id":'))])
-                where.append((order[name], file, begin, len(line)))
+                name = name_of(line)
+                where[name] = (order[name], file, begin, len(line))
                 begin += len(line)
     streams = {file: open(file, "rb") for file in files}
-    for _, file, begin, length in sorted(where):
+    for _, file, begin, length in sorted(where.values()):
         streams[file].seek(begin)
         sys.stdout.buffer.write(streams[file].read(length))
 
@@ -121,10 +167,11 @@ def summary(folder):
     print(f"proved apart: {together.get('ok')}, {together.get('near')} pairs looked at, "
           f"{together.get('pieces')} pieces")
     print("beyond the blocks no buildings are known, and none are in the map")
-    fences = (folder / "geofences.txt").read_text().split()
-    if fences:
-        print(f"geofences not obeyed: {' '.join(fences)} (they close when a flight arrives; "
-              "a map has no times)")
+    if geofences(folder):
+        alone = [json.loads(line) for line in (folder / "loiterers.jsonl").read_text().splitlines()]
+        waited = sum(flight["start"] - flight["earliest"] for flight in alone)
+        print(f"geofences, closed to all others from the arrival of their own flight: {len(alone)}; "
+              f"these depart first, and wait {waited:.2f} s in all, which is not in the delay")
     print((folder / "times.txt").read_text(), end="")
 
 
@@ -134,6 +181,10 @@ def main():
         queries(rest[0], pathlib.Path(rest[1]), int(rest[2]) if len(rest) > 2 else None)
     elif verb == "bounds":
         bounds(pathlib.Path(rest[0]))
+    elif verb == "loiterers":
+        loiterers(pathlib.Path(rest[0]), rest[1:])
+    elif verb == "fences":
+        fences(pathlib.Path(rest[0]))
     elif verb == "merge":
         merge(pathlib.Path(rest[0]), rest[1:])
     elif verb == "refused":

@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# run.sh BUILDINGS.gpkg FLIGHTS.csv FOLDER [COUNT]: an hour of flights over Vienna (Metropolis-2), from
-# its two files to departures at which every pair is proved to keep 32 m across or 7.62 m in height.
+# its two files to departures at which every pair is proved to keep 32 m across or 7.62 m in height, and
+# every flight out of the geofences of others.
+# to keep 32 m across or 7.62 m in height, and every flight out of the geofences of others.
 # What stands in FOLDER already is left as it is, so that a run that was stopped goes on. The tools
 # must be in PATH.
 #   SLACK   how far boxes may reach outside a footprint, metres (1)
 #   REACH   the longest edge of the roadmap, metres (60); 0: no roadmap
 #   SHARDS  in how many shares paths and trajectories are made (8)
 #   JOBS    how many at once (all cores)
-#   DELAY   the longest wait, seconds (300)
+#   DELAY   the longest wait, seconds (400: geofences stand for up to 342)
 #   IMPROVE rounds (20)
+#   EPOCH   the instant from which the table's times count: it has no date (2026-01-01T00:00:00Z)
 #   LAYERS  where flights cruise that are planned anew, as they would wait longer (70,7.8,6)
 set -euo pipefail
 buildings=$(realpath "$1")
@@ -16,8 +18,9 @@ flights=$(realpath "$2")
 folder=$3
 count=${4:-}
 here=$(dirname "$(realpath "$0")")
-slack=${SLACK:-1} reach=${REACH:-60} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-300} improve=${IMPROVE:-20}
+slack=${SLACK:-1} reach=${REACH:-60} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-400} improve=${IMPROVE:-20}
 layers=${LAYERS:-70,7.8,6}
+export EPOCH=${EPOCH:-2026-01-01T00:00:00Z}
 mkdir -p "$folder"
 cd "$folder"
 mkdir -p shards
@@ -61,15 +64,24 @@ city() { blocks city.boxmap --bounds="$(cat bounds.txt)"; }
 roadmap() {
   skyway-roadmap city.boxmap --vehicle "$here/MP20.json" --margin 1 --reach "$reach" --threads "$jobs" -q -o city.roadmap
 }
+# Flights with a geofence choose their departures before all others: the fence opens as they arrive.
+loiterers() {
+  python3 "$here/flights.py" loiterers . trajectories.MP?0.jsonl >loiterers.partial
+  answer skyway-fleet loiterers.partial --separation 32,7.62 --parked gone --max-delay "$delay" -q -o loiterers.jsonl
+  rm loiterers.partial
+}
+fences() {
+  python3 "$here/flights.py" fences .
+  skyway-map patch city.boxmap --keep-out fences.geojson --epoch "$EPOCH" -o timed.boxmap
+}
 merged() {
-  local kind=$1
-  python3 "$here/flights.py" merge . "$kind".MP?0.jsonl >"$kind.partial"
-  mv "$kind.partial" "$kind.jsonl"
+  python3 "$here/flights.py" merge . trajectories.MP?0.jsonl "$@" >trajectories.partial
+  mv trajectories.partial trajectories.jsonl
 }
 # departures NAME [OPTION ...]: into NAME.jsonl, with a report.
 departures() {
   local name=$1
-  answer skyway-fleet trajectories.jsonl --separation 32,7.62 --parked gone --max-delay "$delay" \
+  answer skyway-fleet trajectories.jsonl "${timed[@]}" --separation 32,7.62 --parked gone --max-delay "$delay" \
     --improve "$improve" -q --stats "$name.stats.json" --report "$name.report.json" -o "$name.jsonl" "${@:2}"
 }
 # Flights that no departure keeps apart, by the layer of their direction.
@@ -80,7 +92,7 @@ anew() {
   answer skyway-traj city.boxmap "anew.paths.$vehicle" --threads "$jobs" -q -o "anew.$vehicle"
 }
 together() {
-  answer skyway-check city.boxmap fleet.jsonl --together --separation 32,7.62 --parked gone \
+  answer skyway-check "$map" fleet.jsonl --together --separation 32,7.62 --parked gone \
     --no-clearance -q -o together.jsonl
 }
 
@@ -100,7 +112,13 @@ for queries in queries.*.jsonl; do
   made "trajectories.$vehicle.jsonl" shares trajectories "$vehicle" skyway-traj city.boxmap \
     "paths.$vehicle.jsonl"
 done
-made trajectories.jsonl merged trajectories
+map=city.boxmap timed=() pinned=()
+if [ -s geofences.jsonl ]; then
+  made loiterers.jsonl loiterers
+  made timed.boxmap fences
+  map=timed.boxmap timed=(--map timed.boxmap) pinned=(pinned.jsonl)
+fi
+made trajectories.jsonl merged "${pinned[@]}"
 made first.jsonl departures first
 python3 "$here/flights.py" refused .
 others=()
