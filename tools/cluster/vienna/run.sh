@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
+# run.sh BUILDINGS.gpkg FLIGHTS.csv FOLDER [COUNT]: an hour of flights over Vienna (Metropolis-2), from
 # its two files to departures at which every pair is proved to keep 32 m across or 7.62 m in height, and
 # every flight out of the geofences of others.
-# to keep 32 m across or 7.62 m in height, and every flight out of the geofences of others.
 # What stands in FOLDER already is left as it is, so that a run that was stopped goes on. The tools
 # must be in PATH.
 #   SLACK   how far boxes may reach outside a footprint, metres (1)
