@@ -122,8 +122,10 @@ class Browser:
             "width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}})
 
     def screenshot(self, path):
+        # Not by /screenshot, which gives up after 10 s: a page drawn in software may take longer.
+        taken = self._in_session("POST", "/goog/cdp/execute", {"cmd": "Page.captureScreenshot", "params": {}})
         with open(path, "wb") as out:
-            out.write(base64.b64decode(self._in_session("GET", "/screenshot")))
+            out.write(base64.b64decode(taken["data"]))
 
     def console(self):
         """Warnings and errors since the last call."""
