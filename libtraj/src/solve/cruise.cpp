@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStraight = 1e-14;   // of coordinates: how far joints lie off a straight leg
 constexpr double kLeastRunUp = 20;    // metres
-constexpr double kLeastSettling = 1;  // seconds, three times over
+constexpr double kLeastSettling = 1;  // seconds, five times over
 
 const Vec3& joint(const Corridor& corridor, std::size_t i) {
   return i < corridor.size() ? corridor[i].from : corridor.back().to;
@@ -42,7 +42,7 @@ double run_up(const SpeedProfile& profile, const Limits& limits, double rho) {
   double settling = std::max(kLeastSettling, 2 * cube_root(rho * profile.amax * profile.vmax));
   if (limits[Limit::jerk]) settling += profile.amax / *limits[Limit::jerk];
   return std::max(kLeastRunUp,
-                  profile.vmax * profile.vmax / (2 * profile.amax) + 3 * settling * profile.vmax);
+                  profile.vmax * profile.vmax / (2 * profile.amax) + 5 * settling * profile.vmax);
 }
 
 // What cruises of the leg of pieces [first, last), or nothing: first == last.
