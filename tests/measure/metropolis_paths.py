@@ -1,6 +1,6 @@
-"""metropolis_paths.py INTENTIONS.csv [COUNT]: the flights of Metropolis-2 (time, id, vehicle, departure, origin and
+"""metropolis_paths.py INTENTIONS.csv [COUNT [HOURS]]: the flights of Metropolis-2 (time, id, vehicle, departure, origin and
 destination in degrees, priority) as paths in metres around Vienna: straight up from 2 m, level at one of eight
-heights by direction (40 to 110 m), straight down. For timing alone: no buildings, and a plane for the Earth."""
+heights by direction (40 to 110 m), straight down; so many hours after one another, each the same. For timing alone: no buildings, and a plane for the Earth."""
 
 import csv
 import json
@@ -21,12 +21,15 @@ def metres(text):
 def main():
     most = int(sys.argv[2]) if len(sys.argv) > 2 else None
     with open(sys.argv[1], encoding="utf-8", newline="") as file:
-        for _, name, _, departure, origin, destination, *_ in list(csv.reader(file))[:most]:
+        rows = list(csv.reader(file))[:most]
+    for later in range(int(sys.argv[3]) if len(sys.argv) > 3 else 1):
+        for _, name, _, departure, origin, destination, *_ in rows:
             hours, minutes, seconds = map(int, departure.split(":"))
             a, b = metres(origin), metres(destination)
             direction = math.atan2(b[1] - a[1], b[0] - a[0]) / (2 * math.pi) + 0.5
             height = 40 + 10 * (round(8 * direction) % 8)
-            print(json.dumps({"type": "path", "id": name, "status": "found", "start": 3600 * hours + 60 * minutes + seconds,
+            print(json.dumps({"type": "path", "id": f"{name}+{later}" if later else name, "status": "found",
+                              "start": 3600 * (hours + later) + 60 * minutes + seconds,
                               "points": [a + [2], a + [height], b + [height], b + [2]]}))
 
 

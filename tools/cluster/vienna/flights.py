@@ -6,7 +6,6 @@ flights.py loiterers FOLDER FILE ...            records of the flights that have
 flights.py fences FOLDER                        geofences of these from their arrival on, no-fly volumes
 flights.py merge FOLDER FILE ...                records of several files in the order of the queries; of
                                                 equal ids that of the last
-flights.py refused FOLDER                       queries of the flights that no departure keeps apart
 flights.py summary FOLDER                       what came of it
 
 A row of the table: time filed, id, vehicle, time asked for, origin and destination as (longitude,
@@ -141,15 +140,6 @@ def merge(folder, files):
         sys.stdout.buffer.write(streams[file].read(length))
 
 
-def refused(folder):
-    report = json.loads((folder / "first.report.json").read_text())
-    wanted = {flight["id"] for flight in report["refused"]}
-    for file in sorted(folder.glob("queries.*.jsonl")):
-        lines = [line for line in file.read_text().splitlines() if json.loads(line)["id"] in wanted]
-        if lines:
-            write(folder / file.name.replace("queries", "refused", 1), lines)
-
-
 def summary(folder):
     report = json.loads((folder / "fleet.report.json").read_text())
     together = {}
@@ -187,8 +177,6 @@ def main():
         fences(pathlib.Path(rest[0]))
     elif verb == "merge":
         merge(pathlib.Path(rest[0]), rest[1:])
-    elif verb == "refused":
-        refused(pathlib.Path(rest[0]))
     elif verb == "summary":
         summary(pathlib.Path(rest[0]))
     else:

@@ -8,18 +8,18 @@
 #   REACH   the longest edge of the roadmap, metres (60); 0: no roadmap
 #   SHARDS  in how many shares paths and trajectories are made (8)
 #   JOBS    how many at once (all cores)
-#   DELAY   the longest wait, seconds (400: geofences stand for up to 342)
+#   DELAY   the longest wait, seconds (300)
 #   IMPROVE rounds (20)
 #   EPOCH   the instant from which the table's times count: it has no date (2026-01-01T00:00:00Z)
-#   LAYERS  where flights cruise that are planned anew, as they would wait longer (70,7.8,6)
+#   LAYERS  where flights cruise that would wait longer, first and next (70,7.8,6 31,7.8,5)
 set -euo pipefail
 buildings=$(realpath "$1")
 flights=$(realpath "$2")
 folder=$3
 count=${4:-}
 here=$(dirname "$(realpath "$0")")
-slack=${SLACK:-1} reach=${REACH:-60} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-400} improve=${IMPROVE:-20}
-layers=${LAYERS:-70,7.8,6}
+slack=${SLACK:-1} reach=${REACH:-60} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-300} improve=${IMPROVE:-20}
+layers=${LAYERS:-70,7.8,6 31,7.8,5}
 export EPOCH=${EPOCH:-2026-01-01T00:00:00Z}
 mkdir -p "$folder"
 cd "$folder"
@@ -78,18 +78,9 @@ merged() {
   python3 "$here/flights.py" merge . trajectories.MP?0.jsonl "$@" >trajectories.partial
   mv trajectories.partial trajectories.jsonl
 }
-# departures NAME [OPTION ...]: into NAME.jsonl, with a report.
 departures() {
-  local name=$1
-  answer skyway-fleet trajectories.jsonl "${timed[@]}" --separation 32,7.62 --parked gone --max-delay "$delay" \
-    --improve "$improve" -q --stats "$name.stats.json" --report "$name.report.json" -o "$name.jsonl" "${@:2}"
-}
-# Flights that no departure keeps apart, by the layer of their direction.
-anew() {
-  local vehicle=$1
-  answer skyway-plan city.boxmap --queries "refused.$vehicle" --vehicle "$here/${vehicle%.jsonl}.json" --margin 1 \
-    --snap-ends 20 --layers "$layers" --threads "$jobs" -q -o "anew.paths.$vehicle"
-  answer skyway-traj city.boxmap "anew.paths.$vehicle" --threads "$jobs" -q -o "anew.$vehicle"
+  answer skyway-fleet trajectories.jsonl "${timed[@]}" "${others[@]}" --separation 32,7.62 --parked gone \
+    --max-delay "$delay" --improve "$improve" -q --stats fleet.stats.json --report fleet.report.json -o fleet.jsonl
 }
 together() {
   answer skyway-check "$map" fleet.jsonl --together --separation 32,7.62 --parked gone \
@@ -104,13 +95,22 @@ if [ "$reach" != 0 ]; then
   made city.roadmap roadmap
   with=(--roadmap city.roadmap)
 fi
+others=()
 for queries in queries.*.jsonl; do
   vehicle=${queries#queries.}
   vehicle=${vehicle%.jsonl}
-  made "paths.$vehicle.jsonl" shares paths "$vehicle" skyway-plan city.boxmap "${with[@]}" \
-    --queries "$queries" --vehicle "$here/$vehicle.json" --margin 1 --snap-ends 20
+  plan=(skyway-plan city.boxmap --queries "$queries" --vehicle "$here/$vehicle.json" --margin 1 --snap-ends 30)
+  made "paths.$vehicle.jsonl" shares paths "$vehicle" "${plan[@]}" "${with[@]}"
   made "trajectories.$vehicle.jsonl" shares trajectories "$vehicle" skyway-traj city.boxmap \
     "paths.$vehicle.jsonl"
+  for layer in $layers; do
+    made "paths-$layer.$vehicle.jsonl" shares "paths-$layer" "$vehicle" "${plan[@]}" --layers "$layer"
+    made "layers-$layer.$vehicle.jsonl" shares "layers-$layer" "$vehicle" skyway-traj city.boxmap \
+      "paths-$layer.$vehicle.jsonl"
+  done
+done
+for layer in $layers; do
+  for file in "layers-$layer".MP?0.jsonl; do others+=(--alternatives "$file"); done
 done
 map=city.boxmap timed=() pinned=()
 if [ -s geofences.jsonl ]; then
@@ -119,15 +119,6 @@ if [ -s geofences.jsonl ]; then
   map=timed.boxmap timed=(--map timed.boxmap) pinned=(pinned.jsonl)
 fi
 made trajectories.jsonl merged "${pinned[@]}"
-made first.jsonl departures first
-python3 "$here/flights.py" refused .
-others=()
-for queries in refused.*.jsonl; do
-  [ -e "$queries" ] || continue
-  vehicle=${queries#refused.}
-  made "anew.$vehicle" anew "$vehicle"
-  others+=(--alternatives "anew.$vehicle")
-done
-made fleet.jsonl departures fleet "${others[@]}"
+made fleet.jsonl departures
 made together.jsonl together
 python3 "$here/flights.py" summary .
