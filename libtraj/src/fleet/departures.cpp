@@ -74,12 +74,14 @@ class Chooser {
     return flights_[ways_[number].front()];
   }
 
-  // Higher priority first, then as they come.
+  // What is settled, then higher priority first, then as they come.
   std::vector<std::uint32_t> order() const {
     std::vector<std::uint32_t> out(ways_.size());
     std::iota(out.begin(), out.end(), 0u);
     std::stable_sort(out.begin(), out.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return first_of(a).priority > first_of(b).priority;
+      const FleetFlight& one = first_of(a);
+      const FleetFlight& other = first_of(b);
+      return one.settled != other.settled ? one.settled : one.priority > other.priority;
     });
     return out;
   }
@@ -100,6 +102,7 @@ class Chooser {
 
   std::optional<double> earliest(std::uint32_t flight) const {
     double start = flights_[flight].earliest;
+    if (flights_[flight].settled) return start;
     for (const DepartureSpan& span : closed(flight)) {
       if (span.low > start) break;
       if (span.high < start) continue;
@@ -207,7 +210,7 @@ class Chooser {
     const std::uint32_t flight = way_[number].value_or(ways_[number].front());
     std::vector<std::uint32_t> blockers = in_the_way(flight);
     std::erase_if(blockers, [&](std::uint32_t other) {
-      return flights_[other].priority > flights_[flight].priority;
+      return flights_[other].settled || flights_[other].priority > flights_[flight].priority;
     });
     if (blockers.empty() || blockers.size() > kMostMoved) return {};
     std::vector<std::uint32_t> followers;

@@ -114,7 +114,9 @@ class Fleet {
     }
     std::vector<FlightPair> pairs = meeting_flights(std::move(boxes), {run.threads, {}});
     std::erase_if(pairs, [&](const FlightPair& pair) {
-      return flights_[pair.first].number == flights_[pair.second].number;
+      const FleetFlight& a = flights_[pair.first];
+      const FleetFlight& b = flights_[pair.second];
+      return a.number == b.number || (a.settled && b.settled);
     });
     return pairs;
   }

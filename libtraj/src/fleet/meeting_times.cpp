@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "geom/base/rounding.h"
@@ -101,21 +102,23 @@ bool apart_across(const StraightPiece& first, const StraightPiece& second, doubl
 }  // namespace
 
 std::optional<DepartureSpan> meeting_times(const StraightPiece& first, const StraightPiece& second,
-                                           const Zone& zone) {
+                                           const Zone& zone, const Vec3& growth) {
+  assert(!zone.round || growth.isZero(0));
   const Vec3 apart = first.from - second.from;
   const double up = zone.reach.z() + first.off.up + second.off.up;
   const double across = first.off.across + second.off.across;
   const double size = first.from.cwiseAbs().maxCoeff() + second.from.cwiseAbs().maxCoeff() +
                       first.way.cwiseAbs().maxCoeff() + second.way.cwiseAbs().maxCoeff() +
-                      zone.reach.maxCoeff();
+                      zone.reach.maxCoeff() + growth.maxCoeff();
   const double slack = 1e-11 * size + 1e-9;
   Shares shares;
   const auto keep = [&](const Vec3& n, double reach) {
-    shares.cut(n.dot(apart) - reach, Vec2(n.dot(first.way), -n.dot(second.way)), slack);
+    const double grown = n.cwiseAbs().dot(growth);
+    shares.cut(n.dot(apart) - reach, Vec2(n.dot(first.way) - grown, -n.dot(second.way)), slack);
     return !shares.empty();
   };
   // A box lies in the circle of its corners.
-  const double widest = zone.round ? zone.reach.x() : zone.reach.head<2>().norm();
+  const double widest = zone.round ? zone.reach.x() : (zone.reach + growth).head<2>().norm();
   if (apart_across(first, second, widest + across + slack)) return std::nullopt;
   if (!keep(Vec3::UnitZ(), up) || !keep(-Vec3::UnitZ(), up)) return std::nullopt;
   if (zone.round) {

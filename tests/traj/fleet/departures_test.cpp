@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "traj/fleet/random_flights.h"
 #include "traj/together/check_together.h"
 
@@ -99,11 +101,91 @@ TEST(ChooseDepartures, NoRoundMovesHigherPriorityBack) {
   EXPECT_EQ(choose_departures(f, c, {5, 1}).of[0].start, 0);
 }
 
+TEST(ChooseDepartures, WhatIsSettledGoesFirstAndStays) {
+  auto f = flights(3);
+  f[0].priority = 9;
+  f[2].settled = true;
+  f[2].earliest = f[2].latest = 4;
+  const auto c = conflicts({{{0, 1}, {-5, 5}}, {{0, 2}, {-1, 20}}, {{1, 2}, {-1, 1}}});
+  for (const int improve : {0, 20}) {
+    const Departures chosen = choose_departures(f, c, {improve, 1});
+    EXPECT_EQ(chosen.of[2].start, 4);
+    EXPECT_EQ(chosen.of[0].start, 5.001) << "the settled one departs 1 s sooner, or 20 s later";
+    EXPECT_EQ(chosen.of[1].start, 0);
+  }
+}
+
+TEST(ChooseDepartures, NamesWhatIsSettledAmongThoseInTheWay) {
+  auto f = flights(2, 4);
+  f[1].settled = true;
+  f[1].latest = 0;
+  const Departures refused = choose_departures(f, conflicts({{{0, 1}, {-50, 50}}}), {5, 1});
+  EXPECT_FALSE(refused.of[0].start);
+  EXPECT_EQ(refused.of[0].blocked, (std::vector<std::uint32_t>{1}));
+  EXPECT_EQ(refused.of[1].start, 0);
+}
+
+TEST(ChooseDepartures, TwoThatAreSettledDepartAlthoughTheyMeet) {
+  auto f = flights(2);
+  for (FleetFlight& flight : f) {
+    flight.settled = true;
+    flight.earliest = flight.latest = 7;
+  }
+  const Departures chosen = choose_departures(f, conflicts({{{0, 1}, {-50, 50}}}), {5, 1});
+  EXPECT_EQ(chosen.of[0].start, 7);
+  EXPECT_EQ(chosen.of[1].start, 7);
+}
+
 TEST(ConflictsAsAsked, CountsPairsOnce) {
   auto f = flights(3);
   f[1].earliest = 5;
   const auto c = conflicts({{{0, 1}, {-5, 5}}, {{0, 2}, {1, 2}}, {{1, 2}, {-6, -5}}});
   EXPECT_EQ(conflicts_as_asked(f, c), 2u);
+}
+
+// Flights among others that are settled: whatever departs is proved apart from all of them, and no
+// sampled instant says otherwise.
+TEST(ChooseDepartures, AreProvedBesideWhatIsSettled) {
+  const Zone zone = cylinder(8, 3);
+  const Spacing spacing{zone, std::nullopt};
+  std::size_t waited = 0;
+  std::size_t without = 0;
+  for (const std::uint64_t seed : {21, 22, 23, 24, 25, 26}) {
+    geom::SplitMix64 random(seed);
+    const Parked parked = seed % 2 ? Parked::gone : Parked::pad;
+    std::vector<Trajectory> ways;
+    for (int i = 0; i < 24; ++i) ways.push_back(random_flight(random, 60, 8));
+    std::vector<FleetFlight> f;
+    for (std::uint32_t i = 0; i < ways.size(); ++i) {
+      const double earliest = random.uniform(0, 60);
+      f.push_back({&ways[i], Vec3::Constant(0.5), earliest, earliest + 120, random.whole(0, 2), i});
+      if (i % 3 != 0) continue;
+      f.back().latest = earliest;
+      f.back().settled = true;
+    }
+    const Departures chosen = choose_departures(f, fleet_conflicts(f, spacing, parked), {10, seed});
+    for (std::uint32_t a = 0; a < f.size(); ++a) {
+      const auto& start = chosen.of[a].start;
+      if (f[a].settled) {
+        ASSERT_EQ(start, f[a].earliest);
+        continue;
+      }
+      if (!start) {
+        ++without;
+        continue;
+      }
+      waited += *start > f[a].earliest;
+      for (std::uint32_t b = 0; b < f.size(); ++b) {
+        if (a == b || !chosen.of[b].start) continue;
+        const TimedFlight one{&ways[a], *start, f[a].room};
+        const TimedFlight other{&ways[b], *chosen.of[b].start, f[b].room};
+        ASSERT_TRUE(check_pair(one, other, std::array{zone}, parked).apart) << seed << a << b;
+        ASSERT_GT(testing::least_share(ways[a], ways[b], zone, parked, other.start - one.start), 1);
+      }
+    }
+  }
+  EXPECT_GT(waited, 5u);
+  EXPECT_GT(without, 1u);
 }
 
 // From random flights to departures that the check of pairs proves.

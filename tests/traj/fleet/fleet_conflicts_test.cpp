@@ -84,6 +84,18 @@ TEST(FleetConflicts, WaysOfOneFlightAreNoPair) {
   EXPECT_TRUE(fleet_conflicts(fleet.flights, kSpacing, Parked::gone).pairs.empty());
 }
 
+TEST(FleetConflicts, TwoThatAreSettledAreNoPair) {
+  Drawn fleet = drawn(8, 2, 50);
+  fleet.ways[1] = fleet.ways[0];
+  for (FleetFlight& flight : fleet.flights) flight.earliest = flight.latest = 5;
+  fleet.flights[0].settled = true;
+  EXPECT_EQ(fleet_conflicts(fleet.flights, kSpacing, Parked::gone).pairs.size(), 1u);
+  fleet.flights[1].settled = true;
+  const FleetConflicts none = fleet_conflicts(fleet.flights, kSpacing, Parked::gone);
+  EXPECT_TRUE(none.pairs.empty());
+  EXPECT_EQ(none.looked_at, 0u);
+}
+
 TEST(FleetConflicts, NoFlightsHaveNone) {
   EXPECT_TRUE(fleet_conflicts({}, kSpacing, Parked::pad).pairs.empty());
 }

@@ -24,6 +24,19 @@ TEST(MeetingTimes, OfOneThatStandsAndOneThatPasses) {
   EXPECT_NEAR(span->high, 10.4, 0.01);
 }
 
+TEST(MeetingTimes, OfAZoneThatGrowsWithTheFirst) {
+  // A box of 1 m that stands at zero for 10 s and is 5 m larger at the end; a point at x = 4 stands
+  // in it from second 6 on.
+  const StraightPiece point = piece({4, 0, 0}, {4, 0, 0}, 0, 0);
+  const Zone box{false, {1, 1, 1}};
+  const auto span = meeting_times(piece({0, 0, 0}, {0, 0, 0}, 0, 10), point, box, {5, 0, 0});
+  ASSERT_TRUE(span);
+  EXPECT_LE(span->low, 6);
+  EXPECT_NEAR(span->low, 6, 1e-6);
+  EXPECT_NEAR(span->high, 10, 1e-6);
+  EXPECT_FALSE(meeting_times(piece({0, 0, 0}, {0, 0, 0}, 0, 10), point, box, {2.9, 9, 9}));
+}
+
 TEST(MeetingTimes, NoneWhereTheLinesStayApart) {
   const StraightPiece a = piece({-100, 0, 0}, {100, 0, 0}, 0, 20);
   EXPECT_FALSE(meeting_times(a, piece({-100, 6, 0}, {100, 6, 0}, 0, 20), cylinder(5, 1)));

@@ -32,9 +32,10 @@ struct Departures {
   std::size_t moved = 0;      // flights that rounds moved forward
 };
 
-// First come first served: by priority, then by number, each at the earliest time at which it is
-// too near no flight that has a departure already. Where a wait is needed, in whole milliseconds
-// after the epoch, rounded up. By the first of its ways that can depart by its latest.
+// Those that are settled first, each at its time, and nothing moves them. Then first come first
+// served: by priority, then by number, each at the earliest time at which it is too near no flight
+// that has a departure already. Where a wait is needed, in whole milliseconds after the epoch,
+// rounded up. By the first of its ways that can depart by its latest.
 //
 // A round of improvement looks at each flight that waits, in an order drawn from the seed: it goes
 // first, then others that wait for what was in its way, then what was in its way; none of these is

@@ -32,8 +32,9 @@ struct FleetConflicts {
 
 // forbidden_departures() of the pairs of which boxes of their pieces meet, each box lasting from
 // its piece's time after the earliest departure to that after the latest. So it takes about as long
-// as flights and near pairs are many. Flights of one number are no pair. `shard`: only its share of
-// the pairs that are looked at. The same for any number of threads.
+// as flights and near pairs are many. Flights of one number are no pair, nor are two that are both
+// settled: there is nothing to choose between them. `shard`: only its share of the pairs that are
+// looked at. The same for any number of threads.
 FleetConflicts fleet_conflicts(std::span<const FleetFlight> flights, const Spacing& spacing,
                                Parked parked, const geom::Shard& shard = {},
                                const geom::Execution& run = {});

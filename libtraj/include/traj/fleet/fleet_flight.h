@@ -18,8 +18,12 @@ struct FleetFlight {
   double latest = 0;                       // >= earliest
   int priority = 0;                        // higher goes first
   std::uint32_t number = 0;                // several of one number are one flight by different ways
-  // Seconds after the epoch at which it must not depart, whatever others do: forbidden_by_map().
+  // Seconds after the epoch at which it must not depart, whatever others do: forbidden_by_map(),
+  // forbidden_by_moving().
   std::vector<DepartureSpan> forbidden = {};
+  // Its departure is not to be chosen, as another operator's: it departs at `earliest`, whatever
+  // others do. Then latest = earliest, nothing is forbidden, and it is alone of its number.
+  bool settled = false;
 };
 
 }  // namespace traj
