@@ -124,7 +124,7 @@ class Reports {
   }
 
   // Of all flights against obstacles that move.
-  void add(const checking::Moving::Found& found) {
+  void add(const cli::Moving::Found& found) {
     failed_ += !found.summary.ok();
     junit_.add(found.conflicts, found.summary);
     for (const traj::MovingConflict& one : found.conflicts) {
@@ -182,6 +182,12 @@ void check_together(const cli::Common& common, checking::Together& together, boo
   cli::tell(common, "skyway-check",
             fmt::format("{} of {} pairs come too near; the nearest: {}", result.refused.size(),
                         result.pairs, traj::in_words(*nearest, together.task())));
+}
+
+void read_moving(cli::Moving& moving, const geom::BoxMap& map) {
+  moving.read();
+  cli::NamedMap named(map);
+  moving.require_of(named);
 }
 
 void check_moving(const cli::Common& common, checking::Together& together, Reports& reports) {
@@ -250,7 +256,7 @@ int main(int argc, char** argv) {
     if (options.flight_log()) {
       return options.flights.check(common, options.input, scenes, sharding, options.output);
     }
-    if (options.together.moving().asked()) options.together.moving().read(scenes.map());
+    if (options.together.moving().asked()) read_moving(options.together.moving(), scenes.map());
     const checking::Checker checker(common, scenes, options.profile, options.together,
                                     options.rules());
     cli::InputFile file(options.input);

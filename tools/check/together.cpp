@@ -15,7 +15,7 @@ void Together::add_to(CLI::App& app) {
   app.add_flag("--together", asked_,
                "check the trajectories against one another, too, for all time");
   cli::add_spacing(app, task_.rule.spacing, task_.rule.parked);
-  moving_.add_to(app);
+  moving_.add_to(app, "prove each trajectory clear of each at every instant, too");
 }
 
 void Together::refuse_idle(const CLI::App& app, bool drone_file) const {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/option/moving.h"
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"
-#include "moving.h"
 #include "traj/record/pair_record.h"
 #include "traj/record/trajectory_record.h"
 
@@ -26,8 +26,8 @@ class Together {
   // Whether flights stand at their ends before and after.
   bool parks() const { return asked_ && task_.rule.parked == traj::Parked::pad; }
   bool collects() const { return asked_ || moving_.asked(); }  // the flights
-  Moving& moving() { return moving_; }
-  const Moving& moving() const { return moving_; }
+  cli::Moving& moving() { return moving_; }
+  const cli::Moving& moving() const { return moving_; }
   // Throws cli::UsageError for options that mean nothing, alone or with files of drones.
   void refuse_idle(const CLI::App& app, bool drone_file) const;
 
@@ -52,7 +52,7 @@ class Together {
                     std::size_t line) const;
 
   bool asked_ = false;
-  Moving moving_;
+  cli::Moving moving_;
   traj::TogetherTask task_;
   std::set<std::string> ids_;  // of all records
   bool any_ = false;           // record, yet

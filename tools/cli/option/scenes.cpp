@@ -4,7 +4,6 @@
 
 #include "cli/run.h"
 #include "geom/base/error.h"
-#include "geom/map/always_there.h"
 #include "geom/record/made_for_another.h"
 
 namespace cli {
@@ -20,16 +19,9 @@ const geom::CollisionScene& Scenes::build(const Room& room) {
   if (!scene_ || !(scene_->vehicle() == room.vehicle) || scene_->margin() != room.margin) {
     geom::CollisionOptions collision;
     collision.budget = budget_;
-    scene_.emplace(map_, room.vehicle, room.margin, collision);
+    scene_.emplace(map(), room.vehicle, room.margin, collision);
   }
   return *scene_;
-}
-
-// Times are added to a map after flights were planned on it: whoever decides looks at them.
-bool Scenes::is_of_always_there(const geom::Provenance& record) {
-  if (map_.timed().empty() || !record.map || *record.map == map_.hash()) return false;
-  if (!always_there_) always_there_ = geom::always_there(map_).hash();
-  return *record.map == *always_there_;
 }
 
 const geom::CollisionScene& Scenes::scene() {
@@ -44,9 +36,7 @@ const geom::CollisionScene& Scenes::scene() {
 
 const geom::CollisionScene& Scenes::scene_for(const geom::Provenance& record,
                                               std::string_view source, std::size_t line) {
-  geom::Provenance ours{map_.hash(), map_.spec().frame.axes, {}, {}};
-  if (is_of_always_there(record)) ours.map = always_there_;
-  geom::require_map_agrees(record, ours, source, line);
+  map_.require(record, source, line);
   const Room room = agreed_room(record, asked_, differences_, source, line);
   return build(room);
 }

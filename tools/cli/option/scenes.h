@@ -9,6 +9,7 @@
 #include "agreed_room.h"
 #include "geom/collision/collision.h"
 #include "geom/record/record.h"
+#include "named_map.h"
 #include "vehicle_option.h"
 
 namespace cli {
@@ -21,7 +22,7 @@ class Scenes {
   Scenes(geom::BoxMap map, const VehicleOptions& options, Differences differences);
 
   // Of agreed_room. Throws geom::InputError(source, line, …) where the record is of another map or
-  // frame too. One of the map without its boxes that are there for a time is of this one.
+  // frame too (named_map.h).
   const geom::CollisionScene& scene_for(const geom::Provenance& record, std::string_view source,
                                         std::size_t line);
   const geom::CollisionScene& scene();  // by the options alone
@@ -29,7 +30,7 @@ class Scenes {
   // not of this one's room.
   void require_same_room(const geom::Provenance& record, std::string_view source,
                          std::size_t line) const;
-  const geom::BoxMap& map() const { return map_; }
+  const geom::BoxMap& map() const { return map_.map(); }
 
   // For --stats: how many groups of tiles the last scene built, and built again.
   nlohmann::ordered_json stats() const;
@@ -37,10 +38,8 @@ class Scenes {
 
  private:
   const geom::CollisionScene& build(const Room& room);
-  bool is_of_always_there(const geom::Provenance& record);
 
-  geom::BoxMap map_;
-  std::optional<std::string> always_there_;  // the hash, once it was asked for
+  NamedMap map_;
   std::optional<traj::VehicleProfile> profile_;
   AskedRoom asked_;
   Differences differences_;

@@ -9,47 +9,64 @@
 #include "geom/base/parallel.h"
 #include "geom/record/flight_time.h"
 
-namespace checking {
+namespace cli {
+namespace {
 
-void Moving::add_to(CLI::App& app) {
-  app.add_option("--moving", file_,
-                 "obstacles that move, JSON Lines: prove each trajectory clear of each at every "
-                 "instant, too")
-      ->type_name("FILE");
+geom::Provenance provenance_of(const traj::MovingRecord& record) {
+  return {record.map, record.frame, {}, {}};
 }
 
-void Moving::read(const geom::BoxMap& map) {
-  cli::InputFile file(file_);
+}  // namespace
+
+void Moving::add_to(CLI::App& app, const std::string& what) {
+  app.add_option("--moving", file_, "obstacles that move, JSON Lines: " + what)->type_name("FILE");
+}
+
+void Moving::read() {
+  InputFile file(file_);
+  name_ = file.name();
   std::set<std::string> ids;
   file.for_each_line([&](const std::string& line, std::size_t number) {
-    traj::MovingRecord record = traj::parse_moving_record(line, file.name(), number);
-    const auto refuse = [&](const std::string& message) {
-      throw geom::InputError(file.name(), number, message);
-    };
+    traj::MovingRecord record = traj::parse_moving_record(line, name_, number);
     if (!ids.insert(record.id).second) {
-      refuse(fmt::format("expected each id once, found \"{}\" again", record.id));
+      throw geom::InputError(name_, number,
+                             fmt::format("expected each id once, found \"{}\" again", record.id));
     }
     if (!obstacles_.empty()) {
-      geom::require_epoch_agrees(record.epoch, obstacles_.front().epoch, file.name(), number);
-    }
-    const geom::Axes axes = map.spec().frame.axes;
-    if (record.frame && *record.frame != axes) {
-      refuse(
-          fmt::format("expected the map's frame, {}, found {}", name(axes), name(*record.frame)));
-    }
-    if (record.map && *record.map != map.hash()) {
-      refuse(fmt::format("expected an obstacle over this map, {}, found one over {}", map.hash(),
-                         *record.map));
+      geom::require_epoch_agrees(record.epoch, obstacles_.front().epoch, name_, number);
     }
     obstacles_.push_back(std::move(record));
+    lines_.push_back(number);
   });
+}
+
+void Moving::require_of(NamedMap& map) const {
+  for (std::size_t i = 0; i < count(); ++i) {
+    map.require(provenance_of(obstacles_[i]), name_, lines_[i]);
+  }
+}
+
+void Moving::require_of(const geom::Provenance& flights) const {
+  for (std::size_t i = 0; i < count(); ++i) {
+    geom::require_map_agrees(provenance_of(obstacles_[i]), flights, name_, lines_[i]);
+  }
+}
+
+void Moving::require_epoch(const std::optional<std::string>& flights) const {
+  geom::require_epoch_agrees(obstacles_.at(0).epoch, flights, name_, 0);
+}
+
+std::vector<traj::MovingBox> Moving::boxes() const {
+  std::vector<traj::MovingBox> out;
+  for (const traj::MovingRecord& record : obstacles_) out.push_back(record.box);
+  return out;
 }
 
 Moving::Found Moving::check(std::span<const traj::TimedFlight> flights,
                             const traj::TogetherTask& task, std::size_t left_out,
                             const geom::Execution& run) const {
   if (!flights.empty() || left_out > 0) {
-    geom::require_epoch_agrees(obstacles_.front().epoch, task.epoch, file_, 0);
+    require_epoch(task.epoch);
   }
   Found out;
   traj::MovingSummary& summary = out.summary;
@@ -74,4 +91,4 @@ Moving::Found Moving::check(std::span<const traj::TimedFlight> flights,
   return out;
 }
 
-}  // namespace checking
+}  // namespace cli

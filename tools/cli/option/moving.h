@@ -1,30 +1,39 @@
 #pragma once
 
-// --moving of skyway-check: obstacles that move, held against each flight.
+// --moving: obstacles that move, and the check of flights against them.
 
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geom/base/execution.h"
-#include "geom/map/box_map.h"
+#include "named_map.h"
 #include "traj/record/moving_record.h"
 #include "traj/record/pair_record.h"
 
-namespace checking {
+namespace cli {
 
 class Moving {
  public:
-  void add_to(CLI::App& app);
+  // `what` is done with them, for --help.
+  void add_to(CLI::App& app, const std::string& what);
   bool asked() const { return !file_.empty(); }
   const std::string& file() const { return file_; }
 
   // Reads all obstacles, at least one. Throws geom::InputError for bad records, an id that comes
-  // again, epochs that differ, and a frame or map that is not this one.
-  void read(const geom::BoxMap& map);
+  // again, and epochs that differ.
+  void read();
+  // Once they are read, each throws geom::InputError for one of another frame, map or epoch.
+  void require_of(NamedMap& map) const;
+  void require_of(const geom::Provenance& flights) const;
+  void require_epoch(const std::optional<std::string>& flights) const;
+
+  std::size_t count() const { return obstacles_.size(); }
+  const std::string& id(std::size_t i) const { return obstacles_.at(i).id; }
+  std::vector<traj::MovingBox> boxes() const;
 
   // Every flight against every obstacle, `task` saying who they are and how they are parked:
   // conflicts in order, then what all came to. Throws geom::InputError where their epoch is
@@ -38,7 +47,9 @@ class Moving {
 
  private:
   std::string file_;
+  std::string name_;  // as messages say it
   std::vector<traj::MovingRecord> obstacles_;
+  std::vector<std::size_t> lines_;  // where each stood
 };
 
-}  // namespace checking
+}  // namespace cli
