@@ -145,10 +145,21 @@ std::string fault(const traj::CheckResult& result) {
 
 constexpr double kHighestRate = 10000;  // Hz, of --rate
 
+// What it touched, where that is in the map for a time only.
+bool is_timed(const geom::CollisionScene& scene, const traj::CheckResult& result) {
+  return result.reason == traj::Reason::collision && result.box &&
+         !scene.map().time(*result.box).always();
+}
+
 // What to do about it.
 std::string remedy(const geom::CollisionScene& scene, const Task& task,
                    const traj::CheckResult& result) {
   using traj::Reason;
+  if (is_timed(scene, result)) {
+    return "that obstacle is there for a time only, and counts as always there for what is "
+           "exported: prove the flight by time on this map (skyway-check), then export it with the "
+           "map as it was before boxes with times were added, and depart at its start";
+  }
   const bool near = result.reason == Reason::collision || result.reason == Reason::bounds;
   const bool setpoints = task.format == "setpoints";
   const bool limit = std::any_of(
