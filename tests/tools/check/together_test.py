@@ -1,7 +1,9 @@
 """together_test.py BIN_DIR: what keeps flights apart holds for the independent verifier, and not once tampered with;
 flights of many kinds give the same bytes for any number of threads."""
 
+import contextlib
 import copy
+import io
 import json
 import os
 import random
@@ -9,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-from verify_together import Refused, verify
+from verify_together import Refused, verify, verify_files
 
 bin_dir = sys.argv[1]
 random.seed(5)
@@ -149,4 +151,13 @@ with tempfile.TemporaryDirectory() as folder:
     check(many(25))
     check(many(25), "--parked", "gone", "--separation", "12,5")
     check(many(20), "--parked", "gone", "--separation-box", "9,9,4", "--downwash", "2,25")
+    # What is said to hold is what was looked at: pairs, and no map.
+    for parked, said in (("pad", "each on its pad before and after, for the others"), ("gone", "each gone before and after")):
+        tool("skyway-check", "m.boxmap", write("one.jsonl", [flight("one", 0, [0, 0, 30], [9, 0, 30])]), "--together", "--parked", parked,
+             "--certificate", "one.certificate")
+        certificates = read("one.certificate")
+        assert not any("parked" in line for line in certificates if line["type"] == "certificate")
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            assert verify_files("one.jsonl", "one.certificate") == 0
+        assert said in out.getvalue() and "nothing is said of a map" in out.getvalue(), out.getvalue()
 print("every proof held, and none of its changes")

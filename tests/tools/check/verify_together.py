@@ -281,8 +281,9 @@ def verify_files(records_path, certificate_path):
     except Refused as reason:
         print(f"refused: {reason}")
         return 1
-    print(f"{flights} flights keep apart at every instant: separation {line['separation']}, downwash {line.get('downwash')}, "
-          f"parked {line['parked']}; {proofs} pairs by their own proof, the others by boxes")
+    ends = "each on its pad before and after, for the others" if line["parked"] == "pad" else "each gone before and after"
+    print(f"{flights} flights keep apart from each other at every instant, {ends}: separation {line['separation']}, "
+          f"downwash {line.get('downwash')}; {proofs} pairs by their own proof, the others by boxes; nothing is said of a map")
     return 0
 
 
