@@ -2,21 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "cli/batch.h"
 #include "cli/file/files.h"
+#include "cli/option/moving.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/spacing_options.h"
 #include "cli/run.h"
 #include "cli/shard/departure_shard.h"
 #include "cli/tell.h"
+#include "obstacles.h"
 #include "schedule.h"
 #include "stream.h"
-#include "timed_map.h"
 
 namespace {
+
+constexpr std::size_t kShown = 10;  // lines of a kind that are told
 
 struct Options {
   std::string input = "-";
@@ -24,13 +28,17 @@ struct Options {
   std::string report;
   std::string map;
   cli::VehicleOptions vehicle;
+  cli::Moving moving;
   std::vector<std::string> alternatives;
+  std::string others;
   traj::Spacing spacing;
   traj::Parked parked = traj::Parked::pad;
   double max_delay = 600;
   traj::DepartureOptions departures;
 
   void add_to(CLI::App& app);
+  void refuse_idle(const CLI::App& app, bool shard) const;
+  cli::Sharding::Files inputs() const;
 };
 
 void Options::add_to(CLI::App& app) {
@@ -42,6 +50,7 @@ void Options::add_to(CLI::App& app) {
       "box map, whose boxes with times flights keep clear of; the flights must be proved "
       "on it but for these");
   vehicle.add_to(app);
+  moving.add_to(app, "flights keep clear of each at every instant, too");
   cli::add_spacing(app, spacing, parked);
   app.add_option("--max-delay", max_delay,
                  "seconds that a flight may wait after its earliest departure (default 600)")
@@ -50,10 +59,36 @@ void Options::add_to(CLI::App& app) {
                  "other ways for flights that would have to wait longer: trajectories of the same "
                  "ids, the first file first")
       ->type_name("FILE");
+  app.add_option("--others", others,
+                 "trajectories with a start, as another operator's: they stay as they are, and "
+                 "flights keep apart from them, too")
+      ->type_name("FILE");
   app.add_option("--improve", departures.improve,
                  "rounds in which flights that wait are moved forward (default 0)")
       ->check(CLI::Range(0, 1000000));
   app.add_option("--seed", departures.seed, "seed of the order of --improve (default 0)");
+}
+
+void Options::refuse_idle(const CLI::App& app, bool shard) const {
+  cli::only_for(app, !map.empty() || moving.asked(), {"--vehicle", "--margin"},
+                "--map or --moving");
+  std::vector<std::string> beside = alternatives;
+  for (const std::string& file : {map, others, moving.file()}) {
+    if (!file.empty()) beside.push_back(file);
+  }
+  cli::at_most_one_stdin(input, beside);
+  if (shard && !report.empty()) {
+    throw cli::UsageError("a shard has no output but -o: give --report later, with --join");
+  }
+}
+
+cli::Sharding::Files Options::inputs() const {
+  cli::Sharding::Files out{{"file", input}};
+  for (const std::string& file : alternatives) {
+    out.emplace_back(fmt::format("alternatives {}", out.size()), file);
+  }
+  out.insert(out.end(), {{"map", map}, {"others", others}, {"moving", moving.file()}});
+  return out;
 }
 
 // Seconds since it was made, and since it was asked last.
@@ -71,26 +106,23 @@ class Clock {
 };
 
 fleet::Stream read_stream(const Options& options) {
-  fleet::Stream stream({options.max_delay, !options.spacing.zone});
+  fleet::Stream stream({options.max_delay, !options.spacing.zone, options.moving.asked(),
+                        options.vehicle.asked(options.vehicle.profile())});
   stream.read(options.input);
   for (const std::string& file : options.alternatives) stream.read_ways(file);
+  if (!options.others.empty()) stream.read_others(options.others);
   return stream;
 }
 
-// Nothing is written that is not proved.
-traj::TogetherResult prove(const fleet::Schedule& schedule, const Options& options,
-                           const geom::Execution& run) {
-  const std::vector<traj::TimedFlight> timed = schedule.timed();
-  traj::TogetherResult proof = traj::check_together(timed, {options.spacing, options.parked}, run);
-  if (proof.ok()) return proof;
-  throw std::runtime_error(
-      fmt::format("the departures that were chosen could not be proved: {} pairs are too near, or "
-                  "within rounding of it; nothing was written",
-                  proof.refused.size()));
+fleet::Obstacles read_obstacles(const Options& options, const fleet::Stream& stream,
+                                const cli::Common& common) {
+  fleet::Obstacles obstacles(common, stream, options.parked);
+  if (!options.map.empty()) obstacles.add_map(options.map, options.vehicle);
+  if (options.moving.asked()) obstacles.add_moving(options.moving);
+  return obstacles;
 }
 
-void write(const fleet::Schedule& schedule, const traj::TogetherResult& proof,
-           const Options& options) {
+void write(const fleet::Schedule& schedule, const fleet::Proof& proof, const Options& options) {
   cli::OutputFile out(options.output, cli::OutputKind::text);
   for (const std::string& record : schedule.records()) out.stream() << record;
   out.commit();
@@ -101,7 +133,7 @@ void write(const fleet::Schedule& schedule, const traj::TogetherResult& proof,
 }
 
 void tell(const cli::Common& common, const fleet::Stream& stream, const fleet::Schedule& schedule,
-          const traj::Departures& departures) {
+          const fleet::Proof& proof, const traj::Departures& departures) {
   cli::Batch batch;
   std::size_t shown = 0;
   for (const fleet::Stream::Entry& entry : stream.entries()) {
@@ -111,13 +143,61 @@ void tell(const cli::Common& common, const fleet::Stream& stream, const fleet::S
       batch.add_good();
     } else {
       batch.add_failed("refused");
-      if (++shown <= 10) {
+      if (++shown <= kShown) {
         cli::tell(common, "skyway-fleet",
                   entry.record->id + ": " + schedule.why_refused(*entry.number));
       }
     }
   }
   batch.tell(common, "skyway-fleet", "flights have no departure");
+  const auto& near = proof.together.refused;
+  for (std::size_t i = 0; i < std::min(near.size(), kShown); ++i) {
+    cli::tell(common, "skyway-fleet", schedule.too_near(near[i]));
+  }
+  if (near.size() > kShown) {
+    cli::tell(common, "skyway-fleet", fmt::format("and {} more such pairs", near.size() - kShown));
+  }
+}
+
+// Reads, chooses, proves and writes; or works out a shard.
+cli::Exit schedule_fleet(const Options& options, const cli::Sharding& sharding,
+                         const cli::Common& common) {
+  Clock clock;
+  const fleet::Stream stream = read_stream(options);
+  std::vector<traj::FleetFlight> flights = stream.flights();
+  fleet::Obstacles obstacles = read_obstacles(options, stream, common);
+  obstacles.close(flights);
+  const double read_s = clock.lap();
+  const std::vector<cli::ShardFile> shards = sharding.shards();
+  const traj::FleetConflicts conflicts =
+      shards.empty() ? traj::fleet_conflicts(flights, options.spacing, options.parked,
+                                             sharding.shard(), common.execution("pairs"))
+                     : cli::joined_departures(shards, flights.size());
+  const double pairs_s = clock.lap();
+  if (sharding.asked()) {
+    cli::write_shard(sharding, options.output, conflicts, flights.size());
+    common.write_stats({{"near", conflicts.looked_at}, {"pairs_s", pairs_s}});
+    return cli::Exit::yes;
+  }
+  const traj::Departures departures =
+      traj::choose_departures(flights, conflicts, options.departures);
+  const double choose_s = clock.lap();
+  const fleet::Schedule schedule({stream, obstacles, flights, conflicts, departures},
+                                 options.spacing, options.parked);
+  const fleet::Proof proof = schedule.prove(common.execution("proof"));
+  const double prove_s = clock.lap();
+  write(schedule, proof, options);
+  tell(common, stream, schedule, proof, departures);
+  common.write_stats({{"flights", flights.size()},
+                      {"near", conflicts.looked_at},
+                      {"conflicting", conflicts.pairs.size()},
+                      {"read_s", read_s},
+                      {"pairs_s", pairs_s},
+                      {"choose_s", choose_s},
+                      {"prove_s", prove_s},
+                      {"write_s", clock.lap()}});
+  const bool all = schedule.refused() + schedule.without() == 0 && proof.together.ok();
+  return all ? cli::Exit::yes : cli::Exit::no;
 }
 
 }  // namespace
@@ -133,57 +213,9 @@ int main(int argc, char** argv) {
   sharding.add_join_to(app, "all shards of the pairs, which are then read and not worked out")
       ->expected(1, -1);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::only_for(app, !options.map.empty(), {"--vehicle", "--margin"}, "--map");
-    std::vector<std::string> others = options.alternatives;
-    if (!options.map.empty()) others.push_back(options.map);
-    cli::at_most_one_stdin(options.input, others);
-    cli::Sharding::Files inputs{{"file", options.input}};
-    for (const std::string& file : options.alternatives) {
-      inputs.emplace_back(fmt::format("alternatives {}", inputs.size()), file);
-    }
-    if (!options.map.empty()) inputs.emplace_back("map", options.map);
-    if (sharding.asked() && !options.report.empty()) {
-      throw cli::UsageError("a shard has no output but -o: give --report later, with --join");
-    }
-    sharding.begin(app, inputs, {{"output", options.output}});
+    options.refuse_idle(app, sharding.asked());
+    sharding.begin(app, options.inputs(), {{"output", options.output}});
     if (const auto done = sharding.finished(common)) return *done;
-    Clock clock;
-    const fleet::Stream stream = read_stream(options);
-    std::vector<traj::FleetFlight> flights = stream.flights();
-    std::optional<fleet::TimedMap> map;
-    if (!options.map.empty()) {
-      map.emplace(options.map, options.vehicle, common).close(stream, options.parked, flights);
-    }
-    const double read_s = clock.lap();
-    const std::vector<cli::ShardFile> shards = sharding.shards();
-    const traj::FleetConflicts conflicts =
-        shards.empty() ? traj::fleet_conflicts(flights, options.spacing, options.parked,
-                                               sharding.shard(), common.execution("pairs"))
-                       : cli::joined_departures(shards, flights.size());
-    const double pairs_s = clock.lap();
-    if (sharding.asked()) {
-      cli::write_shard(sharding, options.output, conflicts, flights.size());
-      common.write_stats({{"near", conflicts.looked_at}, {"pairs_s", pairs_s}});
-      return cli::Exit::yes;
-    }
-    const traj::Departures departures =
-        traj::choose_departures(flights, conflicts, options.departures);
-    const double choose_s = clock.lap();
-    const fleet::Schedule schedule({stream, flights, conflicts, departures}, options.spacing,
-                                   options.parked);
-    const traj::TogetherResult proof = prove(schedule, options, common.execution("proof"));
-    if (map) map->prove(stream, flights, departures, options.parked);
-    const double prove_s = clock.lap();
-    write(schedule, proof, options);
-    tell(common, stream, schedule, departures);
-    common.write_stats({{"flights", flights.size()},
-                        {"near", conflicts.looked_at},
-                        {"conflicting", conflicts.pairs.size()},
-                        {"read_s", read_s},
-                        {"pairs_s", pairs_s},
-                        {"choose_s", choose_s},
-                        {"prove_s", prove_s},
-                        {"write_s", clock.lap()}});
-    return schedule.refused() + schedule.without() > 0 ? cli::Exit::no : cli::Exit::yes;
+    return schedule_fleet(options, sharding, common);
   });
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 #include "geom/text/json_line.h"
 
@@ -27,47 +28,105 @@ double percentile(const std::vector<double>& sorted, double share) {
 
 }  // namespace
 
-std::vector<traj::TimedFlight> Schedule::timed() const {
-  std::vector<traj::TimedFlight> out;
+std::span<const traj::Departure> Schedule::own() const {
+  return std::span(made_.departures.of).first(made_.stream.own());
+}
+
+Schedule::Schedule(const Made& made, const traj::Spacing& spacing, traj::Parked parked)
+    : made_(made), spacing_(spacing), parked_(parked) {
   for (const traj::Departure& departure : made_.departures.of) {
-    if (!departure.start) continue;
-    const traj::FleetFlight& flight = made_.flights[departure.flight];
-    out.push_back({flight.trajectory, *departure.start, flight.room});
+    if (departure.start) departing_.push_back(departure.flight);
   }
-  return out;
+}
+
+Proof Schedule::prove(const geom::Execution& run) const {
+  std::vector<traj::TimedFlight> timed;
+  std::size_t own = 0;  // which come first
+  for (const std::uint32_t way : departing_) {
+    const traj::FleetFlight& flight = made_.flights[way];
+    const double start = made_.departures.of[flight.number].start.value();
+    timed.push_back({flight.trajectory, start, flight.room});
+    own += !flight.settled;
+  }
+  Proof proof{traj::check_together(timed, {spacing_, parked_}, run), std::nullopt};
+  const auto& refused = proof.together.refused;
+  const auto count = std::count_if(refused.begin(), refused.end(),
+                                   [&](const auto& pair) { return pair.flights.first < own; });
+  if (count > 0) {
+    throw std::runtime_error(
+        fmt::format("the departures that were chosen could not be proved: {} pairs are too near, "
+                    "or within rounding of it; nothing was written",
+                    count));
+  }
+  proof.moving = made_.obstacles.prove(made_.flights, made_.departures);
+  return proof;
+}
+
+std::pair<std::string, std::string> Schedule::ids(const traj::RefusedPair& pair) const {
+  return {made_.stream.record(departing_[pair.flights.first]).id,
+          made_.stream.record(departing_[pair.flights.second]).id};
+}
+
+std::string Schedule::too_near(const traj::RefusedPair& pair) const {
+  const auto [one, other] = ids(pair);
+  return fmt::format(
+      "{} and {} of --others are not proved to keep apart from each other, which no departure "
+      "chosen here can change",
+      one, other);
 }
 
 std::size_t Schedule::refused() const {
   return static_cast<std::size_t>(
-      std::count_if(made_.departures.of.begin(), made_.departures.of.end(),
+      std::count_if(own().begin(), own().end(),
                     [](const traj::Departure& departure) { return !departure.start; }));
 }
 
-std::size_t Schedule::without() const {
-  return made_.stream.entries().size() - made_.departures.of.size();
-}
+std::size_t Schedule::without() const { return made_.stream.entries().size() - own().size(); }
 
-std::vector<std::string> Schedule::blocked_ids(const traj::Departure& departure) const {
+std::vector<std::string> Schedule::blocked_ids(const traj::Departure& departure,
+                                               bool settled) const {
   std::vector<std::string> out;
   for (const std::uint32_t flight : departure.blocked) {
-    out.push_back(made_.stream.record(flight).id);
+    if (made_.flights[flight].settled == settled) out.push_back(made_.stream.record(flight).id);
   }
+  return out;
+}
+
+Barred Schedule::barred(std::uint32_t number) const {
+  const auto of_lower = [](const traj::FleetFlight& flight, std::uint32_t n) {
+    return flight.number < n;
+  };
+  const auto first = std::lower_bound(made_.flights.begin(), made_.flights.end(), number, of_lower);
+  Barred out;
+  for (auto way = first; way != made_.flights.end() && way->number == number; ++way) {
+    const Barred& one =
+        made_.obstacles.barred(static_cast<std::size_t>(way - made_.flights.begin()));
+    out.by_map = out.by_map || one.by_map;
+    out.moving.insert(out.moving.end(), one.moving.begin(), one.moving.end());
+  }
+  std::sort(out.moving.begin(), out.moving.end());
+  out.moving.erase(std::unique(out.moving.begin(), out.moving.end()), out.moving.end());
   return out;
 }
 
 std::string Schedule::why_refused(std::uint32_t number) const {
   const traj::Departure& departure = made_.departures.of[number];
   const traj::FleetFlight& flight = made_.flights[departure.flight];
-  std::vector<std::string> ids = blocked_ids(departure);
-  const std::size_t all = ids.size();
-  ids.resize(std::min(all, kNamed));
-  if (all == 0) {
-    return fmt::format("the map's boxes with times leave it no departure from {} to {} s",
-                       flight.earliest, flight.latest);
-  }
-  return fmt::format("no departure from {} to {} s keeps it apart from {}{}", flight.earliest,
-                     flight.latest, fmt::join(ids, ", "),
-                     all > kNamed ? fmt::format(" and {} more", all - kNamed) : "");
+  const Barred by = barred(number);
+  std::vector<std::string> what;
+  const auto add = [&](std::vector<std::string> names, std::string_view of) {
+    if (names.empty()) return;
+    const std::size_t more = names.size() > kNamed ? names.size() - kNamed : 0;
+    names.resize(names.size() - more);
+    what.push_back(fmt::format("{}{}{}", of, fmt::join(names, ", "),
+                               more > 0 ? fmt::format(" and {} more", more) : ""));
+  };
+  add(blocked_ids(departure, false), "");
+  add(blocked_ids(departure, true), "of --others ");
+  if (by.by_map) what.emplace_back("the map's boxes with times");
+  add(by.moving, "of --moving ");
+  return fmt::format("no departure from {} to {} s keeps it apart from {}", flight.earliest,
+                     flight.latest, fmt::join(what, "; "));
 }
 
 std::string Schedule::record_of(const Stream::Entry& entry) const {
@@ -100,7 +159,7 @@ std::vector<std::string> Schedule::records() const {
 
 std::vector<double> Schedule::delays() const {
   std::vector<double> out;
-  for (const traj::Departure& departure : made_.departures.of) {
+  for (const traj::Departure& departure : own()) {
     if (departure.start) {
       out.push_back(*departure.start - made_.flights[departure.flight].earliest);
     }
@@ -109,30 +168,47 @@ std::vector<double> Schedule::delays() const {
   return out;
 }
 
-std::string Schedule::report(const traj::TogetherResult& proof, int rounds) const {
+std::string Schedule::refusal(const Stream::Entry& entry) const {
+  const traj::Departure& departure = made_.departures.of[*entry.number];
+  std::vector<std::string> blocked = blocked_ids(departure, false);
+  const std::vector<std::string> others = blocked_ids(departure, true);
+  blocked.insert(blocked.end(), others.begin(), others.end());
+  const Barred by = barred(*entry.number);
+  geom::JsonLine line;
+  line.add("id", entry.record->id).add("blocked_by", blocked);
+  if (!others.empty()) line.add("others", others);
+  if (by.by_map) line.add("map", true);
+  if (!by.moving.empty()) line.add("moving", by.moving);
+  return line.object();
+}
+
+std::string Schedule::report(const Proof& proof, int rounds) const {
   using geom::JsonLine;
   const std::vector<double> delay = delays();
   const double sum = std::accumulate(delay.begin(), delay.end(), 0.0);
   const double count = std::max<double>(1, static_cast<double>(delay.size()));
-  std::vector<std::string> rerouted;
+  const traj::TogetherResult& together = proof.together;
   JsonLine line;
-  line.add("type", "fleet").add("ok", refused() == 0 && without() == 0 && proof.ok());
-  line.add("flights", made_.departures.of.size()).add("departing", delay.size());
+  line.add("type", "fleet").add("ok", refused() == 0 && without() == 0 && together.ok());
+  line.add("flights", own().size()).add("departing", delay.size());
+  if (made_.stream.others() > 0) line.add("others", made_.stream.others());
+  if (!together.ok()) {
+    line.add("others_too_near", together.refused,
+             [&](const traj::RefusedPair& pair) { return ids(pair); });
+  }
   if (without() > 0) line.add("left_out", without());
   line.add("delay", JsonLine()
                         .add("mean", sum / count)
                         .add("p95", percentile(delay, 0.95))
                         .add("max", percentile(delay, 1)));
   line.add("delayed", std::count_if(delay.begin(), delay.end(), [](double d) { return d > 0; }));
+  std::vector<std::string> rerouted;
   std::vector<std::string> refusals;
   for (const Stream::Entry& entry : made_.stream.entries()) {
     if (!entry.number) continue;
     const traj::Departure& departure = made_.departures.of[*entry.number];
     if (!departure.start) {
-      refusals.push_back(JsonLine()
-                             .add("id", entry.record->id)
-                             .add("blocked_by", blocked_ids(departure))
-                             .object());
+      refusals.push_back(refusal(entry));
     } else if (&made_.stream.record(departure.flight) != entry.record) {
       rerouted.push_back(entry.record->id);
     }
@@ -141,14 +217,30 @@ std::string Schedule::report(const traj::TogetherResult& proof, int rounds) cons
   line.add_json("refused", fmt::format("[{}]", fmt::join(refusals, ",")));
   line.add("as_asked",
            JsonLine().add("conflicts", traj::conflicts_as_asked(made_.flights, made_.conflicts)));
-  line.add("pairs", proof.pairs).add("near", made_.conflicts.looked_at);
+  line.add("pairs", together.pairs).add("near", made_.conflicts.looked_at);
   line.add("conflicting", made_.conflicts.pairs.size());
   line.add("improved", JsonLine()
                            .add("rounds", rounds)
                            .add("moved", made_.departures.moved)
                            .add("mean_before", made_.departures.before / count));
-  line.add("proof",
-           JsonLine().add("ok", proof.ok()).add("near", proof.near).add("pieces", proof.pieces));
+  add_proof(proof, line);
+  return line.add("epoch", made_.stream.epoch()).line();
+}
+
+// What was proved, and of which distances.
+void Schedule::add_proof(const Proof& proof, geom::JsonLine& line) const {
+  using geom::JsonLine;
+  const traj::TogetherResult& together = proof.together;
+  line.add("proof", JsonLine()
+                        .add("ok", together.ok())
+                        .add("near", together.near)
+                        .add("pieces", together.pieces));
+  if (proof.moving) {
+    line.add("moving", JsonLine()
+                           .add("ok", proof.moving->ok())
+                           .add("obstacles", proof.moving->obstacles)
+                           .add("pieces", proof.moving->pieces));
+  }
   if (spacing_.zone) {
     line.add("separation", object_of(*spacing_.zone));
   } else {
@@ -156,7 +248,6 @@ std::string Schedule::report(const traj::TogetherResult& proof, int rounds) cons
   }
   if (spacing_.downwash) line.add("downwash", object_of(*spacing_.downwash));
   line.add("parked", name(parked_)).add("map", made_.stream.provenance().map);
-  return line.add("epoch", made_.stream.epoch()).line();
 }
 
 }  // namespace fleet

@@ -19,7 +19,7 @@ void Stream::read(const std::string& path) {
   file.for_each_line([&](const std::string& line, std::size_t number) {
     add(traj::parse_trajectory_record(line, file.name(), number), file.name(), number);
   });
-  ways_ = own_;
+  gather();
 }
 
 void Stream::read_ways(const std::string& path) {
@@ -27,10 +27,27 @@ void Stream::read_ways(const std::string& path) {
   file.for_each_line([&](const std::string& line, std::size_t number) {
     add_way(traj::parse_trajectory_record(line, file.name(), number), file.name(), number);
   });
+  gather();
+}
+
+void Stream::read_others(const std::string& path) {
+  cli::InputFile file(path);
+  file.for_each_line([&](const std::string& line, std::size_t number) {
+    add_other(traj::parse_trajectory_record(line, file.name(), number), file.name(), number);
+  });
+  gather();
+}
+
+void Stream::gather() {
   ways_ = own_;
-  ways_.insert(ways_.end(), others_.begin(), others_.end());
+  ways_.insert(ways_.end(), alternatives_.begin(), alternatives_.end());
   std::stable_sort(ways_.begin(), ways_.end(),
                    [](const Way& a, const Way& b) { return a.flight.number < b.flight.number; });
+  auto number = static_cast<std::uint32_t>(own_.size());
+  for (Way way : others_) {
+    way.flight.number = number++;
+    ways_.push_back(way);
+  }
 }
 
 void Stream::require_agrees(const TrajectoryRecord& record, const std::string& source,
@@ -49,20 +66,50 @@ void Stream::require_agrees(const TrajectoryRecord& record, const std::string& s
   }
 }
 
-// As a collision scene of the record has it.
+namespace {
+
+// As a collision scene has it.
+geom::Vec3 grown(const geom::Vec3& half, double margin) {
+  geom::Vec3 room;
+  for (int axis = 0; axis < 3; ++axis) room[axis] = geom::add_up(half[axis], margin);
+  return room;
+}
+
+}  // namespace
+
 geom::Vec3 Stream::room_of(const TrajectoryRecord& record, const std::string& source,
                            std::size_t line) const {
   geom::Vec3 room = geom::Vec3::Zero();
-  if (record.provenance.vehicle) {
-    for (int axis = 0; axis < 3; ++axis) {
-      room[axis] =
-          geom::add_up(record.provenance.vehicle->half[axis], record.provenance.margin.value_or(0));
-    }
+  if (record.provenance.vehicle || rules_.asked.vehicle) {
+    const cli::Room agreed =
+        cli::agreed_room(record.provenance, rules_.asked, cli::Differences::refused, source, line);
+    room = grown(agreed.vehicle.half, agreed.margin);
   }
-  if (rules_.by_vehicles && !(room.minCoeff() > 0)) {
+  if (room.minCoeff() > 0) return room;
+  if (rules_.by_vehicles) {
     throw InputError(source, line,
                      "expected a vehicle with a size along each axis, as the distance follows from "
                      "that, found none: give --separation");
+  }
+  if (rules_.moving) {
+    throw InputError(source, line,
+                     "expected a vehicle with a size along each axis, as its box is what keeps "
+                     "clear of obstacles that move, found none: give --vehicle");
+  }
+  return room;
+}
+
+// The options say nothing of the vehicles of others.
+geom::Vec3 Stream::room_of_other(const TrajectoryRecord& record, const std::string& source,
+                                 std::size_t line) const {
+  geom::Vec3 room = geom::Vec3::Zero();
+  if (const auto& vehicle = record.provenance.vehicle) {
+    room = grown(vehicle->half, record.provenance.margin.value_or(0));
+  }
+  if (rules_.by_vehicles && !(room.minCoeff() > 0)) {
+    throw InputError(source, line,
+                     "expected a record that names its vehicle, with a size along each axis, as "
+                     "the distance follows from that, found none: give --separation");
   }
   return room;
 }
@@ -87,7 +134,7 @@ void Stream::add(TrajectoryRecord record, const std::string& source, std::size_t
   flight.latest =
       std::min(kept.time.latest.value_or(geom::kLargestTime), flight.earliest + rules_.max_delay);
   flight.priority = kept.time.priority.value_or(0);
-  flight.number = numbers_++;
+  flight.number = static_cast<std::uint32_t>(own_.size());
   entries_.push_back({&kept, flight.number});
   own_.push_back({&kept, flight});
 }
@@ -108,7 +155,31 @@ void Stream::add_way(TrajectoryRecord record, const std::string& source, std::si
   way.record = &records_.emplace_back(std::move(record));
   way.flight.trajectory = &way.record->trajectory;
   way.flight.room = room_of(*way.record, source, line);
-  others_.push_back(way);
+  alternatives_.push_back(way);
+}
+
+void Stream::add_other(TrajectoryRecord record, const std::string& source, std::size_t line) {
+  if (entry_of_.contains(record.id) || !others_ids_.insert(record.id).second) {
+    throw InputError(
+        source, line,
+        fmt::format("expected an id that no other flight has, found \"{}\" again", record.id));
+  }
+  const bool solved = record.status == traj::TrajectoryStatus::solved;
+  if (!solved || !record.time.start) {
+    throw InputError(
+        source, line,
+        fmt::format("expected a flight that departs, as those of the stream keep apart from it, "
+                    "found \"{}\" without {}",
+                    record.id, solved ? "a start" : "a trajectory"));
+  }
+  require_agrees(record, source, line);
+  const TrajectoryRecord& kept = records_.emplace_back(std::move(record));
+  traj::FleetFlight flight;
+  flight.trajectory = &kept.trajectory;
+  flight.room = room_of_other(kept, source, line);
+  flight.earliest = flight.latest = *kept.time.start;
+  flight.settled = true;
+  others_.push_back({&kept, flight});
 }
 
 std::vector<traj::FleetFlight> Stream::flights() const {

@@ -1,13 +1,16 @@
 #pragma once
 
-// The flights of a stream of trajectories, and the other ways that they may take.
+// The flights of a stream of trajectories, the other ways that they may take, and flights of others
+// that they meet.
 
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "cli/option/agreed_room.h"
 #include "traj/fleet/fleet_flight.h"
 #include "traj/record/trajectory_record.h"
 
@@ -16,6 +19,8 @@ namespace fleet {
 struct Rules {
   double max_delay = 600;    // seconds that a flight may wait
   bool by_vehicles = false;  // the distance follows from the vehicles' sizes
+  bool moving = false;       // what keeps clear of obstacles that move is the vehicle's box
+  cli::AskedRoom asked;      // the vehicle and margin of flights that name none
 };
 
 class Stream {
@@ -25,15 +30,21 @@ class Stream {
   // The flights, in the order in which they come. Throws InputError for an id that comes again, for
   // records of another map, frame or epoch, and what no departure can be chosen for.
   void read(const std::string& file);
-  // Other ways for them, with their ids. What is no solved trajectory is passed over.
+  // Other ways for them, with their ids. What is no solved trajectory is passed over. After read().
   void read_ways(const std::string& file);
+  // Flights that are settled, as another operator's: each depart at its start. They have numbers
+  // after those of the stream, and are no entries. Throws InputError as read() does, and for one
+  // without a trajectory or a start. After read().
+  void read_others(const std::string& file);
 
   // Of all ways; those of a number follow each other, the stream's own first. Once all is read.
   std::vector<traj::FleetFlight> flights() const;
 
   // Of way `i` of flights().
   const traj::TrajectoryRecord& record(std::size_t i) const { return *ways_.at(i).record; }
-  std::size_t numbers() const { return numbers_; }
+  // How many numbers are flights of the stream, and how many after them are of others.
+  std::size_t own() const { return own_.size(); }
+  std::size_t others() const { return others_.size(); }
 
   // All records of the stream in their order, with their number where they are flights.
   struct Entry {
@@ -53,19 +64,24 @@ class Stream {
 
   void add(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
   void add_way(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
+  void add_other(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
+  void gather();
   void require_agrees(const traj::TrajectoryRecord& record, const std::string& source,
                       std::size_t line);
   geom::Vec3 room_of(const traj::TrajectoryRecord& record, const std::string& source,
                      std::size_t line) const;
+  geom::Vec3 room_of_other(const traj::TrajectoryRecord& record, const std::string& source,
+                           std::size_t line) const;
 
   Rules rules_;
   std::deque<traj::TrajectoryRecord> records_;  // stay where they are
   std::vector<Entry> entries_;
   std::vector<Way> own_;                                      // by number
-  std::vector<Way> others_;                                   // as they come
+  std::vector<Way> alternatives_;                             // as they come
+  std::vector<Way> others_;                                   // as they come, without numbers
   std::vector<Way> ways_;                                     // all, by number
   std::map<std::string, std::size_t, std::less<>> entry_of_;  // by id
-  std::uint32_t numbers_ = 0;
+  std::set<std::string, std::less<>> others_ids_;
   bool any_ = false;
   geom::Provenance provenance_;  // map and frame of those that say them
   std::optional<std::string> epoch_;

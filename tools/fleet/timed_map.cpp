@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "cli/file/files.h"
+#include "cli/option/named_map.h"
 #include "cli/option/scenes.h"
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
@@ -78,10 +79,13 @@ void TimedMap::each(const Stream& stream, std::vector<std::size_t> ways, const F
 
 void TimedMap::close(const Stream& stream, traj::Parked parked,
                      std::vector<traj::FleetFlight>& flights) const {
-  std::vector<std::size_t> ways(flights.size());
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    ways[i] = i;
-    geom::start_on(map_, {stream.record(i).time.epoch, 0.0, {}, {}, {}}, stream.record(i).id, 0);
+  std::vector<std::size_t> ways;
+  cli::NamedMap named(map_);
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    const traj::TrajectoryRecord& record = stream.record(i);
+    named.require(record.provenance, record.id, 0);
+    geom::start_on(map_, {record.time.epoch, 0.0, {}, {}, {}}, record.id, 0);
+    if (!flights[i].settled) ways.push_back(i);
   }
   each(stream, std::move(ways), [&](const geom::CollisionScene& scene, std::size_t way) {
     flights[way].forbidden = traj::forbidden_by_map(scene, *flights[way].trajectory, parked);
@@ -93,7 +97,7 @@ void TimedMap::prove(const Stream& stream, std::span<const traj::FleetFlight> fl
   std::vector<std::size_t> ways;
   std::vector<double> start(flights.size());
   for (const traj::Departure& departure : departures.of) {
-    if (!departure.start) continue;
+    if (!departure.start || flights[departure.flight].settled) continue;
     ways.push_back(departure.flight);
     start[departure.flight] = *departure.start;
   }

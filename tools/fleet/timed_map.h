@@ -21,12 +21,12 @@ class TimedMap {
   // this.
   TimedMap(const std::string& file, cli::VehicleOptions vehicle, const cli::Common& common);
 
-  // Says of each flight when it must not depart. Throws InputError where a record is of another
-  // map or epoch, and UsageError where it names no vehicle.
+  // Says of each flight that is not settled when it must not depart. Throws InputError where a
+  // record is of another map or epoch, and UsageError where it names no vehicle.
   void close(const Stream& stream, traj::Parked parked,
              std::vector<traj::FleetFlight>& flights) const;
 
-  // Checks each flight that departs against the whole map, at its departure. Throws InputError for
+  // Checks each of them that departs against the whole map, at its departure. Throws InputError for
   // one that the check refuses at any departure, std::runtime_error for one that it refuses at
   // this.
   void prove(const Stream& stream, std::span<const traj::FleetFlight> flights,

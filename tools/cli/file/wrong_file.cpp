@@ -39,6 +39,7 @@ const std::array kPlaces = {
     Place{"skyway-check", "file", {kTrajectories, kPaths}, {"--file-format", "--paths-csv"}},
     Place{"skyway-fleet", "file", {kTrajectories}},
     Place{"skyway-fleet", "--alternatives", {kTrajectories}},
+    Place{"skyway-fleet", "--others", {kTrajectories}},
     Place{"skyway-join", "shards", {"a shard"}},
 };
 
