@@ -147,7 +147,7 @@ class PcdReader {
         for (std::uint64_t k = 0; k < fields_[i].count; ++k) {
           if (!(words >> word)) {
             if (!any) break;
-            refuse(fmt::format("expected {} fields, found fewer", fields_.size()));
+            refuse(fmt::format("expected {}, found fewer", numbers_of_point()));
           }
           any = true;
           for (int axis = 0; axis < 3; ++axis) {
@@ -157,11 +157,21 @@ class PcdReader {
         if (!any) break;
       }
       if (!any) continue;  // an empty line
+      if (words >> word) {
+        refuse(fmt::format("expected {}, found \"{}\" after them", numbers_of_point(),
+                           word.substr(0, 40)));
+      }
       chunks_.add(p);
       ++found;
     }
     ended(found);
     if (in_ >> text) more();
+  }
+
+  std::string numbers_of_point() const {
+    std::uint64_t numbers = 0;
+    for (const Field& field : fields_) numbers += field.count;
+    return counted(numbers, "number");
   }
 
   [[noreturn]] void more() const {

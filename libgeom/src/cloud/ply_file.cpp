@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "geom/text/counted.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -63,9 +64,11 @@ void PlyFile::read_header() {
     std::istringstream words(line);
     std::string key;
     words >> key;
+    if (key == "comment" || key == "obj_info" || key.empty()) continue;
     if (key == "format") {
       std::string name;
-      words >> name;
+      std::string version;
+      words >> name >> version;
       format = true;
       set_format(name);
     } else if (key == "element") {
@@ -77,6 +80,14 @@ void PlyFile::read_header() {
     } else if (key == "property") {
       if (elements_.empty()) refuse("expected an element before its properties, found none");
       add_property(words);
+    } else {
+      refuse(
+          fmt::format("expected format, element, property, comment, obj_info or end_header, "
+                      "found \"{}\"",
+                      line.substr(0, 40)));
+    }
+    if (std::string more; words >> more) {
+      refuse(fmt::format("expected nothing after \"{} …\", found \"{}\"", key, more.substr(0, 40)));
     }
   }
   if (!format) refuse("expected a line \"format …\" in the header, found none");
@@ -94,7 +105,7 @@ void PlyFile::add_property(std::istream& words) {
       refuse("the count of a list must be an integer, found a float");
   }
   property.scalar = scalar(type);
-  words >> property.name;
+  if (!(words >> property.name)) refuse("expected the name of the property, found none");
   elements_.back().properties.push_back(std::move(property));
 }
 
@@ -115,6 +126,17 @@ void PlyFile::read_row(const PlyElement& element, std::uint64_t i) {
     }
     row_.begins_.push_back(row_.values_.size());
   }
+  if (encoding_ == Encoding::ascii) require_row_end(element, i);
+}
+
+// A row that is longer or shorter than its header says would move the numbers of the next.
+void PlyFile::require_row_end(const PlyElement& element, std::uint64_t i) {
+  std::string rest;
+  std::getline(in_, rest);
+  if (trimmed(rest).empty()) return;
+  refuse(fmt::format("{} {}: expected the line to end after {}, found \"{}\" after it",
+                     element.name.substr(0, 40), i, counted(row_.values_.size(), "number"),
+                     trimmed(rest).substr(0, 40)));
 }
 
 double PlyFile::next_scalar(const PlyElement& element, const Scalar& scalar, std::uint64_t i) {

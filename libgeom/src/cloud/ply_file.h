@@ -71,6 +71,7 @@ class PlyFile {
   void set_format(const std::string& name);
   void add_property(std::istream& words);
   void read_row(const PlyElement& element, std::uint64_t i);
+  void require_row_end(const PlyElement& element, std::uint64_t i);
   double next_scalar(const PlyElement& element, const Scalar& scalar, std::uint64_t i);
 
   std::istream& in_;

@@ -98,7 +98,29 @@ class ObjReader {
     for (int i = 0; i < 3; ++i) {
       v[i] = coordinate(lines_, "vertex", words_[static_cast<std::size_t>(i) + 1]);
     }
+    require_weight_or_colour();
     model_.mesh.vertices.push_back(v);
+  }
+
+  // Behind the three: a weight, by which other readers divide; or a colour of three or four
+  // numbers.
+  void require_weight_or_colour() const {
+    const std::size_t more = words_.size() - 4;
+    if (more == 0) return;
+    if (more == 2 || more > 4) {
+      lines_.refuse(
+          fmt::format("expected \"v\" and three numbers, then none, a weight of 1 or a "
+                      "colour, found {} numbers",
+                      words_.size() - 1));
+    }
+    for (std::size_t i = 4; i < words_.size(); ++i) {
+      const auto value = parse_number(words_[i]);
+      if (value && (more > 1 || *value == 1)) continue;
+      lines_.refuse(fmt::format("expected {}, found \"{}\"",
+                                more == 1 ? "a weight of 1 after the three numbers of a vertex"
+                                          : "numbers as the colour of a vertex",
+                                excerpt(words_[i], 40)));
+    }
   }
 
   std::uint32_t vertex_of(std::string_view word) const {
@@ -108,7 +130,8 @@ class ObjReader {
     const auto count = static_cast<long>(model_.mesh.vertices.size());
     if (k < 0) k += count + 1;  // counted from the last
     if (error != std::errc() || end != number.data() + number.size() || k < 1 ||
-        k > std::numeric_limits<std::uint32_t>::max()) {
+        k > std::numeric_limits<std::uint32_t>::max() ||
+        word.find_first_not_of("-0123456789/") != std::string_view::npos) {
       lines_.refuse(
           fmt::format("expected the number of a vertex, of which there are {}, found "
                       "\"{}\"",

@@ -69,6 +69,7 @@ class StlText {
       if (word == "solid") {
         begin_solid();
       } else if (word == "facet") {
+        require_normal();
         read_facet();
       } else if (word == "endsolid") {
         if (!open_) refuse("solid");
@@ -91,6 +92,20 @@ class StlText {
     return word;
   }
 
+  // What stands behind on the same line would be a corner or a facet that nobody looks at.
+  void require_line_end(std::string_view expected) {
+    if (std::string more; words_ >> more) refuse(fmt::format("{} and nothing after it", expected));
+  }
+
+  // The normal itself is not believed: corners tell.
+  void require_normal() {
+    std::string word;
+    if (!(words_ >> word)) return;
+    if (word != "normal") refuse("facet normal");
+    for (int i = 0; i < 3; ++i) words_ >> word;
+    require_line_end("facet normal with three numbers");
+  }
+
   [[noreturn]] void refuse(std::string_view expected) const {
     lines_.refuse(fmt::format("expected {}, found \"{}\"", expected, excerpt(lines_.line(), 40)));
   }
@@ -108,9 +123,18 @@ class StlText {
     return next_word();
   }
 
+  void require_word(std::string_view word, std::string_view expected) {
+    if (next_line(expected) != word) refuse(expected);
+    require_line_end(word);
+  }
+
   void read_facet() {
     if (!open_) refuse("solid");
-    if (next_line("outer loop") != "outer") refuse("outer loop");
+    std::string loop;
+    if (next_line("outer loop") != "outer" || !(words_ >> loop) || loop != "loop") {
+      refuse("outer loop");
+    }
+    require_line_end("outer loop");
     std::array<Vec3, 3> corners;
     for (Vec3& corner : corners) {
       if (next_line("vertex") != "vertex") refuse("vertex");
@@ -119,9 +143,10 @@ class StlText {
         if (!(words_ >> number)) refuse("vertex and three numbers");
         corner[i] = coordinate(lines_, "vertex", number);
       }
+      require_line_end("vertex and three numbers");
     }
-    if (next_line("endloop") != "endloop") refuse("endloop after three vertices");
-    if (next_line("endfacet") != "endfacet") refuse("endfacet");
+    require_word("endloop", "endloop after three vertices");
+    require_word("endfacet", "endfacet");
     add_triangle(model_, corners);
   }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "geom/base/error.h"
+#include "support/refusal.h"
 
 namespace geom {
 namespace {
@@ -86,6 +87,45 @@ TEST(Ply, RefusesAListOfNotANumberEntries) {
       "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int v\nelement vertex 1\n"
       "property float x\nproperty float y\nproperty float z\nend_header\nnan\n1 2 3\n");
   EXPECT_THROW(read_ply(in, "test.ply", [](std::span<const CloudPoint>) {}), InputError);
+}
+
+std::string ply_refusal(const std::string& head, const std::string& rows) {
+  return support::refusal_of([&] {
+    std::istringstream in("ply\nformat ascii 1.0\nelement vertex 2\n" + head + "end_header\n" +
+                          rows);
+    read_ply(in, "test.ply", [](std::span<const CloudPoint>) {});
+  });
+}
+
+// A number too many in one row and one too few in the next: all are there, and no point is where it
+// should be.
+TEST(Ply, RefusesRowsOfOtherLengthsThanTheirHeaderSays) {
+  const std::string head = "property float x\nproperty float y\nproperty float z\n";
+  EXPECT_EQ(ply_refusal(head, "1 2 3 \r\n\n4 5 6"), "");
+  EXPECT_EQ(
+      ply_refusal(head, "1 2 3 99\n5 6\n"),
+      "test.ply:7: vertex 0: expected the line to end after 3 numbers, found \"99\" after it");
+  EXPECT_NE(ply_refusal(head, "1 2\n3 4 5 6\n"), "");
+}
+
+TEST(Ply, RefusesAHeaderLineThatItDoesNotUnderstand) {
+  const std::string head = "property float x\nproperty float y\n";
+  EXPECT_NE(ply_refusal(head + "proprety float z\n", "1 2 3\n4 5 6\n"), "");
+  EXPECT_NE(ply_refusal(head + "property float z metres\n", "1 2 3\n4 5 6\n"), "");
+  EXPECT_NE(ply_refusal(head + "property float\n", "1 2 3\n4 5 6\n"), "");
+  EXPECT_EQ(ply_refusal(head + "comment any words\nproperty float z\n", "1 2 3\n4 5 6\n"), "");
+}
+
+TEST(Pcd, RefusesARowOfMoreNumbersThanItsFields) {
+  const auto refusal = [](const std::string& rows) {
+    return support::refusal_of([&] {
+      read_as_pcd("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n" + rows);
+    });
+  };
+  EXPECT_EQ(refusal("1 2 3\n4 5 6\n"), "");
+  EXPECT_EQ(refusal("1 2 3\n4 5 6 99\n"),
+            "test.pcd:8: expected 3 numbers, found \"99\" after them");
+  EXPECT_EQ(refusal("1 2\n4 5 6\n"), "test.pcd:7: expected 3 numbers, found fewer");
 }
 
 std::size_t points_of_xyz(const std::string& text) {

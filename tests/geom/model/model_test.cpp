@@ -98,6 +98,12 @@ TEST(ReadObj, RefusesWhatIsNoModel) {
   expect_refusal(obj, three + "f 1 2 99999999999999999999\n", "expected the number of a vertex");
   expect_refusal(obj, three + "usemtl C:\\wood\\\nf 1 2 3\n", "expected a line of numbers");
   expect_refusal(obj, three + "f 1 2 3 \\\n", "found the end");
+  expect_refusal(obj, three + "f 1/1x 2 3\n", "expected the number of a vertex");
+  expect_refusal(obj, "v 0 0 0\nv 0 0 0 2\n", "a.obj:2: expected a weight of 1");
+  expect_refusal(obj, "v 0 0 0 x\n", "a.obj:1: expected a weight of 1");
+  expect_refusal(obj, "v 0 0 0 0.5 0.5\n", "found 5 numbers");
+  expect_refusal(obj, "v 0 0 0 0.5 0.5 x\n", "expected numbers as the colour");
+  expect_refusal(obj, "v 0 0 0 0 0 0 0 v 9 9 9\n", "found 11 numbers");
 }
 
 std::string binary_stl(const std::vector<float>& numbers) {
@@ -192,6 +198,22 @@ TEST(ReadStl, ReadsTextSolidBySolid) {
   expect_refusal(stl, "solid a\nfacet\nouter loop\nvertex 0 0 inf\n", "a.stl:4");
   expect_refusal(stl, "solid a\nfacet\nouter loop\nvertex 0 0\n", "a.stl:4");
   expect_refusal(stl, "", "expected a solid");
+  const std::string three = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0";
+  const auto one = [](const std::string& facet, const std::string& corners,
+                      const std::string& end) {
+    return "solid a\n" + facet + '\n' + corners + '\n' + end + "\nendsolid\n";
+  };
+  const std::string loop = "facet normal 0 0 1\nouter loop";
+  const std::string end = "endloop\nendfacet";
+  EXPECT_EQ(stl(one("facet normal nan nan nan\nouter loop", three, end)).mesh.triangles.size(), 1u);
+  expect_refusal(stl, one(loop, three + " 99", end),
+                 "a.stl:6: expected vertex and three numbers and nothing after it");
+  expect_refusal(stl, one(loop, three, "endloop x\nendfacet"), "a.stl:7: expected endloop and");
+  expect_refusal(stl, one(loop, three, "endloop\nendfacet facet"), "a.stl:8: expected endfacet");
+  expect_refusal(stl, one("facet normal 0 0 1 outer loop", three, end), "a.stl:2: expected facet");
+  expect_refusal(stl, one("facet vertex 0 0 1\nouter loop", three, end), "a.stl:2: expected facet");
+  expect_refusal(stl, one("facet\nouter ring", three, end), "a.stl:3: expected outer loop");
+  expect_refusal(stl, one("facet\nouter loop 1", three, end), "a.stl:3: expected outer loop");
 }
 
 }  // namespace
