@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <unordered_map>
 
 #include "geom/shape/aabb.h"
 
@@ -14,16 +13,10 @@ namespace {
 
 using Key = std::array<std::int64_t, 3>;
 
-struct KeyHash {
-  std::size_t operator()(const Key& k) const {
-    std::uint64_t h = 0;
-    for (const std::int64_t v : k) {
-      h = (h ^ static_cast<std::uint64_t>(v)) * 0x9e3779b97f4a7c15u;
-      h ^= h >> 29;
-    }
-    return h;
-  }
-};
+bool before(const Key& a, const Key& b) {
+  if (a[0] != b[0]) return a[0] < b[0];
+  return a[1] != b[1] ? a[1] < b[1] : a[2] < b[2];
+}
 
 // A stretch of the points in the order of their cells.
 struct Part {
@@ -33,6 +26,12 @@ struct Part {
   std::size_t size() const { return last - first; }
 };
 
+struct Cell {
+  Key key;
+  Part part;
+  Aabb box;  // around its points
+};
+
 class Linker {
  public:
   Linker(std::span<const Vec3> points, double tolerance)
@@ -40,19 +39,19 @@ class Linker {
         square_(tolerance * tolerance),
         // The diagonal of a cell is shorter than the tolerance, rounding included.
         side_(tolerance / std::sqrt(3.0) * (1 - 1e-6)),
-        order_(points.size()),
-        parent_(points.size()) {
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+        cell_at_(points.size()) {
+    order_.reserve(points.size());
     sort_into_cells();
+    parent_.resize(cells_.size());
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
     link_cells();
   }
 
   std::vector<std::vector<std::size_t>> groups() {
-    std::vector<std::size_t> number(points_.size(), 0);  // of the group of a root, and 1
+    std::vector<std::size_t> number(cells_.size(), 0);  // of the group of a root, and 1
     std::vector<std::vector<std::size_t>> out;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      std::size_t& n = number[root(i)];
+      std::size_t& n = number[root(cell_at_[i])];
       if (n == 0) {
         out.emplace_back();
         n = out.size();
@@ -74,42 +73,68 @@ class Linker {
   }
 
   void sort_into_cells() {
-    std::vector<Key> keys;
-    keys.reserve(points_.size());
-    for (const Vec3& p : points_) keys.push_back(cell_of(p));
-    std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
-      return keys[a] != keys[b] ? keys[a] < keys[b] : a < b;
+    struct Placed {
+      Key key;
+      std::size_t point;
+    };
+    std::vector<Placed> placed;
+    placed.reserve(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) placed.push_back({cell_of(points_[i]), i});
+    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+      return before(a.key, b.key) || (!before(b.key, a.key) && a.point < b.point);
     });
-    for (std::size_t i = 0; i < order_.size();) {
-      std::size_t end = i + 1;
-      while (end < order_.size() && keys[order_[end]] == keys[order_[i]]) ++end;
-      cell_at_.emplace(keys[order_[i]], cells_.size());
-      cells_.push_back({i, end});
-      for (std::size_t k = i + 1; k < end; ++k) unite(order_[i], order_[k]);
-      i = end;
+    for (const Placed& p : placed) {
+      const Vec3& at = points_[p.point];
+      if (cells_.empty() || cells_.back().key != p.key) {
+        cells_.push_back({p.key, {order_.size(), order_.size()}, {at, at}});
+      }
+      Cell& cell = cells_.back();
+      cell_at_[p.point] = cells_.size() - 1;
+      order_.push_back(p.point);
+      ++cell.part.last;
+      cell.box = {cell.box.min.cwiseMin(at), cell.box.max.cwiseMax(at)};
     }
   }
 
-  // Cells more than two apart along an axis are further apart than the tolerance.
+  // Cells more than two apart along an axis are further apart than the tolerance. Each pair is
+  // looked at once, from the one that comes first. The neighbours in one row follow each other, and
+  // the rows beside all cells in their order begin where that of the cell before did, or later.
   void link_cells() {
-    for (const Part& part : cells_) {
-      const Key here = cell_of(points_[order_[part.first]]);
-      for (int i = 63; i < 125; ++i) {  // half of the 5 x 5 x 5 around it: each pair once
-        const Key there{here[0] + i / 25 - 2, here[1] + i / 5 % 5 - 2, here[2] + i % 5 - 2};
-        const auto found = cell_at_.find(there);
-        if (found == cell_at_.end()) continue;
-        const Part& other = cells_[found->second];
-        if (root(order_[part.first]) == root(order_[other.first])) continue;
-        if (linked(part, other)) unite(order_[part.first], order_[other.first]);
+    constexpr std::size_t kHere = 2;      // of a row of 5 x 5: that of the cell itself
+    std::array<std::size_t, 13> begin{};  // of the row in this direction
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const Key& here = cells_[c].key;
+      for (std::size_t row = 0; row < begin.size(); ++row) {
+        const auto beside = static_cast<std::int64_t>(row + kHere);
+        const Key there{here[0] + beside / 5, here[1] + beside % 5 - 2, here[2]};
+        std::size_t& at = begin[row];
+        while (at < cells_.size() && before(cells_[at].key, {there[0], there[1], there[2] - 2})) {
+          ++at;
+        }
+        if (row == 0) at = std::max(at, c + 1);
+        for (std::size_t k = at; k < cells_.size(); ++k) {
+          if (before({there[0], there[1], there[2] + 2}, cells_[k].key)) break;
+          link(c, k);
+        }
       }
     }
   }
 
-  // Whether a point of one is near one of the other. Halves both until it shows: boxes too far
-  // apart hold no such pair.
-  bool linked(Part a, Part b) {
+  void link(std::size_t i, std::size_t k) {
+    const std::size_t a = root(i);
+    const std::size_t b = root(k);
+    if (a == b || distance_square(cells_[i].box, cells_[k].box) > square_) return;
+    if (have_link(cells_[i].part, cells_[k].part)) parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+  bool linked(const Part& a, const Part& b) {
+    return distance_square(box(a), box(b)) <= square_ && have_link(a, b);
+  }
+
+  // Whether a point of one is near one of the other, whose boxes are. Halves both until it shows:
+  // boxes too far apart hold no such pair.
+  bool have_link(Part a, Part b) {
     constexpr std::size_t kFew = 64;  // pairs
-    if (distance_square(box(a), box(b)) > square_) return false;
     if (a.size() * b.size() <= kFew) return linked_one_by_one(a, b);
     if (a.size() < b.size()) std::swap(a, b);
     const std::size_t middle = a.first + a.size() / 2;
@@ -159,19 +184,14 @@ class Linker {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void unite(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
 
   std::span<const Vec3> points_;
   double square_;
   double side_;
-  std::vector<std::size_t> order_;
-  std::vector<std::size_t> parent_;
-  std::vector<Part> cells_;
-  std::unordered_map<Key, std::size_t, KeyHash> cell_at_;
+  std::vector<std::size_t> order_;    // the points, by their cells
+  std::vector<Cell> cells_;           // by their keys
+  std::vector<std::size_t> cell_at_;  // of each point
+  std::vector<std::size_t> parent_;   // of each cell, one linked to it
 };
 
 }  // namespace
