@@ -200,16 +200,37 @@ TEST(Laz, RefusesWhatFollowsItsPoints) {
   }
 }
 
+// Where a file's points begin, with the place of its table of chunks.
+std::size_t data_of(const std::string& file) {
+  std::uint32_t data = 0;
+  std::memcpy(&data, file.data() + 96, 4);
+  return data;
+}
+
+std::uint64_t table_of(const std::string& file) {
+  std::uint64_t table = 0;
+  std::memcpy(&table, file.data() + data_of(file), 8);
+  return table;
+}
+
+// The file with a byte of its table changed: of its version, its count, and its code.
+std::vector<std::string> other_tables(const std::string& file) {
+  std::vector<std::string> out;
+  for (const std::size_t at : {0u, 3u, 4u, 7u, 8u, 9u, 11u}) {
+    char& byte = out.emplace_back(file)[table_of(file) + at];
+    byte = static_cast<char>(byte ^ 0x11);
+  }
+  return out;
+}
+
 TEST(Laz, RefusesATableThatIsElsewhere) {
   for (const unsigned format : {0u, 7u}) {
     for (const Layout layout : {Layout::fixed, Layout::varying}) {
       LazFile file = file_of(format, 120);
       file.layout = layout;
       const std::string whole = file.bytes();
-      std::uint32_t data = 0;
-      std::memcpy(&data, whole.data() + 96, 4);
-      std::uint64_t right = 0;
-      std::memcpy(&right, whole.data() + data, 8);
+      const std::size_t data = data_of(whole);
+      const std::uint64_t right = table_of(whole);
       for (const std::uint64_t place :
            {std::uint64_t{0}, std::uint64_t{1}, right - 1, right + 1, right + 10, right + 4000,
             std::uint64_t{1} << 40, ~std::uint64_t{0} >> 1, ~std::uint64_t{0}}) {
@@ -223,23 +244,15 @@ TEST(Laz, RefusesATableThatIsElsewhere) {
 
 TEST(Laz, RefusesATableThatContradictsItsChunks) {
   const std::string whole = file_of(3, 300).bytes();
-  std::uint32_t data = 0;
-  std::memcpy(&data, whole.data() + 96, 4);
-  std::uint64_t table = 0;
-  std::memcpy(&table, whole.data() + data, 8);
-  for (const std::size_t at : {0u, 3u, 4u, 7u, 8u, 9u, 11u}) {
-    std::string changed = whole;
-    changed[table + at] = static_cast<char>(changed[table + at] ^ 0x11);
-    EXPECT_NE(refusal(changed), "") << at;
+  for (const std::string& changed : other_tables(whole)) {
+    EXPECT_NE(refusal(changed), "");
   }
 }
 
 TEST(Laz, RefusesLayersLongerOrShorterThanTheirPoints) {
   const LazFile file = file_of(6, 40);
   const std::string whole = file.bytes();
-  std::uint32_t data = 0;
-  std::memcpy(&data, whole.data() + 96, 4);
-  const std::size_t sizes = data + 8 + file.record_size() + 4;
+  const std::size_t sizes = data_of(whole) + 8 + file.record_size() + 4;
   for (const std::size_t layer : {0u, 1u, 2u, 4u, 8u}) {
     for (const std::uint32_t size : {0u, 5u, 3000u, 0xFFFFFFFFu}) {
       std::string changed = whole;
@@ -266,14 +279,8 @@ TEST(Laz, ATableSeenAheadIsHeldAgainstTheOneInItsPlace) {
   LazFile file = file_of(3, 300);
   file.chunk = 50;
   const std::string whole = file.bytes();
-  std::uint32_t data = 0;
-  std::memcpy(&data, whole.data() + 96, 4);
-  std::uint64_t table = 0;
-  std::memcpy(&table, whole.data() + data, 8);
-  for (const std::size_t at : {0u, 3u, 4u, 7u, 8u, 9u, 11u}) {
-    std::string changed = whole;
-    changed[table + at] = static_cast<char>(changed[table + at] ^ 0x11);
-    EXPECT_NE(read(changed, {{2, {}}, way_into(whole)}).refusal, "") << at;
+  for (const std::string& changed : other_tables(whole)) {
+    EXPECT_NE(read(changed, {{2, {}}, way_into(whole)}).refusal, "");
     // What is seen ahead alone is wrong: the file is right, or one of its chunks is not as long.
     const Reading reading = read(whole, {{2, {}}, way_into(changed)});
     if (reading.refusal.empty()) expect_equal(reading, read(whole, {}), "another table");
