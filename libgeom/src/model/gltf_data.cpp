@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "buffer_view.h"
 #include "geom/base/error.h"
 #include "geom/text/parse_json.h"
 #include "little_endian.h"
@@ -161,15 +162,9 @@ std::string_view GltfData::view(std::uint64_t i, std::uint64_t& stride) {
         "it is compressed by EXT_meshopt_compression, which is not read: write the file "
         "without, for example with `gltf-transform copy in.glb out.glb`");
   }
-  const std::string_view bytes = buffer(view.whole("buffer"));
-  const std::uint64_t offset = view.whole("byteOffset", 0);
-  const std::uint64_t length = view.whole("byteLength");
-  if (offset > bytes.size() || length > bytes.size() - offset) {
-    view.refuse(fmt::format("expected it within the {} bytes of its buffer, found {} from {} on",
-                            bytes.size(), length, offset));
-  }
+  const std::string_view bytes = bytes_of(view, buffer(view.whole("buffer")));
   stride = view.whole("byteStride", 0);
-  return bytes.substr(offset, length);
+  return bytes;
 }
 
 std::string_view GltfData::view(std::uint64_t i) {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <map>
 
+#include "buffer_view.h"
 #include "geom/base/error.h"
 #include "geom/text/parse_json.h"
 #include "json_members.h"
@@ -32,14 +33,7 @@ class SubtreeBytes {
 
   std::string_view view(std::uint64_t i) {
     const JsonMembers view = root().at("bufferViews", i, "bufferView");
-    const std::string_view bytes = buffer(view.whole("buffer"));
-    const std::uint64_t offset = view.whole("byteOffset", 0);
-    const std::uint64_t length = view.whole("byteLength");
-    if (offset > bytes.size() || length > bytes.size() - offset) {
-      view.refuse(fmt::format("expected it within the {} bytes of its buffer, found {} from {} on",
-                              bytes.size(), length, offset));
-    }
-    return bytes.substr(offset, length);
+    return bytes_of(view, buffer(view.whole("buffer")));
   }
 
  private:
