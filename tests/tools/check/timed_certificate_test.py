@@ -4,21 +4,15 @@ import copy
 import json
 import os
 import random
-import subprocess
 import sys
 import tempfile
 
+from tools_and_claims import Tools, changed, objects, refused
 from verify_certificate import BoxMap, F, Refused, Verifier, verify
 
-bin_dir = sys.argv[1]
+tool = Tools(sys.argv[1])
 EPOCH = "2026-05-04T06:30:00Z"
 random.seed(5)
-
-
-def tool(*arguments, text=None):
-    done = subprocess.run([os.path.join(bin_dir, arguments[0]), *arguments[1:]], input=text, capture_output=True, text=True)
-    assert done.returncode in (0, 1), done.stderr
-    return done.stdout
 
 
 def square(x, y, side, properties):
@@ -33,20 +27,6 @@ def flight(name, start, seconds, points):
         segments.append({"duration": seconds, **{axis: [a[i]] * 4 + [b[i]] * 4 for i, axis in enumerate("xyz")}})
     return {"type": "trajectory", "id": name, "status": "solved", "epoch": EPOCH, "start": start, "vehicle": {"name": "box:1,1,1", "half": [1, 1, 1]},
             "margin": 0, "limits": {}, "segments": segments}
-
-
-def refused(record, certificate, box_map):
-    try:
-        verify(record, certificate, box_map)
-        return False
-    except Refused:
-        return True
-
-
-def changed(of, change):
-    out = copy.deepcopy(of)
-    change(out)
-    return out
 
 
 with tempfile.TemporaryDirectory() as folder:
@@ -73,7 +53,7 @@ with tempfile.TemporaryDirectory() as folder:
     text = "".join(json.dumps(r) + "\n" for r in records)
     verified = planes = lies = standing = 0
     for options in ((), ("--together", "--separation", "0.001,0.001"), ("--together", "--separation", "0.001,0.001", "--parked", "gone")):
-        reports = [json.loads(line) for line in tool("skyway-check", "t.boxmap", "--certificate", "c.jsonl", "--no-clearance", *options, text=text).splitlines()]
+        reports = objects(tool("skyway-check", "t.boxmap", "--certificate", "c.jsonl", "--no-clearance", *options, text=text))
         with open("c.jsonl") as file:
             certificates = {c["id"]: c for c in map(json.loads, file) if c["type"] == "certificate"}
         by_id = {r["id"]: r for r in reports if r.get("type") == "report"}
@@ -86,28 +66,28 @@ with tempfile.TemporaryDirectory() as folder:
             assert ("parked" in certificate) == (len(options) == 3)
             verify(record, certificate, box_map)
             verify(changed(record, lambda r: r.update(map=without.hash)), certificate, box_map)
-            assert refused(record, changed(certificate, lambda c: c.update(map=without.hash)), box_map)
+            assert refused(verify, record, changed(certificate, lambda c: c.update(map=without.hash)), box_map)
             verified += 1
             standing += "parked" in certificate
-            assert refused(changed(record, lambda r: r.update(start=r["start"] + 1)), certificate, box_map)
-            assert refused(changed(record, lambda r: r.pop("start")), certificate, box_map)
-            assert refused(changed(record, lambda r: r.update(epoch="2026-05-04T06:30:01Z")), certificate, box_map)
-            assert refused(record, changed(certificate, lambda c: c.pop("epoch")), box_map)
+            assert refused(verify, changed(record, lambda r: r.update(start=r["start"] + 1)), certificate, box_map)
+            assert refused(verify, changed(record, lambda r: r.pop("start")), certificate, box_map)
+            assert refused(verify, changed(record, lambda r: r.update(epoch="2026-05-04T06:30:01Z")), certificate, box_map)
+            assert refused(verify, record, changed(certificate, lambda c: c.pop("epoch")), box_map)
             by_time = [(i, k) for i, s in enumerate(certificate["segments"]) for k, p in enumerate(s.get("planes", [])) if p[2][1] == "t"]
             planes += len(by_time)
             for i, k in by_time:
                 box = certificate["segments"][i]["planes"][k][1]
                 plane = certificate["segments"][i]["planes"][k][2]
-                assert refused(record, changed(certificate, lambda c: c["segments"][i]["planes"].pop(k)), box_map)
-                assert refused(record, changed(certificate, lambda c: c["segments"][i]["planes"][k].__setitem__(2, "-t" if plane == "+t" else "+t")), box_map)
-                assert refused(record, changed(certificate, lambda c: c.pop("start")), box_map)
+                assert refused(verify, record, changed(certificate, lambda c: c["segments"][i]["planes"].pop(k)), box_map)
+                assert refused(verify, record, changed(certificate, lambda c: c["segments"][i]["planes"][k].__setitem__(2, "-t" if plane == "+t" else "+t")), box_map)
+                assert refused(verify, record, changed(certificate, lambda c: c.pop("start")), box_map)
                 longer = copy.copy(box_map)  # there until, or from, an instant of the flight
                 longer.times = dict(box_map.times)
                 begin = F(record["start"]) + sum(F(s["duration"]) for s in record["segments"][:i])
                 end = begin + F(record["segments"][i]["duration"])
                 from_, until = box_map.times[box]
                 longer.times[box] = (begin, until) if plane == "+t" else (from_, end)
-                assert refused(record, certificate, longer)
+                assert refused(verify, record, certificate, longer)
                 lies += 4
     assert planes > 20 and standing > 5, (planes, standing)
 

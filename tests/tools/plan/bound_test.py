@@ -12,8 +12,8 @@ import sys
 import tempfile
 
 import verify_bound
-from tools_and_maps import Tools
-from verify_bound import BoxMap, Refused, verify
+from verify_bound import BoxMap, verify
+from tools_and_claims import Tools, objects, refused  # where the verifiers look, too
 from verify_certificate import run_main
 
 tool = Tools(sys.argv[1])
@@ -21,10 +21,6 @@ maps = int(sys.argv[2]) if len(sys.argv) > 2 else 10
 most = int(sys.argv[3]) if len(sys.argv) > 3 else 1500
 SIDE = 10
 SEED = 31
-
-
-def objects(path):
-    return [json.loads(line) for line in pathlib.Path(path).read_text().splitlines()]
 
 
 def random_boxes(chance):
@@ -42,19 +38,11 @@ def ask(map_file, queries, gap, margin, folder="."):
     pathlib.Path("queries.jsonl").write_text("".join(json.dumps(q) + "\n" for q in queries))
     tool("skyway-plan", map_file, "--queries", "queries.jsonl", "--vehicle", "box:0.25,0.25,0.25", "--margin", margin, "-q", "--bound",
          gap, "--certificate", "why.jsonl", "-o", "paths.jsonl")
-    paths = {r["id"]: r for r in objects("paths.jsonl") if r["status"] == "found"}
-    bounds = [r for r in objects("why.jsonl") if r["type"] == "bound"]
+    paths = {r["id"]: r for r in objects(pathlib.Path("paths.jsonl").read_text()) if r["status"] == "found"}
+    bounds = [r for r in objects(pathlib.Path("why.jsonl").read_text()) if r["type"] == "bound"]
     assert {r["id"] for r in bounds} == set(paths)
     assert all(r["bound"] == paths[r["id"]]["bound"] for r in bounds)
     return paths, bounds
-
-
-def refused(record, box_map, finders):
-    try:
-        verify(record, box_map, finders)
-        return False
-    except Refused:
-        return True
 
 
 def states(record, keys=("come", "go")):
@@ -164,7 +152,7 @@ class Tally:
 
     def try_false(self, record, length, box_map, finders, chance):
         mutant = false_of(record, length, chance)
-        assert refused(mutant, box_map, finders), mutant
+        assert refused(verify, mutant, box_map, finders), mutant
         self.tried += 1
 
     def try_change(self, record, box_map, finders, chance):
@@ -175,7 +163,7 @@ class Tally:
         if mutant == record:
             return
         self.tried += 1
-        self.still += not refused(mutant, box_map, finders)
+        self.still += not refused(verify, mutant, box_map, finders)
 
     def try_fewer_boxes(self, record, boxes, margin, box_map, chance):
         """The map without a box, under the hash of the whole: where it holds, it must be true of that map."""
@@ -183,7 +171,7 @@ class Tally:
         fewer = copy.copy(box_map)
         fewer.boxes = [box for box in box_map.boxes if box != tuple(boxes[i])]
         self.tried += 1
-        if refused(record, fewer, {}):
+        if refused(verify, record, fewer, {}):
             return
         self.still += 1
         tool.make_map(".", "fewer.boxmap", SIDE, [box for box in boxes if box != boxes[i]])
@@ -220,7 +208,7 @@ def run():
         bounds = [record for record in bounds if record["levels"]]
         for record in bounds:
             for what, mutant in strange(record, chance):
-                assert refused(mutant, box_map, finders), what
+                assert refused(verify, mutant, box_map, finders), what
                 tally.tried += 1
         for _ in range(most * (n + 1) // maps - tally.tried if bounds else 0):
             record = chance.choice(bounds)

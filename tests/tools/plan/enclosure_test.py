@@ -11,8 +11,8 @@ import random
 import sys
 import tempfile
 
-from tools_and_maps import Tools
-from verify_enclosure import BoxMap, Refused, main, verify
+from verify_enclosure import BoxMap, main, verify
+from tools_and_claims import Tools, changed, objects, refused  # where the verifier looks, too
 
 tool = Tools(sys.argv[1])
 maps = int(sys.argv[2]) if len(sys.argv) > 2 else 12
@@ -39,24 +39,6 @@ def queries(chance, folder):
         ends = [[chance.randrange(SIDE) + 0.5 for _ in range(3)] for _ in range(2)]
         lines.append(json.dumps({"id": f"q{i}", "from": ends[0], "to": ends[1]}))
     (folder / "queries.jsonl").write_text("\n".join(lines) + "\n")
-
-
-def objects(path):
-    return [json.loads(line) for line in pathlib.Path(path).read_text().splitlines()]
-
-
-def refused(record, box_map):
-    try:
-        verify(record, box_map)
-        return False
-    except Refused:
-        return True
-
-
-def changed(record, what):
-    out = copy.deepcopy(record)
-    what(out)
-    return out
 
 
 def mutants(record, chance):
@@ -99,8 +81,8 @@ def run():
         queries(chance, folder)
         tool("skyway-plan", "m.boxmap", "--queries", "queries.jsonl", "--vehicle", "box:0,0,0", "-q",
              "--certificate", "why.jsonl", "-o", "paths.jsonl")
-        unreachable = {r["id"] for r in objects("paths.jsonl") if r["status"] == "unreachable"}
-        enclosures = objects("why.jsonl")
+        unreachable = {r["id"] for r in objects(pathlib.Path("paths.jsonl").read_text()) if r["status"] == "unreachable"}
+        enclosures = objects(pathlib.Path("why.jsonl").read_text())
         assert {r["id"] for r in enclosures} == unreachable, unreachable
         if not enclosures:
             continue
@@ -109,11 +91,11 @@ def run():
             verify(record, box_map)
             holding += 1
             for what, mutant in mutants(record, chance):
-                assert refused(mutant, box_map), (what, mutant)
+                assert refused(verify, mutant, box_map), (what, mutant)
                 tried += 1
             fewer, some = without_what_encloses(record, box_map, chance)
             if some:
-                assert refused(record, fewer), ("an obstacle is missing", record)
+                assert refused(verify, record, fewer), ("an obstacle is missing", record)
                 tried += 1
         with contextlib.redirect_stdout(io.StringIO()) as said:
             sys.argv[1:] = ["m.boxmap", "why.jsonl"]
