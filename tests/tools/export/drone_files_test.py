@@ -6,18 +6,14 @@ skyway-import-trajectory as processes.
 """
 
 import json
-import pathlib
 import random
 import struct
-import subprocess
 import sys
-import tempfile
 
-bin_dir = pathlib.Path(sys.argv[1])
+from one_tower import OneTower
+
 count = int(sys.argv[2]) if len(sys.argv) > 2 else 100
 rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 15)
-scratch = tempfile.TemporaryDirectory()
-folder = pathlib.Path(scratch.name)
 LAT, LON = 47.0, 8.0
 PLACE = ("--origin", f"{LAT},{LON},0")
 VEHICLE = ("--vehicle", "box:0.3,0.3,0.2")
@@ -26,19 +22,10 @@ EAST = 1 / 76050.0     # and east, at 47 degrees
 failures = []
 
 TOWER = (20, -5, 0, 30, 5, 60)
+site = OneTower(sys.argv[1], TOWER, "-100,-100,0,200,100,100")
+run, folder = site.run, site.folder
 HIT = [(0, 0, 20), (50, 0, 20)]
 FREE = [(0, 20, 20), (50, 20, 20)]
-
-
-def run(*args):
-    return subprocess.run([str(bin_dir / args[0]), *map(str, args[1:])], capture_output=True)
-
-
-def make_map():
-    rows = "min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n" + ",".join(map(str, TOWER)) + ",tower\n"
-    (folder / "tower.csv").write_text(rows)
-    done = run("skyway-import", folder / "tower.csv", "-q", "--bounds=-100,-100,0,200,100,100", "-o", folder / "map")
-    assert done.returncode == 0, done.stderr
 
 
 def lonlat(p):
@@ -502,7 +489,6 @@ def random_cases():
         expect(f"random {form} {case}", "never ok", form, random_file(form, lines))
 
 
-make_map()
 for group in (named_kml, named_geojson, named_gltf, named_missions, named_tello, named_tables, path_records,
               reports_say_no_zero, random_cases):
     group()
