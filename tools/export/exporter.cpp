@@ -47,6 +47,13 @@ void warn_of_what_is_left_out(const cli::Common& common, const Task& task, const
   }
 }
 
+// Of a file whose heights are those of a place on Earth, where only the map's z is known.
+bool guesses_heights(const Task& task) {
+  const bool of_earth =
+      task.format == "kml" || task.format == "geojson" || task.format == "dji-wpml";
+  return of_earth && !knows_height(task);
+}
+
 void set_ground(const geom::CollisionScene& scene, const Flight& flight, Task& task) {
   const auto& segments = flight.trajectory.segments;
   task.ground =
@@ -116,6 +123,12 @@ Exporter::Export Exporter::make(const Flight& flight) {
                                     : write_checked(flight, made.task);
   if (!made.written) return made;
   if (made.task.format == "crazyflie") warn_of_memory(common_, made.task);
+  if (guesses_heights(made.task) && !std::exchange(told_of_heights_, true)) {
+    common_.warn(fmt::format(
+        "the map does not say how high above the ellipsoid its z = 0 is: heights in a {} file take "
+        "0 m for it (--origin latitude,longitude,height says otherwise)",
+        made.task.format));
+  }
   const bool says_when = !options_.show.empty() || made.task.format == "volume4d";
   warn_of_what_is_left_out(common_, made.task, flight, says_when);
   if (!made.written->note.empty()) common_.warn(flight.id + ": " + made.written->note);

@@ -40,6 +40,7 @@ class Exporter {
   const Options& options_;
   const Task task_;  // but for what a record says
   std::optional<cli::Scenes> scenes_;
+  bool told_of_heights_ = false;  // that nobody gave: once a run
 };
 
 }  // namespace exporting

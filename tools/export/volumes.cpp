@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "cli/run.h"
-#include "geom/import/volume_keep_out.h"
 #include "geom/record/volume4d.h"
 #include "prove.h"
 #include "traj/airspace/flight_volumes.h"
@@ -16,7 +15,7 @@ namespace {
 
 geom::GeodeticOrigin origin_of(const Task& task) {
   const geom::GeodeticOrigin origin = task.placement.mission_frame(task.frame).origin;
-  if (task.placement.origin || geom::knows_height(task.frame)) return origin;
+  if (knows_height(task)) return origin;
   throw cli::UsageError(
       "altitudes of volumes are above the ellipsoid, and the map does not say how high above it "
       "its z = 0 is (0 m, as maps have whose height nobody gave): give --origin "

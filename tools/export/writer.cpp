@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "cli/run.h"
+#include "geom/import/volume_keep_out.h"
 #include "traj/drone_file/crazyflie.h"
 #include "traj/drone_file/dji_wpml.h"
 #include "traj/drone_file/geo_line.h"
@@ -140,6 +141,10 @@ Written write_line(const Task& task, const geom::Polyline& legs) {
 }
 
 }  // namespace
+
+bool knows_height(const Task& task) {
+  return task.placement.origin || geom::knows_height(task.frame);
+}
 
 std::optional<double> speed_limit(const traj::Limits& limits) {
   std::optional<double> speed;

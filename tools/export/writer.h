@@ -43,6 +43,9 @@ struct Written {
   std::string note = {};          // what is not as asked; empty: all is
 };
 
+// Whether somebody said how high above the ellipsoid the map's z = 0 is; else it counts as 0 m.
+bool knows_height(const Task& task);
+
 // The largest speed that they allow in every direction, m/s.
 std::optional<double> speed_limit(const traj::Limits& limits);
 
