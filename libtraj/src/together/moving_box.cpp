@@ -10,6 +10,7 @@
 #include "curve/curve_piece.h"
 #include "geom/base/rounding.h"
 #include "geom/record/flight_time.h"
+#include "place_at.h"
 #include "timeline.h"
 
 namespace traj {
@@ -146,11 +147,6 @@ class MovingSearch {
   Timeline low_;
   Timeline high_;
 };
-
-Vec3 place_at(const TimedFlight& flight, double time) {
-  const double t = std::clamp(time - flight.start, 0.0, duration(*flight.trajectory));
-  return evaluate(*flight.trajectory, t).position;
-}
 
 }  // namespace
 
