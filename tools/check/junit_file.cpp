@@ -62,8 +62,7 @@ void JUnitFile::add(std::span<const traj::MovingConflict> conflicts,
                     const traj::MovingSummary& summary) {
   if (!out_) return;
   for (const traj::MovingConflict& one : conflicts) {
-    add_case(one.flight + " and " + one.obstacle, one.result.undecided ? "undecided" : "moving",
-             traj::in_words(one));
+    add_case(one.flight + " and " + one.obstacle, traj::reason_of(one), traj::in_words(one));
   }
   if (summary.left_out > 0) {
     add_case("moving", "left_out",

@@ -131,6 +131,11 @@ class Reports {
       out_.add(traj::to_json_line(one, found.summary.epoch));
     }
     out_.add(traj::to_json_line(found.summary));
+    if (!certificates_) return;
+    for (const traj::ProvedMoving& one : found.proved) {
+      certificates_->add(traj::certificate_line(one));
+    }
+    if (found.summary.ok()) certificates_->add(traj::certificate_line(found.claim));
   }
 
   // `total`: how many records all shards have.
@@ -190,9 +195,10 @@ void read_moving(cli::Moving& moving, const geom::BoxMap& map) {
   moving.require_of(named);
 }
 
-void check_moving(const cli::Common& common, checking::Together& together, Reports& reports) {
-  const auto found = together.moving().check(together.flights(), together.task(),
-                                             together.left_out(), common.execution("flights"));
+void check_moving(const cli::Common& common, checking::Together& together, bool exact,
+                  Reports& reports) {
+  const auto found = together.moving().check(
+      together.flights(), together.task(), together.left_out(), exact, common.execution("flights"));
   reports.add(found);
   if (found.conflicts.empty()) return;
   cli::tell(common, "skyway-check",
@@ -211,11 +217,6 @@ void refuse_together(const Options& options, bool shard) {
     throw cli::UsageError(
         "--moving says how all flights came out, and a shard holds some: leave --shard or "
         "--moving out");
-  }
-  if (options.together.moving().asked() && options.rules().exact) {
-    throw cli::UsageError(
-        "--exact and --certificate do not look at obstacles that move: check with --moving in a "
-        "run of its own");
   }
   if (shard && !options.junit.file().empty()) {
     throw cli::UsageError(
@@ -266,7 +267,8 @@ int main(int argc, char** argv) {
                      [&](const traj::ReportRecord& report) { reports.add(report); });
     if (options.together.asked())
       check_together(common, options.together, options.rules().exact, reports);
-    if (options.together.moving().asked()) check_moving(common, options.together, reports);
+    if (options.together.moving().asked())
+      check_moving(common, options.together, options.rules().exact, reports);
     const cli::Exit exit = reports.commit(total);
     reports.batch().tell(common, "skyway-check", "records failed");
     common.write_stats({{"records", reports.count()},

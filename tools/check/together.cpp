@@ -54,6 +54,13 @@ void Together::add(const traj::TrajectoryRecord& record, const geom::CollisionSc
     ++left_out_;
     return;
   }
+  if (moving_.asked() && !record.time.start) {
+    throw geom::InputError(
+        source, line,
+        fmt::format("expected \"start\" of \"{}\", seconds after the epoch, found none: where "
+                    "obstacles move, a verdict holds for one departure alone",
+                    record.id));
+  }
   task_.map = scene->map().hash();
   traj::TimedFlight flight{nullptr, record.time.starts(), scene->half()};
   require_room(flight, source, line);

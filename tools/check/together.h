@@ -23,17 +23,17 @@ class Together {
  public:
   void add_to(CLI::App& app);
   bool asked() const { return asked_; }
-  // Whether flights stand at their ends before and after.
-  bool parks() const { return asked_ && task_.rule.parked == traj::Parked::pad; }
   bool collects() const { return asked_ || moving_.asked(); }  // the flights
+  // Whether flights stand at their ends before and after.
+  bool parks() const { return collects() && task_.rule.parked == traj::Parked::pad; }
   cli::Moving& moving() { return moving_; }
   const cli::Moving& moving() const { return moving_; }
   // Throws cli::UsageError for options that mean nothing, alone or with files of drones.
   void refuse_idle(const CLI::App& app, bool drone_file) const;
 
   // A record of the stream, checked over `scene`; nothing where it holds no trajectory. Throws
-  // InputError(source, line, …) for an id that comes again, another epoch, and a vehicle that no
-  // distance follows from.
+  // InputError(source, line, …) for an id that comes again, another epoch, no start where obstacles
+  // move, and a vehicle that no distance follows from.
   void add(const traj::TrajectoryRecord& record, const geom::CollisionScene* scene,
            const std::string& source, std::size_t line);
   // Throws InputError: a path has no times.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "geom/record/flight_time.h"
 #include "geom/text/json_line.h"
@@ -35,6 +36,15 @@ double seconds(const geom::JsonFields& fields, const char* key) {
 geom::Vec3 vector(const geom::JsonFields& fields, const char* key, const char* what) {
   if (fields.has(key)) return fields.point(key);
   fields.refuse(fmt::format("expected \"{}\", {}, found none", key, what));
+}
+
+geom::JsonLine object_of(const MovingCover& cover) {
+  const auto word = [](const FaceSide& side) {
+    return std::string{side.above ? '+' : '-', "xyz"[side.axis]};
+  };
+  geom::JsonLine line;
+  line.add("pieces", cover.pieces).add("sides", cover.sides, word);
+  return line;
 }
 
 }  // namespace
@@ -75,7 +85,7 @@ std::string to_json_line(const MovingConflict& conflict, const std::optional<std
   geom::JsonLine line;
   line.add("type", "moving_conflict").add("id", conflict.flight);
   line.add("obstacle", conflict.obstacle).add("ok", false);
-  line.add("reason", conflict.result.undecided ? "undecided" : "moving");
+  line.add("reason", reason_of(conflict));
   line.add("time", conflict.result.time).add("place", conflict.result.place);
   return line.add("epoch", epoch).line();
 }
@@ -89,12 +99,31 @@ std::string to_json_line(const MovingSummary& summary) {
   return line.add("epoch", summary.epoch).line();
 }
 
+std::string certificate_line(const ProvedMoving& proved) {
+  geom::JsonLine line;
+  line.add("type", "clear_of").add("ids", std::tuple(proved.flight, proved.obstacle));
+  return line.add("stretches", proved.proof.stretches, object_of).line();
+}
+
+std::string certificate_line(const MovingClaim& claim) {
+  geom::JsonLine line;
+  line.add("type", "clear_of_moving").add("flights", claim.flights);
+  line.add("obstacles", claim.obstacles).add("rooms", claim.rooms);
+  line.add("parked", name(claim.parked)).add("map", claim.map);
+  return line.add("epoch", claim.epoch).line();
+}
+
+std::string_view reason_of(const MovingConflict& conflict) {
+  if (conflict.result.clear) return "exact";  // never, unless one of the two checks is wrong
+  return conflict.result.undecided ? "undecided" : "moving";
+}
+
 std::string in_words(const MovingConflict& conflict) {
   const MovingResult& result = conflict.result;
+  const bool touches = !result.undecided && !result.clear;
   return fmt::format("{} {} {} at {:.6g} s, near ({:.2f}, {:.2f}, {:.2f})", conflict.flight,
-                     result.undecided ? "could not be shown to keep clear of" : "touches",
-                     conflict.obstacle, result.time, result.place.x(), result.place.y(),
-                     result.place.z());
+                     touches ? "touches" : "could not be shown to keep clear of", conflict.obstacle,
+                     result.time, result.place.x(), result.place.y(), result.place.z());
 }
 
 }  // namespace traj

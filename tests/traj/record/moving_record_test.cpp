@@ -56,5 +56,36 @@ TEST(MovingRecord, RefusesWhatIsMissingOrNotKnown) {
   EXPECT_NE(refusal(R"({"type":"path"})"), "");
 }
 
+TEST(MovingRecord, IsWrittenIntoCertificates) {
+  ProvedMoving proved{"a", "balloon", {}};
+  proved.proof.clear = true;
+  proved.proof.stretches.push_back({{1, 2, 2}, {{0, true}, {1, false}, {2, true}}});
+  EXPECT_EQ(certificate_line(proved),
+            R"({"type":"clear_of","ids":["a","balloon"],"stretches":[{"pieces":[1,2,2],)"
+            R"("sides":["+x","-y","+z"]}]})"
+            "\n");
+  MovingClaim claim;
+  claim.flights = {"a"};
+  claim.rooms = {{1, 1, 0.5}};
+  claim.obstacles = {"balloon", "kite"};
+  claim.parked = Parked::gone;
+  claim.map = "sha256:b";
+  EXPECT_EQ(certificate_line(claim),
+            R"({"type":"clear_of_moving","flights":["a"],"obstacles":["balloon","kite"],)"
+            R"("rooms":[[1,1,0.5]],"parked":"gone","map":"sha256:b"})"
+            "\n");
+}
+
+TEST(MovingRecord, SaysWhichOfTheTwoChecksRefuses) {
+  MovingConflict conflict{"a", "balloon", {}};
+  EXPECT_EQ(reason_of(conflict), "moving");
+  conflict.result.undecided = true;
+  EXPECT_EQ(reason_of(conflict), "undecided");
+  conflict.result = {};
+  conflict.result.clear = true;
+  EXPECT_EQ(reason_of(conflict), "exact");
+  EXPECT_NE(in_words(conflict).find("could not be shown"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace traj

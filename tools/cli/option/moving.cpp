@@ -63,7 +63,7 @@ std::vector<traj::MovingBox> Moving::boxes() const {
 }
 
 Moving::Found Moving::check(std::span<const traj::TimedFlight> flights,
-                            const traj::TogetherTask& task, std::size_t left_out,
+                            const traj::TogetherTask& task, std::size_t left_out, bool exact,
                             const geom::Execution& run) const {
   if (!flights.empty() || left_out > 0) {
     require_epoch(task.epoch);
@@ -74,20 +74,39 @@ Moving::Found Moving::check(std::span<const traj::TimedFlight> flights,
   struct Looked {
     std::size_t pieces = 0;
     std::vector<traj::MovingConflict> conflicts;
+    std::vector<traj::ProvedMoving> proved;
   };
   std::vector<Looked> of(flights.size());
   geom::parallel_for(flights.size(), run, [&](std::size_t i) {
     for (const traj::MovingRecord& obstacle : obstacles_) {
       traj::MovingResult result = traj::check_moving(flights[i], obstacle.box, task.rule.parked);
       of[i].pieces += result.pieces;
-      if (!result.clear) of[i].conflicts.push_back({task.ids[i], obstacle.id, result});
+      bool clear = result.clear;
+      if (clear && exact) {
+        auto proof = traj::check_moving_exactly(flights[i], obstacle.box, task.rule.parked);
+        clear = proof.clear;
+        result.time = proof.time;
+        result.place = proof.place;
+        if (clear) of[i].proved.push_back({task.ids[i], obstacle.id, std::move(proof)});
+      }
+      if (!clear) of[i].conflicts.push_back({task.ids[i], obstacle.id, result});
     }
   });
   for (Looked& looked : of) {
     summary.pieces += looked.pieces;
     for (traj::MovingConflict& one : looked.conflicts) out.conflicts.push_back(std::move(one));
+    for (traj::ProvedMoving& one : looked.proved) out.proved.push_back(std::move(one));
   }
   summary.refused = out.conflicts.size();
+  out.claim = claim(flights, task);
+  return out;
+}
+
+traj::MovingClaim Moving::claim(std::span<const traj::TimedFlight> flights,
+                                const traj::TogetherTask& task) const {
+  traj::MovingClaim out{task.ids, {}, {}, task.rule.parked, task.map, task.epoch};
+  for (const traj::TimedFlight& flight : flights) out.rooms.push_back(flight.room);
+  for (const traj::MovingRecord& obstacle : obstacles_) out.obstacles.push_back(obstacle.id);
   return out;
 }
 

@@ -35,17 +35,23 @@ class Moving {
   const std::string& id(std::size_t i) const { return obstacles_.at(i).id; }
   std::vector<traj::MovingBox> boxes() const;
 
-  // Every flight against every obstacle, `task` saying who they are and how they are parked:
-  // conflicts in order, then what all came to. Throws geom::InputError where their epoch is
-  // another. The same for any number of threads.
+  // Every flight against every obstacle, `task` saying who they are and how they are parked, and
+  // with `exact` once more in exact numbers: conflicts in order, what was proved in exact numbers,
+  // then what all came to. Throws geom::InputError where their epoch is another. The same for any
+  // number of threads.
   struct Found {
     std::vector<traj::MovingConflict> conflicts;
+    std::vector<traj::ProvedMoving> proved;
     traj::MovingSummary summary;
+    traj::MovingClaim claim;  // holds where the summary is ok
   };
   Found check(std::span<const traj::TimedFlight> flights, const traj::TogetherTask& task,
-              std::size_t left_out, const geom::Execution& run) const;
+              std::size_t left_out, bool exact, const geom::Execution& run) const;
 
  private:
+  traj::MovingClaim claim(std::span<const traj::TimedFlight> flights,
+                          const traj::TogetherTask& task) const;
+
   std::string file_;
   std::string name_;  // as messages say it
   std::vector<traj::MovingRecord> obstacles_;

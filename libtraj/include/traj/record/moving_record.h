@@ -10,6 +10,7 @@
 
 #include "geom/map/frame.h"
 #include "geom/text/json_fields.h"
+#include "traj/together/exact/exact_moving.h"
 #include "traj/together/moving_box.h"
 
 namespace traj {
@@ -32,7 +33,14 @@ MovingRecord parse_moving_record(std::string_view json, std::string_view source,
 struct MovingConflict {
   std::string flight;
   std::string obstacle;
-  MovingResult result;
+  MovingResult result;  // clear where the exact check alone refuses
+};
+
+// A flight that is, with the reasons.
+struct ProvedMoving {
+  std::string flight;
+  std::string obstacle;
+  ExactMoving proof;  // clear
 };
 
 // What the check against all obstacles came to.
@@ -48,11 +56,27 @@ struct MovingSummary {
   bool ok() const { return refused == 0 && left_out == 0; }
 };
 
+// What a certificate claims: each of the flights is clear of each of the obstacles.
+struct MovingClaim {
+  std::vector<std::string> flights;  // ids, in order
+  std::vector<Vec3> rooms;           // of the flights
+  std::vector<std::string> obstacles;
+  Parked parked = Parked::pad;
+  std::optional<std::string> map;  // its hash
+  std::optional<std::string> epoch;
+};
+
 // Each ends with a newline.
 std::string to_json_line(const MovingConflict& conflict, const std::optional<std::string>& epoch);
 std::string to_json_line(const MovingSummary& summary);
 
-// The refusal in a sentence.
+// Why a flight is clear of an obstacle, and what is claimed of all; each ends with a newline.
+// docs/certificates.md says what they must fulfil.
+std::string certificate_line(const ProvedMoving& proved);
+std::string certificate_line(const MovingClaim& claim);
+
+// The refusal as a word, and in a sentence.
+std::string_view reason_of(const MovingConflict& conflict);
 std::string in_words(const MovingConflict& conflict);
 
 }  // namespace traj
