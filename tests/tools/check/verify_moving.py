@@ -128,10 +128,10 @@ class Claim:
         require(all(r >= F(h) + margin for r, h in zip(room, half)), f"the room of {record['id']} is less than its vehicle and margin")
 
 
-def read_certificate(path, flights, obstacles):
+def proofs_of(lines, flights, obstacles):
     """Proofs by flight and obstacle, and the line of the claim."""
     flown, moving, proofs, claims = {f.id for f in flights}, {o.id for o in obstacles}, {}, []
-    for line in read_records(path):
+    for line in lines:
         if line.get("type") == "clear_of_moving":
             claims.append(line)
         if line.get("type") != "clear_of":
@@ -169,11 +169,16 @@ def verify_one(flight, obstacle, room, parked, proof):
         verify_stretch(beyond(flight, obstacle, room, begin, end), cover)
 
 
-def verify(records_path, map_path, moving_path, certificate_path):
-    records, flights = read_flights(records_path)
-    obstacles = read_obstacles(moving_path)
-    proofs, line = read_certificate(certificate_path, flights, obstacles)
-    claim = Claim(line, records, flights, obstacles, BoxMap(map_path))
+def read(records_path, map_path, moving_path, certificate_path):
+    """What the four files say; raises Refused where one is not what it should be."""
+    return read_flights(records_path), read_obstacles(moving_path), read_records(certificate_path), BoxMap(map_path)
+
+
+def follow(records_and_flights, obstacles, lines, box_map):
+    """Raises Refused where a flight is not shown to be clear of an obstacle."""
+    records, flights = records_and_flights
+    proofs, line = proofs_of(lines, flights, obstacles)
+    claim = Claim(line, records, flights, obstacles, box_map)
     for flight, room in zip(flights, claim.rooms):
         for obstacle in obstacles:
             require((flight.id, obstacle.id) in proofs, f"there is no proof of {flight.id} and {obstacle.id}")
@@ -184,10 +189,15 @@ def verify(records_path, map_path, moving_path, certificate_path):
     return len(flights), len(obstacles), line
 
 
+def verify(*paths):
+    return follow(*read(*paths))
+
+
 def verify_files(*paths):
     """Prints what came of it, and says how many were refused."""
+    found = read(*paths)
     try:
-        flights, obstacles, line = verify(*paths)
+        flights, obstacles, line = follow(*found)
     except Refused as reason:
         print(f"refused: {reason}")
         return 1
