@@ -83,7 +83,7 @@ traj::MovingSummary Obstacles::prove_moving(std::span<const traj::FleetFlight> f
     timed.push_back({flight.trajectory, *departure.start, flight.room});
     task.ids.push_back(stream_.record(departure.flight).id);
   }
-  const auto found = moving_->check(timed, task, 0, common_.execution("moving"));
+  const auto found = moving_->check(timed, task, 0, false, common_.execution("moving"));
   if (found.summary.ok()) return found.summary;
   throw std::runtime_error(
       fmt::format("the departures that were chosen could not be proved: {}; nothing was written",
