@@ -199,9 +199,9 @@ TEST(ReadStl, ReadsTextSolidBySolid) {
   expect_refusal(stl, "solid a\nfacet\nouter loop\nvertex 0 0\n", "a.stl:4");
   expect_refusal(stl, "", "expected a solid");
   const std::string three = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0";
-  const auto one = [](const std::string& facet, const std::string& corners,
+  const auto one = [](const std::string& begin, const std::string& corners,
                       const std::string& end) {
-    return "solid a\n" + facet + '\n' + corners + '\n' + end + "\nendsolid\n";
+    return "solid a\n" + begin + '\n' + corners + '\n' + end + "\nendsolid\n";
   };
   const std::string loop = "facet normal 0 0 1\nouter loop";
   const std::string end = "endloop\nendfacet";
