@@ -122,9 +122,9 @@ std::string Schedule::why_refused(std::uint32_t number) const {
                                more > 0 ? fmt::format(" and {} more", more) : ""));
   };
   add(blocked_ids(departure, false), "");
-  add(blocked_ids(departure, true), "of --others ");
+  add(blocked_ids(departure, true), "others: ");
   if (by.by_map) what.emplace_back("the map's boxes with times");
-  add(by.moving, "of --moving ");
+  add(by.moving, "moving: ");
   return fmt::format("no departure from {} to {} s keeps it apart from {}", flight.earliest,
                      flight.latest, fmt::join(what, "; "));
 }
