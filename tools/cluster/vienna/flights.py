@@ -6,6 +6,8 @@ flights.py loiterers FOLDER FILE ...            records of the flights that have
 flights.py fences FOLDER                        geofences of these from their arrival on, no-fly volumes
 flights.py merge FOLDER FILE ...                records of several files in the order of the queries; of
                                                 equal ids that of the last
+flights.py patient FOLDER SECONDS LONGER        trajectories.jsonl where each may wait so many seconds, those that
+                                                first.report.json calls refused longer
 flights.py summary FOLDER                       what came of it
 
 A row of the table: time filed, id, vehicle, time asked for, origin and destination as (longitude,
@@ -140,6 +142,19 @@ def merge(folder, files):
         sys.stdout.buffer.write(streams[file].read(length))
 
 
+def patient(folder, seconds, longer):
+    report = json.loads((folder / "first.report.json").read_text())
+    wanted = {flight["id"] for flight in report["refused"]}
+    with open(folder / "trajectories.jsonl", "rb") as stream:
+        for line in stream:
+            begin = line.index(b'"earliest":')
+            end = line.index(b",", begin)
+            earliest = float(line[begin + 11:end])
+            latest = earliest + (longer if name_of(line) in wanted else seconds)
+            said = b'"latest":' in line
+            sys.stdout.buffer.write(line if said else line[:end] + b',"latest":%r' % latest + line[end:])
+
+
 def summary(folder):
     report = json.loads((folder / "fleet.report.json").read_text())
     together = {}
@@ -175,6 +190,8 @@ def main():
         loiterers(pathlib.Path(rest[0]), rest[1:])
     elif verb == "fences":
         fences(pathlib.Path(rest[0]))
+    elif verb == "patient":
+        patient(pathlib.Path(rest[0]), float(rest[1]), float(rest[2]))
     elif verb == "merge":
         merge(pathlib.Path(rest[0]), rest[1:])
     elif verb == "summary":

@@ -8,18 +8,19 @@
 #   REACH   the longest edge of the roadmap, metres (60); 0: no roadmap
 #   SHARDS  in how many shares paths and trajectories are made (8)
 #   JOBS    how many at once (all cores)
-#   DELAY   the longest wait, seconds (300)
+#   DELAY   the longest wait, seconds, before a flight takes another way (120)
+#   PATIENCE the longest wait of those that no way keeps apart within DELAY (600; geofences stand for up to 342)
 #   IMPROVE rounds (20)
 #   EPOCH   the instant from which the table's times count: it has no date (2026-01-01T00:00:00Z)
-#   LAYERS  where flights cruise that would wait longer, first and next (70,7.8,6 31,7.8,5)
+#   LAYERS  where flights cruise that would wait longer; several: one after another (70,7.8,6)
 set -euo pipefail
 buildings=$(realpath "$1")
 flights=$(realpath "$2")
 folder=$3
 count=${4:-}
 here=$(dirname "$(realpath "$0")")
-slack=${SLACK:-1} reach=${REACH:-60} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-300} improve=${IMPROVE:-20}
-layers=${LAYERS:-70,7.8,6 31,7.8,5}
+slack=${SLACK:-1} reach=${REACH:-60} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-120} patience=${PATIENCE:-600} improve=${IMPROVE:-20}
+layers=${LAYERS:-70,7.8,6}
 export EPOCH=${EPOCH:-2026-01-01T00:00:00Z}
 mkdir -p "$folder"
 cd "$folder"
@@ -78,9 +79,16 @@ merged() {
   python3 "$here/flights.py" merge . trajectories.MP?0.jsonl "$@" >trajectories.partial
   mv trajectories.partial trajectories.jsonl
 }
+# departures NAME TRAJECTORIES SECONDS: into NAME.jsonl, with a report.
 departures() {
-  answer skyway-fleet trajectories.jsonl "${timed[@]}" "${others[@]}" --separation 32,7.62 --parked gone \
-    --max-delay "$delay" --improve "$improve" -q --stats fleet.stats.json --report fleet.report.json -o fleet.jsonl
+  local name=$1
+  answer skyway-fleet "$2" "${timed[@]}" "${others[@]}" --separation 32,7.62 --parked gone \
+    --max-delay "$3" --improve "$improve" -q --stats "$name.stats.json" --report "$name.report.json" -o "$name.jsonl"
+}
+# Where one has no departure in time, all choose once more, and those may wait longer.
+patient() {
+  python3 "$here/flights.py" patient . "$delay" "$patience" >patient.partial
+  mv patient.partial patient.jsonl
 }
 together() {
   answer skyway-check "$map" fleet.jsonl --together --separation 32,7.62 --parked gone \
@@ -119,6 +127,8 @@ if [ -s geofences.jsonl ]; then
   map=timed.boxmap timed=(--map timed.boxmap) pinned=(pinned.jsonl)
 fi
 made trajectories.jsonl merged "${pinned[@]}"
-made fleet.jsonl departures
+made first.jsonl departures first trajectories.jsonl "$delay"
+made patient.jsonl patient
+made fleet.jsonl departures fleet patient.jsonl "$patience"
 made together.jsonl together
 python3 "$here/flights.py" summary .
