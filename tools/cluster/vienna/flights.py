@@ -7,7 +7,8 @@ flights.py fences FOLDER                        geofences of these from their ar
 flights.py merge FOLDER FILE ...                records of several files in the order of the queries; of
                                                 equal ids that of the last
 flights.py patient FOLDER SECONDS LONGER        trajectories.jsonl where each may wait so many seconds, those that
-                                                first.report.json calls refused longer
+                                                were refused in a round so far longer
+flights.py refused FOLDER ROUND                 how many were refused in it
 flights.py summary FOLDER                       what came of it
 
 A row of the table: time filed, id, vehicle, time asked for, origin and destination as (longitude,
@@ -143,8 +144,8 @@ def merge(folder, files):
 
 
 def patient(folder, seconds, longer):
-    report = json.loads((folder / "first.report.json").read_text())
-    wanted = {flight["id"] for flight in report["refused"]}
+    wanted = {flight["id"] for file in folder.glob("round-*.report.json")
+              for flight in json.loads(file.read_text())["refused"]}
     with open(folder / "trajectories.jsonl", "rb") as stream:
         for line in stream:
             begin = line.index(b'"earliest":')
@@ -192,6 +193,8 @@ def main():
         fences(pathlib.Path(rest[0]))
     elif verb == "patient":
         patient(pathlib.Path(rest[0]), float(rest[1]), float(rest[2]))
+    elif verb == "refused":
+        print(len(json.loads((pathlib.Path(rest[0]) / f"round-{rest[1]}.report.json").read_text())["refused"]))
     elif verb == "merge":
         merge(pathlib.Path(rest[0]), rest[1:])
     elif verb == "summary":

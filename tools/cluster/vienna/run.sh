@@ -85,10 +85,18 @@ departures() {
   answer skyway-fleet "$2" "${timed[@]}" "${others[@]}" --separation 32,7.62 --parked gone \
     --max-delay "$3" --improve "$improve" -q --stats "$name.stats.json" --report "$name.report.json" -o "$name.jsonl"
 }
-# Where one has no departure in time, all choose once more, and those may wait longer.
-patient() {
-  python3 "$here/flights.py" patient . "$delay" "$patience" >patient.partial
-  mv patient.partial patient.jsonl
+# Where some have no departure in time, all choose once more, and those that had none may wait longer.
+rounds() {
+  local round=1
+  departures round-1 trajectories.jsonl "$delay"
+  while [ "$(python3 "$here/flights.py" refused . $round)" != 0 ] && [ $round -lt 6 ]; do
+    python3 "$here/flights.py" patient . "$delay" "$patience" >patient.jsonl
+    rm round-$round.jsonl
+    round=$((round + 1))
+    departures round-$round patient.jsonl "$patience"
+  done
+  cp round-$round.report.json fleet.report.json
+  mv round-$round.jsonl fleet.jsonl
 }
 together() {
   answer skyway-check "$map" fleet.jsonl --together --separation 32,7.62 --parked gone \
@@ -127,8 +135,6 @@ if [ -s geofences.jsonl ]; then
   map=timed.boxmap timed=(--map timed.boxmap) pinned=(pinned.jsonl)
 fi
 made trajectories.jsonl merged "${pinned[@]}"
-made first.jsonl departures first trajectories.jsonl "$delay"
-made patient.jsonl patient
-made fleet.jsonl departures fleet patient.jsonl "$patience"
+made fleet.jsonl rounds
 made together.jsonl together
 python3 "$here/flights.py" summary .
