@@ -118,13 +118,13 @@ std::string Schedule::why_refused(std::uint32_t number) const {
     if (names.empty()) return;
     const std::size_t more = names.size() > kNamed ? names.size() - kNamed : 0;
     names.resize(names.size() - more);
-    what.push_back(fmt::format("{}{}{}", of, fmt::join(names, ", "),
-                               more > 0 ? fmt::format(" and {} more", more) : ""));
+    what.push_back(fmt::format("{}{}{}", fmt::join(names, ", "),
+                               more > 0 ? fmt::format(" and {} more", more) : "", of));
   };
   add(blocked_ids(departure, false), "");
-  add(blocked_ids(departure, true), "others: ");
+  add(blocked_ids(departure, true), " of --others");
   if (by.by_map) what.emplace_back("the map's boxes with times");
-  add(by.moving, "moving: ");
+  add(by.moving, " of --moving");
   return fmt::format("no departure from {} to {} s keeps it apart from {}", flight.earliest,
                      flight.latest, fmt::join(what, "; "));
 }
