@@ -176,7 +176,7 @@ def summary(folder):
     if geofences(folder):
         alone = [json.loads(line) for line in (folder / "loiterers.jsonl").read_text().splitlines()]
         waited = sum(flight["start"] - flight["earliest"] for flight in alone)
-        print(f"geofences, closed to all others from the arrival of their own flight: {len(alone)}; "
+        print(f"geofences, closed to all others from a second after their own flight arrived: {len(alone)}; "
               f"these depart first, and wait {waited:.2f} s in all, which is not in the delay")
     print((folder / "times.txt").read_text(), end="")
 
