@@ -86,8 +86,8 @@ MovingBox box_around(const Vec3& middle, double from, double until) {
 TEST(ExactMoving, TakesTheStepBetweenSegmentsAsFlown) {
   const Trajectory flight = with_a_step();
   const MovingBox box = box_around({0, 1.5, 0}, -5, 5);
-  EXPECT_FALSE(check_moving_exactly({&flight, 0, {}}, box, Parked::gone).clear);
-  EXPECT_FALSE(check_moving({&flight, 0, {}}, box, Parked::gone).clear);
+  EXPECT_FALSE(check_moving_exactly({&flight, 0, Vec3::Zero()}, box, Parked::gone).clear);
+  EXPECT_FALSE(check_moving({&flight, 0, Vec3::Zero()}, box, Parked::gone).clear);
 }
 
 // All time in which both are there, cut at joints.
@@ -96,7 +96,7 @@ TEST(ExactMoving, HasAStretchBetweenJoints) {
   flight.segments[1].point.fill({0, 0, 0});
   const auto stretches = [&](double from, double until, Parked parked) {
     const MovingBox box = box_around({0, 9, 0}, from, until);
-    const ExactMoving proof = check_moving_exactly({&flight, 10, {}}, box, parked);
+    const ExactMoving proof = check_moving_exactly({&flight, 10, Vec3::Zero()}, box, parked);
     EXPECT_TRUE(proof.clear);
     return proof.stretches.size();
   };
@@ -118,7 +118,7 @@ TEST(ExactMoving, AddsSpeedAndGrowthAsFractions) {
   box.growth.x() = 0.2;
   const auto is_clear = [&](double x) {
     flight.segments[0].point.fill({x, 0, 0});
-    return check_moving_exactly({&flight, 0, {}}, box, Parked::gone).clear;
+    return check_moving_exactly({&flight, 0, Vec3::Zero()}, box, Parked::gone).clear;
   };
   EXPECT_TRUE(is_clear(0.5 + (0.1 + 0.2)));
   EXPECT_FALSE(is_clear(0.5 + (0.1 + 0.2) - 0x1p-53));
