@@ -158,6 +158,12 @@ class Slabs {
   double furthest(double y0) {
     const double top = levels_.back();
     const double sure = std::min(top, y0 + slack_ - 4e-9 - 1e-14 * std::abs(y0));
+    // Between corners nothing has to be tried, but that a little more is too far.
+    const double straight = std::max(sure, y0 + height_between_corners(y0));
+    const double more = straight + slack_ / 8;
+    if (more < *std::upper_bound(levels_.begin(), levels_.end() - 1, y0) && !valid(y0, more)) {
+      return straight;
+    }
     double good = sure;
     double bad = kInfinity;
     for (auto y1 = std::upper_bound(levels_.begin(), levels_.end(), sure); y1 != levels_.end();
@@ -176,6 +182,17 @@ class Slabs {
       (valid(y0, middle) ? good : bad) = middle;
     }
     return good;
+  }
+
+  // How high a slab from y0 may be in which no edge ends. What an edge bounds there has it as its
+  // diagonal, and the two other corners are furthest from it: height times run over length.
+  double height_between_corners(double y0) const {
+    double out = kInfinity;
+    for_each_in(y0, y0, [&](const CoverEdge& edge) {
+      const double run = std::abs(edge.step.x());
+      if (edge.high.y() > y0 && run > 0) out = std::min(out, std::sqrt(edge.squared) / run);
+    });
+    return SlackGauge::kSurelyNear * slack_ * out;
   }
 
   // Whether the slab's rectangles stay within the slack.

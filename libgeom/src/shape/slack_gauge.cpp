@@ -6,10 +6,7 @@
 namespace geom {
 namespace {
 
-// Shares of the slack: what is nearer than the one or further than the other is no close decision,
-// however it is rounded.
-constexpr double kSurelyNear = 0.978;
-constexpr double kSurelyFar = 1.0001;
+constexpr double kSurelyFar = 1.0001;   // a share of the slack
 constexpr double kLong = 16;            // times as long as high
 constexpr std::size_t kManyEdges = 32;  // near a slab: looking at each beside all is no short cut
 

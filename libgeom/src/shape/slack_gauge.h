@@ -18,6 +18,10 @@ namespace geom {
 // heights: those that it can be near, and all that it can be inside of.
 class SlackGauge {
  public:
+  // A share of the slack: what is nearer, or further than a little more than 1, is no close
+  // decision, however it is rounded.
+  static constexpr double kSurelyNear = 0.978;
+
   SlackGauge(double slack, std::size_t rings);
 
   // Forgets the edges of the slab before.
