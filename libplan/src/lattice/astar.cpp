@@ -26,6 +26,7 @@ constexpr std::uint64_t kSqrt3 = 119025625176;  // round(2^36 sqrt 3)
 constexpr std::size_t kFewGoals = 16;  // beyond, the least of all their distances costs too much
 constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
+constexpr int kWeightBits = 10;
 constexpr int kPageBits = 22;  // of a handle
 constexpr std::uint64_t kPageMask = (1u << kPageBits) - 1;
 constexpr std::size_t kMostPages = std::size_t{1} << 14;  // that a search may add
@@ -51,7 +52,8 @@ std::uint64_t unobstructed(Connectivity connectivity, std::uint64_t x, std::uint
 struct AstarSearch::Impl {
   explicit Impl(const Lattice& lattice);
 
-  SearchResult search(std::span<const Terminal> sources, std::span<const Terminal> goals);
+  SearchResult search(std::span<const Terminal> sources, std::span<const Terminal> goals,
+                      double weight);
   bool free(const Index3& node);
 
   using Units = std::uint64_t;
@@ -96,6 +98,7 @@ struct AstarSearch::Impl {
   void flood_next();
   bool goals_cut_off() const { return flooding_ && flood_next_ == flooded_.size(); }
   Units to_goal(std::int32_t x, std::int32_t y, std::int32_t z) const;
+  Units weighted(Units to_goal) const;
   Units to_box(std::int32_t x, std::int32_t y, std::int32_t z) const;
   const Goal* goal_at(Handle node) const;
   Units units(double metres) const;
@@ -113,6 +116,7 @@ struct AstarSearch::Impl {
   Goal lowest_{};            // the box around the goals, and the least cost of any
   Goal highest_{};
   std::array<Units, kDirections> step_;
+  Units more_ = 0;  // what the heuristic weighs beyond 1, in 2^-kWeightBits
   std::uint32_t stamp_ = 0;
   std::vector<Handle> flooded_;  // from the goals, in the order met
   std::size_t flood_next_ = 0;
@@ -228,6 +232,11 @@ AstarSearch::Impl::Units AstarSearch::Impl::to_goal(std::int32_t x, std::int32_t
   return best;
 }
 
+// What is cut off is less than the 2^-10 of an edge that a weight is rounded to.
+AstarSearch::Impl::Units AstarSearch::Impl::weighted(Units to_goal) const {
+  return to_goal + (to_goal >> kWeightBits) * more_;
+}
+
 // Clamping moves no coordinate further than the step does, so this is consistent too.
 AstarSearch::Impl::Units AstarSearch::Impl::to_box(std::int32_t x, std::int32_t y,
                                                    std::int32_t z) const {
@@ -276,7 +285,7 @@ void AstarSearch::Impl::push(Handle node, Units cost, int direction, std::int32_
   Visit& visit = page_of(node).visits[node >> kPageBits & (LatticeGrid::kBlock - 1)];
   if (visit.stamp == stamp_ && (visit.settled || visit.cost <= cost)) return;
   visit = {cost, stamp_, static_cast<std::int8_t>(direction), false};
-  insert({cost + to_goal(x, y, z), cost, node});
+  insert({cost + weighted(to_goal(x, y, z)), cost, node});
 }
 
 void AstarSearch::Impl::expand(const Open& from) {
@@ -386,8 +395,10 @@ double AstarSearch::Impl::metres(std::span<const std::size_t> nodes) const {
 }
 
 SearchResult AstarSearch::Impl::search(std::span<const Terminal> sources,
-                                       std::span<const Terminal> goals) {
+                                       std::span<const Terminal> goals, double weight) {
   SearchResult result;
+  assert(weight >= 1 && weight <= 4);
+  more_ = static_cast<Units>(std::llround((weight - 1) * (1 << kWeightBits)));
   start(sources, goals);
   const std::size_t before = pages_.size();
   Units best = kNone;
@@ -431,9 +442,9 @@ AstarSearch::~AstarSearch() = default;
 AstarSearch::AstarSearch(AstarSearch&&) noexcept = default;
 AstarSearch& AstarSearch::operator=(AstarSearch&&) noexcept = default;
 
-SearchResult AstarSearch::search(std::span<const Terminal> sources,
-                                 std::span<const Terminal> goals) {
-  return impl_->search(sources, goals);
+SearchResult AstarSearch::search(std::span<const Terminal> sources, std::span<const Terminal> goals,
+                                 double weight) {
+  return impl_->search(sources, goals, weight);
 }
 
 bool AstarSearch::free(const Index3& node) { return impl_->free(node); }

@@ -36,12 +36,44 @@ class LastBlockers {
     return true;
   }
 
+  // True only where one of the last boxes that blocked a segment blocks all from `a` to the points
+  // of the closed box.
+  bool hides(const Vec3& a, const geom::Aabb& box) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (hides(a, box, boxes_[i])) return true;
+    }
+    return false;
+  }
+
   // scene.free(a, b).
   bool free(const Vec3& a, const Vec3& b) {
     return scene_->inside_bounds(a) && scene_->inside_bounds(b) && !hits(a, b);
   }
 
  private:
+  // Whether the box, seen from `a`, lies behind a side of the blocker and within its outline, with
+  // a micrometre to spare: far more than what is rounded.
+  static bool hides(const Vec3& a, const geom::Aabb& box, const geom::Aabb& blocker) {
+    constexpr double kSpare = 1e-6;
+    for (int k = 0; k < 3; ++k) {
+      const bool above = blocker.min[k] > a[k];
+      if (!above && !(blocker.max[k] < a[k])) continue;
+      const double side = above ? blocker.min[k] - a[k] : a[k] - blocker.max[k];
+      const double near = above ? box.min[k] - a[k] : a[k] - box.max[k];
+      const double far = above ? box.max[k] - a[k] : a[k] - box.min[k];
+      if (!(near > side)) return false;
+      bool within = true;
+      for (const int j : {(k + 1) % 3, (k + 2) % 3}) {
+        const double low = box.min[j] - a[j];
+        const double high = box.max[j] - a[j];
+        within = within && low * side / (low < 0 ? near : far) >= blocker.min[j] - a[j] + kSpare &&
+                 high * side / (high > 0 ? near : far) <= blocker.max[j] - a[j] - kSpare;
+      }
+      if (within) return true;
+    }
+    return false;
+  }
+
   static constexpr std::size_t kKept = 4;
 
   const geom::CollisionScene* scene_;

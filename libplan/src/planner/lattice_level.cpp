@@ -32,8 +32,8 @@ void LatticeLevel::give_back(std::unique_ptr<AstarSearch> search) {
   idle_.push_back(std::move(search));
 }
 
-PlanResult LatticeLevel::search(const geom::CollisionScene& scene, const Vec3& from,
-                                const Vec3& to) {
+PlanResult LatticeLevel::search(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
+                                double weight) {
   PlanResult result;
   result.route = Route::lattice;
   result.resolution = lattice_.spec().spacing;
@@ -42,7 +42,7 @@ PlanResult LatticeLevel::search(const geom::CollisionScene& scene, const Vec3& f
   // The nearest nodes may lie in a pocket that the lattice cannot leave, though the end itself can.
   for (const Rings rings : {Rings::nearest, Rings::all}) {
     found = search->search(visible_nodes(scene, lattice_, *search, from, rings),
-                           visible_nodes(scene, lattice_, *search, to, rings));
+                           visible_nodes(scene, lattice_, *search, to, rings), weight);
     result.expanded += found.expanded;
     if (found.found || found.gave_up) break;
   }

@@ -20,8 +20,10 @@ class LatticeLevel {
 
   bool given() const { return given_; }
 
-  // The path as the search found it, and what the search was in any case.
-  PlanResult search(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to);
+  // The path as the search found it, by AstarSearch with the weight, and what the search was in any
+  // case.
+  PlanResult search(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
+                    double weight);
 
  private:
   std::unique_ptr<AstarSearch> take();

@@ -28,6 +28,8 @@ constexpr double kSpacing = 10;       // metres: of the first lattice on a map o
 constexpr int kLevels = 3;            // each of half the spacing of the one before
 constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets a finer one
 constexpr double kDetour = 1.2;       // of the straight line: then a finer lattice may know better
+constexpr double kFar = 1000;         // metres: beyond, too many ways of a lattice are as short
+constexpr double kHaste = 1.02;  // the weight then: what bends are sought along need not be best
 
 double nodes_at(const geom::Aabb& inner, double spacing) {
   double nodes = 1;
@@ -127,7 +129,9 @@ Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
 
 // As the search gave it, not shortened.
 PlanResult Planner::Impl::by_level(LatticeLevel& level, const Task& task) {
-  PlanResult result = level.search(scene_, task.from, task.to);
+  const bool far = polished(task.options) && task.straight() > kFar;
+  const bool guides = task.options.method == Method::automatic && far;
+  PlanResult result = level.search(scene_, task.from, task.to, guides ? kHaste : 1);
   if (level.given()) require_free(scene_, result.path, "lattice");
   return result;
 }

@@ -124,6 +124,35 @@ TEST_P(Astar, CostsWhatDijkstraSaysFromManySourcesToManyGoals) {
   }
 }
 
+TEST_P(Astar, CostsNoMoreThanItsWeightTimesTheLeast) {
+  const double weight = 1.25;
+  std::size_t longer = 0;
+  std::size_t expanded = 0;
+  std::size_t expanded_without = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto scene = random_scene(seed, 250, 14, Vec3::Zero());
+    const Lattice lattice = build_lattice(scene, {1, GetParam(), {0, 0, 0}});
+    AstarSearch search(lattice);
+    support::Random random(seed);
+    for (int query = 0; query < 12; ++query) {
+      const auto sources = random_terminals(random, lattice, 1 + query % 3);
+      const auto goals = random_terminals(random, lattice, query % 4 ? query % 4 : 40);
+      const double least = oracle::cheapest(lattice, sources, goals);
+      const SearchResult result = search.search(sources, goals, weight);
+      ASSERT_EQ(result.found, least < 1e300);
+      if (!result.found) continue;
+      EXPECT_LE(result.cost, weight * least + 1e-9);
+      EXPECT_NEAR(cost_of(lattice, result, sources, goals), result.cost, 1e-9);
+      longer += result.cost > least + 1e-6;
+      expanded += result.expanded;
+      expanded_without += search.search(sources, goals).expanded;
+    }
+  }
+  EXPECT_GT(longer, 0u);  // the weight was heard
+  EXPECT_LT(expanded, expanded_without);
+}
+
 TEST_P(Astar, WithoutObstaclesExpandsLittleMoreThanThePath) {
   const auto scene = scene_of({}, {{0, 0, 0}, {30, 30, 30}});
   const Lattice lattice = build_lattice(scene, {1, GetParam(), {0, 0, 0}});

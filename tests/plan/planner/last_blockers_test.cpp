@@ -52,6 +52,48 @@ TEST(LastBlockers, HoldNothingAgainstASegmentThatIsClear) {
   EXPECT_FALSE(asked.free({1, 1, 1}, {1, 21, 1}));  // out of bounds
 }
 
+// A box that is hidden, as tests ask: blocked by the one box of the scene at every corner.
+TEST(LastBlockers, HideOnlyBoxesOfWhichTheyHideEveryPoint) {
+  support::Random random(7);
+  int hidden = 0;
+  int behind = 0;  // of boxes whose corners are all blocked
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 low = place(random);
+    const Vec3 size(random.uniform(0, 12), random.uniform(0, 12), random.uniform(0, 12));
+    const auto scene = scene_of({{low, low + size}}, {{-20, -20, -20}, {60, 60, 60}});
+    LastBlockers asked(scene);
+    const Vec3 eye = place(random);
+    if (!asked.hits(eye, low + size / 2)) continue;
+    const Vec3 corner = eye + (low + size / 2 - eye) * random.uniform(0.5, 2.5);
+    const geom::Aabb box{corner, corner + 0.2 * random.uniform(0, 1) * size};
+    bool all = true;
+    for (unsigned k = 0; k < 8; ++k) {
+      const Vec3 p((k & 1 ? box.max : box.min).x(), (k & 2 ? box.max : box.min).y(),
+                   (k & 4 ? box.max : box.min).z());
+      all = all && scene.hits(eye, p);
+    }
+    behind += all;
+    if (!asked.hides(eye, box)) continue;
+    ++hidden;
+    ASSERT_TRUE(all) << "case " << i;
+  }
+  EXPECT_GT(hidden, 500);
+  EXPECT_GT(2 * hidden, behind);
+}
+
+TEST(LastBlockers, HideNothingThatTouchesTheirOutline) {
+  const auto scene = scene_of({{{9, 0, 0}, {11, 20, 20}}}, kCube);
+  LastBlockers asked(scene);
+  const Vec3 eye(1, 10, 10);
+  const geom::Aabb box{{13, 10, 10}, {14, 11, 11}};
+  EXPECT_FALSE(asked.hides(eye, box));  // nothing blocked a segment yet
+  EXPECT_TRUE(asked.hits(eye, {19, 10, 10}));
+  EXPECT_TRUE(asked.hides(eye, box));
+  EXPECT_FALSE(asked.hides(eye, {{8, 10, 10}, {14, 11, 11}}));   // from before it
+  EXPECT_FALSE(asked.hides(eye, {{13, 10, 10}, {14, 11, 25}}));  // over it
+  EXPECT_FALSE(asked.hides({10, 10, 10}, box));                  // from inside
+}
+
 TEST(LastBlockers, RefuseWhatIsNoPointAsTheSceneDoes) {
   const auto scene = scene_of({{{9, 0, 0}, {11, 20, 20}}}, kCube);
   LastBlockers asked(scene);
