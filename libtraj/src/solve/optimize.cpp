@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kCornerDeviation = 1;  // metres, in the solver's units
 constexpr double kUsual = 20;           // metres: shorter paths are counted in smaller units
+constexpr int kBandedIterations = 5;    // for each of Ipopt's, which takes ten times as long
 
 std::vector<Vec3> points_of(const Corridor& corridor) {
   std::vector<Vec3> points{corridor.front().from};
@@ -201,7 +202,8 @@ OptimizeResult optimize_part(const Corridor& given, const Ends& ends,
   const OptimizeOptions options = in_units(asked, units);
   const Nlp nlp(problem(corridor, {ends.first / speed, ends.last / speed}, options));
   if (options.optimizer == Optimizer::banded) {
-    return judged(nlp, banded_solve(nlp, options.max_iterations), units, given, ends);
+    return judged(nlp, banded_solve(nlp, kBandedIterations * options.max_iterations), units, given,
+                  ends);
   }
   return judged(nlp, ipopt_solve(nlp, options.max_iterations), units, given, ends);
 }

@@ -19,7 +19,7 @@ struct OptimizeOptions {
   // Seconds of flight a unit of snap (m2/s7) is worth; on paths of l < 20 m times (l / 20 m)^2, as
   // snap grows without bound where the same curve is flown smaller with the same accelerations.
   double rho = 1e-3;
-  int max_iterations = 200;
+  int max_iterations = 200;  // of Ipopt; banded has five times as many
   Optimizer optimizer = Optimizer::ipopt;
   bool cruise = true;  // long straight legs: exactly straight at constant speed in their middle,
                        // and what lies between such legs is optimised part by part

@@ -31,7 +31,7 @@ struct SolveOptions {
   Limits limits;
   Solver solver = Solver::automatic;
   double rho = 1e-3;         // seconds of flight a unit of snap (m2/s7) is worth
-  int max_iterations = 200;  // of the optimiser, each round
+  int max_iterations = 200;  // of Ipopt, each round; banded has five times as many
   CorridorKind corridor = CorridorKind::planes;
   std::optional<Times> times;  // of the closed form, which automatic then takes wherever it is
                                // proved; absent: stops
