@@ -13,10 +13,11 @@ import sys
 import tempfile
 
 import colour_vision
+from viewer import Viewer
 from webdriver import Browser
 
 bin_dir, source = (pathlib.Path(a).resolve() for a in sys.argv[1:3])
-pictures = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
+Viewer.pictures = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
 
 
 def run(*args, text=None, yes=True):
@@ -50,60 +51,6 @@ def make_chain(table, folder, ends, traj=("--vmax", "8", "--amax", "6")):
     run("skyway-check", "-q", folder / "map", folder / "trajectory", "-o", folder / "report")
     run("skyway-export", "-q", folder / "map", folder / "trajectory", "--format", "setpoints", "-o", folder / "setpoints")
     (folder / "flight.csv").write_text(flight_of((folder / "setpoints").read_text()))
-
-
-class Viewer:
-    """A page in the browser, and what its window.skyway says."""
-
-    def __init__(self, browser, page, scheme="light", size=(1440, 900)):
-        self.browser = browser
-        browser.prefer(scheme)
-        browser.resize(*size)
-        browser.open(page)
-        browser.until("window.skyway && skyway.frames > 0")
-        assert self.get("theme") == scheme
-
-    def get(self, name):
-        return self.browser.run(f"return skyway.{name}")
-
-    def until(self, condition, seconds=180):
-        self.browser.until(condition, seconds)
-
-    def picture(self, name):
-        if pictures:
-            pictures.mkdir(parents=True, exist_ok=True)
-            frames = self.get("frames")
-            self.browser.run("dispatchEvent(new Event('resize'))")
-            self.browser.screenshot(pictures / f"{name}.png")
-            assert self.get("frames") >= frames
-        self.quiet()
-
-    def quiet(self):
-        assert self.get("problems") == [], self.get("problems")
-        said = self.browser.console()
-        assert not said, said
-
-    def frame_time(self):
-        """Milliseconds a frame takes while the view turns, the pixels read back."""
-        return self.browser.run("""
-          return (async () => {
-            const view = document.getElementById("view"), gl = view.querySelector("canvas").getContext("webgl");
-            const frame = () => new Promise(requestAnimationFrame), pixel = new Uint8Array(4);
-            await frame();
-            const begin = performance.now();
-            let turns = 0;
-            for (; turns < 3 || (turns < 30 && performance.now() < begin + 4000); ++turns) {
-              view.dispatchEvent(new KeyboardEvent("keydown", {key: "ArrowLeft", bubbles: true}));
-              await frame();
-              gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-            }
-            return (performance.now() - begin) / turns;
-          })()""")
-
-    def figures(self, name):
-        print(f"{name}: {self.get('boxes')} boxes, {self.get('drawCalls')} draw calls, {self.get('triangles')} triangles")
-        if os.environ.get("SKYWAY_TIME_FRAMES"):
-            print(f"{name}: {self.frame_time():.1f} ms a frame in software")
 
 
 def setpoints(folder):
