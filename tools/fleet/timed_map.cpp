@@ -18,12 +18,12 @@
 namespace fleet {
 namespace {
 
-// By what a scene is made for.
+// By what a scene is made for: the limits of its vehicle hold for all that is checked in it.
 bool comes_before(const geom::Provenance& a, const geom::Provenance& b) {
   const auto key = [](const geom::Provenance& p) {
-    const geom::Vec3 half = p.vehicle ? p.vehicle->half : geom::Vec3(-1, -1, -1);
-    return std::tuple(half[0], half[1], half[2], p.vehicle ? p.vehicle->name : "",
-                      p.margin.value_or(0));
+    const geom::Vehicle vehicle = p.vehicle.value_or(geom::Vehicle{"", {-1, -1, -1}});
+    return std::tuple(vehicle.half[0], vehicle.half[1], vehicle.half[2], vehicle.name,
+                      vehicle.limits.values, p.margin.value_or(0));
   };
   return key(a) < key(b);
 }
@@ -104,10 +104,7 @@ void TimedMap::prove(const Stream& stream, std::span<const traj::FleetFlight> fl
   each(stream, std::move(ways), [&](const geom::CollisionScene& scene, std::size_t way) {
     const traj::TrajectoryRecord& record = stream.record(way);
     traj::CheckOptions options;
-    const auto& vehicle = record.provenance.vehicle;
-    const geom::Limits own = vehicle ? vehicle->limits : geom::Limits{};
-    options.limits =
-        geom::limits_that_hold({{}, record.limits, geom::stricter(scene.vehicle().limits, own)});
+    options.limits = geom::limits_that_hold({{}, record.limits, scene.vehicle().limits});
     options.clearance = traj::Clearance::left_out;
     options.start = start[way];
     options.stands = parked == traj::Parked::pad;
