@@ -46,9 +46,12 @@ void Moving::require_of(NamedMap& map) const {
   }
 }
 
-void Moving::require_of(const geom::Provenance& flights) const {
+void Moving::require_of(geom::Provenance said) const {
   for (std::size_t i = 0; i < count(); ++i) {
-    geom::require_map_agrees(provenance_of(obstacles_[i]), flights, name_, lines_[i]);
+    const geom::Provenance here = provenance_of(obstacles_[i]);
+    geom::require_map_agrees(here, said, name_, lines_[i]);
+    if (!said.map) said.map = here.map;
+    if (!said.frame) said.frame = here.frame;
   }
 }
 

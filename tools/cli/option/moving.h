@@ -26,9 +26,10 @@ class Moving {
   // Reads all obstacles, at least one. Throws geom::InputError for bad records, an id that comes
   // again, and epochs that differ.
   void read();
-  // Once they are read, each throws geom::InputError for one of another frame, map or epoch.
+  // Once they are read, each throws geom::InputError for one of another frame, map or epoch than
+  // the map has, or flights have `said`. Where these say none, obstacles still must agree.
   void require_of(NamedMap& map) const;
-  void require_of(const geom::Provenance& flights) const;
+  void require_of(geom::Provenance said) const;
   void require_epoch(const std::optional<std::string>& flights) const;
 
   std::size_t count() const { return obstacles_.size(); }
