@@ -9,7 +9,7 @@ namespace traj {
 namespace {
 
 constexpr double kBrief = 0.01;  // seconds: pieces that are not halved any more
-constexpr int kDeepest = 40;     // halvings
+constexpr int kDeepest = 20;     // halvings: hours along a face would else be millions of pieces
 constexpr double kBlur = 1e-6;   // seconds: more than the check of a departure rounds
 
 class Search {
@@ -18,15 +18,20 @@ class Search {
   Search(const geom::CollisionScene& scene, double slack) : scene_(scene), slack_(slack) {}
 
   void look(const Piece& piece, int depth = 0) {
-    std::vector<std::size_t> met;
-    for (const std::size_t i : scene_.boxes_meeting(sure_box(piece, depth))) {
-      if (!scene_.map().time(i).always()) met.push_back(i);
+    const geom::Aabb region = sure_box(piece, depth);
+    const bool last = piece.end - piece.begin <= kBrief || depth == kDeepest;
+    bool in_part = false;
+    for (const std::size_t i : scene_.boxes_meeting(region)) {
+      const geom::TimeSpan time = scene_.map().time(i);
+      if (time.always()) continue;
+      // What holds all of a piece is met as long as that lasts, which no halving changes.
+      if (last || holds(scene_.grown(i), region)) {
+        forbid(time, time_of(piece));
+      } else {
+        in_part = true;
+      }
     }
-    if (met.empty()) return;
-    if (piece.end - piece.begin <= kBrief || depth == kDeepest) {
-      for (const std::size_t i : met) forbid(scene_.map().time(i), time_of(piece));
-      return;
-    }
+    if (!in_part) return;
     const auto [left, right] = piece.halved();
     look(left, depth + 1);
     look(right, depth + 1);
@@ -45,6 +50,10 @@ class Search {
 
  private:
   static geom::TimeSpan time_of(const Piece& piece) { return {piece.begin, piece.end}; }
+
+  static bool holds(const geom::Aabb& box, const geom::Aabb& region) {
+    return geom::contains(box, region.min) && geom::contains(box, region.max);
+  }
 
   // Holds the curve, of which each halving rounds the control points by an ulp.
   static geom::Aabb sure_box(const Piece& piece, int depth) {

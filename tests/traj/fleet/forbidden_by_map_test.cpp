@@ -65,6 +65,25 @@ TEST(ForbiddenByMap, StandingOnAPadHasNoEnd) {
   EXPECT_LE(gone[0].low, 980);
 }
 
+// Halved down to hundredths of a second, each of these would be a hundred thousand million pieces.
+TEST(ForbiddenByMap, TakesNoLongerForAFlightThatHoversForYears) {
+  const auto hover = [](const Vec3& p, double seconds) {
+    Segment segment;
+    segment.duration = seconds;
+    segment.point.fill(p);
+    return Trajectory{{segment}};
+  };
+  const auto scene = scene_of({{{-5, -5, -5}, {5, 5, 5}}}, {{1000, 1060}});
+  for (const double x : {0.0, scene.grown(0).max.x()}) {  // in the middle, and at the face
+    const auto spans = forbidden_by_map(scene, hover({x, 0, 0}, 9e8), Parked::gone);
+    ASSERT_EQ(spans.size(), 1u);
+    EXPECT_LE(spans[0].low, 1000 - 9e8);
+    EXPECT_NEAR(spans[0].low, 1000 - 9e8, 1e-3);
+    EXPECT_GE(spans[0].high, 1060);
+    EXPECT_NEAR(spans[0].high, 1060, 1e-3);
+  }
+}
+
 // Whatever departure is left is proved by the check, and whatever it refuses is forbidden.
 TEST(ForbiddenByMapProperty, HoldsEveryDepartureThatTheCheckRefuses) {
   support::Random random(81);
