@@ -179,12 +179,23 @@ class Chooser {
     std::optional<double> start;
   };
 
-  // What a number costs: its delay; more than any where it has no departure or another way.
-  double cost(std::uint32_t number) const {
+  // What some cost together: one without a departure more than any that go another way, one of
+  // these more than any delay.
+  struct Cost {
+    std::size_t refused = 0;
+    std::size_t other_ways = 0;
+    double delay = 0;
+
+    friend auto operator<=>(const Cost&, const Cost&) = default;
+  };
+  void add(std::uint32_t number, Cost& cost) const {
     const auto& way = way_[number];
-    if (!way) return kRefused;
-    const double delay = *start_[*way] - flights_[*way].earliest;
-    return delay + (*way != ways_[number].front() ? kOtherWay : 0);
+    if (!way) {
+      ++cost.refused;
+      return;
+    }
+    cost.other_ways += *way != ways_[number].front();
+    cost.delay += *start_[*way] - flights_[*way].earliest;
   }
 
   // Those that wait for one of the flights, and may be moved for this priority.
@@ -233,19 +244,21 @@ class Chooser {
     const std::vector<std::uint32_t> moved = to_move(number);
     if (moved.empty()) return false;
     std::vector<Kept> kept;
-    double before = 0;
+    Cost before;
     for (const std::uint32_t one : moved) {
       const auto& way = way_[one];
       kept.push_back({one, way, way ? start_[*way] : std::nullopt});
-      before += cost(one);
+      add(one, before);
     }
     for (const std::uint32_t one : moved) take_out(one);
-    double sum = 0;
+    Cost after;
     for (const std::uint32_t one : moved) {
       place(one);
-      sum += cost(one);
+      add(one, after);
     }
-    if (sum < before) return true;
+    const bool refuses = std::any_of(kept.begin(), kept.end(),
+                                     [&](const Kept& one) { return one.way && !way_[one.number]; });
+    if (after < before && !refuses) return true;
     for (const std::uint32_t one : moved) take_out(one);
     for (const Kept& one : kept) {
       way_[one.number] = one.way;
@@ -253,9 +266,6 @@ class Chooser {
     }
     return false;
   }
-
-  static constexpr double kOtherWay = 1e10;  // more than any delay
-  static constexpr double kRefused = 1e14;   // more than any number of those
 
   std::span<const FleetFlight> flights_;
   Neighbours neighbours_;

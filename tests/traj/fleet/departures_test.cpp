@@ -101,6 +101,17 @@ TEST(ChooseDepartures, NoRoundMovesHigherPriorityBack) {
   EXPECT_EQ(choose_departures(f, c, {5, 1}).of[0].start, 0);
 }
 
+TEST(ChooseDepartures, NoRoundRefusesOneForAnother) {
+  // Only one can depart: the first, although it has to wait and the second would not.
+  auto f = flights(2);
+  f[0].forbidden = {{-1, 3}};
+  const auto c = conflicts({{{0, 1}, {-1000, 1000}}});
+  const Departures chosen = choose_departures(f, c, {5, 1});
+  EXPECT_EQ(chosen.of[0].start, 3.001);
+  EXPECT_FALSE(chosen.of[1].start);
+  EXPECT_EQ(chosen.moved, 0u);
+}
+
 TEST(ChooseDepartures, WhatIsSettledGoesFirstAndStays) {
   auto f = flights(3);
   f[0].priority = 9;
