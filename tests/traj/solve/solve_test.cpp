@@ -81,7 +81,7 @@ TEST(Solve, EmptyBoxesLeadAroundTheBlockToo) {
 TEST(Solve, IpoptFollowsWhereTheBandedOptimiserDoesNotSettle) {
   SolveOptions options;
   options.limits = kLimits;
-  options.max_iterations = 10;  // of which only Ipopt's result is looked at
+  options.max_iterations = 5;  // of which only Ipopt's result is looked at
   const SolveResult result = solve(block(), kAround, options);
   ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
   EXPECT_NE(result.rung, Rung::banded);
