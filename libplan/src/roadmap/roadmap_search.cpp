@@ -224,7 +224,8 @@ void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across
   const double reach2 = reach_ * reach_;
   const Onward onward(bend, in);
   const auto skip = [&](const BendTree::Node& node) {
-    return onward.misses(node) || between_.hides(bend.position, BendTree::box(node));
+    return onward.misses(node) ||
+           (!node.leaf && between_.hides(bend.position, BendTree::box(node)));
   };
   tree_->for_near(bend.position, reach_, skip, [&](std::uint32_t j) {
     const Bend& other = bends[j];
