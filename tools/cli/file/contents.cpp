@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <numeric>
+#include <optional>
 #include <utility>
 
-#include "cli/option/scenes.h"
+#include "cli/option/named_map.h"
 #include "files.h"
 #include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
@@ -177,16 +178,18 @@ void add_input(const std::string& path, const ContentKinds& kinds, Contents& out
 class SameMap {
  public:
   explicit SameMap(const geom::BoxMap* map) {
-    if (map) first_ = {map->hash(), map->spec().frame.axes, {}, {}};
+    if (map) map_.emplace(*map);
   }
 
   void require(const geom::Provenance& made_for, const std::string& source, std::size_t line) {
+    if (map_) return map_->require(made_for, source, line);
     if (!first_.map) first_.map = made_for.map;
     geom::require_map_agrees(made_for, first_, source, line);
   }
 
  private:
-  geom::Provenance first_;  // its map and, where there is a map, its frame
+  std::optional<NamedMap> map_;
+  geom::Provenance first_;  // its map, where none is given
 };
 
 }  // namespace

@@ -60,7 +60,8 @@ struct ContentKinds {
 Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds = {});
 
 // Throws geom::InputError where something was made for another map than `map` or, without one, than
-// the first that names its map; and where it is in another frame than `map`.
+// the first that names its map; and where it is in another frame than `map`. Of `map` is what was
+// made for it before boxes that are there for a time were added, too (named_map.h).
 void require_same_map(const Contents& contents, const geom::BoxMap* map);
 
 // Leaves out paths that were not found and trajectories that were not solved; returns how many.
