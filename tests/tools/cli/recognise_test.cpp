@@ -79,6 +79,7 @@ TEST(Recognise, NamesOurOwnFiles) {
   EXPECT_EQ(what(zip("meta.json", R"({"content":{},"format":"skyway-shard")")), "a shard");
   EXPECT_EQ(what(R"({"type":"path","id":"a")"), "a stream of paths");
   EXPECT_EQ(what(R"({"type":"trajectory","id":"a")"), "a stream of trajectories");
+  EXPECT_EQ(what(R"({"type":"moving","id":"a")"), "a stream of obstacles that move");
   EXPECT_EQ(what(R"({"type":"report","id":"a")"), "a stream of reports");
   EXPECT_EQ(what(R"({"id":"q1","from":[0,0,0],"to":[1,0,0]})"), "a stream of queries");
   EXPECT_EQ(what("id,from_x,from_y,from_z,to_x,to_y,to_z\n"), "a table of queries");

@@ -32,13 +32,13 @@ constexpr std::string_view kPathTools =
     "skyway-query skyway-info";
 constexpr std::string_view kTrajectoryTools =
     "skyway-check skyway-export skyway-fly skyway-plot skyway-view skyway-render skyway-map "
-    "skyway-query skyway-info";
+    "skyway-query skyway-fleet skyway-info";
 constexpr std::string_view kLogTools =
     "skyway-check skyway-plot skyway-view skyway-render skyway-map";
 constexpr std::string_view kMapTools =
     "skyway-map skyway-plan skyway-replan skyway-lattice skyway-roadmap skyway-traj skyway-check "
     "skyway-export skyway-fly skyway-query skyway-plot skyway-view skyway-render skyway-bench "
-    "skyway-info skyway-import-trajectory skyway-import-flight";
+    "skyway-info skyway-import-trajectory skyway-import-flight skyway-fleet";
 
 struct Magic {
   std::size_t at;
@@ -126,6 +126,8 @@ constexpr std::array kJson = {
          "join its features into one CityJSON"},
     Word{R"("type":"path")", "a stream of paths", kPathTools, ""},
     Word{R"("type":"trajectory")", "a stream of trajectories", kTrajectoryTools, ""},
+    Word{R"("type":"moving")", "a stream of obstacles that move",
+         "skyway-check skyway-fleet skyway-info", ""},
     Word{R"("type":"tree")", "a stream with search trees",
          "skyway-plot skyway-view skyway-render skyway-map skyway-info", ""},
     Word{R"("type":"corridor")", "a stream of corridors", "skyway-view skyway-map skyway-info", ""},

@@ -16,6 +16,7 @@ constexpr std::string_view kMap = "a box map";
 constexpr std::string_view kPaths = "a stream of paths";
 constexpr std::string_view kTrajectories = "a stream of trajectories";
 constexpr std::string_view kQueries = "a stream of queries";
+constexpr std::string_view kMoving = "a stream of obstacles that move";
 
 // What an option or argument takes, by how recognise() calls it.
 struct Place {
@@ -34,6 +35,7 @@ const std::array kPlaces = {
     Place{"", "--roadmap", {"a roadmap"}},
     Place{"", "--queries", {kQueries, "a table of queries", "a GeoJSON feature", "a GeoJSON file"}},
     Place{"", "--vehicle", {"a vehicle profile"}},
+    Place{"", "--moving", {kMoving}},
     Place{"skyway-traj", "paths", {kPaths}},
     Place{"skyway-replan", "--paths", {kPaths}},
     Place{"skyway-check", "file", {kTrajectories, kPaths}, {"--file-format", "--paths-csv"}},
@@ -75,6 +77,9 @@ constexpr std::array kSteps = {
     Step{"a lattice", "", "skyway-lattice makes a lattice of a map"},
     Step{"a roadmap", "", "skyway-roadmap makes a roadmap of a map"},
     Step{kQueries, "", R"(a query is a line such as {"id":"a","from":[0,0,10],"to":[50,20,10]})"},
+    Step{kMoving, "",
+         R"(an obstacle is a line such as {"type":"moving","id":"a","from":0,"until":60,)"
+         R"("min":[0,0,9],"max":[4,4,13],"velocity":[1,0,0],"growth":[0,0,0]})"},
     Step{"a shard", "", "a run with --shard K/N writes shards"},
     Step{"a vehicle profile", "", "data/vehicles has some to begin with"},
 };
