@@ -72,12 +72,16 @@ cd "$folder/many"
 begin=$EPOCHREALTIME
 last=$("$source/tools/cluster/submit.sh" .)
 
-# Waits until a roadmap shard is at work on the node; gives the tool's process.
+# Waits until a roadmap shard is at work on the node, and stops it, so that it is not done before it is killed; gives the
+# tool's process.
 tool_on() {
   local node=$1 pid
   for _ in $(seq 600); do
     for pid in $(job_pids "$folder" "$node"); do
-      [ "$(cat "/proc/$pid/comm" 2>/dev/null)" = skyway-roadmap ] && echo "$pid" && return
+      [ "$(cat "/proc/$pid/comm" 2>/dev/null)" = skyway-roadmap ] || continue
+      kill -STOP "$pid" 2>/dev/null || continue
+      sleep 0.05
+      grep -qs "^State:.T" "/proc/$pid/status" && echo "$pid" && return
     done
     sleep 0.1
   done

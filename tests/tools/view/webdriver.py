@@ -40,6 +40,7 @@ class Browser:
         try:
             self._wait_for_driver()
             self._session = self._call("POST", "/session", wanted)["sessionId"]
+            self._in_session("POST", "/timeouts", {"script": 300000})  # drawn in software, a frame may take seconds
         except BaseException:
             self._process.kill()
             raise
