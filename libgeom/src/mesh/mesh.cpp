@@ -13,8 +13,8 @@ namespace geom {
 namespace {
 
 Aabb extent_of(std::span<const MeshPart> parts) {
-  Aabb out{Vec3::Constant(std::numeric_limits<double>::infinity()), {}};
-  out.max = -out.min;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Aabb out{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
   for (const MeshPart& part : parts) {
     for (std::size_t i = 0; i < part.vertices; ++i) {
       const Vec3 p = part.vertex(i);

@@ -30,7 +30,7 @@ TEST(NearPairs, LeaveOutThoseThatAreFarApartInSpaceOrTime) {
   for (Vec3& p : there.segments[0].point) p.x() += 1000;
   const Spacing spacing{cylinder(10, 5), {}};
   const auto near = [&](const Trajectory& other, double start, Parked parked) {
-    const TimedFlight flights[] = {{&here, 0, {}}, {&other, start, {}}};
+    const TimedFlight flights[] = {{&here, 0, Vec3::Zero()}, {&other, start, Vec3::Zero()}};
     return !near_pairs(flights, spacing, parked).empty();
   };
   EXPECT_TRUE(near(here, 3, Parked::gone));

@@ -19,7 +19,7 @@ Trajectory straight(const Vec3& from, const Vec3& to, double seconds = 10) {
 TEST(NearestApproaches, AreThoseOfStraightWays) {
   const Trajectory a = straight({-10, 0, 5}, {10, 0, 5});
   const Trajectory b = straight({0, -10, 8}, {0, 10, 8});
-  const TimedFlight flights[] = {{&a, 100, {}}, {&b, 100, {}}};
+  const TimedFlight flights[] = {{&a, 100, Vec3::Zero()}, {&b, 100, Vec3::Zero()}};
   const auto found = nearest_approaches(flights, 50.0);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].flights, FlightPair(0, 1));
@@ -31,9 +31,9 @@ TEST(NearestApproaches, AreThoseOfStraightWays) {
 
 TEST(NearestApproaches, CountOnlyWhileBothFly) {
   const Trajectory a = straight({-10, 0, 5}, {10, 0, 5});
-  const TimedFlight late[] = {{&a, 0, {}}, {&a, 10.5, {}}};
+  const TimedFlight late[] = {{&a, 0, Vec3::Zero()}, {&a, 10.5, Vec3::Zero()}};
   EXPECT_TRUE(nearest_approaches(late, 1000.0).empty());
-  const TimedFlight behind[] = {{&a, 0, {}}, {&a, 5, {}}};
+  const TimedFlight behind[] = {{&a, 0, Vec3::Zero()}, {&a, 5, Vec3::Zero()}};
   const auto found = nearest_approaches(behind, 1000.0);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].distance, 10, 1e-3);
@@ -42,7 +42,7 @@ TEST(NearestApproaches, CountOnlyWhileBothFly) {
 TEST(NearestApproaches, AreWithinWhatWasAsked) {
   const Trajectory a = straight({0, 0, 5}, {100, 0, 5});
   const Trajectory b = straight({0, 20, 5}, {100, 20, 5});
-  const TimedFlight flights[] = {{&a, 0, {}}, {&b, 0, {}}};
+  const TimedFlight flights[] = {{&a, 0, Vec3::Zero()}, {&b, 0, Vec3::Zero()}};
   EXPECT_TRUE(nearest_approaches(flights, 19.9).empty());
   EXPECT_EQ(nearest_approaches(flights, 20.1).size(), 1u);
 }
@@ -67,7 +67,7 @@ TEST(NearestApproachesProperty, AreNoFartherThanSamplesAndAsNearAsTheyComeThere)
   support::Random random(7);
   const std::vector<Trajectory> ways = random_flights(random, 12);
   std::vector<TimedFlight> flights;
-  for (const Trajectory& way : ways) flights.push_back({&way, random.uniform(0, 8), {}});
+  for (const Trajectory& way : ways) flights.push_back({&way, random.uniform(0, 8), Vec3::Zero()});
   const auto found = nearest_approaches(flights, 1e4);
   for (const Approach& approach : found) {
     const TimedFlight& a = flights[approach.flights.first];
@@ -99,7 +99,7 @@ TEST(NearestApproaches, AreTheSameForAnyNumberOfThreads) {
   support::Random random(8);
   const std::vector<Trajectory> ways = random_flights(random, 30);
   std::vector<TimedFlight> flights;
-  for (const Trajectory& way : ways) flights.push_back({&way, random.uniform(0, 8), {}});
+  for (const Trajectory& way : ways) flights.push_back({&way, random.uniform(0, 8), Vec3::Zero()});
   const auto one = nearest_approaches(flights, 1e4);
   geom::Execution seven;
   seven.threads = 7;
@@ -117,7 +117,7 @@ TEST(NearestApproaches, LookAsFarAsSomePairsAre) {
   std::vector<Trajectory> ways;
   for (int i = 0; i < 10; ++i) ways.push_back(straight({0, 15.0 * i, 5}, {100, 15.0 * i, 5}));
   std::vector<TimedFlight> flights;
-  for (const Trajectory& way : ways) flights.push_back({&way, 0, {}});
+  for (const Trajectory& way : ways) flights.push_back({&way, 0, Vec3::Zero()});
   const Approaches few = nearest_approaches(flights, 9, 1000);
   EXPECT_EQ(few.within, 20);
   EXPECT_EQ(few.list.size(), 9u);

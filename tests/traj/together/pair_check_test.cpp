@@ -55,8 +55,8 @@ TEST(PairCheck, IsTheSameTheOtherWayRound) {
 TEST(PairCheck, SaysWhenWhereAndByHowMuch) {
   const Trajectory a = straight({0, 0, 30}, {80, 0, 30}, 8);
   const Trajectory b = straight({40, -40, 33}, {40, 40, 33}, 8);
-  const auto result =
-      check_pair({&a, 100, {}}, {&b, 100, {}}, std::array{cylinder(10, 4)}, Parked::gone);
+  const auto result = check_pair({&a, 100, Vec3::Zero()}, {&b, 100, Vec3::Zero()},
+                                 std::array{cylinder(10, 4)}, Parked::gone);
   EXPECT_FALSE(result.apart);
   EXPECT_FALSE(result.undecided);
   EXPECT_NEAR(result.share, 0.75, 1e-6);
@@ -69,21 +69,22 @@ TEST(PairCheck, SaysWhenWhereAndByHowMuch) {
   EXPECT_GE(result.when[0].end, 104 + half);
   EXPECT_NEAR(result.place.x(), 40, 8);
   EXPECT_NEAR((result.place - result.other).z(), -3, 1e-9);
-  EXPECT_TRUE(
-      check_pair({&a, 100, {}}, {&b, 102, {}}, std::array{cylinder(10, 4)}, Parked::gone).apart);
+  EXPECT_TRUE(check_pair({&a, 100, Vec3::Zero()}, {&b, 102, Vec3::Zero()},
+                         std::array{cylinder(10, 4)}, Parked::gone)
+                  .apart);
 }
 
 TEST(PairCheck, LooksBeforeDepartureAndAfterArrivalOnPads) {
   const Trajectory a = straight({0, 0, 0}, {80, 0, 0}, 8);
   const Trajectory b = straight({80, 5, 0}, {80, 200, 0}, 8);
   const std::array zone{cylinder(10, 4)};
-  EXPECT_TRUE(check_pair({&a, 0, {}}, {&b, 9, {}}, zone, Parked::gone).apart);
-  const auto late = check_pair({&a, 0, {}}, {&b, 9, {}}, zone, Parked::pad);
+  EXPECT_TRUE(check_pair({&a, 0, Vec3::Zero()}, {&b, 9, Vec3::Zero()}, zone, Parked::gone).apart);
+  const auto late = check_pair({&a, 0, Vec3::Zero()}, {&b, 9, Vec3::Zero()}, zone, Parked::pad);
   EXPECT_FALSE(late.apart);
   EXPECT_TRUE(std::isfinite(late.when.front().begin) && std::isfinite(late.when.back().end));
-  const auto early = check_pair({&b, 9, {}}, {&a, 0, {}}, zone, Parked::pad);
+  const auto early = check_pair({&b, 9, Vec3::Zero()}, {&a, 0, Vec3::Zero()}, zone, Parked::pad);
   EXPECT_FALSE(early.apart);
-  const auto beside = check_pair({&b, 0, {}}, {&b, 5, {}}, zone, Parked::pad);
+  const auto beside = check_pair({&b, 0, Vec3::Zero()}, {&b, 5, Vec3::Zero()}, zone, Parked::pad);
   ASSERT_FALSE(beside.apart);
   EXPECT_TRUE(std::isinf(beside.when.front().begin) && std::isinf(beside.when.back().end));
   EXPECT_EQ(beside.share, 0);
@@ -92,8 +93,10 @@ TEST(PairCheck, LooksBeforeDepartureAndAfterArrivalOnPads) {
 TEST(PairCheck, CountsBothZones) {
   const Trajectory a = straight({0, 0, 30}, {80, 0, 30}, 8);
   const Trajectory b = straight({0, 1, 22}, {80, 1, 22}, 8);
-  EXPECT_TRUE(check_pair({&a, 0, {}}, {&b, 0, {}}, std::array{cylinder(10, 4)}, Parked::pad).apart);
-  const auto below = check_pair({&a, 0, {}}, {&b, 0, {}},
+  EXPECT_TRUE(check_pair({&a, 0, Vec3::Zero()}, {&b, 0, Vec3::Zero()}, std::array{cylinder(10, 4)},
+                         Parked::pad)
+                  .apart);
+  const auto below = check_pair({&a, 0, Vec3::Zero()}, {&b, 0, Vec3::Zero()},
                                 std::array{cylinder(10, 4), cylinder(2, 12)}, Parked::pad);
   EXPECT_FALSE(below.apart);
   EXPECT_EQ(below.zone, 1u);
@@ -104,7 +107,7 @@ TEST(PairCheck, TakesTheStepBetweenSegmentsAsFlown) {
   a.segments.push_back(straight({80, 3, 0}, {160, 3, 0}, 8).segments[0]);
   const Trajectory b = straight({80, 1.5, 0}, {80, 1.5, 0}, 16);
   const std::array zone{cylinder(1, 1)};
-  EXPECT_FALSE(check_pair({&a, 0, {}}, {&b, 0, {}}, zone, Parked::pad).apart);
+  EXPECT_FALSE(check_pair({&a, 0, Vec3::Zero()}, {&b, 0, Vec3::Zero()}, zone, Parked::pad).apart);
 }
 
 // A metre of motion, ten million metres from the origin, and a day after the epoch.
@@ -112,10 +115,10 @@ TEST(PairCheck, IsNoCoarserFarFromTheOrigin) {
   const Vec3 far(1e7, -1e7, 1000);
   const Trajectory a = straight(far, far + Vec3(1, 0, 0), 1);
   const Trajectory b = straight(far + Vec3(0, 4 + 0x1p-28, 0), far + Vec3(1, 4 + 0x1p-28, 0), 1);
-  EXPECT_TRUE(
-      check_pair({&a, 86400.1, {}}, {&b, 86400.1, {}}, std::array{cylinder(4, 1)}, Parked::pad)
-          .apart);
-  EXPECT_FALSE(check_pair({&a, 86400.1, {}}, {&b, 86400.1, {}},
+  EXPECT_TRUE(check_pair({&a, 86400.1, Vec3::Zero()}, {&b, 86400.1, Vec3::Zero()},
+                         std::array{cylinder(4, 1)}, Parked::pad)
+                  .apart);
+  EXPECT_FALSE(check_pair({&a, 86400.1, Vec3::Zero()}, {&b, 86400.1, Vec3::Zero()},
                           std::array{cylinder(4 + 0x1p-28, 1)}, Parked::pad)
                    .apart);
 }

@@ -22,7 +22,7 @@ Trajectory chain(Random& random, int segments) {
 TEST(Timeline, KnowsItsJointsExactly) {
   Random random(3);
   const Trajectory t = chain(random, 3);
-  const Timeline line({&t, 0.1, {}});
+  const Timeline line({&t, 0.1, Vec3::Zero()});
   ASSERT_EQ(line.joint.size(), 4u);
   EXPECT_TRUE(line.joint[0] == ticks_of(0.1));
   EXPECT_TRUE(line.joint[3] - line.joint[2] == ticks_of(t.segments[2].duration));
@@ -33,7 +33,7 @@ TEST(Timeline, KnowsByHowMuchSegmentsMissEachOther) {
   Random random(3);
   Trajectory t = chain(random, 2);
   t.segments[1].point.front().y() += 1e-3;
-  EXPECT_GE(Timeline({&t, 0, {}}).gap, 1e-3 * (1 - 1e-9));
+  EXPECT_GE(Timeline({&t, 0, Vec3::Zero()}).gap, 1e-3 * (1 - 1e-9));
 }
 
 TEST(Stretches, LieSideBySideOverAllTime) {
@@ -41,8 +41,8 @@ TEST(Stretches, LieSideBySideOverAllTime) {
   for (int i = 0; i < 200; ++i) {
     const Trajectory a = chain(random, 1 + random.below(4));
     const Trajectory b = chain(random, 1 + random.below(4));
-    const Timeline one({&a, random.uniform(0, 8), {}});
-    const Timeline other({&b, random.uniform(0, 8), {}});
+    const Timeline one({&a, random.uniform(0, 8), Vec3::Zero()});
+    const Timeline other({&b, random.uniform(0, 8), Vec3::Zero()});
     const auto pads = stretches(one, other, Parked::pad);
     EXPECT_FALSE(pads.front().begin);
     EXPECT_FALSE(pads.back().end);
@@ -61,13 +61,14 @@ TEST(Stretches, AreAnInstantWhereOneLeavesAsTheOtherArrives) {
   Random random(5);
   const Trajectory t = chain(random, 1);
   const double end = t.segments[0].duration;
-  const auto met = stretches(Timeline({&t, 0, {}}), Timeline({&t, end, {}}), Parked::gone);
+  const auto met =
+      stretches(Timeline({&t, 0, Vec3::Zero()}), Timeline({&t, end, Vec3::Zero()}), Parked::gone);
   ASSERT_EQ(met.size(), 1u);
   EXPECT_TRUE(*met[0].begin == *met[0].end);
   EXPECT_TRUE(met[0].first_over && !met[0].other_over);
-  EXPECT_TRUE(
-      stretches(Timeline({&t, 0, {}}), Timeline({&t, std::nextafter(end, 99.0), {}}), Parked::gone)
-          .empty());
+  EXPECT_TRUE(stretches(Timeline({&t, 0, Vec3::Zero()}),
+                        Timeline({&t, std::nextafter(end, 99.0), Vec3::Zero()}), Parked::gone)
+                  .empty());
 }
 
 TEST(RelativeCurve, IsThePositionLessTheOthers) {
@@ -77,8 +78,8 @@ TEST(RelativeCurve, IsThePositionLessTheOthers) {
     const Trajectory b = chain(random, 2);
     const double start_a = random.uniform(0, 4);
     const double start_b = random.uniform(0, 4);
-    const Timeline one({&a, start_a, {}});
-    const Timeline other({&b, start_b, {}});
+    const Timeline one({&a, start_a, Vec3::Zero()});
+    const Timeline other({&b, start_b, Vec3::Zero()});
     for (const CommonStretch& s : stretches(one, other, Parked::pad)) {
       if (!s.begin || !s.end) continue;
       const RelativeCurve curve = relative_curve(one, other, s);

@@ -72,7 +72,7 @@ TEST(ExactPair, TakesTheStepBetweenSegmentsAsFlown) {
   b.segments.resize(1);
   b.segments[0].duration = 2;
   b.segments[0].point.fill({0, 1.5, 0});
-  const TimedFlight flights[] = {{&a, 0, {}}, {&b, 0, {}}};
+  const TimedFlight flights[] = {{&a, 0, Vec3::Zero()}, {&b, 0, Vec3::Zero()}};
   EXPECT_FALSE(
       check_pair_exactly(flights[0], flights[1], std::array{cylinder(1, 1)}, Parked::pad).apart);
 }
