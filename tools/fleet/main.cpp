@@ -72,6 +72,7 @@ void Options::add_to(CLI::App& app) {
 void Options::refuse_idle(const CLI::App& app, bool shard) const {
   cli::only_for(app, !map.empty() || moving.asked(), {"--vehicle", "--margin"},
                 "--map or --moving");
+  cli::only_for(app, departures.improve > 0, {"--seed"}, "--improve");
   std::vector<std::string> beside = alternatives;
   for (const std::string& file : {map, others, moving.file()}) {
     if (!file.empty()) beside.push_back(file);
