@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <bitset>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 #include "heap.h"
+#include "search_pages.h"
 
 namespace plan {
 namespace {
@@ -27,11 +26,8 @@ constexpr std::size_t kFewGoals = 16;  // beyond, the least of all their distanc
 constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
 constexpr int kWeightBits = 10;
-constexpr int kPageBits = 22;  // of a handle
-constexpr std::uint64_t kPageMask = (1u << kPageBits) - 1;
 constexpr std::size_t kMostPages = std::size_t{1} << 14;  // that a search may add
 constexpr std::size_t kQuiet = 1000;  // nodes expanded before the goals are flooded
-constexpr std::uint32_t kUnknown = 0xffffffff;
 
 // The length of the shortest way over x, y, z nodes along the axes, without obstacles.
 std::uint64_t unobstructed(Connectivity connectivity, std::uint64_t x, std::uint64_t y,
@@ -57,16 +53,10 @@ struct AstarSearch::Impl {
   bool free(const Index3& node);
 
   using Units = std::uint64_t;
-  // A node: its block, its place in the block, and the page that holds the block. In that order
-  // from the highest bits, so that comparing handles compares nodes.
-  using Handle = std::uint64_t;
+  using Handle = NodeHandle;
+  using Page = SearchPages::Page;
+  using Place = SearchPages::Place;
 
-  struct Visit {
-    Units cost = 0;
-    std::uint32_t stamp = 0;
-    std::int8_t arrived_by = -1;  // direction of the last edge; -1 at a source
-    bool settled = false;
-  };
   struct Open {
     Units bound;
     Units cost;
@@ -78,16 +68,7 @@ struct AstarSearch::Impl {
     Units cost;
     double metres;
   };
-  struct Page;
-  struct Place {  // of a node on its page
-    std::int32_t x, y, z;
-  };
-
   static bool earlier(const Open& a, const Open& b);
-  Page& page_of(Handle node);
-  Handle handle(const Index3& node);
-  Handle neighbour(Handle from, Page& page, const Place& place, int direction);
-  std::uint32_t page_at(std::uint64_t block);
   void start(std::span<const Terminal> sources, std::span<const Terminal> goals);
   void expand(const Open& from);
   void push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y, std::int32_t z);
@@ -106,9 +87,7 @@ struct AstarSearch::Impl {
   double metres(std::span<const std::size_t> nodes) const;
 
   const Lattice* lattice_;
-  Index3 blocks_;
-  std::vector<std::unique_ptr<Page>> pages_;
-  std::unordered_map<std::uint64_t, std::uint32_t> page_of_block_;
+  SearchPages pages_;
   std::vector<Open> open_;  // a heap
   Open next_{};             // earlier than all of the heap, where there is one
   bool has_next_ = false;
@@ -128,19 +107,7 @@ inline bool AstarSearch::Impl::earlier(const Open& a, const Open& b) {
   return a.cost != b.cost ? a.cost > b.cost : a.node < b.node;
 }
 
-// A block of the lattice and what searches wrote there.
-struct AstarSearch::Impl::Page {
-  Lattice::Block masks;
-  std::array<Visit, LatticeGrid::kBlock> visits{};
-  std::uint64_t block = 0;
-  Place low{};
-  std::array<std::uint32_t, 27> near;  // pages around it, x fastest
-  std::uint32_t flood_stamp = 0;
-  std::bitset<LatticeGrid::kBlock> flooded;
-};
-
-AstarSearch::Impl::Impl(const Lattice& lattice)
-    : lattice_(&lattice), blocks_(lattice.grid().blocks()) {
+AstarSearch::Impl::Impl(const Lattice& lattice) : lattice_(&lattice), pages_(lattice) {
   constexpr std::uint64_t kLengths[] = {0, kAxis, kSqrt2, kSqrt3};
   for (int d = 0; d < kDirections; ++d) {
     const auto& [dx, dy, dz] = kDirection[d];
@@ -148,66 +115,9 @@ AstarSearch::Impl::Impl(const Lattice& lattice)
   }
 }
 
-std::uint32_t AstarSearch::Impl::page_at(std::uint64_t block) {
-  const auto [at, is_new] =
-      page_of_block_.try_emplace(block, static_cast<std::uint32_t>(pages_.size()));
-  if (!is_new) return at->second;
-  try {
-    auto page = std::make_unique<Page>();
-    lattice_->read(block, page->masks);
-    const Index3 low = lattice_->grid().block_low(block);
-    page->low = {static_cast<std::int32_t>(low[0]), static_cast<std::int32_t>(low[1]),
-                 static_cast<std::int32_t>(low[2])};
-    page->block = block;
-    page->near.fill(kUnknown);
-    pages_.push_back(std::move(page));
-  } catch (...) {
-    page_of_block_.erase(block);
-    throw;
-  }
-  return static_cast<std::uint32_t>(pages_.size() - 1);
-}
-
-AstarSearch::Impl::Page& AstarSearch::Impl::page_of(Handle node) {
-  return *pages_[node & kPageMask];
-}
-
-AstarSearch::Impl::Handle AstarSearch::Impl::handle(const Index3& node) {
-  constexpr std::int64_t kSide = LatticeGrid::kSide;
-  const auto block = static_cast<std::uint64_t>(
-      node[0] / kSide + blocks_[0] * (node[1] / kSide + blocks_[1] * (node[2] / kSide)));
-  const auto local = static_cast<std::uint64_t>(
-      node[0] % kSide + kSide * (node[1] % kSide + kSide * (node[2] % kSide)));
-  return (block * LatticeGrid::kBlock + local) << kPageBits | page_at(block);
-}
-
 bool AstarSearch::Impl::free(const Index3& node) {
-  const Handle at = handle(node);
-  return (page_of(at).masks[at >> kPageBits & (LatticeGrid::kBlock - 1)] & Lattice::kNode) != 0;
-}
-
-// The node that an edge leads to: so it is inside the lattice.
-AstarSearch::Impl::Handle AstarSearch::Impl::neighbour(Handle from, Page& page, const Place& place,
-                                                       int direction) {
-  const auto& [dx, dy, dz] = kDirection[static_cast<std::size_t>(direction)];
-  const int x = place.x + dx;
-  const int y = place.y + dy;
-  const int z = place.z + dz;
-  constexpr int kSide = LatticeGrid::kSide;
-  if (((x | y | z) & ~(kSide - 1)) == 0) {
-    const std::int64_t by = dx + kSide * (dy + kSide * dz);
-    return from + (static_cast<Handle>(by) << kPageBits);
-  }
-  const int sx = x >> 3;  // -1, 0 or 1
-  const int sy = y >> 3;
-  const int sz = z >> 3;
-  std::uint32_t& near = page.near[static_cast<std::size_t>(sx + 1 + 3 * (sy + 1 + 3 * (sz + 1)))];
-  if (near == kUnknown) {
-    near = page_at(static_cast<std::uint64_t>(static_cast<std::int64_t>(page.block) + sx +
-                                              blocks_[0] * (sy + blocks_[1] * sz)));
-  }
-  const auto local = static_cast<Handle>((x & 7) + kSide * ((y & 7) + kSide * (z & 7)));
-  return (pages_[near]->block * LatticeGrid::kBlock + local) << kPageBits | near;
+  const Handle at = pages_.handle(node);
+  return (pages_.page_of(at).masks[SearchPages::local(at)] & Lattice::kNode) != 0;
 }
 
 AstarSearch::Impl::Units AstarSearch::Impl::units(double metres) const {
@@ -282,29 +192,27 @@ AstarSearch::Impl::Open AstarSearch::Impl::take_first() {
 
 void AstarSearch::Impl::push(Handle node, Units cost, int direction, std::int32_t x, std::int32_t y,
                              std::int32_t z) {
-  Visit& visit = page_of(node).visits[node >> kPageBits & (LatticeGrid::kBlock - 1)];
+  NodeVisit& visit = pages_.visit(node);
   if (visit.stamp == stamp_ && (visit.settled || visit.cost <= cost)) return;
   visit = {cost, stamp_, static_cast<std::int8_t>(direction), false};
   insert({cost + weighted(to_goal(x, y, z)), cost, node});
 }
 
 void AstarSearch::Impl::expand(const Open& from) {
-  Page& page = page_of(from.node);
-  const auto local = static_cast<std::int32_t>(from.node >> kPageBits & (LatticeGrid::kBlock - 1));
-  const Place place = {local & 7, local >> 3 & 7, local >> 6};
-  std::uint32_t mask = page.masks[static_cast<std::size_t>(local)] & ~Lattice::kNode;
-  for (; mask; mask &= mask - 1) {
+  Page& page = pages_.page_of(from.node);
+  const Place place = SearchPages::place_of(from.node);
+  for (std::uint32_t mask = pages_.edges(from.node); mask; mask &= mask - 1) {
     const int d = std::countr_zero(mask);
     const auto& [dx, dy, dz] = kDirection[static_cast<std::size_t>(d)];
-    push(neighbour(from.node, page, place, d), from.cost + step_[d], d, page.low.x + place.x + dx,
-         page.low.y + place.y + dy, page.low.z + place.z + dz);
+    push(pages_.neighbour(from.node, page, place, d), from.cost + step_[d], d,
+         page.low.x + place.x + dx, page.low.y + place.y + dy, page.low.z + place.z + dz);
   }
 }
 
 // Marks a node as reached from the goals; where the search has been too, the goals are in reach.
 void AstarSearch::Impl::flood(Handle node) {
-  Page& page = page_of(node);
-  const std::size_t local = node >> kPageBits & (LatticeGrid::kBlock - 1);
+  Page& page = pages_.page_of(node);
+  const std::size_t local = SearchPages::local(node);
   if (page.visits[local].stamp == stamp_) {
     flooding_ = false;
     return;
@@ -320,12 +228,10 @@ void AstarSearch::Impl::flood(Handle node) {
 
 void AstarSearch::Impl::flood_next() {
   const Handle from = flooded_[flood_next_++];
-  Page& page = page_of(from);
-  const auto local = static_cast<std::int32_t>(from >> kPageBits & (LatticeGrid::kBlock - 1));
-  const Place place = {local & 7, local >> 3 & 7, local >> 6};
-  std::uint32_t mask = page.masks[static_cast<std::size_t>(local)] & ~Lattice::kNode;
-  for (; mask && flooding_; mask &= mask - 1) {
-    flood(neighbour(from, page, place, std::countr_zero(mask)));
+  Page& page = pages_.page_of(from);
+  const Place place = SearchPages::place_of(from);
+  for (std::uint32_t mask = pages_.edges(from); mask && flooding_; mask &= mask - 1) {
+    flood(pages_.neighbour(from, page, place, std::countr_zero(mask)));
   }
 }
 
@@ -338,13 +244,12 @@ void AstarSearch::Impl::start(std::span<const Terminal> sources, std::span<const
   flooding_ = false;
   if (++stamp_ == 0 || pages_.size() > kMostPages) {
     pages_.clear();
-    page_of_block_.clear();
     stamp_ = 1;
   }
   const auto at = [&](const Index3& i, std::size_t k) { return static_cast<std::int32_t>(i[k]); };
   for (const Terminal& goal : goals) {
     const Index3 i = lattice_->index(goal.node);
-    goals_.push_back({at(i, 0), at(i, 1), at(i, 2), handle(i), units(goal.cost), goal.cost});
+    goals_.push_back({at(i, 0), at(i, 1), at(i, 2), pages_.handle(i), units(goal.cost), goal.cost});
   }
   if (goals_.empty()) return;
   std::sort(goals_.begin(), goals_.end(), [](const Goal& a, const Goal& b) {
@@ -362,19 +267,18 @@ void AstarSearch::Impl::start(std::span<const Terminal> sources, std::span<const
   }
   for (const Terminal& source : sources) {
     const Index3 i = lattice_->index(source.node);
-    push(handle(i), units(source.cost), -1, at(i, 0), at(i, 1), at(i, 2));
+    push(pages_.handle(i), units(source.cost), -1, at(i, 0), at(i, 1), at(i, 2));
   }
 }
 
 std::vector<std::size_t> AstarSearch::Impl::trace(Handle node) {
-  const Page& page = page_of(node);
-  const auto local = static_cast<std::int64_t>(node >> kPageBits & (LatticeGrid::kBlock - 1));
-  Index3 i = {page.low.x + (local & 7), page.low.y + (local >> 3 & 7), page.low.z + (local >> 6)};
+  const Place& low = pages_.page_of(node).low;
+  const Place place = SearchPages::place_of(node);
+  Index3 i = {low.x + place.x, low.y + place.y, low.z + place.z};
   std::vector<std::size_t> nodes;
   while (true) {
     nodes.push_back(lattice_->node(i).value());
-    const Handle at = handle(i);
-    const int d = page_of(at).visits[at >> kPageBits & (LatticeGrid::kBlock - 1)].arrived_by;
+    const int d = pages_.visit(pages_.handle(i)).arrived_by;
     if (d < 0) break;
     for (std::size_t k = 0; k < 3; ++k) i[k] -= kDirection[static_cast<std::size_t>(d)][k];
   }
@@ -405,7 +309,7 @@ SearchResult AstarSearch::Impl::search(std::span<const Terminal> sources,
   const Goal* reached = nullptr;
   while ((has_next_ || !open_.empty()) && (has_next_ ? next_ : open_.front()).bound < best) {
     const Open top = take_first();
-    Visit& visit = page_of(top.node).visits[top.node >> kPageBits & (LatticeGrid::kBlock - 1)];
+    NodeVisit& visit = pages_.visit(top.node);
     if (visit.settled) continue;
     visit.settled = true;
     if (++result.expanded == kQuiet && !reached) {
