@@ -66,7 +66,7 @@ Limits read_limits(const JsonFields& fields, const nlohmann::json& value, std::s
   Limits out;
   for (const auto& [key, entry] : value.items()) {
     const auto kind = std::find_if(kLimitKinds.begin(), kLimitKinds.end(),
-                                   [&](const LimitKind& k) { return key == k.name; });
+                                   [&name = key](const LimitKind& k) { return name == k.name; });
     if (kind == kLimitKinds.end()) {
       std::string names;
       for (const LimitKind& k : kLimitKinds) names += fmt::format(" {}", k.name);
