@@ -178,18 +178,26 @@ void add_input(const std::string& path, const ContentKinds& kinds, Contents& out
 class SameMap {
  public:
   explicit SameMap(const geom::BoxMap* map) {
-    if (map) map_.emplace(*map);
+    if (!map) return;
+    map_.emplace(*map);
+    first_ = {map->hash(), map->spec().frame.axes, {}, {}};
   }
 
+  // What says only where something goes.
   void require(const geom::Provenance& made_for, const std::string& source, std::size_t line) {
     if (map_) return map_->require(made_for, source, line);
+    require_exactly(made_for, source, line);
+  }
+  // What says that something is free or clear, which boxes that were added since may not be.
+  void require_exactly(const geom::Provenance& made_for, const std::string& source,
+                       std::size_t line) {
     if (!first_.map) first_.map = made_for.map;
     geom::require_map_agrees(made_for, first_, source, line);
   }
 
  private:
   std::optional<NamedMap> map_;
-  geom::Provenance first_;  // its map, where none is given
+  geom::Provenance first_;  // its map and, where there is a map, its frame
 };
 
 }  // namespace
@@ -211,21 +219,26 @@ Contents read_contents(const std::vector<std::string>& inputs, const ContentKind
 void require_same_map(const Contents& contents, const geom::BoxMap* map) {
   SameMap same(map);
   for (const auto& [lattice, source, line] : contents.lattices) {
-    same.require(lattice.made_for(), source, line);
+    same.require_exactly(lattice.made_for(), source, line);
   }
-  const auto all = [&](const auto& list) {
-    for (const auto& [record, source, line] : list) same.require(record.provenance, source, line);
-  };
   for (const auto& [flight, source, line] : contents.flights) {
     if (!flight.map.empty()) same.require({flight.map, {}, {}, {}}, source, line);
   }
-  all(contents.trees);
-  all(contents.paths);
-  all(contents.trajectories);
-  all(contents.corridors);
-  all(contents.reports);
+  const auto ways = [&](const auto& list) {
+    for (const auto& [record, source, line] : list) same.require(record.provenance, source, line);
+  };
+  ways(contents.paths);
+  ways(contents.trajectories);
+  const auto claims = [&](const auto& list) {
+    for (const auto& [record, source, line] : list) {
+      same.require_exactly(record.provenance, source, line);
+    }
+  };
+  claims(contents.trees);
+  claims(contents.corridors);
+  claims(contents.reports);
   for (const auto& [record, source, line] : contents.together) {
-    if (record.map) same.require({*record.map, {}, {}, {}}, source, line);
+    if (record.map) same.require_exactly({*record.map, {}, {}, {}}, source, line);
   }
 }
 

@@ -60,8 +60,9 @@ struct ContentKinds {
 Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds = {});
 
 // Throws geom::InputError where something was made for another map than `map` or, without one, than
-// the first that names its map; and where it is in another frame than `map`. Of `map` is what was
-// made for it before boxes that are there for a time were added, too (named_map.h).
+// the first that names its map; and where it is in another frame than `map`. Paths, trajectories
+// and flight logs may be of `map` before boxes that are there for a time were added (named_map.h);
+// what says that something is free or clear, as reports do, may not.
 void require_same_map(const Contents& contents, const geom::BoxMap* map);
 
 // Leaves out paths that were not found and trajectories that were not solved; returns how many.
