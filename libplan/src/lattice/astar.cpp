@@ -1,5 +1,7 @@
 #include "plan/lattice/astar.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,15 +11,17 @@
 #include <limits>
 #include <utility>
 
+#include "geom/base/error.h"
 #include "heap.h"
 #include "search_pages.h"
 
 namespace plan {
 namespace {
 
-// A length fits into 64 bits up to 2^27 edges. A path found has fewer than 2^25: a search sees at
+// A length fits into 64 bits below 2^28 edges. A path found has fewer than 2^25: a search sees at
 // most the blocks kept from earlier searches and about kMostPages new ones, 512 nodes each. The
-// heuristic counts at most as many edges as the three dims of the lattice together.
+// heuristic counts at most as many edges as the three dims of the lattice together, and its weight
+// at most doubles it.
 constexpr double kOne = 0x1p36;
 constexpr std::uint64_t kAxis = 1ull << 36;
 constexpr std::uint64_t kSqrt2 = 97184015999;   // round(2^36 sqrt 2)
@@ -301,7 +305,9 @@ double AstarSearch::Impl::metres(std::span<const std::size_t> nodes) const {
 SearchResult AstarSearch::Impl::search(std::span<const Terminal> sources,
                                        std::span<const Terminal> goals, double weight) {
   SearchResult result;
-  assert(weight >= 1 && weight <= 4);
+  if (!(weight >= 1 && weight <= 2)) {
+    throw geom::InputError("weight", fmt::format("expected from 1 to 2, found {}", weight));
+  }
   more_ = static_cast<Units>(std::llround((weight - 1) * (1 << kWeightBits)));
   start(sources, goals);
   const std::size_t before = pages_.size();

@@ -6,6 +6,7 @@
 #include <limits>
 #include <queue>
 
+#include "geom/base/error.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/scenes.h"
 #include "support/dijkstra.h"
@@ -102,26 +103,38 @@ std::vector<Terminal> random_terminals(support::Random& random, const Lattice& l
   return list;
 }
 
-class Astar : public testing::TestWithParam<Connectivity> {};
-
-TEST_P(Astar, CostsWhatDijkstraSaysFromManySourcesToManyGoals) {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    SCOPED_TRACE(seed);
-    const auto scene = random_scene(seed, 250, 14, Vec3::Zero());
-    const Lattice lattice = build_lattice(scene, {1, GetParam(), {0, 0, 0}});
-    AstarSearch search(lattice);
-    support::Random random(seed);
-    for (int query = 0; query < 12; ++query) {
-      const auto sources = random_terminals(random, lattice, 1 + query % 3);
-      const auto goals = random_terminals(random, lattice, query % 4 ? query % 4 : 40);
-      const double expected = oracle::cheapest(lattice, sources, goals);
-      const SearchResult result = search.search(sources, goals);
-      ASSERT_EQ(result.found, expected < 1e300);
-      if (!result.found) continue;
-      EXPECT_NEAR(result.cost, expected, 1e-9);
-      EXPECT_NEAR(cost_of(lattice, result, sources, goals), result.cost, 1e-9);
+class Astar : public testing::TestWithParam<Connectivity> {
+ protected:
+  // From up to three nodes of random lattices to up to three or to 40: ask(…) finds a way where
+  // there is one, of the cost that it says. Calls f for each that was found.
+  template <class Search, class F>
+  static void ask_many(const Search& ask, const F& f) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      SCOPED_TRACE(seed);
+      const auto scene = random_scene(seed, 250, 14, Vec3::Zero());
+      const Lattice lattice = build_lattice(scene, {1, GetParam(), {0, 0, 0}});
+      AstarSearch search(lattice);
+      support::Random random(seed);
+      for (int query = 0; query < 12; ++query) {
+        const auto sources = random_terminals(random, lattice, 1 + query % 3);
+        const auto goals = random_terminals(random, lattice, query % 4 ? query % 4 : 40);
+        const double least = oracle::cheapest(lattice, sources, goals);
+        const SearchResult result = ask(search, sources, goals);
+        ASSERT_EQ(result.found, least < 1e300);
+        if (!result.found) continue;
+        EXPECT_NEAR(cost_of(lattice, result, sources, goals), result.cost, 1e-9);
+        f(result, least, search, sources, goals);
+      }
     }
   }
+};
+
+TEST_P(Astar, CostsWhatDijkstraSaysFromManySourcesToManyGoals) {
+  ask_many(
+      [](AstarSearch& search, const auto& from, const auto& to) { return search.search(from, to); },
+      [](const SearchResult& result, double least, auto&&...) {
+        EXPECT_NEAR(result.cost, least, 1e-9);
+      });
 }
 
 TEST_P(Astar, CostsNoMoreThanItsWeightTimesTheLeast) {
@@ -129,28 +142,28 @@ TEST_P(Astar, CostsNoMoreThanItsWeightTimesTheLeast) {
   std::size_t longer = 0;
   std::size_t expanded = 0;
   std::size_t expanded_without = 0;
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    SCOPED_TRACE(seed);
-    const auto scene = random_scene(seed, 250, 14, Vec3::Zero());
-    const Lattice lattice = build_lattice(scene, {1, GetParam(), {0, 0, 0}});
-    AstarSearch search(lattice);
-    support::Random random(seed);
-    for (int query = 0; query < 12; ++query) {
-      const auto sources = random_terminals(random, lattice, 1 + query % 3);
-      const auto goals = random_terminals(random, lattice, query % 4 ? query % 4 : 40);
-      const double least = oracle::cheapest(lattice, sources, goals);
-      const SearchResult result = search.search(sources, goals, weight);
-      ASSERT_EQ(result.found, least < 1e300);
-      if (!result.found) continue;
-      EXPECT_LE(result.cost, weight * least + 1e-9);
-      EXPECT_NEAR(cost_of(lattice, result, sources, goals), result.cost, 1e-9);
-      longer += result.cost > least + 1e-6;
-      expanded += result.expanded;
-      expanded_without += search.search(sources, goals).expanded;
-    }
-  }
+  ask_many([&](AstarSearch& search, const auto& from,
+               const auto& to) { return search.search(from, to, weight); },
+           [&](const SearchResult& result, double least, AstarSearch& search, const auto& from,
+               const auto& to) {
+             EXPECT_LE(result.cost, weight * least + 1e-9);
+             longer += result.cost > least + 1e-6;
+             expanded += result.expanded;
+             expanded_without += search.search(from, to).expanded;
+           });
   EXPECT_GT(longer, 0u);  // the weight was heard
   EXPECT_LT(expanded, expanded_without);
+}
+
+TEST_P(Astar, RefusesAWeightThatIsNone) {
+  const auto scene = scene_of({}, {{0, 0, 0}, {3, 3, 3}});
+  const Lattice lattice = build_lattice(scene, {1, GetParam(), {0, 0, 0}});
+  AstarSearch search(lattice);
+  const Terminal end[] = {{7, 0}};
+  for (const double weight : {0.999, 2.001, std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(search.search(end, end, weight), geom::InputError) << weight;
+  }
 }
 
 TEST_P(Astar, WithoutObstaclesExpandsLittleMoreThanThePath) {

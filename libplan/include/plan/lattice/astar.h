@@ -28,7 +28,7 @@ struct SearchResult {
 // so sums are exact, ties are ties, and a path is shortest up to 1e-11 of its length. The heuristic
 // is the distance to the goals on the unobstructed lattice of this connectivity, or to the box
 // around them where they are many (both consistent); ties go to the larger cost so far, then to the
-// lowest block, then the lowest node in it. With a `weight` of that distance above 1, at most 4
+// lowest block, then the lowest node in it. With a `weight` of that distance above 1, at most 2
 // and rounded to 1/1024, a path costs at most that times the least, and far fewer nodes are looked
 // at where many ways are about as short (weighted A*, Pohl 1970). A search that takes long floods
 // the lattice from the goals too, so that goals in a pocket are known to be out of reach once the
@@ -43,6 +43,7 @@ class AstarSearch {
   AstarSearch(AstarSearch&&) noexcept;
   AstarSearch& operator=(AstarSearch&&) noexcept;
 
+  // Throws geom::InputError for a weight that is not from 1 to 2.
   SearchResult search(std::span<const Terminal> sources, std::span<const Terminal> goals,
                       double weight = 1);
 
