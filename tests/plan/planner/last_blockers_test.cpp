@@ -64,8 +64,12 @@ TEST(LastBlockers, HideOnlyBoxesOfWhichTheyHideEveryPoint) {
     LastBlockers asked(scene);
     const Vec3 eye = place(random);
     if (!asked.hits(eye, low + size / 2)) continue;
-    const Vec3 corner = eye + (low + size / 2 - eye) * random.uniform(0.5, 2.5);
-    const geom::Aabb box{corner, corner + 0.2 * random.uniform(0, 1) * size};
+    const Vec3 middle = eye + (low + size / 2 - eye) * random.uniform(0.5, 2.5);
+    const auto part = [&] {
+      const Vec3 share(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+      return Vec3(share.cwiseProduct(size));
+    };
+    const geom::Aabb box{middle - part(), middle + part()};
     bool all = true;
     for (unsigned k = 0; k < 8; ++k) {
       const Vec3 p((k & 1 ? box.max : box.min).x(), (k & 2 ? box.max : box.min).y(),
