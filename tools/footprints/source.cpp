@@ -74,7 +74,8 @@ void count_height(const geom::BuildingHeight& height, const std::string& which, 
 void note_attribute(const std::string& name, const std::string& value, Source& source) {
   const auto number = geom::parse_number(geom::trimmed(value));
   if (!number || !std::isfinite(*number)) return;
-  NumericAttribute& known = source.numeric.try_emplace(name, 0, *number, *number).first->second;
+  NumericAttribute& known =
+      source.numeric.try_emplace(name, NumericAttribute{0, *number, *number}).first->second;
   ++known.features;
   known.low = std::min(known.low, *number);
   known.high = std::max(known.high, *number);

@@ -15,12 +15,40 @@ constexpr double kClose = 4;        // metres beside a path that bends are sough
 constexpr double kClosePart = 3;    // metres: how closely
 constexpr double kCloseMost = 150;  // metres between ends: beyond, bends are close enough as it is
 constexpr std::size_t kPaths = 4;   // compared once pulled taut
-constexpr double kBend = 10;  // metres that bends in the middle of their parts may cost a path
+constexpr double kBend = 10;    // metres that bends in the middle of their parts may cost a path
+constexpr double kMiddles = 2;  // and mostly cost at most
 constexpr double kCorridorPart = 10;          // metres
 constexpr double kCorridorReach = 300;        // metres
 constexpr std::size_t kFirstBends = 8000;     // settled before it is known that there is a way
 constexpr std::size_t kFromGoalBends = 4000;  // settled the other way round
 constexpr std::size_t kCorridorBends = 3000;  // settled at most
+constexpr double kStretch = 2000;             // metres of a path that are looked at at once
+constexpr std::size_t kStretchBends = 600;    // settled for each, where there are several
+constexpr double kHaste = 1.03;               // weight of the search along a path
+
+// The first point of a path that is so many metres after another along it, or else its last.
+std::size_t point_after(const Polyline& path, std::size_t first, double metres) {
+  double length = 0;
+  std::size_t at = first;
+  while (at + 1 < path.size() && (at == first || length < metres)) {
+    length += (path[at + 1] - path[at]).norm();
+    ++at;
+  }
+  return at;
+}
+
+// The part of a path from one of its points to another.
+Polyline part_of(const Polyline& path, std::size_t first, std::size_t last) {
+  const auto begin = path.begin();
+  return {begin + static_cast<std::ptrdiff_t>(first),
+          begin + static_cast<std::ptrdiff_t>(last) + 1};
+}
+
+void replace_part(Polyline& path, std::size_t first, std::size_t last, const Polyline& by) {
+  const auto begin = path.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto at = path.erase(begin, begin + static_cast<std::ptrdiff_t>(last - first) + 1);
+  path.insert(at, by.begin(), by.end());
+}
 
 }  // namespace
 
@@ -78,12 +106,49 @@ std::optional<Found> BendSteps::at_once(const Task& task) {
 std::optional<Found> BendSteps::exhaustively(const Task& task) { return by_roadmap(task, {}, {}); }
 
 std::optional<Found> BendSteps::better(const Task& task, const Polyline& than) {
-  RoadmapLimits limits{kCorridorBends};
-  if (has_roadmap()) return by_roadmap(task, limits, than);
-  const double width = task.options.quality == Quality::best ? 2 * kCorridor : kCorridor;
+  if (has_roadmap()) return by_roadmap(task, {kCorridorBends}, than);
+  const bool best = task.options.quality == Quality::best;
+  const double width = best ? 2 * kCorridor : kCorridor;
   RoadmapSearch search(scene_, bends_along(scene_, kCorridorPart, than, width), kCorridorReach);
-  limits.weight = task.straight() < 1000 ? 1.02 : 1.04;
-  return shortest(search, task, limits, than);
+  return by_stretches(search, task, than);
+}
+
+// A shorter one of the same ends as `part`, which is a path or a stretch of it.
+std::optional<Found> BendSteps::tighter(RoadmapSearch& search, const PlanOptions& options,
+                                        const Polyline& part, std::size_t settled) const {
+  if (part.size() < 3) return {};
+  if (scene_.free(part.front(), part.back())) return Found{{part.front(), part.back()}, {}};
+  RoadmapLimits limits{settled};
+  limits.weight = kHaste;
+  limits.shorter = geom::length(part) + (options.quality == Quality::best ? kBend : kMiddles);
+  return shortest(search, {part.front(), part.back(), options}, limits, part);
+}
+
+// A long path is looked at stretch by stretch, each from about the middle of the one before: what a
+// search settles grows faster than its distance, and most of what can be gained is gained nearby.
+std::optional<Found> BendSteps::by_stretches(RoadmapSearch& search, const Task& task,
+                                             const Polyline& than) const {
+  Polyline path = than;
+  std::size_t settled = 0;
+  for (std::size_t first = 0; first + 2 < path.size();) {
+    std::size_t last = std::max(point_after(path, first, kStretch), first + 2);
+    const bool whole = first == 0 && last + 1 == path.size();
+    const auto found = tighter(search, task.options, part_of(path, first, last),
+                               whole ? kCorridorBends : kStretchBends);
+    if (whole) return found;
+    if (found) {
+      settled += found->expanded;
+      replace_part(path, first, last, found->path);
+      last = first + found->path.size() - 1;
+    }
+    if (last + 1 == path.size()) break;
+    first = std::max(std::min(point_after(path, first, kStretch / 2), last - 1), first + 1);
+  }
+  Found all{path, {step_of("search", path)}, settled};
+  all.path = taut(scene_, path);
+  all.steps.push_back(step_of("taut", all.path));
+  if (!shorter(all.path, than)) return {};
+  return all;
 }
 
 std::optional<Found> BendSteps::closer(const Task& task, const Polyline& than) const {

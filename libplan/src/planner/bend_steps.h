@@ -40,6 +40,10 @@ class BendSteps {
                                   const geom::Polyline& than);
   std::optional<Found> shortest(RoadmapSearch& search, const Task& task, RoadmapLimits limits,
                                 const geom::Polyline& than) const;
+  std::optional<Found> tighter(RoadmapSearch& search, const PlanOptions& options,
+                               const geom::Polyline& part, std::size_t settled) const;
+  std::optional<Found> by_stretches(RoadmapSearch& search, const Task& task,
+                                    const geom::Polyline& than) const;
 
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;

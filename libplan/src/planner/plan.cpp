@@ -28,8 +28,7 @@ constexpr double kSpacing = 10;       // metres: of the first lattice on a map o
 constexpr int kLevels = 3;            // each of half the spacing of the one before
 constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets a finer one
 constexpr double kDetour = 1.2;       // of the straight line: then a finer lattice may know better
-constexpr double kFar = 1000;         // metres: beyond, too many ways of a lattice are as short
-constexpr double kHaste = 1.02;  // the weight then: what bends are sought along need not be best
+constexpr double kHaste = 1.02;       // weight where a lattice's path only leads to bends
 
 double nodes_at(const geom::Aabb& inner, double spacing) {
   double nodes = 1;
@@ -129,8 +128,7 @@ Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
 
 // As the search gave it, not shortened.
 PlanResult Planner::Impl::by_level(LatticeLevel& level, const Task& task) {
-  const bool far = polished(task.options) && task.straight() > kFar;
-  const bool guides = task.options.method == Method::automatic && far;
+  const bool guides = task.options.method == Method::automatic && polished(task.options);
   PlanResult result = level.search(scene_, task.from, task.to, guides ? kHaste : 1);
   if (level.given()) require_free(scene_, result.path, "lattice");
   return result;
@@ -139,7 +137,7 @@ PlanResult Planner::Impl::by_level(LatticeLevel& level, const Task& task) {
 PlanResult Planner::Impl::by_lattices(const Task& task, std::optional<ReachResult> reached) {
   const auto shortened = [&](PlanResult result) {
     if (result.path.empty()) return result;
-    Found found = refined(scene_, result.path, task.options);
+    Found found = refined(scene_, result.path, task.options, true);
     found.expanded = result.expanded;
     return with(std::move(found), Route::lattice, std::move(result));
   };

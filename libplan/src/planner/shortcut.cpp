@@ -12,7 +12,6 @@ using geom::Polyline;
 using geom::Vec3;
 
 constexpr double kPoints = 120;  // a round's points, about
-constexpr int kRounds = 6;
 
 // The shortest free chain from the first to the last point that visits points in order. The
 // neighbours in `points` see each other.
@@ -70,10 +69,10 @@ Polyline resample_free(const geom::CollisionScene& scene, const Polyline& path, 
   return out;
 }
 
-Polyline shortcut(const geom::CollisionScene& scene, const Polyline& path) {
+Polyline shortcut(const geom::CollisionScene& scene, const Polyline& path, int rounds) {
   if (path.size() < 3) return path;
   Polyline best = shortest_chain(scene, path);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const double before = geom::length(best);
     best = without_collinear(
         scene, shortest_chain(scene, resample_free(scene, best, std::max(before / kPoints, 1e-3))));

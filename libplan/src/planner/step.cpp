@@ -33,10 +33,12 @@ void require_free(const geom::CollisionScene& scene, const Polyline& path, const
   }
 }
 
-Found refined(const geom::CollisionScene& scene, const Polyline& raw, const PlanOptions& options) {
+Found refined(const geom::CollisionScene& scene, const Polyline& raw, const PlanOptions& options,
+              bool leads) {
   Found found{raw, {step_of("search", raw)}};
   if (options.raw) return found;
-  found.path = shortcut(scene, found.path);
+  const bool once = leads && polished(options);
+  found.path = once ? shortcut(scene, found.path, 0) : shortcut(scene, found.path);
   found.steps.push_back(step_of("shortcut", found.path));
   if (!polished(options)) return found;
   found.path = taut(scene, found.path);

@@ -40,8 +40,8 @@ bool polished(const PlanOptions& options);
 void require_free(const geom::CollisionScene& scene, const geom::Polyline& path,
                   const char* source);
 
-// What a search found, shortened as the options say.
+// What a search found, shortened as the options say; less thoroughly where it `leads` to bends.
 Found refined(const geom::CollisionScene& scene, const geom::Polyline& raw,
-              const PlanOptions& options);
+              const PlanOptions& options, bool leads = false);
 
 }  // namespace plan

@@ -9,7 +9,6 @@
 namespace plan {
 namespace {
 
-constexpr std::size_t kBendsOfLeaf = 8;
 constexpr std::size_t kChildren = 4;
 constexpr int kBits = 20;  // of each coordinate in a place on the curve
 
@@ -23,7 +22,7 @@ std::uint64_t spread(std::uint64_t x) {
 }
 
 BendTree::Node leaf_of(std::span<const Bend> bends, std::size_t first) {
-  const std::size_t count = std::min(kBendsOfLeaf, bends.size() - first);
+  const std::size_t count = std::min(BendTree::kBendsOfLeaf, bends.size() - first);
   BendTree::Node leaf{
       {}, {}, static_cast<std::uint32_t>(first), static_cast<std::uint16_t>(count), true};
   for (int k = 0; k < 3; ++k) {

@@ -3,6 +3,7 @@
 // The bends of a roadmap in boxes within boxes, so that a search meets first those that are near
 // and never those that are far.
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,6 +17,8 @@ namespace plan {
 // each other along a Morton curve have a common parent. Immutable; building sorts the leaves.
 class BendTree {
  public:
+  static constexpr std::size_t kBendsOfLeaf = 16;  // at most
+
   // What is below node i lies in its box, the faces included. A leaf has the bends [first, first +
   // count), another node has the nodes [first, first + count).
   struct Node {
@@ -34,25 +37,41 @@ class BendTree {
 
   // How far `p` is from the node's box, in metres: no more than (p - q).norm() for any bend at q in
   // it, as rounded too.
-  static double distance(const Node& node, const Vec3& p);
-  double distance(std::uint32_t i, const Vec3& p) const { return distance(nodes_[i], p); }
+  static double distance(const Node& node, const Vec3& p) {
+    return std::sqrt(squared_distance(node, p));
+  }
 
   static geom::Aabb box(const Node& node);
 
-  // Calls f(bend) for all bends of leaves within `radius` metres of `p`, but for those below nodes
-  // for which skip(node) is true.
+  // Calls f(first, count) for the bends of all leaves whose squared distance from `p` is at most
+  // radius * radius (metres), but for those below nodes for which skip(node) is true.
+  template <class Skip, class F>
+  void for_leaves_near(const Vec3& p, double radius, const Skip& skip, const F& f) const {
+    if (!empty()) for_leaves_near(root(), p, radius * radius, skip, f);
+  }
+
+  // The same, bend by bend.
   template <class Skip, class F>
   void for_near(const Vec3& p, double radius, const Skip& skip, const F& f) const {
-    if (!empty()) for_near(root(), p, radius, skip, f);
+    for_leaves_near(p, radius, skip, [&](std::uint32_t first, std::uint32_t count) {
+      for (std::uint32_t k = first; k < first + count; ++k) f(k);
+    });
   }
 
  private:
+  static double squared_distance(const Node& node, const Vec3& p);
+
   template <class Skip, class F>
-  void for_near(std::uint32_t i, const Vec3& p, double radius, const Skip& skip, const F& f) const {
+  void for_leaves_near(std::uint32_t i, const Vec3& p, double square, const Skip& skip,
+                       const F& f) const {
     const Node& node = nodes_[i];
-    if (skip(node) || distance(i, p) > radius) return;
+    if (squared_distance(node, p) > square || skip(node)) return;
+    if (node.leaf) {
+      f(node.first, std::uint32_t{node.count});
+      return;
+    }
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      node.leaf ? f(k) : for_near(k, p, radius, skip, f);
+      for_leaves_near(k, p, square, skip, f);
     }
   }
 
@@ -61,7 +80,7 @@ class BendTree {
 
 // Rounding keeps the order of differences, squares, sums and square roots, so the distance to the
 // box is not above that to a point of it where both are worked out in the same way.
-inline double BendTree::distance(const Node& node, const Vec3& p) {
+inline double BendTree::squared_distance(const Node& node, const Vec3& p) {
   Vec3 off;
   for (int k = 0; k < 3; ++k) {
     const double below = node.min[k] - p[k];
@@ -69,7 +88,7 @@ inline double BendTree::distance(const Node& node, const Vec3& p) {
     const double out = below > above ? below : above;
     off[k] = out > 0 ? out : 0;
   }
-  return off.norm();
+  return off.squaredNorm();
 }
 
 }  // namespace plan

@@ -11,8 +11,14 @@ namespace {
 
 constexpr double kOff = 1e-3;  // metres that bends keep from their box
 
+// What covers lines just off an edge, kept so that its memory serves the next edge.
+struct Cover {
+  std::vector<Interval> outermost;  // the line off both faces: bends are on it
+  std::vector<Interval> any;        // that one, and those off one face and inside the other
+};
+
 // One edge of a grown box: along `axis`, at the lower or upper ends of the next two. `near` are the
-// grown boxes that meet the box, or come within kOff of it.
+// other grown boxes that meet the box, or come within kOff of it.
 class BoxEdge {
  public:
   BoxEdge(const geom::CollisionScene& scene, std::span<const geom::Aabb> near,
@@ -23,14 +29,15 @@ class BoxEdge {
   }
 
   // In the middle of what is exposed of each part, but for parts that are surely out of the square.
-  void add_bends(double part, const std::optional<geom::Aabb>& square,
+  void add_bends(double part, const std::optional<geom::Aabb>& square, Cover& cover,
                  std::vector<Bend>& out) const {
     if (square && !geom::overlap(*square, line())) return;
-    const std::vector<Interval> blocked = covered(1, 1);
-    const auto open = exposed(blocked);
+    if (out_of_bounds()) return;
+    find(cover);
     const double length = box_.max[k_] - box_.min[k_];
     const double parts = std::max(1.0, std::ceil(length / part));
     const auto [first, end] = parts_in(square, length, parts);
+    const auto open = uncovered(box_.min[k_], box_.max[k_], cover.any);
     for (double n = first; n < end; ++n) {
       const double from = box_.min[k_] + length * (n / parts);
       const double to = box_.min[k_] + length * ((n + 1) / parts);
@@ -38,7 +45,7 @@ class BoxEdge {
         if (high < from || low > to) continue;
         const double middle = 0.5 * (std::max(low, from) + std::min(high, to));
         const Bend bend{beside(1, 1, middle), static_cast<std::int8_t>(k_), outward_};
-        if (free(bend.position, blocked)) out.push_back(bend);
+        if (free(bend.position, cover.outermost)) out.push_back(bend);
       }
     }
   }
@@ -55,6 +62,12 @@ class BoxEdge {
   // What holds all bends of the edge.
   geom::Aabb line() const { return {beside(1, 1, box_.min[k_]), beside(1, 1, box_.max[k_])}; }
 
+  // Whether no bend can be inside the bounds, as below a box that stands on the ground.
+  bool out_of_bounds() const {
+    const auto& bounds = scene_.free_bounds();
+    return !bounds || !geom::overlap(*bounds, line());
+  }
+
   // The parts, of so many, that may have bends in the square: [first, end).
   std::pair<double, double> parts_in(const std::optional<geom::Aabb>& square, double length,
                                      double parts) const {
@@ -64,26 +77,24 @@ class BoxEdge {
     return {std::max(0.0, std::floor(low) - 1), std::min(parts, std::ceil(high) + 1)};
   }
 
-  // The other boxes that cover some of the line just off the edge, in one of its quadrants.
-  std::vector<Interval> covered(double side1, double side2) const {
-    const Vec3 p = beside(side1, side2, 0);
-    std::vector<Interval> out;
+  // The edge is exposed where the three outer quadrants are free, each looked at along its line.
+  void find(Cover& cover) const {
+    cover.outermost.clear();
+    cover.any.clear();
+    const Vec3 out = beside(1, 1, 0);
+    const Vec3 in = beside(-1, -1, 0);
     for (const geom::Aabb& other : near_) {
-      const bool inside = p[i1_] >= other.min[i1_] && p[i1_] <= other.max[i1_] &&
-                          p[i2_] >= other.min[i2_] && p[i2_] <= other.max[i2_] &&
-                          box_.max[k_] >= other.min[k_] && box_.min[k_] <= other.max[k_];
-      if (inside && !(other == box_)) out.push_back({other.min[k_], other.max[k_]});
+      if (box_.max[k_] < other.min[k_] || box_.min[k_] > other.max[k_]) continue;
+      const auto holds = [&](int i, const Vec3& p) {
+        return p[i] >= other.min[i] && p[i] <= other.max[i];
+      };
+      const bool out1 = holds(i1_, out);
+      const bool out2 = holds(i2_, out);
+      const Interval along{other.min[k_], other.max[k_]};
+      if (out1 && out2) cover.outermost.push_back(along);
+      if ((out1 && (out2 || holds(i2_, in))) || (out2 && holds(i1_, in)))
+        cover.any.push_back(along);
     }
-    return out;
-  }
-
-  // Where the three outer quadrants are free, each looked at along a line just off the edge.
-  std::vector<Interval> exposed(std::vector<Interval> blocked) const {
-    for (const double side : {-1.0, 1.0}) {
-      const auto more = covered(side, -side);
-      blocked.insert(blocked.end(), more.begin(), more.end());
-    }
-    return uncovered(box_.min[k_], box_.max[k_], std::move(blocked));
   }
 
   // scene.free() of a point of the line in the outermost quadrant, of which this is `blocked`.
@@ -115,10 +126,14 @@ void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double 
     if (!(beside.min.array() <= beside.max.array()).all()) return;
   }
   std::vector<geom::Aabb> near;
-  for (const std::size_t i : scene.boxes_meeting(beside)) near.push_back(scene.grown(i));
+  for (const std::size_t i : scene.boxes_meeting(beside)) {
+    const geom::Aabb other = scene.grown(i);
+    if (!(other == box)) near.push_back(other);
+  }
+  Cover cover;
   for (int k = 0; k < 3; ++k) {
     for (int corner = 0; corner < 4; ++corner) {
-      BoxEdge(scene, near, box, k, corner).add_bends(part, square, out);
+      BoxEdge(scene, near, box, k, corner).add_bends(part, square, cover, out);
     }
   }
 }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -6,10 +8,12 @@
 #include <tuple>
 #include <utility>
 
+#include "bend_lanes.h"
 #include "bend_tree.h"
 #include "bends.h"
 #include "frontier.h"
 #include "loaded_tiles.h"
+#include "onward.h"
 #include "plan/roadmap/roadmap.h"
 #include "plan/roadmap/roadmap_fill.h"
 #include "planner/last_blockers.h"
@@ -18,7 +22,6 @@
 namespace plan {
 namespace {
 
-constexpr double kLoose = 0.08;  // how far a turn may miss wrapping: bends stand in for their part
 constexpr std::size_t kLinks = 8;   // blocked ones that cost as much as a bend settled
 constexpr std::size_t kBlind = 32;  // blocked ones, after which it pays to know what hides
 constexpr std::size_t kKept = std::size_t{1} << 21;  // bends that stay loaded for the next search
@@ -31,53 +34,6 @@ bool wraps(const Across& in, const Across& out) {
   if (in.second_side() == out.second_side()) return false;
   return in.second_side() ? out.ratio() <= in.ratio() + kLoose : out.ratio() >= in.ratio() - kLoose;
 }
-
-// Where a path may leave a bend that it came to from a direction, as tangent() and wraps() have it:
-// a quadrant across the box edge, less what is on the near side of a line. They forgive a
-// millimetre, so this forgives more.
-class Onward {
- public:
-  Onward(const Bend& bend, const Across& in)
-      : bend_(bend),
-        first_axis_((bend.axis + 1) % 3),
-        second_axis_((bend.axis + 2) % 3),
-        second_(!in.second_side()) {
-    ratio_ = second_ ? std::max(0.0, in.ratio() - kLoose) : std::min(1.0, in.ratio() + kLoose);
-  }
-
-  // Whether a path may leave in a direction.
-  bool goes(const Vec3& direction) const {
-    const Across out{direction[first_axis_] * bend_.outward[0],
-                     direction[second_axis_] * bend_.outward[1]};
-    if (out.second_side() != second_ || !out.tangent()) return false;
-    return second_ ? out.ratio() >= ratio_ : out.ratio() <= ratio_;
-  }
-
-  // Whether none of the node's bends can be where.
-  bool misses(const BendTree::Node& node) const {
-    constexpr double kForgiven = 4e-3;  // metres
-    const auto [x0, x1] = range(node, 0);
-    const auto [y0, y1] = range(node, 1);
-    if (second_ ? x1 < -kForgiven || y0 > kForgiven : x0 > kForgiven || y1 < -kForgiven)
-      return true;
-    return ratio_ * x0 + (1 - ratio_) * y0 > kForgiven;
-  }
-
- private:
-  // Along the first or second axis across, outward from the bend.
-  std::pair<double, double> range(const BendTree::Node& node, int which) const {
-    const int k = which == 0 ? first_axis_ : second_axis_;
-    const double low = node.min[k] - bend_.position[k];
-    const double high = node.max[k] - bend_.position[k];
-    return bend_.outward[which] > 0 ? std::pair(low, high) : std::pair(-high, -low);
-  }
-
-  const Bend& bend_;
-  int first_axis_;  // across the box edge
-  int second_axis_;
-  bool second_;   // side to leave on
-  double ratio_;  // of Across, at most on the first side, at least on the second
-};
 
 // Of bends that tie: the one whose place is lowest, however they are numbered.
 struct LowestPlace {
@@ -107,6 +63,7 @@ struct RoadmapSearch::Impl {
   Impl(const geom::CollisionScene& scene, std::vector<Bend> bends, double reach)
       : scene_(&scene),
         tree_(std::in_place, bends),
+        lanes_(std::in_place, bends),
         tiles_(std::move(bends), *tree_),
         reach_(reach) {}
 
@@ -138,8 +95,9 @@ struct RoadmapSearch::Impl {
 
   const geom::CollisionScene* scene_;
   std::unique_ptr<TileSource> own_;
-  TileSource* source_ = nullptr;  // none where there are no edges
-  std::optional<BendTree> tree_;  // where there are no edges
+  TileSource* source_ = nullptr;    // none where there are no edges
+  std::optional<BendTree> tree_;    // where there are no edges
+  std::optional<BendLanes> lanes_;  // likewise
   LoadedTiles tiles_;
   double reach_ = 0;
   std::vector<Visit> visits_;
@@ -148,6 +106,7 @@ struct RoadmapSearch::Impl {
   Vec3 from_;
   Vec3 to_;
   double weight_ = 1;
+  double shorter_ = 0;
   LastBlockers from_start_{*scene_};
   LastBlockers to_goal_{*scene_};
   LastBlockers between_{*scene_};  // bends
@@ -161,6 +120,7 @@ void RoadmapSearch::Impl::begin(const Vec3& from, const Vec3& to, const RoadmapL
   from_ = from;
   to_ = to;
   weight_ = limits.weight;
+  shorter_ = limits.shorter;
   blocked_ = 0;
   unseen_ = 0;
   hidden_from_start_.reset();
@@ -181,7 +141,10 @@ void RoadmapSearch::Impl::begin(const Vec3& from, const Vec3& to, const RoadmapL
 // Nodes cost more than anything, so that they come before bends that tie with them.
 void RoadmapSearch::Impl::push_node(std::uint32_t index) {
   const BendTree::Node& node = tiles_.node(index);
-  const double bound = BendTree::distance(node, from_) + weight_ * BendTree::distance(node, to_);
+  const double from_start = BendTree::distance(node, from_);
+  const double to_goal = BendTree::distance(node, to_);
+  if (from_start + to_goal >= shorter_) return;
+  const double bound = from_start + weight_ * to_goal;
   open_.push({bound, std::numeric_limits<double>::infinity(), index, Open::node});
 }
 
@@ -197,7 +160,9 @@ void RoadmapSearch::Impl::open_node(std::uint32_t index) {
     const Bend& bend = tiles_.bends()[i];
     if (!across(bend, from_ - bend.position).tangent()) continue;
     const double cost = (bend.position - from_).norm();
-    open_.push({cost + weight_ * (to_ - bend.position).norm(), cost, i, Open::unlinked});
+    const double on = (to_ - bend.position).norm();
+    if (cost + on >= shorter_) continue;
+    open_.push({cost + weight_ * on, cost, i, Open::unlinked});
   }
 }
 
@@ -212,9 +177,10 @@ inline bool RoadmapSearch::Impl::known_as_near(std::uint32_t bend, double cost) 
 }
 
 inline void RoadmapSearch::Impl::reach(std::uint32_t i, std::uint32_t j, double through) {
+  const double on = (to_ - tiles_.bends()[j].position).norm();
+  if (through + on >= shorter_) return;
   visits_[j] = {through, i, stamp_};
-  open_.push(
-      {through + weight_ * (to_ - tiles_.bends()[j].position).norm(), through, j, Open::reached});
+  open_.push({through + weight_ * on, through, j, Open::reached});
 }
 
 // Where the roadmap has no edges: those that matter, looked for.
@@ -225,18 +191,25 @@ void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across
   const Onward onward(bend, in);
   const auto skip = [&](const BendTree::Node& node) {
     return onward.misses(node) ||
+           cost + BendTree::distance(node, bend.position) + BendTree::distance(node, to_) >=
+               shorter_ ||
            (!node.leaf && between_.hides(bend.position, BendTree::box(node)));
   };
-  tree_->for_near(bend.position, reach_, skip, [&](std::uint32_t j) {
-    const Bend& other = bends[j];
-    const Vec3 d = other.position - bend.position;
-    const double square = d.squaredNorm();
-    if (j == i || square > reach2) return;
-    if (!onward.goes(d) || !across(other, -d).tangent()) return;
-    const double through = cost + std::sqrt(square);
-    if (known_as_near(j, through)) return;
-    if (!between_.hits(bend.position, other.position)) reach(i, j, through);
-  });
+  std::array<double, BendTree::kBendsOfLeaf> squares;
+  tree_->for_leaves_near(
+      bend.position, reach_, skip, [&](std::uint32_t first, std::uint32_t count) {
+        unsigned mask =
+            lanes_->reached(first, count, bend.position, onward, reach2, squares.data());
+        for (; mask != 0; mask &= mask - 1) {
+          const auto k = static_cast<std::uint32_t>(std::countr_zero(mask));
+          const std::uint32_t j = first + k;
+          const Vec3& other = bends[j].position;
+          const double through = cost + std::sqrt(squares[k]);
+          if (through + (to_ - other).norm() >= shorter_ || j == i || known_as_near(j, through))
+            continue;
+          if (!between_.hits(bend.position, other)) reach(i, j, through);
+        }
+      });
 }
 
 // The edges that keep wrapping around the bend's box for a path that comes from `in`.

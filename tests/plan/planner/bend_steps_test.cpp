@@ -62,6 +62,45 @@ TEST(BendSteps, GiveNothingThatIsNotShorter) {
   EXPECT_FALSE(steps.better(task, best->path));
 }
 
+// Towers in a row with a gate between any two, each passed on its longer side: also where one
+// stretch of the path ends and the next begins, all are to be passed on the shorter one.
+TEST(BendSteps, ImproveALongPathAllAlong) {
+  constexpr int kTowers = 60;
+  constexpr double kApart = 150;
+  std::vector<geom::Aabb> boxes;
+  geom::Polyline long_way = {{0.5 * kApart, 40, 20}};
+  for (int n = 1; n <= kTowers; ++n) {
+    const double x = n * kApart;
+    const double gate = x + 0.5 * kApart;
+    boxes.push_back({{x - 5, 10, -1}, {x + 5, 46, 41}});
+    boxes.push_back({{gate - 0.5, -1, -1}, {gate + 0.5, 38, 41}});
+    boxes.push_back({{gate - 0.5, 42, -1}, {gate + 0.5, 81, 41}});
+    long_way.insert(long_way.end(), {{x - 7, 8, 20}, {x + 7, 8, 20}, {gate, 40, 20}});
+  }
+  const auto scene = scene_of(boxes, {{0, 0, 0}, {(kTowers + 1) * kApart, 80, 40}}, {1, 1, 1});
+  BendSteps steps(scene, nullptr, nullptr);
+  const PlanOptions options;
+  const auto found = steps.better({long_way.front(), long_way.back(), options}, long_way);
+  ASSERT_TRUE(found);
+  EXPECT_GT(found->expanded, 0u);
+  const geom::Polyline& path = found->path;
+  EXPECT_EQ(path.front(), long_way.front());
+  EXPECT_EQ(path.back(), long_way.back());
+  int passed = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    EXPECT_TRUE(scene.free(path[i - 1], path[i])) << "leg " << i;
+    for (int n = 1; n <= kTowers; ++n) {
+      const double part = (n * kApart - path[i - 1].x()) / (path[i].x() - path[i - 1].x());
+      if (part < 0 || part > 1) continue;
+      ++passed;
+      EXPECT_GT((path[i - 1] + part * (path[i] - path[i - 1])).y(), 46) << "tower " << n;
+    }
+  }
+  EXPECT_EQ(passed, kTowers);
+  ASSERT_EQ(found->steps.size(), 2u);
+  EXPECT_EQ(found->steps.back().length, geom::length(path));
+}
+
 TEST(BendSteps, GiveUpWhereAWallHasNoGap) {
   const auto scene = scene_of({{{19, -1, -1}, {21, 41, 41}}}, kCube, {1, 1, 1});
   const Roadmap roadmap = build_roadmap(scene, RoadmapSpec{});

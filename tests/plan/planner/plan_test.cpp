@@ -222,7 +222,7 @@ TEST(Planner, LooksOnlyAroundTheQueryOnLargeMaps) {
   Planner planner(scene, nullptr);
   const PlanResult result = planner.plan({9900, 20000, 50}, {10200, 20000, 50}, {});
   ASSERT_EQ(result.status, PathStatus::found) << result.message;
-  EXPECT_EQ(result.resolution, 10);
+  EXPECT_LE(result.resolution, 10);
   expect_free(scene, result.path);
 }
 

@@ -150,7 +150,17 @@ TEST_P(RoadmapProperty, FindsTheSameWaysWhereEdgesAreYetToBeLookedFor) {
     const RoadmapResult b = by_bends.search(from, to, {});
     ASSERT_EQ(a.paths.size(), b.paths.size());
     if (a.paths.empty()) continue;
-    ASSERT_NEAR(geom::length(a.paths[0]), geom::length(b.paths[0]), 1e-9);
+    const double shortest = geom::length(a.paths[0]);
+    ASSERT_NEAR(shortest, geom::length(b.paths[0]), 1e-9);
+    RoadmapLimits limits;
+    for (RoadmapSearch* search : {&by_edges, &by_bends}) {
+      limits.shorter = shortest + 1e-6;
+      const RoadmapResult again = search->search(from, to, limits);
+      ASSERT_EQ(again.paths.size(), 1u);
+      ASSERT_NEAR(geom::length(again.paths[0]), shortest, 1e-9);
+      limits.shorter = shortest - 1e-6;
+      ASSERT_TRUE(search->search(from, to, limits).paths.empty());
+    }
   }
 }
 

@@ -90,14 +90,15 @@ struct PlanResult {
 // 3. A* on a lattice, joined to both ends by checked segments; the path is shortened by shortcut().
 //    It tries the caller's, if there is one, then 26-connected ones of 10, 5 and 2.5 m (finer on
 //    maps too small for these) until one finds a path, each worked out only where the search goes.
+//    Where step 4 follows, A* has a weight of 1.02, and shortcut() looks at the path's own points.
 //    A shortened path of more than 1.2 times the straight line is compared with the next lattice's.
 //    Where a lattice has too many nodes to look at, spacings of 4 and 16 times the first are tried.
 //    Once a lattice finds none, Reach says whether there is any way: if not, the goal is
 //    unreachable, at no resolution. A way that no lattice finds goes from cell to cell of free
 //    space; where it is so narrow that rounding closes it, the search is stopped.
 // 4. A* over bends: those of the roadmap where there is one; else those around boxes within 40 m of
-//    that path (80 m for `best`), with a weight of 1.02, or 1.04 where the ends are over 1 km
-//    apart.
+//    that path (80 m for `best`), with a weight of 1.03, from point to point of it over stretches
+//    of 2 km, each begun in the middle of the one before.
 // 5. taut() pulls the result tight.
 // Quality::fast leaves out steps 4 and 5. With PlanOptions::gap, a shorter path that the search for
 // a bound comes upon is taken, by whichever method the first was found; but not where it was to be

@@ -7,11 +7,12 @@
 
 namespace plan {
 
-// The shortest chain of free segments over the path's points and points in between, repeated until
-// a round gains less than 1 mm (at most 6 rounds). Deterministic. Every segment of the result has
-// passed scene.free(), as those of `path` must have. Cost: quadratic in the points of a round,
-// which are at most 120 or the path's own.
-geom::Polyline shortcut(const geom::CollisionScene& scene, const geom::Polyline& path);
+// The shortest chain of free segments over the path's points, and then over points in between too,
+// until a round gains less than 1 mm (at most `rounds` of these). Deterministic. Every segment of
+// the result has passed scene.free(), as those of `path` must have. Cost: quadratic in the points
+// of a round, which are at most 120 or the path's own.
+geom::Polyline shortcut(const geom::CollisionScene& scene, const geom::Polyline& path,
+                        int rounds = 6);
 
 // `path` cut into parts of at most `step` metres, each checked again: where rounding of a cut point
 // puts a part in touch, its segment stays whole.

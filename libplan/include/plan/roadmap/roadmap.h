@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -84,8 +85,9 @@ struct RoadmapLimits {
                                 // times as many that the start turns out not to see
   std::size_t paths = 1;        // how many to find
   double beyond = 0;            // none longer than the shortest by more than this share of it
-  double weight = 1;            // >= 1, of the distance to the goal: more looks at fewer bends, and
-                                // the path may be longer than the shortest by this factor
+  double shorter = std::numeric_limits<double>::infinity();  // metres: paths as long are not sought
+  double weight = 1;  // >= 1, of the distance to the goal: more looks at fewer bends, and
+                      // the path may be longer than the shortest by this factor
 };
 
 struct RoadmapResult {

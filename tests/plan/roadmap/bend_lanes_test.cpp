@@ -1,0 +1,63 @@
+#include "roadmap/bend_lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/random_city.h"
+
+namespace plan {
+namespace {
+
+std::int8_t random_sign(support::Random& random) { return random.below(2) ? 1 : -1; }
+
+// Often in line with each other.
+Bend random_bend(support::Random& random) {
+  Bend bend;
+  for (int k = 0; k < 3; ++k) {
+    bend.position[k] = random.below(2) ? random.stepped(0, 20, 5) : random.uniform(0, 20);
+  }
+  bend.axis = static_cast<std::int8_t>(random.below(3));
+  bend.outward = {random_sign(random), random_sign(random)};
+  return bend;
+}
+
+// What a path that came to `bend` from `in` may go on to, one bend at a time.
+bool goes_on(const Bend& bend, const Across& in, const Bend& other) {
+  const Vec3 d = other.position - bend.position;
+  const Across out = across(bend, d);
+  if (out.second_side() == in.second_side() || !out.tangent()) return false;
+  if (!across(other, -d).tangent()) return false;
+  const double sum = std::abs(out.x) + std::abs(out.y);
+  const double turn = out.second_side() ? std::abs(out.y) - (in.ratio() - kLoose) * sum
+                                        : (in.ratio() + kLoose) * sum - std::abs(out.y);
+  return turn >= -1e-9;
+}
+
+TEST(BendLanes, AreReachedAsBendsAreOneByOne) {
+  support::Random random(1);
+  int reached = 0;
+  for (int n = 0; n < 20'000; ++n) {
+    std::vector<Bend> bends(BendTree::kBendsOfLeaf + 3);
+    for (Bend& bend : bends) bend = random_bend(random);
+    const Bend from = random_bend(random);
+    const Across in = across(from, random_bend(random).position - from.position);
+    const Onward onward(from, in);
+    const std::size_t count = 1 + static_cast<std::size_t>(random.below(BendTree::kBendsOfLeaf));
+    const double reach = random.below(2) ? 100 : 400;  // squared
+    double squares[BendTree::kBendsOfLeaf];
+    const unsigned mask = BendLanes(bends).reached(3, count, from.position, onward, reach, squares);
+    ASSERT_EQ(mask >> count, 0u);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Bend& other = bends[3 + k];
+      ASSERT_EQ(squares[k], (other.position - from.position).squaredNorm());
+      const bool expected = squares[k] <= reach && goes_on(from, in, other);
+      ASSERT_EQ((mask >> k & 1) != 0, expected);
+      reached += expected;
+    }
+  }
+  EXPECT_GT(reached, 1000);
+}
+
+}  // namespace
+}  // namespace plan
