@@ -23,7 +23,7 @@ constexpr std::size_t kFirstBends = 8000;     // settled before it is known that
 constexpr std::size_t kFromGoalBends = 4000;  // settled the other way round
 constexpr std::size_t kCorridorBends = 3000;  // settled at most
 constexpr double kStretch = 2000;             // metres of a path that are looked at at once
-constexpr std::size_t kStretchBends = 600;    // settled for each, where there are several
+constexpr std::size_t kStretchBends = 400;    // settled at most where one is half as long or more
 constexpr double kHaste = 1.03;               // weight of the search along a path
 
 // The first point of a path that is so many metres after another along it, or else its last.
@@ -115,12 +115,13 @@ std::optional<Found> BendSteps::better(const Task& task, const Polyline& than) {
 
 // A shorter one of the same ends as `part`, which is a path or a stretch of it.
 std::optional<Found> BendSteps::tighter(RoadmapSearch& search, const PlanOptions& options,
-                                        const Polyline& part, std::size_t settled) const {
+                                        const Polyline& part) const {
   if (part.size() < 3) return {};
   if (scene_.free(part.front(), part.back())) return Found{{part.front(), part.back()}, {}};
-  RoadmapLimits limits{settled};
+  const double length = geom::length(part);
+  RoadmapLimits limits{length < kStretch / 2 ? kCorridorBends : kStretchBends};
   limits.weight = kHaste;
-  limits.shorter = geom::length(part) + (options.quality == Quality::best ? kBend : kMiddles);
+  limits.shorter = length + (options.quality == Quality::best ? kBend : kMiddles);
   return shortest(search, {part.front(), part.back(), options}, limits, part);
 }
 
@@ -133,8 +134,7 @@ std::optional<Found> BendSteps::by_stretches(RoadmapSearch& search, const Task& 
   for (std::size_t first = 0; first + 2 < path.size();) {
     std::size_t last = std::max(point_after(path, first, kStretch), first + 2);
     const bool whole = first == 0 && last + 1 == path.size();
-    const auto found = tighter(search, task.options, part_of(path, first, last),
-                               whole ? kCorridorBends : kStretchBends);
+    const auto found = tighter(search, task.options, part_of(path, first, last));
     if (whole) return found;
     if (found) {
       settled += found->expanded;

@@ -41,7 +41,7 @@ class BendSteps {
   std::optional<Found> shortest(RoadmapSearch& search, const Task& task, RoadmapLimits limits,
                                 const geom::Polyline& than) const;
   std::optional<Found> tighter(RoadmapSearch& search, const PlanOptions& options,
-                               const geom::Polyline& part, std::size_t settled) const;
+                               const geom::Polyline& part) const;
   std::optional<Found> by_stretches(RoadmapSearch& search, const Task& task,
                                     const geom::Polyline& than) const;
 
