@@ -3,6 +3,7 @@
 #include <draco/compression/decode.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 
@@ -41,6 +42,47 @@ std::optional<Component> component_of(draco::DataType type) {
       return Component{5126, number_at<float>};
     default:
       return std::nullopt;
+  }
+}
+
+// The next number of a row of them, seven bits a byte, the least first; nothing where it is cut.
+std::optional<std::uint64_t> next_number(std::string_view& bytes) {
+  std::uint64_t number = 0;
+  for (unsigned shift = 0; shift < 35 && !bytes.empty(); shift += 7) {
+    const auto byte = static_cast<unsigned char>(bytes.front());
+    bytes.remove_prefix(1);
+    number |= std::uint64_t{byte & 0x7fu} << shift;
+    if (byte < 0x80) return number;
+  }
+  return std::nullopt;
+}
+
+// libdraco makes room for as many triangles and vertices as the first bytes say, before it looks
+// for any: refuses where that is far more than so many bytes have ever held. What is cut is left to
+// it.
+void require_plausible_counts(std::string_view bytes, const std::string& source) {
+  constexpr std::size_t kHeader = 11;  // name, version, kind, method, flags
+  constexpr std::uint64_t kMostOfAByte = 1000;
+  if (bytes.size() < kHeader || !bytes.starts_with("DRACO")) return;
+  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  if (at(5) != 2 || at(6) != 2) {
+    throw geom::InputError(
+        source, fmt::format("expected the Draco bitstream 2.2 of glTF, found {}.{}", at(5), at(6)));
+  }
+  if ((at(10) & 0x80) != 0) {  // it would stand before the counts
+    throw geom::InputError(source, "metadata in what Draco compressed is not read");
+  }
+  const bool edgebreaker = at(8) == 1;  // whose kind of traversal comes first
+  std::string_view rest = bytes.substr(std::min(bytes.size(), kHeader + (edgebreaker ? 1 : 0)));
+  for (int i = 0; i < 2; ++i) {
+    const auto count = next_number(rest);
+    if (!count) return;
+    if (*count > kMostOfAByte * bytes.size()) {
+      throw geom::InputError(source,
+                             fmt::format("what Draco compressed says that it has {} triangles or "
+                                         "vertices in {} bytes; more than {} a byte are not read",
+                                         *count, bytes.size(), kMostOfAByte));
+    }
   }
 }
 
@@ -105,6 +147,7 @@ class Decoded {
 }  // namespace
 
 geom::DracoMesh decode_draco(std::string_view bytes, const std::string& source) {
+  require_plausible_counts(bytes, source);
   draco::DecoderBuffer buffer;
   buffer.Init(bytes.data(), bytes.size());
   const auto decoded = draco::Decoder().DecodeMeshFromBuffer(&buffer);
