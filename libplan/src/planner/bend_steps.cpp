@@ -25,6 +25,7 @@ constexpr std::size_t kCorridorBends = 3000;  // settled at most
 constexpr double kStretch = 2000;             // metres of a path that are looked at at once
 constexpr std::size_t kStretchBends = 400;    // settled at most where one is half as long or more
 constexpr double kHaste = 1.03;               // weight of the search along a path
+constexpr double kRoadmapHaste = 1.01;        // in a roadmap
 
 // The first point of a path that is so many metres after another along it, or else its last.
 std::size_t point_after(const Polyline& path, std::size_t first, double metres) {
@@ -89,6 +90,7 @@ std::unique_ptr<RoadmapSearch> BendSteps::take() {
 std::optional<Found> BendSteps::by_roadmap(const Task& task, RoadmapLimits limits,
                                            const Polyline& than) {
   std::unique_ptr<RoadmapSearch> search = take();
+  if (task.options.quality != Quality::best) limits.weight = kRoadmapHaste;
   auto found = shortest(*search, task, limits, than);
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(search));
