@@ -121,9 +121,10 @@ std::optional<Found> BendSteps::tighter(RoadmapSearch& search, const PlanOptions
   if (part.size() < 3) return {};
   if (scene_.free(part.front(), part.back())) return Found{{part.front(), part.back()}, {}};
   const double length = geom::length(part);
-  RoadmapLimits limits{length < kStretch / 2 ? kCorridorBends : kStretchBends};
+  const bool best = options.quality == Quality::best;
+  RoadmapLimits limits{best || length < kStretch / 2 ? kCorridorBends : kStretchBends};
   limits.weight = kHaste;
-  limits.shorter = length + (options.quality == Quality::best ? kBend : kMiddles);
+  limits.shorter = length + (best ? kBend : kMiddles);
   return shortest(search, {part.front(), part.back(), options}, limits, part);
 }
 
