@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <vector>
 
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
+#include "geom/text/text_table.h"
 
 namespace mesh {
 namespace {
@@ -32,18 +34,40 @@ std::string_view attribute(std::string_view tag, std::string_view key) {
   return {};
 }
 
+// Where what begins at `at` with '<' ends: at its last character. Nothing where it does not end.
+std::size_t end_of_tag(std::string_view text, std::size_t at) {
+  for (const auto& [begin, end] : {std::pair<std::string_view, std::string_view>{"<!--", "-->"},
+                                   {"<![CDATA[", "]]>"},
+                                   {"<?", "?>"}}) {
+    if (!text.substr(at).starts_with(begin)) continue;
+    const std::size_t found = text.find(end, at + begin.size());
+    return found == std::string_view::npos ? found : found + end.size() - 1;
+  }
+  char quote = 0;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quote == 0 && c == '>') return at;
+    if (c == quote) {
+      quote = 0;
+    } else if (quote == 0 && (c == '"' || c == '\'')) {
+      quote = c;
+    }
+  }
+  return std::string_view::npos;
+}
+
 class Links {
  public:
   Links(const std::string& source, geom::Skipped& skipped) : source_(source), skipped_(skipped) {}
 
   void read(std::string_view text) {
     for (std::size_t at = 0; (at = text.find('<', at)) != std::string_view::npos;) {
-      const bool comment = text.substr(at).starts_with("<!--");
-      const std::size_t end = text.find(comment ? "-->" : ">", at);
-      if (end == std::string_view::npos) break;
-      if (!comment) take(text.substr(at + 1, end - at - 1));
+      const std::size_t end = end_of_tag(text, at);
+      if (end == std::string_view::npos) refuse("a tag is not ended: the file may be cut");
+      take(text.substr(at + 1, end - at - 1));
       at = end;
     }
+    for (const Accessor& accessor : accessors_) require_within(accessor);
     for (const std::string& geometry : placed_) {
       if (!geometries_.contains(geometry)) lose(geometry, "geometry");
     }
@@ -55,6 +79,13 @@ class Links {
   }
 
  private:
+  struct Accessor {
+    std::string_view source;
+    double numbers;  // that it reaches to
+    double stride;
+    double params = 0;
+  };
+
   [[noreturn]] void refuse(const std::string& message) const {
     throw geom::InputError(source_, message);
   }
@@ -70,6 +101,11 @@ class Links {
     if (name == "instance_controller") {
       refuse("bones or morphs move its meshes (<instance_controller>): write one state of it");
     }
+    if (name == "convex_mesh" || name == "spline" || name == "brep") {
+      skipped_.add("geometry that is no mesh", fmt::format("<{}>", name));
+    }
+    if (name == "unit") require_unit(attribute(tag, "meter"));
+    take_numbers(name, tag, id);
     scenes_ += name == "visual_scene";
     if (name == "geometry") geometries_.insert(id);
     if (name == "node") {
@@ -88,6 +124,52 @@ class Links {
     } else {
       placed_.emplace(url.substr(1));
     }
+  }
+
+  double count_of(std::string_view tag, std::string_view key, double otherwise) const {
+    const std::string_view text = attribute(tag, key);
+    if (text.empty()) return otherwise;
+    const auto value = geom::parse_number(text);
+    if (value && *value >= 0 && *value <= 1e12 && *value == std::floor(*value)) return *value;
+    refuse(fmt::format("expected {} to be a whole number, found \"{}\"", key, geom::excerpt(text)));
+  }
+
+  void take_numbers(std::string_view name, std::string_view tag, const std::string& id) {
+    if (name == "float_array") {
+      const double count = count_of(tag, "count", 0);
+      const auto known = arrays_.emplace(id, count).first;
+      known->second = std::min(known->second, count);
+    } else if (name == "accessor") {
+      const double stride = count_of(tag, "stride", 1);
+      const double numbers = count_of(tag, "offset", 0) + stride * count_of(tag, "count", 0);
+      accessors_.push_back({attribute(tag, "source"), numbers, stride});
+      in_accessor_ = !tag.ends_with('/');
+    } else if (name == "/accessor") {
+      in_accessor_ = false;
+    } else if (name == "param" && in_accessor_) {
+      ++accessors_.back().params;
+    }
+  }
+
+  // Beyond its numbers assimp reads whatever memory holds.
+  void require_within(const Accessor& accessor) const {
+    if (!accessor.source.starts_with('#')) return;
+    const auto array = arrays_.find(std::string(accessor.source.substr(1)));
+    if (array == arrays_.end()) return;
+    if (accessor.numbers <= array->second && accessor.params <= accessor.stride) return;
+    refuse(
+        fmt::format("expected an <accessor> within the {} numbers of \"{}\", found one to {}, "
+                    "{} at a time of {}",
+                    array->second, geom::excerpt(accessor.source), accessor.numbers,
+                    accessor.params, accessor.stride));
+  }
+
+  // Of others assimp makes 0, and all triangles are one point.
+  void require_unit(std::string_view metres) const {
+    const auto value = geom::parse_number(metres);
+    if (metres.empty() || (value && std::isfinite(*value) && *value > 0)) return;
+    refuse(fmt::format("expected <unit meter> to be a number above 0, found \"{}\"",
+                       geom::excerpt(metres)));
   }
 
   void place_node(const std::string& id) {
@@ -115,7 +197,10 @@ class Links {
   std::set<std::string> placed_;                           // geometries
   std::map<std::string, std::vector<std::string>> nodes_;  // by id: which others they place
   std::map<std::string, double> counts_;
-  std::vector<std::string> open_;  // nodes
+  std::vector<std::string> open_;         // nodes
+  std::map<std::string, double> arrays_;  // by id: how many numbers
+  std::vector<Accessor> accessors_;
+  bool in_accessor_ = false;
   int scenes_ = 0;
 };
 
