@@ -16,6 +16,9 @@
 #include "geom/map/make_map.h"
 #include "geom/text/counted.h"
 #include "model_files.h"
+#ifdef SKYWAY_MESH
+#include "mesh/assimp_scene.h"
+#endif
 
 namespace {
 
@@ -120,6 +123,11 @@ geom::ImportedBoxes imported(Options& options, geom::BoxFormat format, std::istr
   options.sdf.open_mesh = [&](const std::string& uri, const std::string& from) {
     return models.open_mesh(uri, from);
   };
+#ifdef SKYWAY_MESH
+  options.sdf.read_collada = [](const geom::SdfFile& file) {
+    return mesh::read_scene(file.text, file.name, "collada");
+  };
+#endif
   geom::ImportedBoxes boxes =
       geom::import_boxes(in, format, name, {options.unknown == "blocked", options.sdf});
   for (const std::string& model : options.without) {

@@ -13,6 +13,7 @@
 #include "geom/import/skipped.h"
 #include "geom/map/box_table.h"
 #include "geom/map/frame.h"
+#include "geom/model/model.h"
 
 namespace geom {
 
@@ -25,12 +26,17 @@ struct SdfFile {
 // live as long as the reading.
 using OpenSdfFile = std::function<const SdfFile*(const std::string& uri, const std::string& from)>;
 
+// The triangles of a COLLADA file as its nodes place them, z up, in metres; what is not read is
+// skipped. Throws InputError(file.name, …).
+using ReadCollada = std::function<Model(const SdfFile& file)>;
+
 struct SdfOptions {
   double slack = 0.1;             // metres that boxes may reach outside what is turned or round
   bool visuals = true;            // what is seen counts, besides what collides in the simulator
   std::set<std::string> without;  // names of models of the world that are left out
   OpenSdfFile open;               // the model of an <include>; empty: every one is missing
   OpenSdfFile open_mesh;          // the triangles of a <mesh>; empty: every one is missing
+  ReadCollada read_collada;       // empty: COLLADA meshes are skipped
 };
 
 struct SdfWorld {
@@ -51,11 +57,13 @@ struct SdfWorld {
 // there once. A level plane that collides and faces up is the floor; a visual plane is the
 // rectangle that it is, and none where it lies on the floor or below.
 //
-// A <mesh> is an OBJ or STL file, by its ending, and its numbers are metres with z up, as
-// simulators take them; they are scaled, turned and moved. Its closed surfaces are solid, as a box
-// is, and the rest is a shell; both are covered within the slack. Simulators differ in which axis
-// of COLLADA and glTF files is up, so meshes of these are skipped; so are parts of meshes
-// (<submesh>), and convex shapes made of them (`optimization`).
+// A <mesh> is an OBJ, STL or COLLADA file, by its ending. Numbers of OBJ and STL are metres with z
+// up, as simulators take them. Of COLLADA those are read that all simulators show alike, in the
+// file's own <unit>: its <up_axis> is Z_UP, nothing moves, and each node and geometry is placed in
+// a way that none misreads (src/import/sdf/sdf_collada.h); the rest is skipped. All are scaled,
+// turned and moved. Closed surfaces are solid, as a box is, and the rest is a shell; both are
+// covered within the slack. Skipped are glTF, whose axes simulators turn in different ways, parts
+// of meshes (<submesh>), and convex shapes made of them (`optimization`).
 //
 // Poses are relative as SDFormat says: to links, joints, frames, nested models, placement frames.
 // No pose is no move. Lights, physics, plugins and materials are no obstacles. Skipped are actors,
@@ -63,7 +71,7 @@ struct SdfWorld {
 // models that a <state> has moved, and elements that are not known. Throws InputError(source, line,
 // …) for what is not such a file, for two worlds in one, includes and frames that lead back to
 // themselves, names that are not there, numbers that are none, more than 20 million boxes, and what
-// read_obj() and read_stl() refuse.
+// read_obj(), read_stl() and `read_collada` refuse.
 SdfWorld read_sdf_world(std::istream& in, std::string_view source, const SdfOptions& options);
 
 }  // namespace geom

@@ -1,14 +1,19 @@
 #include "sdf_meshes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
 #include "geom/base/error.h"
 #include "geom/mesh/triangle_cover.h"
+#include "sdf_collada.h"
 #include "sdf_loader.h"
 
 namespace geom {
 namespace {
+
+constexpr double kOfBlur = 2.7321;  // of the slack: beside the triangles, and over a corner
 
 std::string ending_of(std::string_view uri) {
   std::string ending(uri.substr(std::min(uri.rfind('.'), uri.size())));
@@ -22,6 +27,18 @@ Vec3 scale_of(const SdfNode& mesh) {
   const std::vector<double> v = given->numbers(3);
   if (std::count(v.begin(), v.end(), 0.0) > 0) given->refuse("<scale> must not be 0, found 0");
   return {v[0], v[1], v[2]};
+}
+
+// How simulators may show a COLLADA file in different ways; empty where they agree, and of others.
+std::string collada_difference(const SdfFile& file, const std::string& ending) {
+  if (ending != ".dae") return {};
+  const XmlElement root = parse_xml(file.text, file.name);
+  try {
+    require_simulators_agree({&root, &file.name});
+  } catch (const InputError& problem) {
+    return problem.what();
+  }
+  return {};
 }
 
 }  // namespace
@@ -39,26 +56,39 @@ bool SdfMeshes::skips(const SdfNode& mesh) {
   return false;
 }
 
+SdfMeshes::MeshFile SdfMeshes::read(const SdfFile& file, const std::string& ending) const {
+  MeshFile out{file.name, {}, collada_difference(file, ending)};
+  if (!out.unlike.empty() || (ending == ".dae" && !options_.read_collada)) return out;
+  std::istringstream in(file.text);
+  out.model = ending == ".dae"   ? options_.read_collada(file)
+              : ending == ".obj" ? read_obj(in, file.name)
+                                 : read_stl(in, file.name);
+  if (out.model.mesh.triangles.empty() && out.model.skipped.empty()) {
+    throw InputError(file.name, "expected triangles, found none");
+  }
+  return out;
+}
+
 const SdfMeshes::MeshFile* SdfMeshes::find(const SdfNode& uri) {
   const std::string name(uri.text());
   const std::string ending = ending_of(name);
-  if (ending != ".obj" && ending != ".stl") {
-    skipped_.add("mesh that is neither OBJ nor STL", sdf_place(uri, name));
+  const auto skip = [&](const char* kind, const std::string& which) {
+    skipped_.add(kind, which);
     return nullptr;
+  };
+  if (ending != ".obj" && ending != ".stl" && ending != ".dae") {
+    return skip("mesh that is not OBJ, STL or COLLADA", sdf_place(uri, name));
   }
   const SdfFile* file = options_.open_mesh ? options_.open_mesh(name, *uri.source) : nullptr;
-  if (!file) {
-    skipped_.add("mesh that is not found", sdf_place(uri, name));
-    return nullptr;
+  if (!file) return skip("mesh that is not found", sdf_place(uri, name));
+  auto known = files_.find(file->name);
+  if (known == files_.end()) known = files_.emplace(file->name, read(*file, ending)).first;
+  const MeshFile& mesh = known->second;
+  if (!mesh.unlike.empty()) return skip("mesh that simulators show in different ways", mesh.unlike);
+  if (ending == ".dae" && !options_.read_collada) {
+    return skip("COLLADA mesh, which this program was built without", sdf_place(uri, name));
   }
-  const auto known = files_.find(file->name);
-  if (known != files_.end()) return &known->second;
-  std::istringstream in(file->text);
-  Model model = ending == ".obj" ? read_obj(in, file->name) : read_stl(in, file->name);
-  if (model.mesh.triangles.empty() && model.skipped.empty()) {
-    throw InputError(file->name, "expected triangles, found none");
-  }
-  return &(files_[file->name] = {file->name, std::move(model)});
+  return &mesh;
 }
 
 std::vector<Aabb> SdfMeshes::boxes_of(const SdfNode& mesh, const SdfPose& pose) {
@@ -67,7 +97,12 @@ std::vector<Aabb> SdfMeshes::boxes_of(const SdfNode& mesh, const SdfPose& pose) 
   const MeshFile* file = find(mesh.child("uri"));
   if (!file) return {};
   skipped_.add_of(file->name, file->model.skipped);
-  TriangleMesh turned = file->model.mesh;
+  return covered(*file, scale, pose, mesh);
+}
+
+std::vector<Aabb> SdfMeshes::covered(const MeshFile& file, const Vec3& scale, const SdfPose& pose,
+                                     const SdfNode& mesh) const {
+  TriangleMesh turned = file.model.mesh;
   double reach = 0;
   for (Vec3& v : turned.vertices) {
     v = v.cwiseProduct(scale);
@@ -77,8 +112,16 @@ std::vector<Aabb> SdfMeshes::boxes_of(const SdfNode& mesh, const SdfPose& pose) 
   SdfPose placed = pose;
   if (scale != Vec3::Ones()) placed.shift_error += 1e-15 * reach;  // a product's rounding, and more
   require_known_place(placed, reach, options_.slack, mesh);
+  // A vertex may be off by so much; a box that grows by it reaches sqrt(3) as far over a corner.
+  const double blur = 1.7321 * file.model.blur * scale.cwiseAbs().maxCoeff();
   TriangleCoverOptions options;
-  options.slack = 0.98 * options_.slack;
+  options.slack = 0.98 * options_.slack - kOfBlur * blur;
+  if (!(options.slack > options_.slack / 2)) {
+    mesh.refuse(
+        fmt::format("the triangles of {} are known to {:.3g} m only: give a slack of at "
+                    "least {:.3g} m",
+                    file.name, blur, 1.01 * kOfBlur * blur / 0.48));
+  }
   options.fill = SolidFill::inside;
   std::vector<Aabb> out;
   try {
@@ -86,6 +129,7 @@ std::vector<Aabb> SdfMeshes::boxes_of(const SdfNode& mesh, const SdfPose& pose) 
   } catch (const InputError& problem) {
     mesh.refuse(problem.what());
   }
+  placed.shift_error += blur;
   for (Aabb& box : out) box = shifted(placed, box, reach);
   return out;
 }

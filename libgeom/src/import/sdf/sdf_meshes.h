@@ -22,12 +22,16 @@ class SdfMeshes {
   std::vector<Aabb> boxes_of(const SdfNode& mesh, const SdfPose& pose);
 
  private:
-  bool skips(const SdfNode& mesh);
   struct MeshFile {
     std::string name;
     Model model;
+    std::string unlike;  // how simulators may show it in different ways; empty: they agree
   };
+  bool skips(const SdfNode& mesh);
   const MeshFile* find(const SdfNode& uri);
+  MeshFile read(const SdfFile& file, const std::string& ending) const;
+  std::vector<Aabb> covered(const MeshFile& file, const Vec3& scale, const SdfPose& pose,
+                            const SdfNode& mesh) const;
 
   const SdfOptions& options_;
   Skipped& skipped_;

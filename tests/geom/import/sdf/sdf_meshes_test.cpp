@@ -4,8 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <optional>
+#include <sstream>
 
+#include "support/collada_text.h"
 #include "support/refusal.h"
 
 namespace geom {
@@ -25,18 +29,33 @@ struct Made {
 };
 
 Made made(const std::string& inside, const std::string& pose = "", double slack = 0.1,
-          const std::string& text = kCrate) {
+          const std::string& text = kCrate, std::optional<double> blur = {}) {
   const XmlElement shape = parse_xml("<mesh>" + inside + "</mesh>", "w");
   const XmlElement place = parse_xml("<pose degrees='true'>" + pose + "</pose>", "w");
   const std::string source = "w";
   const SdfFile crate{"models/crate.obj", text};
   const SdfFile sheet{"models/sheet.stl", kSheet};
+  const SdfFile wedge{"models/wedge.dae", support::collada()};
+  const SdfFile turned{"models/turned.dae", support::collada("<up_axis>Y_UP</up_axis>")};
   SdfOptions options;
   options.slack = slack;
   options.open_mesh = [&](const std::string& uri, const std::string& from) {
     EXPECT_EQ(from, "w");
-    return uri == "crate.obj" ? &crate : uri == "sheet.STL" ? &sheet : nullptr;
+    return uri == "crate.obj"    ? &crate
+           : uri == "sheet.STL"  ? &sheet
+           : uri == "wedge.dae"  ? &wedge
+           : uri == "turned.dae" ? &turned
+                                 : nullptr;
   };
+  if (blur) {
+    options.read_collada = [&](const SdfFile& file) {
+      EXPECT_EQ(file.name, "models/wedge.dae");
+      std::istringstream in(kCrate);
+      Model model = read_obj(in, file.name);
+      model.blur = *blur;
+      return model;
+    };
+  }
   Made m;
   m.boxes =
       SdfMeshes(options, m.skipped).boxes_of({&shape, &source}, parse_sdf_pose({&place, &source}));
@@ -96,13 +115,46 @@ TEST(SdfMeshes, ReadStlWhateverTheCaseOfItsEnding) {
   EXPECT_FALSE(any_contains(m.boxes, {0.2, 0.2, 3.8}));
 }
 
+TEST(SdfMeshes, ColladaGrowsByWhatItMayBeOffAndKeepsTheSlack) {
+  const double blur = 0.004;
+  const Made m = made("<uri>wedge.dae</uri><scale>1 1 2</scale>", "10 0 0 0 0 0", 0.1, "", blur);
+  ASSERT_EQ(m.boxes.size(), 1u) << "as a cuboid that is filled";
+  EXPECT_TRUE(m.skipped.empty());
+  const double grown = std::sqrt(3.0) * 2 * blur;
+  const Vec3 low = Vec3(10, 0, 0) - m.boxes[0].min;
+  EXPECT_GE(low.minCoeff(), grown);
+  EXPECT_LE(low.norm() + grown, 0.1);
+  const Vec3 high = m.boxes[0].max - Vec3(14, 2, 2);
+  EXPECT_GE(high.minCoeff(), grown);
+  EXPECT_LE(high.norm() + grown, 0.1);
+  EXPECT_NE(support::refusal_of([&] {
+              made("<uri>wedge.dae</uri><scale>1 1 -3</scale>", "", 0.1, "", blur);
+            }).find("known to 0.0208 m only: give a slack of at least 0.119 m"),
+            std::string::npos);
+}
+
+TEST(SdfMeshes, EachUseOfAMeshThatSimulatorsShowDifferentlyIsSkipped) {
+  const XmlElement shape = parse_xml("<mesh><uri>turned.dae</uri></mesh>", "w");
+  const std::string source = "w";
+  const SdfFile turned{"turned.dae", support::collada("")};
+  Skipped skipped;
+  SdfOptions options;
+  options.open_mesh = [&](const std::string&, const std::string&) { return &turned; };
+  options.read_collada = [](const SdfFile&) -> Model { throw InputError("nobody", "asks"); };
+  SdfMeshes meshes(options, skipped);
+  for (int i = 0; i < 2; ++i) EXPECT_TRUE(meshes.boxes_of({&shape, &source}, {}).empty());
+  EXPECT_EQ(skipped.count(), 2u);
+}
+
 TEST(SdfMeshes, SkipWhatIsNotReadOrMayHoldMore) {
   const std::string uri = "<uri>crate.obj</uri>";
   for (const auto& [inside, kind] :
-       {std::pair<std::string, std::string>{"<uri>crate.dae</uri>", "neither OBJ nor STL"},
-        {"<uri>crate.glb</uri>", "neither OBJ nor STL"},
-        {"<uri>obj</uri>", "neither OBJ nor STL"},
+       {std::pair<std::string, std::string>{"<uri>crate.glb</uri>", "not OBJ, STL or COLLADA"},
+        {"<uri>obj</uri>", "not OBJ, STL or COLLADA"},
         {"<uri>barrel.obj</uri>", "not found"},
+        {"<uri>barrel.dae</uri>", "not found"},
+        {"<uri>wedge.dae</uri>", "built without"},
+        {"<uri>turned.dae</uri>", "in different ways (models/turned.dae:3: "},
         {uri + "<submesh><name>lid</name></submesh>", "part of a mesh"},
         {uri + "<tile>2 2</tile>", "unknown element"}}) {
     const Made m = made(inside);
