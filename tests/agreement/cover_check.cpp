@@ -7,35 +7,21 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <map>
 #include <numeric>
 #include <set>
 
-#include "footprints/place.h"
-#include "footprints/source.h"
 #include "geom/base/parallel.h"
-#include "geom/import/city_footprints.h"
-#include "geom/import/city_json.h"
 #include "geom/shape/cover.h"
 #include "support/cover_oracle.h"
 #include "support/exact_cover.h"
+#include "support/projected_city.h"
 #include "support/random_city.h"
 
 namespace {
 
 using geom::Footprint;
 using geom::Vec2;
-
-footprints::Source read(const std::string& path) {
-  if (path.ends_with(".pbf")) return footprints::read_osm(path, path, {});
-  if (path.ends_with(".geojson")) return footprints::read_vector(path, path, {});
-  std::ifstream in(path);
-  const geom::CityModel model = geom::read_city_json(in, path);
-  footprints::Source source;
-  source.footprints = geom::footprints_of(model, 1, {}).footprints;
-  source.crs = model.crs;
-  return source;
-}
 
 struct Extent {
   Vec2 low;
@@ -61,13 +47,6 @@ std::pair<std::size_t, std::size_t> raster(const geom::Polygon& polygon, double 
   std::size_t runs = 0;
   for (const auto& [j, i] : cells) runs += !cells.contains({j, i - 1});
   return {cells.size(), runs};
-}
-
-std::vector<Footprint> read_projected(const std::string& path, double slack) {
-  footprints::Source source = read(path);
-  const footprints::Projector projector(source, path, std::nullopt, true);
-  footprints::project(source, projector, slack);
-  return std::move(source.footprints);
 }
 
 // All boxes of each feature: a wall may lie in those of a roof.
@@ -179,7 +158,7 @@ int main(int argc, char** argv) {
   const std::string path = argv[1];
   const double slack = argc > 2 ? std::atof(argv[2]) : 0.5;
   const auto wanted = static_cast<std::size_t>(argc > 3 ? std::atof(argv[3]) : 1e6);
-  const std::vector<Footprint> footprints = read_projected(path, slack);
+  const std::vector<Footprint> footprints = support::projected_city(path, slack);
   const geom::BoxTable table = geom::boxes_of(footprints, slack, {2, {}});
   const Boxes boxes(table);
   const Tally corners = check_corners(footprints, boxes);

@@ -13,16 +13,14 @@
 
 #include "geom/mesh/triangle_cover.h"
 #include "geom/model/model.h"
-#include "support/exact_oracle.h"
+#include "support/exactly_held.h"
 #include "support/random_city.h"
 #include "support/triangle_oracle.h"
 
 namespace {
 
-using geom::Aabb;
 using geom::TriangleMesh;
 using geom::Vec3;
-using oracle::Q;
 
 double cpu_seconds() {
   timespec now{};
@@ -57,42 +55,8 @@ TriangleMesh copied(const geom::Model& model, int copies) {
   return out;
 }
 
-// Whether a point of the triangle, given by whole weights of sum 2^20, lies in a box: exactly.
-class ExactlyHeld {
- public:
-  explicit ExactlyHeld(const std::vector<Aabb>& boxes)
-      : boxes_(boxes), index_(geom::index_cell(boxes)) {
-    for (std::size_t i = 0; i < boxes.size(); ++i) index_.add(i, boxes[i]);
-  }
-
-  bool operator()(const std::array<Vec3, 3>& corners, const std::array<int, 3>& weights) const {
-    Vec3 near = Vec3::Zero();
-    for (std::size_t i = 0; i < 3; ++i) near += weights[i] * 0x1p-20 * corners[i];
-    const Vec3 reach = Vec3::Constant(1e-9 + 1e-12 * near.cwiseAbs().maxCoeff());
-    std::array<Q, 3> p;
-    for (int k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < 3; ++i)
-        p[static_cast<std::size_t>(k)] += Q(corners[i][k]) * Q(weights[i]);
-    }
-    const Q whole(1 << 20);
-    for (const std::size_t i : index_.near({near - reach, near + reach})) {
-      bool in = true;
-      for (int k = 0; k < 3 && in; ++k) {
-        const Q& v = p[static_cast<std::size_t>(k)];
-        in = Q(boxes_[i].min[k]) * whole <= v && v <= Q(boxes_[i].max[k]) * whole;
-      }
-      if (in) return true;
-    }
-    return false;
-  }
-
- private:
-  const std::vector<Aabb>& boxes_;
-  geom::BoxIndex index_;
-};
-
 std::size_t points_outside(const TriangleMesh& mesh, const geom::TriangleCover& made, int points) {
-  const ExactlyHeld held(made.boxes);
+  const oracle::ExactlyHeld held(made.boxes);
   support::Random random(1);
   std::size_t outside = 0;
   for (int i = 0; i < points; ++i) {
@@ -103,7 +67,7 @@ std::size_t points_outside(const TriangleMesh& mesh, const geom::TriangleCover& 
     int a = random.below((1 << 20) + 1);
     int b = random.below((1 << 20) + 1);
     if (a > b) std::swap(a, b);
-    outside += !held(corners, {a, b - a, (1 << 20) - b});
+    outside += !held(oracle::weighted(corners, {a, b - a, (1 << 20) - b}));
   }
   return outside;
 }
