@@ -40,41 +40,46 @@ void read_bounds(const JsonFields& fields, TrajectoryRecord& record) {
   }
 }
 
+// Most values are right, so where they stand is said only of one that is refused.
 std::array<double, kPoints> parse_values(const JsonFields& fields, const Json& segment,
-                                         const char* key, std::string_view where) {
-  const std::string what = fmt::format("{}.{}", where, key);
-  if (!segment.contains(key) || !segment[key].is_array() || segment[key].size() != kPoints) {
-    fields.refuse(fmt::format("{} must be a list of 8 numbers, found {}", what,
-                              segment.contains(key) ? segment[key].dump() : "none"));
+                                         const char* key, std::size_t index) {
+  const auto what = [&] { return fmt::format("segments[{}].{}", index, key); };
+  const auto found = segment.find(key);
+  if (found == segment.end() || !found->is_array() || found->size() != kPoints) {
+    fields.refuse(fmt::format("{} must be a list of 8 numbers, found {}", what(),
+                              found == segment.end() ? "none" : found->dump()));
   }
   std::array<double, kPoints> values;
   for (int i = 0; i < kPoints; ++i) {
-    values[i] = fields.number(segment[key][i], what);
-    if (std::abs(values[i]) > geom::kLargestCoordinate) {
-      fields.refuse(fmt::format("{} must be within 1e8, found {}", what, segment[key][i].dump()));
+    const Json& value = (*found)[static_cast<std::size_t>(i)];
+    values[i] = value.is_number() ? value.get<double>() : fields.number(value, what());
+    if (!(std::abs(values[i]) <= geom::kLargestCoordinate)) {
+      fields.refuse(fmt::format("{} must be within 1e8, found {}", what(), value.dump()));
     }
   }
   return values;
 }
 
 Segment parse_segment(const JsonFields& fields, const Json& segment, std::size_t index) {
-  const std::string where = fmt::format("segments[{}]", index);
+  const auto where = [&] { return fmt::format("segments[{}]", index); };
   if (!segment.is_object()) {
-    fields.refuse(fmt::format("{} must be an object, found {}", where, segment.dump()));
+    fields.refuse(fmt::format("{} must be an object, found {}", where(), segment.dump()));
   }
   Segment s;
-  const Json duration = segment.value("duration", Json());
-  s.duration = fields.number(duration, where + ".duration");
+  const auto found = segment.find("duration");
+  const Json& duration = found == segment.end() ? Json() : *found;
+  s.duration = duration.is_number() ? duration.get<double>()
+                                    : fields.number(duration, where() + ".duration");
   if (!(s.duration >= kShortestSegment && s.duration <= kLongestTrajectory)) {
-    fields.refuse(fmt::format("{}.duration must be within {} and {} s, found {}", where,
+    fields.refuse(fmt::format("{}.duration must be within {} and {} s, found {}", where(),
                               kShortestSegment, kLongestTrajectory, duration.dump()));
   }
   const char* axes[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
-    const auto values = parse_values(fields, segment, axes[axis], where);
+    const auto values = parse_values(fields, segment, axes[axis], index);
     for (int i = 0; i < kPoints; ++i) s.point[i][axis] = values[i];
   }
-  if (segment.contains("yaw")) s.yaw = parse_values(fields, segment, "yaw", where);
+  if (segment.contains("yaw")) s.yaw = parse_values(fields, segment, "yaw", index);
   return s;
 }
 

@@ -63,10 +63,9 @@ class Records {
       tree_.emplace(text, source_, line);
       tree_line_ = line;
     } else if (type == "path") {
-      out_.paths.push_back({geom::parse_path_record(text, source_, line), source_, line});
+      out_.paths.push_back({geom::read_path_record(fields), source_, line});
     } else if (type == "trajectory") {
-      out_.trajectories.push_back(
-          {traj::parse_trajectory_record(text, source_, line), source_, line});
+      out_.trajectories.push_back({traj::read_trajectory_record(fields), source_, line});
     } else if (type == "corridor" && kinds_.corridors) {
       out_.corridors.push_back({traj::parse_corridor_record(text, source_, line), source_, line});
     } else if (type == "pair" && kinds_.reports) {
