@@ -106,9 +106,10 @@ class Clock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-fleet::Stream read_stream(const Options& options) {
+fleet::Stream read_stream(const Options& options, const cli::Common& common) {
   fleet::Stream stream({options.max_delay, !options.spacing.zone, options.moving.asked(),
-                        options.vehicle.asked(options.vehicle.profile())});
+                        options.vehicle.asked(options.vehicle.profile())},
+                       {common.execution("read").threads, {}});
   stream.read(options.input);
   for (const std::string& file : options.alternatives) stream.read_ways(file);
   if (!options.others.empty()) stream.read_others(options.others);
@@ -164,7 +165,7 @@ void tell(const cli::Common& common, const fleet::Stream& stream, const fleet::S
 cli::Exit schedule_fleet(const Options& options, const cli::Sharding& sharding,
                          const cli::Common& common) {
   Clock clock;
-  const fleet::Stream stream = read_stream(options);
+  const fleet::Stream stream = read_stream(options, common);
   std::vector<traj::FleetFlight> flights = stream.flights();
   fleet::Obstacles obstacles = read_obstacles(options, stream, common);
   obstacles.close(flights);

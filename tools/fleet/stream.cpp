@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/file/files.h"
+#include "cli/file/parsed_lines.h"
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
 #include "traj/proof/domain.h"
@@ -14,29 +15,22 @@ namespace fleet {
 using geom::InputError;
 using traj::TrajectoryRecord;
 
-void Stream::read(const std::string& path) {
+void Stream::read_each(const std::string& path, Add member) {
   cli::InputFile file(path);
-  file.for_each_line([&](const std::string& line, std::size_t number) {
-    add(traj::parse_trajectory_record(line, file.name(), number), file.name(), number);
+  const auto parse = [&](const std::string& line, std::size_t number) {
+    return traj::parse_trajectory_record(line, file.name(), number);
+  };
+  cli::for_each_parsed(file, run_, parse, [&](TrajectoryRecord record, std::size_t number) {
+    (this->*member)(std::move(record), file.name(), number);
   });
   gather();
 }
 
-void Stream::read_ways(const std::string& path) {
-  cli::InputFile file(path);
-  file.for_each_line([&](const std::string& line, std::size_t number) {
-    add_way(traj::parse_trajectory_record(line, file.name(), number), file.name(), number);
-  });
-  gather();
-}
+void Stream::read(const std::string& path) { read_each(path, &Stream::add); }
 
-void Stream::read_others(const std::string& path) {
-  cli::InputFile file(path);
-  file.for_each_line([&](const std::string& line, std::size_t number) {
-    add_other(traj::parse_trajectory_record(line, file.name(), number), file.name(), number);
-  });
-  gather();
-}
+void Stream::read_ways(const std::string& path) { read_each(path, &Stream::add_way); }
+
+void Stream::read_others(const std::string& path) { read_each(path, &Stream::add_other); }
 
 void Stream::gather() {
   ways_ = own_;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/option/agreed_room.h"
+#include "geom/base/execution.h"
 #include "traj/fleet/fleet_flight.h"
 #include "traj/record/trajectory_record.h"
 
@@ -25,7 +26,8 @@ struct Rules {
 
 class Stream {
  public:
-  explicit Stream(const Rules& rules) : rules_(rules) {}
+  // `run`: its threads read records.
+  Stream(const Rules& rules, const geom::Execution& run) : rules_(rules), run_(run) {}
 
   // The flights, in the order in which they come. Throws InputError for an id that comes again, for
   // records of another map, frame or epoch, and what no departure can be chosen for.
@@ -62,6 +64,8 @@ class Stream {
     traj::FleetFlight flight;
   };
 
+  using Add = void (Stream::*)(traj::TrajectoryRecord, const std::string&, std::size_t);
+  void read_each(const std::string& file, Add member);
   void add(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
   void add_way(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
   void add_other(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
@@ -74,6 +78,7 @@ class Stream {
                            std::size_t line) const;
 
   Rules rules_;
+  geom::Execution run_;
   std::deque<traj::TrajectoryRecord> records_;  // stay where they are
   std::vector<Entry> entries_;
   std::vector<Way> own_;                                      // by number
