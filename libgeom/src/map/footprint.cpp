@@ -1,7 +1,6 @@
 #include "geom/map/footprint.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "cover_slope.h"
@@ -35,9 +34,37 @@ bool wall_covered(const Vec2& a, const Vec2& b, const Footprint& f, std::span<co
 
 constexpr std::size_t kMostGapBoxes = 1000;
 
+// Those that reach as far down and up as the footprint, and may touch it in plan.
+std::vector<Aabb> as_high(std::span<const Aabb> boxes, const Footprint& f, const Vec2& low,
+                          const Vec2& high) {
+  std::vector<Aabb> out;
+  for (const Aabb& box : boxes) {
+    if (box.min.z() <= f.bottom && box.max.z() >= f.top && box.min.x() <= high.x() &&
+        box.max.x() >= low.x() && box.min.y() <= high.y() && box.max.y() >= low.y()) {
+      out.push_back(box);
+    }
+  }
+  return out;
+}
+
+// Whether the polygon holds the middle of a place at y, from x `low` to `high`, that none of the
+// boxes covers; these are in the order of their lower x.
+bool has_gap(const Polygon& polygon, const std::vector<const Aabb*>& boxes, double y, double low,
+             double high) {
+  const auto is_gap = [&](double from, double to) {
+    return from < to && contains(polygon, {0.5 * (from + to), y});
+  };
+  double reached = low;
+  for (const Aabb* box : boxes) {
+    if (is_gap(reached, std::min(box->min.x(), high))) return true;
+    reached = std::max(reached, box->max.x());
+  }
+  return is_gap(reached, high);
+}
+
 // Whether the polygon, whose edges lie within the boxes, holds a place that none of them does. The
-// boxes' sides cut the plane into cells; no edge enters one that no box covers, so it lies inside
-// the polygon as a whole or outside as a whole.
+// boxes' sides cut the rectangle around it into rows. No edge enters what no box covers between two
+// boxes of a row, so that lies inside the polygon as a whole or outside as a whole.
 bool encloses_gap(const Footprint& f, std::span<const Aabb> boxes) {
   Vec2 low = f.polygon.outer.front();
   Vec2 high = low;
@@ -45,43 +72,31 @@ bool encloses_gap(const Footprint& f, std::span<const Aabb> boxes) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  std::vector<Aabb> near;
-  for (const Aabb& box : boxes) {
-    if (box.min.z() <= f.bottom && box.max.z() >= f.top && box.min.x() <= high.x() &&
-        box.max.x() >= low.x() && box.min.y() <= high.y() && box.max.y() >= low.y()) {
-      near.push_back(box);
-    }
-  }
+  std::vector<Aabb> near = as_high(boxes, f, low, high);
   if (near.size() > kMostGapBoxes) return true;  // not worth looking: it gets boxes of its own
-  std::array<std::vector<double>, 2> sides;
-  for (int i = 0; i < 2; ++i) {
-    auto& side = sides[static_cast<std::size_t>(i)];
-    side = {low[i], high[i]};
-    for (const Aabb& box : near) {
-      side.push_back(box.min[i]);
-      side.push_back(box.max[i]);
+  std::vector<double> rows = {low.y(), high.y()};
+  for (const Aabb& box : near) {
+    for (const double y : {box.min.y(), box.max.y()}) {
+      if (y > low.y() && y < high.y()) rows.push_back(y);
     }
-    std::sort(side.begin(), side.end());
-    side.erase(std::unique(side.begin(), side.end()), side.end());
   }
-  const std::vector<double>& xs = sides[0];
-  const std::vector<double>& ys = sides[1];
-  for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
-    std::vector<int> depth(xs.size());
-    const auto column = [&](double x) {
-      return static_cast<std::size_t>(std::lower_bound(xs.begin(), xs.end(), x) - xs.begin());
-    };
-    for (const Aabb& box : near) {
-      if (box.min.y() > ys[j] || box.max.y() < ys[j + 1]) continue;
-      ++depth[column(box.min.x())];
-      --depth[column(box.max.x())];
+  std::sort(rows.begin(), rows.end());
+  std::sort(near.begin(), near.end(),
+            [](const Aabb& a, const Aabb& b) { return a.min.y() < b.min.y(); });
+  std::vector<const Aabb*> in_row;  // by their lower x
+  auto next = near.begin();
+  for (std::size_t j = 0; j + 1 < rows.size(); ++j) {
+    if (rows[j] == rows[j + 1]) continue;
+    std::erase_if(in_row, [&](const Aabb* box) { return box->max.y() <= rows[j]; });
+    for (; next != near.end() && next->min.y() <= rows[j]; ++next) {
+      if (next->max.y() <= rows[j]) continue;
+      in_row.insert(
+          std::upper_bound(in_row.begin(), in_row.end(), &*next,
+                           [](const Aabb* a, const Aabb* b) { return a->min.x() < b->min.x(); }),
+          &*next);
     }
-    int over = 0;
-    for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
-      over += depth[i];
-      const Vec2 middle(0.5 * (xs[i] + xs[i + 1]), 0.5 * (ys[j] + ys[j + 1]));
-      if (over == 0 && contains(f.polygon, middle)) return true;
-    }
+    const double middle = 0.5 * (rows[j] + rows[j + 1]);
+    if (has_gap(f.polygon, in_row, middle, low.x(), high.x())) return true;
   }
   return false;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geom/base/error.h"
 #include "support/cover_oracle.h"
 #include "support/exact_cover.h"
@@ -32,6 +34,24 @@ TEST(BoxesOf, KeepAFloorUnderAnOpenCourt) {
   const BoxTable table = boxes_of(house, 0.2, {});
   EXPECT_TRUE(any_holds(table, {5, 5, 0}));
   EXPECT_FALSE(any_holds(table, {5, 5, 1}));
+}
+
+// What no box holds lies outside the floor here and inside it there, in the same rows.
+TEST(BoxesOf, TellTheCourtOfAFloorFromItsNotches) {
+  const std::vector<Vec2> notched = {{0, 0},   {20, 0}, {20, 10}, {18, 10}, {18, 2}, {14, 2},
+                                     {14, 10}, {4, 10}, {4, 2},   {2, 2},   {2, 10}, {0, 10}};
+  for (const bool court : {false, true}) {
+    Polygon roof{notched, {}};
+    if (court) roof.holes = {{{7, 4}, {11, 4}, {11, 8}, {7, 8}}};
+    const std::vector<Footprint> house = {{roof, 0, 5, 1, false}, {{notched, {}}, 0, 0, 1, true}};
+    const BoxTable table = boxes_of(house, 0.2, {});
+    EXPECT_EQ(any_holds(table, {9, 6, 0}), true);
+    EXPECT_EQ(any_holds(table, {9, 6, 1}), !court);
+    EXPECT_FALSE(any_holds(table, {3, 6, 0}));
+    EXPECT_FALSE(any_holds(table, {16, 6, 0}));
+    const auto flat = [](const Aabb& box) { return box.max.z() == 0; };
+    EXPECT_EQ(std::any_of(table.boxes.begin(), table.boxes.end(), flat), court);
+  }
 }
 
 // The sides may lie beside those of the polygon, further out or further in.
