@@ -247,10 +247,43 @@ void require(const Polygon& polygon, double slack) {
                                         kLargestCoordinate, slack));
 }
 
+bool is_convex(const std::vector<Vec2>& ring) {
+  int left = 0;
+  int right = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2& b = ring[(i + 1) % ring.size()];
+    const int turn = orientation(ring[i].x(), ring[i].y(), b.x(), b.y(),
+                                 ring[(i + 2) % ring.size()].x(), ring[(i + 2) % ring.size()].y());
+    ++(turn > 0 ? left : right);
+    if (turn == 0) return false;
+  }
+  return left == 0 || right == 0;
+}
+
+// Whether the corners of a rectangle are within the slack of a convex ring, to which the distance
+// is largest at one of them.
+bool corners_near(const std::vector<Vec2>& ring, const Rectangle& r, double slack) {
+  const double size = r.min.cwiseAbs().cwiseMax(r.max.cwiseAbs()).maxCoeff();
+  const double surely = slack - 4e-9 - 1e-14 * size;  // more than distances are rounded
+  for (int i = 0; i < 4; ++i) {
+    const Vec2 p(i % 2 ? r.max.x() : r.min.x(), i / 2 ? r.max.y() : r.min.y());
+    bool near = false;
+    for (std::size_t k = 0; k < ring.size() && !near; ++k) {
+      const Vec2& a = ring[k];
+      const Vec2 step = ring[k + 1 < ring.size() ? k + 1 : 0] - a;
+      const double t = std::clamp((p - a).dot(step) / step.squaredNorm(), 0.0, 1.0);
+      near = (a + t * step - p).norm() <= surely;
+    }
+    if (!near) return false;
+  }
+  return true;
+}
+
 // The rectangle around the polygon, where it is surely within the slack. Each edge lies within a
 // frame inside of its sides: one that is rather level by the lower side or the upper, others by the
 // left or the right. So no edge enters what the frame leaves free, which lies inside the polygon as
-// its middle does, and no corner of the rectangle is further from it than the frame is wide.
+// its middle does, and no corner of the rectangle is further from it than the frame is wide. Of a
+// convex quadrilateral with a frame that is not much wider, the corners themselves tell.
 std::optional<Rectangle> one_rectangle(const Polygon& polygon, double slack) {
   const std::vector<Vec2>& ring = polygon.outer;
   if (ring.size() < 3 || !polygon.holes.empty()) return std::nullopt;
@@ -274,11 +307,16 @@ std::optional<Rectangle> one_rectangle(const Polygon& polygon, double slack) {
                       {outward(high.x(), 1), outward(high.y(), 1)}};
   // What sides are rounded by, and more than sums are.
   frame += 2 * (low - out.min).cwiseMax(out.max - high);
-  if (!(2 * frame.x() < high.x() - low.x()) || !(2 * frame.y() < high.y() - low.y()) ||
-      frame.norm() > slack || !contains(polygon, 0.5 * (low + high))) {
+  if (!(2 * frame.x() < high.x() - low.x()) || !(2 * frame.y() < high.y() - low.y())) {
     return std::nullopt;
   }
-  return out;
+  if (frame.norm() <= slack) {
+    if (contains(polygon, 0.5 * (low + high))) return out;
+  } else if (ring.size() == 4 && frame.maxCoeff() <= 1.1 * slack && is_convex(ring) &&
+             corners_near(ring, out, slack)) {
+    return out;
+  }
+  return std::nullopt;
 }
 
 // What of a convex ring has x between the two, which both cross it or bound it.
@@ -297,19 +335,6 @@ std::vector<Vec2> stretch(const std::vector<Vec2>& ring, double from, double to)
     cross(a.x() < b.x() ? to : from);
   }
   return out;
-}
-
-bool is_convex(const std::vector<Vec2>& ring) {
-  int left = 0;
-  int right = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2& b = ring[(i + 1) % ring.size()];
-    const int turn = orientation(ring[i].x(), ring[i].y(), b.x(), b.y(),
-                                 ring[(i + 2) % ring.size()].x(), ring[(i + 2) % ring.size()].y());
-    ++(turn > 0 ? left : right);
-    if (turn == 0) return false;
-  }
-  return left == 0 || right == 0;
 }
 
 // Of a convex quadrilateral along x, pieces of one length that are a rectangle each; none where a

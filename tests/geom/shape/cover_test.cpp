@@ -186,6 +186,18 @@ TEST(Cover, AStripThatLeansLittleIsOneRectangle) {
 }
 
 // As rows of a raster do on the plane of another projection.
+// The corners of the rectangle around it are 0.42 m from a square whose sides each lean by as much.
+TEST(Cover, ASquareThatLeansIsOneRectangleUpToTheSlack) {
+  const Polygon square = rotated_rectangle(24, 24, 0.0175, {50, 80});
+  const double away = 24 * std::sin(0.0175) * std::cos(0.0175);
+  support::Random random(6);
+  for (const double more : {1e-6, 0.1}) {
+    EXPECT_EQ(cover(square, away + more).size(), 1u);
+    expect_cover(square, away + more, random, "square");
+  }
+  EXPECT_GT(cover(square, away - 1e-6).size(), 1u);
+}
+
 TEST(Cover, ALongStripThatLeansIsAPieceForEachSlackThatItRises) {
   support::Random random(7);
   for (const bool upright : {false, true}) {
