@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "gdal_reference.h"
 #include "source.h"
@@ -73,6 +75,26 @@ void require_near(const geom::Vec2& at, const geom::Vec2& middle, const std::str
   warnings.push_back(text);
 }
 
+// Metres about a place: longitude, latitude.
+std::string plane_about(const geom::Vec2& at) {
+  return fmt::format(
+      "+proj=tmerc +lat_0={} +lon_0={} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs", at.y(),
+      at.x());
+}
+
+using Conversion = std::unique_ptr<OGRCoordinateTransformation>;
+
+Conversion conversion(const OGRSpatialReference& from, const OGRSpatialReference& to) {
+  return Conversion(OGRCreateCoordinateTransformation(&from, &to));
+}
+
+// A tidy origin, a decimetre off.
+geom::Vec2 tidy(const geom::Vec2& p) { return (p * 1e6).array().round() / 1e6; }
+
+bool convert_one(OGRCoordinateTransformation& by, geom::Vec2& p) {
+  return by.Transform(1, &p.x(), &p.y()) && p.allFinite();
+}
+
 // Points, each but once; neighbours in a grid share theirs.
 struct DistinctPoints {
   std::vector<geom::Vec2> points;
@@ -119,10 +141,8 @@ Projector::Projector(Source& source, const std::string& name,
   const OGRSpatialReference from = reference(source.crs, name);
   const OGRSpatialReference geodetic = reference("EPSG:4326", name);
   geom::Vec2 middle = 0.5 * (layout.low + layout.high);  // longitude, latitude once transformed
-  const std::unique_ptr<OGRCoordinateTransformation> back(
-      OGRCreateCoordinateTransformation(&from, &geodetic));
-  if (!back || !back->Transform(1, &middle.x(), &middle.y()) || !middle.allFinite() ||
-      std::abs(middle.y()) > 90) {
+  const Conversion back = conversion(from, geodetic);
+  if (!back || !convert_one(*back, middle) || std::abs(middle.y()) > 90) {
     throw geom::InputError(
         name,
         fmt::format("PROJ cannot tell where on Earth the coordinates [{}, {}] to [{}, {}] are in "
@@ -130,16 +150,14 @@ Projector::Projector(Source& source, const std::string& name,
                     layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y(),
                     source.crs.substr(0, 60)));
   }
-  geom::Vec2 at = (middle * 1e6).array().round() / 1e6;  // a tidy origin, a decimetre off
+  geom::Vec2 at = tidy(middle);
   if (origin) {
     at = {origin->y(), origin->x()};
     require_near(at, middle, name, source.warnings);
   }
-  const std::string local = fmt::format(
-      "+proj=tmerc +lat_0={} +lon_0={} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs", at.y(),
-      at.x());
+  const std::string local = plane_about(at);
   const OGRSpatialReference to = reference(local, name);
-  transformation_->to_local.reset(OGRCreateCoordinateTransformation(&from, &to));
+  transformation_->to_local = conversion(from, to);
   if (!transformation_->to_local) {
     throw geom::InputError(
         name,
@@ -175,6 +193,35 @@ void Projector::convert(std::vector<geom::Vec2>& points) const {
     }
     points[i] = local;
   }
+}
+
+CellLean lean_of(const CellGrid& grid, int width, int height, const std::string& crs,
+                 const std::string& name, const std::optional<geom::Vec2>& origin) {
+  constexpr CellLean kUnknown{std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::infinity()};
+  Conversion to_local;
+  if (!crs.empty()) {
+    const OGRSpatialReference from = reference(crs, name);
+    geom::Vec2 at = grid.corner(0.5 * width, 0.5 * height);
+    const Conversion back = conversion(from, reference("EPSG:4326", name));
+    if (!back || !convert_one(*back, at)) return kUnknown;
+    at = origin ? geom::Vec2(origin->y(), origin->x()) : tidy(at);
+    to_local = conversion(from, reference(plane_about(at), name));
+    if (!to_local) return kUnknown;
+  }
+  CellLean lean;
+  for (int i = 0; i < 9; ++i) {
+    const double column = i % 3 * std::floor(0.5 * (width - 1));
+    const double row = i / 3 * std::floor(0.5 * (height - 1));
+    std::array<geom::Vec2, 3> p{grid.corner(column, row), grid.corner(column + 1, row),
+                                grid.corner(column, row + 1)};
+    for (geom::Vec2& each : p) {
+      if (to_local && !convert_one(*to_local, each)) return kUnknown;
+    }
+    lean.column = std::max(lean.column, (p[1] - p[0]).cwiseAbs().minCoeff());
+    lean.row = std::max(lean.row, (p[2] - p[0]).cwiseAbs().minCoeff());
+  }
+  return lean;
 }
 
 }  // namespace footprints

@@ -2,9 +2,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
 #include "gdal_reference.h"
 #include "geom/shape/row_merge.h"
+#include "geom/shape/skyline_merge.h"
 #include "source.h"
 
 namespace footprints {
@@ -131,24 +133,30 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
 class SurfaceReader {
  public:
   SurfaceReader(const Raster& raster, const std::string& name, const ReadOptions& options)
-      : raster_(raster), name_(name), step_(options.height_step) {}
+      : raster_(raster), name_(name), options_(options) {}
 
+  // Where neither side of two cells by two leans by more than the slack, rectangles are as large as
+  // one box can be; else cover() makes several of each.
   Source read() {
     out_.crs = raster_.crs;
     if (!raster_.crs.empty()) out_.grid = raster_.grid;
-    geom::RowMerge<double, Add> merge(Add{*this});
-    std::vector<double> cells(static_cast<std::size_t>(raster_.width));
-    for (int row = 0; row < raster_.height; ++row) {
-      raster_.read_row(row, name_, cells.data());
-      for (int i = 0; i < raster_.width; ++i) {
-        const double cell = cells[static_cast<std::size_t>(i)];
-        ++out_.counts[std::isnan(cell) ? "cells_without_data" : "cells"];
-        if (std::isnan(cell)) continue;
-        lowest_ = std::min(lowest_, cell);
-        merge.add(row, i, rounded_up(cell));
-      }
+    const CellLean lean =
+        lean_of(raster_.grid, raster_.width, raster_.height, raster_.crs, name_, options_.origin);
+    const long columns = within_slack(lean.column);
+    const long rows = within_slack(lean.row);
+    if (std::min(columns, rows) >= 2) {
+      geom::SkylineMerge<Add> merge(Add{*this}, columns, rows);
+      for_each_row([&](int, std::span<const double> cells) { merge.add_row(cells); });
+      merge.finish();
+    } else {
+      geom::RowMerge<double, Add> merge(Add{*this});
+      for_each_row([&](int row, std::span<const double> cells) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+          if (!std::isnan(cells[i])) merge.add(row, static_cast<long>(i), cells[i]);
+        }
+      });
+      merge.finish();
     }
-    merge.finish();
     for (geom::Footprint& f : out_.footprints) {
       f.bottom = lowest_;
       f.ground = true;
@@ -157,11 +165,38 @@ class SurfaceReader {
   }
 
  private:
+  // How many cells in line lean by no more than most of the slack.
+  long within_slack(double lean) const {
+    constexpr double kMost = 1e6;
+    return static_cast<long>(std::min(0.9 * options_.slack / lean, kMost));
+  }
+
+  // Calls f(row, heights rounded up).
+  template <class F>
+  void for_each_row(const F& f) {
+    std::vector<double> cells(static_cast<std::size_t>(raster_.width));
+    std::size_t known = 0;
+    for (int row = 0; row < raster_.height; ++row) {
+      raster_.read_row(row, name_, cells.data());
+      for (double& cell : cells) {
+        if (std::isnan(cell)) continue;
+        ++known;
+        lowest_ = std::min(lowest_, cell);
+        cell = rounded_up(cell);
+      }
+      f(row, cells);
+    }
+    const std::size_t all = cells.size() * static_cast<std::size_t>(raster_.height);
+    if (known > 0) out_.counts["cells"] = known;
+    if (known < all) out_.counts["cells_without_data"] = all - known;
+  }
+
   double rounded_up(double height) const {
-    if (step_ == 0) return height;
-    double steps = std::ceil(height / step_);
-    while (steps * step_ < height) ++steps;  // the division may round down
-    return steps * step_;
+    const double step = options_.height_step;
+    if (step == 0) return height;
+    double steps = std::ceil(height / step);
+    while (steps * step < height) ++steps;  // the division may round down
+    return steps * step;
   }
 
   struct Add {
@@ -185,7 +220,7 @@ class SurfaceReader {
 
   const Raster& raster_;
   const std::string& name_;
-  double step_;
+  const ReadOptions& options_;
   double lowest_ = std::numeric_limits<double>::infinity();
   Source out_;
 };

@@ -161,6 +161,8 @@ int main(int argc, char** argv) {
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     const std::optional<geom::Vec2> origin = options.place();
+    options.read.origin = origin;
+    options.read.slack = options.slack;
     if (!options.height_units.empty()) {
       options.read.height_unit = cli::kMetres.at(options.height_units);
     }

@@ -58,6 +58,8 @@ struct ReadOptions {
   Axes axes = Axes::as_named;         // of city models
   std::string where;                  // OGR SQL on attributes; empty: all features
   std::optional<double> height_unit;  // metres in one of the heights that name no unit
+  double slack = 0.5;                 // metres that boxes will be allowed to reach outside
+  std::optional<geom::Vec2> origin;   // of the map: latitude, longitude; else the middle
   double height_step = 0.5;  // metres: surface models are rounded up to multiples of it; 0: not
 };
 
@@ -88,9 +90,10 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
 // Whether GDAL reads the file as a raster.
 bool is_raster(const std::string& path);
 
-// A surface or terrain model of one band: rectangles of cells of equal height, from the lowest cell
-// up. Where there is a CRS, `grid` knows the corners of cells along their sides, since straight
-// lines bend when projected.
+// A surface or terrain model of one band: rectangles of cells, from the lowest cell up, that
+// together hold what the cells hold and no more; those that pass below higher cells overlap others.
+// Where there is a CRS, `grid` knows the corners of cells along their sides, since straight lines
+// bend when projected.
 Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options);
 
 // OpenStreetMap data: ways and multipolygons that are buildings, building parts, or towers, masts,
@@ -98,6 +101,16 @@ Source read_raster(const std::string& path, const std::string& name, const ReadO
 // skipped, and so are outlines of which a part is not in the file. Trees, lamps, poles, walls,
 // fences and bridges are not read.
 Source read_osm(const std::string& path, const std::string& name, const ReadOptions& options);
+
+// How far one step from cell to cell of a height model leads off the nearer of the map's axes,
+// metres: the most of nine places all over it. Infinity where PROJ converts one of them to nothing.
+// An estimate, for speed: between those places it may be more.
+struct CellLean {
+  double column = 0;
+  double row = 0;
+};
+CellLean lean_of(const CellGrid& grid, int width, int height, const std::string& crs,
+                 const std::string& name, const std::optional<geom::Vec2>& origin);
 
 // The ground under a place, from a terrain model.
 class Terrain {

@@ -129,6 +129,17 @@ struct Surface {
   bool likely_covered() const { return upright || footprint->likely_covered; }
 };
 
+// Of one that has a flat top; they reach `margin` further than needed.
+std::vector<Aabb> flat_boxes(const Footprint& f, double slack, double margin) {
+  const double pad = margin + f.bulge;  // a corner moves by up to 1.5 times as much
+  std::vector<Aabb> out;
+  for (const Rectangle& r : cover(f.polygon, slack - 1.5 * pad - f.bulge)) {
+    out.push_back(
+        {{r.min.x() - pad, r.min.y() - pad, f.bottom}, {r.max.x() + pad, r.max.y() + pad, f.top}});
+  }
+  return out;
+}
+
 // The boxes of one feature: roofs first, then what they may hold already.
 class FeatureCover {
  public:
@@ -164,13 +175,7 @@ class FeatureCover {
     } else if (s.slopes) {
       append(cover_slope(f, s.plane, slack_, margin_));
     } else if (!s.likely_covered() || f.bulge > 0 || !is_held(f)) {
-      const double pad = margin_ + f.bulge;  // a corner moves by up to 1.5 times as much
-      std::vector<Aabb> flat;
-      for (const Rectangle& r : cover(f.polygon, slack_ - 1.5 * pad - f.bulge)) {
-        flat.push_back({{r.min.x() - pad, r.min.y() - pad, f.bottom},
-                        {r.max.x() + pad, r.max.y() + pad, f.top}});
-      }
-      append(flat);
+      append(flat_boxes(f, slack_, margin_));
     }
   }
 
@@ -207,24 +212,48 @@ class FeatureCover {
   std::optional<BoxIndex> index_;  // once the roofs are covered
 };
 
+// Features that are covered one after another, so that many small ones cost little each.
+struct Block {
+  std::vector<Aabb> boxes;
+  std::vector<std::uint64_t> ids;
+
+  void add(std::span<const Footprint> feature, double slack) {
+    const Footprint& first = feature.front();
+    const bool flat = feature.size() == 1 && first.heights.empty();
+    const std::vector<Aabb> made =
+        flat ? flat_boxes(first, slack, 0) : FeatureCover(feature, slack).boxes();
+    boxes.insert(boxes.end(), made.begin(), made.end());
+    ids.resize(boxes.size(), first.id);
+  }
+};
+
 }  // namespace
 
 BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const Execution& run) {
-  std::vector<std::size_t> first;  // of each feature
+  std::vector<std::size_t> first;  // of each feature, and their end
   for (std::size_t i = 0; i < footprints.size(); ++i) {
     if (i == 0 || footprints[i].id != footprints[i - 1].id) first.push_back(i);
   }
-  std::vector<std::vector<Aabb>> made(first.size());
-  parallel_for(first.size(), run, [&](std::size_t k) {
-    const std::size_t end = k + 1 < first.size() ? first[k + 1] : footprints.size();
-    made[k] = FeatureCover(std::span(footprints).subspan(first[k], end - first[k]), slack).boxes();
+  const std::size_t features = first.size();
+  first.push_back(footprints.size());
+  const std::size_t together = std::clamp<std::size_t>(features / 256, 1, 64);
+  std::vector<Block> made((features + together - 1) / together);
+  parallel_for(made.size(), run, [&](std::size_t k) {
+    for (std::size_t i = k * together; i < std::min(features, (k + 1) * together); ++i) {
+      made[k].add(std::span(footprints).subspan(first[i], first[i + 1] - first[i]), slack);
+    }
   });
+  std::size_t count = 0;
+  for (const Block& block : made) count += block.boxes.size();
   BoxTable table;
-  for (std::size_t k = 0; k < made.size(); ++k) {
-    table.boxes.insert(table.boxes.end(), made[k].begin(), made[k].end());
-    table.ids.resize(table.boxes.size(), footprints[first[k]].id);
+  table.boxes.reserve(count);
+  table.ids.reserve(count);
+  for (Block& block : made) {
+    table.boxes.insert(table.boxes.end(), block.boxes.begin(), block.boxes.end());
+    table.ids.insert(table.ids.end(), block.ids.begin(), block.ids.end());
+    block = {};
   }
-  table.label.resize(table.boxes.size(), 0);
+  table.label.resize(count, 0);
   return table;
 }
 
