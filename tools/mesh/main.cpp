@@ -124,7 +124,9 @@ geom::TriangleCover covered(const geom::Model& model, const Options& options, co
                             double scale, const std::string& name, const cli::Common& common) {
   geom::TriangleCoverOptions cover;
   cover.fill = options.solid ? geom::SolidFill::inside : geom::SolidFill::none;
-  const double grown = 2 * place.off;  // to each side, so less than that over a corner
+  // A vertex may be off by so much along each axis, and boxes grow by as much: so far over a
+  // corner.
+  const double grown = 2 * 1.7321 * place.off;
   cover.slack = (options.slack - grown) / scale;
   if (grown > options.slack / 2) {
     throw geom::InputError(
