@@ -25,7 +25,7 @@ constexpr std::size_t kCorridorBends = 3000;  // settled at most
 constexpr double kStretch = 2000;             // metres of a path that are looked at at once
 constexpr std::size_t kStretchBends = 400;    // settled at most where one is half as long or more
 constexpr double kHaste = 1.03;               // weight of the search along a path
-constexpr double kRoadmapHaste = 1.01;        // in a roadmap
+constexpr double kRoadmapHaste = 1.02;        // in a roadmap
 
 // The first point of a path that is so many metres after another along it, or else its last.
 std::size_t point_after(const Polyline& path, std::size_t first, double metres) {

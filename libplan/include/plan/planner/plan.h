@@ -87,7 +87,7 @@ struct PlanResult {
 // 1. The straight line.
 // 2. The roadmap, where one is given: up to 8,000 bends from the start on, then 4,000 from the
 //    goal on, then, unless Reach says that there is no way, 20,000 from the start on. With a weight
-//    of 1.01, but for `best`.
+//    of 1.02, but for `best`.
 // 3. A* on a lattice, joined to both ends by checked segments; the path is shortened by shortcut().
 //    It tries the caller's, if there is one, then 26-connected ones of 10, 5 and 2.5 m (finer on
 //    maps too small for these) until one finds a path, each worked out only where the search goes.
