@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <optional>
 
 #include "geom/base/error.h"
 
@@ -28,18 +28,13 @@ struct FreeCells::Face {
   const Aabb& cell;
 };
 
-FreeCells::FreeCells(const geom::CollisionScene& scene) : scene_(scene) {
+FreeCells::FreeCells(const geom::CollisionScene& scene, const Listed& most)
+    : scene_(scene), most_(most) {
   Node root;
   root.region = *scene.free_bounds();
   for (int i = 0; i < 3; ++i) flat_[i] = root.region.min[i] == root.region.max[i];
-  const std::size_t count = scene.map().size();
-  if (count > std::numeric_limits<std::uint32_t>::max()) {
+  if (scene.map().size() > std::numeric_limits<std::uint32_t>::max()) {
     throw geom::InputError("map", "expected fewer than 2^32 boxes to cut free space at");
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (meets_inside(scene.grown(i), root.region)) {
-      root.boxes.push_back(static_cast<std::uint32_t>(i));
-    }
   }
   nodes_.push_back(std::move(root));
 }
@@ -97,12 +92,34 @@ void FreeCells::make_room() {
   if (nodes_.capacity() - nodes_.size() < 2) nodes_.reserve(2 * nodes_.size() + 2);
 }
 
-// Says what an open node is. Where memory runs out it stays open, with its boxes: nothing is
-// changed before all that may fail is done.
+// Finds the boxes of an open node; false where there are too many for so large a region.
+bool FreeCells::list(std::uint32_t node) {
+  const Aabb region = nodes_[node].region;
+  const bool large = (region.max - region.min).maxCoeff() > most_.side;
+  const auto near = large ? scene_.boxes_meeting(region, most_.boxes)
+                          : std::optional(scene_.boxes_meeting(region));
+  if (!near) return false;
+  std::vector<std::uint32_t> boxes;
+  for (const std::size_t i : *near) {
+    if (meets_inside(scene_.grown(i), region)) boxes.push_back(static_cast<std::uint32_t>(i));
+  }
+  nodes_[node].boxes = std::move(boxes);
+  nodes_[node].listed = true;
+  return true;
+}
+
+// Says what an open node is. Where memory runs out it stays open, with its boxes if it has them:
+// nothing is changed before all that may fail is done.
 void FreeCells::settle(std::uint32_t node) {
   make_room();
-  const std::vector<std::uint32_t>& boxes = nodes_[node].boxes;
   const Aabb region = nodes_[node].region;
+  if (!nodes_[node].listed && !list(node)) {
+    int longest;
+    (region.max - region.min).maxCoeff(&longest);
+    split(node, {longest, 0.5 * (region.min[longest] + region.max[longest])});
+    return;
+  }
+  const std::vector<std::uint32_t>& boxes = nodes_[node].boxes;
   if (boxes.empty()) {
     nodes_[node].kind = Kind::free;
     return;
@@ -113,12 +130,17 @@ void FreeCells::settle(std::uint32_t node) {
     std::vector<std::uint32_t>().swap(nodes_[node].boxes);
     return;
   }
-  const Cut cut = best_cut(region, boxes);
+  split(node, best_cut(region, boxes));
+}
+
+// Once there is room for its halves.
+void FreeCells::split(std::uint32_t node, const Cut& cut) {
   Node low;
   Node high;
-  low.region = high.region = region;
+  low.region = high.region = nodes_[node].region;
+  low.listed = high.listed = nodes_[node].listed;
   low.region.max[cut.axis] = high.region.min[cut.axis] = cut.at;
-  for (const std::uint32_t i : boxes) {
+  for (const std::uint32_t i : nodes_[node].boxes) {
     const Aabb box = scene_.grown(i);
     if (box.min[cut.axis] < cut.at) low.boxes.push_back(i);
     if (box.max[cut.axis] > cut.at) high.boxes.push_back(i);

@@ -11,6 +11,7 @@
 
 #include "geom/base/error.h"
 #include "plan/scenes.h"
+#include "reach/free_cells.h"
 #include "support/cases.h"
 #include "support/random_city.h"
 
@@ -214,6 +215,48 @@ TEST(ReachProperty, IsWhatUnitCellsSay) {
   }
   EXPECT_GT(apart, 200);
   EXPECT_GT(joined, 500);
+}
+
+// All cells that are reached from that of a point.
+std::set<std::uint32_t> flooded(FreeCells& cells, const Vec3& from) {
+  std::set<std::uint32_t> met = {cells.cell_at(from)};
+  std::vector<std::uint32_t> near;
+  for (std::queue<std::uint32_t> left({*met.begin()}); !left.empty(); left.pop()) {
+    cells.neighbours(left.front(), near);
+    for (const std::uint32_t cell : near) {
+      if (met.insert(cell).second) left.push(cell);
+    }
+  }
+  return met;
+}
+
+TEST(ReachProperty, IsTheSameWhereRegionsOfManyBoxesAreHalved) {
+  support::Random random(21);
+  int apart = 0;
+  int joined = 0;
+  for (int i = 0; i < support::cases(1000); ++i) {
+    SCOPED_TRACE(testing::Message() << "seed 21, case " << i);
+    const auto boxes = whole_boxes(random, 8 + static_cast<int>(random.below(40)));
+    const UnitCells units(boxes);
+    const auto scene = scene_of(boxes, room(kSide));
+    const Listed most{static_cast<std::size_t>(random.below(6)), random.uniform(0.3, 3)};
+    FreeCells cells(scene, most);
+    std::vector<int> free;
+    for (int k = 0; k < kSide * kSide * kSide; ++k) {
+      ASSERT_EQ(cells.is_free(cells.cell_at(UnitCells::place(k))), units.part(k) > 0);
+      if (units.part(k) > 0) free.push_back(k);
+    }
+    if (free.empty()) continue;
+    const int a = free[random.below(static_cast<int>(free.size()))];
+    const auto from_a = flooded(cells, UnitCells::place(a));
+    for (const int b : free) {
+      const bool together = units.part(a) == units.part(b);
+      ASSERT_EQ(from_a.contains(cells.cell_at(UnitCells::place(b))), together);
+      ++(together ? joined : apart);
+    }
+  }
+  EXPECT_GT(apart, 1000);
+  EXPECT_GT(joined, 1000);
 }
 
 TEST(ReachProperty, IsTheSameWhateverWasAskedBefore) {

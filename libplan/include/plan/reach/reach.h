@@ -3,8 +3,9 @@
 // Whether there is any way between two places, exactly, by cells of free space.
 //
 // Free space is where the reference point may be: CollisionScene::free_bounds(), closed, less the
-// closed grown boxes. It is cut at faces of these boxes into cells that are free inside, as the
-// leaves of a k-d tree, which is built only where a question looks. Two cells are neighbours where
+// closed grown boxes. It is cut into cells that are free inside, as the leaves of a k-d tree, which
+// is built only where a question looks: at faces of these boxes, or, while a region meets thousands
+// of them, in the middle. Two cells are neighbours where
 // they share a part of a face that has an area. This misses nothing: around a free point no cell is
 // blocked, since blocked cells lie in closed boxes, and so all cells around it are joined by faces.
 // Along an axis in which the bounds are flat, cells are flat, too, and the same holds of what is
@@ -37,8 +38,8 @@ struct ReachResult {
   std::size_t looked_at = 0;  // cells, of both ends
 };
 
-// May be asked from several threads, one after the other. The scene must outlive it. The first
-// question costs the map's boxes twice over, the others what they look at.
+// May be asked from several threads, one after the other. The scene must outlive it. A question
+// costs what it looks at, and no more on a larger map.
 class Reach {
  public:
   explicit Reach(const geom::CollisionScene& scene);
