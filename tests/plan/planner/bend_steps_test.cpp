@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "geom/base/parallel.h"
 #include "plan/scenes.h"
 
@@ -99,6 +101,19 @@ TEST(BendSteps, ImproveALongPathAllAlong) {
   EXPECT_EQ(passed, kTowers);
   ASSERT_EQ(found->steps.size(), 2u);
   EXPECT_EQ(found->steps.back().length, geom::length(path));
+}
+
+TEST(BendSteps, CutShortAStretchWhoseEndsSeeEachOther) {
+  const auto scene =
+      scene_of({{{7000, 20, -1}, {7010, 46, 41}}}, {{0, 0, 0}, {9000, 80, 40}}, {1, 1, 1});
+  BendSteps steps(scene, nullptr, nullptr);
+  const PlanOptions options;
+  const geom::Polyline needless = {{10, 40, 20},   {500, 10, 20},  {1000, 70, 20}, {2500, 40, 20},
+                                   {5000, 40, 20}, {6990, 48, 20}, {7020, 48, 20}, {8990, 40, 20}};
+  const auto found = steps.better({needless.front(), needless.back(), options}, needless);
+  ASSERT_TRUE(found);
+  const double around = std::hypot(6988.999, 7.001) + 12.002 + std::hypot(1978.999, 7.001);
+  EXPECT_NEAR(geom::length(found->path), around, 1e-3);
 }
 
 TEST(BendSteps, GiveUpWhereAWallHasNoGap) {
