@@ -1,12 +1,13 @@
 // cover_check FILE SLACK N: what the boxes of a city's footprints promise. N random points inside
-// the polygons, all corners and the middles of all edges must lie in boxes; no box may reach
-// further than the slack outside its polygon; the former is also proved in rationals. And how many
-// boxes there are beside a raster whose cells keep the slack.
+// the level polygons, their corners and the middles of their edges must lie in boxes; no box may
+// reach further than the slack outside its polygon; the former is also proved in rationals. And how
+// many boxes there are beside a raster whose cells keep the slack.
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -161,12 +162,16 @@ int main(int argc, char** argv) {
   const std::vector<Footprint> footprints = support::projected_city(path, slack);
   const geom::BoxTable table = geom::boxes_of(footprints, slack, {2, {}});
   const Boxes boxes(table);
-  const Tally corners = check_corners(footprints, boxes);
-  const Tally inside = check_inside(footprints, boxes, wanted);
+  std::vector<Footprint> level;  // of the others roof_check says more
+  std::ranges::copy_if(footprints, std::back_inserter(level),
+                       [](const Footprint& f) { return f.heights.empty(); });
+  const Tally corners = check_corners(level, boxes);
+  const Tally inside = check_inside(level, boxes, wanted);
   const std::size_t outside = corners.outside + inside.outside;
   const Cover all = cover_all(footprints, slack);
   const auto percent = [&](std::size_t n) { return 100.0 * all.rectangles / n; };
-  fmt::print("footprints {} boxes {}\n", footprints.size(), table.boxes.size());
+  fmt::print("footprints {}, level {}, boxes {}\n", footprints.size(), level.size(),
+             table.boxes.size());
   fmt::print("points inside {}, corners and middles {}: outside the boxes {}\n", inside.points,
              corners.points, outside);
   fmt::print("furthest outside a polygon {:.6f} m of {} (bound, 1e-4 of it loose)\n", all.furthest,

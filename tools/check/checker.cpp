@@ -150,6 +150,20 @@ traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::stri
   return report;
 }
 
+// What the proof allows for, beside the way.
+void Checker::say_allowance(const cli::DroneFile& file, traj::ReportRecord& report) const {
+  const cli::AutopilotOptions& autopilot = *rules_.autopilot;
+  const auto said = [](const geom::Vec3& box) { return std::array{box.x(), box.z()}; };
+  const geom::Vec3 navigation = autopilot.allowance(false);
+  report.navigation = said(navigation);
+  if (file.flown.drift.empty()) {
+    report.tracking = said(autopilot.allowance(true) - navigation);
+    return;
+  }
+  report.autopilot = traj::names_of(autopilot.pilots);
+  report.assumed = autopilot.assumed;
+}
+
 // What a drone makes of a file.
 traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   const auto& scene = scenes_.scene();
@@ -168,6 +182,8 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   report.provenance = geom::provenance_of(scene);
   report.home = file.flown.home;
   report.idle_items = file.flown.idle_items;
+  report.endless_jumps = file.flown.endless_jumps;
+  say_allowance(file, report);
   report.result = traj::check_flown(scene, file.flown, report.limits, rules_.clearance);
   report.detail = takeoff_detail(scene, report.result);
   if (path) refuse_unmeasured(file.flown.path.front(), report);

@@ -22,6 +22,7 @@ struct Rules {
   traj::Limits limits;           // by the options
   bool override_record = false;  // the options may be looser than what a record carries
   bool exact = false;            // check once more in exact numbers
+  const cli::AutopilotOptions* autopilot = nullptr;  // of drone files
   traj::Clearance clearance = traj::Clearance::measured;  // in the reports
 };
 
@@ -49,6 +50,7 @@ class Checker {
   traj::Limits limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const;
   std::vector<std::string> loosened(const traj::TrajectoryRecord& record,
                                     const geom::Vehicle& vehicle, const traj::Limits& held) const;
+  void say_allowance(const cli::DroneFile& file, traj::ReportRecord& report) const;
   void refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& report) const;
 
   const cli::Common& common_;

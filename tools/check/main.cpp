@@ -39,7 +39,7 @@ struct Options {
   void add_to(CLI::App& app);
   void refuse_idle(const CLI::App& app) const;
   checking::Rules rules() const {
-    return {limits.limits(), override_record, exact || !certificate.empty(),
+    return {limits.limits(), override_record, exact || !certificate.empty(), &drone_file.autopilot,
             no_clearance ? traj::Clearance::left_out : traj::Clearance::measured};
   }
 };
@@ -73,7 +73,8 @@ void Options::refuse_idle(const CLI::App& app) const {
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
   cli::only_for(app, !drone_file.format.empty(),
                 {"--start", "--origin", "--geoid", "--ground", "--takeoff-height", "--heading",
-                 "--acceptance", "--braking", "--return-height", "--terrain"},
+                 "--acceptance", "--braking", "--return-height", "--terrain", "--autopilot",
+                 "--params", "--navigation", "--tracking"},
                 "drone files (--file-format)");
 }
 
@@ -238,11 +239,13 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     options.refuse_idle(app);
     refuse_together(options, sharding.asked());
-    cli::at_most_one_stdin({options.map, options.input, options.flights.plan(),
+    cli::at_most_one_stdin({options.map, options.input, options.drone_file.autopilot.params,
+                            options.flights.plan(),
                             options.flights.tube(), options.together.moving().file()});
     sharding.begin(app,
                    {{"map", options.map},
                     {"file", options.input},
+                    {"params", options.drone_file.autopilot.params},
                     {"plan", options.flights.plan()},
                     {"tube", options.flights.tube()}},
                    {{"output", options.output},
@@ -258,6 +261,9 @@ int main(int argc, char** argv) {
       return options.flights.check(common, options.input, scenes, sharding, options.output);
     }
     if (options.together.moving().asked()) read_moving(options.together.moving(), scenes.map());
+    if (!options.drone_file.format.empty()) {
+      options.drone_file.autopilot.settle(options.vehicle.profile());
+    }
     const checking::Checker checker(common, scenes, options.profile, options.together,
                                     options.rules());
     cli::InputFile file(options.input);

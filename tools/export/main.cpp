@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
   options.add_to(app, task);
   return cli::run_tool(app, argc, argv, [&] {
     options.require_sound(app, task);
+    task.autopilot.settle(options.vehicle.profile());
     Outputs outputs(options);
     const bool all = outputs.each() || !options.show.empty();
     const auto flights = exporting::read_flights(options.input(), options.id, all);

@@ -32,6 +32,10 @@ void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked)
   cli::only_for(app, format == "dji-wpml", {"--wpml-version", "--aircraft", "--turns"},
                 "--format dji-wpml");
   cli::only_for(app, format == "crazyflie", {"--show"}, "--format crazyflie");
+  cli::only_for(app, format == "wpl" || format == "qgc-plan", {"--autopilot", "--params"},
+                "--format qgc-plan and wpl");
+  cli::only_for(app, !unchecked && format != "volume4d", {"--navigation", "--tracking"},
+                "drone files that are checked");
   cli::only_for(app, format == "volume4d", {"--volumes", "--buffer"}, "--format volume4d");
   cli::only_for(app, !unchecked, {"--margin", "--spare"}, "an export that is checked");
 }
@@ -85,6 +89,8 @@ void Options::add_to(CLI::App& app, Task& task) {
                  "volume4d: metres around the vehicle and its margin on every side, for how far it "
                  "may stray (default 0)")
       ->check(CLI::Range(0.0, 1000.0));
+  task.autopilot.add_to(app);
+  task.autopilot.add_tracking_to(app);
   task.placement.add_to(app);
   app.add_option("--id", id, "which record of the stream (default: its only one)");
   app.add_flag("--unchecked", unchecked, "write without a map and without a proof");

@@ -28,7 +28,9 @@ double rounding_of(const std::string& format) {
 traj::CheckResult judge(const geom::CollisionScene& scene, const Task& task,
                         const Written& written) {
   const geom::Frame& frame = scene.map().spec().frame;
-  const auto read = cli::read_drone_file(written.text, "what was written", written.reading, frame);
+  cli::DroneFileOptions reading = written.reading;
+  reading.autopilot = task.autopilot;
+  const auto read = cli::read_drone_file(written.text, "what was written", reading, frame);
   if (read.size() != 1) throw geom::InputError("what was written", "expected one flight");
   const traj::Flown& flown = read.front().flown;
   traj::CheckResult result =
@@ -51,10 +53,10 @@ geom::Polyline pushed_legs(const geom::CollisionScene& scene, const Task& task,
                       traj::pushed_off(scene, traj::to_enu(task.frame.axes, legs), distance));
 }
 
-// Writes the legs, and judges what was written. Turns without a stop that would be refused are made
-// shorter, or stops.
-std::pair<Written, traj::CheckResult> write_and_judge(const geom::CollisionScene& scene, Task task,
-                                                      const geom::Polyline& legs) {
+using Proved = std::pair<Written, traj::CheckResult>;
+
+// Turns without a stop that would be refused are made shorter, or stops.
+Proved judge_dji(const geom::CollisionScene& scene, Task task, const geom::Polyline& legs) {
   std::vector<double>& turns = task.dji.turns;
   if (task.turns) turns.assign(legs.size(), *task.turns);
   while (true) {
@@ -67,6 +69,50 @@ std::pair<Written, traj::CheckResult> write_and_judge(const geom::CollisionScene
     double& most = turns[result.part->item];
     most = most > 2 * traj::kDjiLeastTurn ? most / 2 : 0;
   }
+}
+
+// What a mission that was refused changes: a waypoint that is passed becomes a rest; before a stop
+// that is overshot too far, the vehicle slows down. False where neither would help.
+bool change_mission(const Written& written, const traj::CheckResult& result, Task& task) {
+  using traj::Manoeuvre;
+  constexpr double kSlowest = 1;  // m/s
+  if (!result.part || result.part->item < 1 || result.part->item > written.points.size()) {
+    return false;
+  }
+  const std::size_t point = written.points[result.part->item - 1];
+  const Manoeuvre manoeuvre = result.part->manoeuvre;
+  if (manoeuvre == Manoeuvre::corner && task.passed[point]) {
+    task.passed[point] = false;
+    return true;
+  }
+  const bool overshoots = manoeuvre == Manoeuvre::overshoot || manoeuvre == Manoeuvre::landing;
+  const double usual = exporting::mission_speed(task).value_or(0);
+  double& speed = task.approach[point];
+  if (!overshoots || result.strayed.empty() || usual <= kSlowest || speed == kSlowest) return false;
+  speed = std::max(kSlowest, (speed > 0 ? speed : std::min(usual, 8.0)) / 2);
+  return true;
+}
+
+// At first no waypoint is a rest, but where the path has so many that trying each would take long.
+Proved judge_mission(const geom::CollisionScene& scene, Task task, const geom::Polyline& legs) {
+  constexpr std::size_t kMostTried = 200;
+  task.passed.assign(legs.size(), legs.size() <= kMostTried);
+  task.approach.assign(legs.size(), 0);
+  while (true) {
+    Written written = exporting::write(task, legs);
+    const traj::CheckResult result = judge(scene, task, written);
+    if (result.ok || !change_mission(written, result, task)) return {std::move(written), result};
+  }
+}
+
+// Writes the legs, and judges what was written.
+Proved write_and_judge(const geom::CollisionScene& scene, const Task& task,
+                       const geom::Polyline& legs) {
+  if (task.format == "dji-wpml") return judge_dji(scene, task, legs);
+  if (task.format == "wpl" || task.format == "qgc-plan") return judge_mission(scene, task, legs);
+  Written written = exporting::write(task, legs);
+  const traj::CheckResult result = judge(scene, task, written);
+  return {std::move(written), result};
 }
 
 }  // namespace

@@ -67,17 +67,32 @@ Written write_tello(const Task& task, const geom::Polyline& legs) {
   return {text.str(),
           python.str(),
           csv.str(),
+          {},
           {"tello", placement, geom::to_enu(task.frame.axes, ground)}};
+}
+
+// Metres in which each autopilot slows down, with room for one that begins late.
+double slowing_way(const Task& task, double speed) {
+  double most = 0;
+  for (const traj::Autopilot& one : task.autopilot.pilots) {
+    most = std::max(most, traj::s_curve_length(one, speed));
+  }
+  return 1.5 * most + 5;
 }
 
 Written write_mission(const Task& task, const geom::Polyline& legs) {
   traj::MissionOptions options;
   options.home = task.ground;
   if (task.lands) options.landing_on = task.landing;
-  options.speed = speed_of(task);
+  options.speed = mission_speed(task);
+  options.passed = task.passed;
+  options.approach = task.approach;
+  options.slowing = slowing_way(task, options.speed.value_or(0));
   const traj::MissionFrame over = task.placement.mission_frame(task.frame);
   cli::require_near_origin(legs, over.origin, task.id);
   const auto mission = traj::make_mission(legs, over, options);
+  std::vector<std::size_t> points;
+  for (const traj::MissionItem& item : mission.items) points.push_back(item.point);
   std::ostringstream text;
   if (task.format == "wpl") {
     traj::write_wpl(text, mission);
@@ -86,7 +101,7 @@ Written write_mission(const Task& task, const geom::Polyline& legs) {
   }
   cli::Placement placement = task.placement;
   placement.ground.reset();  // the file says where home is
-  return {text.str(), {}, {}, {task.format, placement, {}}};
+  return {text.str(), {}, {}, std::move(points), {task.format, placement, {}}};
 }
 
 // Of the turns that were asked for, those that became stops.
@@ -117,7 +132,7 @@ Written write_dji(const Task& task, const geom::Polyline& legs) {
   traj::write_dji_kmz(text, mission, task.checked ? "skyway" : "skyway (UNCHECKED)");
   cli::Placement placement = task.placement;
   placement.ground.reset();  // the file says where home is
-  Written written{text.str(), {}, {}, {task.format, placement, {}}};
+  Written written{text.str(), {}, {}, {}, {task.format, placement, {}}};
   if (task.turns) written.note = note_of_stops(mission);
   return written;
 }
@@ -126,7 +141,7 @@ Written write_line(const Task& task, const geom::Polyline& legs) {
   std::ostringstream text;
   if (task.format == "gltf") {
     traj::write_gltf_line(text, legs, task.id, note_of(task));
-    return {text.str(), {}, {}, {task.format, task.placement, {}}};
+    return {text.str(), {}, {}, {}, {task.format, task.placement, {}}};
   }
   const traj::MissionFrame over = task.placement.mission_frame(task.frame);
   cli::require_near_origin(legs, over.origin, task.id);
@@ -137,7 +152,7 @@ Written write_line(const Task& task, const geom::Polyline& legs) {
     if (task.format == "kml") line.points.back().height -= over.geoid;
   }
   task.format == "kml" ? traj::write_kml(text, line) : traj::write_geojson(text, line);
-  return {text.str(), {}, {}, {task.format, task.placement, {}}};
+  return {text.str(), {}, {}, {}, {task.format, task.placement, {}}};
 }
 
 }  // namespace
@@ -153,6 +168,18 @@ std::optional<double> speed_limit(const traj::Limits& limits) {
     if (limit) speed = std::min(speed.value_or(*limit), *limit);
   }
   return speed;
+}
+
+std::optional<double> mission_speed(const Task& task) {
+  if (task.speed) return task.speed;
+  traj::Limits limits = task.limits;
+  double rate = 0;
+  for (const traj::Autopilot& one : task.autopilot.pilots) {
+    rate = std::max({rate, one.climb, one.descent});
+  }
+  std::optional<double>& vertical = limits[traj::Limit::vertical_speed];
+  if (vertical && *vertical >= rate) vertical.reset();
+  return speed_limit(limits);
 }
 
 bool has_legs(const std::string& format) {
@@ -171,13 +198,13 @@ Written write(const Task& task, const geom::Polyline& legs) {
   std::ostringstream text;
   if (task.format == "crazyflie") {
     traj::write_crazyflie(text, task.enu);
-    return {text.str(), {}, {}, {task.format, task.placement, {}}};
+    return {text.str(), {}, {}, {}, {task.format, task.placement, {}}};
   }
   if (task.format == "setpoints") {
     require_few_rows(traj::duration(task.enu), task.rate);
     traj::write_setpoints(text, traj::setpoints(task.enu, task.rate),
                           task.ned ? traj::SetpointAxes::ned : traj::SetpointAxes::enu);
-    return {text.str(), {}, {}, {task.format, task.placement, {}}};
+    return {text.str(), {}, {}, {}, {task.format, task.placement, {}}};
   }
   if (task.format == "tello") return write_tello(task, legs);
   if (task.format == "dji-wpml") return write_dji(task, legs);

@@ -27,6 +27,9 @@ struct Task {
   double landing = 0;      // and under the last
   bool lands = true;
   std::optional<double> speed;  // m/s
+  std::vector<bool> passed;      // of missions: traj::MissionOptions
+  std::vector<double> approach;  // likewise
+  cli::AutopilotOptions autopilot;  // what will fly it
   traj::DjiOptions dji;         // version, aircraft, and turns as far as they are known to fit
   std::optional<double> turns;  // m, asked for
   std::size_t volumes = 8;      // of airspace, at most
@@ -39,7 +42,8 @@ struct Written {
   // Of a Tello: a program and a table, for those who ask for them.
   std::string python;
   std::string csv;
-  cli::DroneFileOptions reading;  // what it takes to read the text again
+  std::vector<std::size_t> points = {};  // of a mission: the path's point of each item
+  cli::DroneFileOptions reading;         // what it takes to read the text again
   std::string note = {};          // what is not as asked; empty: all is
 };
 
@@ -48,6 +52,10 @@ bool knows_height(const Task& task);
 
 // The largest speed that they allow in every direction, m/s.
 std::optional<double> speed_limit(const traj::Limits& limits);
+
+// The speed along a mission's legs, m/s: as asked, else what the limits allow. That on climbing and
+// descending does not count where the autopilots keep it by themselves.
+std::optional<double> mission_speed(const Task& task);
 
 // Whether the format is straight legs, rather than the curve itself.
 bool has_legs(const std::string& format);

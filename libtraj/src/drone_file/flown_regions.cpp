@@ -100,7 +100,7 @@ CircleFlight fly_circle(const Circle& circle, const Hull& from) {
   return flight;
 }
 
-std::vector<Hull> return_hulls(const Hull& low, const Vec3& above, double ground) {
+std::vector<Hull> return_hulls(const Hull& low, const Vec3& above, double ground, double slope) {
   const auto raised = [](const Vec3& p, double z) { return Vec3(p.x(), p.y(), z); };
   Hull column = low;
   Hull across{above};
@@ -110,7 +110,7 @@ std::vector<Hull> return_hulls(const Hull& low, const Vec3& above, double ground
     across.push_back(raised(p, above.z()));
     away = std::max(away, (p - above).head<2>().norm());
   }
-  if (away < above.z() - ground) {
+  if (slope > 0 && away * slope < above.z() - ground) {
     for (const Vec3& p : low) {
       across.push_back(p);
       across.push_back(raised(above, p.z()));

@@ -53,8 +53,9 @@ struct CircleFlight {
 CircleFlight fly_circle(const Circle& circle, const Hull& from);
 
 // A return from anywhere in `low`: up to the height of `above`, across, and no further. Nearer to
-// `above` than that is above the `ground`, some autopilots return lower (PX4's cone of 45 degrees,
-// ArduCopter's), so all heights between are held too.
-std::vector<Hull> return_hulls(const Hull& low, const Vec3& above, double ground);
+// `above` than the cone is at its height, some autopilots return lower (PX4's cone of 45 degrees,
+// ArduCopter's), so all heights between are held too. `slope`: height over distance of such a cone;
+// 0: none of them has one.
+std::vector<Hull> return_hulls(const Hull& low, const Vec3& above, double ground, double slope);
 
 }  // namespace traj

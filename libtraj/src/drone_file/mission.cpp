@@ -18,33 +18,76 @@ MissionItem item_at(const geom::GeographicFrame& earth, int command, const Vec3&
   return item;
 }
 
+class MissionMaker {
+ public:
+  MissionMaker(std::span<const Vec3> points, const MissionFrame& frame,
+               const MissionOptions& options)
+      : points_(points), options_(options), earth_(frame.origin) {}
+
+  Mission make(double sea_level) {
+    const MissionItem takeoff = at(kTakeoff, points_.front());
+    mission_.home = {takeoff.latitude, takeoff.longitude,
+                     to_millimetres(sea_level + options_.home)};
+    mission_.items.push_back(takeoff);
+    if (options_.speed) fly_with(*options_.speed);
+    for (point_ = 0; point_ < points_.size(); ++point_) go();
+    if (options_.landing_on) {
+      Vec3 ground = points_.back();
+      ground.z() = *options_.landing_on;
+      mission_.items.push_back(at(kLand, ground));
+      mission_.items.back().point = points_.size() - 1;
+    }
+    return std::move(mission_);
+  }
+
+ private:
+  MissionItem at(int command, const Vec3& p) const {
+    return item_at(earth_, command, p, options_.home);
+  }
+
+  void fly_with(double speed) {
+    MissionItem item;
+    item.frame = kMissionFrame;
+    item.command = kSpeed;
+    item.param = {1, speed, -1, 0};  // over ground; throttle as it is
+    item.point = point_;
+    mission_.items.push_back(item);
+  }
+
+  void add_waypoint(const Vec3& p, double hold) {
+    mission_.items.push_back(at(kWaypoint, p));
+    mission_.items.back().param = {hold, options_.acceptance, 0, 0};
+    mission_.items.back().point = point_;
+  }
+
+  void go() {
+    const Vec3& p = points_[point_];
+    const bool end = point_ == 0 || point_ + 1 == points_.size();
+    const bool passed = !end && !options_.passed.empty() && options_.passed[point_];
+    const double slow = options_.approach.empty() ? 0 : options_.approach[point_];
+    const bool slows = slow > 0 && options_.speed && point_ > 0;
+    if (slows) {
+      const Vec3 way = p - points_[point_ - 1];
+      const double length = way.norm();
+      if (length > 1.5 * options_.slowing) add_waypoint(p - way * (options_.slowing / length), 0);
+      fly_with(slow);
+    }
+    add_waypoint(p, passed ? 0 : options_.hold);
+    if (slows && point_ + 1 < points_.size()) fly_with(*options_.speed);
+  }
+
+  std::span<const Vec3> points_;
+  const MissionOptions& options_;
+  geom::GeographicFrame earth_;
+  std::size_t point_ = 0;
+  Mission mission_;
+};
+
 }  // namespace
 
 Mission make_mission(std::span<const Vec3> points, const MissionFrame& frame,
                      const MissionOptions& options) {
-  const geom::GeographicFrame earth(frame.origin);
-  Mission mission;
-  const MissionItem takeoff = item_at(earth, kTakeoff, points.front(), options.home);
-  const double sea_level = frame.origin.height - frame.geoid;
-  mission.home = {takeoff.latitude, takeoff.longitude, to_millimetres(sea_level + options.home)};
-  mission.items.push_back(takeoff);
-  if (options.speed) {
-    MissionItem speed;
-    speed.frame = kMissionFrame;
-    speed.command = kSpeed;
-    speed.param = {1, *options.speed, -1, 0};  // over ground; throttle as it is
-    mission.items.push_back(speed);
-  }
-  for (const Vec3& p : points.subspan(1)) {
-    mission.items.push_back(item_at(earth, kWaypoint, p, options.home));
-    mission.items.back().param = {options.hold, options.acceptance, 0, 0};
-  }
-  if (options.landing_on) {
-    Vec3 ground = points.back();
-    ground.z() = *options.landing_on;
-    mission.items.push_back(item_at(earth, kLand, ground, options.home));
-  }
-  return mission;
+  return MissionMaker(points, frame, options).make(frame.origin.height - frame.geoid);
 }
 
 }  // namespace traj

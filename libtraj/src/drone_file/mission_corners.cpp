@@ -30,8 +30,8 @@ Turn turn_at(const MissionItem& item, double hold, const MissionRules& rules) {
   const double said = item.command == kWaypoint && item.param[1] > 0 ? item.param[1] : 0;
   const double usual = rules.acceptance.value_or(said > 0 ? kLeastAcceptance : kAcceptance);
   const double held = said > 0 ? said : rules.acceptance.value_or(kAcceptance);
-  if (hold >= 1 && hold >= 2 * std::sqrt(2 * held / rules.braking)) return {};
-  return {Turn::pass, std::max(usual, said), said > 0 ? std::min(usual, said) : usual};
+  if (hold >= 1 && hold >= 2 * std::sqrt(2 * held / rules.braking)) return {.said = said};
+  return {Turn::pass, std::max(usual, said), said > 0 ? std::min(usual, said) : usual, said};
 }
 
 Corners corners_of(std::span<const Vec3> path, std::span<const Turn> turns,

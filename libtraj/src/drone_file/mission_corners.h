@@ -16,6 +16,7 @@ struct Turn {
   enum Kind { rest, pass } kind = rest;
   double radius = 0;
   double least = 0;
+  double said = 0;              // the item's own radius; 0: it says none
   std::vector<Vec3> from = {};  // where it may come from straight, beside the leg
 };
 

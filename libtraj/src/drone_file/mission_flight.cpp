@@ -42,7 +42,7 @@ class Flight {
         source_(source) {}
 
   FlownMission fly() {
-    order_ = flown_order(mission_, source_);
+    order_ = flown_order(mission_, source_, flown_.endless_jumps);
     for (next_ = 0; next_ < order_.size();) {
       item_ = &mission_.items[order_[next_++]];
       take(*item_);
@@ -313,11 +313,13 @@ class Flight {
     const bool lands_elsewhere =
         std::any_of(mission_.items.begin(), mission_.items.end(),
                     [](const MissionItem& item) { return item.command == kLandingStart; });
-    flown_.returns = !rules_.return_height || lands_elsewhere;
+    const bool home_alone = std::all_of(rules_.autopilots.begin(), rules_.autopilots.end(),
+                                        [](const Autopilot& one) { return one.returns_home; });
+    flown_.returns = !rules_.return_height || lands_elsewhere || !home_alone;
     if (flown_.returns || path().empty()) return;
     const Vec3 end = path().back();
     const double ground = places_.above_home(*item_, 0);
-    const double z = std::max(end.z(), ground + *rules_.return_height);
+    const double z = std::max(end.z() + most_return_climb(), ground + *rules_.return_height);
     const Vec3 home =
         mission_.home ? on_map(*mission_.home, z) : Vec3(path().front().x(), path().front().y(), z);
     track_.say_no_speed();  // it returns with one of its own
@@ -336,9 +338,26 @@ class Flight {
   }
 
   void sweep_return(const Hull& low, const Vec3& above, double ground) {
-    for (Hull& hull : return_hulls(low, above, ground)) {
+    for (Hull& hull : return_hulls(low, above, ground, least_slope())) {
       sweep(std::move(hull), Manoeuvre::return_home);
     }
+  }
+
+  double most_return_climb() const {
+    double most = 0;
+    for (const Autopilot& one : rules_.autopilots) most = std::max(most, one.return_climb);
+    return most;
+  }
+
+  // Of the cones within which a return stays low; 0: there is none.
+  double least_slope() const {
+    double least = 0;
+    for (const Autopilot& one : rules_.autopilots) {
+      if (one.return_slope > 0 && (least == 0 || one.return_slope < least)) {
+        least = one.return_slope;
+      }
+    }
+    return least;
   }
 
   // So long, or (0 or -1) to a time of day.
@@ -352,8 +371,10 @@ class Flight {
   void take_speed(const MissionItem& item) {
     constexpr double kClimb = 2;  // the types of rates of climb and descent
     constexpr double kDescent = 3;
-    if (item.param[0] == kClimb || item.param[0] == kDescent) return;
     const double speed = item.param[1];
+    if (item.param[0] == kClimb && speed > 0) most_climb_ = std::max(most_climb_, speed);
+    if (item.param[0] == kDescent && speed > 0) most_descent_ = std::max(most_descent_, speed);
+    if (item.param[0] == kClimb || item.param[0] == kDescent) return;
     if (speed > 0) {
       track_.say_speed(speed);
     } else if (speed != -1) {
@@ -365,7 +386,26 @@ class Flight {
 
   void finish_track() {
     const double speed = track_.most_speed(rules_.speed.value_or(kUnsaidSpeed));
+    const std::vector<Autopilot> autopilots = as_set();
+    for (const Autopilot& one : autopilots) {
+      flown_.climb = std::max(flown_.climb, one.climb);
+      flown_.descent = std::max(flown_.descent, one.descent);
+      flown_.tight_radii = std::max(flown_.tight_radii, track_.tight_radii(one));
+    }
+    flown_.drift = track_.drift(autopilots, {last_, Manoeuvre::landing}, flown_);
     track_.finish({last_, Manoeuvre::landing}, speed * speed / (2 * rules_.braking), flown_);
+  }
+
+  // The autopilots with what the user says of their settings.
+  std::vector<Autopilot> as_set() const {
+    std::vector<Autopilot> out = rules_.autopilots;
+    for (Autopilot& one : out) {
+      if (one.heeds_item_radius) one.acceptance = rules_.acceptance.value_or(one.acceptance);
+      one.speed = rules_.speed.value_or(one.speed);
+      one.climb = std::max(one.climb, most_climb_);
+      one.descent = std::max(one.descent, most_descent_);
+    }
+    return out;
   }
 
   void add_fences() {
@@ -390,6 +430,8 @@ class Flight {
   std::size_t next_ = 0;  // into the order
   const MissionItem* item_ = nullptr;
   std::size_t last_ = 0;  // that moves something
+  double most_climb_ = 0;  // m/s that items ask for
+  double most_descent_ = 0;
   FlownTrack track_;
   FlownMission flown_;  // the track's parts when it is finished
 };

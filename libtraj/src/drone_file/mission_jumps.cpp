@@ -29,6 +29,8 @@ class Order {
     }
   }
 
+  std::size_t endless() const { return endless_; }
+
   std::vector<std::size_t> flown() {
     std::vector<std::size_t> order;
     std::size_t steps = 0;
@@ -52,7 +54,7 @@ class Order {
   }
 
  private:
-  Jump jump(const MissionItem& item) const {
+  Jump jump(const MissionItem& item) {
     const double to = item.param[0];
     const double times = item.param[1];
     const auto place = to >= 0 && to < 1e9 && to == std::floor(to)
@@ -66,9 +68,8 @@ class Order {
                   fmt::format("expected a jump to one item, found several with the number {}", to));
     }
     if (times < 0) {
-      refuse_item(source_, item,
-                  "expected a jump that is taken so many times, found one for ever: the mission "
-                  "never ends");
+      ++endless_;
+      return {place->second, 2};
     }
     if (!(times <= 1e9) || times != std::floor(times)) {
       refuse_item(source_, item,
@@ -79,6 +80,7 @@ class Order {
 
   const std::vector<MissionItem>& items_;
   std::string_view source_;
+  std::size_t endless_ = 0;
   std::unordered_map<std::size_t, std::size_t> at_;  // by number
   std::unordered_set<std::size_t> twice_;            // numbers of several
   std::unordered_map<std::size_t, Jump> jumps_;
@@ -86,8 +88,11 @@ class Order {
 
 }  // namespace
 
-std::vector<std::size_t> flown_order(const Mission& mission, std::string_view source) {
-  return Order(mission, source).flown();
+std::vector<std::size_t> flown_order(const Mission& mission, std::string_view source,
+                                     std::size_t& endless) {
+  Order order(mission, source);
+  endless = order.endless();
+  return order.flown();
 }
 
 void refuse_item(std::string_view source, const MissionItem& item, const std::string& message) {

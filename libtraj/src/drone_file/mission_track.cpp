@@ -18,6 +18,7 @@ void FlownTrack::go(const Vec3& p, double hold, const FlightPart& part, Turn tur
   hold_.push_back(hold);
   legs_.push_back(part);
   turns_.push_back(std::move(turn));
+  speeds_.push_back(now_);
 }
 
 void FlownTrack::sweep(Hull hull, const FlightPart& part) {
@@ -57,11 +58,32 @@ Hull FlownTrack::from_where() {
   return std::exchange(leaving_, {});
 }
 
-void FlownTrack::say_speed(double speed) { speed_ = std::max(speed_.value_or(0), speed); }
+void FlownTrack::say_speed(double speed) {
+  speed_ = std::max(speed_.value_or(0), speed);
+  now_ = speed;
+}
 
 double FlownTrack::most_speed(double unsaid) const {
   const double said = speed_.value_or(0);
   return unsaid_speed_ || !speed_ ? std::max(said, unsaid) : said;
+}
+
+std::size_t FlownTrack::tight_radii(const Autopilot& autopilot) const {
+  if (!autopilot.heeds_item_radius) return 0;
+  return static_cast<std::size_t>(std::count_if(turns_.begin(), turns_.end(), [&](const Turn& one) {
+    return one.said > 0 && one.said < autopilot.least_radius;
+  }));
+}
+
+std::vector<Drift> FlownTrack::drift(std::span<const Autopilot> autopilots,
+                                     const FlightPart& landing, const FlownMission& out) const {
+  std::vector<Drift> all;
+  for (const Autopilot& autopilot : autopilots) {
+    const DriftTask task{path_,   hold_, legs_,   turns_,
+                         speeds_, sweeps_, landing, out.ends, out.takes_off};
+    all.push_back({autopilot.name, drift_sweeps(autopilot, task), autopilot.tracking});
+  }
+  return all;
 }
 
 void FlownTrack::finish(const FlightPart& landing, double braking_way, FlownMission& out) {

@@ -6,6 +6,7 @@
 
 #include "flown_regions.h"
 #include "mission_corners.h"
+#include "mission_drift.h"
 #include "traj/drone_file/mission_flight.h"
 
 namespace traj {
@@ -31,9 +32,17 @@ class FlownTrack {
   bool rests() const { return leaving_.empty() && turns_.back().radius == 0; }
 
   void say_speed(double speed);
-  void say_no_speed() { unsaid_speed_ = true; }
+  void say_no_speed() {
+    unsaid_speed_ = true;
+    now_.reset();
+  }
   // The largest that any leg may be flown with; `unsaid` where the file says none.
   double most_speed(double unsaid) const;
+
+  std::size_t tight_radii(const Autopilot& autopilot) const;  // items whose leg is not followed
+  // Where each of the autopilots may be, from take-off to landing. `out` has the ends of the flight.
+  std::vector<Drift> drift(std::span<const Autopilot> autopilots, const FlightPart& landing,
+                           const FlownMission& out) const;
 
   // Gives `out` the path and all that belongs to it, corners swept. Call last.
   void finish(const FlightPart& landing, double braking_way, FlownMission& out);
@@ -45,9 +54,11 @@ class FlownTrack {
   std::vector<double> hold_;  // of each point, as legs_ and turns_
   std::vector<FlightPart> legs_;
   std::vector<Turn> turns_;
+  std::vector<std::optional<double>> speeds_;  // m/s, said before the leg to each point
   std::vector<Sweep> sweeps_;
   Hull leaving_;  // from where the next leg may begin, where that is not the last point
-  std::optional<double> speed_;
+  std::optional<double> speed_;  // the largest that was said
+  std::optional<double> now_;    // the last
   bool unsaid_speed_ = false;  // a leg, the ascent aside, was flown before any speed was said
 };
 

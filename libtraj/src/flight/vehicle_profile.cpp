@@ -37,6 +37,7 @@ constexpr std::array kKeys = {"name",
                               "ceiling_m",
                               "range_m",
                               "endurance_s",
+                              "navigation_m",
                               "gains",
                               "sources"};
 
@@ -77,6 +78,25 @@ Limits physical_limits(const Airframe& airframe) {
 
 }  // namespace
 
+namespace {
+
+std::optional<geom::Vec2> stated_navigation(const JsonFields& fields) {
+  if (!fields.has("navigation_m")) return std::nullopt;
+  const nlohmann::json& value = fields.value("navigation_m");
+  const auto metres = [&](std::size_t i) {
+    return value[i].is_number() ? value[i].get<double>() : -1;
+  };
+  const bool pair = value.is_array() && value.size() == 2;
+  if (!pair || !(metres(0) >= 0 && metres(0) <= 100) || !(metres(1) >= 0 && metres(1) <= 100)) {
+    fields.refuse(fmt::format("navigation_m must be metres across and metres up or down, each "
+                              "from 0 to 100, as [0.5, 1], found {}",
+                              geom::shown(value)));
+  }
+  return geom::Vec2(metres(0), metres(1));
+}
+
+}  // namespace
+
 VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view source) {
   const JsonFields fields(json, source, 0);
   require_known_keys(fields);
@@ -85,6 +105,7 @@ VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view sou
   VehicleProfile profile;
   profile.airframe = parse_airframe(fields);
   profile.body = body;
+  profile.navigation = stated_navigation(fields);
   geom::Vehicle& vehicle = profile.vehicle;
   vehicle.name = fields.text("name", source);
   vehicle.limits = geom::stricter(stated_limits(fields), physical_limits(profile.airframe));

@@ -141,7 +141,14 @@ CheckResult check_setpoints(const geom::CollisionScene& scene, const Flown& flow
 
 // --- paths ----------------------------------------------------------------------------------
 
-void check_legs(const geom::Polyline& way, double speed, const Limits& limits,
+// Along a leg in the direction of `leg`: the autopilot does not climb or descend faster than it may.
+double speed_along(const Flown& flown, const Vec3& leg) {
+  const double most = leg.z() > 0 ? flown.climb : flown.descent;
+  const double rise = std::abs(leg.z()) / leg.norm();
+  return most > 0 && rise > 0 ? std::min(*flown.speed, most / rise) : *flown.speed;
+}
+
+void check_legs(const geom::Polyline& way, const Flown& flown, const Limits& limits,
                 CheckResult& result) {
   for (const Limit limit : {Limit::speed, Limit::horizontal_speed, Limit::vertical_speed}) {
     result.largest[limit] = Extreme{};
@@ -149,6 +156,7 @@ void check_legs(const geom::Polyline& way, double speed, const Limits& limits,
   for (std::size_t i = 1; i < way.size(); ++i) {
     const Vec3 leg = way[i] - way[i - 1];
     if (leg.isZero(0)) continue;
+    const double speed = speed_along(flown, leg);
     const Vec3 v = leg * (speed / leg.norm());
     const auto index = static_cast<double>(i - 1);
     const auto hold = [&](Limit limit, double value) {
@@ -221,31 +229,57 @@ double leg_of(const Flown& flown, std::size_t item) {
   return static_cast<double>(flown.ends.takeoff_from || leg == 0 ? leg : leg - 1);
 }
 
+constexpr double kLevel = 1;  // m: ground that is as high as a file says
+
+// How far beside the place that it comes to the ground may be.
+Vec3 beside(const Flown& flown) {
+  Vec3 most = flown.path_stray;
+  for (const Drift& drift : flown.drift) most = most.cwiseMax(flown.path_stray + drift.around);
+  return most + flown.navigation;
+}
+
 // It lands where home's ground is, not on what stands there or hangs below: that it would land on
 // that is in no file.
-void require_ground(const geom::CollisionScene& scene, const Flown& flown, const Vec3& rally,
-                    CheckResult& result) {
-  constexpr double kLevel = 1;  // m
-  const double ground = ground_below(scene, rally);
-  const double home = flown.home ? flown.home->z() : ground;
-  const Vec3 foot(rally.x(), rally.y(), ground);
+void require_home_ground(const geom::CollisionScene& scene, const Flown& flown, const Vec3& rally,
+                         CheckResult& result) {
+  const LandingGround ground = landing_ground(scene, rally, beside(flown), kLevel);
+  const double home = flown.home ? flown.home->z() : ground.height;
+  const Vec3 foot(rally.x(), rally.y(), ground.height);
   const Vec3 half = scene.half();
-  const Vec3 low(rally.x(), rally.y(), ground + half.z() + kStanding);
+  const Vec3 low(rally.x(), rally.y(), ground.height + half.z() + kStanding);
   const bool clear = low.z() > rally.z() || !scene.hits(rally, low);
-  if (clear && std::abs(ground - home) <= kLevel) return;
+  if (clear && ground.whole && std::abs(ground.height - home) <= kLevel) return;
   refuse(result, Reason::return_home, static_cast<double>(flown.legs.size()) - 1, foot,
-         ground - home);
+         ground.height - home);
+}
+
+// A vehicle that lands sinks until it touches, whatever height its file says: there must be ground
+// at that height, and level wherever it may come down.
+void require_landing(const geom::CollisionScene& scene, const Flown& flown,
+                     const geom::Polyline& way, CheckResult& result) {
+  if (!flown.ends.landing_on && !flown.lands_below) return;
+  const Vec3& above = flown.path.back();
+  const LandingGround ground = landing_ground(scene, above, beside(flown), kLevel);
+  const double said = flown.ends.landing_on.value_or(ground.height);
+  if (ground.whole && std::abs(ground.height - said) <= kLevel) return;
+  if (result.reason == Reason::none) {
+    result.part = FlightPart{flown.legs.empty() ? 0 : flown.legs.back().item, Manoeuvre::landing};
+  }
+  refuse(result, Reason::landing, static_cast<double>(way.size()) - 1,
+         {above.x(), above.y(), ground.height}, said - ground.height);
+  result.looked = true;
 }
 
 void check_regions(const geom::CollisionScene& scene, const Flown& flown, const geom::Polyline& way,
                    CheckResult& result) {
   if (result.reason != Reason::none) return;
   check_sweeps(scene, flown.sweeps, flown.path_stray, result);
+  check_drift(scene, flown.drift, flown.path_stray, flown.navigation, result);
   if (!flown.fences.empty()) {
     check_fences(scene, all_sweeps(flown, way), flown.fences, flown.path_stray, result);
   }
   if (result.part) result.time = leg_of(flown, result.part->item);
-  for (const Vec3& rally : flown.rally) require_ground(scene, flown, rally, result);
+  for (const Vec3& rally : flown.rally) require_home_ground(scene, flown, rally, result);
 }
 
 CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,
@@ -262,7 +296,8 @@ CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, con
   CheckResult result = check_path(scene, *way, strays(flown, way->size()), clearance);
   if (result.reason != Reason::none) result.part = part_of(flown, result.time);
   check_regions(scene, flown, *way, result);
-  if (flown.speed) check_legs(*way, *flown.speed, limits, result);
+  require_landing(scene, flown, *way, result);
+  if (flown.speed) check_legs(*way, flown, limits, result);
   if (flown.envelope) check_envelope(flown, result);
   if (flown.returns) {
     refuse(result, Reason::return_home, static_cast<double>(way->size()) - 1, way->back(), 0);
@@ -304,14 +339,32 @@ CheckOptions file_tolerance(const Limits& limits) {
   return options;
 }
 
-CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,
-                        Clearance clearance) {
+namespace {
+
+CheckResult check_as_said(const geom::CollisionScene& scene, const Flown& flown,
+                          const Limits& limits, Clearance clearance) {
   if (!flown.path.empty()) return check_way(scene, flown, limits, clearance);
   if (!flown.setpoints.empty()) return check_setpoints(scene, flown, limits, clearance);
   CheckOptions options = file_tolerance(limits);
   options.clearance = clearance;
   options.stray = flown.stray;
   return check(scene, flown.trajectory, options);
+}
+
+}  // namespace
+
+CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,
+                        Clearance clearance) {
+  CheckResult result = check_as_said(scene, flown, limits, clearance);
+  if (!result.ok || !flown.drift.empty() || flown.navigation.isZero(0)) return result;
+  geom::Vehicle larger = scene.vehicle();
+  larger.half += flown.navigation;
+  CheckResult strayed = check_as_said(geom::CollisionScene(scene.map(), larger, 0), flown, limits,
+                                      Clearance::left_out);
+  if (strayed.ok) return result;
+  strayed.clearance = result.clearance;
+  strayed.strayed = "navigation and tracking";
+  return strayed;
 }
 
 }  // namespace traj

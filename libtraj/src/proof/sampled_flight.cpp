@@ -1,7 +1,11 @@
 #include "traj/proof/sampled_flight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+
+#include "geom/shape/hull.h"
 
 namespace traj {
 namespace {
@@ -39,17 +43,90 @@ struct Part {
   }
 };
 
-void take(const Part& part, const CheckResult& result, SampledFlight& out) {
-  if (result.clearance && (!out.clearance || result.clearance->value < out.clearance->value)) {
-    out.clearance = Extreme{result.clearance->value, part.time(result.clearance->time)};
-    out.nearest = part.point(result.clearance->time);
+constexpr double kHeightError = 0.5;  // m, of a log on the ground
+constexpr double kOnTheSpot = 2;      // m across
+
+// Whether the vehicle stands there: on the floor or on an obstacle below it.
+bool touches_ground(const geom::CollisionScene& scene, const Vec3& p) {
+  const double floor = scene.map().spec().bounds.min.z();
+  if (p.z() < floor - kHeightError) return false;
+  if (p.z() < floor + scene.half().z()) return true;
+  const auto touched = scene.boxes_meeting({p, p});
+  return std::any_of(touched.begin(), touched.end(), [&](std::size_t i) {
+    return scene.map().box(i).max.z() <= p.z() + kHeightError;
+  });
+}
+
+bool on_the_spot(const geom::CollisionScene& scene, const Vec3& spot, const Vec3& p) {
+  return (p - spot).head<2>().norm() <= kOnTheSpot &&
+         std::abs(p.z() - spot.z()) <= scene.half().z() + kHeightError;
+}
+
+// Which samples are of a vehicle that stands: those before the first index, and from the second on.
+std::pair<std::size_t, std::size_t> in_the_air(const geom::CollisionScene& scene,
+                                               std::span<const Vec3> points) {
+  std::size_t begin = 0;
+  std::size_t end = points.size();
+  if (touches_ground(scene, points.front())) {
+    while (begin < end && on_the_spot(scene, points.front(), points[begin])) ++begin;
   }
-  if (result.ok || out.reason != Reason::none) return;
+  if (touches_ground(scene, points.back())) {
+    while (end > begin && on_the_spot(scene, points.back(), points[end - 1])) --end;
+  }
+  return {begin, end};
+}
+
+// The deepest that a way goes into obstacles; of one on the ground only those that are higher than
+// what it stands on.
+CheckResult deepest_touch(const geom::CollisionScene& scene, std::span<const Vec3> points,
+                          std::optional<double> ground) {
+  CheckResult out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::array<Vec3, 2> leg{points[i], points[std::min(i + 1, points.size() - 1)]};
+    if (!scene.hits(leg[0], leg[1])) continue;
+    for (const std::size_t box : scene.boxes_meeting(*geom::bounds(std::span<const Vec3>(leg)))) {
+      if (ground && scene.map().box(box).max.z() <= *ground + kHeightError) continue;
+      if (!geom::hull_meets(leg, scene.grown(box))) continue;
+      const geom::HullDepth depth = geom::hull_depth(leg, scene.grown(box));
+      if (out.reason != Reason::none && depth.depth <= out.worst) continue;
+      out.reason = Reason::collision;
+      out.time = static_cast<double>(i);
+      out.place = depth.place;
+      out.worst = depth.depth;
+      out.box = box;
+    }
+  }
+  return out;
+}
+
+// A collision goes before the bounds, and the first of a kind before later ones.
+void note_touch(const Part& part, const CheckResult& result, SampledFlight& out) {
+  const bool worse = out.reason == Reason::none ||
+                     (out.reason == Reason::bounds && result.reason == Reason::collision);
+  if (result.reason == Reason::none || !worse) return;
   out.reason = result.reason;
   out.time = part.time(result.time, result.place);
   out.place = result.place;
   out.box = result.box;
   out.worst = result.worst;
+}
+
+void take(const geom::CollisionScene& scene, const Part& part, SampledFlight& out) {
+  const CheckResult result = check_path(scene, part.points);
+  if (result.clearance && (!out.clearance || result.clearance->value < out.clearance->value)) {
+    out.clearance = Extreme{result.clearance->value, part.time(result.clearance->time)};
+    out.nearest = part.point(result.clearance->time);
+  }
+  if (result.reason == Reason::bounds) {
+    note_touch(part, deepest_touch(scene, part.points, {}), out);
+  }
+  note_touch(part, result, out);
+}
+
+void take_standing(const geom::CollisionScene& scene, const Part& part, const Vec3& spot,
+                   SampledFlight& out) {
+  note_touch(part, deepest_touch(scene, part.points, spot.z()), out);
+  out.on_ground += part.times.back() - part.times.front();
 }
 
 void note_gap(double time, const Vec3& place, double seconds, SampledFlight& out) {
@@ -71,16 +148,23 @@ SampledFlight check_sampled(const geom::CollisionScene& scene, std::span<const V
                             std::span<const double> times) {
   SampledFlight out;
   out.duration = times.back() - times.front();
-  std::size_t begin = 0;
+  const auto [first, last] = in_the_air(scene, points);
+  const auto piece = [&](std::size_t begin, std::size_t end) {
+    return Part{points.subspan(begin, end - begin), times.subspan(begin, end - begin)};
+  };
+  const std::size_t n = points.size();
+  if (first > 0) take_standing(scene, piece(0, std::min(first + 1, n)), points.front(), out);
+  std::size_t begin = first;
   for (std::size_t i = 1; i <= points.size(); ++i) {
     const double step = i < points.size() ? times[i] - times[i - 1] : 0;
     out.longest_step = std::max(out.longest_step, step);
-    if (i < points.size() && step <= kLongestGap) continue;
-    const Part part{points.subspan(begin, i - begin), times.subspan(begin, i - begin)};
-    take(part, check_path(scene, part.points), out);
-    if (i < points.size()) note_gap(times[i - 1], points[i - 1], step, out);
+    const bool gap = step > kLongestGap;
+    if (i < points.size() && gap) note_gap(times[i - 1], points[i - 1], step, out);
+    if (i <= begin || (i < last && !gap) || i > last) continue;
+    take(scene, piece(begin, i), out);
     begin = i;
   }
+  if (last < n) take_standing(scene, piece(last > 0 ? last - 1 : 0, n), points.back(), out);
   if (out.reason != Reason::none) out.gap = false;
   return out;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check_place.h"
+#include "geom/base/precondition.h"
 #include "geom/shape/hull.h"
 
 namespace traj {
@@ -21,19 +22,41 @@ double way_out(const Aabb& bounds, const Vec3& p) {
   return std::max((bounds.min - p).maxCoeff(), (p - bounds.max).maxCoeff());
 }
 
+// The vehicle's box around each place, how far beside a sweep that place may be, and where the
+// places must be so that the box is inside the bounds.
+struct Room {
+  Vec3 half;
+  Vec3 pad;
+  std::optional<Aabb> free;
+};
+
+Room planned_room(const geom::CollisionScene& scene, const Vec3& stray) {
+  return {scene.half(), stray.isZero(0) ? Vec3(Vec3::Zero()) : sure(stray), scene.free_bounds()};
+}
+
+Room drift_room(const geom::CollisionScene& scene, const Vec3& around, const Vec3& navigation) {
+  const Vec3 half = sure(scene.vehicle().half + navigation);
+  return {half, sure(around), geom::shrink(scene.map().spec().bounds, half)};
+}
+
+// How far a place leaves the bounds, with what is beside it; <= 0: not at all.
+double way_out(const Room& room, const Sweep& sweep, const Vec3& p) {
+  if (!room.free) return room.half.maxCoeff();
+  Aabb free = *room.free;
+  if (sweep.stands_on) free.min.z() = -geom::kFarthest;  // it stands on the floor
+  const Vec3 pad = room.pad.cwiseMax(1e-9);
+  return std::max(way_out(free, p - pad), way_out(free, p + pad));
+}
+
 // The worst of the sweeps that leave the bounds.
-std::optional<std::size_t> first_outside(const geom::CollisionScene& scene,
-                                         std::span<const Sweep> sweeps, const Vec3& stray,
+std::optional<std::size_t> first_outside(const Room& room, std::span<const Sweep> sweeps,
                                          CheckResult& result) {
   std::optional<std::size_t> which;
-  double worst = -std::numeric_limits<double>::infinity();
+  double worst = 0;
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     for (const Vec3& p : sweeps[i].hull) {
-      const Aabb beside = padded({p, p}, sure(stray));
-      if (scene.inside_bounds(beside.min) && scene.inside_bounds(beside.max)) continue;
-      const double out = scene.free_bounds() ? way_out(*scene.free_bounds(), p) + stray.maxCoeff()
-                                             : scene.half().maxCoeff();
-      if (out <= worst) continue;
+      const double out = way_out(room, sweeps[i], p);
+      if (!(out > worst)) continue;
       worst = out;
       which = i;
       note(result, Reason::bounds, {out, 0, p});
@@ -42,17 +65,19 @@ std::optional<std::size_t> first_outside(const geom::CollisionScene& scene,
   return which;
 }
 
-std::optional<std::size_t> deepest(const geom::CollisionScene& scene, std::span<const Sweep> sweeps,
-                                   const Vec3& stray, CheckResult& result) {
-  const Vec3 pad = stray.isZero(0) ? Vec3(Vec3::Zero()) : sure(stray);
+std::optional<std::size_t> deepest(const geom::CollisionScene& scene, const Room& room,
+                                   std::span<const Sweep> sweeps, CheckResult& result) {
+  const Vec3 reach = room.pad + (room.half - scene.half()).cwiseMax(0);
   std::optional<std::size_t> which;
   geom::HullDepth worst{-1, Vec3::Zero()};
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     const std::vector<Vec3>& hull = sweeps[i].hull;
-    const auto near = scene.boxes_meeting(padded(*geom::bounds(hull), pad));
+    const auto near = scene.boxes_meeting(padded(*geom::bounds(hull), reach));
     result.looked_at += near.size();
     for (const std::size_t box : near) {
-      const Aabb grown = padded(scene.grown(box), pad);
+      const Aabb obstacle = scene.map().box(box);
+      if (sweeps[i].stands_on && obstacle.max.z() <= *sweeps[i].stands_on) continue;
+      const Aabb grown = padded(geom::grow(obstacle, room.half), room.pad);
       if (!geom::hull_meets(hull, grown)) continue;
       const geom::HullDepth depth = geom::hull_depth(hull, grown);
       if (depth.depth <= worst.depth) continue;
@@ -141,9 +166,23 @@ void refused(const Sweep& sweep, CheckResult& result) {
 void check_sweeps(const geom::CollisionScene& scene, std::span<const Sweep> sweeps,
                   const Vec3& stray, CheckResult& result) {
   if (result.reason != Reason::none || sweeps.empty()) return;
-  auto which = first_outside(scene, sweeps, stray, result);
-  if (!which) which = deepest(scene, sweeps, stray, result);
+  const Room room = planned_room(scene, stray);
+  auto which = first_outside(room, sweeps, result);
+  if (!which) which = deepest(scene, room, sweeps, result);
   if (which) refused(sweeps[*which], result);
+}
+
+void check_drift(const geom::CollisionScene& scene, std::span<const Drift> drift,
+                 const Vec3& stray, const Vec3& navigation, CheckResult& result) {
+  for (const Drift& one : drift) {
+    if (result.reason != Reason::none) return;
+    const Room room = drift_room(scene, one.around + stray, navigation);
+    auto which = first_outside(room, one.sweeps, result);
+    if (!which) which = deepest(scene, room, one.sweeps, result);
+    if (!which) continue;
+    refused(one.sweeps[*which], result);
+    result.strayed = one.autopilot;
+  }
 }
 
 void check_fences(const geom::CollisionScene& scene, std::span<const Sweep> sweeps,

@@ -34,6 +34,7 @@ void add_violation(JsonLine& line, const CheckResult& result, const geom::BoxMap
   line.add("worst", result.worst);
   add_box(line, result.box, map);
   if (result.part) line.add("item", result.part->item).add("part", name(result.part->manoeuvre));
+  if (!result.strayed.empty()) line.add("strayed", result.strayed);
 }
 
 // Why a report refuses.
@@ -140,6 +141,10 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   if (!record.detail.empty()) line.add("detail", record.detail);
   line.add("home", record.home);
   if (record.idle_items) line.add("idle_items", record.idle_items);
+  if (record.endless_jumps) line.add("endless_jumps", record.endless_jumps);
+  if (!record.autopilot.empty()) line.add("autopilot", record.autopilot);
+  if (!record.assumed.empty()) line.add("assumed", record.assumed);
+  line.add("navigation", record.navigation).add("tracking", record.tracking);
   if (result.looked && !map.timed().empty()) {
     line.add("timed_boxes", record.by_time ? "by_time" : "always_there");
   }

@@ -41,6 +41,7 @@ std::string to_json_line(const SampledReport& report, const geom::BoxMap& map) {
     line.add("nearest", result.nearest);
   }
   if (result.duration > 0) line.add("duration", result.duration);
+  if (result.on_ground > 0) line.add("on_ground", result.on_ground);
   line.add("samples", report.samples).add("longest_step", result.longest_step);
   if (report.cut) line.add("cut", true);
   if (report.plan) line.add("plan", plan_of(report));

@@ -178,9 +178,10 @@ class Reader {
         return take_dropout(body, begin);
       case 'R':
         return take_end_of_subscription(body, begin);
+      case 'P':
+        return take_parameter(body);
       case 'I':
       case 'M':
-      case 'P':
       case 'Q':
       case 'L':
       case 'C':
@@ -214,6 +215,18 @@ class Reader {
       }
       appended_.push_back(offset);
     }
+  }
+
+  // "float NAME" or "int32_t NAME", and its value. Others are passed over, as no flight hangs on them.
+  void take_parameter(std::string_view body) {
+    const std::size_t length = body.empty() ? 0 : static_cast<unsigned char>(body[0]);
+    const std::string_view key = body.substr(std::min<std::size_t>(1, body.size()), length);
+    const std::size_t space = key.find(' ');
+    if (body.size() != 1 + length + 4 || space == key.npos) return;
+    const std::string_view type = key.substr(0, space);
+    const std::string name(key.substr(space + 1));
+    if (type == "float") out_.parameters[name] = value_at<float>(body, 1 + length);
+    if (type == "int32_t") out_.parameters[name] = value_at<std::int32_t>(body, 1 + length);
   }
 
   void take_subscription(std::string_view body, std::uint64_t begin) {

@@ -114,6 +114,9 @@ TEST(BendSteps, CutShortAStretchWhoseEndsSeeEachOther) {
   ASSERT_TRUE(found);
   const double around = std::hypot(6988.999, 7.001) + 12.002 + std::hypot(1978.999, 7.001);
   EXPECT_NEAR(geom::length(found->path), around, 1e-3);
+  // Not only once all is pulled taut: a search would look for bends where none are.
+  ASSERT_EQ(found->steps.size(), 2u);
+  EXPECT_LT(found->steps.front().length, geom::length(needless) - 3);
 }
 
 TEST(BendSteps, GiveUpWhereAWallHasNoGap) {

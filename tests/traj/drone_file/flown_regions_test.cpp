@@ -110,7 +110,7 @@ TEST(FlyCircle, HasRoomWhereItBegins) {
 
 TEST(ReturnHulls, HoldTheClimbAndTheWayAcross) {
   const Hull low{{200, 0, 20}, {200, 5, 20}};
-  const auto far = return_hulls(low, {0, 0, 60}, 10);
+  const auto far = return_hulls(low, {0, 0, 60}, 10, 1);
   ASSERT_EQ(far.size(), 2u);
   EXPECT_TRUE(holds(far[0], {200, 3, 45}));
   EXPECT_TRUE(holds(far[1], {100, 1, 60}));
@@ -118,10 +118,14 @@ TEST(ReturnHulls, HoldTheClimbAndTheWayAcross) {
 }
 
 TEST(ReturnHulls, HoldAllHeightsFromNear) {
-  const auto near = return_hulls({{40, 0, 20}}, {0, 0, 60}, 10);
+  const auto near = return_hulls({{40, 0, 20}}, {0, 0, 60}, 10, 1);
   EXPECT_TRUE(holds(near[1], {20, 0, 20}));
   EXPECT_TRUE(holds(near[1], {1, 0, 59}));
   EXPECT_FALSE(holds(near[1], {20, 0, 19}));
+  const Hull further{{90, 0, 20}};
+  EXPECT_FALSE(holds(return_hulls(further, {0, 0, 60}, 10, 1)[1], {45, 0, 40}));
+  EXPECT_TRUE(holds(return_hulls(further, {0, 0, 60}, 10, 0.5)[1], {45, 0, 40})) << "a low cone";
+  EXPECT_FALSE(holds(return_hulls({{40, 0, 20}}, {0, 0, 60}, 10, 0)[1], {20, 0, 40})) << "none";
 }
 
 TEST(Circle, HoldsItsDisc) {

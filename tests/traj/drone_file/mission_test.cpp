@@ -17,12 +17,14 @@ using testing::kPoints;
 using testing::mission_options;
 
 void expect_flown(const FlownMission& flown) {
-  ASSERT_EQ(flown.path.size(), kPoints.size());
-  for (std::size_t i = 0; i < kPoints.size(); ++i) {
-    EXPECT_LT((flown.path[i] - kPoints[i]).head<2>().norm(), 0.008) << "1e-7 degrees";
-    EXPECT_NEAR(flown.path[i].z(), kPoints[i].z(), 0.0006);
+  ASSERT_EQ(flown.path.size(), kPoints.size() + 1) << "with a rest where it took off to";
+  for (std::size_t i = 0; i < flown.path.size(); ++i) {
+    const Vec3& p = kPoints[i == 0 ? 0 : i - 1];
+    EXPECT_LT((flown.path[i] - p).head<2>().norm(), 0.008) << "1e-7 degrees";
+    EXPECT_NEAR(flown.path[i].z(), p.z(), 0.0006);
   }
-  EXPECT_EQ(flown.hold, (std::vector<double>{0, 1, 1}));
+  EXPECT_EQ(flown.hold, (std::vector<double>{0, 3, 3, 3}));
+  EXPECT_EQ(flown.corners, 0u);
   EXPECT_NEAR(*flown.ends.takeoff_from, 2, 0.0006);
   EXPECT_NEAR(*flown.ends.landing_on, 6.5, 0.0006);
   EXPECT_EQ(flown.speed, 4.5);
@@ -43,7 +45,30 @@ TEST(Mission, ComesBackFromBothFilesAsItWasMade) {
 TEST(Mission, AHomeThatIsGivenCountsBeforeTheFiles) {
   const Mission mission = make_mission(kPoints, kFrame, mission_options());
   const FlownMission flown = flown_mission(mission, kFrame, {.home = 102.0}, "mission");
-  EXPECT_NEAR(flown.path[1].z(), kPoints[1].z() + 100, 0.0006);
+  EXPECT_NEAR(flown.path[2].z(), kPoints[1].z() + 100, 0.0006);
+}
+
+TEST(Mission, PassesPointsAndSlowsDownAsAsked) {
+  MissionOptions options = mission_options();
+  options.passed = {true, true, true};
+  options.approach = {0, 0, 1.5};
+  options.slowing = 40;
+  const Mission mission = make_mission(kPoints, kFrame, options);
+  std::vector<int> commands;
+  std::vector<std::size_t> points;
+  for (const MissionItem& item : mission.items) {
+    commands.push_back(item.command);
+    points.push_back(item.point);
+  }
+  EXPECT_EQ(commands, (std::vector<int>{kTakeoff, kSpeed, kWaypoint, kWaypoint, kWaypoint, kSpeed,
+                                        kWaypoint, kLand}));
+  EXPECT_EQ(points, (std::vector<std::size_t>{0, 0, 0, 1, 2, 2, 2, 2}));
+  EXPECT_EQ(mission.items[2].param[0], 3) << "the first rests, and so does the last";
+  EXPECT_EQ(mission.items[3].param[0], 0);
+  EXPECT_EQ(mission.items[5].param[1], 1.5);
+  EXPECT_EQ(mission.items[6].param[0], 3);
+  const FlownMission flown = flown_mission(mission, kFrame, {}, "mission");
+  EXPECT_NEAR((flown.path[3] - flown.path[4]).norm(), 40, 0.02);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "cli/file/dji_file.h"
 #include "cli/option/numbers_option.h"
 #include "cli/run.h"
+#include "geom/text/counted.h"
 #include "geom/base/error.h"
 #include "geom/record/path_csv.h"
 #include "traj/curve/to_enu.h"
@@ -79,6 +80,18 @@ Notes notes_of(const traj::FlownMission& read) {
         "the return to home is left out: its height is a setting of the vehicle, which "
         "--return-height gives, or it may go to the mission's own landing");
   }
+  if (read.endless_jumps > 0) {
+    notes.push_back(fmt::format(
+        "{}: the mission does not end by itself, and what is repeated was looked at flown twice",
+        geom::counted(read.endless_jumps, "jump for ever", "jumps for ever")));
+  }
+  if (read.tight_radii > 0) {
+    notes.push_back(fmt::format(
+        "{} a radius below {:g} m: PX4 from 1.12 on leaves the line before such an item by metres, "
+        "which was looked at; a radius of {:g} m and a hold keep it on the line",
+        geom::counted(read.tight_radii, "item has", "items have"), traj::kLeastLineRadius,
+        traj::kLeastLineRadius));
+  }
   if (!read.ended) {
     notes.emplace_back("the flight ends without landing: the vehicle hovers, or the file was cut");
   }
@@ -94,7 +107,7 @@ Notes notes_of(const traj::FlownMission& read) {
 traj::Flown flown_mission(const traj::Mission& mission, const std::string& source,
                           const DroneFileOptions& options, const geom::Frame& frame, Notes& notes) {
   const Placement& placement = options.placement;
-  traj::MissionRules rules = options.mission;
+  traj::MissionRules rules = options.autopilot.rules(options.mission);
   rules.home = placement.ground;
   traj::FlownMission read =
       traj::flown_mission(mission, placement.mission_frame(frame), rules, source);
@@ -105,6 +118,7 @@ traj::Flown flown_mission(const traj::Mission& mission, const std::string& sourc
   flown.hold = std::move(read.hold);
   flown.legs = std::move(read.legs);
   flown.sweeps = std::move(read.sweeps);
+  flown.drift = std::move(read.drift);
   flown.fences = std::move(read.fences);
   flown.home = read.home;
   flown.rally = std::move(read.rally);
@@ -115,6 +129,9 @@ traj::Flown flown_mission(const traj::Mission& mission, const std::string& sourc
   flown.speed = read.speed;
   flown.returns = read.returns;
   flown.path_stray = traj::kMissionStray;
+  flown.endless_jumps = read.endless_jumps;
+  flown.climb = read.climb;
+  flown.descent = read.descent;
   return flown;
 }
 
@@ -186,6 +203,11 @@ traj::Flown in_map_axes(traj::Flown flown, geom::Axes axes) {
   flown.path = traj::to_enu(axes, std::move(flown.path));
   flown.path_stray = geom::to_enu(axes, flown.path_stray);
   for (traj::Sweep& sweep : flown.sweeps) sweep.hull = traj::to_enu(axes, std::move(sweep.hull));
+  for (traj::Drift& drift : flown.drift) {
+    for (traj::Sweep& sweep : drift.sweeps) sweep.hull = traj::to_enu(axes, std::move(sweep.hull));
+    drift.around = geom::to_enu(axes, drift.around);
+  }
+  flown.navigation = geom::to_enu(axes, flown.navigation);
   for (traj::Fence& fence : flown.fences) {
     for (geom::Vec2& p : fence.ring) p = geom::to_enu(axes, {p.x(), p.y(), 0}).head<2>();
   }
@@ -307,6 +329,8 @@ void DroneFileOptions::add_mission_to(CLI::App& app) {
                  "beyond the waypoint (default 3)")
       ->check(CLI::Range(0.1, 100.0));
   add_heights_to(app);
+  autopilot.add_to(app);
+  autopilot.add_tracking_to(app);
 }
 
 void DroneFileOptions::add_heights_to(CLI::App& app) {
@@ -336,6 +360,7 @@ std::vector<DroneFile> read_drone_file(const std::string& text, const std::strin
   std::vector<DroneFile> files;
   for (std::size_t i = 0; i < read.size(); ++i) {
     const std::string id = read.size() == 1 ? name : fmt::format("{}-{}", name, i + 1);
+    read[i].navigation = options.autopilot.allowance(read[i].drift.empty());
     files.push_back({id, format, in_map_axes(std::move(read[i]), frame.axes), notes});
   }
   return files;

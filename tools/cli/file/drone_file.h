@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/option/autopilot_option.h"
 #include "geom/map/frame.h"
 #include "traj/drone_file/mission.h"
 #include "traj/drone_file/mission_flight.h"
@@ -49,6 +50,7 @@ struct DroneFileOptions {
   Placement placement;
   std::optional<geom::Vec3> start;  // where a Tello stands, in the map's axes
   traj::MissionRules mission = {};  // but for home, which is the placement's ground
+  AutopilotOptions autopilot = {};
 
   // --file-format, --paths-csv, --start, those of the placement and all of missions.
   void add_to(CLI::App& app);

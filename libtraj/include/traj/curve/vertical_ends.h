@@ -25,4 +25,15 @@ struct FlightEnvelope {
 // of the bounds: where it can stand. `p` is free.
 double ground_below(const geom::CollisionScene& scene, const geom::Vec3& p);
 
+// What a vehicle that sinks from `p` comes to stand on, where it may be up to `beside` metres
+// further along x and y: the height of the highest top that its box without margin may meet, else
+// the floor of the bounds; and whether all below the box is as high, to `level` metres, so that it
+// stands wherever it comes down. Tops above `p` are not looked at.
+struct LandingGround {
+  double height = 0;
+  bool whole = true;
+};
+LandingGround landing_ground(const geom::CollisionScene& scene, const geom::Vec3& p,
+                             const geom::Vec3& beside, double level);
+
 }  // namespace traj

@@ -51,6 +51,7 @@ struct MissionItem {
   double altitude = 0;     // m
   std::size_t line = 0;    // where it was read; 0: it has none
   std::size_t number = 0;  // as the file counts, and jumps do
+  std::size_t point = 0;   // of the path that make_mission made it of
 };
 
 struct Mission {
@@ -71,13 +72,20 @@ struct MissionOptions {
   double home = 0;                   // z of the ground under the first point, m
   std::optional<double> landing_on;  // z of the ground under the last; absent: it hovers there
   std::optional<double> speed;       // m/s along the legs; absent: as the vehicle is set
-  double hold = 1;                   // s to rest at each waypoint, so that no corner is cut
-  double acceptance = 0.2;           // m from a waypoint that count as there
+  double hold = 3;                   // s to rest at a waypoint, so that no corner is cut there
+  double acceptance = 2;             // m from a waypoint that count as there
+  // Of each point whether it is passed without a rest; empty: none is. The first and the last rest.
+  std::vector<bool> passed;
+  // Of each point the speed with which it is come to, m/s; 0 or empty: as every leg is flown. The
+  // way to slow down on is the leg's last `slowing` metres, behind a waypoint that is passed.
+  std::vector<double> approach;
+  double slowing = 30;
 };
 
-// A take-off straight up to the first point, the others as waypoints, relative to home, a landing:
-// as the file will hold them, latitudes and longitudes rounded to 1e-7 degrees (as MAVLink sends
-// them), heights to millimetres. At least one point, in ENU.
+// A take-off straight up to the first point and a rest there, since autopilots pass the take-off
+// before it is reached; the others as waypoints, relative to home; a landing: as the file will hold
+// them, latitudes and longitudes rounded to 1e-7 degrees (as MAVLink sends them), heights to
+// millimetres. At least one point, in ENU.
 Mission make_mission(std::span<const Vec3> points, const MissionFrame& frame,
                      const MissionOptions& options);
 

@@ -8,6 +8,7 @@
 
 #include "geom/shape/polyline.h"
 #include "traj/curve/vertical_ends.h"
+#include "traj/drone_file/autopilot.h"
 #include "traj/drone_file/mission.h"
 #include "traj/proof/sweep.h"
 
@@ -21,6 +22,7 @@ struct MissionRules {
   double braking = 3;                   // m/s2
   std::optional<double> return_height;  // m above home at which it returns
   std::optional<double> ground;  // z of the flat ground that heights above terrain count from
+  std::vector<Autopilot> autopilots{px4(), ardupilot()};  // any of which may fly it
 };
 
 // Straight legs in ENU, and beside them the regions that it may fly through anywhere: where it does
@@ -30,6 +32,7 @@ struct FlownMission {
   std::vector<double> hold;      // s, one a point
   std::vector<FlightPart> legs;  // the one that leads to each point, and the landing's
   std::vector<Sweep> sweeps;
+  std::vector<Drift> drift;  // where the autopilots may be, the way itself included
   std::vector<Fence> fences;
   VerticalEnds ends;
   std::optional<double> speed;  // m/s, the largest asked for; absent where a leg has none
@@ -44,6 +47,11 @@ struct FlownMission {
   // m from home to the take-off's place, where those differ: it climbs at home and goes there. Some
   // autopilots take no heed of a take-off's place and go on from above home.
   double takeoff_from_home = 0;
+  std::size_t endless_jumps = 0;  // jumps for ever: their loops are looked at flown twice
+  std::size_t tight_radii = 0;    // items with a radius at which PX4 leaves the line before them
+  // The most that the autopilots climb and descend with, m/s, whatever speed is asked for.
+  double climb = 0;
+  double descent = 0;
 };
 
 // How far a vehicle may be from the places that a file says, along each axis: latitudes and

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/shape/polygon.h"
 #include "geom/vehicle/vehicle.h"
 #include "traj/flight/airframe.h"
 
@@ -16,6 +17,8 @@ struct VehicleProfile {
   geom::Vehicle vehicle;
   Airframe airframe;               // of a profile only
   std::optional<geom::Vec3> body;  // half sizes, m, that the box holds up to vehicle's tilt limit
+  // m across, and up or down: how wrong it may be about where it is
+  std::optional<geom::Vec2> navigation = {};
 };
 
 // Throws geom::InputError(source, line, …) for a key that is not known: a limit under a name that

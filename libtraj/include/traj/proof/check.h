@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geom/collision/collision.h"
@@ -67,6 +68,8 @@ struct CheckResult {
   std::optional<std::size_t> box;  // the obstacle hit: an index into BoxMap::boxes()
   double worst = 0;  // how bad: penetration or way out of bounds or gap in metres, else the value
   std::optional<FlightPart> part;  // of a mission: where that is
+  // Of a mission that is refused for where an autopilot may stray, beside its way: that autopilot.
+  std::string strayed = {};
 
   std::size_t looked_at = 0;  // obstacles near the pieces it was cut into: what the place cost
 

@@ -9,8 +9,19 @@
 
 namespace traj {
 
-enum class Manoeuvre { takeoff, leg, corner, circle, hover, spline, climb, return_home, landing };
-inline constexpr geom::Words<Manoeuvre, 9> kManoeuvreWords{{
+enum class Manoeuvre {
+  takeoff,
+  leg,
+  corner,
+  circle,
+  hover,
+  spline,
+  climb,
+  return_home,
+  landing,
+  overshoot  // beyond a stop
+};
+inline constexpr geom::Words<Manoeuvre, 10> kManoeuvreWords{{
     {Manoeuvre::takeoff, "takeoff"},
     {Manoeuvre::leg, "leg"},
     {Manoeuvre::corner, "corner"},
@@ -20,6 +31,7 @@ inline constexpr geom::Words<Manoeuvre, 9> kManoeuvreWords{{
     {Manoeuvre::climb, "climb"},
     {Manoeuvre::return_home, "return"},
     {Manoeuvre::landing, "landing"},
+    {Manoeuvre::overshoot, "overshoot"},
 }};
 constexpr std::string_view name(Manoeuvre manoeuvre) {
   return geom::word_of(kManoeuvreWords, manoeuvre);

@@ -46,9 +46,10 @@ enum class Reason {
   thrust_not_measured,
   body_rate_not_measured,
   yaw_rate_not_measured,
-  // A mission: the way up, the autopilot's envelope, a return that it does not say, a place other
-  // than the trajectory's end, a fence.
+  // A mission: the way up, what it lands on, the autopilot's envelope, a return that it does not
+  // say, a place other than the trajectory's end, a fence.
   takeoff,
+  landing,
   ceiling,
   range,
   endurance,
@@ -58,7 +59,7 @@ enum class Reason {
   // A record's own bound on its duration, or on the length of paths, that cannot be.
   duration_bound
 };
-inline constexpr geom::Words<Reason, 38> kReasonWords{{
+inline constexpr geom::Words<Reason, 39> kReasonWords{{
     {Reason::none, ""},
     {Reason::no_path, "no_path"},
     {Reason::infeasible, "infeasible"},
@@ -90,6 +91,7 @@ inline constexpr geom::Words<Reason, 38> kReasonWords{{
     {Reason::body_rate_not_measured, "body_rate_not_measured"},
     {Reason::yaw_rate_not_measured, "yaw_rate_not_measured"},
     {Reason::takeoff, "takeoff"},
+    {Reason::landing, "landing"},
     {Reason::ceiling, "ceiling"},
     {Reason::range, "range"},
     {Reason::endurance, "endurance"},

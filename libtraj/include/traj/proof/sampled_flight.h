@@ -27,15 +27,20 @@ struct SampledFlight {
   std::optional<Extreme> clearance;
   Vec3 nearest = Vec3::Zero();
   double duration = 0;      // s from the first sample to the last
+  double on_ground = 0;     // s of it that the vehicle stood, before and after
   double longest_step = 0;  // s between two samples
 };
 
-// "sampled" at best, and never more: a touch ("collision", "bounds"), else "gap".
+// "sampled" at best, and never more: a touch ("collision", else "bounds"), else "gap".
 std::string_view verdict(const SampledFlight& flight);
 
 // Along the straight lines between neighbouring samples, exact on these (check_path), but for those
 // that are more than kLongestGap apart. `points` in the map's axes, reached at `times`, which grow;
 // at least one.
+//
+// A log may begin and end on the ground: while a vehicle is within 2 m across of its first sample,
+// or its last, and not half a metre above where it would be clear, what lies below it is stood on,
+// and neither it nor the floor counts as a touch. Heights may be half a metre wrong there.
 SampledFlight check_sampled(const geom::CollisionScene& scene, std::span<const Vec3> points,
                             std::span<const double> times);
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geom/collision/collision.h"
@@ -17,6 +18,17 @@ namespace traj {
 struct Sweep {
   std::vector<Vec3> hull;
   FlightPart part;
+  // Of a way up from the ground or down to it: the ground's z. What lies below that is stood on, so
+  // it is not in the way.
+  std::optional<double> stands_on = {};
+};
+
+// Where one autopilot may be while it flies a mission: anywhere in the sweeps, and within `around`
+// of them along each axis.
+struct Drift {
+  std::string autopilot;  // as reports name it
+  std::vector<Sweep> sweeps;
+  Vec3 around = Vec3::Zero();  // m
 };
 
 // Holds all sweeps, and everything within `stray` of them along each axis, against bounds and
@@ -25,6 +37,12 @@ struct Sweep {
 // place, depth and box, unless it has a reason already.
 void check_sweeps(const geom::CollisionScene& scene, std::span<const Sweep> sweeps,
                   const Vec3& stray, CheckResult& result);
+
+// Holds the places of each drift against bounds and obstacles, for the vehicle without its margin
+// but `navigation` metres larger on every side: the margin is what an autopilot may stray. `result`
+// as above, and `strayed`.
+void check_drift(const geom::CollisionScene& scene, std::span<const Drift> drift,
+                 const Vec3& stray, const Vec3& navigation, CheckResult& result);
 
 // The same against fences, in plan: the whole vehicle with its margin stays in every inclusion
 // and out of every exclusion. `worst` is how far beyond the first fence that it does not keep to

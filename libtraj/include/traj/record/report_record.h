@@ -2,6 +2,7 @@
 
 // What the check found, as a JSON Lines record.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,13 @@ struct ReportRecord {
   // Of a mission: home as it was assumed, and how many items move nothing.
   std::optional<Vec3> home = {};
   std::size_t idle_items = 0;
+  // Of what an autopilot flies: which ones that holds for, the parameters that were assumed of them,
+  // and metres across and up or down by which they may be wrong about where they are, or stray.
+  std::string autopilot = {};
+  std::vector<std::string> assumed = {};
+  std::optional<std::array<double, 2>> navigation = {};
+  std::optional<std::array<double, 2>> tracking = {};
+  std::size_t endless_jumps = 0;
   std::string detail = {};  // of the reason, in words; may be empty
   geom::FlightTime time = {};
   // Whether boxes that are there for a time were looked at by time; else as always there.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,6 +51,7 @@ struct UlogSummary {
   // one.
   std::optional<std::uint64_t> cut_at;
   std::string cut_why;
+  std::map<std::string, double> parameters;  // the last value of each
 };
 
 // Gives `take` each message of the `topics`, in the order of the file, of the first instance of

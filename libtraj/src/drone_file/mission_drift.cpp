@@ -1,0 +1,220 @@
+#include "mission_drift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "flown_regions.h"
+
+namespace traj {
+namespace {
+
+// A leg that is not followed swings by so much, m: of radii below half a metre, and of others.
+constexpr double kWideSwing = 3.3;
+constexpr double kSwing = 1.4;
+constexpr double kTightRadius = 0.5;  // m
+
+constexpr double kFarBack = 200;  // m: no speed lasts so long
+
+Vec3 level(const Vec3& v) { return {v.x(), v.y(), 0}; }
+
+class DriftMaker {
+ public:
+  DriftMaker(const Autopilot& autopilot, const DriftTask& task) : pilot_(autopilot), task_(task) {}
+
+  std::vector<Sweep> make() {
+    for (const Sweep& sweep : task_.sweeps) add(sweep.hull, sweep.part);
+    if (task_.ends.takeoff_from) take_off();
+    for (std::size_t i = 0; i < task_.path.size(); ++i) {
+      if (i > 0) leg(i);
+      if (i > 0 && i + 1 < task_.path.size()) stops(i) ? stop(i) : pass(i);
+    }
+    task_.ends.landing_on ? land() : end();
+    return std::move(out_);
+  }
+
+ private:
+  const Vec3& at(std::size_t i) const { return task_.path[i]; }
+
+  void add(Hull hull, const FlightPart& part) { out_.push_back({std::move(hull), part}); }
+  void add_to_ground(Hull hull, const FlightPart& part, double ground) {
+    out_.push_back({std::move(hull), part, ground});
+  }
+
+  Vec3 direction(std::size_t i) const {
+    const Vec3 way = at(i) - at(i - 1);
+    const double length = way.norm();
+    return length > 0 ? Vec3(way / length) : Vec3(Vec3::Zero());
+  }
+
+  double length(std::size_t i) const { return (at(i) - at(i - 1)).norm(); }
+
+  // The most that the leg to a point is flown with, m/s: its climb or descent may hold it back.
+  double speed(std::size_t i) const {
+    const double asked = task_.speeds[i].value_or(pilot_.speed);
+    const double rise = direction(i).z();
+    const double most = rise > 0 ? pilot_.climb : pilot_.descent;
+    return std::abs(rise) > 0 ? std::min(asked, most / std::abs(rise)) : asked;
+  }
+
+  // The same where the leg ends: it may still be slowing down from a faster one, with half of the
+  // acceleration that it may.
+  double speed_at_end(std::size_t i) const {
+    double fastest = speed(i);
+    double way = length(i);
+    for (std::size_t k = i - 1; k > 0 && !stops(k); --k) {
+      const double left = speed(k) * speed(k) - pilot_.acceleration * way;
+      if (left > fastest * fastest) fastest = std::sqrt(left);
+      way += length(k);
+      if (way > kFarBack) break;
+    }
+    return fastest;
+  }
+
+  // How far a stop at a point is overshot.
+  Vec3 overshoot(std::size_t i) const {
+    const Vec3 along = level(direction(i));
+    return along * (pilot_.overshoot_time * speed_at_end(i) + pilot_.overshoot);
+  }
+
+  // A point of the next leg where what was before has decayed.
+  Vec3 settled(std::size_t i, double speed) const {
+    const double most = pilot_.settling + pilot_.settling_time * speed;
+    return before_corner(at(i + 1), at(i), most);
+  }
+
+  double radius(std::size_t i) const {
+    const double said = task_.turns[i].said;
+    return pilot_.heeds_item_radius && said > 0 ? said : pilot_.acceptance;
+  }
+
+  bool is_leg(std::size_t i) const {
+    const Manoeuvre manoeuvre = task_.legs[i].manoeuvre;
+    return manoeuvre == Manoeuvre::leg || manoeuvre == Manoeuvre::spline ||
+           manoeuvre == Manoeuvre::hover;
+  }
+
+  // Rests there, as this autopilot counts it.
+  bool stops(std::size_t i) const {
+    const Manoeuvre manoeuvre = task_.legs[i].manoeuvre;
+    if (manoeuvre == Manoeuvre::return_home) return !pilot_.heeds_item_radius;
+    if (task_.turns[i].kind == Turn::rest) return manoeuvre != Manoeuvre::circle;
+    return !pilot_.heeds_item_radius && task_.hold[i] >= 1;
+  }
+
+  // --- pieces -------------------------------------------------------------------------------
+
+  void leg(std::size_t i) {
+    Hull hull{at(i - 1), at(i)};
+    const double r = radius(i);
+    if (is_leg(i) && r < pilot_.least_radius) {
+      hull.push_back({at(i - 1).x(), at(i - 1).y(), at(i).z()});
+      hull = around(hull, r < kTightRadius ? kWideSwing : kSwing);
+    }
+    add(std::move(hull), task_.legs[i]);
+  }
+
+  static Hull around(const Hull& hull, double by) {
+    Hull out;
+    for (const Vec3& p : hull) {
+      for (int corner = 0; corner < 8; ++corner) {
+        out.push_back(p + by * Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
+      }
+    }
+    return out;
+  }
+
+  void take_off() {
+    const Vec3& top = at(0);
+    const Vec3 ground(top.x(), top.y(), *task_.ends.takeoff_from);
+    const double high = std::max(top.z(), ground.z() + pilot_.takeoff_height);
+    add_to_ground({ground, {top.x(), top.y(), high}}, task_.legs[0], ground.z());
+    if (task_.path.size() < 2) return;
+    const double low =
+        std::min(pilot_.height_acceptance, std::max(0.0, (top.z() - ground.z()) / 2));
+    const Vec3 up(0, 0, 1.25 * pilot_.height_acceptance);
+    add({top - Vec3(0, 0, low), Vec3(top.x(), top.y(), high) + up, settled(0, 2 * speed(1))},
+        task_.legs[0]);
+  }
+
+  // Beyond the stop, and from there onto the next leg.
+  void stop(std::size_t i) {
+    const Vec3 beyond = overshoot(i);
+    if (beyond.isZero(0)) return;
+    const double fast = speed(i);
+    add({at(i), at(i) + beyond, settled(i, fast)}, {task_.legs[i].item, Manoeuvre::overshoot});
+  }
+
+  void pass(std::size_t i) {
+    const FlightPart part{task_.legs[i].item, Manoeuvre::corner};
+    const Vec3& p = at(i);
+    const double fast = std::max(speed(i), speed(i + 1));
+    if (pilot_.turns_by_s_curve) return pass_by_s_curve(i, fast, part);
+    const double begin = std::hypot(radius(i), pilot_.height_acceptance);
+    Hull hull{before_corner(at(i - 1), p, begin), p, settled(i, fast)};
+    for (const Vec3& from : task_.turns[i].from) hull.push_back(before_corner(from, p, begin));
+    add(std::move(hull), part);
+  }
+
+  // The blend of two S-curves bends one way: it leaves the old leg where that begins to slow down,
+  // passes within the radius, and joins the new leg where that is up to speed. So it stays in two
+  // triangles. Behind the point it swings outward.
+  void pass_by_s_curve(std::size_t i, double fast, const FlightPart& part) {
+    const Vec3& p = at(i);
+    const Vec3 in = direction(i);
+    const Vec3 out = direction(i + 1);
+    const double blend = s_curve_length(pilot_, fast);
+    const Vec3 begin = before_corner(at(i - 1), p, blend);
+    const Vec3 end = before_corner(at(i + 1), p, std::max(blend, pilot_.settling));
+    const Vec3 inward = out - in;
+    const double turn = inward.norm();
+    const Vec3 nearest = turn > 0 ? Vec3(p + inward * (pilot_.acceptance / turn)) : p;
+    add({begin, p, nearest}, part);
+    add({p, end, nearest}, part);
+    const double swing = pilot_.overshoot_time * fast + pilot_.overshoot;
+    const Vec3 across = in - out * in.dot(out);
+    const double turned = across.norm();
+    Hull hull{p, p + in * swing, settled(i, fast)};
+    if (turned > 0) {
+      const Vec3 outward = across * (std::min(1.0, turned * 2) * swing / turned);
+      hull.push_back(p + outward);
+      hull.push_back(hull[2] + outward);
+    }
+    add(std::move(hull), part);
+  }
+
+  // Sinking begins when the place is within the radius, and goes on while it still comes nearer.
+  void land() {
+    const std::size_t last = task_.path.size() - 1;
+    const Vec3& above = at(last);
+    const double ground = *task_.ends.landing_on;
+    add_to_ground({above, {above.x(), above.y(), ground}}, task_.landing, ground);
+    if (last == 0) return;
+    Hull cone{above, {above.x(), above.y(), std::max(ground, above.z() - pilot_.fall)}};
+    const bool moves = task_.legs[last].manoeuvre == Manoeuvre::landing ||
+                       task_.legs[last].manoeuvre == Manoeuvre::return_home;
+    if (moves || task_.turns[last].kind != Turn::rest) {
+      cone.push_back(before_corner(at(last - 1), above, radius(last)));
+    }
+    cone.push_back(above + overshoot(last));
+    add_to_ground(std::move(cone), task_.landing, ground);
+  }
+
+  void end() {
+    const std::size_t last = task_.path.size() - 1;
+    if (last == 0) return;
+    add({at(last), at(last) + overshoot(last)}, {task_.legs[last].item, Manoeuvre::overshoot});
+  }
+
+  const Autopilot& pilot_;
+  const DriftTask& task_;
+  std::vector<Sweep> out_;
+};
+
+}  // namespace
+
+std::vector<Sweep> drift_sweeps(const Autopilot& autopilot, const DriftTask& task) {
+  return DriftMaker(autopilot, task).make();
+}
+
+}  // namespace traj

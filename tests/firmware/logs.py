@@ -1,0 +1,151 @@
+"""The simulator's ground truth out of the firmwares' own logs: PX4's ULog and ArduPilot's DataFlash log.
+
+Both give (seconds since the clock's start, latitude, longitude, altitude), in double precision and without the
+losses of a telemetry link; and the moments of arming and disarming.
+"""
+
+import bisect
+import math
+import pathlib
+import struct
+
+_ULOG_TYPES = {"int8_t": "b", "uint8_t": "B", "bool": "?", "char": "c", "int16_t": "h", "uint16_t": "H", "int32_t": "i",
+               "uint32_t": "I", "int64_t": "q", "uint64_t": "Q", "float": "f", "double": "d"}
+
+
+def _ulog_offsets(fields):
+    """Field name to (offset, struct code), as far as plain types reach."""
+    offsets, at = {}, 0
+    for field in fields.rstrip(";").split(";"):
+        kind, name = field.split(" ")
+        kind, _, count = kind.partition("[")
+        code = _ULOG_TYPES.get(kind)
+        if code is None:
+            break
+        count = int(count[:-1]) if count else 1
+        offsets[name] = (at, "<" + code)
+        at += struct.calcsize(code) * count
+    return offsets
+
+
+def _ulog(path, wanted):
+    """Rows of the wanted topics: {topic: {field, ...}} -> {topic: [(values in the order of sorted fields), ...]}."""
+    data = pathlib.Path(path).read_bytes()
+    if data[:7] != b"ULog\x01\x12\x35":
+        raise ValueError(f"{path}: the file is not a ULog.")
+    formats, readers, dropped = {}, {}, 0
+    rows = {topic: [] for topic in wanted}
+    at = 16
+    while at + 3 <= len(data):
+        size, kind = struct.unpack_from("<HB", data, at)
+        body = at + 3
+        at = body + size
+        if at > len(data):
+            break
+        if kind == 0x44:  # D: data
+            reader = readers.get(int.from_bytes(data[body : body + 2], "little"))
+            if reader:
+                out, fields = reader
+                out.append(tuple(struct.unpack_from(code, data, body + 2 + offset)[0] for offset, code in fields))
+        elif kind == 0x46:  # F: format
+            name, _, fields = data[body:at].decode().partition(":")
+            formats[name] = fields
+        elif kind == 0x41:  # A: subscription
+            number, topic = int.from_bytes(data[body + 1 : body + 3], "little"), data[body + 3 : at].decode()
+            if topic in wanted and data[body] == 0:
+                offsets = _ulog_offsets(formats[topic])
+                readers[number] = (rows[topic], [offsets[field] for field in sorted(wanted[topic])])
+        elif kind == 0x4F:  # O: dropout
+            dropped += int.from_bytes(data[body : body + 2], "little")
+    return rows, dropped
+
+
+def px4(path):
+    """(samples, armed at, disarmed at or None, milliseconds that the logger lost)."""
+    fields = {"timestamp", "alt", "lat", "lon"}
+    rows, dropped = _ulog(path, {"vehicle_global_position_groundtruth": fields, "actuator_armed": {"armed", "timestamp"}})
+    samples = [(stamp * 1e-6, lat, lon, alt) for alt, lat, lon, stamp in rows["vehicle_global_position_groundtruth"]]
+    armed = disarmed = None
+    for is_armed, stamp in rows["actuator_armed"]:
+        if is_armed and armed is None:
+            armed = stamp * 1e-6
+        elif not is_armed and armed is not None and disarmed is None:
+            disarmed = stamp * 1e-6
+    return samples, armed, disarmed, dropped
+
+
+_FLASH_TYPES = {"a": "64s", "b": "b", "B": "B", "h": "h", "H": "H", "i": "i", "I": "I", "f": "f", "d": "d", "n": "4s",
+                "N": "16s", "Z": "64s", "c": "h", "C": "H", "e": "i", "E": "I", "L": "i", "M": "B", "q": "q", "Q": "Q",
+                "g": "e"}
+_METRES = 0.011131884502145034  # ArduPilot's metres to 1e-7 degrees of latitude
+_ARMED, _DISARMED = 10, 11  # events
+
+
+def arducopter(path, home):
+    """The same of a DataFlash log. SIM2 holds metres from home; they become degrees the way that ArduPilot does it."""
+    data = pathlib.Path(path).read_bytes()
+    home = (round(home[0], 7), round(home[1], 7), home[2])  # the firmware's own digits
+    formats = {128: (89, "FMT", None, None)}
+    samples, armed, disarmed = [], None, None
+    at = 0
+    while at + 3 <= len(data):
+        if data[at] != 0xA3 or data[at + 1] != 0x95:
+            at = data.find(b"\xa3\x95", at + 1)
+            if at < 0:
+                break
+            continue
+        if data[at + 2] not in formats:
+            at += 1
+            continue
+        length, name, layout, columns = formats[data[at + 2]]
+        if at + length > len(data):
+            break
+        if name == "FMT":
+            number, size, label, kinds, names = struct.unpack_from("<BB4s16s64s", data, at + 3)
+            kinds = kinds.rstrip(b"\0").decode()
+            known = all(k in _FLASH_TYPES for k in kinds)
+            formats[number] = (size, label.rstrip(b"\0").decode(),
+                               struct.Struct("<" + "".join(_FLASH_TYPES[k] for k in kinds)) if known else None,
+                               names.rstrip(b"\0").decode().split(","))
+        elif name in ("SIM2", "EV"):
+            row = dict(zip(columns, layout.unpack_from(data, at + 3)))
+            seconds = row["TimeUS"] * 1e-6
+            if name == "SIM2":
+                latitude = home[0] + row["PN"] / _METRES * 1e-7
+                scale = max(math.cos(math.radians(0.5 * (home[0] + latitude))), 0.01)
+                samples.append((seconds, latitude, home[1] + row["PE"] / _METRES / scale * 1e-7, -row["PD"]))
+            elif row["Id"] == _ARMED and armed is None:
+                armed = seconds
+            elif row["Id"] == _DISARMED and armed is not None and disarmed is None:
+                disarmed = seconds
+        at += length
+    if samples:  # the vehicle's centre stands above the ground; the take-off place has home's altitude
+        lift = home[2] - samples[0][3]
+        samples = [(*s[:3], s[3] + lift) for s in samples]
+    return samples, armed, disarmed, 0
+
+
+def at_ten_hertz(samples, start, end):
+    """The track at 10 Hz: seconds since `start`. Samples that come at 10 Hz are taken as they are."""
+    stamps = [s[0] for s in samples]
+    first, last = bisect.bisect_left(stamps, start), bisect.bisect_right(stamps, end)
+    chosen = samples[first:last]
+    if len(chosen) < 2:
+        return []
+    if (chosen[-1][0] - chosen[0][0]) / (len(chosen) - 1) > 0.05:
+        return [(s[0] - start, *s[1:]) for s in chosen]
+    track = []
+    for step in range(int((end - start) * 10 + 1e-6) + 1):
+        moment = start + 0.1 * step
+        after = min(max(bisect.bisect_left(stamps, moment), 1), len(stamps) - 1)
+        a, b = samples[after - 1], samples[after]
+        share = min(max((moment - a[0]) / (b[0] - a[0]), 0.0), 1.0) if b[0] > a[0] else 0.0
+        track.append((moment - start, *(p + share * (q - p) for p, q in zip(a[1:], b[1:]))))
+    return track
+
+
+def write_track(track, path):
+    with open(path, "w", encoding="ascii") as out:
+        out.write("t_s,latitude,longitude,altitude_m\n")
+        for row in track:
+            out.write("%.3f,%.9f,%.9f,%.3f\n" % row)

@@ -1,0 +1,91 @@
+#include "autopilot_option.h"
+
+#include <fmt/format.h>
+
+#include "cli/file/files.h"
+#include "cli/run.h"
+#include "numbers_option.h"
+#include "traj/drone_file/autopilot_settings.h"
+
+namespace cli {
+namespace {
+
+constexpr double kFurthest = 100;  // m
+
+void add_uncertainty(CLI::App& app, const std::string& flag, std::optional<Uncertainty>& value,
+                     const std::string& description) {
+  app.add_option_function<std::string>(
+         flag,
+         [&value, flag](const std::string& text) {
+           const auto v = parse_numbers(text, 2);
+           if (!v || !((*v)[0] >= 0 && (*v)[0] <= kFurthest) ||
+               !((*v)[1] >= 0 && (*v)[1] <= kFurthest)) {
+             throw CLI::ValidationError(
+                 flag, "expected metres across and metres up or down, each from 0 to 100, as "
+                       "0.5,1; found \"" + text + '"');
+           }
+           value = Uncertainty{(*v)[0], (*v)[1]};
+         },
+         description)
+      ->type_name("H,V");
+}
+
+geom::Vec3 box_of(const std::optional<Uncertainty>& value) {
+  const Uncertainty u = value.value_or(Uncertainty{});
+  return {u.across, u.across, u.vertical};
+}
+
+}  // namespace
+
+void AutopilotOptions::add_to(CLI::App& app) {
+  app.add_option("--autopilot", word,
+                 fmt::format("what flies a mission: {} (default any: what is proved holds for "
+                             "each of them)",
+                             traj::kAutopilotWords))
+      ->check([](const std::string& text) {
+        if (traj::autopilots_of(text)) return std::string();
+        return fmt::format("expected {}, found \"{}\"", traj::kAutopilotWords, text);
+      });
+  app.add_option("--params", params,
+                 "the autopilot's parameters: .params of PX4 or QGroundControl, .param of "
+                 "ArduPilot, or a PX4 log")
+      ->type_name("FILE");
+  add_uncertainty(app, "--navigation", navigation,
+                  "metres across, and up or down, by which the vehicle may be wrong about where it "
+                  "is (default: the profile's navigation_m, else 0)");
+}
+
+void AutopilotOptions::add_tracking_to(CLI::App& app) {
+  add_uncertainty(app, "--tracking", tracking,
+                  "metres across, and up or down, by which the vehicle may stray from setpoints or "
+                  "a trajectory (default 0; a mission's is part of its autopilot)");
+}
+
+void AutopilotOptions::settle(const std::optional<traj::VehicleProfile>& profile) {
+  if (!navigation && profile && profile->navigation) {
+    navigation = Uncertainty{profile->navigation->x(), profile->navigation->y()};
+  }
+  pilots = traj::autopilots_of(word).value();
+  if (params.empty()) return;
+  InputFile file(params);
+  const auto settings = traj::read_autopilot_settings(file.stream(), file.name());
+  traj::SetAutopilot set = traj::set_autopilot(settings, pilots, file.name());
+  pilots = {set.autopilot};
+  exactly = set.autopilot;
+  assumed = std::move(set.assumed);
+}
+
+traj::MissionRules AutopilotOptions::rules(traj::MissionRules rules) const {
+  if (!pilots.empty()) rules.autopilots = pilots;
+  if (!exactly) return rules;
+  if (!rules.acceptance) rules.acceptance = exactly->acceptance;
+  if (!rules.speed) rules.speed = exactly->speed;
+  if (!rules.return_height) rules.return_height = exactly->return_height;
+  return rules;
+}
+
+geom::Vec3 AutopilotOptions::allowance(bool tracks) const {
+  return box_of(navigation) + (tracks ? box_of(tracking) : geom::Vec3(geom::Vec3::Zero()));
+}
+
+}  // namespace cli
