@@ -40,7 +40,7 @@ class FlightError(Exception):
 
 
 class Starved(FlightError):
-    """The computer was too busy for that speed; a slower flight may succeed."""
+    """The simulation lost its step, mostly because the computer was too busy for that speed; another try may succeed."""
 
 
 class Firmware:
@@ -138,7 +138,8 @@ class Firmware:
         elif m.name == "STATUSTEXT":
             text = m.text.rstrip(b"\0").decode(errors="replace").strip()
             self.texts.append((self.clock, m.severity, text))
-            self.starved = self.starved or "TIMEOUT" in text  # a sensor came late: threads did not get their turn
+            # a sensor came late or no more: a thread of the firmware did not get its turn
+            self.starved = self.starved or "TIMEOUT" in text or "No valid data from" in text
             if self.options.verbose:
                 print(f"{self.clock:9.2f} [{m.severity}] {text}", file=sys.stderr)
 
@@ -146,7 +147,7 @@ class Firmware:
         if self.process.poll() is not None:
             raise FlightError(f"The firmware ended by itself (code {self.process.returncode}). It said:\n{self.tail()}")
         if self.starved:
-            raise Starved(f"At {self.clock:.1f} s a sensor came late: {self.texts[-1][2]}. The speed was too high.")
+            raise Starved(f"At {self.clock:.1f} s a sensor came late or no more ({self.texts[-1][2]}).")
         self.link.heartbeat(min(0.5, 1.0 / self.options.speedup))
         return self.link.receive(timeout)
 
@@ -369,14 +370,16 @@ class Px4(Firmware):
         raise FlightError(f"The firmware refused the mode {main}.{sub}: {said}.")
 
     def upload_all(self, mission):
-        self.upload(missions.shifted(mission.items, -1), 0)
         if mission.fence:
             self.upload(mission.fence, 1)
         if mission.rally:
             self.upload(mission.rally, 2)
+        self.upload(missions.shifted(mission.items, -1), 0)
+        self.rest(2)  # the navigator checks the mission again after each upload
 
     def start_mission(self):
         self.set_mode(4, 4)
+        self.rest(1)  # armed sooner, the vehicle would take off from another mode, and otherwise
         self.arm()
 
     def truth(self):
@@ -444,8 +447,13 @@ class ArduCopter(Firmware):
     """ArduCopter in SITL, its own model of a quadrotor."""
 
     kind = socket.SOCK_STREAM
-    # for a firmware without its defaults file: a quadrotor "+", nobody at a remote control
-    DEFAULTS = {"FRAME_CLASS": 1, "FRAME_TYPE": 0, "FS_THR_ENABLE": 0, "BATT_MONITOR": 4}
+    # for a program away from its source tree, where copter.parm is: a quadrotor "+", its calibration, its motors
+    DEFAULTS = {"FRAME_CLASS": 1, "FRAME_TYPE": 0, "BATT_MONITOR": 4, "MOT_THST_EXPO": 0.65, "MOT_THST_HOVER": 0.39,
+                "MOT_BAT_VOLT_MIN": 9.6, "MOT_BAT_VOLT_MAX": 12.8, "ATC_RAT_YAW_P": 0.3, "ATC_RAT_YAW_I": 0.02,
+                **{f"INS_ACC{n}OFFS_{axis}": 0.001 for n in ("", "2") for axis in "XYZ"},
+                **{f"INS_ACC{n}SCAL_{axis}": 1.001 for n in ("", "2") for axis in "XYZ"},
+                **{f"COMPASS_OFS{n}_{axis}": offset for n in ("", "2", "3") for axis, offset in zip("XYZ", (5, 13, -18))},
+                **{f"RC{n}_{what}": value for n in range(1, 9) for what, value in (("MIN", 1000), ("MAX", 2000))}}
 
     def port(self, number):
         return 5760 + 10 * number
@@ -465,16 +473,16 @@ class ArduCopter(Firmware):
                 defaults = [str(stock)]
                 break
         noise = options.noise or 0.0
-        params = {} if defaults else dict(self.DEFAULTS)
-        params.update(AUTO_OPTIONS=3, LOG_DISARMED=1)
-        self.optional = {"SIM_GPS1_NOISE": 0.5 * noise, "SIM_GPS_NOISE": 0.5 * noise, "SIM_BARO_RND": 0.2 * noise,
-                         "SIM_MAG_RND": 0.0, "SIM_ACC1_RND": 0.3 * noise, "SIM_ACC2_RND": 0.3 * noise,
-                         "SIM_GYR1_RND": 0.5 * noise, "SIM_GYR2_RND": 0.5 * noise}
+        params = {"AUTO_OPTIONS": 3, "LOG_DISARMED": 1}
+        offered = {} if defaults else dict(self.DEFAULTS)  # names differ between releases: what is unknown is ignored
+        offered.update(SIM_GPS1_NOISE=0.5 * noise, SIM_GPS_NOISE=0.5 * noise, SIM_BARO_RND=0.2 * noise, SIM_MAG_RND=0,
+                       SIM_ACC1_RND=0.3 * noise, SIM_ACC2_RND=0.3 * noise, SIM_GYR1_RND=0.5 * noise,
+                       SIM_GYR2_RND=0.5 * noise)
         if options.wind:
             params.update(SIM_WIND_SPD=options.wind[0], SIM_WIND_DIR=options.wind[1], SIM_WIND_T=1)
         params.update(options.set)
         own = self.folder / "own.parm"
-        own.write_text("".join(f"{k} {v:.9g}\n" for k, v in {**self.optional, **params}.items()))
+        own.write_text("".join(f"{k} {v:.9g}\n" for k, v in {**offered, **params}.items()))
         home = f"{self.home[0]:.9f},{self.home[1]:.9f},{self.home[2]:g},0"
         self.launch([str(binary), "--model", "+", "--speedup", f"{options.speedup:g}", "--home", home, "--defaults",
                      ",".join([*defaults, str(own)]), "-I", str(self.instance)], dict(os.environ))
@@ -609,10 +617,13 @@ def fly(options):
             firmware.disarm_by_force()
         firmware.rest(3)
         firmware.stop()
-        samples, armed, disarmed, lost = firmware.truth()
+        samples, armed, disarmed, lost, beats = firmware.truth()
         if armed is None:
             raise FlightError("The log does not say when the vehicle was armed.")
         end = disarmed if disarmed and ended in ("landed", "disarmed") else stopped_at
+        silence = logs.longest_silence(beats, armed, end)
+        if silence > 0.6:
+            raise Starved(f"A sensor was silent for {silence:.1f} s of the flight.")
         track = logs.at_ten_hertz(samples, armed, end)
         if not track:
             raise FlightError("The log holds no ground truth.")

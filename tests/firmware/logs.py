@@ -60,10 +60,14 @@ def _ulog(path, wanted):
     return rows, dropped
 
 
+_SENSORS = ("vehicle_air_data", "vehicle_gps_position")  # both are logged several times a second
+
+
 def px4(path):
-    """(samples, armed at, disarmed at or None, milliseconds that the logger lost)."""
+    """(samples, armed at, disarmed at or None, milliseconds that the logger lost, moments at which sensors spoke)."""
     fields = {"timestamp", "alt", "lat", "lon"}
-    rows, dropped = _ulog(path, {"vehicle_global_position_groundtruth": fields, "actuator_armed": {"armed", "timestamp"}})
+    rows, dropped = _ulog(path, {"vehicle_global_position_groundtruth": fields, "actuator_armed": {"armed", "timestamp"},
+                                 **{topic: {"timestamp"} for topic in _SENSORS}})
     samples = [(stamp * 1e-6, lat, lon, alt) for alt, lat, lon, stamp in rows["vehicle_global_position_groundtruth"]]
     armed = disarmed = None
     for is_armed, stamp in rows["actuator_armed"]:
@@ -71,7 +75,16 @@ def px4(path):
             armed = stamp * 1e-6
         elif not is_armed and armed is not None and disarmed is None:
             disarmed = stamp * 1e-6
-    return samples, armed, disarmed, dropped
+    return samples, armed, disarmed, dropped, [[row[0] * 1e-6 for row in rows[topic]] for topic in _SENSORS]
+
+
+def longest_silence(beats, start, end):
+    """The longest pause of any sensor between two moments, in seconds."""
+    longest = 0.0
+    for stamps in beats:
+        within = [start, *(s for s in stamps if start < s < end), end]
+        longest = max(longest, *(b - a for a, b in zip(within, within[1:])))
+    return longest
 
 
 _FLASH_TYPES = {"a": "64s", "b": "b", "B": "B", "h": "h", "H": "H", "i": "i", "I": "I", "f": "f", "d": "d", "n": "4s",
@@ -122,7 +135,7 @@ def arducopter(path, home):
     if samples:  # the vehicle's centre stands above the ground; the take-off place has home's altitude
         lift = home[2] - samples[0][3]
         samples = [(*s[:3], s[3] + lift) for s in samples]
-    return samples, armed, disarmed, 0
+    return samples, armed, disarmed, 0, []
 
 
 def at_ten_hertz(samples, start, end):

@@ -48,8 +48,9 @@ Autopilot px4(std::string_view version) {
   out.heeds_item_radius = true;
   out.least_radius = version == "1.11" ? 0 : kLeastLineRadius;
   out.tracking = {0.35, 0.35, 0.3};
-  out.settling = 15;
-  out.settling_time = 2.5;
+  out.settling = 80;
+  out.bulge = 0.013;
+  out.run_on = 0.3;
   out.fall = 12;
   return out;
 }

@@ -133,7 +133,7 @@ class DriftMaker {
     const double low =
         std::min(pilot_.height_acceptance, std::max(0.0, (top.z() - ground.z()) / 2));
     const Vec3 up(0, 0, 1.25 * pilot_.height_acceptance);
-    add({top - Vec3(0, 0, low), Vec3(top.x(), top.y(), high) + up, settled(0, 2 * speed(1))},
+    add({top - Vec3(0, 0, low), Vec3(top.x(), top.y(), high) + up, settled(0, speed(1))},
         task_.legs[0]);
   }
 
@@ -153,6 +153,34 @@ class DriftMaker {
     const double begin = std::hypot(radius(i), pilot_.height_acceptance);
     Hull hull{before_corner(at(i - 1), p, begin), p, settled(i, fast)};
     for (const Vec3& from : task_.turns[i].from) hull.push_back(before_corner(from, p, begin));
+    add(std::move(hull), part);
+    bulge(i, part);
+    if (task_.hold[i] > 0) {
+      add({before_corner(at(i - 1), p, begin), p + direction(i) * (pilot_.run_on * speed(i)),
+           settled(i, fast)},
+          part);
+    }
+  }
+
+  // While it speeds up it swings to either side of the new leg, most from 10 m to 40 m behind the
+  // corner, and half as far up or down.
+  void bulge(std::size_t i, const FlightPart& part) {
+    constexpr double kBegin = 5;  // m
+    constexpr double kEnd = 40;
+    const Vec3& p = at(i);
+    const Vec3 out = direction(i + 1);
+    const double long_leg = length(i + 1);
+    const double fast = speed(i + 1);
+    const Vec3 aside = Vec3(-out.y(), out.x(), 0) * (pilot_.bulge * fast * fast);
+    const Vec3 begin = p + out * std::min(kBegin, long_leg);
+    const Vec3 end = p + out * std::min(kEnd, long_leg);
+    Hull hull{p, settled(i, fast)};
+    for (const Vec3& at : {begin, end}) {
+      for (const Vec3& by : {aside, Vec3(0, 0, aside.norm() / 2)}) {
+        hull.push_back(at + by);
+        hull.push_back(at - by);
+      }
+    }
     add(std::move(hull), part);
   }
 

@@ -21,6 +21,74 @@ Flown path(geom::Polyline points) {
   return flown;
 }
 
+TEST(CheckFlown, LandsOnlyOnWhatIsAsHighAsTheFileSays) {
+  Flown flown = path({{40, 5, 35}, {5, 5, 35}});
+  flown.ends.landing_on = 10;
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok) << "on the roof";
+  flown.ends.landing_on = 15;
+  const CheckResult above = check_flown(yard(), flown, {});
+  EXPECT_EQ(above.reason, Reason::landing) << "it would sink to the roof";
+  EXPECT_NEAR(above.worst, 5, 1e-9);
+  EXPECT_EQ(above.place.z(), 10);
+  const geom::CollisionScene wide(yard().map(), {"box", Vec3(0.5, 0.5, 0.2)}, 0);
+  flown.path.back() = {9.6, 5, 35};
+  flown.ends.landing_on = 10;
+  EXPECT_EQ(check_flown(wide, flown, {}).reason, Reason::landing) << "on the roof's edge";
+  flown.ends.landing_on.reset();
+  flown.lands_below = true;
+  EXPECT_EQ(check_flown(wide, flown, {}).reason, Reason::landing) << "whoever says so";
+  flown.path.back().x() = 9.4;
+  EXPECT_TRUE(check_flown(wide, flown, {}).ok);
+}
+
+TEST(CheckFlown, HoldsWhereTheAutopilotMayBeWithoutTheMargin) {
+  Flown flown = path({{-5, -5, 15}, {-5, 20, 15}});
+  flown.drift = {{"px4:1.17", {{{{-5, -5, 15}, {-5, 20, 15}}, {3, Manoeuvre::leg}}}, {3, 3, 1}}};
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok);
+  flown.drift[0].sweeps.push_back({{{-5, 5, 15}, {2, 5, 15}}, {4, Manoeuvre::overshoot}});
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok) << "above the roof";
+  flown.drift[0].around.z() = 6;
+  const CheckResult result = check_flown(yard(), flown, {});
+  EXPECT_EQ(result.reason, Reason::collision);
+  EXPECT_EQ(result.strayed, "px4:1.17");
+  EXPECT_EQ(result.part, (FlightPart{4, Manoeuvre::overshoot}));
+  flown.drift[0].around.z() = 1;
+  flown.navigation = {0, 0, 5};
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::collision);
+}
+
+TEST(CheckFlown, WhatItStandsOnIsNotInItsWay) {
+  Flown flown = path({{5, 5, 35}, {40, 5, 35}});
+  flown.ends.takeoff_from = 10;
+  flown.drift = {{"px4", {{{{5, 5, 10}, {5, 5, 35}}, {1, Manoeuvre::takeoff}, 10.0}}, {1, 1, 1}}};
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok);
+  flown.drift[0].sweeps[0].stands_on = 9.5;
+  EXPECT_EQ(check_flown(yard(), flown, {}).reason, Reason::collision);
+}
+
+TEST(CheckFlown, NavigationAndTrackingMakeTheVehicleLarger) {
+  Flown flown = path({{-5, -5, 5}, {-5, 20, 5}});
+  const double room = 5 - yard().half().x();
+  flown.navigation = {room - 0.01, 0, 0};
+  EXPECT_TRUE(check_flown(yard(), flown, {}).ok);
+  flown.navigation.x() = room + 0.01;
+  const CheckResult result = check_flown(yard(), flown, {});
+  EXPECT_EQ(result.reason, Reason::collision);
+  EXPECT_EQ(result.strayed, "navigation and tracking");
+}
+
+TEST(CheckFlown, TheAutopilotKeepsItsRatesOfClimb) {
+  Flown flown = path({{40, 40, 5}, {40, 40, 25}, {80, 40, 25}});
+  flown.speed = 8;
+  EXPECT_EQ(check_flown(yard(), flown, {{Limit::vertical_speed, 4}}).reason, Reason::vertical_speed);
+  flown.climb = 3;
+  flown.descent = 1.5;
+  const CheckResult result = check_flown(yard(), flown, {{Limit::vertical_speed, 4}});
+  EXPECT_TRUE(result.ok);
+  EXPECT_EQ(result.largest[Limit::vertical_speed]->value, 3);
+  EXPECT_EQ(result.largest[Limit::speed]->value, 8);
+}
+
 TEST(CheckFlown, LooksAtTheAscentAndTheDescent) {
   Flown flown = path({{25, 5, 35}, {40, 5, 35}});
   EXPECT_TRUE(check_flown(yard(), flown, {}).ok);

@@ -70,6 +70,27 @@ TEST(SampledFlight, RefusesTheBounds) {
   EXPECT_EQ(verdict(flight), "bounds");
 }
 
+TEST(SampledFlight, SaysACollisionRatherThanTheBounds) {
+  const SampledFlight flight =
+      check({{0, 0, 5}, {0, 0, -3}, {0, 0, 5}, {10.5, 0, 5}}, {0, 1, 2, 3});
+  EXPECT_EQ(verdict(flight), "collision");
+  EXPECT_EQ(flight.box, 0u);
+}
+
+TEST(SampledFlight, StandsOnTheGroundBeforeAndAfter) {
+  const double half = wall().half().z();
+  const SampledFlight flight = check(
+      {{0, 0, -0.1}, {0, 0, -0.2}, {0, 0, half + 1}, {5, 0, 5}, {5, 0, -0.1}}, {0, 1, 2, 3, 4});
+  EXPECT_EQ(verdict(flight), "sampled");
+  EXPECT_EQ(flight.on_ground, 3);
+  EXPECT_EQ(verdict(check({{0, 0, 5}, {0, 0, -0.1}, {0, 0, 5}}, {0, 1, 2})), "bounds")
+      << "in between it touches the ground";
+  EXPECT_EQ(verdict(check({{0, 0, 5}, {0, 0, -0.6}}, {0, 1})), "bounds") << "no error of heights";
+  EXPECT_EQ(verdict(check({{10.5, 0, -0.1}, {10.5, 0, 0.3}}, {0, 1})), "collision") << "inside a wall";
+  EXPECT_EQ(verdict(check({{10.5, 0, 20}, {10.5, 0, 20.4}, {10.5, 0, 30}}, {0, 1, 2})), "sampled")
+      << "on the wall";
+}
+
 TEST(SampledFlight, TakesOneSample) {
   EXPECT_EQ(verdict(check({{0, 0, 5}}, {3})), "sampled");
   EXPECT_EQ(verdict(check({{10.5, 0, 5}}, {3})), "collision");

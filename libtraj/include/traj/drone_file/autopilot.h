@@ -50,8 +50,12 @@ struct Autopilot {
   Vec3 tracking = Vec3::Zero();  // m from the way along each axis, navigation at its quietest
   double overshoot_time = 0;     // s: a stop is overshot by this times the speed,
   double overshoot = 0;          // m: and by this
-  double settling = 0;           // m of the next leg until that has decayed
+  double settling = 0;           // m of the next leg until that, or a corner, has decayed
   double settling_time = 0;      // s: and this times the speed
+  double bulge = 0;              // s2/m: while it speeds up behind a corner it leaves the leg to
+                                 // either side by this times the square of the speed
+  double run_on = 0;             // s: where it waits at a point that it would have passed, it runs
+                                 // on by this times the speed
   double fall = 0;               // m that it sinks in a landing until it is above its place
 };
 

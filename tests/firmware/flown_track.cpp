@@ -1,0 +1,153 @@
+#include "flown_track.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "geom/map/geographic_frame.h"
+#include "geom/shape/hull.h"
+#include "geom/text/text_table.h"
+#include "traj/drone_file/qgc_plan.h"
+#include "traj/drone_file/wpl.h"
+
+namespace firmware {
+namespace {
+
+traj::Mission read_mission(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) throw std::runtime_error("no mission " + path);
+  return path.ends_with(".plan") ? traj::read_qgc_plan(in, path) : traj::read_wpl(in, path);
+}
+
+Vec3 around(const Flight& flight, const traj::Drift& drift) {
+  return drift.around + traj::kMissionStray +
+         Vec3(flight.navigation_across, flight.navigation_across, flight.navigation_vertical);
+}
+
+double distance(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 way = b - a;
+  const double square = way.squaredNorm();
+  const double t = square > 0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0;
+  return (a + t * way - p).norm();
+}
+
+double from_way(const traj::FlownMission& mission, const Vec3& p) {
+  double least = (mission.path.front() - p).norm();
+  for (std::size_t i = 1; i < mission.path.size(); ++i) {
+    least = std::min(least, distance(p, mission.path[i - 1], mission.path[i]));
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<Flight> read_flights(const std::string& table) {
+  std::ifstream in(table);
+  if (!in) throw std::runtime_error("no table " + table);
+  const std::filesystem::path folder = std::filesystem::path(table).parent_path();
+  const auto number = [](const std::string& field) { return geom::parse_number(field); };
+  std::vector<Flight> out;
+  geom::TextLines lines(in, table);
+  for (lines.next(); lines.next();) {
+    const std::vector<std::string> f = geom::split_fields(lines.line());
+    if (f.size() != 7) lines.refuse("expected 7 fields");
+    out.push_back({std::filesystem::path(f[0]).stem().string(), (folder / f[0]).string(),
+                   (folder / f[1]).string(), f[2], number(f[3]), number(f[4]),
+                   number(f[5]).value_or(0), number(f[6]).value_or(0)});
+  }
+  return out;
+}
+
+Replay replay(const Flight& flight) {
+  traj::Mission mission = read_mission(flight.mission);
+  const traj::MissionFrame frame{
+      {mission.home->latitude, mission.home->longitude, mission.home->height}, 0};
+  traj::MissionRules rules;
+  rules.autopilots = traj::autopilots_of(flight.autopilot).value();
+  rules.acceptance = flight.acceptance;
+  rules.return_height = flight.return_height;
+  Replay out{traj::flown_mission(mission, frame, rules, flight.mission), {}};
+  const geom::GeographicFrame earth(frame.origin);
+  std::ifstream in(flight.track);
+  if (!in) throw std::runtime_error("no track " + flight.track);
+  geom::TextLines lines(in, flight.track);
+  for (lines.next(); lines.next();) {
+    const std::vector<std::string> f = geom::split_fields(lines.line());
+    if (f.size() != 4) lines.refuse("expected seconds, latitude, longitude, altitude");
+    const auto value = [&](std::size_t i) { return geom::parse_number(f[i]).value(); };
+    Vec3 p = earth.enu({value(1), value(2), frame.origin.height});
+    p.z() = value(3) - mission.home->height;
+    out.samples.push_back({value(0), p});
+  }
+  return out;
+}
+
+double outside(const Flight& flight, const Replay& replay, const Vec3& place, double most) {
+  double best = most;
+  for (const traj::Drift& drift : replay.mission.drift) {
+    const Vec3 pad = around(flight, drift);
+    for (const traj::Sweep& sweep : drift.sweeps) {
+      const auto meets = [&](double more) {
+        const Vec3 box = pad + Vec3::Constant(more);
+        return geom::hull_meets(sweep.hull, {place - box, place + box}).has_value();
+      };
+      if (meets(0)) return 0;
+      if (!meets(best)) continue;
+      double near = 0;
+      for (int i = 0; i < 20; ++i) {
+        const double middle = (near + best) / 2;
+        (meets(middle) ? best : near) = middle;
+      }
+    }
+  }
+  return best;
+}
+
+std::vector<CornerWidth> corner_widths(const Flight& flight, const Replay& replay) {
+  constexpr double kNear = 30;  // m
+  std::vector<CornerWidth> out;
+  const traj::FlownMission& mission = replay.mission;
+  for (const traj::Drift& drift : mission.drift) {
+    for (const traj::Sweep& sweep : drift.sweeps) {
+      if (sweep.part.manoeuvre != traj::Manoeuvre::corner) continue;
+      auto found = std::find_if(out.begin(), out.end(), [&](const CornerWidth& one) {
+        return one.item == sweep.part.item;
+      });
+      if (found == out.end()) found = out.insert(out.end(), CornerWidth{sweep.part.item, 0, 0});
+      for (const Vec3& a : sweep.hull) {  // the middles of edges too: the deepest of a triangle
+        for (const Vec3& b : sweep.hull) {
+          found->claim = std::max(found->claim, from_way(mission, (a + b) / 2) +
+                                                    around(flight, drift).head<2>().maxCoeff());
+        }
+      }
+    }
+  }
+  for (CornerWidth& width : out) {
+    for (std::size_t i = 1; i + 1 < mission.path.size(); ++i) {
+      if (mission.legs[i].item != width.item) continue;
+      for (const Sample& sample : replay.samples) {
+        if ((sample.place - mission.path[i]).norm() > kNear) continue;
+        width.track = std::max(width.track, from_way(mission, sample.place));
+      }
+    }
+  }
+  return out;
+}
+
+traj::Flown flown(const Flight& flight, const Replay& replay) {
+  traj::Flown out;
+  out.path = replay.mission.path;
+  out.legs = replay.mission.legs;
+  out.sweeps = replay.mission.sweeps;
+  out.drift = replay.mission.drift;
+  out.ends = replay.mission.ends;
+  out.home = replay.mission.home;
+  out.path_stray = traj::kMissionStray;
+  out.navigation =
+      Vec3(flight.navigation_across, flight.navigation_across, flight.navigation_vertical);
+  return out;
+}
+
+}  // namespace firmware

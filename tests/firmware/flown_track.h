@@ -1,0 +1,59 @@
+#pragma once
+
+// Tracks that real autopilots flew, beside what Skyway says of their missions.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "traj/drone_file/mission_flight.h"
+#include "traj/proof/flown.h"
+
+namespace firmware {
+
+using geom::Vec3;
+
+// A mission that was flown, and with what settings. Lengths in metres.
+struct Flight {
+  std::string name;
+  std::string track;      // file: seconds, latitude, longitude, altitude
+  std::string mission;    // file
+  std::string autopilot;  // "px4:1.17"
+  std::optional<double> acceptance;
+  std::optional<double> return_height;
+  double navigation_across = 0;
+  double navigation_vertical = 0;
+};
+
+// A table with a header: track,mission,autopilot,acceptance,return_height,navigation_across,
+// navigation_vertical; files beside the table; empty: not set.
+std::vector<Flight> read_flights(const std::string& table);
+
+struct Sample {
+  double time = 0;  // s
+  Vec3 place;       // east, north, up of the mission's home
+};
+
+// What a flight was, and where it may have been.
+struct Replay {
+  traj::FlownMission mission;
+  std::vector<Sample> samples;
+};
+Replay replay(const Flight& flight);
+
+// Metres that a place is outside of the claim, along the worst axis; 0 inside, at most `most`.
+double outside(const Flight& flight, const Replay& replay, const Vec3& place, double most = 30);
+
+// Of each waypoint that is passed without a rest: how far from the way the claim reaches near it, and
+// how far the track was.
+struct CornerWidth {
+  std::size_t item = 0;
+  double claim = 0;  // m
+  double track = 0;  // m
+};
+std::vector<CornerWidth> corner_widths(const Flight& flight, const Replay& replay);
+
+// What check_flown takes.
+traj::Flown flown(const Flight& flight, const Replay& replay);
+
+}  // namespace firmware

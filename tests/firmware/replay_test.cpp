@@ -1,0 +1,91 @@
+// Tracks that real autopilots flew, against what the check says of their missions.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "flown_track.h"
+#include "traj/scenes.h"
+
+namespace firmware {
+namespace {
+
+std::vector<Flight> flights() {
+  std::vector<Flight> out = read_flights(SKYWAY_SOURCE_DIR "/tests/firmware/tracks/flights.csv");
+  const char* const shared = std::getenv("SKYWAY_REALDATA");
+  if (!shared || !std::filesystem::exists(std::string(shared) + "/flown")) return out;
+  for (Flight& one : read_flights(SKYWAY_SOURCE_DIR "/tests/firmware/shared_flights.csv")) {
+    const std::string folder = std::string(shared) + "/flown/";
+    const auto moved = [&](const std::string& path) {
+      return folder + std::filesystem::path(path)
+                          .lexically_relative(SKYWAY_SOURCE_DIR "/tests/firmware")
+                          .string();
+    };
+    one.track = moved(one.track);
+    one.mission = moved(one.mission);
+    out.push_back(one);
+  }
+  return out;
+}
+
+class Flown : public ::testing::TestWithParam<Flight> {};
+
+TEST_P(Flown, StaysInsideTheClaim) {
+  const Replay flight = replay(GetParam());
+  ASSERT_GT(flight.samples.size(), 10u);
+  for (const Sample& sample : flight.samples) {
+    EXPECT_EQ(outside(GetParam(), flight, sample.place), 0)
+        << "at " << sample.time << " s, " << sample.place.transpose();
+  }
+}
+
+// A vehicle so small that only its track counts, over flat ground, and ground as high as the landing.
+geom::CollisionScene scene_with(const Vec3& cube, const traj::Flown& file) {
+  const Vec3 half = Vec3::Constant(0.01);
+  const double landing = file.ends.landing_on.value_or(0);
+  const Vec3 aside(50, 50, 0);
+  const Vec3 foot(file.path.back().x(), file.path.back().y(), 0);
+  std::vector<geom::Aabb> boxes{{cube - half, cube + half}};
+  const double floor = std::min(0.0, landing);
+  if (landing > floor) {
+    boxes.push_back({foot - aside + Vec3(0, 0, floor), foot + aside + Vec3(0, 0, landing)});
+  }
+  const geom::BoxMap map =
+      traj::testing::scene_of(boxes, {{-9000, -9000, floor}, {9000, 9000, 2000}}).map();
+  return {map, {"point", Vec3::Constant(1e-3)}, 0};
+}
+
+// Wherever it was in the air, a cube there turns the verdict.
+TEST_P(Flown, ACubeOnItsTrackIsACollision) {
+  const Replay flight = replay(GetParam());
+  const traj::Flown file = flown(GetParam(), flight);
+  const Vec3 away(-3000, -3000, 100);
+  const auto alone =
+      check_flown(scene_with(away, file), file, {}, traj::Clearance::left_out);
+  if (!alone.ok) {  // so low that the autopilot may stray to the ground
+    EXPECT_NE(alone.strayed, "");
+    EXPECT_EQ(alone.reason, traj::Reason::bounds);
+    return;
+  }
+  const std::size_t step = std::max<std::size_t>(1, flight.samples.size() / 60);
+  for (std::size_t i = 0; i < flight.samples.size(); i += step) {
+    const Vec3& place = flight.samples[i].place;
+    if (place.z() < 0.5) continue;
+    const auto result =
+        check_flown(scene_with(place, file), file, {}, traj::Clearance::left_out);
+    EXPECT_EQ(result.reason, traj::Reason::collision)
+        << "at " << flight.samples[i].time << " s, " << place.transpose();
+  }
+}
+
+std::string name_of(const ::testing::TestParamInfo<Flight>& info) {
+  std::string out = info.param.autopilot + "_" + info.param.name;
+  for (char& c : out) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return out + "_" + std::to_string(info.index);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tracks, Flown, ::testing::ValuesIn(flights()), name_of);
+
+}  // namespace
+}  // namespace firmware

@@ -1,0 +1,132 @@
+#include "drone_file/mission_drift.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/shape/hull.h"
+
+namespace traj {
+namespace {
+
+// A mission's way: straight legs, with a turn at each point.
+struct Way {
+  geom::Polyline path;
+  std::vector<double> hold;
+  std::vector<FlightPart> legs;
+  std::vector<Turn> turns;
+  std::vector<std::optional<double>> speeds;
+  VerticalEnds ends;
+
+  Way& go(const Vec3& p, const Turn& turn, double seconds = 0, double speed = 8,
+          Manoeuvre manoeuvre = Manoeuvre::leg) {
+    path.push_back(p);
+    hold.push_back(seconds);
+    legs.push_back({path.size(), manoeuvre});
+    turns.push_back(turn);
+    speeds.emplace_back(speed);
+    return *this;
+  }
+
+  std::vector<Sweep> drift(const Autopilot& autopilot) const {
+    const DriftTask task{path, hold, legs, turns, speeds, {}, {path.size() + 1, Manoeuvre::landing},
+                         ends, true};
+    return drift_sweeps(autopilot, task);
+  }
+};
+
+const Turn kRest{.said = 2};
+const Turn kPass{Turn::pass, 2, 2, 2};
+
+// Whether some sweep holds the point.
+bool holds(const std::vector<Sweep>& sweeps, const Vec3& p) {
+  const Vec3 hair = Vec3::Constant(1e-6);
+  for (const Sweep& sweep : sweeps) {
+    if (geom::hull_meets(sweep.hull, {p - hair, p + hair})) return true;
+  }
+  return false;
+}
+
+Way corner(const Turn& turn, double hold = 0, double speed = 8) {
+  Way way;
+  way.ends = {0.0, 0.0};
+  way.go({0, 0, 20}, {}, 0, speed, Manoeuvre::takeoff).go({100, 0, 20}, turn, hold, speed);
+  way.go({100, 100, 20}, kRest, 5, speed);
+  return way;
+}
+
+TEST(Drift, PassesATakeOffBelowItsHeight) {
+  const auto sweeps = corner(kRest, 5).drift(px4());
+  EXPECT_TRUE(holds(sweeps, {0, 0, 10})) << "the way up";
+  EXPECT_TRUE(holds(sweeps, {0.5, 0, 19.3})) << "NAV_MC_ALT_RAD";
+  EXPECT_FALSE(holds(sweeps, {0.5, 0, 19.1}));
+  EXPECT_FALSE(holds(corner(kRest, 5).drift(ardupilot()), {20, 0, 19.9}));
+}
+
+TEST(Drift, ClimbsToTheLeastTakeOff) {
+  Way low;
+  low.ends = {0.0, 0.0};
+  low.go({0, 0, 1}, {}, 0, 8, Manoeuvre::takeoff).go({50, 0, 1}, kRest, 5);
+  EXPECT_TRUE(holds(low.drift(px4()), {0, 0, 2.5})) << "MIS_TAKEOFF_ALT";
+  EXPECT_FALSE(holds(low.drift(ardupilot()), {0, 0, 1.5}));
+}
+
+TEST(Drift, OvershootsAStopByItsSpeed) {
+  const auto sweeps = corner(kRest, 5).drift(ardupilot());
+  EXPECT_TRUE(holds(sweeps, {100 + 0.12 * 8 + 0.099, 0, 20}));
+  EXPECT_FALSE(holds(sweeps, {100 + 0.12 * 8 + 0.101, 0, 20}));
+  EXPECT_TRUE(holds(sweeps, {100.5, 5, 20})) << "the next leg begins while it is still off";
+  EXPECT_FALSE(holds(corner(kRest, 5).drift(px4()), {100.5, 0, 20}));
+  EXPECT_FALSE(holds(corner(kRest, 5, 2).drift(ardupilot()), {100.4, 0, 20})) << "slowly";
+}
+
+TEST(Drift, SlowsDownOnlyOnAWayThatIsLongEnough) {
+  Way way;
+  way.ends = {0.0, 0.0};
+  way.go({0, 0, 20}, {}, 0, 8, Manoeuvre::takeoff).go({100, 0, 20}, kPass).go({103, 0, 20}, kRest, 5, 1);
+  EXPECT_TRUE(holds(way.drift(ardupilot()), {103.9, 0, 20})) << "3 m are no way to slow down on";
+  way.path.back().x() = 140;
+  EXPECT_FALSE(holds(way.drift(ardupilot()), {140.3, 0, 20}));
+}
+
+TEST(Drift, CutsCornersWithinTheRadiusOrByTheSCurve) {
+  const auto px = corner(kPass).drift(px4());
+  EXPECT_TRUE(holds(px, {99, 0.9, 20}));
+  EXPECT_FALSE(holds(px, {97, 1, 20}));
+  EXPECT_TRUE(holds(px, {99.2, 30, 20})) << "it comes to the new leg slowly";
+  const auto ardu = corner(kPass).drift(ardupilot());
+  EXPECT_TRUE(holds(ardu, {85, 0.4, 20})) << "22.8 m before the corner, whatever the item says";
+  EXPECT_TRUE(holds(ardu, {100 - 1.4, 1.4, 20}));
+  EXPECT_FALSE(holds(ardu, {100 - 1.5, 1.5, 20})) << "WPNAV_RADIUS";
+  EXPECT_TRUE(holds(ardu, {100.9, 10, 20})) << "and swings outward behind it";
+}
+
+TEST(Drift, LeavesTheLineBeforeATightRadius) {
+  Turn tight = kRest;
+  tight.said = 0.2;
+  EXPECT_TRUE(holds(corner(tight, 5).drift(px4()), {50, 3.2, 23.2}));
+  EXPECT_FALSE(holds(corner(tight, 5).drift(px4("1.11")), {50, 0.1, 20}));
+  EXPECT_FALSE(holds(corner(tight, 5).drift(ardupilot()), {50, 0.1, 20}));
+  EXPECT_FALSE(holds(corner(kRest, 5).drift(px4()), {50, 0.1, 20}));
+}
+
+TEST(Drift, SinksBeforeItIsAboveALandingElsewhere) {
+  Way way = corner(kPass);
+  way.go({140, 100, 20}, {}, 0, 8, Manoeuvre::landing);
+  Autopilot near = px4();
+  near.acceptance = 2;
+  const auto sweeps = way.drift(near);
+  EXPECT_TRUE(holds(way.drift(px4()), {132, 100, 19})) << "10 m, where no parameter says less";
+  EXPECT_TRUE(holds(sweeps, {138.5, 100, 18.5}));
+  EXPECT_TRUE(holds(sweeps, {140, 100, 1}));
+  EXPECT_FALSE(holds(sweeps, {138.5, 100, 10}));
+  EXPECT_FALSE(holds(corner(kRest, 5).drift(px4()), {100, 98.5, 18.5})) << "from a rest";
+}
+
+TEST(Drift, StandsOnTheGround) {
+  const auto sweeps = corner(kRest, 5).drift(px4());
+  std::size_t columns = 0;
+  for (const Sweep& sweep : sweeps) columns += sweep.stands_on.has_value();
+  EXPECT_EQ(columns, 3u) << "the way up, the way down, and how it begins to sink";
+}
+
+}  // namespace
+}  // namespace traj
