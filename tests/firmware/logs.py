@@ -5,9 +5,42 @@ losses of a telemetry link; and the moments of arming and disarming.
 """
 
 import bisect
+import dataclasses
 import math
 import pathlib
 import struct
+
+
+
+@dataclasses.dataclass
+class Truth:
+    samples: list  # (seconds, latitude, longitude, altitude) of the simulator
+    armed: float | None  # seconds
+    disarmed: float | None
+    lost_ms: int = 0  # what the logger lost
+    sensors: list = dataclasses.field(default_factory=list)  # for each sensor, the moments at which it spoke
+    estimate: list = dataclasses.field(default_factory=list)  # as samples, but what the firmware believed
+
+    def longest_silence(self, start, end):
+        """The longest pause of any sensor between two moments, in seconds."""
+        longest = 0.0
+        for stamps in self.sensors:
+            within = [start, *(s for s in stamps if start < s < end), end]
+            longest = max(longest, *(b - a for a, b in zip(within, within[1:])))
+        return longest
+
+    def estimate_error(self, start, end):
+        """Root mean square of estimate less truth, in metres: (across, up). None without an estimate."""
+        stamps = [e[0] for e in self.estimate]
+        across = up = count = 0
+        for moment, latitude, longitude, altitude in self.samples:
+            at = bisect.bisect_left(stamps, moment)
+            if start <= moment <= end and at < len(stamps):
+                _, lat, lon, alt = self.estimate[at]
+                north, east = (lat - latitude) * 111195, (lon - longitude) * 111195 * math.cos(math.radians(latitude))
+                across, up, count = across + north**2 + east**2, up + (alt - altitude) ** 2, count + 1
+        return (math.sqrt(across / count), math.sqrt(up / count)) if count else None
+
 
 _ULOG_TYPES = {"int8_t": "b", "uint8_t": "B", "bool": "?", "char": "c", "int16_t": "h", "uint16_t": "H", "int32_t": "i",
                "uint32_t": "I", "int64_t": "q", "uint64_t": "Q", "float": "f", "double": "d"}
@@ -64,27 +97,18 @@ _SENSORS = ("vehicle_air_data", "vehicle_gps_position")  # both are logged sever
 
 
 def px4(path):
-    """(samples, armed at, disarmed at or None, milliseconds that the logger lost, moments at which sensors spoke)."""
-    fields = {"timestamp", "alt", "lat", "lon"}
-    rows, dropped = _ulog(path, {"vehicle_global_position_groundtruth": fields, "actuator_armed": {"armed", "timestamp"},
-                                 **{topic: {"timestamp"} for topic in _SENSORS}})
-    samples = [(stamp * 1e-6, lat, lon, alt) for alt, lat, lon, stamp in rows["vehicle_global_position_groundtruth"]]
+    place = {"timestamp", "alt", "lat", "lon"}
+    rows, lost = _ulog(path, {"vehicle_global_position_groundtruth": place, "vehicle_global_position": place,
+                              "actuator_armed": {"armed", "timestamp"}, **{topic: {"timestamp"} for topic in _SENSORS}})
+    samples, estimate = ([(stamp * 1e-6, lat, lon, alt) for alt, lat, lon, stamp in rows[topic]]
+                         for topic in ("vehicle_global_position_groundtruth", "vehicle_global_position"))
     armed = disarmed = None
     for is_armed, stamp in rows["actuator_armed"]:
         if is_armed and armed is None:
             armed = stamp * 1e-6
         elif not is_armed and armed is not None and disarmed is None:
             disarmed = stamp * 1e-6
-    return samples, armed, disarmed, dropped, [[row[0] * 1e-6 for row in rows[topic]] for topic in _SENSORS]
-
-
-def longest_silence(beats, start, end):
-    """The longest pause of any sensor between two moments, in seconds."""
-    longest = 0.0
-    for stamps in beats:
-        within = [start, *(s for s in stamps if start < s < end), end]
-        longest = max(longest, *(b - a for a, b in zip(within, within[1:])))
-    return longest
+    return Truth(samples, armed, disarmed, lost, [[row[0] * 1e-6 for row in rows[topic]] for topic in _SENSORS], estimate)
 
 
 _FLASH_TYPES = {"a": "64s", "b": "b", "B": "B", "h": "h", "H": "H", "i": "i", "I": "I", "f": "f", "d": "d", "n": "4s",
@@ -95,7 +119,7 @@ _ARMED, _DISARMED = 10, 11  # events
 
 
 def arducopter(path, home):
-    """The same of a DataFlash log. SIM2 holds metres from home; they become degrees the way that ArduPilot does it."""
+    """SIM2 of a DataFlash log holds metres from home; they become degrees the way that ArduPilot does it."""
     data = pathlib.Path(path).read_bytes()
     home = (round(home[0], 7), round(home[1], 7), home[2])  # the firmware's own digits
     formats = {128: (89, "FMT", None, None)}
@@ -135,7 +159,7 @@ def arducopter(path, home):
     if samples:  # the vehicle's centre stands above the ground; the take-off place has home's altitude
         lift = home[2] - samples[0][3]
         samples = [(*s[:3], s[3] + lift) for s in samples]
-    return samples, armed, disarmed, 0, []
+    return Truth(samples, armed, disarmed)
 
 
 def at_ten_hertz(samples, start, end):

@@ -155,7 +155,7 @@ std::string in_words(std::string_view quantity) {
 
 namespace {
 
-// What would go wrong, after "flown as the file says, ".
+// What would go wrong, after "flown as the file says, " or its like.
 std::string fault(const traj::CheckResult& result) {
   using traj::Reason;
   for (const traj::LimitKind& kind : traj::kLimitKinds) {
@@ -175,6 +175,11 @@ std::string fault(const traj::CheckResult& result) {
       return fmt::format("the vehicle would leave the bounds by {:.3g} m", result.worst);
     case Reason::takeoff:
       return fmt::format("the vehicle would begin only {:.3g} m above the ground", result.worst);
+    case Reason::landing:
+      return result.worst == 0
+                 ? "the vehicle would land on an edge, not on level ground"
+                 : fmt::format("the vehicle would land on ground {:.3g} m {} than the file says",
+                               std::abs(result.worst), result.worst > 0 ? "lower" : "higher");
     case Reason::ceiling:
       return fmt::format("the vehicle would be {:.3g} m high, above its ceiling", result.worst);
     case Reason::range:
@@ -215,6 +220,12 @@ std::string remedy(const geom::CollisionScene& scene, const Task& task,
     return fmt::format("write more setpoints a second (--rate {:g})",
                        std::min(4 * task.rate, kHighestRate));
   }
+  if (near && !result.strayed.empty()) {
+    const double more = std::ceil(100 * (scene.margin() + result.worst)) / 100;
+    return fmt::format(
+        "make the path anew with more room (skyway-plan --margin {:g}), or fly slower (--speed)",
+        more);
+  }
   if (near) {
     const double spare = std::ceil(100 * result.worst) / 100;  // in whole centimetres
     return "make the path anew with more room (skyway-plan --margin)" +
@@ -228,6 +239,9 @@ std::string remedy(const geom::CollisionScene& scene, const Task& task,
   if (result.reason == Reason::takeoff) {
     return task.format == "tello" ? "take off higher (--takeoff-height)"
                                   : "begin the path higher, or say where the ground is (--ground)";
+  }
+  if (result.reason == Reason::landing) {
+    return "end the path over level ground, or end the mission hovering (--hover)";
   }
   if (result.reason == Reason::ceiling) return "plan a lower path";
   if (result.reason == Reason::range || result.reason == Reason::endurance) {
@@ -244,8 +258,11 @@ std::string refusal(const geom::CollisionScene& scene, const Task& task,
   const std::string when = exporting::has_legs(task.format)
                                ? fmt::format("on leg {:.0f}", std::floor(result.time))
                                : fmt::format("at t = {:.3f} s", result.time);
+  const std::string how = result.strayed.empty() ? "as the file says"
+                          : result.part ? "by " + result.strayed + ", which may stray from its way"
+                                        : "with what is allowed for " + result.strayed;
   return fmt::format(
-      "{}: refused: flown as the file says, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", task.id,
+      "{}: refused: flown {}, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", task.id, how,
       fault(result), when, result.place[0], result.place[1], result.place[2],
       advice.empty() ? "" : ": ", advice);
 }
