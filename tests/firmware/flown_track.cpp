@@ -41,6 +41,12 @@ double from_way(const traj::FlownMission& mission, const Vec3& p) {
   return least;
 }
 
+// A simulator's ground is flat: what lands on a roof sinks on through it.
+bool is_below_roof(const traj::FlownMission& mission, const Vec3& p) {
+  if (!mission.ends.landing_on || *mission.ends.landing_on < 1) return false;
+  return p.z() < *mission.ends.landing_on && (p - mission.path.back()).head<2>().norm() < 1;
+}
+
 }  // namespace
 
 std::vector<Flight> read_flights(const std::string& table) {
@@ -79,6 +85,7 @@ Replay replay(const Flight& flight) {
     const auto value = [&](std::size_t i) { return geom::parse_number(f[i]).value(); };
     Vec3 p = earth.enu({value(1), value(2), frame.origin.height});
     p.z() = value(3) - mission.home->height;
+    if (is_below_roof(out.mission, p)) break;
     out.samples.push_back({value(0), p});
   }
   return out;

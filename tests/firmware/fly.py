@@ -30,8 +30,8 @@ import missions
 
 NAN = math.nan
 ARMED_FLAG = 128
-CMD_LAND, CMD_RETURN, CMD_TAKEOFF = 21, 20, 22
-CMD_SET_MODE, CMD_MISSION_START, CMD_ARM, CMD_MESSAGE_INTERVAL, CMD_REQUEST_MESSAGE = 176, 300, 400, 511, 512
+CMD_LAND, CMD_RETURN = 21, 20
+CMD_SET_MODE, CMD_ARM, CMD_MESSAGE_INTERVAL, CMD_REQUEST_MESSAGE = 176, 400, 511, 512
 INTEGER_TYPES = {1: "<B3x", 2: "<b3x", 3: "<H2x", 4: "<h2x", 5: "<I", 6: "<i"}
 
 
@@ -82,6 +82,8 @@ class Firmware:
         raise NotImplementedError
 
     def launch(self, command, environment):
+        if os.geteuid() == 0 and shutil.which("setpriv"):  # root's PX4 would take real-time priorities and starve itself
+            command = ["setpriv", "--bounding-set=-sys_nice", "--inh-caps=-sys_nice", *command]
         self.output = open(self.folder / "output.txt", "wb")
         self.process = subprocess.Popen(command, cwd=self.folder, env=environment, stdin=subprocess.DEVNULL,
                                         stdout=self.output, stderr=subprocess.STDOUT, start_new_session=True)

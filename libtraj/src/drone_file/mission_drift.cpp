@@ -14,6 +14,7 @@ constexpr double kWideSwing = 3.3;
 constexpr double kSwing = 1.4;
 constexpr double kTightRadius = 0.5;  // m
 
+constexpr double kPastLanding = 0.5;  // m beyond the place where it comes to sink
 constexpr double kFarBack = 200;  // m: no speed lasts so long
 
 Vec3 level(const Vec3& v) { return {v.x(), v.y(), 0}; }
@@ -27,6 +28,7 @@ class DriftMaker {
     if (task_.ends.takeoff_from) take_off();
     for (std::size_t i = 0; i < task_.path.size(); ++i) {
       if (i > 0) leg(i);
+      if (i > 0 && task_.legs[i].manoeuvre == Manoeuvre::climb) climb(i);
       if (i > 0 && i + 1 < task_.path.size()) stops(i) ? stop(i) : pass(i);
     }
     task_.ends.landing_on ? land() : end();
@@ -111,6 +113,20 @@ class DriftMaker {
       hull.push_back({at(i - 1).x(), at(i - 1).y(), at(i).z()});
       hull = around(hull, r < kTightRadius ? kWideSwing : kSwing);
     }
+    add(std::move(hull), task_.legs[i]);
+  }
+
+  // A climb begins, and ends, where the place is within the radius, and stays so far off.
+  void climb(std::size_t i) {
+    const double r = radius(i);
+    Hull hull;
+    for (const Vec3& p : {at(i - 1), at(i)}) {
+      for (const Vec3& by : {Vec3(r, r, 0), Vec3(-r, r, 0)}) {
+        hull.push_back(p + by);
+        hull.push_back(p - by);
+      }
+    }
+    if (i + 1 < task_.path.size()) hull.push_back(settled(i, speed(i + 1)));
     add(std::move(hull), task_.legs[i]);
   }
 
@@ -223,6 +239,7 @@ class DriftMaker {
                        task_.legs[last].manoeuvre == Manoeuvre::return_home;
     if (moves || task_.turns[last].kind != Turn::rest) {
       cone.push_back(before_corner(at(last - 1), above, radius(last)));
+      cone.push_back(above + direction(last) * kPastLanding);
     }
     cone.push_back(above + overshoot(last));
     add_to_ground(std::move(cone), task_.landing, ground);

@@ -316,6 +316,8 @@ void DroneFileOptions::add_to(CLI::App& app) {
             "where a Tello stands before it takes off, along the map's axes");
   placement.add_to(app);
   add_mission_to(app);
+  autopilot.add_to(app);
+  autopilot.add_tracking_to(app);
 }
 
 void DroneFileOptions::add_mission_to(CLI::App& app) {
@@ -329,8 +331,6 @@ void DroneFileOptions::add_mission_to(CLI::App& app) {
                  "beyond the waypoint (default 3)")
       ->check(CLI::Range(0.1, 100.0));
   add_heights_to(app);
-  autopilot.add_to(app);
-  autopilot.add_tracking_to(app);
 }
 
 void DroneFileOptions::add_heights_to(CLI::App& app) {
