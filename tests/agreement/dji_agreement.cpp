@@ -201,7 +201,7 @@ traj::Flown flown(const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return in_the_way::run(argc, argv, [](Random& random, int) {
+  return in_the_way::run(argc, argv, kGround, [](Random& random, int) {
     Case made(random);
     const Attack attack = made.make();
     return in_the_way::Trial{made.text(), attack, flown(made.text())};

@@ -68,9 +68,10 @@ inline geom::Aabb box_around(Random& random, const Vec3& p, double depth) {
   return box;
 }
 
-inline geom::CollisionScene scene_of(const std::optional<geom::Aabb>& box) {
+// Over flat ground at that z, which is the floor of the bounds.
+inline geom::CollisionScene scene_of(const std::optional<geom::Aabb>& box, double ground) {
   geom::BoxMapSpec spec;
-  spec.bounds = {{-1000, -1000, -50}, {1000, 1000, 200}};
+  spec.bounds = {{-1000, -1000, ground}, {1000, 1000, 200}};
   spec.bounds_from = "option";
   geom::BoxTable table = box ? support::table_of({*box}) : geom::BoxTable{};
   return {geom::BoxMap(spec, table), geom::Vehicle{"box", kHalf}, 0};
@@ -95,13 +96,13 @@ inline bool accepted(const geom::CollisionScene& scene, const traj::Flown& missi
   return traj::check_flown(scene, mission, {}, traj::Clearance::left_out).ok;
 }
 
-// COUNT missions that `make(random, i)` gives, each without and with what is put into its way. The
+// COUNT missions over the ground that `make(random, i)` gives, each without and with what is put into its way. The
 // exit code: 1 where one passes with it, or does not without.
 template <class Make>
-int run(int argc, char** argv, const Make& make) {
+int run(int argc, char** argv, double ground, const Make& make) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
   Random random(argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1);
-  const geom::CollisionScene empty = scene_of({});
+  const geom::CollisionScene empty = scene_of({}, ground);
   std::map<std::string, int> tried;
   int wrong = 0;
   int free = 0;
@@ -114,7 +115,7 @@ int run(int argc, char** argv, const Make& make) {
     if (attack.fence) trial.flown.fences.push_back(fence_at(random, attack, depth));
     const bool passed =
         attack.fence ? accepted(empty, trial.flown)
-                     : accepted(scene_of(box_around(random, attack.point, depth)), trial.flown);
+                     : accepted(scene_of(box_around(random, attack.point, depth), ground), trial.flown);
     if (!passed) continue;
     if (++wrong <= 10) {
       fmt::print("wrong: {} {}: {} m deep\n{}", i, attack.what, depth, trial.text);

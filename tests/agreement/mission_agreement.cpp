@@ -151,8 +151,14 @@ class Case {
   Attack braking() {
     written_.just(traj::kSpeed, {1, kSpeed, -1, 0});
     const double radius = random_.uniform(0.5, 30);
-    go();
-    const Vec3 w = go(0, radius);
+    const auto go_high = [&](double hold, double within) {  // beyond the leg is no ground
+      Vec3 p = somewhere();
+      p.z() = random_.uniform(50, 60);
+      way_.push_back(written_.add(traj::kWaypoint, p, {hold, within, 0, 0}));
+      return way_.back();
+    };
+    go_high(1, 0.2);
+    const Vec3 w = go_high(0, radius);
     const Vec3 along = (w - way_[way_.size() - 2]).normalized();
     go();
     const double beyond = kSpeed * kSpeed / (2 * kBraking) - radius;
@@ -312,7 +318,7 @@ traj::Flown flown(const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return in_the_way::run(argc, argv, [](Random& random, int i) {
+  return in_the_way::run(argc, argv, kHome, [](Random& random, int i) {
     Case made(random);
     const Attack attack = made.make(i % 16);
     return in_the_way::Trial{made.text(), attack, flown(made.text())};

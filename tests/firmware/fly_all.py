@@ -2,7 +2,8 @@
 """Flies many missions with fly.py, two at once, and prints a table of how they ended.
 
 fly_all.py OUTDIR MISSION... [-- options of fly.py]: a mission a/b.plan becomes OUTDIR/b.csv; what fly.py printed is
-kept beside the track, OUTDIR/b.txt. A mission whose track exists already is not flown again.
+kept beside the track, OUTDIR/b.txt. A mission whose track exists already is not flown again. OUTDIR/flights.csv lists
+the tracks for judge_flights, and with --judge that is run at once.
 """
 
 import argparse
@@ -35,11 +36,37 @@ def fly(mission, folder, options):
     return report(notes.read_text())
 
 
+def value_set(rest, name):
+    """The value that --set gives a parameter; empty without."""
+    values = [text.split("=", 1)[1] for text in rest if text.startswith(name + "=")]
+    return values[-1] if values else ""
+
+
+def table(options, rest):
+    """Writes the tracks that there are, with what judge_flights must know of each."""
+    autopilot = options.autopilot or ("ardupilot" if "arducopter" in rest else "px4")
+    across, vertical = options.navigation.split(",")
+    path = options.outdir / "flights.csv"
+    with open(path, "w") as out:
+        out.write("track,mission,autopilot,acceptance,return_height,navigation_across,navigation_vertical\n")
+        for mission in options.missions:
+            if not (options.outdir / f"{mission.stem}.csv").exists():
+                continue
+            fields = [f"{mission.stem}.csv", str(mission.resolve()), autopilot, value_set(rest, "NAV_ACC_RAD"),
+                      options.return_height or value_set(rest, "RTL_RETURN_ALT"), across, vertical]
+            out.write(",".join(fields) + "\n")
+    return path
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0], epilog="Options after -- go to fly.py.")
     parser.add_argument("outdir", type=pathlib.Path)
     parser.add_argument("missions", type=pathlib.Path, nargs="+", metavar="MISSION")
     parser.add_argument("-j", "--jobs", type=int, default=2, help="flights at once (2)")
+    parser.add_argument("--judge", type=pathlib.Path, metavar="JUDGE_FLIGHTS", help="the program of that name, to run afterwards")
+    parser.add_argument("--autopilot", help="whose claim the tracks are held against, as skyway-check takes it (the firmware's)")
+    parser.add_argument("--return-height", default="", help="metres above home (PX4's: as --set RTL_RETURN_ALT says)")
+    parser.add_argument("--navigation", default="0,0", help="metres across, and up or down, as skyway-check takes them (0,0)")
     at = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
     options, rest = parser.parse_args(sys.argv[1:at]), sys.argv[at + 1 :]
     stems = [mission.stem for mission in options.missions]
@@ -54,6 +81,9 @@ def main():
             options.missions, pool.map(lambda m: fly(m, options.outdir, rest), options.missions)):
             print(f"| {mission.name} | {seconds} | {ended} | {rate} |", flush=True)
             failed += ended.startswith("failed")
+    flights = table(options, rest)
+    if options.judge:
+        return subprocess.run([options.judge, flights]).returncode or (1 if failed else 0)
     return 1 if failed else 0
 
 

@@ -25,6 +25,20 @@ void warn_of_memory(const cli::Common& common, const Task& task) {
           : ", nor do they fit compressed"));
 }
 
+// The firmware's default controller follows positions alone, and no faster than 1.1 m/s along an
+// axis (position_controller_pid.c); flown through it, faster files fell metres behind their times
+// and cut across their curves (docs/firmware.md).
+void warn_of_controller(const cli::Common& common, const Task& task,
+                        const traj::CheckResult& result) {
+  constexpr double kFollowed = 1;  // m/s
+  const auto& speed = result.largest[traj::Limit::speed];
+  if (task.format != "crazyflie" || !speed || speed->value <= kFollowed) return;
+  common.warn(fmt::format(
+      "{}: it flies {:.2g} m/s, and a Crazyflie's default controller (PID) follows no more than 1: "
+      "set stabilizer.controller to 2 (Mellinger), or solve it with --vmax 1",
+      task.id, speed->value));
+}
+
 // Straight legs end in rests of their own, not in those of the record. `says_when`: a file beside
 // it does.
 void warn_of_what_is_left_out(const cli::Common& common, const Task& task, const Flight& flight,
@@ -130,6 +144,10 @@ Exporter::Export Exporter::make(const Flight& flight) {
         made.task.format));
   }
   const bool says_when = !options_.show.empty() || made.task.format == "volume4d";
+  if (made.task.format == "setpoints" && !made.task.autopilot.tracking) {
+    common_.warn(flight.id + ": a setpoints file is proved for a vehicle that is where its setpoint "
+                 "is; PX4 1.17 was up to 0.73 m away: --tracking H,V allows for that");
+  }
   warn_of_what_is_left_out(common_, made.task, flight, says_when);
   if (!made.written->note.empty()) common_.warn(flight.id + ": " + made.written->note);
   return made;
@@ -155,6 +173,7 @@ std::optional<Written> Exporter::write_checked(const Flight& flight, Task& task)
   auto [written, result] = write_proved(scene, task);
   if (result.ok) {
     warn_of_unmeasured(common_, task, result);
+    warn_of_controller(common_, task, result);
     return std::move(written);
   }
   cli::complain("skyway-export", refusal(scene, task, result));

@@ -221,10 +221,9 @@ std::string remedy(const geom::CollisionScene& scene, const Task& task,
                        std::min(4 * task.rate, kHighestRate));
   }
   if (near && !result.strayed.empty()) {
-    const double more = std::ceil(100 * (scene.margin() + result.worst)) / 100;
     return fmt::format(
-        "make the path anew with more room (skyway-plan --margin {:g}), or fly slower (--speed)",
-        more);
+        "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower (--speed)",
+        std::ceil(100 * result.worst) / 100);
   }
   if (near) {
     const double spare = std::ceil(100 * result.worst) / 100;  // in whole centimetres

@@ -205,6 +205,20 @@ void take_cone(const AutopilotSettings& settings, std::string_view source, SetAu
       degrees > 0 ? 1 / std::tan(std::min(degrees, 89.0) * std::numbers::pi / 180) : 0;
 }
 
+// Parameters that go before others where they are set, and no default has.
+void take_overrides(const AutopilotSettings& settings, Autopilot& out) {
+  const auto value = [&](const char* name) {
+    const auto found = settings.values.find(name);
+    return found == settings.values.end() ? 0 : std::max(0.0, found->second);
+  };
+  if (out.firmware == Firmware::px4) {
+    if (const double all = value("MPC_Z_VEL_ALL"); all > 0) out.climb = out.descent = all;
+    if (const double all = value("MPC_XY_VEL_ALL"); all > 0) out.speed = all;
+  } else {
+    out.speed = std::max({out.speed, value("RTL_SPEED") * 0.01, value("RTL_SPEED_MS")});
+  }
+}
+
 void take_return_type(const AutopilotSettings& settings, SetAutopilot& out) {
   const auto type = settings.values.find("RTL_TYPE");
   if (type == settings.values.end()) {
@@ -283,6 +297,7 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
   } else {
     take_all(settings, kArdupilot, source, out);
   }
+  take_overrides(settings, out.autopilot);
   return out;
 }
 

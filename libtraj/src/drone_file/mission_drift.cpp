@@ -15,7 +15,7 @@ constexpr double kSwing = 1.4;
 constexpr double kTightRadius = 0.5;  // m
 
 constexpr double kPastLanding = 0.5;  // m beyond the place where it comes to sink
-constexpr double kFarBack = 200;  // m: no speed lasts so long
+constexpr double kFarBack = 200;      // m: no speed lasts so long
 
 Vec3 level(const Vec3& v) { return {v.x(), v.y(), 0}; }
 
@@ -32,6 +32,7 @@ class DriftMaker {
       if (i > 0 && i + 1 < task_.path.size()) stops(i) ? stop(i) : pass(i);
     }
     task_.ends.landing_on ? land() : end();
+    return_home();
     return std::move(out_);
   }
 
@@ -75,6 +76,7 @@ class DriftMaker {
 
   // How far a stop at a point is overshot.
   Vec3 overshoot(std::size_t i) const {
+    if (i == 0) return Vec3::Zero();
     const Vec3 along = level(direction(i));
     return along * (pilot_.overshoot_time * speed_at_end(i) + pilot_.overshoot);
   }
@@ -99,7 +101,7 @@ class DriftMaker {
   // Rests there, as this autopilot counts it.
   bool stops(std::size_t i) const {
     const Manoeuvre manoeuvre = task_.legs[i].manoeuvre;
-    if (manoeuvre == Manoeuvre::return_home) return !pilot_.heeds_item_radius;
+    if (returns(i)) return !pilot_.heeds_item_radius;
     if (task_.turns[i].kind == Turn::rest) return manoeuvre != Manoeuvre::circle;
     return !pilot_.heeds_item_radius && task_.hold[i] >= 1;
   }
@@ -149,8 +151,13 @@ class DriftMaker {
     const double low =
         std::min(pilot_.height_acceptance, std::max(0.0, (top.z() - ground.z()) / 2));
     const Vec3 up(0, 0, 1.25 * pilot_.height_acceptance);
-    add({top - Vec3(0, 0, low), Vec3(top.x(), top.y(), high) + up, settled(0, speed(1))},
-        task_.legs[0]);
+    const Vec3 down(0, 0, low);
+    Hull hull{top - down, Vec3(top.x(), top.y(), high) + up, settled(0, speed(1))};
+    // Away from home: some go on from above home.
+    if (task_.path.size() > 2 && task_.legs[1].manoeuvre == Manoeuvre::takeoff) {
+      hull.insert(hull.end(), {at(1) - down, at(1) + up, settled(1, speed(2))});
+    }
+    add(std::move(hull), task_.legs[0]);
   }
 
   // Beyond the stop, and from there onto the next leg.
@@ -164,7 +171,8 @@ class DriftMaker {
   void pass(std::size_t i) {
     const FlightPart part{task_.legs[i].item, Manoeuvre::corner};
     const Vec3& p = at(i);
-    const double fast = std::max(speed(i), speed(i + 1));
+    const double fast = std::max(speed_at_end(i), speed(i + 1));
+    cut_short_leg(i, part);
     if (pilot_.turns_by_s_curve) return pass_by_s_curve(i, fast, part);
     const double begin = std::hypot(radius(i), pilot_.height_acceptance);
     Hull hull{before_corner(at(i - 1), p, begin), p, settled(i, fast)};
@@ -176,6 +184,16 @@ class DriftMaker {
            settled(i, fast)},
           part);
     }
+  }
+
+  // Behind a leg so short that a corner has not decayed on it, it may come to the next leg from
+  // anywhere between.
+  void cut_short_leg(std::size_t i, const FlightPart& part) {
+    constexpr double kShort = 12;  // m
+    if (i + 2 >= task_.path.size() || length(i + 1) > kShort || stops(i + 1)) return;
+    const double begin = std::hypot(radius(i), pilot_.height_acceptance);
+    add({before_corner(at(i - 1), at(i), begin), at(i), at(i + 1), settled(i + 1, speed(i + 2))},
+        part);
   }
 
   // While it speeds up it swings to either side of the new leg, most from 10 m to 40 m behind the
@@ -234,15 +252,53 @@ class DriftMaker {
     const double ground = *task_.ends.landing_on;
     add_to_ground({above, {above.x(), above.y(), ground}}, task_.landing, ground);
     if (last == 0) return;
-    Hull cone{above, {above.x(), above.y(), std::max(ground, above.z() - pilot_.fall)}};
-    const bool moves = task_.legs[last].manoeuvre == Manoeuvre::landing ||
-                       task_.legs[last].manoeuvre == Manoeuvre::return_home;
-    if (moves || task_.turns[last].kind != Turn::rest) {
-      cone.push_back(before_corner(at(last - 1), above, radius(last)));
-      cone.push_back(above + direction(last) * kPastLanding);
-    }
+    const bool moves = task_.legs[last].manoeuvre == Manoeuvre::landing || returns(last);
+    const bool rests = !moves && task_.turns[last].kind == Turn::rest;
+    Hull cone = sinking(above, rests ? above : at(last - 1), radius(last), ground);
     cone.push_back(above + overshoot(last));
     add_to_ground(std::move(cone), task_.landing, ground);
+  }
+
+  Hull sinking(const Vec3& above, const Vec3& from, double radius, double ground) const {
+    Hull cone{above, {above.x(), above.y(), std::max(ground, above.z() - pilot_.fall)}};
+    const Vec3 way = above - from;
+    const double length = way.norm();
+    if (length == 0) return cone;
+    cone.push_back(before_corner(from, above, radius));
+    cone.push_back(above + way * (kPastLanding / length));
+    return cone;
+  }
+
+  bool returns(std::size_t i) const { return task_.legs[i].manoeuvre == Manoeuvre::return_home; }
+
+  // A return begins where the stop before it ended, and goes up and across from there. At a rally
+  // point it sinks as it does at home.
+  void return_home() {
+    const std::size_t last = task_.path.size() - 1;
+    if (last < 2 || !returns(last) || !returns(last - 1)) return;
+    const Vec3& top = at(last - 1);
+    const Vec3& low = at(last - 2);
+    const Vec3 beyond = overshoot(last - 2);
+    const FlightPart part = task_.legs[last];
+    if (!beyond.isZero(0)) {
+      add({low, low + beyond, top, top + beyond}, part);
+      add({top, top + beyond, at(last)}, part);
+    }
+    const double speed_home = speed(last);
+    for (const Vec3& rally : task_.rally) {
+      const Vec3 above(rally.x(), rally.y(), std::max(top.z(), rally.z()));
+      const double ground = task_.ends.landing_on.value_or(rally.z());
+      Hull cone = sinking(above, top, pilot_.acceptance, ground);
+      const Vec3 way = level(above - top);
+      const double length = way.norm();
+      if (length > 0) {
+        cone.push_back(above + way * ((pilot_.overshoot_time * speed_home + pilot_.overshoot) /
+                                      length));
+      }
+      add_to_ground(std::move(cone), part, ground);
+      add_to_ground({above, {above.x(), above.y(), ground}}, part, ground);
+      if (!beyond.isZero(0)) add({top, top + beyond, above}, part);
+    }
   }
 
   void end() {

@@ -24,7 +24,7 @@ struct DriftTask {
   std::span<const Sweep> sweeps;  // circles, splines, ways from where it waits
   FlightPart landing;
   VerticalEnds ends;
-  bool takes_off = false;
+  std::span<const Vec3> rally;  // places in the air to which a return may go instead
 };
 
 // From the ground to the ground: the legs; beyond each stop, as far as it is overshot, and from

@@ -80,7 +80,7 @@ std::vector<Drift> FlownTrack::drift(std::span<const Autopilot> autopilots,
   std::vector<Drift> all;
   for (const Autopilot& autopilot : autopilots) {
     const DriftTask task{path_,   hold_, legs_,   turns_,
-                         speeds_, sweeps_, landing, out.ends, out.takes_off};
+                         speeds_, sweeps_, landing, out.ends, out.rally};
     all.push_back({autopilot.name, drift_sweeps(autopilot, task), autopilot.tracking});
   }
   return all;

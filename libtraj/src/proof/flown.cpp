@@ -277,6 +277,7 @@ void check_regions(const geom::CollisionScene& scene, const Flown& flown, const 
   check_drift(scene, flown.drift, flown.path_stray, flown.navigation, result);
   if (!flown.fences.empty()) {
     check_fences(scene, all_sweeps(flown, way), flown.fences, flown.path_stray, result);
+    check_fences(scene, flown.drift, flown.fences, flown.path_stray, flown.navigation, result);
   }
   if (result.part) result.time = leg_of(flown, result.part->item);
   for (const Vec3& rally : flown.rally) require_home_ground(scene, flown, rally, result);

@@ -10,6 +10,8 @@
 namespace traj {
 namespace {
 
+using geom::Aabb;
+
 // A run of samples without a gap.
 struct Part {
   std::span<const Vec3> points;
@@ -46,15 +48,20 @@ struct Part {
 constexpr double kHeightError = 0.5;  // m, of a log on the ground
 constexpr double kOnTheSpot = 2;      // m across
 
+// Whether what stands at a place may stand on the box: it is below, and not half a metre above.
+bool carries(const Aabb& box, const Vec3& spot) {
+  return spot.x() >= box.min.x() && spot.x() <= box.max.x() && spot.y() >= box.min.y() &&
+         spot.y() <= box.max.y() && box.max.z() <= spot.z() + kHeightError;
+}
+
 // Whether the vehicle stands there: on the floor or on an obstacle below it.
 bool touches_ground(const geom::CollisionScene& scene, const Vec3& p) {
   const double floor = scene.map().spec().bounds.min.z();
   if (p.z() < floor - kHeightError) return false;
   if (p.z() < floor + scene.half().z()) return true;
   const auto touched = scene.boxes_meeting({p, p});
-  return std::any_of(touched.begin(), touched.end(), [&](std::size_t i) {
-    return scene.map().box(i).max.z() <= p.z() + kHeightError;
-  });
+  return std::any_of(touched.begin(), touched.end(),
+                     [&](std::size_t i) { return carries(scene.map().box(i), p); });
 }
 
 bool on_the_spot(const geom::CollisionScene& scene, const Vec3& spot, const Vec3& p) {
@@ -76,16 +83,15 @@ std::pair<std::size_t, std::size_t> in_the_air(const geom::CollisionScene& scene
   return {begin, end};
 }
 
-// The deepest that a way goes into obstacles; of one on the ground only those that are higher than
-// what it stands on.
+// The deepest that a way goes into obstacles, but for those that carry a vehicle at the spot.
 CheckResult deepest_touch(const geom::CollisionScene& scene, std::span<const Vec3> points,
-                          std::optional<double> ground) {
+                          std::optional<Vec3> spot) {
   CheckResult out;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::array<Vec3, 2> leg{points[i], points[std::min(i + 1, points.size() - 1)]};
     if (!scene.hits(leg[0], leg[1])) continue;
     for (const std::size_t box : scene.boxes_meeting(*geom::bounds(std::span<const Vec3>(leg)))) {
-      if (ground && scene.map().box(box).max.z() <= *ground + kHeightError) continue;
+      if (spot && carries(scene.map().box(box), *spot)) continue;
       if (!geom::hull_meets(leg, scene.grown(box))) continue;
       const geom::HullDepth depth = geom::hull_depth(leg, scene.grown(box));
       if (out.reason != Reason::none && depth.depth <= out.worst) continue;
@@ -125,7 +131,7 @@ void take(const geom::CollisionScene& scene, const Part& part, SampledFlight& ou
 
 void take_standing(const geom::CollisionScene& scene, const Part& part, const Vec3& spot,
                    SampledFlight& out) {
-  note_touch(part, deepest_touch(scene, part.points, spot.z()), out);
+  note_touch(part, deepest_touch(scene, part.points, spot), out);
   out.on_ground += part.times.back() - part.times.front();
 }
 

@@ -185,10 +185,11 @@ void check_drift(const geom::CollisionScene& scene, std::span<const Drift> drift
   }
 }
 
-void check_fences(const geom::CollisionScene& scene, std::span<const Sweep> sweeps,
-                  std::span<const Fence> fences, const Vec3& stray, CheckResult& result) {
+namespace {
+
+void hold_fences(std::span<const Sweep> sweeps, std::span<const Fence> fences, const Vec2& half,
+                 CheckResult& result) {
   if (result.reason != Reason::none) return;
-  const Vec2 half = (scene.half() + sure(stray)).head<2>();
   for (const Fence& fence : fences) {
     const Ring ring(fence);
     for (const Sweep& sweep : sweeps) {
@@ -199,6 +200,24 @@ void check_fences(const geom::CollisionScene& scene, std::span<const Sweep> swee
       note(result, Reason::fence, {beyond, 0, {at->x(), at->y(), sweep.hull.front().z()}});
       return refused(sweep, result);
     }
+  }
+}
+
+}  // namespace
+
+void check_fences(const geom::CollisionScene& scene, std::span<const Sweep> sweeps,
+                  std::span<const Fence> fences, const Vec3& stray, CheckResult& result) {
+  hold_fences(sweeps, fences, (scene.half() + sure(stray)).head<2>(), result);
+}
+
+void check_fences(const geom::CollisionScene& scene, std::span<const Drift> drift,
+                  std::span<const Fence> fences, const Vec3& stray, const Vec3& navigation,
+                  CheckResult& result) {
+  for (const Drift& one : drift) {
+    if (result.reason != Reason::none) return;
+    const Room room = drift_room(scene, one.around + stray, navigation);
+    hold_fences(one.sweeps, fences, (room.half + room.pad).head<2>(), result);
+    if (result.reason != Reason::none) result.strayed = one.autopilot;
   }
 }
 

@@ -297,7 +297,7 @@ def named_missions():
         rest = item(16, (0, 20, 20), (1, 0.2, 0, 0))
         expect(f"wpl: {name} through the tower", 1, "wpl", wpl(TAKEOFF, rest, other, POINT, LAND))
         expect(f"plan: {name} through the tower", 1, "qgc-plan", plan((TAKEOFF, rest, other, POINT, LAND)))
-    for name, command, params in (("a jump back to the take-off", 177, (1, 5, 0, 0)), ("a jump for ever", 177, (2, -1, 0, 0)),
+    for name, command, params in (("a jump back to the take-off", 177, (1, 5, 0, 0)),
                                   ("turns on no circle", 18, (3, 0, 0, 0)), ("half a turn", 18, (0.5, 0, 20, 0)),
                                   ("a change of height", 113, (1, 0, 0, 50)), ("a new home", 179, (1, 0, 0, 0)),
                                   ("a mode", 176, (1, 4, 0, 0)), ("a new place", 192, (-1, 1, 0, 0)),
@@ -307,6 +307,9 @@ def named_missions():
         other = item(command, (50, -20, 20), params)
         expect(f"wpl: {name}", 3, "wpl", wpl(TAKEOFF, other, POINT, LAND))
         expect(f"plan: {name}", 3, "qgc-plan", plan((TAKEOFF, other, POINT, LAND)))
+    forever = item(177, (50, -20, 20), (2, -1, 0, 0))
+    expect("wpl: a jump for ever", 0, "wpl", wpl(TAKEOFF, forever, POINT, LAND))
+    expect("plan: a jump for ever", 0, "qgc-plan", plan((TAKEOFF, forever, POINT, LAND)))
     camera = item(2000, (0, 0, 0), (0, 1, 0, 0), frame=2)
     expect("wpl: a camera", 0, "wpl", wpl(TAKEOFF, camera, POINT, LAND))
     home = item(20, frame=2)

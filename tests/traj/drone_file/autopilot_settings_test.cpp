@@ -55,6 +55,14 @@ TEST(AutopilotSettings, KnowArduPilotsCentimetresAndMetres) {
             "(WP_RADIUS_M …), found both");
 }
 
+TEST(AutopilotSettings, KnowWhatGoesBeforeOthers) {
+  const Autopilot px = set("NAV_ACC_RAD,2\nMPC_Z_VEL_ALL,5\nMPC_XY_VEL_ALL,-10\n").autopilot;
+  EXPECT_EQ(px.climb, 5);
+  EXPECT_EQ(px.descent, 5);
+  EXPECT_EQ(px.speed, 5) << "the default";
+  EXPECT_EQ(set("WPNAV_SPEED,500\nRTL_SPEED,1200\n").autopilot.speed, 12);
+}
+
 TEST(AutopilotSettings, SayWhereAReturnMayGo) {
   EXPECT_TRUE(set("RTL_TYPE,0\nNAV_ACC_RAD,2\n").autopilot.returns_home);
   EXPECT_FALSE(set("RTL_TYPE,1\nNAV_ACC_RAD,2\n").autopilot.returns_home);

@@ -15,6 +15,7 @@ struct Way {
   std::vector<Turn> turns;
   std::vector<std::optional<double>> speeds;
   VerticalEnds ends;
+  std::vector<Vec3> rally;
 
   Way& go(const Vec3& p, const Turn& turn, double seconds = 0, double speed = 8,
           Manoeuvre manoeuvre = Manoeuvre::leg) {
@@ -28,7 +29,7 @@ struct Way {
 
   std::vector<Sweep> drift(const Autopilot& autopilot) const {
     const DriftTask task{path, hold, legs, turns, speeds, {}, {path.size() + 1, Manoeuvre::landing},
-                         ends, true};
+                         ends, rally};
     return drift_sweeps(autopilot, task);
   }
 };
@@ -99,6 +100,25 @@ TEST(Drift, CutsCornersWithinTheRadiusOrByTheSCurve) {
   EXPECT_TRUE(holds(ardu, {100.9, 10, 20})) << "and swings outward behind it";
 }
 
+TEST(Drift, TakesAShortLegBetweenTwoCornersForNone) {
+  Way way;
+  way.ends = {0.0, 0.0};
+  way.go({0, 0, 20}, {}, 0, 8, Manoeuvre::takeoff).go({100, 0, 20}, kPass).go({100, 8, 20}, kPass);
+  way.go({0, 8, 20}, kRest, 5);
+  EXPECT_TRUE(holds(way.drift(px4()), {97, 5, 20}));
+  way.path[2].y() = way.path[3].y() = 30;
+  EXPECT_FALSE(holds(way.drift(px4()), {97, 5, 20}));
+}
+
+TEST(Drift, OfTwoPointsHasNothingBehindIt) {
+  Way way;
+  way.ends = {0.0, 0.0};
+  way.go({0, 0, 20}, {}, 0, 8, Manoeuvre::takeoff);
+  way.go({0, 0, 50}, {}, 0, 8, Manoeuvre::return_home);
+  way.go({0, 0, 50}, {}, 0, 8, Manoeuvre::return_home);
+  EXPECT_TRUE(holds(way.drift(ardupilot()), {0, 0, 40}));
+}
+
 TEST(Drift, LeavesTheLineBeforeATightRadius) {
   Turn tight = kRest;
   tight.said = 0.2;
@@ -119,6 +139,35 @@ TEST(Drift, SinksBeforeItIsAboveALandingElsewhere) {
   EXPECT_TRUE(holds(sweeps, {140, 100, 1}));
   EXPECT_FALSE(holds(sweeps, {138.5, 100, 10}));
   EXPECT_FALSE(holds(corner(kRest, 5).drift(px4()), {100, 98.5, 18.5})) << "from a rest";
+}
+
+// A return from (100, 0, 20): up to 50 m and back above the take-off.
+Way homeward() {
+  Way way;
+  way.ends = {0.0, 0.0};
+  way.go({0, 0, 20}, {}, 0, 8, Manoeuvre::takeoff).go({100, 0, 20}, kRest, 5);
+  way.go({100, 0, 50}, {}, 0, 8, Manoeuvre::return_home);
+  way.go({0, 0, 50}, {}, 0, 8, Manoeuvre::return_home);
+  return way;
+}
+
+TEST(Drift, ReturnsFromWhereItStopped) {
+  const auto sweeps = homeward().drift(ardupilot());
+  EXPECT_TRUE(holds(sweeps, {101, 0, 49})) << "beyond its last stop all the way up";
+  EXPECT_TRUE(holds(sweeps, {-1, 0, 50})) << "and beyond home";
+  EXPECT_FALSE(holds(sweeps, {101.1, 0, 49}));
+}
+
+TEST(Drift, SinksBeforeItIsAboveHomeAndAboveARallyPoint) {
+  Way way = homeward();
+  way.rally = {{50, 80, 30}};
+  Autopilot near = px4();
+  near.acceptance = 2;
+  const auto sweeps = way.drift(near);
+  EXPECT_TRUE(holds(sweeps, {1.5, 0, 48}));
+  const Vec3 from = (Vec3(100, 0, 50) - Vec3(50, 80, 50)).normalized();
+  EXPECT_TRUE(holds(sweeps, Vec3(50, 80, 49) + 1.5 * from));
+  EXPECT_FALSE(holds(sweeps, Vec3(50, 80, 35) + 1.5 * from));
 }
 
 TEST(Drift, StandsOnTheGround) {

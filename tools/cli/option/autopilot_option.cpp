@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/file/files.h"
 #include "cli/run.h"
 #include "numbers_option.h"
@@ -80,6 +82,7 @@ traj::MissionRules AutopilotOptions::rules(traj::MissionRules rules) const {
   if (!exactly) return rules;
   if (!rules.acceptance) rules.acceptance = exactly->acceptance;
   if (!rules.speed) rules.speed = exactly->speed;
+  rules.braking = std::min(rules.braking, exactly->acceleration);
   if (!rules.return_height) rules.return_height = exactly->return_height;
   return rules;
 }

@@ -31,12 +31,12 @@ void write_crazyflie(std::ostream& out, const Trajectory& enu);
 
 // What the drone's firmware makes of such a table, told after its public sources
 // (crazyflie-firmware, src/modules/src/pptraj.c and crtp_commander_high_level.c, as they stood in
-// 2023):
+// 2023; 2026.08 computes the same):
 // - It keeps 33 floats a segment: the numbers of the table rounded to single precision.
 // - Its clock is microseconds since it was switched on, as seconds in single precision. The time t
 //   in a segment is that less the time of the start and less each duration before it, rounded
 //   after each subtraction. So t is a float in [0, duration]: rounding moves the setpoint along
-//   the curve, by up to the clock's step, never off it, and the durations of segments that were
+//   the curve, by up to 1 + n / 2 steps of the clock in the n-th segment, never off it, and the durations of segments that were
 //   passed do not add up to an error of place.
 // - Position is Horner's rule in single precision, from the highest power; velocity, acceleration
 //   and jerk the same on coefficients that were multiplied by their power first. A compiler may

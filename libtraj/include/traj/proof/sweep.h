@@ -44,10 +44,15 @@ void check_sweeps(const geom::CollisionScene& scene, std::span<const Sweep> swee
 void check_drift(const geom::CollisionScene& scene, std::span<const Drift> drift,
                  const Vec3& stray, const Vec3& navigation, CheckResult& result);
 
-// The same against fences, in plan: the whole vehicle with its margin stays in every inclusion
+// The sweeps against fences, in plan: the whole vehicle with its margin stays in every inclusion
 // and out of every exclusion. `worst` is how far beyond the first fence that it does not keep to
 // one of the points is.
 void check_fences(const geom::CollisionScene& scene, std::span<const Sweep> sweeps,
                   std::span<const Fence> fences, const Vec3& stray, CheckResult& result);
+
+// The same of where autopilots may be, for the vehicle as in check_drift.
+void check_fences(const geom::CollisionScene& scene, std::span<const Drift> drift,
+                  std::span<const Fence> fences, const Vec3& stray, const Vec3& navigation,
+                  CheckResult& result);
 
 }  // namespace traj
