@@ -257,6 +257,12 @@ class DriftMaker {
     Hull cone = sinking(above, rests ? above : at(last - 1), radius(last), ground);
     cone.push_back(above + overshoot(last));
     add_to_ground(std::move(cone), task_.landing, ground);
+    if (!returns(last) || last < 2 || at(last - 2).z() >= above.z()) return;
+    // Within the cone of returns it comes back as low as it was.
+    const double low = at(last - 2).z();
+    const Vec3 home(above.x(), above.y(), low);
+    const Vec3 from(at(last - 1).x(), at(last - 1).y(), low);
+    add_to_ground(sinking(home, from, radius(last), ground), task_.landing, ground);
   }
 
   Hull sinking(const Vec3& above, const Vec3& from, double radius, double ground) const {
