@@ -47,7 +47,7 @@ class Firmware:
     """One firmware process in a fresh folder, with a MAVLink link to it."""
 
     kind, int_params_bytewise = None, False
-    estimate_limit = 0.3  # metres, of a flight with little noise
+    estimate_limit = 0.15  # metres, of a flight with little noise
 
     def __init__(self, options, home):
         self.options, self.home = options, home
