@@ -1,176 +1,133 @@
 #include "geom/import/building_height.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <array>
+#include <cctype>
 
+#include "geom/import/written_height.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
 namespace {
 
-// A decimal number, with point or comma, that leads `text`; what follows is left in it.
-std::optional<double> leading_number(std::string_view& text) {
-  std::string plain;
-  std::size_t used = 0;
-  for (; used < text.size(); ++used) {
-    const char c = text[used] == ',' ? '.' : text[used];
-    const bool sign = used == 0 && (c == '-' || c == '+');
-    if (!sign && !(c >= '0' && c <= '9') && c != '.') break;
-    if (c == '.' && plain.find('.') != std::string::npos) break;
-    plain += c;
-  }
-  const auto value = parse_number(plain);
-  if (!value) return std::nullopt;
-  text.remove_prefix(used);
-  return value;
+// Whether a word of what stands far above its surroundings is in the text, as in "bell_tower".
+bool names_tower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  static constexpr std::array<std::string_view, 17> kTall{
+      "tower",     "mast",     "chimney",   "crane",   "silo",       "tank",
+      "gasometer", "windmill", "antenna",   "obelisk", "lighthouse", "minaret",
+      "spire",     "steeple",  "campanile", "pylon",   "turbine"};
+  return std::any_of(kTall.begin(), kTall.end(),
+                     [&](std::string_view word) { return text.find(word) != text.npos; });
 }
 
-// Calls f(part) for each of "3;4", "3-5" and "3 - 5"; a sign belongs to its number.
-template <class F>
-void for_each_part(std::string_view text, const F& f) {
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    const bool range = i < text.size() && text[i] == '-' &&
-                       text.substr(begin, i - begin).find_first_of("0123456789") < i;
-    if (i < text.size() && text[i] != ';' && !range) continue;
-    f(trimmed(text.substr(begin, i - begin)));
-    begin = i + 1;
-  }
-}
+// The height of one building from its attributes.
+class Attributes {
+ public:
+  Attributes(const std::function<std::string(const char*)>& tag, const HeightOptions& options)
+      : tag_(tag), options_(options) {}
 
-// The first number of a part with its sign, whatever stands around it.
-std::optional<double> level_of(std::string_view part) {
-  const std::size_t at = part.find_first_of("0123456789");
-  if (at == std::string_view::npos) return std::nullopt;
-  part.remove_prefix(at > 0 && part[at - 1] == '-' ? at - 1 : at);
-  return leading_number(part);
-}
+  BuildingHeight height() {
+    auto top = given();
+    if (top) out_.from = HeightFrom::height;
+    if (!top) top = estimated();
+    out_.unread = out_.junk;
+    out_.junk |= not_positive_;
+    out_.tower = is_tower();
+    out_.top = top.value_or(options_.default_height);
+    stand();
+    return out_;
+  }
+
+ private:
+  template <class Parse>
+  std::optional<double> read(const char* key, const Parse& parse) {
+    const std::string text = tag_(key);
+    if (trimmed(text).empty()) return std::nullopt;
+    const auto value = parse(text);
+    if (!value) out_.junk = true;
+    return value;
+  }
+
+  std::optional<double> length(const char* key,
+                               std::optional<double> (*parse)(std::string_view, double)) {
+    return read(key, [&](std::string_view text) {
+      out_.bare |= parse(text, 1) != parse(text, 2);
+      return parse(text, options_.unit);
+    });
+  }
+
+  // 0 and -1 say that nobody knows.
+  std::optional<double> known(std::optional<double> value) {
+    if (!value || *value > 0) return value;
+    not_positive_ = true;
+    return std::nullopt;
+  }
+
+  std::optional<double> given() {
+    if (!options_.attribute.empty()) {
+      const char* const key = options_.attribute.c_str();
+      out_.asked = !trimmed(tag_(key)).empty();
+      if (const auto top = known(length(key, parse_highest))) return top;
+    }
+    for (const char* key : {"height", "building:height"}) {
+      if (const auto top = known(length(key, parse_highest))) return top;
+    }
+    return std::nullopt;
+  }
+
+  // The higher of what somebody estimated and what the storeys add up to.
+  std::optional<double> estimated() {
+    auto top = known(length("est_height", parse_highest));
+    if (top) out_.from = HeightFrom::height;
+    const auto storeys = read("building:levels", parse_levels);
+    if (!storeys) return top;
+    const auto roof = length("roof:height", parse_highest);
+    const double above =
+        roof ? *roof : read("roof:levels", parse_levels).value_or(0) * options_.storey;
+    const auto stacked = known(std::max(0.0, *storeys) * options_.storey + std::max(0.0, above));
+    if (!stacked || (top && *top >= *stacked)) return top;
+    out_.from = HeightFrom::levels;
+    return stacked;
+  }
+
+  bool is_tower() const {
+    for (const char* key :
+         {"building", "building:part", "man_made", "power", "type", "fclass", "class"}) {
+      if (names_tower(tag_(key))) return true;
+    }
+    return !tag_("tower:type").empty();
+  }
+
+  // Where it begins. One that would begin above its own top may be as high as both together: some
+  // give the height of a part from where the part begins. It is kept down to the ground.
+  void stand() {
+    auto bottom = length("min_height", parse_lowest);
+    if (!bottom) {
+      bottom = read("building:min_level", parse_lowest_level);
+      if (bottom) *bottom *= options_.storey;
+    }
+    if (!bottom || !(*bottom > 0)) return;
+    if (*bottom < out_.top) {
+      out_.bottom = *bottom;
+    } else {
+      out_.junk = true;
+      out_.top += *bottom;
+    }
+  }
+
+  const std::function<std::string(const char*)>& tag_;
+  const HeightOptions& options_;
+  bool not_positive_ = false;
+  BuildingHeight out_;
+};
 
 }  // namespace
 
-std::optional<double> parse_length(std::string_view text, double bare) {
-  text = trimmed(text);
-  while (!text.empty() && (text[0] == '~' || text[0] == '<' || text[0] == '>')) {
-    text = trimmed(text.substr(1));
-  }
-  const auto value = leading_number(text);
-  if (!value) return std::nullopt;
-  text = trimmed(text);
-  double metres = *value;
-  if (text.empty() || text[0] == ';') {
-    metres *= bare;
-  } else if (text.starts_with("'")) {
-    metres *= 0.3048;
-    text = trimmed(text.substr(1));
-    if (const auto inches = leading_number(text)) metres += *inches * 0.0254;
-  } else if (text.starts_with("ft") || text.starts_with("feet") || text.starts_with("foot")) {
-    metres *= 0.3048;
-  } else if (text.starts_with("cm")) {
-    metres *= 0.01;
-  } else if (text.starts_with("km")) {
-    metres *= 1000;
-  } else if (text.starts_with("mi") || text.starts_with("mm")) {
-    return std::nullopt;
-  } else if (text[0] != 'm' && text[0] != 'M') {
-    return std::nullopt;
-  }
-  if (!(std::abs(metres) <= 1e4)) return std::nullopt;
-  return metres;
-}
-
-std::optional<double> parse_highest(std::string_view text, double bare) {
-  std::optional<double> most;
-  for_each_part(text, [&](std::string_view part) {
-    const auto value = parse_length(part, bare);
-    if (value) most = std::max(most.value_or(*value), *value);
-  });
-  return most;
-}
-
-std::optional<double> parse_lowest(std::string_view text, double bare) {
-  std::optional<double> least;
-  bool junk = false;
-  for_each_part(text, [&](std::string_view part) {
-    const auto value = parse_length(part, bare);
-    if (value) least = std::min(least.value_or(*value), *value);
-    junk |= !value;
-  });
-  return junk ? std::nullopt : least;
-}
-
-std::optional<double> parse_levels(std::string_view text) {
-  std::optional<double> most;
-  for_each_part(text, [&](std::string_view part) {
-    const auto value = level_of(part);
-    if (value && std::abs(*value) <= 300) most = std::max(most.value_or(*value), *value);
-  });
-  return most;
-}
-
-std::optional<double> parse_lowest_level(std::string_view text) {
-  std::optional<double> least;
-  bool junk = false;
-  for_each_part(text, [&](std::string_view part) {
-    const auto value = level_of(part);
-    if (value) least = std::min(least.value_or(*value), *value);
-    junk |= !value || std::abs(*value) > 300;
-  });
-  return junk ? std::nullopt : least;
-}
-
 BuildingHeight building_height(const std::function<std::string(const char*)>& tag,
                                const HeightOptions& options) {
-  BuildingHeight out;
-  const auto read = [&](const char* key, const auto& parse) -> std::optional<double> {
-    const std::string text = tag(key);
-    if (trimmed(text).empty()) return std::nullopt;
-    const auto value = parse(text);
-    if (!value) out.junk = true;
-    return value;
-  };
-  const auto length = [&](const auto& parse) {
-    return [&out, &options, &parse](std::string_view text) {
-      out.bare |= parse(text, 1) != parse(text, 2);
-      return parse(text, options.unit);
-    };
-  };
-  const auto metres = [&](const char* key) { return read(key, length(parse_highest)); };
-  const auto levels = [&](const char* key) { return read(key, parse_levels); };
-
-  std::optional<double> top;
-  if (!options.attribute.empty()) top = metres(options.attribute.c_str());
-  if (!top) top = metres("height");
-  if (!top) top = metres("building:height");
-  out.from = top ? HeightFrom::height : HeightFrom::nothing;
-  if (!top) {
-    if (const auto storeys = levels("building:levels")) {
-      const auto roof = metres("roof:height");
-      const double above = roof ? *roof : levels("roof:levels").value_or(0) * options.storey;
-      top = *storeys * options.storey + std::max(0.0, above);
-      out.from = HeightFrom::levels;
-    }
-  }
-  out.unread = out.junk;
-  if (top && !(*top > 0)) {
-    out.junk = true;
-    out.from = HeightFrom::nothing;
-    top.reset();
-  }
-  out.top = top.value_or(options.default_height);
-  auto bottom = read("min_height", length(parse_lowest));
-  if (!bottom) {
-    if (const auto level = read("building:min_level", parse_lowest_level))
-      bottom = *level * options.storey;
-  }
-  if (bottom && *bottom > 0) {
-    if (*bottom < out.top) {
-      out.bottom = *bottom;
-    } else {
-      out.junk = true;  // hangs above its own roof: kept, down to the ground
-    }
-  }
-  return out;
+  return Attributes(tag, options).height();
 }
 
 }  // namespace geom

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "geom/import/written_height.h"
 #include "geom/shape/aabb.h"
 
 namespace geom {

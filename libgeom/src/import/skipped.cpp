@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <span>
+
 namespace geom {
 namespace {
 
-constexpr std::size_t kNamed = 3;  // of each kind
+constexpr std::size_t kNamed = 3;       // of each kind
+constexpr std::size_t kManyKinds = 12;  // of more kinds one each, so that none falls off a message
 
 }  // namespace
 
@@ -43,8 +47,10 @@ std::size_t Skipped::count() const {
 std::string Skipped::text() const {
   std::string out;
   for (const auto& [name, kind] : kinds_) {
+    const std::size_t named = std::min(kind.first.size(), kinds_.size() > kManyKinds ? 1 : kNamed);
+    const std::span<const std::string> first(kind.first.data(), named);
     out += fmt::format("{}{} x {} ({}{})", out.empty() ? "" : ", ", kind.count, name,
-                       fmt::join(kind.first, ", "), kind.count > kind.first.size() ? ", …" : "");
+                       fmt::join(first, ", "), kind.count > named ? ", …" : "");
   }
   return out;
 }

@@ -12,6 +12,7 @@
 
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
+#include "geom/text/json_outline.h"
 #include "geom/text/parse_json.h"
 
 namespace geom {
@@ -46,8 +47,10 @@ class Reading {
 template <class Json>
 class Builder {
  public:
-  Builder(std::string_view text, std::string_view source, std::size_t line)
-      : text_(text), source_(source), line_(line) {}
+  // Of lists and objects nested deeper than `kept` the builder empties each that it has read.
+  Builder(std::string_view text, std::string_view source, std::size_t line,
+          std::size_t kept = kDeepestJson)
+      : text_(text), source_(source), line_(line), kept_(kept) {}
 
   Json build() {
     seen_ = understood_ = text_.data();
@@ -153,6 +156,7 @@ class Builder {
   }
 
   bool close() {
+    if (levels_.size() > kept_) levels_.back().value->clear();
     levels_.pop_back();
     fresh_ = false;
     understood_ = seen_;
@@ -212,6 +216,7 @@ class Builder {
   std::string_view text_;
   std::string source_;
   std::size_t line_;
+  std::size_t kept_;
   const char* seen_ = nullptr;        // behind the last character that was read
   const char* understood_ = nullptr;  // behind what the values so far were made of
   Json root_;
@@ -234,6 +239,11 @@ nlohmann::json worded_json(std::string_view text, std::string_view source, std::
 
 nlohmann::ordered_json worded_ordered_json(std::string_view text, std::string_view source) {
   return parse<nlohmann::ordered_json>(text, source, 0);
+}
+
+nlohmann::json json_outline(std::string_view text, std::string_view source, std::size_t depth,
+                            std::size_t line) {
+  return Builder<nlohmann::json>(text, source, line, depth).build();
 }
 
 }  // namespace geom

@@ -3,51 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <string>
+#include <string_view>
 
 namespace geom {
 namespace {
-
-TEST(ParseLength, UnderstandsWhatPeopleWrite) {
-  EXPECT_EQ(parse_length("12.13 m"), 12.13);
-  EXPECT_EQ(parse_length("12,5"), 12.5);
-  EXPECT_EQ(parse_length(" ~15m "), 15);
-  EXPECT_DOUBLE_EQ(*parse_length("40 ft"), 12.192);
-  EXPECT_DOUBLE_EQ(*parse_length("7'4\""), 7 * 0.3048 + 4 * 0.0254);
-  EXPECT_EQ(parse_length("250 cm"), 2.5);
-  EXPECT_EQ(parse_length("3;4"), 3);
-}
-
-TEST(ParseLength, GivesNothingForTheRest) {
-  for (const char* text :
-       {"", "tall", "m 12", "12 storeys", "1e9", "nan", "inf", "--3", "12.1.3x", "12 mi"}) {
-    EXPECT_FALSE(parse_length(text)) << text;
-  }
-}
-
-TEST(ParseHighestAndLowest, TakeTheSideThatLeavesNothingOut) {
-  EXPECT_EQ(parse_highest("3;40"), 40);
-  EXPECT_EQ(parse_highest("30-40 m"), 40);
-  EXPECT_EQ(parse_highest("tall; 40"), 40);
-  EXPECT_EQ(parse_highest("-3"), -3);
-  EXPECT_FALSE(parse_highest("tall"));
-  EXPECT_EQ(parse_lowest("3;1"), 1);
-  EXPECT_EQ(parse_lowest("-2;1"), -2);
-  EXPECT_FALSE(parse_lowest("3;?"));
-  EXPECT_FALSE(parse_lowest(""));
-  EXPECT_EQ(parse_lowest_level("2;4"), 2);
-  EXPECT_EQ(parse_lowest_level("-1"), -1);
-  EXPECT_EQ(parse_lowest_level("1--2"), -2);
-  EXPECT_FALSE(parse_lowest_level("2;ground"));
-}
-
-TEST(ParseLevels, TakesTheLargestNumber) {
-  EXPECT_EQ(parse_levels("3"), 3);
-  EXPECT_EQ(parse_levels("L3.5"), 3.5);
-  EXPECT_EQ(parse_levels("2;4"), 4);
-  EXPECT_EQ(parse_levels("3-5"), 5);
-  EXPECT_FALSE(parse_levels("ground"));
-  EXPECT_FALSE(parse_levels("1000"));
-}
 
 BuildingHeight from(std::map<std::string, std::string> tags) {
   return building_height(
@@ -75,7 +35,7 @@ TEST(BuildingHeight, FallsBackAndSaysSo) {
   EXPECT_EQ(h.top, 10);
   EXPECT_EQ(h.from, HeightFrom::nothing);
   EXPECT_TRUE(h.junk);
-  EXPECT_EQ(from({{"height", "-3"}}).top, 10);
+  EXPECT_TRUE(h.unread);
   EXPECT_FALSE(from({}).junk);
 }
 
@@ -86,9 +46,66 @@ TEST(BuildingHeight, StartsWhereItHangs) {
   EXPECT_EQ(from({{"height", "20"}, {"building:min_level", "1;2"}}).bottom, 3);
   EXPECT_EQ(from({{"height", "20;30"}, {"min_height", "5;4"}}).top, 30);
   EXPECT_EQ(from({{"height", "20;30"}, {"min_height", "5;4"}}).bottom, 4);
+}
+
+// 20 m from 25 m up, as some mean it, or a slip: what it may be is in the map.
+TEST(BuildingHeight, IsKeptWhereItWouldBeginAboveItsTop) {
   const BuildingHeight inverted = from({{"height", "20"}, {"min_height", "25"}});
   EXPECT_EQ(inverted.bottom, 0);
+  EXPECT_EQ(inverted.top, 45);
   EXPECT_TRUE(inverted.junk);
+  const BuildingHeight canopy = from({{"min_height", "12"}});
+  EXPECT_EQ(canopy.top, 22);
+  EXPECT_EQ(canopy.from, HeightFrom::nothing);
+}
+
+TEST(BuildingHeight, PassesOverHeightsOfNothing) {
+  for (const char* none : {"0", "-1", "0 m", "-999"}) {
+    const BuildingHeight levels = from({{"height", none}, {"building:levels", "12"}});
+    EXPECT_EQ(levels.top, 36) << none;
+    EXPECT_EQ(levels.from, HeightFrom::levels);
+    EXPECT_FALSE(levels.unread);
+    EXPECT_EQ(from({{"height", none}, {"building:height", "15"}}).top, 15);
+    EXPECT_EQ(from({{"height", none}}).top, 10);
+    EXPECT_EQ(from({{"height", none}}).from, HeightFrom::nothing);
+  }
+  EXPECT_EQ(from({{"building:levels", "-1"}}).from, HeightFrom::nothing);
+  EXPECT_EQ(from({{"building:levels", "0"}, {"roof:levels", "2"}}).top, 6);
+}
+
+TEST(BuildingHeight, TakesAnEstimateAndTheHigherOfItAndTheStoreys) {
+  EXPECT_EQ(from({{"est_height", "40"}}).top, 40);
+  EXPECT_EQ(from({{"est_height", "40"}}).from, HeightFrom::height);
+  EXPECT_EQ(from({{"est_height", "40"}, {"building:levels", "3"}}).top, 40);
+  EXPECT_EQ(from({{"est_height", "5"}, {"building:levels", "3"}}).top, 9);
+  EXPECT_EQ(from({{"est_height", "5"}, {"building:levels", "3"}}).from, HeightFrom::levels);
+}
+
+TEST(BuildingHeight, ReadsAHeightInStoreysAsNone) {
+  const BuildingHeight h = from({{"height", "10-20 storeys"}});
+  EXPECT_EQ(h.from, HeightFrom::nothing);
+  EXPECT_TRUE(h.unread);
+  EXPECT_EQ(from({{"building:levels", "12;18 floors"}}).top, 54);
+}
+
+TEST(BuildingHeight, KnowsWhatNoDefaultFits) {
+  EXPECT_TRUE(from({{"man_made", "tower"}}).tower);
+  EXPECT_TRUE(from({{"building", "Bell_Tower"}}).tower);
+  EXPECT_TRUE(from({{"building", "yes"}, {"tower:type", "cooling"}}).tower);
+  EXPECT_TRUE(from({{"man_made", "works;chimney"}}).tower);
+  EXPECT_TRUE(from({{"fclass", "crane"}}).tower);
+  EXPECT_FALSE(from({{"building", "yes"}}).tower);
+}
+
+TEST(BuildingHeight, SaysWhetherTheAttributeOfTheOptionsIsThere) {
+  HeightOptions options;
+  options.attribute = "h_max";
+  const auto tag = [](const char* key) {
+    return std::string(std::string_view(key) == "h_max" ? "31" : "");
+  };
+  EXPECT_TRUE(building_height(tag, options).asked);
+  EXPECT_EQ(building_height(tag, options).top, 31);
+  EXPECT_FALSE(building_height(tag, {}).asked);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace {
 
 TEST(Skipped, NamesTheFirstOfEachKind) {
@@ -23,6 +25,15 @@ TEST(Skipped, SaysOfWhichFileItIs) {
   whole.add_of("c.obj", part);
   EXPECT_EQ(whole.text(), "3 x a (line 2, b.obj: line 7, c.obj: line 7)");
   EXPECT_EQ(part.text(), "1 x a (line 7)");
+}
+
+TEST(Skipped, NamesOneOfEachWhereThereAreManyKinds) {
+  geom::Skipped skipped;
+  for (char kind = 'a'; kind <= 'm'; ++kind) {
+    skipped.add(std::string(1, kind), "first");
+    skipped.add(std::string(1, kind), "second");
+  }
+  EXPECT_TRUE(skipped.text().starts_with("2 x a (first, …), 2 x b (first, …)")) << skipped.text();
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ class Skipped {
   bool empty() const { return kinds_.empty(); }
   std::size_t count() const;
 
-  // "2 x unknown keyword (line 7: window, line 9: blok), 1 x Point (feature 3)".
+  // "2 x unknown keyword (line 7: window, line 9: blok), 1 x Point (feature 3)"; of more than a
+  // dozen kinds one name each.
   std::string text() const;
 
  private:
