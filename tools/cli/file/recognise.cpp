@@ -21,6 +21,8 @@ using std::string_view_literals::operator""sv;
 
 constexpr std::string_view kToCloud = "convert it to LAS, PLY or PCD, which skyway-cloud reads";
 constexpr std::string_view kDroneToolsAndMesh = "skyway-check skyway-import-trajectory skyway-mesh";
+constexpr std::string_view kDroneToolsAndFootprints =
+    "skyway-check skyway-import-trajectory skyway-footprints";
 constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kToTrajectory =
     "convert its positions to a table id,x,y,z in metres, which skyway-check --paths-csv reads";
@@ -108,7 +110,7 @@ struct Word {
 constexpr std::array kElements = {
     Word{"<gpx", "a GPX track", "", kToTrajectory},
     Word{"<wpml:", "a DJI mission (WPML)", "", kToKmz},
-    Word{"<kml", "a KML file", kDroneTools, ""},
+    Word{"<kml", "a KML file", kDroneToolsAndFootprints, ""},
     Word{"<osm", "an OpenStreetMap file", "skyway-footprints", ""},
     Word{"CityModel", "a CityGML model", "skyway-footprints", ""},
     Word{"<COLLADA", "a COLLADA model", "skyway-mesh", ""},
@@ -165,7 +167,7 @@ constexpr std::array kZip = {
         ""},
     Word{"wpmz/", "a DJI mission (KMZ with WPML)", kDroneTools, ""},
     Word{".wpml", "a DJI mission (KMZ with WPML)", kDroneTools, ""},
-    Word{".kml", "a KMZ file", "", "unpack the KML in it"},
+    Word{".kml", "a KMZ file", "skyway-footprints", ""},
     Word{"[Content_Types].xml", "an office document", "", "write its table as CSV"},
     Word{"mimetype", "an office document", "", "write its table as CSV"},
     Word{".npy", "NumPy arrays (.npz)", "", ""},
@@ -346,7 +348,14 @@ std::optional<FileKind> recognise(std::string_view head) {
   return text_kind(head);
 }
 
-std::optional<FileKind> recognise_file(const std::string& path) { return recognise(head_of(path)); }
+std::optional<FileKind> recognise_file(const std::string& path) {
+  const std::string head = head_of(path);
+  const bool packed = head.starts_with("BZh") || head.starts_with("\x1f\x8b");
+  if (packed && (path.ends_with(".osm.bz2") || path.ends_with(".osm.gz"))) {
+    return FileKind{"a packed OpenStreetMap extract", "skyway-footprints", ""};
+  }
+  return recognise(head);
+}
 
 bool reads(std::string_view tools, std::string_view tool) {
   return fmt::format(" {} ", tools).find(fmt::format(" {} ", tool)) != std::string::npos;
