@@ -68,6 +68,7 @@ std::string detect(std::string_view head, const std::string& path) {
 Source read(const std::string& format, const std::string& path, const std::string& name,
             std::istream& file, const ReadOptions& options) {
   Source source = read_any(format, path, name, file, options);
+  if (format != "raster") require_attribute(source, options, name);
   if (source.footprints.empty()) {
     const std::string skipped = source.skipped.text();
     throw geom::InputError(name, "expected at least one footprint, found none" +

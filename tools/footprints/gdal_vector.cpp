@@ -4,17 +4,22 @@
 #include <cmath>
 
 #include "gdal_reference.h"
+#include "gdal_whole.h"
+#include "geom/text/counted.h"
 #include "source.h"
 
 namespace footprints {
 namespace {
+
+constexpr double kDegreesOfArc = 0.5;  // its chord lies 1e-5 of the radius within the arc
 
 class VectorReader {
  public:
   VectorReader(const std::string& name, const ReadOptions& options)
       : name_(name), options_(options) {}
 
-  Source read(GDALDataset& dataset) {
+  Source read(GDALDataset& dataset, const std::string& path) {
+    const std::size_t least = require_whole(dataset, path, name_);
     for (int i = 0; i < dataset.GetLayerCount(); ++i) {
       OGRLayer& layer = *dataset.GetLayer(i);
       const std::string crs = wkt_of(layer.GetSpatialRef(), name_);
@@ -27,11 +32,11 @@ class VectorReader {
       unit_ = height_unit(crs, name_, options_);
       read_layer(layer);
     }
-    if (!options_.height.attribute.empty() && !has_attribute_) {
-      throw geom::InputError(name_,
-                             fmt::format("expected an attribute \"{}\" (--height-attribute), "
-                                         "and no layer has it",
-                                         options_.height.attribute));
+    if (options_.where.empty() && features_ < least) {
+      throw geom::InputError(
+          name_, fmt::format("the file has {}, and GDAL reads {}: it is damaged, or not quite of "
+                             "its format; write it anew, for example as GeoPackage",
+                             geom::counted(least, "feature"), features_));
     }
     return std::move(out_);
   }
@@ -40,7 +45,8 @@ class VectorReader {
   void read_layer(OGRLayer& layer) {
     CPLErrorReset();
     layer_ = layer.GetName();
-    has_attribute_ |= layer.GetLayerDefn()->GetFieldIndex(options_.height.attribute.c_str()) >= 0;
+    out_.has_height_attribute |=
+        layer.GetLayerDefn()->GetFieldIndex(options_.height.attribute.c_str()) >= 0;
     if (!options_.where.empty() &&
         layer.SetAttributeFilter(options_.where.c_str()) != OGRERR_NONE) {
       throw geom::InputError(
@@ -49,7 +55,10 @@ class VectorReader {
                              layer.GetName(), options_.where, CPLGetLastErrorMsg()));
     }
     layer.ResetReading();
-    while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) read_feature(*feature);
+    while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
+      ++features_;
+      read_feature(*feature);
+    }
     if (CPLGetLastErrorType() == CE_Failure) {
       throw geom::InputError(name_, fmt::format("layer \"{}\" cannot be read to its end (GDAL: "
                                                 "{}): the file is damaged or cut, get it again",
@@ -66,8 +75,11 @@ class VectorReader {
     }
     const auto tag = [&](const char* key) -> std::string {
       const int field = feature.GetFieldIndex(key);
-      return field >= 0 && feature.IsFieldSetAndNotNull(field) ? feature.GetFieldAsString(field)
-                                                               : "";
+      if (field < 0 || !feature.IsFieldSetAndNotNull(field)) return "";
+      if (feature.GetFieldDefnRef(field)->GetSubType() == OFSTBoolean) {
+        return feature.GetFieldAsInteger(field) ? "true" : "false";  // no length of 1
+      }
+      return feature.GetFieldAsString(field);
     };
     const std::size_t before = out_.footprints.size();
     geom::BuildingHeight height;
@@ -78,13 +90,14 @@ class VectorReader {
       if (height.bare && !unit_) refuse_heights(name_, out_.crs);
     }
     add_polygons(*geometry, static_cast<std::uint64_t>(feature.GetFID()), height);
-    const bool shape = raise(before);
-    if (out_.footprints.size() > before) count(feature, height, shape);
+    raise(before, height);
+    if (out_.footprints.size() > before) count(feature, height);
+    solid_ = false;
   }
 
   // Where the height of a feature came from that became footprints.
-  void count(const OGRFeature& feature, const geom::BuildingHeight& height, bool shape) {
-    if (shape) {
+  void count(const OGRFeature& feature, const geom::BuildingHeight& height) {
+    if (solid_ && height.from == geom::HeightFrom::nothing) {
       ++out_.counts["heights_from_corners"];
       if (height.unread) out_.skipped.add("height that is not understood", which_);
       return;
@@ -112,9 +125,11 @@ class VectorReader {
       }
       return;
     }
+    const auto kind = wkbFlatten(geometry.getGeometryType());
+    solid_ |= kind == wkbPolyhedralSurface || kind == wkbTIN;
     const std::unique_ptr<OGRGeometry> polygons(
         holds_surfaces(geometry)
-            ? OGRGeometryFactory::forceToMultiPolygon(geometry.getLinearGeometry())
+            ? OGRGeometryFactory::forceToMultiPolygon(geometry.getLinearGeometry(kDegreesOfArc))
             : nullptr);
     if (!polygons || wkbFlatten(polygons->getGeometryType()) != wkbMultiPolygon) {
       out_.skipped.add(OGRGeometryTypeToName(wkbFlatten(geometry.getGeometryType())), which_);
@@ -133,8 +148,9 @@ class VectorReader {
         (ring == polygon->getExteriorRing() ? f.polygon.outer : f.polygon.holes.emplace_back()) =
             points_of(*ring, f.id);
       }
-      out_.footprints.push_back(std::move(f));
       levels_.push_back(levels_of(*polygon));
+      solid_ |= levels_.back().low < levels_.back().high && stands_upright(f.polygon.outer);
+      out_.footprints.push_back(std::move(f));
     }
   }
 
@@ -157,27 +173,41 @@ class VectorReader {
     return levels;
   }
 
-  // Corners with heights: a feature whose own differ is a shape in space, each polygon of which
-  // stands on the feature's lowest point. Where they are all the same they may be the ground's,
-  // below the building's height, or the roof's: it stands from the lower to the higher of both.
-  // Says whether it is a shape in space.
-  bool raise(std::size_t first) {
+  // Whether all corners are on one line in plan, as those of a wall.
+  static bool stands_upright(const std::vector<geom::Vec2>& ring) {
+    const auto far = std::max_element(ring.begin(), ring.end(), [&](const auto& a, const auto& b) {
+      return (a - ring.front()).squaredNorm() < (b - ring.front()).squaredNorm();
+    });
+    const geom::Vec2 along = *far - ring.front();
+    return std::all_of(ring.begin(), ring.end(), [&](const geom::Vec2& p) {
+      const geom::Vec2 to = p - ring.front();
+      return std::abs(along.x() * to.y() - along.y() * to.x()) <= 1e-6 * along.squaredNorm();
+    });
+  }
+
+  // Corners with heights. They may be the ground's, below the building's height, or the roof's: the
+  // building stands from the lowest corner, or from where it stands without them, up to its height
+  // above the highest. A solid, which has walls, is as high as its highest corner says; a height
+  // that the file gives counts from its lowest.
+  void raise(std::size_t first, const geom::BuildingHeight& height) {
     Levels all = levels_.empty() ? Levels{} : levels_.front();
     for (const Levels& l : levels_) all = {std::min(all.low, l.low), std::max(all.high, l.high)};
-    const bool shape = all.low < all.high;
+    const bool given = height.from != geom::HeightFrom::nothing;
+    solid_ &= all.low < all.high;
     for (std::size_t i = 0; i < levels_.size() && (all.low != 0 || all.high != 0); ++i) {
       geom::Footprint& f = out_.footprints[first + i];
+      const double above = solid_ ? all.low : levels_[i].high;
       ++out_.counts["polygons_with_heights"];
-      if (shape) {
-        f.bottom = all.low;
-        f.top = std::max(levels_[i].high, f.bottom);
+      f.bottom = std::min({f.bottom, f.bottom + all.low, all.low});
+      if (solid_ && !given) {
+        f.bottom = std::min(all.low, 0.0);
+        f.top = levels_[i].high;
       } else {
-        f.bottom = std::min(f.bottom, f.bottom + all.low);
-        f.top = std::max(f.top, f.top + all.high);
+        f.top = std::max({f.top, above + f.top, levels_[i].high});
       }
+      f.top = std::max(f.top, f.bottom);
     }
     levels_.clear();
-    return shape;
   }
 
   std::vector<geom::Vec2> points_of(const OGRLinearRing& ring, std::uint64_t id) const {
@@ -193,11 +223,12 @@ class VectorReader {
 
   const std::string& name_;
   const ReadOptions& options_;
-  bool has_attribute_ = false;
+  std::size_t features_ = 0;
   std::optional<double> unit_;  // of heights that name none, where it is clear
   std::string layer_;
   std::string which_;           // the feature that is read
   std::vector<Levels> levels_;  // of its footprints
+  bool solid_ = false;          // it has walls, so its corners tell how high it is
   Source out_;
 };
 
@@ -206,12 +237,9 @@ class VectorReader {
 Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options) {
   const Dataset dataset = open(path, GDAL_OF_VECTOR);
   if (!dataset) {
-    throw geom::InputError(name,
-                           "expected footprints that GDAL reads (GeoJSON, GeoPackage, "
-                           "Shapefile, FlatGeobuf), CityJSON, OSM .pbf or a GeoTIFF, found "
-                           "a file that GDAL cannot open");
+    throw geom::InputError(name, unopened(path));
   }
-  return VectorReader(name, options).read(*dataset);
+  return VectorReader(name, options).read(*dataset, path);
 }
 
 std::optional<double> height_unit(const std::string& crs, const std::string& name,

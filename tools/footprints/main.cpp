@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "cli/file/hashed_input.h"
 #include "cli/file/map_output.h"
+#include "cli/option/format_options.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/skipped_option.h"
@@ -16,6 +19,16 @@
 #include "place.h"
 
 namespace {
+
+const std::array kFormatOptions{
+    cli::FormatOption{"--height-attribute", {"vector", "osm", "cityjson", "citygml"}},
+    cli::FormatOption{"--storey", {"vector", "osm", "cityjson", "citygml"}},
+    cli::FormatOption{"--default-height", {"vector", "osm", "cityjson", "citygml"}},
+    cli::FormatOption{"--where", {"vector"}},
+    cli::FormatOption{"--height-step", {"raster"}},
+    cli::FormatOption{"--height-units", {"vector", "cityjson", "citygml", "raster"}, "--terrain"},
+    cli::FormatOption{"--axes", {"cityjson", "citygml"}},
+    cli::FormatOption{"--metres", {"vector", "cityjson", "citygml", "raster"}}};
 
 struct Options {
   std::string input;
@@ -104,7 +117,8 @@ nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
 
 // What was read, in numbers; warns of what is worth knowing.
 nlohmann::ordered_json counts_of(const footprints::Source& source, const std::string& format,
-                                 const std::string& name, const cli::Common& common) {
+                                 const std::string& name, double default_height,
+                                 const cli::Common& common) {
   nlohmann::ordered_json counts = {{"format", format}, {"footprints", source.footprints.size()}};
   std::string report;
   for (const auto& [what, n] : source.counts) {
@@ -116,6 +130,10 @@ nlohmann::ordered_json counts_of(const footprints::Source& source, const std::st
               fmt::format("{}: footprints: {}{}", name, source.footprints.size(), report));
   }
   for (const std::string& warning : source.warnings) common.warn(name + ": " + warning);
+  if (!source.defaults.empty()) {
+    common.warn(fmt::format("{}: {} m is taken where nothing tells the height: {}", name,
+                            default_height, source.defaults.text()));
+  }
   if (!source.skipped.empty()) counts["skipped"] = source.skipped.count();
   return counts;
 }
@@ -130,6 +148,12 @@ struct City {
 City city_of(footprints::Source source, const Options& options,
              const std::optional<geom::Vec2>& origin, const std::string& name,
              const cli::Sharding& sharding) {
+  if (options.metres && !source.crs.empty()) {
+    throw cli::UsageError(
+        fmt::format("--metres is for numbers without a coordinate reference "
+                    "system, and {} names one: leave it out",
+                    name));
+  }
   const footprints::Projector projector(source, name, origin, options.metres);
   const geom::MakeMapOptions map = options.map.make();
   std::optional<double> floor = map.floor;
@@ -180,11 +204,13 @@ int main(int argc, char** argv) {
     const std::string format = options.format == "auto"
                                    ? footprints::detect(hashed.head(), options.input)
                                    : options.format;
+    cli::require_used(app, kFormatOptions, format, file.name());
     const City city =
         city_of(footprints::read(format, options.input, file.name(), hashed.stream(), options.read),
                 options, origin, file.name(), sharding);
     const geom::MakeMapOptions map = options.map.make();
-    nlohmann::ordered_json stats = counts_of(city.source, format, file.name(), common);
+    nlohmann::ordered_json stats =
+        counts_of(city.source, format, file.name(), options.read.height.default_height, common);
     nlohmann::ordered_json step = step_of(hashed.hash(), options, format, map);
     options.skipped.settle(city.source.skipped, file.name(), common, step);
     if (options.default_height->count() == 0) {

@@ -17,65 +17,23 @@
 #include <osmium/osm/object_comparisons.hpp>
 #include <osmium/visitor.hpp>
 #include <set>
-#include <string_view>
 
 #include "geom/base/error.h"
+#include "osm_obstacle.h"
 #include "source.h"
 
 namespace footprints {
 namespace {
 
-using Values = std::initializer_list<std::string_view>;
-
-std::string_view value_of(const osmium::TagList& tags, const char* key) {
-  const char* value = tags.get_value_by_key(key);
-  return value ? value : "";
-}
-
-bool is_one_of(std::string_view value, Values values) {
-  return std::find(values.begin(), values.end(), value) != values.end();
-}
-
-// Something that stands on an area, and is built from its outline.
-bool is_building(const osmium::TagList& tags) {
-  for (const char* key : {"building", "building:part"}) {
-    const std::string_view value = value_of(tags, key);
-    if (!value.empty() && value != "no") return true;
-  }
-  return is_one_of(
-      value_of(tags, "man_made"),
-      {"tower", "communications_tower", "water_tower", "cooling_tower", "mast", "chimney", "crane",
-       "silo", "storage_tank", "gasometer", "lighthouse", "windmill", "antenna", "obelisk"});
-}
-
-// Something high that is drawn as a point or a line, whose width nothing tells.
-bool is_high_line(const osmium::TagList& tags) {
-  return is_one_of(value_of(tags, "power"),
-                   {"tower", "pole", "line", "minor_line", "portal", "catenary_mast"}) ||
-         value_of(tags, "generator:source") == "wind" || !value_of(tags, "aerialway").empty();
-}
-
-// The tag of another obstacle, whose place or height nothing tells; empty for what is none.
-std::string other_obstacle(const osmium::TagList& tags) {
-  static const std::pair<const char*, std::vector<std::string_view>> kinds[] = {
-      {"natural", {"tree", "tree_row", "wood"}},
-      {"landuse", {"forest"}},
-      {"highway", {"street_lamp"}},
-      {"man_made", {"flagpole", "utility_pole", "bridge", "gantry", "canopy", "beam", "wire"}},
-      {"barrier", {"wall", "city_wall", "fence", "hedge", "retaining_wall"}},
-      {"bridge", {"yes", "viaduct"}}};
-  for (const auto& [key, values] : kinds) {
-    const std::string_view value = value_of(tags, key);
-    if (std::find(values.begin(), values.end(), value) != values.end()) {
-      return fmt::format("{}={}", key, value);
-    }
-  }
-  return "";
+OsmTags tags_of(const osmium::OSMObject& object) {
+  OsmTags tags;
+  for (const osmium::Tag& tag : object.tags()) tags.add(tag.key(), tag.value());
+  return tags;
 }
 
 // Whether a relation is assembled to areas.
-bool is_area(const osmium::TagList& tags) {
-  return is_one_of(value_of(tags, "type"), {"multipolygon", "boundary"});
+bool is_area(const OsmTags& tags) {
+  return tags.has("type", "multipolygon") || tags.has("type", "boundary");
 }
 
 using Index = osmium::index::map::FlexMem<osmium::unsigned_object_id_type, osmium::Location>;
@@ -90,21 +48,25 @@ class BuildingHandler : public osmium::handler::Handler {
   BuildingHandler(const ReadOptions& options, Source& out) : options_(options), out_(out) {}
 
   void node(const osmium::Node& node) {
-    const bool entrance = value_of(node.tags(), "building") == "entrance";
-    if ((is_building(node.tags()) && !entrance) || is_high_line(node.tags())) {
+    if (node.tags().empty()) return;
+    const OsmTags tags = tags_of(node);
+    const bool entrance = tags.text("building") == "entrance";
+    if ((is_built(tags) && !entrance) || is_high_line(tags)) {
       out_.skipped.add("building or mast that is a point", fmt::format("node {}", node.id()));
     } else {
-      skip_other(node.tags(), "node", node.id());
+      skip_other(tags, "node", node.id());
     }
   }
 
   void way(const osmium::Way& way) {
+    if (way.tags().empty()) return;
     const std::string which = fmt::format("way {}", way.id());
-    if (!is_building(way.tags())) {
-      if (is_high_line(way.tags())) {
+    const OsmTags tags = tags_of(way);
+    if (!is_built(tags)) {
+      if (is_high_line(tags)) {
         out_.skipped.add("line in the air", which);
       } else {
-        skip_other(way.tags(), "way", way.id());
+        skip_other(tags, "way", way.id());
       }
       return;
     }
@@ -125,16 +87,17 @@ class BuildingHandler : public osmium::handler::Handler {
   }
 
   void relation(const osmium::Relation& relation) {
-    if (!is_building(relation.tags())) {
-      skip_other(relation.tags(), "relation", relation.id());
-    } else if (!is_area(relation.tags())) {
+    const OsmTags tags = tags_of(relation);
+    if (!is_built(tags)) {
+      skip_other(tags, "relation", relation.id());
+    } else if (!is_area(tags)) {
       out_.skipped.add("building that is a relation without an area",
                        fmt::format("relation {}", relation.id()));
     }
   }
 
   void area(const osmium::Area& area) {
-    if (area.from_way() || !is_building(area.tags())) return;
+    if (area.from_way() || !is_built(tags_of(area))) return;
     std::vector<geom::Footprint> parts;
     for (const osmium::OuterRing& outer : area.outer_rings()) {
       geom::Footprint& f = parts.emplace_back();
@@ -156,18 +119,15 @@ class BuildingHandler : public osmium::handler::Handler {
   bool is_assembled(osmium::object_id_type relation) const { return assembled_.contains(relation); }
 
  private:
-  void skip_other(const osmium::TagList& tags, const char* type, osmium::object_id_type id) {
-    if (tags.empty()) return;
-    const std::string kind = other_obstacle(tags);
-    if (!kind.empty()) out_.skipped.add(kind, fmt::format("{} {}", type, id));
+  void skip_other(const OsmTags& tags, const char* type, osmium::object_id_type id) {
+    const auto kind = other_obstacle(tags);
+    if (kind) out_.skipped.add(*kind, fmt::format("{} {}", type, id));
   }
 
   geom::BuildingHeight count(const osmium::OSMObject& object) {
     ++out_.counts["buildings"];
-    const auto tag = [&](const char* key) -> std::string {
-      const char* value = object.tags().get_value_by_key(key);
-      return value ? value : "";
-    };
+    const OsmTags tags = tags_of(object);
+    const auto tag = [&](const char* key) -> std::string { return tags.text(key); };
     const char* what = object.type() == osmium::item_type::way ? "way" : "relation";
     const auto id = object.type() == osmium::item_type::area
                         ? static_cast<const osmium::Area&>(object).orig_id()
@@ -285,7 +245,8 @@ void for_each(const osmium::io::File& file, osmium::osm_entity_bits::type kind, 
 }
 
 bool is_building_relation(const osmium::OSMObject& object) {
-  return is_area(object.tags()) && is_building(object.tags());
+  const OsmTags tags = tags_of(object);
+  return is_area(tags) && is_built(tags);
 }
 
 void add_hulls(const osmium::io::File& file, Locations& locations, BuildingHandler& buildings,

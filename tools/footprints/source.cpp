@@ -68,7 +68,19 @@ std::vector<geom::Vec2> CellGrid::ring(const Cells& cells) const {
 void count_height(const geom::BuildingHeight& height, const std::string& which, Source& source) {
   ++source.counts[key_of(height.from)];
   if (height.junk) ++source.counts["heights_not_understood"];
+  source.has_height_attribute |= height.asked;
   if (height.unread) source.skipped.add("height that is not understood", which);
+  if (height.from != geom::HeightFrom::nothing) return;
+  if (height.tower) source.skipped.add("tower, mast or the like without a height", which);
+  source.defaults.add("footprint", which);
+}
+
+void require_attribute(const Source& source, const ReadOptions& options, const std::string& name) {
+  if (options.height.attribute.empty() || source.has_height_attribute) return;
+  throw geom::InputError(name, fmt::format("expected an attribute \"{}\" (--height-attribute) of "
+                                           "what is built by its height, found none: correct the "
+                                           "name, or leave the option out",
+                                           options.height.attribute));
 }
 
 void note_attribute(const std::string& name, const std::string& value, Source& source) {

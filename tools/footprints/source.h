@@ -49,6 +49,8 @@ struct Source {
   std::string crs;                            // whatever PROJ understands; empty: local metres
   std::map<std::string, std::size_t> counts;  // for the report: "heights from levels", …
   geom::Skipped skipped;                      // what is or may be an obstacle and is no footprint
+  geom::Skipped defaults;                     // built as high as the default, as nothing tells
+  bool has_height_attribute = false;          // that of the options was there
   std::map<std::string, NumericAttribute> numeric;  // of the features without a height
   Warnings warnings;
 };
@@ -63,9 +65,13 @@ struct ReadOptions {
   double height_step = 0.5;  // metres: surface models are rounded up to multiples of it; 0: not
 };
 
-// Counts where the height of a building came from; `which` names the building where its height is
-// not understood.
+// Counts where the height of a building came from. `which` names the building where its height is
+// not understood, or is the default. A tower, mast, chimney or crane may be of any height: where
+// nothing tells, it counts as skipped, too.
 void count_height(const geom::BuildingHeight& height, const std::string& which, Source& source);
+
+// Throws geom::InputError(name, …) where --height-attribute names one that nothing in the file has.
+void require_attribute(const Source& source, const ReadOptions& options, const std::string& name);
 
 // Notes an attribute of a feature without a height, where its value is a number.
 void note_attribute(const std::string& name, const std::string& value, Source& source);
@@ -98,8 +104,8 @@ Source read_raster(const std::string& path, const std::string& name, const ReadO
 
 // OpenStreetMap data: ways and multipolygons that are buildings, building parts, or towers, masts,
 // chimneys, silos and the like; multipolygons assembled. Those that are points or lines are
-// skipped, and so are outlines of which a part is not in the file. Trees, lamps, poles, walls,
-// fences and bridges are not read.
+// skipped, and so are outlines of which a part is not in the file, and other obstacles
+// (osm_obstacle.h).
 Source read_osm(const std::string& path, const std::string& name, const ReadOptions& options);
 
 // How far one step from cell to cell of a height model leads off the nearer of the map's axes,
