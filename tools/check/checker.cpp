@@ -163,6 +163,7 @@ void Checker::say_allowance(const cli::DroneFile& file, traj::ReportRecord& repo
   }
   report.autopilot = traj::names_of(autopilot.pilots);
   report.assumed = autopilot.assumed;
+  report.drag = autopilot.pilots.front().drag;
 }
 
 // What a drone makes of a file.

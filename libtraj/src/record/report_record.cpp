@@ -144,6 +144,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   if (record.endless_jumps) line.add("endless_jumps", record.endless_jumps);
   if (!record.autopilot.empty()) line.add("autopilot", record.autopilot);
   if (!record.assumed.empty()) line.add("assumed", record.assumed);
+  line.add("drag", record.drag);
   line.add("navigation", record.navigation).add("tracking", record.tracking);
   if (result.looked && !map.timed().empty()) {
     line.add("timed_boxes", record.by_time ? "by_time" : "always_there");

@@ -33,9 +33,11 @@ struct ReportRecord {
   std::optional<Vec3> home = {};
   std::size_t idle_items = 0;
   // Of what an autopilot flies: which ones that holds for, the parameters that were assumed of them,
-  // and metres across and up or down by which they may be wrong about where they are, or stray.
+  // the airframe's drag over its mass (1/s), and metres across and up or down by which they may be
+  // wrong about where they are, or stray.
   std::string autopilot = {};
   std::vector<std::string> assumed = {};
+  std::optional<double> drag = {};
   std::optional<std::array<double, 2>> navigation = {};
   std::optional<std::array<double, 2>> tracking = {};
   std::size_t endless_jumps = 0;
