@@ -5,6 +5,7 @@
 
 #include "gdal_reference.h"
 #include "source.h"
+#include "xml_heads.h"
 
 namespace footprints {
 namespace {
@@ -204,6 +205,7 @@ class VectorReader {
 }  // namespace
 
 Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options) {
+  require_plain_vector(path, name);
   const Dataset dataset = open(path, GDAL_OF_VECTOR);
   if (!dataset) {
     throw geom::InputError(name,
