@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <istream>
@@ -30,10 +31,7 @@ class Reader {
     if (!root.is_object() || root.value("type", Json()) != "CityJSON") {
       refuse("expected a JSON object with \"type\":\"CityJSON\"");
     }
-    const std::string version = root.value("version", Json()).dump();
-    if (!version.starts_with("\"1.") && !version.starts_with("\"2.")) {
-      refuse("expected CityJSON version 1.0, 1.1 or 2.0, found " + version.substr(0, 40));
-    }
+    require_version(root.value("version", Json()));
     read_crs(root);
     read_vertices(root);
     read_templates(root);
@@ -56,6 +54,14 @@ class Reader {
   [[noreturn]] void refuse(std::string_view message) const { throw InputError(source_, message); }
   [[noreturn]] void refuse_object(std::string_view message) const {
     refuse(fmt::format("object \"{}\": {}", object_.substr(0, 60), message));
+  }
+
+  void require_version(const Json& version) const {
+    const std::string said = version.is_string() ? version.get<std::string>() : "";
+    for (const char* known : {"1.0", "1.1", "2.0"}) {
+      if (said == known || said.starts_with(std::string(known) + ".")) return;
+    }
+    refuse("expected CityJSON version 1.0, 1.1 or 2.0, found " + shown(version));
   }
 
   void read_crs(const Json& root) {
@@ -95,6 +101,9 @@ class Reader {
       if (!transform.is_object()) refuse("transform must be an object");
       scale = triple(transform.value("scale", Json()), "transform.scale");
       translate = triple(transform.value("translate", Json()), "transform.translate");
+      if ((scale.array() == 0).any()) {
+        refuse("transform.scale must not be 0, found " + shown(transform["scale"]));
+      }
     }
     const Json vertices = root.value("vertices", Json());
     if (!vertices.is_array()) refuse("expected \"vertices\" to be an array");
@@ -234,6 +243,13 @@ class Reader {
     Eigen::Matrix4d matrix;
     for (int i = 0; i < 16; ++i) {
       matrix(i / 4, i % 4) = number(numbers[static_cast<std::size_t>(i)], "transformationMatrix");
+    }
+    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+      refuse_object("expected a transformationMatrix whose last row is 0, 0, 0, 1");
+    }
+    if (matrix.determinant() == 0) {
+      refuse_object(
+          "expected a transformationMatrix that keeps solids solid, found one of volume 0");
     }
     std::vector<Vec3> placed;
     for (const Vec3& v : template_vertices_) {

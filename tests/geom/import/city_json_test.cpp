@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "geom/import/city_footprints.h"
+#include "support/refusal.h"
 
 namespace geom {
 namespace {
@@ -98,6 +99,32 @@ TEST(CityJson, ObjectsWithoutSurfacesAreSkippedUnlessTheirChildrenHaveThem) {
           .skipped.count(),
       1u);
   EXPECT_EQ(on_a_slope(R"("r":{"type":"Road"},)" + part).skipped.count(), 0u);
+}
+
+std::string refusal_of_city(const std::string& transform, const std::string& matrix,
+                            const std::string& version = "2.0") {
+  return support::refusal_of([&] {
+    std::istringstream in(
+        R"({"type":"CityJSON","version":")" + version + R"(","transform":)" + transform +
+        R"(,"vertices":[[0,0,0],[9,0,0],[9,9,4]],"CityObjects":{"t":{"type":"Building","geometry":[)"
+        R"({"type":"GeometryInstance","template":0,"boundaries":[0],"transformationMatrix":)" +
+        matrix +
+        R"(}]}},"geometry-templates":{"templates":[{"type":"MultiSurface","lod":"2",)"
+        R"("boundaries":[[[0,1,2]]]}],"vertices-templates":[[0,0,0],[1,0,0],[1,1,2]]}})");
+    read_city_json(in, "t");
+  });
+}
+
+TEST(CityJson, RefusesScalesAndMatricesThatLoseWhatTheyPlace) {
+  const std::string scale = R"({"scale":[1,1,1],"translate":[0,0,0]})";
+  const std::string same = "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]";
+  EXPECT_EQ(refusal_of_city(scale, same), "");
+  EXPECT_NE(refusal_of_city(R"({"scale":[1,1,0],"translate":[0,0,0]})", same), "");
+  EXPECT_NE(refusal_of_city(scale, "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2]"), "");
+  EXPECT_NE(refusal_of_city(scale, "[1,0,0,0,0,1,0,0,0,0,1,0,0.1,0,0,1]"), "");
+  EXPECT_NE(refusal_of_city(scale, "[1,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1]"), "");
+  EXPECT_NE(refusal_of_city(scale, same, "2.7"), "");
+  EXPECT_EQ(refusal_of_city(scale, same, "1.0.3"), "");
 }
 
 }  // namespace
