@@ -71,10 +71,7 @@ class Reader {
           "CityJSONFeature: put the line of its sequence or service before it");
     }
     if (type != "CityJSON") refuse("expected a JSON object with \"type\":\"CityJSON\"");
-    const std::string version = root.value("version", Json()).dump();
-    if (!version.starts_with("\"1.") && !version.starts_with("\"2.")) {
-      refuse("expected CityJSON version 1.0, 1.1 or 2.0, found " + version.substr(0, 40));
-    }
+    require_version(root.value("version", Json()));
     read_crs(root);
     read_transform(root);
     read_vertices(root);
@@ -142,6 +139,14 @@ class Reader {
   void miss(const Json& name, const std::string& of) {
     out_.skipped.add("object that is named and not in the file",
                      fmt::format("{}, {}", shown(name), of));
+  }
+
+  void require_version(const Json& version) const {
+    const std::string said = version.is_string() ? version.get<std::string>() : "";
+    for (const char* known : {"1.0", "1.1", "2.0"}) {
+      if (said == known || said.starts_with(std::string(known) + ".")) return;
+    }
+    refuse("expected CityJSON version 1.0, 1.1 or 2.0, found " + shown(version));
   }
 
   void read_crs(const Json& root) {
@@ -326,6 +331,10 @@ class Reader {
     if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
       refuse_object(fmt::format("the last row of a transformationMatrix must be 0 0 0 1, found {}",
                                 shown(Json(numbers.begin() + 12, numbers.end()))));
+    }
+    if (matrix.determinant() == 0) {
+      refuse_object(
+          "expected a transformationMatrix that keeps solids solid, found one of volume 0");
     }
     std::vector<Vec3> placed;
     for (const Vec3& v : template_vertices_) {

@@ -29,6 +29,7 @@ bool TextLines::next() {
     line_ = buffer_;
     if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.remove_prefix(3);
     line_ = trimmed(line_);
+    if (line_.find('\r') != line_.npos) refuse(kLoneReturn);
   } while (!begun_ && line_.starts_with('#'));
   begun_ = begun_ || !line_.empty();
   return true;

@@ -139,6 +139,26 @@ TEST(CityJson, RefusesATemplateInPerspective) {
       std::string::npos);
 }
 
+TEST(CityJson, RefusesATemplateOfNoVolume) {
+  std::string tree(kTree);
+  const std::size_t at = tree.find("\"transformationMatrix\":[");
+  tree.replace(at, tree.find(']', at) - at, R"("transformationMatrix":[1,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1)");
+  EXPECT_NE(
+      refusal(R"({"type":"CityJSON","version":"2.0","vertices":[[0,0,0],[9,0,0],[9,9,4],)"
+              R"([50,0,0],[59,0,0],[59,9,7],[100,200,5]],"CityObjects":)" +
+              tree +
+              R"(,"geometry-templates":{"templates":[{"type":"MultiSurface","lod":"2",)"
+              R"("boundaries":[[[0,1,2]]]}],"vertices-templates":[[0,0,0],[1,0,0],[1,1,2]]}})")
+          .find("found one of volume 0"),
+      std::string::npos);
+}
+
+TEST(CityJson, RefusesAVersionThatIsNotKnown) {
+  EXPECT_NE(refusal(R"({"type":"CityJSON","version":"2.10","CityObjects":{},"vertices":[]})")
+                .find("expected CityJSON version 1.0, 1.1 or 2.0, found"),
+            std::string::npos);
+}
+
 const std::string kFirst =
     R"({"type":"CityJSON","version":"2.0","CityObjects":{},"vertices":[],)"
     R"("transform":{"scale":[0.5,0.5,1],"translate":[10,20,0]},)"
