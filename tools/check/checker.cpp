@@ -97,6 +97,7 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
   if (record.status != traj::TrajectoryStatus::solved) {
     together_.add(record, nullptr, source, line);
     report.result.reason = traj::reason_of(record.status);
+  rules_.metres.check_input(scene.map().spec().frame, record.trajectory, source, line);
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
@@ -136,6 +137,7 @@ traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::stri
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
+  rules_.metres.check_input(scene.map().spec().frame, record.points, source, line);
   geom::start_on(scene.map(), {record.time.epoch, {}, {}, {}, {}}, source, line);
   if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
@@ -170,6 +172,9 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   const auto& scene = scenes_.scene();
   const bool path = !file.flown.path.empty();
   if (rules_.exact && !path) {
+  if (file.format == "paths-csv") {
+    rules_.metres.check_input(scene.map().spec().frame, file.flown.path, file.id, 0);
+  }
     throw cli::UsageError("--exact takes paths and records, not files of trajectories");
   }
   if (rules_.exact && !(file.flown.sweeps.empty() && file.flown.fences.empty())) {
