@@ -137,12 +137,20 @@ def float_rows(data):
 
 
 SECONDS = 1e9  # from the epoch, at most: what the tools read
-EPOCH = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d*[1-9])?Z")
+EPOCH = re.compile(r"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d)(\.\d+)?(?:Z|\+00:00)")
 
 
 def an_epoch(value, what):
-    require(type(value) is str and EPOCH.fullmatch(value), f"the epoch of {what} must be an instant such as 2026-05-04T06:30:00Z, found {shown(value)}")
-    return value
+    """As the tools write it: without zeros at its end, and with Z."""
+    found = EPOCH.fullmatch(value) if type(value) is str else None
+    require(found, f"the epoch of {what} must be an instant such as 2026-05-04T06:30:00Z, found {shown(value)}")
+    return found[1] + (found[2] or "").rstrip("0").rstrip(".") + "Z"
+
+
+def same_epoch(values, wanted, what):
+    """Whether all are this instant; where it is nothing, none may have one."""
+    wanted = None if wanted is None else an_epoch(wanted, what)
+    return all((None if v is None else an_epoch(v, what)) == wanted for v in values)
 
 
 class BoxMap:
