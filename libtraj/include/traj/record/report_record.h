@@ -51,6 +51,12 @@ struct ReportRecord {
 // but claims too much. A bound of another map, vehicle or margin, or of none, is left out.
 void add_bounds(const TrajectoryRecord& record, ReportRecord& report);
 
+// Refuses an accepted path that is shorter than its own bound.
+void add_bounds(const geom::PathRecord& record, ReportRecord& report);
+
+// Refuses, with its first place, what is accepted though a limit was asked for and not measured.
+void refuse_unmeasured(const Limits& asked, const Vec3& place, ReportRecord& report);
+
 // Whether every check that was made accepts it.
 bool accepted(const ReportRecord& record);
 
