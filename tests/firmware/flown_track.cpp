@@ -58,10 +58,10 @@ std::vector<Flight> read_flights(const std::string& table) {
   geom::TextLines lines(in, table);
   for (lines.next(); lines.next();) {
     const std::vector<std::string> f = geom::split_fields(lines.line());
-    if (f.size() != 7) lines.refuse("expected 7 fields");
+    if (f.size() != 8) lines.refuse("expected 8 fields");
     out.push_back({std::filesystem::path(f[0]).stem().string(), (folder / f[0]).string(),
                    (folder / f[1]).string(), f[2], number(f[3]), number(f[4]),
-                   number(f[5]).value_or(0), number(f[6]).value_or(0)});
+                   number(f[5]).value_or(0), number(f[6]).value_or(0), number(f[7])});
   }
   return out;
 }
@@ -72,6 +72,9 @@ Replay replay(const Flight& flight) {
       {mission.home->latitude, mission.home->longitude, mission.home->height}, 0};
   traj::MissionRules rules;
   rules.autopilots = traj::autopilots_of(flight.autopilot).value();
+  for (traj::Autopilot& one : rules.autopilots) {
+    if (flight.drag) traj::set_drag(one, *flight.drag);
+  }
   rules.acceptance = flight.acceptance;
   rules.return_height = flight.return_height;
   Replay out{traj::flown_mission(mission, frame, rules, flight.mission), {}};

@@ -23,10 +23,11 @@ struct Flight {
   std::optional<double> return_height;
   double navigation_across = 0;
   double navigation_vertical = 0;
+  std::optional<double> drag;  // over the mass, 1/s
 };
 
 // A table with a header: track,mission,autopilot,acceptance,return_height,navigation_across,
-// navigation_vertical; files beside the table; empty: not set.
+// navigation_vertical,drag; files beside the table; empty: not set.
 std::vector<Flight> read_flights(const std::string& table);
 
 struct Sample {

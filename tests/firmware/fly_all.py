@@ -42,18 +42,25 @@ def value_set(rest, name):
     return values[-1] if values else ""
 
 
+def drag(options, rest):
+    """Over the mass, 1/s, as --drag says or as fly.py flies; empty: the simulator's own vehicle of ArduCopter."""
+    if options.drag or "arducopter" in rest:
+        return options.drag
+    return value_set(rest, "SIH_KDV") or "1" if "stock" in rest else "0.122"
+
+
 def table(options, rest):
     """Writes the tracks that there are, with what judge_flights must know of each."""
     autopilot = options.autopilot or ("ardupilot" if "arducopter" in rest else "px4")
     across, vertical = options.navigation.split(",")
     path = options.outdir / "flights.csv"
     with open(path, "w") as out:
-        out.write("track,mission,autopilot,acceptance,return_height,navigation_across,navigation_vertical\n")
+        out.write("track,mission,autopilot,acceptance,return_height,navigation_across,navigation_vertical,drag\n")
         for mission in options.missions:
             if not (options.outdir / f"{mission.stem}.csv").exists():
                 continue
             fields = [f"{mission.stem}.csv", str(mission.resolve()), autopilot, value_set(rest, "NAV_ACC_RAD"),
-                      options.return_height or value_set(rest, "RTL_RETURN_ALT"), across, vertical]
+                      options.return_height or value_set(rest, "RTL_RETURN_ALT"), across, vertical, drag(options, rest)]
             out.write(",".join(fields) + "\n")
     return path
 
@@ -66,6 +73,7 @@ def main():
     parser.add_argument("--judge", type=pathlib.Path, metavar="JUDGE_FLIGHTS", help="the program of that name, to run afterwards")
     parser.add_argument("--autopilot", help="whose claim the tracks are held against, as skyway-check takes it (the firmware's)")
     parser.add_argument("--return-height", default="", help="metres above home (PX4's: as --set RTL_RETURN_ALT says)")
+    parser.add_argument("--drag", default="", help="the airframe's drag over its mass, 1/s (what fly.py gives PX4's vehicle)")
     parser.add_argument("--navigation", default="0,0", help="metres across, and up or down, as skyway-check takes them (0,0)")
     at = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
     options, rest = parser.parse_args(sys.argv[1:at]), sys.argv[at + 1 :]

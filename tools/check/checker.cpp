@@ -80,13 +80,10 @@ std::vector<std::string> Checker::loosened(const traj::TrajectoryRecord& record,
 }
 
 // A limit that an option asks for is held or refused. One that only the vehicle's profile has, and
-// that nothing in a path or a mission commands, is the vehicle's own to keep; the report names it.
+// that nothing in a path, a mission or a trajectory without yaw commands, is the vehicle's own to
+// keep; the report names it.
 void Checker::refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& report) const {
-  const auto missing = traj::not_measured(report.result, rules_.limits);
-  if (missing.empty() || !report.result.ok) return;
-  report.result.ok = false;
-  report.result.reason = traj::unmeasured(missing.front());
-  report.result.place = place;
+  traj::refuse_unmeasured(rules_.limits, place, report);
 }
 
 traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std::string& source,
@@ -100,6 +97,7 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
+  rules_.metres.check_input(scene.map().spec().frame, record.trajectory, source, line);
   report.limits = limits_for(record.limits, scene.vehicle());
   report.overridden = loosened(record, scene.vehicle(), report.limits);
   if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
@@ -112,6 +110,9 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
   options.stands = together_.parks();
   report.by_time = options.start.has_value();
   report.result = traj::check(scene, record.trajectory, options);
+  if (report.result.looked) {
+    refuse_unmeasured(record.trajectory.segments.front().point.front(), report);
+  }
   if (report.by_time) report.detail = standing_detail(report.result);
   if (rules_.exact) {
     report.exact = traj::check_exactly(
@@ -136,6 +137,7 @@ traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::stri
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
+  rules_.metres.check_input(scene.map().spec().frame, record.points, source, line);
   geom::start_on(scene.map(), {record.time.epoch, {}, {}, {}, {}}, source, line);
   if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
@@ -143,6 +145,7 @@ traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::stri
   report.limits = rules_.limits;
   refuse_unmeasured(record.points.front(), report);
   if (rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), record.points);
+  traj::add_bounds(record, report);
   if (profile_.is_open()) {
     profile_.require_room(geom::length(record.points));
     profile_.add(record.id, traj::clearance_profile(scene, record.points, profile_.step()));
@@ -163,12 +166,16 @@ void Checker::say_allowance(const cli::DroneFile& file, traj::ReportRecord& repo
   }
   report.autopilot = traj::names_of(autopilot.pilots);
   report.assumed = autopilot.assumed;
+  report.drag = autopilot.pilots.front().drag;
 }
 
 // What a drone makes of a file.
 traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   const auto& scene = scenes_.scene();
   const bool path = !file.flown.path.empty();
+  if (file.format == "paths-csv") {
+    rules_.metres.check_input(scene.map().spec().frame, file.flown.path, file.id, 0);
+  }
   if (rules_.exact && !path) {
     throw cli::UsageError("--exact takes paths and records, not files of trajectories");
   }
@@ -187,7 +194,10 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
   say_allowance(file, report);
   report.result = traj::check_flown(scene, file.flown, report.limits, rules_.clearance);
   report.detail = takeoff_detail(scene, report.result);
-  if (path) refuse_unmeasured(file.flown.path.front(), report);
+  if (report.result.looked) {
+    const auto& segments = file.flown.trajectory.segments;
+    refuse_unmeasured(path ? file.flown.path.front() : segments.front().point.front(), report);
+  }
   const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
   if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
   if (!profile_.is_open()) return report;

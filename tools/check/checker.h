@@ -8,6 +8,7 @@
 
 #include "cli/file/drone_file.h"
 #include "cli/file/files.h"
+#include "cli/option/degrees.h"
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
@@ -22,8 +23,9 @@ struct Rules {
   traj::Limits limits;           // by the options
   bool override_record = false;  // the options may be looser than what a record carries
   bool exact = false;            // check once more in exact numbers
-  const cli::AutopilotOptions* autopilot = nullptr;  // of drone files
+  const cli::AutopilotOptions* autopilot = nullptr;       // of drone files
   traj::Clearance clearance = traj::Clearance::measured;  // in the reports
+  cli::MetresOption metres = cli::MetresOption();         // whether records may be degrees
 };
 
 class Checker {

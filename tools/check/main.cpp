@@ -34,13 +34,18 @@ struct Options {
   cli::DroneFileOptions drone_file;
   checking::Together together;
   checking::FlightLogs flights;
+  cli::MetresOption metres;
 
   bool flight_log() const { return drone_file.format == "flight-log"; }
   void add_to(CLI::App& app);
   void refuse_idle(const CLI::App& app) const;
   checking::Rules rules() const {
-    return {limits.limits(), override_record, exact || !certificate.empty(), &drone_file.autopilot,
-            no_clearance ? traj::Clearance::left_out : traj::Clearance::measured};
+    return {limits.limits(),
+            override_record,
+            exact || !certificate.empty(),
+            &drone_file.autopilot,
+            no_clearance ? traj::Clearance::left_out : traj::Clearance::measured,
+            metres};
   }
 };
 
@@ -65,6 +70,7 @@ void Options::add_to(CLI::App& app) {
   drone_file.add_to(app);
   flights.add_to(app);
   together.add_to(app);
+  metres.add_to(app);
 }
 
 void Options::refuse_idle(const CLI::App& app) const {
@@ -240,8 +246,8 @@ int main(int argc, char** argv) {
     options.refuse_idle(app);
     refuse_together(options, sharding.asked());
     cli::at_most_one_stdin({options.map, options.input, options.drone_file.autopilot.params,
-                            options.flights.plan(),
-                            options.flights.tube(), options.together.moving().file()});
+                            options.flights.plan(), options.flights.tube(),
+                            options.together.moving().file()});
     sharding.begin(app,
                    {{"map", options.map},
                     {"file", options.input},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/option/agreed_room.h"
 #include "cli/option/option_check.h"
 #include "cli/option/spacing_options.h"
 #include "cli/run.h"
@@ -62,6 +63,9 @@ void Together::add(const traj::TrajectoryRecord& record, const geom::CollisionSc
                     record.id));
   }
   task_.map = scene->map().hash();
+  task_.overridden =
+      task_.overridden ||
+      cli::smaller_than_asked({scene->vehicle(), scene->margin()}, record.provenance);
   traj::TimedFlight flight{nullptr, record.time.starts(), scene->half()};
   require_room(flight, source, line);
   flight.trajectory = &trajectories_.emplace_back(record.trajectory);

@@ -145,7 +145,8 @@ Exporter::Export Exporter::make(const Flight& flight) {
   }
   const bool says_when = !options_.show.empty() || made.task.format == "volume4d";
   if (made.task.format == "setpoints" && !made.task.autopilot.tracking) {
-    common_.warn(flight.id + ": a setpoints file is proved for a vehicle that is where its setpoint "
+    common_.warn(flight.id +
+                 ": a setpoints file is proved for a vehicle that is where its setpoint "
                  "is; PX4 1.17 was up to 0.73 m away: --tracking H,V allows for that");
   }
   warn_of_what_is_left_out(common_, made.task, flight, says_when);
@@ -167,6 +168,7 @@ std::optional<Written> Exporter::write_checked(const Flight& flight, Task& task)
   const auto& scene = scene_for(flight);
   task.limits = geom::limits_that_hold({{}, flight.limits, scene.vehicle().limits});
   task.frame = scene.map().spec().frame;
+  options_.metres.check_input(task.frame, flight.trajectory, flight.id, 0);
   set_way(flight, task.frame.axes, task);
   if (task.format == "volume4d") return write_volumes(scene, flight, task);
   set_ground(scene, flight, task);

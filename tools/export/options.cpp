@@ -92,6 +92,7 @@ void Options::add_to(CLI::App& app, Task& task) {
   task.autopilot.add_to(app);
   task.autopilot.add_tracking_to(app);
   task.placement.add_to(app);
+  metres.add_to(app);
   app.add_option("--id", id, "which record of the stream (default: its only one)");
   app.add_flag("--unchecked", unchecked, "write without a map and without a proof");
   cli::add_output(

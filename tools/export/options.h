@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/option/degrees.h"
 #include "cli/option/vehicle_option.h"
 #include "traj/together/spacing.h"
 #include "traj/together/timed_flight.h"
@@ -24,6 +25,7 @@ struct Options {
   bool unchecked = false;
   bool hover = false;
   cli::VehicleOptions vehicle;
+  cli::MetresOption metres;
   traj::Spacing spacing;  // of the flights of a show
   traj::Parked parked = traj::Parked::pad;
 

@@ -71,6 +71,15 @@ Written write_tello(const Task& task, const geom::Polyline& legs) {
           {"tello", placement, geom::to_enu(task.frame.axes, ground)}};
 }
 
+// To read the file again: over the origin that it was written for, whose height counts as known.
+// A mission says where home is.
+cli::Placement placement_of(const Task& task, const traj::MissionFrame& over) {
+  cli::Placement placement = task.placement;
+  placement.origin = over.origin;
+  placement.ground.reset();
+  return placement;
+}
+
 // Metres in which each autopilot slows down, with room for one that begins late.
 double slowing_way(const Task& task, double speed) {
   double most = 0;
@@ -99,8 +108,7 @@ Written write_mission(const Task& task, const geom::Polyline& legs) {
   } else {
     traj::write_qgc_plan(text, mission, task.checked ? "skyway" : "skyway (UNCHECKED)");
   }
-  cli::Placement placement = task.placement;
-  placement.ground.reset();  // the file says where home is
+  const cli::Placement placement = placement_of(task, over);
   return {text.str(), {}, {}, std::move(points), {task.format, placement, {}}};
 }
 
@@ -130,8 +138,7 @@ Written write_dji(const Task& task, const geom::Polyline& legs) {
   const traj::DjiMission mission = traj::make_dji_mission(legs, over, options);
   std::ostringstream text;
   traj::write_dji_kmz(text, mission, task.checked ? "skyway" : "skyway (UNCHECKED)");
-  cli::Placement placement = task.placement;
-  placement.ground.reset();  // the file says where home is
+  const cli::Placement placement = placement_of(task, over);
   Written written{text.str(), {}, {}, {}, {task.format, placement, {}}};
   if (task.turns) written.note = note_of_stops(mission);
   return written;
@@ -152,7 +159,8 @@ Written write_line(const Task& task, const geom::Polyline& legs) {
     if (task.format == "kml") line.points.back().height -= over.geoid;
   }
   task.format == "kml" ? traj::write_kml(text, line) : traj::write_geojson(text, line);
-  return {text.str(), {}, {}, {}, {task.format, task.placement, {}}};
+  const cli::Placement placement = placement_of(task, over);
+  return {text.str(), {}, {}, {}, {task.format, placement, {}}};
 }
 
 }  // namespace

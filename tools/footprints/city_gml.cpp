@@ -8,7 +8,10 @@
 #include "geom/base/error.h"
 #include "geom/text/text_table.h"
 #include "gml_drawn.h"
+#include "gml_frame.h"
 #include "gml_geometry.h"
+#include "gml_height.h"
+#include "gml_objects.h"
 #include "gml_polygon.h"
 #include "gml_words.h"
 #include "xml.h"
@@ -25,15 +28,24 @@ class Reader : public XmlHandler {
 
   void begin(XmlElement element) override {
     line_ = element.line;
-    Frame frame;
+    GmlFrame frame;
     frame.name = element.name;
-    frame.dimension = frames_.empty() ? 3 : frames_.back().dimension;
-    if (frames_.empty()) require_city_model(element);
-    const auto dimension = geom::parse_number(element.attribute("srsDimension"));
-    if (dimension) frame.dimension = *dimension == 2 ? 2 : 3;
-    note_srs(element);
+    if (frames_.empty()) {
+      require_city_model(element);
+    } else {
+      frame.dimension = frames_.back().dimension;
+      frame.data = frames_.back().data || kData.contains(element.name);
+    }
+    note_dimension(element, frame);
+    if (!frame.data || is_shape(element.name)) note_srs(element);  // an address may have its own
+    if (!geom::trimmed(text_).empty()) {
+      refuse(fmt::format("expected text alone in <{}>, found <{}> in it", frames_.back().name,
+                         element.name.substr(0, 40)));
+    }
     text_.clear();
+    if (!polygon_ && !is_shape(element.name)) ids_.emplace(element.attribute("id"));
     take(element, frame);
+    take_link(element, frame);
     frames_.push_back(std::move(frame));
   }
 
@@ -43,55 +55,59 @@ class Reader : public XmlHandler {
 
   void end(std::size_t line) override {
     line_ = line;
-    const Frame frame = std::move(frames_.back());
+    const GmlFrame frame = std::move(frames_.back());
     frames_.pop_back();
     if (frame.reads) read_text(frame);
     if (frame.polygon) end_polygon();
     if (frame.shape) shapes_open_.pop_back();
     if (frame.implicit) end_implicit();
     if (frame.bounds) bounds_.pop_back();
-    if (frame.object) objects_.pop_back();
+    if (frame.height) end_height();
+    if (frame.object) objects_.end();
     text_.clear();
   }
 
   CityGml finish() {
+    for (const GmlLink& link : links_) follow(link);
     for (const GmlDrawn& drawn : drawn_) place(drawn);
-    std::erase_if(out_.model.objects, [](const geom::CityObject& object) {
-      return object.geometries.empty() && kInterior.contains(object.type);
-    });
+    out_.model.objects = objects_.settle();
     return std::move(out_);
   }
 
  private:
-  // An element that is open, and what it has begun.
-  struct Frame {
+  struct Boundary {
     std::string name;
-    int dimension = 3;
-    bool reads = false;  // its text
-    bool object = false;
-    bool bounds = false;  // a boundary surface
-    bool shape = false;
-    bool polygon = false;
-    bool implicit = false;
-    double lod = -1;      // of a property of this level of detail
-    std::string unit;     // of a height
-    std::string generic;  // the name of a generic attribute
-    GmlNumbers numbers;
+    std::string id;
   };
 
   [[noreturn]] void refuse(const std::string& message) const {
     throw geom::InputError(name_, line_, message);
   }
 
+  void skip(const std::string& kind) {
+    out_.model.skipped.add(kind, fmt::format("line {}", line_));
+  }
+
   void require_city_model(const XmlElement& element) const {
-    const bool version = element.space.ends_with("/citygml/1.0") ||
-                         element.space.ends_with("/citygml/2.0") ||
-                         element.space.ends_with("/citygml/1/0/0");
+    const bool version =
+        element.space.ends_with("/citygml/1.0") || element.space.ends_with("/citygml/2.0") ||
+        element.space.ends_with("/citygml/3.0") || element.space.ends_with("/citygml/1/0/0");
     if (element.name == "CityModel" && version) return;
     refuse(
-        fmt::format("expected a CityModel of CityGML 1.0 or 2.0, found \"{}\" of \"{}\": convert "
+        fmt::format("expected a CityModel of CityGML 1.0 to 3.0, found \"{}\" of \"{}\": convert "
                     "it, for example with citygml-tools",
                     element.name.substr(0, 40), element.space.substr(0, 80)));
+  }
+
+  void note_dimension(const XmlElement& element, GmlFrame& frame) const {
+    for (const char* key : {"srsDimension", "dimension"}) {  // the latter in GML 3.0
+      const std::string_view said = geom::trimmed(element.attribute(key));
+      if (said.empty() || (key[0] == 'd' && !is_gml_numbers(element.name))) continue;
+      if (said != "2" && said != "3") {
+        refuse(fmt::format("expected {} to be 2 or 3, found \"{}\"", key, said.substr(0, 20)));
+      }
+      frame.dimension = said == "2" ? 2 : 3;
+    }
   }
 
   void note_srs(const XmlElement& element) {
@@ -105,7 +121,7 @@ class Reader : public XmlHandler {
   }
 
   // What an element begins.
-  void take(const XmlElement& element, Frame& frame) {
+  void take(const XmlElement& element, GmlFrame& frame) {
     const std::string& name = element.name;
     if (polygon_) {
       take_in_polygon(element, frame);
@@ -118,94 +134,149 @@ class Reader : public XmlHandler {
       begin_implicit(frame);
     } else if (implicit_ && take_in_implicit(element, frame)) {
       return;
-    } else if (kPolygons.contains(name) || kShapes.contains(name)) {
+    } else if (is_shape(name)) {
       begin_shape(element, frame);
     } else if (kLines.contains(name) || name == "controlPoint") {
-      const bool apart = shapes_open_.empty() || name == "controlPoint";
-      if (!objects_.empty() && apart && !implicit_) {
-        ++object().others;
-        object().drawn += draws_lines(frames_.back().name);
-      }
+      note_lines();
     } else if (is_type(name)) {
       take_type(element, frame);
     } else {
       take_property(element, frame);
     }
-    take_link(element, frame);
   }
 
-  void take_type(const XmlElement& element, Frame& frame) {
-    const std::string& name = element.name;
-    const bool member = !frames_.empty() && kMembers.contains(frames_.back().name);
-    if (member || (!objects_.empty() && (kNested.contains(name) || kInterior.contains(name)))) {
-      begin_object(element, member);
-      frame.object = true;
-    } else if (!objects_.empty() &&
-               (name.ends_with("Surface") || name == "Door" || name == "Window")) {
-      bounds_.push_back(name);
-      frame.bounds = true;
+  // Lines and points are not built; those that are the object are missed.
+  void note_lines() {
+    std::size_t i =
+        frames_.size() - 1;  // the property that holds them, or what they are members of
+    while (i > 1 && is_geometry(frames_[i - 1].name)) i -= 2;
+    const bool draws = draws_lines(frames_[i].name);
+    if (!objects_.any_open()) {
+      if (draws) skip("line or point of no object");
+    } else if (implicit_) {
+      if (!within("referencePoint")) {
+        out_.model.skipped.add("placed shape of lines or points", object().name.substr(0, 60));
+      }
+    } else if (!kWays.contains(object().type) && (draws || shapes_open_.empty())) {
+      ++objects_.use().others;
+      object().drawn += draws;
     }
   }
 
-  void take_property(const XmlElement& element, Frame& frame) {
-    if (objects_.empty()) return;
+  bool within(std::string_view name) const {
+    return std::any_of(frames_.begin(), frames_.end(),
+                       [&](const GmlFrame& frame) { return frame.name == name; });
+  }
+
+  void take_type(const XmlElement& element, GmlFrame& frame) {
     const std::string& name = element.name;
-    const std::string& parent = frames_.back().name;
-    if (frames_.back().object && kHeights.contains(name)) {
+    if (frames_.empty() || name.ends_with("Attribute") || name.ends_with("AttributeSet")) return;
+    const GmlFrame& parent = frames_.back();
+    if (!shapes_open_.empty() || parent.lod >= 0) {
+      const bool beside = name == "LineStringSegment" || parent.data;
+      if (!beside) out_.model.skipped.add("shape of an unknown kind", said(element));
+      return;
+    }
+    const bool member = kMembers.contains(parent.name);
+    if (name == "Height" && parent.name == "height" && objects_.any_open()) {
+      frame.height = true;
+      height_ = {};
+    } else if (name == "PointCloud" && objects_.any_open() && !member) {
+      ++objects_.use().others;  // of what surfaces show, or else it is missed
+    } else if (objects_.any_open() && !member && is_boundary(name)) {
+      bounds_.push_back({name, std::string(element.attribute("id"))});
+      frame.bounds = true;
+    } else {
+      objects_.begin(element, member,
+                     (member && !kRecords.contains(name)) || kNested.contains(name));
+      frame.object = true;
+    }
+  }
+
+  static std::string said(const XmlElement& element) {
+    return fmt::format("line {}: {}", element.line, element.name.substr(0, 40));
+  }
+
+  void take_property(const XmlElement& element, GmlFrame& frame) {
+    if (!objects_.any_open()) return;
+    const std::string& name = element.name;
+    const GmlFrame& parent = frames_.back();
+    const bool attribute = parent.name.ends_with("Attribute");
+    if (parent.height) {
+      frame.reads = kHeightParts.contains(name);
+    } else if (parent.object && kHeights.contains(name)) {
       frame.reads = true;
-      frame.unit = unit_of(element.attribute("uom"));
     } else if (name.ends_with("Attribute")) {
       frame.generic = element.attribute("name");
-    } else if (name == "value" && !frames_.back().generic.empty() &&
-               frames_.back().generic == height_attribute_ && parent.ends_with("Attribute")) {
+    } else if (attribute && name == "name") {  // as CityGML 3.0 names it
       frame.reads = true;
-      frame.generic = frames_.back().generic;
-      frame.unit = unit_of(element.attribute("uom"));
+    } else if (attribute && name == "value" && !parent.generic.empty() &&
+               parent.generic == height_attribute_) {
+      frame.reads = true;
+      frame.generic = parent.generic;
     }
+    if (frame.reads) frame.unit = unit_of(element.attribute("uom"));
   }
 
-  // A member of a model or of a group stands by itself, other objects within one are parts of it.
-  void begin_object(const XmlElement& element, bool member) {
-    geom::CityObject object;
-    object.type = element.name;
-    object.name = element.attribute("id");
-    if (object.name.empty()) object.name = fmt::format("{} of line {}", element.name, element.line);
-    // Names may come twice; what belongs together must not depend on them.
-    object.whole = fmt::format("{}", out_.model.objects.size());
-    if (!objects_.empty()) {
-      out_.model.objects[objects_.back()].has_parts = true;
-      object.is_part = !member;
-      if (!member) object.whole = out_.model.objects[objects_.back()].whole;
-    }
-    objects_.push_back(out_.model.objects.size());
-    out_.model.objects.push_back(std::move(object));
-  }
-
-  geom::CityObject& object() { return out_.model.objects[objects_.back()]; }
+  geom::CityObject& object() { return objects_[objects_.innermost()]; }
 
   // A link in a property, in place of what would stand there.
-  void take_link(const XmlElement& element, const Frame& frame) {
+  void take_link(const XmlElement& element, const GmlFrame& frame) {
     const std::string_view link = element.attribute("href");
-    if (link.empty() || objects_.empty()) return;
+    if (polygon_ || link.empty() || frame.placed) return;
     const bool surfaces = frame.lod >= 0 || !shapes_open_.empty();
-    if (!surfaces || is_type(element.name)) return;
-    const GmlShapes::Index to = shapes_open_.empty() ? begin_drawn(frame.lod) : shapes_open_.back();
-    shapes_.add_link(to, target(link));
+    if (surfaces && objects_.any_open()) {
+      objects_.use();
+      const GmlShapes::Index to =
+          shapes_open_.empty() ? begin_drawn(frame.lod) : shapes_open_.back();
+      shapes_.add_link(to, target(link));
+    } else if (!frame.data && !kRelations.contains(element.name)) {
+      std::optional<std::size_t> from;
+      if (objects_.any_open()) {
+        from = objects_.innermost();
+        objects_.use();
+      }
+      links_.push_back({from, element.name, target(link), element.line});
+    }
+  }
+
+  // A link from an object to what is a part of it, or bounds it. What stands elsewhere in the file
+  // is built there.
+  void follow(const GmlLink& link) {
+    const auto bounding = drawn_of_.find(link.target);
+    if (const auto part = objects_.find(link.target)) {
+      if (link.from && *link.from != *part) objects_.join(*link.from, *part);
+    } else if (link.from && bounding != drawn_of_.end()) {
+      for (const std::size_t i : bounding->second) {
+        GmlDrawn drawn = drawn_[i];
+        drawn.object = *link.from;
+        drawn_.push_back(std::move(drawn));
+      }
+    } else if (!ids_.contains(link.target) && !shapes_.has(link.target)) {
+      const std::string name = link.from ? objects_[*link.from].name : "the model";
+      out_.model.skipped.add("object that a link does not lead to",
+                             fmt::format("line {}: {} of {}", link.line, link.target.substr(0, 60),
+                                         name.substr(0, 60)));
+    }
   }
 
   // The id in this file; what is elsewhere is left as it stands, and leads nowhere.
   static std::string target(std::string_view link) {
-    return std::string(link.starts_with('#') ? link.substr(1) : link);
+    return std::string(link.starts_with('#') && link.size() > 1 ? link.substr(1) : link);
   }
 
   // A geometry of the innermost object.
   GmlShapes::Index begin_drawn(double lod) {
     GmlDrawn drawn;
-    drawn.object = objects_.back();
+    drawn.object = objects_.innermost();
+    objects_.use();
     drawn.geometry.lod = std::max(0.0, lod);
-    drawn.geometry.roof_edge = roof_edge_;
-    drawn.geometry.roofs_only = !bounds_.empty() && bounds_.back() == "RoofSurface";
+    drawn.geometry.roofs_only = !bounds_.empty() && bounds_.back().name == "RoofSurface";
+    drawn.geometry.roof_edge = roof_edge_ || (lod == 0 && drawn.geometry.roofs_only);
     drawn.shape = shapes_.add_shape("");
+    for (const Boundary& b : bounds_) {
+      if (!b.id.empty()) drawn_of_[b.id].push_back(drawn_.size());
+    }
     drawn_.push_back(drawn);
     return drawn.shape;
   }
@@ -217,19 +288,19 @@ class Reader : public XmlHandler {
     return -1;
   }
 
-  void begin_shape(const XmlElement& element, Frame& frame) {
-    if (objects_.empty()) {
-      out_.model.skipped.add("surface of no object", fmt::format("line {}", line_));
+  void begin_shape(const XmlElement& element, GmlFrame& frame) {
+    if (!objects_.any_open()) {
+      skip("surface of no object");
     }
     const GmlShapes::Index shape = shapes_.add_shape(std::string(element.attribute("id")));
-    const bool extent = std::any_of(frames_.begin(), frames_.end(),
-                                    [](const Frame& f) { return f.name == "extent"; });
+    const bool extent =
+        objects_.any_open() && object().type.ends_with("Relief") && within("extent");
     if (!shapes_open_.empty()) {
       shapes_.add_part(shapes_open_.back(), shape);
     } else if (implicit_) {
       shapes_.add_part(implicit_->shape, shape);
       implicit_->drawn = true;
-    } else if (!objects_.empty() && !extent) {  // an extent is where there is something, not that
+    } else if (objects_.any_open() && !extent) {  // an extent is where there is something, not that
       shapes_.add_part(begin_drawn(lod_here()), shape);
     }
     shapes_open_.push_back(shape);
@@ -240,7 +311,7 @@ class Reader : public XmlHandler {
     }
   }
 
-  void take_in_polygon(const XmlElement& element, Frame& frame) {
+  void take_in_polygon(const XmlElement& element, GmlFrame& frame) {
     const auto form = polygon_->take(element, frame.dimension, name_);
     frame.reads = form.has_value();
     if (form) frame.numbers = *form;
@@ -253,21 +324,25 @@ class Reader : public XmlHandler {
     if (wrong.empty()) {
       shapes_.add_polygon(shapes_open_.back(), std::move(polygon.rings));
     } else {
-      out_.model.skipped.add(wrong, fmt::format("line {}", line_));
+      skip(wrong);
     }
   }
 
-  void begin_implicit(Frame& frame) {
-    if (implicit_ || objects_.empty()) return;
+  void begin_implicit(GmlFrame& frame) {
+    if (implicit_ || !objects_.any_open()) {
+      skip(implicit_ ? "placed shape in a placed shape" : "surface of no object");
+      return;
+    }
+    objects_.use();
     implicit_.emplace();
     implicit_->shape = shapes_.add_shape("");
     frame.implicit = true;
   }
 
   // True where the element is settled.
-  bool take_in_implicit(const XmlElement& element, Frame& frame) {
+  bool take_in_implicit(const XmlElement& element, GmlFrame& frame) {
     const std::string& name = element.name;
-    if (name == "transformationMatrix" || (is_gml_numbers(name) && shapes_open_.empty())) {
+    if (name == "transformationMatrix" || (is_gml_numbers(name) && within("referencePoint"))) {
       frame.reads = true;
       frame.numbers.dimension = name == "transformationMatrix" ? 16 : 3;
       if (name == "coordinates") frame.numbers.between_numbers = ",";
@@ -281,6 +356,7 @@ class Reader : public XmlHandler {
     if (link.empty() || !shapes_open_.empty()) return false;
     shapes_.add_link(implicit_->shape, target(link));
     implicit_->drawn = true;
+    frame.placed = true;
     return true;
   }
 
@@ -293,17 +369,17 @@ class Reader : public XmlHandler {
                              object().name.substr(0, 60));
       return;
     }
-    Eigen::Matrix4d matrix;
-    for (int i = 0; i < 16; ++i)
-      matrix(i / 4, i % 4) = (*implicit.matrix)[static_cast<std::size_t>(i)];
-    for (int i = 0; i < 3; ++i) matrix(i, 3) += (*implicit.at)[static_cast<std::size_t>(i)];
+    const Eigen::Matrix4d matrix = implicit.place();
+    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+      refuse("expected a transformationMatrix whose last row is 0 0 0 1, found another");
+    }
     const GmlShapes::Index shape = begin_drawn(lod_here());
     shapes_.add_part(shape, implicit.shape);
     drawn_.back().place = matrix;
     out_.placed = true;
   }
 
-  void read_text(const Frame& frame) {
+  void read_text(const GmlFrame& frame) {
     if (is_gml_numbers(frame.name) || frame.name == "transformationMatrix") {
       read_numbers(frame);
       return;
@@ -311,10 +387,25 @@ class Reader : public XmlHandler {
     std::string value(geom::trimmed(text_));
     if (value.empty()) return;
     if (!frame.unit.empty()) value += " " + frame.unit;
-    object().attributes[frame.generic.empty() ? frame.name : frame.generic] = value;
+    GmlFrame& parent = frames_.back();
+    if (parent.height) {
+      (frame.name == "value"           ? height_.value
+       : frame.name == "highReference" ? height_.high
+                                       : height_.low) = value;
+    } else if (frame.name == "name") {
+      parent.generic = value;
+    } else {
+      object().attributes[frame.generic.empty() ? frame.name : frame.generic] = value;
+    }
   }
 
-  void read_numbers(const Frame& frame) {
+  void end_height() {
+    if (height_.value.empty()) return;
+    std::string& told = object().attributes["measuredHeight"];
+    told = told.empty() ? height_.text() : GmlHeight::higher(told, height_.text());
+  }
+
+  void read_numbers(const GmlFrame& frame) {
     if (polygon_) {
       polygon_->add(text_, frame.numbers, frame.name == "pos", name_, line_);
       return;
@@ -338,23 +429,17 @@ class Reader : public XmlHandler {
   }
 
   void place(const GmlDrawn& drawn) {
-    geom::CityObject& object = out_.model.objects[drawn.object];
+    geom::CityObject& object = objects_[drawn.object];
     GmlShapes::Surfaces found = shapes_.surfaces_of(drawn.shape, drawn.place);
     if (!found.lost.empty()) {
       out_.model.skipped.add(
           "surface that a link does not lead to",
           fmt::format("{} of {}", found.lost.substr(0, 60), object.name.substr(0, 60)));
     }
-    for (const geom::CitySurface& surface : found.surfaces) {
-      for (const auto& ring : surface) {
-        for (const geom::Vec3& p : ring) {
-          if (p.allFinite() && p.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate) continue;
-          throw geom::InputError(name_,
-                                 fmt::format("object \"{}\": expected coordinates within 1e8, "
-                                             "found a shape that is placed beyond",
-                                             object.name.substr(0, 60)));
-        }
-      }
+    if (!found.within_reach()) {
+      throw geom::InputError(name_, fmt::format("object \"{}\": expected coordinates within 1e8, "
+                                                "found a shape that is placed beyond",
+                                                object.name.substr(0, 60)));
     }
     if (!drawn.place) drop_known(drawn, found);
     taken_ += found.surfaces.size();
@@ -372,18 +457,22 @@ class Reader : public XmlHandler {
 
   const std::string& name_;
   const std::string& height_attribute_;
-  std::vector<Frame> frames_;
-  std::vector<std::size_t> objects_;  // that are open
-  std::vector<std::string> bounds_;   // boundary surfaces that are open
+  std::vector<GmlFrame> frames_;
+  GmlObjects objects_;
+  std::vector<Boundary> bounds_;  // that are open
   std::vector<GmlShapes::Index> shapes_open_;
   std::optional<GmlPolygon> polygon_;
   std::optional<GmlImplicit> implicit_;
   bool roof_edge_ = false;
   std::string text_;
   std::size_t line_ = 0;
+  GmlHeight height_;  // that is open
   GmlShapes shapes_;
   std::vector<GmlDrawn> drawn_;
-  std::size_t taken_ = 0;  // surfaces of objects
+  std::map<std::string, std::vector<std::size_t>> drawn_of_;  // boundaries, by their ids
+  std::vector<GmlLink> links_;                                // to objects and boundaries
+  std::set<std::string, std::less<>> ids_;                    // of what is no shape
+  std::size_t taken_ = 0;                                     // surfaces of objects
   std::map<std::pair<std::size_t, double>, std::set<GmlShapes::Index>> known_;
   CityGml out_;
 };

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "geom/base/error.h"
+#include "geom/text/xml_head.h"
 #include "xml.h"
 
 namespace footprints {
@@ -29,6 +30,7 @@ class Bridge {
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(parser_.get(), &Bridge::begin, &Bridge::end);
     XML_SetCharacterDataHandler(parser_.get(), &Bridge::text);
+    XML_SetStartDoctypeDeclHandler(parser_.get(), &Bridge::document_type);
   }
 
   void feed(const char* bytes, std::size_t size, bool last) {
@@ -74,12 +76,18 @@ class Bridge {
       }
       XmlElement element;
       std::tie(element.space, element.name) = split(full);
+      if (element.space == geom::kXInclude) geom::refuse_inclusion(bridge.name_, bridge.line());
       for (const XML_Char** a = attributes; *a; a += 2) {
         element.attributes.emplace_back(split(a[0]).second, a[1]);
       }
       element.line = bridge.line();
       bridge.handler_.begin(std::move(element));
     });
+  }
+
+  static void document_type(void* self, const XML_Char*, const XML_Char*, const XML_Char*, int) {
+    Bridge& bridge = *static_cast<Bridge*>(self);
+    bridge.guarded([&] { geom::refuse_document_type(bridge.name_, bridge.line()); });
   }
 
   static void text(void* self, const XML_Char* part, int size) {

@@ -60,7 +60,8 @@ std::string detect(std::string_view head, const std::string& path) {
   const bool markup = first != std::string_view::npos && head[first] == '<';
   if (markup && says(path, "CityModel")) return "citygml";
   if (first != std::string_view::npos && head[first] == '{') {
-    return says(path, "\"CityJSON\"") ? "cityjson" : "vector";
+    const bool model = says(path, "\"CityJSON\"") || says(path, "\"CityJSONFeature\"");
+    return model ? "cityjson" : "vector";
   }
   return is_raster(path) ? "raster" : "vector";
 }

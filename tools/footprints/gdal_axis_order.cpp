@@ -19,7 +19,7 @@ struct NamedCrs {
 // "ETRS89_UTM32*DE_DHHN92_NH": systems of the German surveys, all east first, heights in metres.
 std::optional<NamedCrs> german(const std::string& name) {
   static const std::regex form(
-      R"(urn:adv:crs:(ETRS89_UTM(2[89]|3[0-8])|DE_DHDN_3GK([2-5]))(_[A-Z0-9_]*)?(\*DE_DHHN.*)?)");
+      R"(urn:adv:crs:(ETRS89_UTM(2[89]|3[0-8])|DE_DHDN_3GK([2-5]))(_[A-Z0-9_]*)?(\*DE_DHH?N.*)?)");
   std::smatch found;
   if (!std::regex_match(name, found, form)) return std::nullopt;
   const std::string code =

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include "gdal_reference.h"
 #include "gdal_whole.h"
 #include "geom/text/counted.h"
+#include "gml_unfollowed.h"
 #include "source.h"
+#include "xml_heads.h"
 
 namespace footprints {
 namespace {
@@ -232,14 +236,37 @@ class VectorReader {
   Source out_;
 };
 
+// What a gzip archive holds; empty for another file.
+std::string unpacked(const std::string& path) {
+  char magic[2] = {};
+  std::ifstream(path, std::ios::binary).read(magic, 2);
+  if (std::string_view(magic, 2) != "\x1f\x8b") return "";
+  GByte* bytes = nullptr;
+  vsi_l_offset size = 0;
+  std::string out;
+  if (VSIIngestFile(nullptr, ("/vsigzip/" + path).c_str(), &bytes, &size, -1)) {
+    out.assign(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size));
+  }
+  VSIFree(bytes);
+  return out;
+}
+
 }  // namespace
 
 Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options) {
+  require_plain_vector(path, name);
   const Dataset dataset = open(path, GDAL_OF_VECTOR);
   if (!dataset) {
     throw geom::InputError(name, unopened(path));
   }
-  return VectorReader(name, options).read(*dataset, path);
+  Source source = VectorReader(name, options).read(*dataset, path);
+  if (dataset->GetDriver() && EQUAL(dataset->GetDriver()->GetDescription(), "GML")) {
+    std::istringstream packed(unpacked(path));
+    std::ifstream plain(path, std::ios::binary);
+    const bool is_packed = packed.peek() != std::istringstream::traits_type::eof();
+    skip_unfollowed(is_packed ? static_cast<std::istream&>(packed) : plain, name, source.skipped);
+  }
+  return source;
 }
 
 std::optional<double> height_unit(const std::string& crs, const std::string& name,

@@ -26,6 +26,14 @@ struct GmlImplicit {
   bool drawn = false;
   std::optional<std::vector<double>> matrix;
   std::optional<std::vector<double>> at;
+
+  // Where both are there.
+  Eigen::Matrix4d place() const {
+    Eigen::Matrix4d out =
+        Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(matrix->data());
+    out.topRightCorner<3, 1>() += Eigen::Map<const Eigen::Vector3d>(at->data());
+    return out;
+  }
 };
 
 }  // namespace footprints

@@ -63,6 +63,17 @@ GmlShapes::Surfaces GmlShapes::surfaces_of(Index shape,
   return out;
 }
 
+bool GmlShapes::Surfaces::within_reach() const {
+  for (const geom::CitySurface& surface : surfaces) {
+    for (const auto& ring : surface) {
+      for (const geom::Vec3& p : ring) {
+        if (!p.allFinite() || p.cwiseAbs().maxCoeff() > geom::kLargestCoordinate) return false;
+      }
+    }
+  }
+  return true;
+}
+
 std::optional<std::vector<double>> gml_numbers(std::string_view text, const GmlNumbers& form) {
   std::vector<double> out;
   std::string word;

@@ -24,11 +24,14 @@ class GmlShapes {
   void add_polygon(Index to, geom::CitySurface polygon);
   void add_part(Index to, Index shape);
   void add_link(Index to, std::string id);
+  bool has(const std::string& id) const { return by_id_.contains(id); }
 
   struct Surfaces {
     std::vector<geom::CitySurface> surfaces;  // each polygon once
     std::vector<Index> polygons;              // their numbers
     std::string lost;                         // a link that leads nowhere, or to two shapes
+
+    bool within_reach() const;  // all corners, of geom::kLargestCoordinate
   };
   // Once the document is read. `place`: for a shape in coordinates of its own.
   Surfaces surfaces_of(Index shape, const std::optional<Eigen::Matrix4d>& place = {}) const;

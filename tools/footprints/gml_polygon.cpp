@@ -11,24 +11,8 @@
 namespace footprints {
 namespace {
 
-const Words kCurved = {"Arc",
-                       "ArcString",
-                       "ArcByCenterPoint",
-                       "ArcByBulge",
-                       "ArcStringByBulge",
-                       "Circle",
-                       "CircleByCenterPoint",
-                       "Bezier",
-                       "BSpline",
-                       "CubicSpline",
-                       "Clothoid",
-                       "OffsetCurve",
-                       "GeodesicString",
-                       "Geodesic",
-                       "OrientableCurve",
-                       "Cone",
-                       "Cylinder",
-                       "Sphere"};
+const Words kStraight = {"LinearRing",        "Ring",           "LineString", "Curve",
+                         "LineStringSegment", "CompositeCurve", "Point"};
 const Words kSurfaceSides = {"exterior", "interior", "outerBoundaryIs", "innerBoundaryIs"};
 const Words kNumbers = {"pos", "posList", "coordinates", "coord"};
 
@@ -39,7 +23,8 @@ bool is_gml_numbers(std::string_view name) { return kNumbers.contains(name); }
 std::optional<GmlNumbers> GmlPolygon::take(const XmlElement& element, int dimension,
                                            const std::string& name) {
   if (kSurfaceSides.contains(element.name)) rings.emplace_back();
-  curved |= kCurved.contains(element.name) || !element.attribute("href").empty();
+  curved |= is_type(element.name) && !kStraight.contains(element.name);
+  curved |= !element.attribute("href").empty();
   if (!is_gml_numbers(element.name)) return std::nullopt;
   if (element.name == "coord") {
     throw geom::InputError(name, element.line, "expected pos, posList or coordinates, found coord");

@@ -21,6 +21,7 @@
 #include "geom/base/error.h"
 #include "osm_obstacle.h"
 #include "source.h"
+#include "xml_heads.h"
 
 namespace footprints {
 namespace {
@@ -333,12 +334,15 @@ Source read_buildings(const osmium::io::File& file, const ReadOptions& options, 
 
 Source read_osm(const std::string& path, const std::string& name, const ReadOptions& options) {
   try {
+    require_plain_osm(path, name);
     const osmium::io::File file(path);
     try {
       return read_buildings(file, options, InOrder{file});
     } catch (const osmium::out_of_order_error&) {
       return read_buildings(file, options, Sorted{file});
     }
+  } catch (const geom::InputError&) {
+    throw;
   } catch (const std::system_error&) {
     throw;
   } catch (const std::bad_alloc&) {

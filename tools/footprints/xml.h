@@ -34,8 +34,9 @@ class XmlHandler {
 };
 
 // Reads the whole document. What the handler throws comes out. Throws geom::InputError(name, line,
-// …) for what is no well-formed XML, for one that is cut, and for elements nested deeper than 200;
-// std::system_error where reading fails. Entities of other files are not read.
+// …) for what is no well-formed XML, for one that is cut, for elements nested deeper than 200, and
+// for a document type or an inclusion (geom/text/xml_head.h); std::system_error where reading
+// fails.
 void read_xml(std::istream& in, const std::string& name, XmlHandler& handler);
 
 }  // namespace footprints

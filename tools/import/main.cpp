@@ -60,6 +60,10 @@ void warn(const geom::ImportedBoxes& boxes, bool unknown_blocked, const std::str
                     "makes it obstacles)",
                     file, geom::counted(boxes.unknown, "cell was", "cells were")));
   }
+  if (boxes.reversed > 0) {
+    common.warn(fmt::format("{}: {} the upper corner first; taken as the box between both corners",
+                            file, geom::counted(boxes.reversed, "box has", "boxes have")));
+  }
   if (boxes.flat > 0)
     cli::tell(common, "skyway-import",
               fmt::format("{}: {} kept", file,

@@ -1,5 +1,7 @@
 // skyway-import-flight: what a vehicle flew, as a flight log.
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "cli/file/drone_file.h"
@@ -26,6 +28,7 @@ struct Options {
     CLI::Option* const map_option =
         app.add_option("--map", map, "box map that the flight is for: gives the origin");
     placement.add_origin_to(app);
+    placement.add_ground_to(app);
     app.get_option("--origin")->excludes(map_option);
     app.add_option("--begin", begin,
                    "where the time counts from, rows before being left out: first (position), "
@@ -52,10 +55,28 @@ Target target_of(const Options& options) {
   }
   if (!options.map.empty() || options.placement.origin) {
     out.options.over = options.placement.mission_frame(frame);
-  } else if (options.placement.geoid != 0) {
-    throw cli::UsageError("--geoid needs --map or --origin");
+  } else if (options.placement.geoid != 0 || options.placement.ground) {
+    throw cli::UsageError(
+        fmt::format("--{} needs --map or --origin", options.placement.ground ? "ground" : "geoid"));
+  }
+  if (out.options.over && !out.options.over->height_known && !options.placement.ground) {
+    throw cli::UsageError(
+        "the log's heights are above the sea, and the map does not say how high its z = 0 is: give "
+        "the map's z of the ground at the take-off (--ground)");
   }
   return out;
+}
+
+// Where --ground says how high the take-off is.
+void set_ground(const Options& options, const cli::Common& common, const std::string& source,
+                traj::Px4Flight& flight) {
+  const auto& ground = options.placement.ground;
+  if (!ground) return;
+  const double was = traj::take_off_from(*ground, flight, source);
+  common.warn(fmt::format(
+      "the flight takes off from z = {:g}, as --ground says, and its other heights count from "
+      "there: its z would be {:+.2f} m by its height above the sea",
+      *ground, was));
 }
 
 // Seconds after the first position.
@@ -99,6 +120,7 @@ int main(int argc, char** argv) {
     const auto geoid = placed ? std::optional(options.placement.geoid) : std::nullopt;
     for (const std::string& text : importing::warnings(flight, geoid)) common.warn(text);
     importing::require_positions(flight, file.name(), placed);
+    set_ground(options, common, file.name(), flight);
     traj::begin_at(begin_of(options, flight, file.name()), flight);
     if (flight.log.samples.empty()) {
       throw geom::InputError(file.name(), "expected a position after --begin, found none");

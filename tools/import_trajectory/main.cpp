@@ -4,6 +4,7 @@
 
 #include "cli/file/drone_file.h"
 #include "cli/file/files.h"
+#include "cli/option/degrees.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/vehicle_option.h"
@@ -116,6 +117,7 @@ int main(int argc, char** argv) {
   std::string id;
   double gap = 1e-3;
   geom::FlightTime time;
+  cli::MetresOption metres;
   app.add_option("file", input, "Crazyflie CSV, WPL, QGroundControl plan, … ; - for stdin")
       ->required();
   app.add_option("--format", options.format,
@@ -133,6 +135,7 @@ int main(int argc, char** argv) {
   cli::add_point(
       app, "--start", options.start,
       "where a Tello stands before it takes off, along the axes of --frame or of the map");
+  metres.add_to(app);
   add_gap(app, gap);
   add_time(app, time);
   app.add_option("--id", id, "id of the record (default: the file's name)");
@@ -155,6 +158,7 @@ int main(int argc, char** argv) {
       if (one.format == "setpoints") {
         throw cli::UsageError("setpoints are no trajectory: skyway-check reads them");
       }
+      if (one.format == "paths-csv") metres.check_input(frame, one.flown.path, one.id, 0);
       out.stream() << importer.line(one);
     }
     out.commit();

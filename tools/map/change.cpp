@@ -11,6 +11,7 @@
 #include <span>
 
 #include "cli/file/files.h"
+#include "cli/option/degrees.h"
 #include "cli/option/output_option.h"
 #include "geom/base/error.h"
 #include "geom/import/box_csv.h"
@@ -99,6 +100,8 @@ struct Changes {
   std::string fence;
   std::string epoch;
   bool local = false;
+  bool far = false;
+  cli::MetresOption metres;
   double slack = 0.5;
   std::optional<double> zero_height;
 };
@@ -196,9 +199,9 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   if (changes.zero_height && changes.keep_out.empty()) {
     throw cli::UsageError("--zero-height: expected --keep-out with volumes of ASTM F3548");
   }
-  const Volumes volumes{spec, changes.slack, changes.zero_height};
+  const Volumes volumes{spec, changes.slack, changes.zero_height, changes.far};
   if (!changes.keep_out.empty()) {
-    add("keep_out", volumes.keep_out(changes.keep_out, changes.local));
+    add("keep_out", volumes.keep_out(changes.keep_out, changes.local, changes.metres, common));
   }
   if (!changes.fence.empty()) add("fence", volumes.fence(changes.fence));
   if (table.boxes.empty()) throw geom::InputError(files.map, "the patch leaves no boxes at all");
@@ -244,6 +247,10 @@ Verb patch(CLI::App& app, const cli::Common& common) {
                    "the instant that the map's times count from (RFC 3339, UTC)");
   verb->add_flag("--keep-out-local", changes->local,
                  "its coordinates are the map's metres, not longitude and latitude");
+  verb->add_flag("--far", changes->far,
+                 "volumes and fences may lie anywhere; without it, those are refused that are not "
+                 "near the map");
+  changes->metres.add_to(*verb);
   verb->add_option("--fence", changes->fence,
                    "fences of a QGroundControl plan or a WPL file; what they forbid becomes boxes "
                    "labelled fence, from the bottom of the map to its top");

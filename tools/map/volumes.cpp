@@ -16,6 +16,7 @@
 #include "geom/record/instant.h"
 #include "geom/record/volume4d.h"
 #include "geom/shape/cover.h"
+#include "geom/text/counted.h"
 #include "geom/text/parse_json.h"
 #include "traj/drone_file/fence_file.h"
 
@@ -87,6 +88,28 @@ geom::KeepOut f3548_zones(const std::string& text, const std::string& name,
   return zones;
 }
 
+// A polygon of degrees is one of parts of a metre, if they are taken for metres.
+void require_metres(const geom::KeepOut& zones, const geom::Frame& frame, const std::string& name,
+                    const cli::MetresOption& metres) {
+  for (const geom::Footprint& zone : zones.volumes) {
+    std::vector<Vec3> corners;
+    for (const Vec2& p : zone.polygon.outer) corners.emplace_back(p.x(), p.y(), 0);
+    metres.check_outline(frame, corners, fmt::format("{}: feature {}", name, zone.id));
+  }
+}
+
+// Such volumes reach from the bottom of the map to its top.
+void warn_of_unread(const geom::KeepOut& zones, const std::string& name,
+                    const cli::Common& common) {
+  for (const auto& [key, count] : zones.unread) {
+    common.warn(fmt::format(
+        "{}: \"{}\" of {} is not read: without \"lower\" and \"upper\", metres in the map's z, a "
+        "volume reaches from the bottom of the map to its top; without \"from\" and \"until\" it "
+        "is always there",
+        name, key, geom::counted(count, "volume")));
+  }
+}
+
 // A rectangle around the bounds and the ring.
 std::vector<Vec2> around(const geom::Aabb& bounds, const std::vector<Vec2>& ring) {
   Vec2 low = bounds.min.head<2>();
@@ -102,7 +125,16 @@ std::vector<Vec2> around(const geom::Aabb& bounds, const std::vector<Vec2>& ring
 
 }  // namespace
 
-geom::BoxTable Volumes::keep_out(const std::string& path, bool local) const {
+void Volumes::require_near(const DrawnRing& outline, std::uint64_t feature,
+                           const std::string& name) const {
+  if (far) return;
+  if (const auto why = why_not_near(spec, outline)) {
+    throw geom::InputError(name, fmt::format("feature {}: {}", feature, *why));
+  }
+}
+
+geom::BoxTable Volumes::keep_out(const std::string& path, bool local,
+                                 const cli::MetresOption& metres, const cli::Common& common) const {
   cli::InputFile file(path);
   const std::string text = file.read_all();
   const bool f3548 = is_f3548(text, file.name());
@@ -117,9 +149,12 @@ geom::BoxTable Volumes::keep_out(const std::string& path, bool local) const {
       f3548 ? f3548_zones(text, file.name(), *this)
             : geom::read_keep_out(in, file.name(), spec.frame,
                                   {local, spec.bounds.min.z(), spec.bounds.max.z(), spec.epoch});
+  if (local) require_metres(zones, spec.frame, file.name(), metres);
+  warn_of_unread(zones, file.name(), common);
   geom::BoxTable table;
   for (std::size_t i = 0; i < zones.volumes.size(); ++i) {
     const geom::Footprint& zone = zones.volumes[i];
+    require_near({zone.polygon.outer, !f3548 && !local}, zone.id, file.name());
     refuse_long_stairs(zone.polygon, slack, file.name(), zone.id);
     geom::BoxTable one;
     one.labels = {"", zones.labels[i]};
@@ -148,6 +183,7 @@ geom::BoxTable Volumes::fence(const std::string& path) const {
     for (Vec2& p : fence.ring) {
       p = geom::to_enu(spec.frame.axes, {p.x(), p.y(), 0}).head<2>();
     }
+    require_near({fence.ring}, feature, file.name());
     geom::Polygon polygon{fence.ring, {}};
     if (fence.inclusion) polygon = {around(spec.bounds, fence.ring), {fence.ring}};
     refuse_long_stairs(polygon, slack, file.name(), feature);

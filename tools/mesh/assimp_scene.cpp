@@ -13,6 +13,7 @@
 
 #include "collada_links.h"
 #include "geom/base/error.h"
+#include "geom/model/model_polygons.h"
 #include "geom/text/excerpt.h"
 #include "try_in_child.h"
 
@@ -39,6 +40,7 @@ class Scene {
     check();
     model_.up = geom::UpAxis::z;
     visit(*scene_.mRootNode, Transform::Identity(), Transform::Identity(), 0);
+    polygons_.finish(model_);
     return std::move(model_);
   }
 
@@ -110,22 +112,18 @@ class Scene {
       model_.skipped.add("point or line", fmt::format("of {} vertices", face.mNumIndices));
       return;
     }
-    std::vector<geom::Vec3> corners;
     std::vector<std::uint32_t> index;
     for (unsigned k = 0; k < face.mNumIndices; ++k) {
       if (face.mIndices[k] >= vertices) refuse("a face names a vertex that is not there");
       index.push_back(static_cast<std::uint32_t>(first) + face.mIndices[k]);
-      corners.push_back(model_.mesh.vertices[index.back()]);
     }
-    const auto part = static_cast<std::uint32_t>(model_.parts.size());
-    for (const auto& [a, b, c] : geom::polygon_triangles(corners)) {
-      model_.mesh.triangles.push_back({{index[a], index[b], index[c]}, part});
-    }
+    polygons_.add(model_, index, static_cast<std::uint32_t>(model_.parts.size()));
   }
 
   const aiScene& scene_;
   const std::string& source_;
   geom::Model model_;
+  geom::ModelPolygons polygons_;
   std::set<unsigned> shown_;  // meshes
 };
 

@@ -11,6 +11,7 @@
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
+#include "geom/text/xml_head.h"
 
 namespace mesh {
 namespace {
@@ -61,11 +62,14 @@ class Links {
   Links(const std::string& source, geom::Skipped& skipped) : source_(source), skipped_(skipped) {}
 
   void read(std::string_view text) {
+    geom::require_plain_xml(text.substr(0, geom::kXmlHead), source_);
+    std::size_t last = 0;
     for (std::size_t at = 0; (at = text.find('<', at)) != std::string_view::npos;) {
       const std::size_t end = end_of_tag(text, at);
       if (end == std::string_view::npos) refuse("a tag is not ended: the file may be cut");
-      take(text.substr(at + 1, end - at - 1));
-      at = end;
+      require_no_entity(text.substr(last, at - last));
+      if (text[at + 1] != '!' && text[at + 1] != '?') take(text.substr(at + 1, end - at - 1));
+      last = at = end;
     }
     for (const Accessor& accessor : accessors_) require_within(accessor);
     for (const std::string& geometry : placed_) {
@@ -94,8 +98,49 @@ class Links {
     skipped_.add(fmt::format("{} that is not in the file", what), geom::excerpt(url, 60));
   }
 
+  // assimp leaves an entity that nobody declared as it stands, and what it stands for out.
+  void require_no_entity(std::string_view text) const {
+    for (std::size_t at = 0; (at = text.find('&', at)) != std::string_view::npos; ++at) {
+      const std::string_view rest = text.substr(at + 1);
+      if (rest.starts_with('#')) continue;
+      const std::string_view name = rest.substr(0, rest.find(';'));
+      if (name == "amp" || name == "lt" || name == "gt" || name == "quot" || name == "apos")
+        continue;
+      refuse(
+          fmt::format("expected only entities of XML itself, found \"&{}\": write out what it "
+                      "stands for",
+                      geom::excerpt(name, 40)));
+    }
+  }
+
+  // assimp passes over elements of other names, also of the same behind a prefix.
+  void require_no_prefix(std::string_view name) const {
+    const std::size_t colon = name.find(':');
+    if (colon == std::string_view::npos) return;
+    static const std::set<std::string_view> kRead = {"geometry",
+                                                     "include",
+                                                     "instance_geometry",
+                                                     "instance_node",
+                                                     "mesh",
+                                                     "node",
+                                                     "polygons",
+                                                     "library_geometries",
+                                                     "library_nodes",
+                                                     "polylist",
+                                                     "triangles",
+                                                     "tristrips",
+                                                     "trifans",
+                                                     "visual_scene",
+                                                     "library_visual_scenes"};
+    if (!kRead.contains(name.substr(colon + 1))) return;
+    refuse(fmt::format("expected elements without a prefix, found <{}>, which assimp passes over",
+                       geom::excerpt(name, 40)));
+  }
+
   void take(std::string_view tag) {
     const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/", 1));
+    require_no_prefix(name);
+    require_no_entity(tag);
     std::string id(attribute(tag, "id"));
     if (name == "skew") refuse("it has a <skew>, which is not read: write its nodes with matrices");
     if (name == "instance_controller") {

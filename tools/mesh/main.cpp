@@ -13,7 +13,7 @@
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "geom/base/error.h"
-#include "geom/mesh/triangle_cover.h"
+#include "geom/model/model_polygons.h"
 #include "geom/text/counted.h"
 #include "source.h"
 
@@ -136,7 +136,7 @@ geom::TriangleCover covered(const geom::Model& model, const Options& options, co
   }
   geom::TriangleCover made;
   try {
-    made = geom::cover_triangles(model.mesh, cover, common.execution("triangles"));
+    made = geom::cover_model(model, cover, common.execution("triangles"));
   } catch (const geom::InputError& error) {
     throw geom::InputError(name, error.what());
   }
@@ -169,6 +169,7 @@ nlohmann::ordered_json stats_of(const mesh::Source& source, const geom::Triangle
     stats["tiles_read"] = *source.tiles;
     stats["coarser_contents"] = source.coarser;
   }
+  if (source.model.bent > 0) stats["bent_polygons"] = source.model.bent;
   if (solid) {
     stats["closed_surfaces"] = made.closed;
     stats["open_surfaces"] = made.open;
@@ -185,6 +186,11 @@ void report(const mesh::Source& source, const geom::TriangleCover& made, const O
     if (source.coarser > 0) line += fmt::format(", {} coarser ones left out", source.coarser);
   }
   line += ", " + geom::counted(made.boxes.size(), "box", "boxes");
+  if (source.model.bent > 0) {
+    line += fmt::format("; {} bent, and solid between the ways to cut {} into triangles",
+                        geom::counted(source.model.bent, "polygon is", "polygons are"),
+                        source.model.bent == 1 ? "it" : "them");
+  }
   if (options.solid) {
     line += fmt::format("; filled: {}", geom::counted(made.closed, "surface", "surfaces"));
     if (made.open > 0) line += fmt::format("; not closed, a shell only: {}", made.open);

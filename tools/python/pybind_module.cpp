@@ -2,10 +2,13 @@
 
 #include "pybind_module.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <system_error>
 #include <thread>
 
+#include "cli/option/degrees.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
 
@@ -13,6 +16,17 @@ namespace binding {
 
 geom::Execution on_threads(unsigned threads) {
   return {threads ? threads : std::max(1u, std::thread::hardware_concurrency()), {}};
+}
+
+void require_metres(const geom::Frame& frame, std::span<const geom::Vec3> points,
+                    const std::string& what) {
+  if (!cli::look_like_degrees(frame, points)) return;
+  const geom::Vec3& p = points.front();
+  throw geom::InputError(
+      what, fmt::format("expected metres, found [{}, {}], which look like degrees: the map's "
+                        "origin is at latitude {}, longitude {}, and its coordinates are metres "
+                        "from there",
+                        p.x(), p.y(), frame.origin->latitude, frame.origin->longitude));
 }
 
 traj::Limits limits_from(const py::object& object) {

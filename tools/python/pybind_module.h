@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "cli/option/vehicle_option.h"
@@ -32,6 +33,10 @@ struct Scene {
 };
 
 geom::Execution on_threads(unsigned threads);  // 0: all
+
+// Throws geom::InputError(what, …) for points that look like degrees (cli::look_like_degrees).
+void require_metres(const geom::Frame& frame, std::span<const geom::Vec3> points,
+                    const std::string& what);
 
 traj::Limits limits_from(const py::object& object);  // a dict by the names of records, or None
 py::dict dict_of(const traj::Limits& limits);

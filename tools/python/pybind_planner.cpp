@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "cli/option/scenes.h"
 #include "geom/base/parallel.h"
 #include "plan/planner/path_record.h"
@@ -82,6 +84,7 @@ geom::PathRecord plan_one(Planner& self, const py::object& from, const py::objec
       Words{method, quality, raw, resample, snap_ends, seed}.options();
   const Vec3 start = vec3(from, "start");
   const Vec3 goal = vec3(to, "goal");
+  require_metres(self.scene.map().spec().frame, std::array{start, goal}, "start and goal");
   const py::gil_scoped_release released;
   return plan::path_record(self.scene, id, self.planner.plan(start, goal, options));
 }
@@ -104,6 +107,8 @@ std::vector<geom::PathRecord> plan_batch(Planner& self, const py::object& querie
   geom::parallel_for(count, on_threads(threads), [&](std::size_t i) {
     const Vec3 from(ends.data() + 6 * i);
     const Vec3 to(ends.data() + 6 * i + 3);
+    require_metres(self.scene.map().spec().frame, std::array{from, to},
+                   fmt::format("query {}", i + 1));
     out[i] = plan::path_record(self.scene, ids ? (*ids)[i] : fmt::format("q{}", i + 1),
                                self.planner.plan(from, to, options));
   });

@@ -1,9 +1,11 @@
 // The collision structure: batches of queries on NumPy arrays as they stand, without the GIL.
 
+#include <array>
 #include <limits>
 #include <string>
 #include <variant>
 
+#include "cli/option/degrees.h"
 #include "geom/base/parallel.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
@@ -41,14 +43,27 @@ struct Queries {
     binding::require_coordinates(values.subspan(begin * columns, (end - begin) * columns), columns,
                                  columns == 3 ? "points" : "segments", begin);
   }
+  // One point alone may look like degrees by chance.
+  void require_metres(const geom::Frame& frame) const {
+    if (columns == 3 && size() < 2) return;
+    const auto looks = [&](std::size_t i) {
+      return cli::look_like_degrees(frame, std::array{from(i), to(i)});
+    };
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (!looks(i)) return;
+    }
+    if (size() > 0) binding::require_metres(frame, std::array{from(0), to(0)}, "queries");
+  }
   Vec3 from(std::size_t i) const { return Vec3(values.data() + i * columns); }
   Vec3 to(std::size_t i) const { return Vec3(values.data() + i * columns + columns - 3); }
 };
 
 // answer(from, to) for each.
 template <class Answer>
-py::array each(const py::object& object, unsigned threads, const Answer& answer) {
+py::array each(const Scene& scene, const py::object& object, unsigned threads,
+               const Answer& answer) {
   const Queries queries(object);
+  queries.require_metres(scene.scene.map().spec().frame);
   std::vector<std::uint8_t> out(queries.size());
   {
     const py::gil_scoped_release released;
@@ -61,18 +76,20 @@ py::array each(const py::object& object, unsigned threads, const Answer& answer)
 }
 
 py::array hits(const Scene& self, const py::object& object, unsigned threads) {
-  return each(object, threads, [&](const Vec3& a, const Vec3& b) { return self.scene.hits(a, b); });
+  return each(self, object, threads,
+              [&](const Vec3& a, const Vec3& b) { return self.scene.hits(a, b); });
 }
 
 py::array is_free(const Scene& self, const py::object& object, unsigned threads) {
-  return each(object, threads, [&](const Vec3& a, const Vec3& b) { return self.scene.free(a, b); });
+  return each(self, object, threads,
+              [&](const Vec3& a, const Vec3& b) { return self.scene.free(a, b); });
 }
 
 py::array sweep_hits(const Scene& self, const py::object& object, const py::object& half_sizes,
                      unsigned threads) {
   const Vec3 half = vec3(half_sizes, "half");
   if (half.minCoeff() < 0) throw py::value_error("half: must be half sizes >= 0");
-  return each(object, threads,
+  return each(self, object, threads,
               [&](const Vec3& a, const Vec3& b) { return self.scene.sweep_hits(a, b, half); });
 }
 

@@ -106,6 +106,14 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   return out;
 }
 
+std::vector<geom::Vec3> control_points(const traj::Trajectory& trajectory) {
+  std::vector<geom::Vec3> out;
+  for (const traj::Segment& s : trajectory.segments) {
+    out.insert(out.end(), s.point.begin(), s.point.end());
+  }
+  return out;
+}
+
 // As skyway-check has it: stricter than the record as one likes.
 traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRecord& record,
                                     const traj::Limits& asked, bool exact) {
@@ -118,6 +126,7 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
     report.result.reason = traj::reason_of(record.status);
     return report;
   }
+  require_metres(self.scene.map().spec().frame, control_points(record.trajectory), record.id);
   report.limits = geom::limits_that_hold({asked, record.limits, vehicle.limits});
   traj::CheckOptions options;
   options.limits = report.limits;
@@ -129,11 +138,15 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
         {self.scene.map(), self.scene.vehicle(), self.scene.margin(), report.limits, options.start},
         record.trajectory);
   }
+  if (report.result.looked) {
+    traj::refuse_unmeasured(asked, record.trajectory.segments.front().point.front(), report);
+  }
   traj::add_bounds(record, report);
   return report;
 }
 
-traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record, bool exact) {
+traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record,
+                              const traj::Limits& asked, bool exact) {
   agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
   geom::start_on(self.scene.map(), {record.time.epoch, {}, {}, {}, {}}, record.id, 0);
   traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}, {}};
@@ -142,11 +155,15 @@ traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record,
     report.result.reason = traj::Reason::no_path;
     return report;
   }
+  require_metres(self.scene.map().spec().frame, record.points, record.id);
   report.result = traj::check_path(self.scene, record.points);
+  report.limits = asked;
+  traj::refuse_unmeasured(asked, record.points.front(), report);
   if (exact) {
     report.exact = traj::check_exactly(
         {self.scene.map(), self.scene.vehicle(), self.scene.margin(), {}}, record.points);
   }
+  traj::add_bounds(record, report);
   return report;
 }
 
@@ -165,7 +182,7 @@ py::object check(const Scene& self, const py::object& what, const py::object& li
   } else {
     const geom::PathRecord record = path_from(what);
     const py::gil_scoped_release released;
-    line = traj::to_json_line(check_path(self, record, exact), self.scene.map());
+    line = traj::to_json_line(check_path(self, record, asked, exact), self.scene.map());
   }
   return from_json(line);
 }

@@ -57,23 +57,37 @@ std::pair<Vec3, Vec3> two_points(const JsonFields& fields, const char* key) {
   return {points[0], points[1]};
 }
 
-// The points of a batch's records, as far as they are records.
-std::vector<Vec3> points_of(const std::vector<Line>& batch, const std::string& source) {
+// The points of a record in metres, as far as it is one.
+std::vector<Vec3> points_of(const std::string& text) {
   std::vector<Vec3> out;
   try {
-    for (const auto& [text, line] : batch) {
-      const JsonFields fields(text, source, line);
-      if (fields.has("point") && !fields.value("point").is_string()) {
-        out.push_back(fields.point("point"));
-      }
-      for (const char* key : {"segment", "box", "sweep"}) {
-        if (!fields.has(key)) continue;
-        for (const Vec3& p : fields.points(key)) out.push_back(p);
-      }
+    const JsonFields fields(text, "", 0);
+    if (fields.has("point") && !fields.value("point").is_string()) {
+      out.push_back(fields.point("point"));
+    }
+    for (const char* key : {"segment", "box", "sweep"}) {
+      if (!fields.has(key)) continue;
+      for (const Vec3& p : fields.points(key)) out.push_back(p);
     }
   } catch (const geom::InputError&) {  // is told when the record's turn comes
   }
   return out;
+}
+
+// Throws where a batch looks like degrees: the two points of a record, or all single ones, of which
+// one in a million is near enough by chance.
+void require_metres(const std::vector<Line>& batch, const geom::Frame& frame,
+                    const cli::MetresOption& metres, const std::string& source) {
+  std::vector<Vec3> single;
+  std::size_t first = 0;
+  for (const auto& [text, line] : batch) {
+    const std::vector<Vec3> points = points_of(text);
+    if (points.size() > 1) metres.check_input(frame, points, source, line);
+    if (points.size() != 1) continue;
+    if (single.empty()) first = line;
+    single.push_back(points[0]);
+  }
+  metres.check_input(frame, single, source, first);
 }
 
 // "60.1719000N,24.9414000E": seven decimals are a centimetre.
@@ -268,12 +282,8 @@ int main(int argc, char** argv) {
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
     Stream stream(scene, degrees, file, out, {common.execution("queries").threads, {}});
-    bool first = true;
     const auto answer = [&] {
-      if (std::exchange(first, false) && !stream.batch().empty()) {
-        metres.check_input(scene.map().spec().frame, points_of(stream.batch(), file.name()),
-                           file.name(), stream.batch().front().second);
-      }
+      require_metres(stream.batch(), scene.map().spec().frame, metres, file.name());
       stream.answer();
     };
     file.for_each_line([&](const std::string& line, std::size_t number) {

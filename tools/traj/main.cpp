@@ -63,6 +63,7 @@ solving::Solved answer_to(const geom::PathRecord& path, const std::string& sourc
     return solving::without_path(path, options.limits_for(vehicle.value_or(geom::Vehicle{})));
   }
   const geom::CollisionScene& scene = scenes.scene_for(path.provenance, source, line);
+  options.metres.check_input(scene.map().spec().frame, path.points, source, line);
   return solving::solve(scene, path, options.task(scene.vehicle()));
 }
 

@@ -44,6 +44,7 @@ std::optional<traj::YawOptions> yaw_options(const std::string& text, bool rate_a
 
 void Options::add_to(CLI::App& app) {
   limits.add_to(app);
+  metres.add_to(app);
   app.add_option("--solver", solver, "auto, closed, banded, ipopt or stop-and-go")
       ->check(CLI::IsMember({"auto", "closed", "banded", "ipopt", "stop-and-go"}));
   app.add_option("--times", times, "leg times: stops, distance, cautious, trapezoid or optimised")

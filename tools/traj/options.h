@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/option/degrees.h"
 #include "cli/option/limit_options.h"
 #include "traj/curve/yaw.h"
 #include "traj/solve/solve.h"
@@ -25,6 +26,7 @@ struct Options {
   std::string corridor_file;  // empty: none
   std::string yaw;            // along, degrees or X,Y; empty: none
   cli::LimitOptions limits;
+  cli::MetresOption metres;
 
   void add_to(CLI::App& app);
 

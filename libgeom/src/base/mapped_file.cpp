@@ -62,8 +62,10 @@ FileState state_of(const struct stat& info) {
 bool is_as_it_was(const Mapping& mapping) {
   struct stat info {};
   if (fstat(mapping.file, &info) != 0) return false;
-  const FileState now = state_of(info);
-  return now.size == mapping.opened.size && now.modified == mapping.opened.modified;
+  FileState now = state_of(info);
+  // What takes the place of a file's name changes its state, but not what it holds.
+  if (info.st_nlink == 0) now.changed = mapping.opened.changed;
+  return now == mapping.opened;
 }
 
 // Bytes of files (code among them) that the process holds; all that are mapped where the system

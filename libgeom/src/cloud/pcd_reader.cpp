@@ -2,7 +2,7 @@
 #include <liblzf/lzf.h>
 
 #include <iterator>
-#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "geom/cloud/point_cloud.h"
@@ -58,13 +58,20 @@ class PcdReader {
     std::vector<std::string> types;
     std::vector<std::string> counts;
     std::string text;
+    std::set<std::string> seen;
     while (line_ < 1000 && std::getline(in_, text)) {
       ++line_;
+      begin_ += text.size() + 1;
+      if (trimmed(text).find('\r') != std::string_view::npos) refuse(kLoneReturn);
       std::istringstream words(text);
       std::string key;
       words >> key;
+      if (key == "COLUMNS") key = "FIELDS";
+      if (!key.empty() && key[0] != '#' && !seen.insert(key).second) {
+        refuse(fmt::format("expected {} once, found it again", key.substr(0, 40)));
+      }
       const std::vector<std::string> values{std::istream_iterator<std::string>(words), {}};
-      if (key == "FIELDS" || key == "COLUMNS") names = values;
+      if (key == "FIELDS") names = values;
       if (key == "SIZE") sizes = values;
       if (key == "TYPE") types = values;
       if (key == "COUNT") counts = values;
@@ -112,7 +119,10 @@ class PcdReader {
       fields_.push_back(std::move(field));
       const std::string& name = fields_.back().name;
       const char letter = static_cast<char>(name[0] | 0x20);  // some write X, Y, Z
-      if (name.size() == 1 && letter >= 'x' && letter <= 'z') axis_[letter - 'x'] = i;
+      if (name.size() != 1 || letter < 'x' || letter > 'z') continue;
+      std::size_t& axis = axis_[letter - 'x'];
+      if (axis != SIZE_MAX) refuse(fmt::format("expected one field {}, found another", letter));
+      axis = i;
     }
     for (int k = 0; k < 3; ++k) {
       if (axis_[k] >= fields_.size() || fields_[axis_[k]].count != 1) {
@@ -193,8 +203,22 @@ class PcdReader {
       }
       chunks_.add(p);
     }));
-    in_.ignore(static_cast<std::streamsize>(record_));
-    if (static_cast<std::uint64_t>(in_.gcount()) == record_) more();
+    require_end(points_ * record_, record_);
+  }
+
+  // After so many bytes of data, less than `most` may follow. PCL writes through a mapping of whole
+  // pages, and leaves zeros behind: a page less the header, or up to the end of a page.
+  void require_end(std::uint64_t data, std::uint64_t most) {
+    constexpr std::uint64_t kPage = 4096;
+    constexpr std::uint64_t kLargestPage = 65536;
+    std::uint64_t behind = 0;
+    bool zeros = true;
+    for (int c = in_.get(); c != std::char_traits<char>::eof(); c = in_.get()) {
+      zeros &= c == 0;
+      if (++behind > kLargestPage || (!zeros && behind >= most)) more();
+    }
+    const bool page = (begin_ + behind) % kPage == 0 || (begin_ + data + behind) % kPage == 0;
+    if (behind >= most && !page) more();
   }
 
   // Sizes, then LZF of the fields one after the other, each with all points.
@@ -234,12 +258,14 @@ class PcdReader {
       }
       chunks_.add(p);
     }
+    require_end(8 + packed, 1);
   }
 
   std::istream& in_;
   std::string source_;
   PointChunks chunks_;
   std::size_t line_ = 0;
+  std::uint64_t begin_ = 0;  // bytes of the header
   std::uint64_t width_ = 0;
   std::uint64_t height_ = 1;
   std::uint64_t points_ = 0;

@@ -16,6 +16,17 @@ std::optional<std::size_t> PlyElement::find(std::string_view property, bool list
   return std::nullopt;
 }
 
+bool PlyElement::holds_indices() const {
+  if (count == 0 || name == "camera" || name == "material") return false;
+  if (name == "edge") return true;
+  std::size_t whole = 0;
+  for (const PlyProperty& property : properties) {
+    if (property.count) return true;
+    whole += property.scalar.type != 'F' && property.scalar.size >= 2;
+  }
+  return whole >= 2;
+}
+
 PlyFile::PlyFile(std::istream& in, std::string_view source) : in_(in), source_(source) {
   read_header();
 }
@@ -26,7 +37,9 @@ std::string PlyFile::next_line() {
   std::string line;
   if (line_ > 10000 || !std::getline(in_, line)) refuse("the header is cut short");
   ++line_;
-  return std::string(trimmed(line));
+  const std::string_view text = trimmed(line);
+  if (text.find('\r') != text.npos) refuse(kLoneReturn);
+  return std::string(text);
 }
 
 Scalar PlyFile::scalar(const std::string& word) const {
@@ -106,7 +119,14 @@ void PlyFile::add_property(std::istream& words) {
   }
   property.scalar = scalar(type);
   if (!(words >> property.name)) refuse("expected the name of the property, found none");
-  elements_.back().properties.push_back(std::move(property));
+  std::vector<PlyProperty>& known = elements_.back().properties;
+  for (const PlyProperty& other : known) {
+    if (other.name == property.name) {
+      refuse(fmt::format("expected one property {} of an element, found another",
+                         property.name.substr(0, 40)));
+    }
+  }
+  known.push_back(std::move(property));
 }
 
 void PlyFile::read_row(const PlyElement& element, std::uint64_t i) {

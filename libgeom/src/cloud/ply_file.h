@@ -26,6 +26,10 @@ struct PlyElement {
 
   // The one of that name, a list or not; nothing where there is none.
   std::optional<std::size_t> find(std::string_view property, bool list) const;
+
+  // Whether its rows may join vertices to lines or surfaces: it is an edge, has a list, or
+  // two whole numbers. Cameras and materials, as programs write them, do not.
+  bool holds_indices() const;
 };
 
 // The numbers of one of an element, property by property: lists have any number of them.

@@ -8,10 +8,6 @@
 namespace geom {
 namespace {
 
-bool is_surface(const std::string& name) {
-  return name == "face" || name == "tristrips" || name == "edge";
-}
-
 void read_points(PlyFile& file, const PlyElement& element, PointChunks& chunks) {
   const auto x = element.find("x", false);
   const auto y = element.find("y", false);
@@ -38,7 +34,9 @@ CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink&
     } else {
       file.for_each_row(element, [](const PlyRow&, std::uint64_t) {});
     }
-    if (is_surface(element.name) && element.count > 0) {
+    // A grid of a range scan has at most one vertex a row.
+    const bool grid = element.name == "range_grid";
+    if (element.name != "vertex" && !grid && element.holds_indices()) {
       skipped.add("surface of a mesh", fmt::format("element {} {}", element.name, element.count));
     }
   }

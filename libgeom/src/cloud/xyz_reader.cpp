@@ -1,51 +1,184 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
+#include "geom/base/error.h"
 #include "geom/cloud/point_cloud.h"
+#include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
 #include "point_chunks.h"
+#include "xyz_header.h"
 
 namespace geom {
+namespace {
+
+class XyzReader {
+ public:
+  XyzReader(std::istream& in, std::string_view source, const PointSink& sink)
+      : lines_(in, source, true), chunks_(source, sink) {}
+
+  CloudCounts read() {
+    while (lines_.next()) {
+      const std::string_view line = lines_.line();
+      if (line.empty()) continue;
+      if (line[0] == '#' || line.starts_with("//")) {
+        take_comment(line);
+      } else if (begun_ || !(is_count(line) || is_header(line))) {
+        take_point(line);
+      }
+    }
+    if (promised_ && *promised_ != static_cast<double>(found_)) {
+      lines_.refuse(
+          fmt::format("expected {} points, as the first line says, found {}", *promised_, found_));
+    }
+    return chunks_.finish();
+  }
+
+ private:
+  // Words that may name the columns, and stand before what separates these is known.
+  struct Header {
+    std::string text;
+    std::size_t line;
+    bool comment;
+  };
+
+  void take_comment(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_not_of("#/ \t"), line.size()));
+    if (const std::size_t colon = line.rfind(':'); colon != line.npos)
+      line.remove_prefix(colon + 1);
+    split_words(line);
+    if (!name_all_axes(fields_)) return;
+    if (begun_) return require_same(xyz_columns(fields_, {lines_.source(), lines_.number()}));
+    headers_.push_back({std::string(line), lines_.number(), true});
+    if (headers_.size() > kMostHeaders) {
+      lines_.refuse("expected one line that names the columns, found many");
+    }
+  }
+
+  void require_same(const XyzColumns& columns) const {
+    if (columns.of_axis == columns_.value_or(XyzColumns()).of_axis) return;
+    lines_.refuse(fmt::format("expected the same columns throughout the file, found others: \"{}\"",
+                              excerpt(lines_.line())));
+  }
+
+  // A number alone, before the first point: how many there are.
+  bool is_count(std::string_view line) {
+    const auto count = parse_number(line);
+    if (!count) return false;
+    if (promised_) {
+      lines_.refuse(
+          "expected three numbers, found two lines of one number each, as a PTX file begins: its "
+          "scans have places of their own; write them as LAS or PLY, for example with "
+          "`CloudCompare -O scan.ptx -C_EXPORT_FMT LAS -SAVE_CLOUDS`");
+    }
+    if (!(*count >= 0) || *count != std::floor(*count)) refuse_line();
+    promised_ = count;
+    return true;
+  }
+
+  // A line that begins with no number, before the first point.
+  bool is_header(std::string_view line) {
+    fields_of(separator_of(line), line, fields_);
+    const bool number = std::string_view("0123456789+-.").find(line[0]) != std::string_view::npos;
+    if (number || parse_number(fields_[0])) return false;
+    for (const Header& known : headers_) {
+      if (!known.comment) refuse_line();
+    }
+    headers_.push_back({std::string(line), lines_.number(), false});
+    return true;
+  }
+
+  void begin(std::string_view line) {
+    begun_ = true;
+    separator_ = separator_of(line);
+    fields_of(separator_, line, fields_);
+    width_ = fields_.size();
+    const bool empty_end = fields_.back().empty();
+    for (const Header& header : headers_) obey(header, empty_end);
+    headers_.clear();
+  }
+
+  // Takes the columns that a header names; in a comment, commas may separate its words as well.
+  // The last column of points that end in a separator may have no name.
+  void obey(const Header& header, bool empty_end) {
+    const auto refuse = [&](std::string_view message) {
+      throw InputError(lines_.source(), header.line, message);
+    };
+    fields_of(separator_, header.text, fields_);
+    if (header.comment && fields_.size() != width_) split_words(header.text);
+    if (fields_.back().empty()) fields_.pop_back();
+    const XyzColumns columns = xyz_columns(fields_, {lines_.source(), header.line});
+    if (columns.count != width_ && !(empty_end && columns.count + 1 == width_)) {
+      refuse(
+          fmt::format("expected a name for each of the {} columns between {} of the first "
+                      "point, found {}: \"{}\"",
+                      width_, name_of_separator(separator_), columns.count, excerpt(header.text)));
+    }
+    if (columns_ && columns != *columns_) {
+      refuse(fmt::format("expected the same columns as above, found others: \"{}\"",
+                         excerpt(header.text)));
+    }
+    columns_ = columns;
+    width_ = columns.count;
+  }
+
+  // Whether a line has as many columns as the first; behind three numbers between blanks, without a
+  // header, any words may stand.
+  bool fits() const {
+    const std::size_t count = fields_.size();
+    if (separator_ == ' ' && !columns_) return count >= 3;
+    return count >= 3 && (count == width_ || (count == width_ + 1 && fields_.back().empty()));
+  }
+
+  void take_point(std::string_view line) {
+    if (!begun_) begin(line);
+    fields_of(separator_, line, fields_);
+    if (!fits()) refuse_line(fields_.size() < 3 ? "" : fmt::format(" in {} columns", width_));
+    Vec3 p;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t column = columns_ ? columns_->of_axis[static_cast<std::size_t>(axis)]
+                                          : static_cast<std::size_t>(axis);
+      const auto value = parse_number(fields_[column]);
+      if (!value) refuse_line();
+      p[axis] = *value;
+    }
+    chunks_.add(p);
+    ++found_;
+  }
+
+  [[noreturn]] void refuse_line(const std::string& how = "") const {
+    const char separator = begun_ ? separator_ : separator_of(lines_.line());
+    lines_.refuse(
+        fmt::format("expected three numbers{} between {}, with points for decimals, found \"{}\"",
+                    how, name_of_separator(separator), excerpt(lines_.line())));
+  }
+
+  void split_words(std::string_view text) {
+    blank_.assign(text);
+    for (char& c : blank_) c = c == ',' || c == ';' || c == '\t' ? ' ' : c;
+    fields_of(' ', blank_, fields_);
+  }
+
+  static constexpr std::size_t kMostHeaders = 100;
+
+  TextLines lines_;
+  PointChunks chunks_;
+  bool begun_ = false;  // with points
+  char separator_ = ' ';
+  std::size_t width_ = 0;  // columns of the first point
+  std::optional<XyzColumns> columns_;
+  std::vector<Header> headers_;
+  std::vector<std::string_view> fields_;
+  std::string blank_;
+  std::optional<double> promised_;  // by a header that is a count
+  std::size_t found_ = 0;
+};
+
+}  // namespace
 
 CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink& sink) {
-  constexpr std::string_view kSeparators = " \t,;\r";
-  TextLines lines(in, source);
-  PointChunks chunks(source, sink);
-  std::optional<double> promised;  // by a header that is a count
-  std::size_t found = 0;
-  bool first = true;  // a header may still come: a line of words, or of a count alone
-  while (lines.next()) {
-    std::string_view rest = lines.line();
-    if (rest.empty() || rest[0] == '#' || rest.starts_with("//")) continue;
-    Vec3 p;
-    bool words = false;
-    for (int i = 0; i < 3 && !words; ++i) {
-      const std::size_t at = rest.find_first_not_of(kSeparators);
-      const std::size_t end = at == rest.npos ? at : rest.find_first_of(kSeparators, at);
-      const std::string_view field = at == rest.npos ? "" : rest.substr(at, end - at);
-      const auto value = parse_number(field);
-      words = !value;
-      const bool header = i == 0 || (i == 1 && field.empty());
-      if (words && !(first && header)) {
-        lines.refuse(
-            fmt::format("expected three numbers, found \"{}\"", lines.line().substr(0, 60)));
-      }
-      if (value) p[i] = *value;
-      if (words && i == 1) promised = p[0];
-      rest = end == rest.npos ? std::string_view() : rest.substr(end);
-    }
-    if (!words) {
-      chunks.add(p);
-      ++found;
-    }
-    first = false;
-  }
-  if (promised && *promised != static_cast<double>(found)) {
-    lines.refuse(
-        fmt::format("expected {} points, as the first line says, found {}", *promised, found));
-  }
-  return chunks.finish();
+  return XyzReader(in, source, sink).read();
 }
 
 }  // namespace geom

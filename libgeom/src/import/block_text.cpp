@@ -21,7 +21,8 @@ std::vector<std::string_view> words(std::string_view line) {
   return out;
 }
 
-Aabb parse_box(const TextLines& lines, const std::vector<std::string_view>& fields) {
+Aabb parse_box(const TextLines& lines, const std::vector<std::string_view>& fields,
+               std::size_t& reversed) {
   if (fields.size() != 7 && fields.size() != 10) {
     lines.refuse(
         fmt::format("{} must have 6 or 9 numbers, found {}", fields[0], fields.size() - 1));
@@ -30,13 +31,10 @@ Aabb parse_box(const TextLines& lines, const std::vector<std::string_view>& fiel
   for (int i = 0; i < 6; ++i) {
     v[i] = coordinate(lines, fmt::format("number {} of {}", i + 1, fields[0]), fields[i + 1]);
   }
-  const Aabb box{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-  for (int i = 0; i < 3; ++i) {
-    if (box.min[i] > box.max[i]) {
-      lines.refuse(fmt::format("the lower corner must be <= the upper one, found \"{}\" and \"{}\"",
-                               fields[i + 1], fields[i + 4]));
-    }
-  }
+  const Vec3 first(v[0], v[1], v[2]);
+  const Vec3 second(v[3], v[4], v[5]);
+  const Aabb box{first.cwiseMin(second), first.cwiseMax(second)};
+  reversed += box.min != first;
   return box;
 }
 
@@ -60,9 +58,9 @@ BlockText read_block_text(std::istream& in, std::string_view source) {
     if (fields.empty()) continue;
     if (fields[0] == "boundary") {
       if (boundary) lines.refuse("expected one boundary, found another");
-      boundary = parse_box(lines, fields);
+      boundary = parse_box(lines, fields, out.reversed);
     } else if (fields[0] == "block") {
-      const Aabb box = parse_box(lines, fields);
+      const Aabb box = parse_box(lines, fields, out.reversed);
       const int zeros = static_cast<int>((box.min.array() == box.max.array()).count());
       if (zeros == 3) lines.refuse("a block must have some extent, found a point");
       out.flat += zeros > 0;

@@ -28,6 +28,12 @@ const std::set<std::string> kLevel = {"TINRelief",
                                       "TransportSquare",
                                       "Track",
                                       "Square",
+                                      "Section",
+                                      "Intersection",
+                                      "TrafficSpace",
+                                      "AuxiliaryTrafficSpace",
+                                      "ClearanceSpace",
+                                      "Hole",
                                       "ReliefFeature",
                                       "TransportationComplex"};
 const std::set<std::string> kGround = {"TINRelief", "LandUse", "WaterBody", "Waterway"};

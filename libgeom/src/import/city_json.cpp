@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <istream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "geom/base/error.h"
 #include "geom/shape/vec3.h"
@@ -25,37 +27,127 @@ class Reader {
  public:
   explicit Reader(std::string_view source) : source_(source) {}
 
+  // A document, or a sequence of them, one a line. Of no document does an object follow another.
   CityModel read(std::istream& in) {
-    const Json root = parse_json(in, source_);
-    if (!root.is_object() || root.value("type", Json()) != "CityJSON") {
-      refuse("expected a JSON object with \"type\":\"CityJSON\"");
+    std::string head;
+    std::string line;
+    bool sequence = false;
+    for (std::size_t number = 1; std::getline(in, line); ++number) {
+      const std::string_view words = trimmed(line);
+      if (!sequence && trimmed(head).ends_with('}') && words.starts_with('{')) {
+        sequence = true;
+        begin_sequence(parse_json(head, source_));
+      }
+      if (!sequence) {
+        head += line + '\n';
+      } else if (!words.empty()) {
+        line_ = number;
+        read_feature(parse_json(line, source_, number));
+      }
     }
-    const std::string version = root.value("version", Json()).dump();
-    if (!version.starts_with("\"1.") && !version.starts_with("\"2.")) {
-      refuse("expected CityJSON version 1.0, 1.1 or 2.0, found " + version.substr(0, 40));
+    if (in.bad()) {
+      throw std::system_error(std::make_error_code(std::errc::io_error),
+                              fmt::format("cannot read {}", source_));
     }
-    read_crs(root);
-    read_vertices(root);
-    read_templates(root);
-    const Json objects = root.value("CityObjects", Json());
-    if (!objects.is_object()) refuse("expected \"CityObjects\" to be an object");
-    bool surfaces = false;
-    for (const auto& [name, object] : objects.items()) {
-      out_.objects.push_back(read_object(name, object));
-      out_.objects.back().whole = whole_of(objects, name);
-      out_.objects.back().is_part = out_.objects.back().whole != name;
-      surfaces |=
-          std::any_of(out_.objects.back().geometries.begin(), out_.objects.back().geometries.end(),
-                      [](const CityGeometry& g) { return !g.surfaces.empty(); });
-    }
-    if (!surfaces) refuse("expected at least one object with surfaces, found none");
+    if (!sequence) read_document(parse_json(head, source_));
+    line_ = 0;
+    if (!surfaces_found_) refuse("expected at least one object with surfaces, found none");
     return std::move(out_);
   }
 
  private:
-  [[noreturn]] void refuse(std::string_view message) const { throw InputError(source_, message); }
+  [[noreturn]] void refuse(std::string_view message) const {
+    if (line_ > 0) throw InputError(source_, line_, message);
+    throw InputError(source_, message);
+  }
   [[noreturn]] void refuse_object(std::string_view message) const {
     refuse(fmt::format("object \"{}\": {}", object_.substr(0, 60), message));
+  }
+
+  void read_document(const Json& root) {
+    const Json type = root.is_object() ? root.value("type", Json()) : Json();
+    if (type == "CityJSONFeature") {
+      refuse(
+          "expected a first line with \"type\":\"CityJSON\" and a transform, found a "
+          "CityJSONFeature: put the line of its sequence or service before it");
+    }
+    if (type != "CityJSON") refuse("expected a JSON object with \"type\":\"CityJSON\"");
+    require_version(root.value("version", Json()));
+    read_crs(root);
+    read_transform(root);
+    read_vertices(root);
+    read_templates(root);
+    read_objects(root, "");
+  }
+
+  void begin_sequence(const Json& root) {
+    line_ = 1;
+    read_document(root);
+    if (!root.contains("transform")) refuse("expected a \"transform\" for the lines that follow");
+  }
+
+  void read_feature(const Json& feature) {
+    const Json type = feature.is_object() ? feature.value("type", Json()) : feature;
+    if (type != "CityJSONFeature") {
+      refuse(
+          fmt::format("expected \"type\":\"CityJSONFeature\", found {}: one sequence, of one "
+                      "CityJSON and its features, is read",
+                      shown(type)));
+    }
+    const Json metadata = feature.value("metadata", Json::object());
+    for (const char* key : {"transform", "geometry-templates", "referenceSystem"}) {
+      if (!feature.contains(key) && !(metadata.is_object() && metadata.contains(key))) continue;
+      refuse(fmt::format("expected \"{}\" in the first line alone, found it in a feature", key));
+    }
+    vertices_.clear();
+    read_vertices(feature);
+    read_objects(feature, fmt::format("{}/", line_));
+    const Json id = feature.value("id", Json());
+    if (id.is_string() && !feature["CityObjects"].contains(id.get<std::string>())) {
+      miss(id, "a feature");
+    }
+  }
+
+  // `where`: what keeps apart objects of the same name.
+  void read_objects(const Json& root, const std::string& where) {
+    const Json objects = root.value("CityObjects", Json());
+    if (!objects.is_object()) refuse("expected \"CityObjects\" to be an object");
+    for (const auto& [name, object] : objects.items()) {
+      CityObject made = read_object(name, object);
+      const std::string whole = whole_of(objects, name);
+      made.is_part = whole != name;
+      made.whole = where + whole;
+      made.has_parts = has_parts(objects, object);
+      surfaces_found_ |= std::any_of(made.geometries.begin(), made.geometries.end(),
+                                     [](const CityGeometry& g) { return !g.surfaces.empty(); });
+      out_.objects.push_back(std::move(made));
+    }
+  }
+
+  // Notes what an object names as its own and the file does not have.
+  bool has_parts(const Json& objects, const Json& object) {
+    bool any = false;
+    for (const char* key : {"children", "members", "parents"}) {
+      for (const Json& other : object.value(key, Json::array())) {
+        const bool there = other.is_string() && objects.contains(other.get<std::string>());
+        if (!there) miss(other, fmt::format("{} of \"{}\"", key, object_.substr(0, 60)));
+        any |= there && key == std::string_view("children");
+      }
+    }
+    return any;
+  }
+
+  void miss(const Json& name, const std::string& of) {
+    out_.skipped.add("object that is named and not in the file",
+                     fmt::format("{}, {}", shown(name), of));
+  }
+
+  void require_version(const Json& version) const {
+    const std::string said = version.is_string() ? version.get<std::string>() : "";
+    for (const char* known : {"1.0", "1.1", "2.0"}) {
+      if (said == known || said.starts_with(std::string(known) + ".")) return;
+    }
+    refuse("expected CityJSON version 1.0, 1.1 or 2.0, found " + shown(version));
   }
 
   void read_crs(const Json& root) {
@@ -87,20 +179,24 @@ class Reader {
     return {number(value[0], what), number(value[1], what), number(value[2], what)};
   }
 
-  void read_vertices(const Json& root) {
-    Vec3 scale = Vec3::Ones();
-    Vec3 translate = Vec3::Zero();
-    if (root.contains("transform")) {
-      const Json& transform = root["transform"];
-      if (!transform.is_object()) refuse("transform must be an object");
-      scale = triple(transform.value("scale", Json()), "transform.scale");
-      translate = triple(transform.value("translate", Json()), "transform.translate");
+  void read_transform(const Json& root) {
+    if (!root.contains("transform")) return;
+    const Json& transform = root["transform"];
+    if (!transform.is_object()) refuse("transform must be an object");
+    scale_ = triple(transform.value("scale", Json()), "transform.scale");
+    translate_ = triple(transform.value("translate", Json()), "transform.translate");
+    if ((scale_.array() == 0).any()) {
+      refuse(fmt::format("transform.scale must be 3 numbers other than 0, found {}",
+                         shown(transform["scale"])));
     }
+  }
+
+  void read_vertices(const Json& root) {
     const Json vertices = root.value("vertices", Json());
     if (!vertices.is_array()) refuse("expected \"vertices\" to be an array");
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Vec3 v =
-          triple(vertices[i], fmt::format("vertex {}", i)).cwiseProduct(scale) + translate;
+          triple(vertices[i], fmt::format("vertex {}", i)).cwiseProduct(scale_) + translate_;
       if (!(v.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
         refuse(fmt::format("vertex {} lies beyond 1e8", i));
       }
@@ -116,8 +212,6 @@ class Reader {
     CityObject out;
     out.type = object["type"];
     out.name = name;
-    out.has_parts =
-        object.contains("children") && object["children"].is_array() && !object["children"].empty();
     read_attributes(object.value("attributes", Json()), out);
     if (!object.contains("geometry")) return out;
     const Json& list = object["geometry"];
@@ -235,6 +329,14 @@ class Reader {
     for (int i = 0; i < 16; ++i) {
       matrix(i / 4, i % 4) = number(numbers[static_cast<std::size_t>(i)], "transformationMatrix");
     }
+    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+      refuse_object(fmt::format("the last row of a transformationMatrix must be 0 0 0 1, found {}",
+                                shown(Json(numbers.begin() + 12, numbers.end()))));
+    }
+    if (matrix.determinant() == 0) {
+      refuse_object(
+          "expected a transformationMatrix that keeps solids solid, found one of volume 0");
+    }
     std::vector<Vec3> placed;
     for (const Vec3& v : template_vertices_) {
       const Eigen::Vector4d h = matrix * Eigen::Vector4d(v.x(), v.y(), v.z(), 1);
@@ -283,7 +385,11 @@ class Reader {
   }
 
   std::string source_;
+  std::size_t line_ = 0;  // in a sequence
   std::string object_;
+  Vec3 scale_ = Vec3::Ones();
+  Vec3 translate_ = Vec3::Zero();
+  bool surfaces_found_ = false;
   std::vector<Vec3> vertices_;  // while a template is placed: its own
   std::vector<Json> templates_;
   std::vector<Vec3> template_vertices_;

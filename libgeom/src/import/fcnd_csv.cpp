@@ -100,9 +100,24 @@ Columns parse_header(const TextLines& lines, FcndTable& out) {
       lines.refuse(fmt::format("expected a column {}, found \"{}\"", kColumns[i],
                                lines.line().substr(0, 80)));
     }
+    if (std::find(at + 1, fields.end(), kColumns[i]) != fields.end()) {
+      lines.refuse(fmt::format("expected one column {}, found another", kColumns[i]));
+    }
     columns[i] = static_cast<std::size_t>(at - fields.begin());
   }
   return columns;
+}
+
+// A comment that names columns would be passed over, and numbers taken in another order.
+void require_no_names(const TextLines& lines) {
+  const bool names = std::any_of(kColumns.begin(), kColumns.end(), [&](const char* column) {
+    return lines.line().find(column) != std::string_view::npos;
+  });
+  if (!names) return;
+  lines.refuse(
+      fmt::format("expected the names of columns in a line of their own, found them in a "
+                  "comment: remove the # of \"{}\"",
+                  lines.line().substr(0, 80)));
 }
 
 void add_box(const TextLines& lines, const Columns& columns, std::size_t width, FcndTable& out) {
@@ -145,7 +160,7 @@ void add_box(const TextLines& lines, const Columns& columns, std::size_t width, 
 }  // namespace
 
 FcndTable read_fcnd_csv(std::istream& in, std::string_view source) {
-  TextLines lines(in, source);
+  TextLines lines(in, source, true);
   FcndTable out;
   Columns columns = {0, 1, 2, 3, 4, 5};
   std::size_t width = columns.size();
@@ -153,6 +168,10 @@ FcndTable read_fcnd_csv(std::istream& in, std::string_view source) {
   while (lines.next()) {
     if (lines.line().empty()) continue;
     const bool preamble = !header && out.table.boxes.empty();
+    if (preamble && lines.line()[0] == '#') {
+      require_no_names(lines);
+      continue;
+    }
     if (preamble && !out.origin && (out.origin = parse_origin(lines))) continue;
     if (preamble && !starts_with_number(lines.line())) {
       // The three-line form names the two columns of its next line first.

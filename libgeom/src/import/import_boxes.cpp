@@ -72,6 +72,7 @@ ImportedBoxes from_blocks(std::istream& in, std::string_view source) {
   out.table = std::move(block.table);
   out.bounds = block.boundary;
   out.flat = block.flat;
+  out.reversed = block.reversed;
   out.skipped = std::move(block.skipped);
   return out;
 }
@@ -82,6 +83,7 @@ ImportedBoxes from_world(std::istream& in, std::string_view source) {
   out.table = std::move(world.table);
   out.bounds = world.bounds;
   out.flat = world.flat;
+  out.reversed = world.reversed;
   out.skipped = std::move(world.skipped);
   out.names = std::move(world.names);
   return out;

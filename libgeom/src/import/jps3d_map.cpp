@@ -37,6 +37,7 @@ class Reader {
   std::map<std::string, Value, std::less<>> read() {
     std::map<std::string, Value, std::less<>> out;
     if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
+    require_line_ends();
     for (pass(true); !text_.empty(); end_line()) {
       take_dash();
       const std::string key = take_key();
@@ -51,6 +52,15 @@ class Reader {
   }
 
  private:
+  // A comment would go on over a line that ends in a carriage return alone.
+  void require_line_ends() const {
+    for (std::size_t at = 0; (at = text_.find('\r', at)) != text_.npos; ++at) {
+      if (at + 1 < text_.size() && text_[at + 1] != '\n' && text_[at + 1] != '\r') {
+        refuse(kLoneReturn);
+      }
+    }
+  }
+
   // Blanks and comments, and with `lines` the ends of lines.
   void pass(bool lines) {
     while (!text_.empty()) {

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <istream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"
@@ -18,6 +20,11 @@ namespace geom {
 namespace {
 
 using Json = nlohmann::json;
+
+std::string lower_case(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
 
 class Reader {
  public:
@@ -37,6 +44,12 @@ class Reader {
     require_wgs84(root);
     require_epoch(root);
     const std::string type = root.value("type", Json()).dump();
+    if (root.contains("features") && type != "\"FeatureCollection\"") {
+      throw InputError(source_, fmt::format("expected \"type\":\"FeatureCollection\" beside "
+                                            "\"features\", found {}: zones of ED-269 have none, "
+                                            "and are not read",
+                                            type.substr(0, 40)));
+    }
     if (type == "\"FeatureCollection\"") {
       const Json features = root.value("features", Json());
       if (!features.is_array()) refuse("expected \"features\" to be a list, found another value");
@@ -78,6 +91,7 @@ class Reader {
     if (properties.contains("from") || properties.contains("until")) {
       for (const Json* object : {&feature, &properties, &geometry}) require_epoch(*object);
     }
+    note_unread(feature, properties, geometry);
     Footprint volume;
     volume.id = feature_;
     volume.bottom = altitude(properties, {"lower", "lower_altitude_m"}, options_.floor);
@@ -126,6 +140,7 @@ class Reader {
 
   double altitude(const Json& properties, std::initializer_list<const char*> keys,
                   double fallback) const {
+    std::optional<double> said;
     for (const char* key : keys) {
       if (!properties.is_object() || !properties.contains(key) || properties[key].is_null())
         continue;
@@ -133,9 +148,53 @@ class Reader {
       if (!value.is_number() || !(std::abs(value.get<double>()) <= kLargestCoordinate)) {
         refuse(fmt::format("{} must be metres, found {}", key, shown(value)));
       }
-      return value.get<double>();
+      if (said.value_or(value.get<double>()) != value.get<double>()) {
+        refuse(fmt::format("{} must be {}, as {} is, found {}", key, *said, *keys.begin(),
+                           shown(value)));
+      }
+      said = value.get<double>();
     }
-    return fallback;
+    if (said) require_no_unit(properties);
+    return said.value_or(fallback);
+  }
+
+  // Beside an altitude.
+  void require_no_unit(const Json& properties) const {
+    for (const auto& [key, value] : properties.items()) {
+      const std::string word = lower_case(key);
+      const bool unit = word == "uom" || word == "unit" || word == "units" ||
+                        word == "uomdimensions" || word.ends_with("reference") ||
+                        word.ends_with("datum");
+      if (!unit || value.is_null()) continue;
+      refuse(
+          fmt::format("lower and upper must be metres in the map's z, found \"{}\" beside them: "
+                      "convert them, and leave it out",
+                      key.substr(0, 40)));
+    }
+  }
+
+  // Counts the names of each feature once.
+  void note_unread(const Json& feature, const Json& properties, const Json& geometry) {
+    std::set<std::string> names;
+    for (const Json* object : {&feature, &properties, &geometry}) {
+      if (!object->is_object()) continue;
+      for (const auto& [key, value] : object->items()) {
+        if (!value.is_null() && may_limit(lower_case(key))) names.insert(key.substr(0, 40));
+      }
+    }
+    for (const std::string& name : names) ++out_.unread[name];
+  }
+
+  // Whether what is so called may say how high, or when, a volume is there.
+  static bool may_limit(const std::string& word) {
+    for (const char* read : {"lower", "lower_altitude_m", "upper", "upper_altitude_m"}) {
+      if (word == read) return false;
+    }
+    for (const char* part : {"altitude", "lower", "upper", "floor", "ceiling", "height", "limit",
+                             "layer", "applicab"}) {
+      if (word.find(part) != std::string::npos) return true;
+    }
+    return false;
   }
 
   void add(const Json& rings, Footprint volume) {

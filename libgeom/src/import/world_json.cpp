@@ -24,21 +24,22 @@ class World {
   [[noreturn]] void refuse(std::string_view message) const { throw InputError(source_, message); }
 
   // `what` says whose extents they are.
-  Aabb extents(const Json& owner, std::string_view what) const {
+  Aabb extents(const Json& owner, std::string_view what, std::size_t& reversed) const {
     const Json found = owner.is_object() ? owner.value("extents", Json()) : Json();
     if (!found.is_array() || found.size() != 6) {
       refuse(fmt::format("{} must have \"extents\":[xmin,xmax,ymin,ymax,zmin,zmax], found {}", what,
                          shown(found)));
     }
     Aabb box;
+    bool turned = false;
     for (int i = 0; i < 3; ++i) {
       box.min[i] = coordinate(found[2 * i], what);
       box.max[i] = coordinate(found[2 * i + 1], what);
-      if (box.min[i] > box.max[i]) {
-        refuse(fmt::format("{}: the lower extent must be <= the upper one, found {} and {}", what,
-                           box.min[i], box.max[i]));
-      }
+      if (box.min[i] <= box.max[i]) continue;
+      std::swap(box.min[i], box.max[i]);
+      turned = true;
     }
+    reversed += turned;
     return box;
   }
 
@@ -91,7 +92,7 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
   const Json root = parse_json(in, source);
   if (!root.is_object()) world.refuse("expected a JSON object with \"bounds\" and \"blocks\"");
   WorldJson out;
-  out.bounds = world.extents(root.value("bounds", Json()), "bounds");
+  out.bounds = world.extents(root.value("bounds", Json()), "bounds", out.reversed);
   const Json blocks = root.value("blocks", Json());
   if (!blocks.is_array() || blocks.empty()) {
     world.refuse("expected at least one block in \"blocks\", found " + shown(blocks));
@@ -101,7 +102,7 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
       "", out);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const std::string what = fmt::format("block {}", i);
-    const Aabb box = world.extents(blocks[i], what);
+    const Aabb box = world.extents(blocks[i], what, out.reversed);
     const auto zeros = (box.min.array() == box.max.array()).count();
     if (zeros == 3) world.refuse(what + " must have some extent, found a point");
     out.flat += zeros > 0;

@@ -25,17 +25,7 @@ std::string numbers(std::initializer_list<double> values) {
 }
 
 // In quotes.
-std::string attribute(std::string_view value) {
-  std::string out = "\"";
-  for (const char c : escaped_markup(value)) {
-    if (c == '"') {
-      out += "&quot;";
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
+std::string attribute(std::string_view value) { return '"' + escaped_markup(value) + '"'; }
 
 // Whether it may be the name of a model beside those of `taken`, and is read back as it is.
 bool is_name(const std::string& label, const std::set<std::string>& taken) {
@@ -49,14 +39,13 @@ bool is_name(const std::string& label, const std::set<std::string>& taken) {
 // Text in which control characters stand as numbers; those that XML cannot hold at all as spaces.
 std::string text_of(std::string_view label) {
   std::string out;
-  for (const char c : label) {
-    if (c == '\n' || c == '\t' || c == '\r') {
-      out += "&#" + std::to_string(static_cast<int>(c)) + ';';
-    } else {
-      out += escaped_markup(std::string_view(&c, 1));
-    }
+  while (true) {
+    const std::size_t end = std::min(label.find_first_of("\n\t\r"), label.size());
+    out += escaped_markup(label.substr(0, end));
+    if (end == label.size()) return out;
+    out += "&#" + std::to_string(static_cast<int>(label[end])) + ';';
+    label.remove_prefix(end + 1);
   }
-  return out;
 }
 
 class Writer {

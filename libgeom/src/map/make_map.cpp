@@ -93,11 +93,14 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
   if (!(spec.bounds.min.array() < spec.bounds.max.array()).all() ||
       !(spec.bounds.min.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate) ||
       !(spec.bounds.max.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate)) {
+    const bool flat = spec.bounds.min.z() == spec.bounds.max.z();
     throw InputError(
-        source, fmt::format("the bounds must be finite and have min < max on every axis, found "
-                            "[{}, {}, {}] to [{}, {}, {}]",
-                            spec.bounds.min[0], spec.bounds.min[1], spec.bounds.min[2],
-                            spec.bounds.max[0], spec.bounds.max[1], spec.bounds.max[2]));
+        source,
+        fmt::format("the bounds must be finite and have min < max on every axis, found "
+                    "[{}, {}, {}] to [{}, {}, {}]{}",
+                    spec.bounds.min[0], spec.bounds.min[1], spec.bounds.min[2], spec.bounds.max[0],
+                    spec.bounds.max[1], spec.bounds.max[2],
+                    flat ? ": all is flat, so give --ceiling, up to where flights go" : ""));
   }
   const std::size_t sealed = seal_to_floor(table, spec.bounds.min.z(), options.seal.value_or(0));
   std::size_t beyond = 0;

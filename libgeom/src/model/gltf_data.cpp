@@ -95,6 +95,14 @@ GltfData::GltfData(std::string_view bytes, std::string source, const ModelFiles&
   if (!version.starts_with("2.")) {
     asset.refuse(fmt::format("expected glTF version 2, found \"{}\"", version.substr(0, 20)));
   }
+  // Readers of 2.0 understand later versions that ask for no more.
+  const std::string least = asset.find_text("minVersion").value_or("2.0");
+  if (least != "2.0") {
+    asset.refuse(
+        fmt::format("expected a glTF file that readers of version 2.0 may read, found "
+                    "minVersion \"{}\"",
+                    least.substr(0, 20)));
+  }
 }
 
 // A .glb has a head of 12 bytes, and chunks of which the first is JSON (specification, 4.4).

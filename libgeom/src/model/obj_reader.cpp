@@ -4,6 +4,7 @@
 #include <map>
 
 #include "geom/model/model.h"
+#include "geom/model/model_polygons.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
 
@@ -42,6 +43,7 @@ class ObjReader {
     }
     if (!whole.empty()) lines_.refuse("expected the line to go on after \"\\\", found the end");
     require_vertices();
+    polygons_.finish(model_);
     return std::move(model_);
   }
 
@@ -153,15 +155,7 @@ class ObjReader {
       later |= face_.back() >= model_.mesh.vertices.size();
     }
     if (later) lines_.refuse("expected vertices before the face, found one that is not there yet");
-    corners_.clear();
-    for (const std::uint32_t i : face_) corners_.push_back(model_.mesh.vertices[i]);
-    if (face_.size() == 3) {
-      model_.mesh.triangles.push_back({{face_[0], face_[1], face_[2]}, part_});
-      return;
-    }
-    for (const auto& [a, b, c] : polygon_triangles(corners_)) {
-      model_.mesh.triangles.push_back({{face_[a], face_[b], face_[c]}, part_});
-    }
+    polygons_.add(model_, face_, part_);
   }
 
   void require_vertices() const {
@@ -170,10 +164,10 @@ class ObjReader {
 
   TextLines lines_;
   Model model_;
+  ModelPolygons polygons_;
   std::map<std::string, std::uint32_t> part_of_;
   std::vector<std::string_view> words_;
   std::vector<std::uint32_t> face_;
-  std::vector<Vec3> corners_;
   std::uint32_t part_ = 0;
   bool any_part_ = false;
   bool in_object_ = false;

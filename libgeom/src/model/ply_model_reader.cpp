@@ -4,6 +4,7 @@
 
 #include "../cloud/ply_file.h"
 #include "geom/model/model.h"
+#include "geom/model/model_polygons.h"
 
 namespace geom {
 namespace {
@@ -19,18 +20,20 @@ class PlyModel {
         if (vertices) file_.refuse("expected one element \"vertex\", found another");
         read_vertices(element);
         vertices = true;
-      } else if (element.name == "face") {
+      } else if (element.name == "face" || element.name == "tristrips") {
         if (!vertices) file_.refuse("expected vertices before the faces");
         read_faces(element);
       } else {
         file_.for_each_row(element, [](const PlyRow&, std::uint64_t) {});
-        if ((element.name == "edge" || element.name == "tristrips") && element.count > 0) {
-          model_.skipped.add("element " + element.name, fmt::format("{} of them", element.count));
+        if (element.holds_indices()) {
+          model_.skipped.add("element " + element.name.substr(0, 40),
+                             fmt::format("{} of them", element.count));
         }
       }
     }
     file_.require_end();
     if (!vertices) file_.refuse("expected an element \"vertex\", found none");
+    polygons_.finish(model_);
     return std::move(model_);
   }
 
@@ -54,14 +57,36 @@ class PlyModel {
   }
 
   void read_faces(const PlyElement& element) {
-    auto corners = element.find("vertex_indices", true);
-    if (!corners) corners = element.find("vertex_index", true);
-    if (!corners) {
-      if (element.count > 0) file_.refuse("expected the list vertex_indices of faces, found none");
+    const auto corners = element.find("vertex_indices", true);
+    const auto other = element.find("vertex_index", true);
+    if (corners && other) {
+      file_.refuse("expected one list of vertices, found vertex_indices and vertex_index");
+    }
+    if (!corners && !other) {
+      if (element.count > 0) {
+        file_.refuse(
+            fmt::format("expected the list vertex_indices of {}, found none", element.name));
+      }
       return;
     }
-    file_.for_each_row(element,
-                       [&](const PlyRow& row, std::uint64_t i) { add_face(row.of(*corners), i); });
+    const bool strips = element.name == "tristrips";
+    file_.for_each_row(element, [&](const PlyRow& row, std::uint64_t i) {
+      const std::span<const double> list = row.of(corners ? *corners : *other);
+      if (strips) {
+        add_strips(list, i);
+      } else {
+        add_face(list, i);
+      }
+    });
+  }
+
+  std::uint32_t vertex(double v, const char* of, std::uint64_t i) const {
+    const auto count = static_cast<double>(model_.mesh.vertices.size());
+    if (!(v >= 0 && v < count && v == std::floor(v)) || v > 0xffffffff) {
+      file_.refuse(
+          fmt::format("{} {}: expected the numbers of {} vertices, found {}", of, i, count, v));
+    }
+    return static_cast<std::uint32_t>(v);
   }
 
   void add_face(std::span<const double> face, std::uint64_t i) {
@@ -69,23 +94,30 @@ class PlyModel {
       file_.refuse(fmt::format("face {}: expected at least 3 vertices, found {}", i, face.size()));
     }
     std::vector<std::uint32_t> index;
-    std::vector<Vec3> corners;
-    for (const double v : face) {
-      const auto count = static_cast<double>(model_.mesh.vertices.size());
-      if (!(v >= 0 && v < count && v == std::floor(v)) || v > 0xffffffff) {
-        file_.refuse(
-            fmt::format("face {}: expected the numbers of {} vertices, found {}", i, count, v));
+    for (const double v : face) index.push_back(vertex(v, "face", i));
+    polygons_.add(model_, index, 0);
+  }
+
+  // Each vertex makes a triangle with the two before it, turned the other way each time; -1 begins
+  // a new strip.
+  void add_strips(std::span<const double> list, std::uint64_t i) {
+    std::vector<std::uint32_t> strip;
+    for (const double v : list) {
+      if (v == -1) {
+        strip.clear();
+        continue;
       }
-      index.push_back(static_cast<std::uint32_t>(v));
-      corners.push_back(model_.mesh.vertices[index.back()]);
-    }
-    for (const auto& [a, b, c] : polygon_triangles(corners)) {
-      model_.mesh.triangles.push_back({{index[a], index[b], index[c]}, 0});
+      strip.push_back(vertex(v, "strip", i));
+      const std::size_t n = strip.size();
+      if (n < 3) continue;
+      const std::size_t odd = n % 2 == 0;
+      model_.mesh.triangles.push_back({{strip[n - 3 + odd], strip[n - 2 - odd], strip[n - 1]}, 0});
     }
   }
 
   PlyFile file_;
   Model model_;
+  ModelPolygons polygons_;
 };
 
 }  // namespace

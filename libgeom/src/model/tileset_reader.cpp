@@ -19,8 +19,14 @@ namespace {
 
 using Transform = Eigen::Matrix4d;
 
-bool names_tileset(std::string_view uri) {
-  return uri.substr(0, uri.find_first_of("?#")).ends_with(".json");
+bool is_json(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != bytes.npos && bytes[first] == '{';
+}
+
+// Whatever the file is called.
+bool is_tileset(const std::string& bytes, const std::string& path) {
+  return is_json(bytes) && parse_json(bytes, path).contains("root");
 }
 
 constexpr std::size_t kDeepest = 300;              // tiles in tiles, whatever files they stand in
@@ -122,15 +128,12 @@ class TilesetReader {
   }
 
   // Of a tile, when those below it are read.
-  Made read_contents(std::vector<std::string> uris, Below below, const std::string& refine,
+  Made read_contents(const std::vector<std::string>& uris, Below below, const std::string& refine,
                      const std::string& path, const Transform& place, std::size_t depth) {
-    if (refine == "REPLACE" && below.all) {
-      // A tileset is no coarser content: it has tiles of its own, of whatever size.
-      coarser_ += std::erase_if(uris, [](const std::string& uri) { return !names_tileset(uri); });
-    }
+    const bool replaced = refine == "REPLACE" && below.all;
     bool any = below.any;
     for (const std::string& uri : uris) {
-      any |= read_content(path_of_uri(uri, path, path), place, depth);
+      any |= read_content(path_of_uri(uri, path, path), replaced, place, depth);
     }
     return any;
   }
@@ -154,11 +157,19 @@ class TilesetReader {
     return out;
   }
 
-  Made read_content(const std::string& path, const Transform& place, std::size_t depth) {
+  // `replaced`: tiles below are finer. A tileset is no coarser content: it has tiles of its own, of
+  // whatever size.
+  Made read_content(const std::string& path, bool replaced, const Transform& place,
+                    std::size_t depth) {
     if (++files_read_ > kMostFiles) {
       throw InputError(path, fmt::format("more than {} files of tiles", kMostFiles));
     }
     const std::string bytes = files_(path);
+    if (is_tileset(bytes, path)) return read_tileset_file(path, bytes, place, depth + 1);
+    if (replaced) {
+      ++coarser_;
+      return false;
+    }
     if (bytes.starts_with("b3dm")) {
       ++tiles_;
       const BatchedModel batch = read_batched_model(bytes, path);
@@ -167,14 +178,7 @@ class TilesetReader {
       return add(read_gltf(batch.gltf, path, files_, path, draco_), place * centred, batch.names,
                  path);
     }
-    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    if (bytes.starts_with("glTF")) {
-      ++tiles_;
-      return add(read_gltf(bytes, path, files_, path, draco_), place, {}, path);
-    }
-    if (first != std::string::npos && bytes[first] == '{') {
-      const nlohmann::json json = parse_json(bytes, path);
-      if (json.contains("root")) return read_tileset_file(path, bytes, place, depth + 1);
+    if (bytes.starts_with("glTF") || is_json(bytes)) {
       ++tiles_;
       return add(read_gltf(bytes, path, files_, path, draco_), place, {}, path);
     }

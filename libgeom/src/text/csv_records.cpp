@@ -29,24 +29,35 @@ int CsvRecords::get() {
   return c;
 }
 
+// The next byte where no quotes are open.
+int CsvRecords::get_outside_quotes() {
+  const int c = get();
+  if (c != '\r') return c;
+  const int after = in_.peek();
+  if (after != '\n' && after != '\r' && after != kEnd) refuse(kLoneReturn);
+  return c;
+}
+
 // Appends the field that begins with `first`; returns what ends it: a comma, or a line feed for the
 // end of the record.
 char CsvRecords::read_field(int first) {
   std::string& field = fields_.emplace_back();
   int c = first;
-  while (is_blank(c)) c = get();
+  while (is_blank(c)) c = get_outside_quotes();
   if (c != '"') {
-    for (; c != ',' && c != '\n' && c != kEnd; c = get()) field += static_cast<char>(c);
+    for (; c != ',' && c != '\n' && c != kEnd; c = get_outside_quotes()) {
+      field += static_cast<char>(c);
+    }
     field = std::string(trimmed(field));
     return c == ',' ? ',' : '\n';
   }
   while (true) {
     c = get();
     if (c == kEnd) refuse("a quote is opened and not closed before the file ends");
-    if (c == '"' && (c = get()) != '"') break;
+    if (c == '"' && (c = get_outside_quotes()) != '"') break;
     field += static_cast<char>(c);
   }
-  while (is_blank(c)) c = get();
+  while (is_blank(c)) c = get_outside_quotes();
   if (c != ',' && c != '\n' && c != kEnd) {
     refuse(
         "expected a comma or the end of the line after a closing quote, and a quote within a "
@@ -58,9 +69,9 @@ char CsvRecords::read_field(int first) {
 bool CsvRecords::read_record() {
   fields_.clear();
   number_ = line_;
-  int first = get();
+  int first = get_outside_quotes();
   if (first == kEnd) return false;
-  while (read_field(first) == ',') first = get();
+  while (read_field(first) == ',') first = get_outside_quotes();
   return true;
 }
 
@@ -85,8 +96,9 @@ bool CsvRecords::next() {
 }
 
 void CsvRecords::skip_line() {
-  int c = get();
-  while (c != '\n' && c != kEnd) c = get();
+  number_ = line_;
+  int c = get_outside_quotes();
+  while (c != '\n' && c != kEnd) c = get_outside_quotes();
 }
 
 }  // namespace geom

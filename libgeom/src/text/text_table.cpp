@@ -13,9 +13,9 @@
 namespace geom {
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 bool TextLines::next() {
@@ -29,6 +29,7 @@ bool TextLines::next() {
     line_ = buffer_;
     if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.remove_prefix(3);
     line_ = trimmed(line_);
+    if (line_.find('\r') != line_.npos) refuse(kLoneReturn);
   } while (!begun_ && line_.starts_with('#'));
   begun_ = begun_ || !line_.empty();
   return true;

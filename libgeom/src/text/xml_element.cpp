@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "geom/base/error.h"
+#include "geom/text/xml_head.h"
 
 namespace geom {
 namespace {
@@ -35,6 +36,7 @@ class XmlParser {
 
   XmlElement parse() {
     require_characters();
+    require_plain_xml(text_.substr(0, kXmlHead), source_);
     take(kMark);
     pass_beside("an element");
     if (at_end()) refuse("expected an element, found the end of the file");
@@ -117,7 +119,6 @@ class XmlParser {
     do {
       pass_space();
     } while (pass_aside());
-    if (next_is("<!DOCTYPE")) refuse("expected no document type, found one: remove it");
     if (!at_end() && !next_is("<")) refuse(fmt::format("expected {}, found text", expected));
   }
 
@@ -147,6 +148,7 @@ class XmlParser {
       const std::string_view value = up_to(quote, "a value");
       if (value.find('<') != std::string_view::npos) refuse("expected no < in a value");
       made.attributes.emplace_back(std::move(key), resolved(value));
+      if (made.attributes.back().second == kXInclude) refuse_inclusion(source_, line_);
     }
   }
 

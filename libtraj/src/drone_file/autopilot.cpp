@@ -48,10 +48,13 @@ Autopilot px4(std::string_view version) {
   out.heeds_item_radius = true;
   out.least_radius = version == "1.11" ? 0 : kLeastLineRadius;
   out.tracking = {0.45, 0.45, 0.35};
-  out.settling = 80;
+  out.rest_settling = 20;
+  out.rest_settling_time = 2.5;
+  out.settling = 20;
+  out.settling_time = 12;
   out.bulge = 0.013;
   out.run_on = 0.3;
-  out.fall = 12;
+  set_drag(out, kUsualDrag);
   return out;
 }
 
@@ -72,12 +75,26 @@ Autopilot ardupilot(std::string_view version) {
   out.return_slope = 3;
   out.turns_by_s_curve = true;
   out.tracking = {0.25, 0.25, 0.25};
-  out.overshoot_time = 0.12;
   out.overshoot = 0.1;
-  out.settling = 15;
-  out.settling_time = 2.5;
+  out.rest_settling = out.settling = 15;
+  out.rest_settling_time = out.settling_time = 2.5;
   out.fall = 10;
+  set_drag(out, kUsualDrag);
   return out;
+}
+
+// Both wind up an integrator of velocity against drag; PX4 keeps to its way where drag is little.
+// ArduPilot flew its own model alone, so that less drag does not count for it.
+void set_drag(Autopilot& autopilot, double drag) {
+  constexpr double kLittle = 0.15;  // 1/s
+  autopilot.drag = drag;
+  if (autopilot.firmware == Firmware::ardupilot) {
+    autopilot.overshoot_time = std::max(0.12, 0.2 * drag);
+    return;
+  }
+  autopilot.overshoot_time = 0.25 * std::max(0.0, drag - 0.1);
+  autopilot.climbs_ahead = drag > kLittle;
+  autopilot.fall = drag > kLittle ? 12 + 12 * drag : 12;
 }
 
 std::optional<std::vector<Autopilot>> autopilots_of(std::string_view words) {

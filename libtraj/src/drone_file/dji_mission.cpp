@@ -89,10 +89,12 @@ class DjiFlight {
   void set_home() {
     const DjiWaypoint& first = mission_.waylines.front().waypoints.front();
     const auto& planned = mission_.takeoff;
-    if (!rules_.ground && !planned) {
+    if (!rules_.ground && !(planned && frame_.height_known)) {
       refuse(first,
-             "heights count from the take-off, and the file does not say where that is: give the "
-             "height of the ground there (--ground)");
+             fmt::format("heights count from the take-off, and {}: give the map's z of the ground "
+                         "there (--ground)",
+                         planned ? "the map does not say how high above the ellipsoid its z = 0 is"
+                                 : "the file does not say where that is"));
     }
     const double z = rules_.ground ? *rules_.ground : planned->height - frame_.origin.height;
     flown_.home_is_said = planned.has_value();
@@ -106,6 +108,11 @@ class DjiFlight {
 
   Vec3 place(const DjiWayline& wayline, const DjiWaypoint& waypoint) const {
     const bool above_takeoff = wayline.heights == DjiHeights::above_takeoff;
+    if (!above_takeoff && !frame_.height_known) {
+      refuse(waypoint,
+             "expected heights above the take-off, found one above the ellipsoid, and the map does "
+             "not say how high above it its z = 0 is: give --origin latitude,longitude,height");
+    }
     const double zero = above_takeoff ? home_.z() : -frame_.origin.height;
     return on_map(waypoint.latitude, waypoint.longitude, zero + waypoint.height, waypoint.line);
   }

@@ -24,7 +24,10 @@ class DriftMaker {
   DriftMaker(const Autopilot& autopilot, const DriftTask& task) : pilot_(autopilot), task_(task) {}
 
   std::vector<Sweep> make() {
-    for (const Sweep& sweep : task_.sweeps) add(sweep.hull, sweep.part);
+    for (const Sweep& sweep : task_.sweeps) {
+      const bool bends = sweep.part.manoeuvre == Manoeuvre::spline;
+      add(bends ? around(sweep.hull, furthest_overshoot()) : sweep.hull, sweep.part);
+    }
     if (task_.ends.takeoff_from) take_off();
     for (std::size_t i = 0; i < task_.path.size(); ++i) {
       if (i > 0) leg(i);
@@ -81,9 +84,22 @@ class DriftMaker {
     return along * (pilot_.overshoot_time * speed_at_end(i) + pilot_.overshoot);
   }
 
-  // A point of the next leg where what was before has decayed.
+  // Of the fastest leg: splines leave to any side.
+  double furthest_overshoot() const {
+    double fastest = 0;
+    for (const auto& one : task_.speeds) fastest = std::max(fastest, one.value_or(pilot_.speed));
+    return pilot_.overshoot_time * fastest + pilot_.overshoot;
+  }
+
+  // A point of the next leg where a corner has decayed.
   Vec3 settled(std::size_t i, double speed) const {
     const double most = pilot_.settling + pilot_.settling_time * speed;
+    return before_corner(at(i + 1), at(i), most);
+  }
+
+  // The same of a stop that was overshot.
+  Vec3 settled_from_rest(std::size_t i, double speed) const {
+    const double most = pilot_.rest_settling + pilot_.rest_settling_time * speed;
     return before_corner(at(i + 1), at(i), most);
   }
 
@@ -116,6 +132,20 @@ class DriftMaker {
       hull = around(hull, r < kTightRadius ? kWideSwing : kSwing);
     }
     add(std::move(hull), task_.legs[i]);
+    if (pilot_.climbs_ahead && is_leg(i) && (i == 1 || stops(i - 1))) climb_ahead(i);
+  }
+
+  // While it speeds up from a rest, the height is where it would be at full speed.
+  void climb_ahead(std::size_t i) {
+    const Vec3 way = at(i) - at(i - 1);
+    const double across = level(way).norm();
+    if (across == 0 || way.z() == 0) return;
+    const double fast = speed(i);
+    const double share = std::min(1.0, fast * fast / (2 * pilot_.acceleration * across));
+    const Vec3 up(0, 0, share * way.z());
+    const Vec3 beyond = at(i - 1) + overshoot(i - 1);
+    add({at(i - 1), at(i - 1) + up, beyond, beyond + up, at(i) - share * level(way), at(i)},
+        task_.legs[i]);
   }
 
   // A climb begins, and ends, where the place is within the radius, and stays so far off.
@@ -165,7 +195,8 @@ class DriftMaker {
     const Vec3 beyond = overshoot(i);
     if (beyond.isZero(0)) return;
     const double fast = speed(i);
-    add({at(i), at(i) + beyond, settled(i, fast)}, {task_.legs[i].item, Manoeuvre::overshoot});
+    add({at(i), at(i) + beyond, settled_from_rest(i, fast)},
+        {task_.legs[i].item, Manoeuvre::overshoot});
   }
 
   void pass(std::size_t i) {
@@ -178,6 +209,7 @@ class DriftMaker {
     Hull hull{before_corner(at(i - 1), p, begin), p, settled(i, fast)};
     for (const Vec3& from : task_.turns[i].from) hull.push_back(before_corner(from, p, begin));
     add(std::move(hull), part);
+    swing(i, fast, part);
     bulge(i, part);
     if (task_.hold[i] > 0) {
       add({before_corner(at(i - 1), p, begin), p + direction(i) * (pilot_.run_on * speed(i)),
@@ -197,7 +229,7 @@ class DriftMaker {
   }
 
   // While it speeds up it swings to either side of the new leg, most from 10 m to 40 m behind the
-  // corner, and half as far up or down.
+  // corner, and half as far up or down; less behind sharp turns, which are flown slowly.
   void bulge(std::size_t i, const FlightPart& part) {
     constexpr double kBegin = 5;  // m
     constexpr double kEnd = 40;
@@ -205,7 +237,8 @@ class DriftMaker {
     const Vec3 out = direction(i + 1);
     const double long_leg = length(i + 1);
     const double fast = speed(i + 1);
-    const Vec3 aside = Vec3(-out.y(), out.x(), 0) * (pilot_.bulge * fast * fast);
+    const double gentle = std::clamp((1 + direction(i).dot(out)) / 1.5, 0.4, 1.0);
+    const Vec3 aside = Vec3(-out.y(), out.x(), 0) * (gentle * pilot_.bulge * fast * fast);
     const Vec3 begin = p + out * std::min(kBegin, long_leg);
     const Vec3 end = p + out * std::min(kEnd, long_leg);
     Hull hull{p, settled(i, fast)};
@@ -220,7 +253,7 @@ class DriftMaker {
 
   // The blend of two S-curves bends one way: it leaves the old leg where that begins to slow down,
   // passes within the radius, and joins the new leg where that is up to speed. So it stays in two
-  // triangles. Behind the point it swings outward.
+  // triangles.
   void pass_by_s_curve(std::size_t i, double fast, const FlightPart& part) {
     const Vec3& p = at(i);
     const Vec3 in = direction(i);
@@ -233,12 +266,20 @@ class DriftMaker {
     const Vec3 nearest = turn > 0 ? Vec3(p + inward * (pilot_.acceptance / turn)) : p;
     add({begin, p, nearest}, part);
     add({p, end, nearest}, part);
-    const double swing = pilot_.overshoot_time * fast + pilot_.overshoot;
+    swing(i, fast, part);
+  }
+
+  // Behind a passed point it swings outward, as a stop is overshot.
+  void swing(std::size_t i, double fast, const FlightPart& part) {
+    const Vec3& p = at(i);
+    const Vec3 in = direction(i);
+    const Vec3 out = direction(i + 1);
+    const double far = pilot_.overshoot_time * fast + pilot_.overshoot;
     const Vec3 across = in - out * in.dot(out);
     const double turned = across.norm();
-    Hull hull{p, p + in * swing, settled(i, fast)};
+    Hull hull{p, p + in * far, settled_from_rest(i, fast)};
     if (turned > 0) {
-      const Vec3 outward = across * (std::min(1.0, turned * 2) * swing / turned);
+      const Vec3 outward = across * (std::min(1.0, turned * 2) * far / turned);
       hull.push_back(p + outward);
       hull.push_back(hull[2] + outward);
     }
@@ -255,7 +296,9 @@ class DriftMaker {
     const bool moves = task_.legs[last].manoeuvre == Manoeuvre::landing || returns(last);
     const bool rests = !moves && task_.turns[last].kind == Turn::rest;
     Hull cone = sinking(above, rests ? above : at(last - 1), radius(last), ground);
-    cone.push_back(above + overshoot(last));
+    const Vec3 beyond = above + overshoot(last);
+    cone.push_back(beyond);
+    cone.push_back({beyond.x(), beyond.y(), std::max(ground, above.z() - pilot_.fall / 3)});
     add_to_ground(std::move(cone), task_.landing, ground);
     if (!returns(last) || last < 2 || at(last - 2).z() >= above.z()) return;
     // Within the cone of returns it comes back as low as it was.
@@ -290,6 +333,9 @@ class DriftMaker {
       add({low, low + beyond, top, top + beyond}, part);
       add({top, top + beyond, at(last)}, part);
     }
+    // It goes home as soon as the height counts as reached.
+    const Vec3 under(0, 0, pilot_.height_acceptance);
+    add({top - under, top + beyond - under, top + beyond, at(last)}, part);
     const double speed_home = speed(last);
     for (const Vec3& rally : task_.rally) {
       const Vec3 above(rally.x(), rally.y(), std::max(top.z(), rally.z()));

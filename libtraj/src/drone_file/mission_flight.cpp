@@ -177,7 +177,7 @@ class Flight {
     }
     const Vec3 p = place(item);
     flown_.takes_off = true;
-    flown_.ends.takeoff_from = places_.home();
+    flown_.ends.takeoff_from = places_.above_home(item, 0);
     if (mission_.home) {
       const Vec3 above_home = on_map(*mission_.home, p.z());
       const double away = (above_home - p).norm();

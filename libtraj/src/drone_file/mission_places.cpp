@@ -18,16 +18,19 @@ MissionPlaces::MissionPlaces(const Mission& mission, const MissionFrame& frame,
       earth_(frame.origin),
       home_(rules.home),
       source_(source) {
-  if (!home_ && mission_.home) {
+  if (!home_ && mission_.home && frame_.height_known) {
     home_ = mission_.home->height + frame_.geoid - frame_.origin.height;
   }
 }
 
 double MissionPlaces::above_home(const MissionItem& item, double height) const {
   if (home_) return *home_ + height;
-  refuse_item(
-      source_, item,
-      "heights count from home, and the file has no home: give the height of the ground there");
+  refuse_item(source_, item,
+              mission_.home
+                  ? "heights count from home, which the file gives above the sea, and the map does "
+                    "not say how high its z = 0 is: give the map's z of the ground there (--ground)"
+                  : "heights count from home, and the file has no home: give the height of the "
+                    "ground there (--ground)");
 }
 
 double MissionPlaces::height(const MissionItem& item) const {
@@ -38,6 +41,11 @@ double MissionPlaces::height(const MissionItem& item) const {
   switch (item.frame) {
     case kGlobal:
     case kGlobalInt:
+      if (!frame_.height_known) {
+        refuse_item(source_, item,
+                    "expected heights above home, found one above the sea, and the map does not "
+                    "say how high its z = 0 is: give --origin latitude,longitude,height");
+      }
       return item.altitude + frame_.geoid - frame_.origin.height;
     case kGlobalRelative:
     case kGlobalRelativeInt:

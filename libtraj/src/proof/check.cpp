@@ -31,6 +31,7 @@ void require_numbers(const CheckOptions& options) {
   require("acceleration_gap", options.acceleration_gap);
   require("yaw_gap", options.yaw_gap);
   require("yaw_rate_gap", options.yaw_rate_gap);
+  require("step_share", options.step_share);
   if (options.start && !(std::abs(*options.start) <= geom::kLargestTime)) {
     throw geom::InputError("start", fmt::format("expected seconds within {:g}, found {}",
                                                 geom::kLargestTime, *options.start));
@@ -47,6 +48,35 @@ double yaw_jump(const Segment& s, const Segment& next, int order) {
          std::abs((b[1] - b[0]) / next.duration - (a[kDegree] - a[kDegree - 1]) / s.duration);
 }
 
+// The largest steps that a joint may have.
+class Steps {
+ public:
+  Steps(const CheckOptions& options, double seconds, const Vec3& acceleration) {
+    const Limits& limits = options.limits;
+    const double share = options.step_share * seconds;
+    const double force = (acceleration + kGravity * Vec3::UnitZ()).norm();
+    const auto lower = [&](double& step, Limit limit, double unit) {
+      if (limits[limit]) step = std::min(step, share * *limits[limit] * unit);
+    };
+    position = options.position_gap;
+    for (const Limit speed : {Limit::speed, Limit::horizontal_speed, Limit::vertical_speed}) {
+      lower(position, speed, 1);
+    }
+    velocity = options.velocity_gap;
+    lower(velocity, Limit::acceleration, 1);
+    change = options.acceleration_gap;
+    lower(change, Limit::jerk, 1);
+    lower(change, Limit::body_rate, force);
+    yaw = options.yaw_gap;
+    lower(yaw, Limit::yaw_rate, 1);
+  }
+
+  double position;
+  double velocity;
+  double change;  // of the acceleration
+  double yaw;
+};
+
 void check_joints(const Trajectory& trajectory, const CheckOptions& options, CheckResult& result) {
   double t = 0;
   for (std::size_t i = 0; i + 1 < trajectory.segments.size(); ++i) {
@@ -56,15 +86,15 @@ void check_joints(const Trajectory& trajectory, const CheckOptions& options, Che
     const State a = evaluate(s, s.duration);
     const State b = evaluate(next, 0);
     const double gap = (next.point[0] - s.point[kDegree]).norm();
+    const Steps most(options, std::min(s.duration, next.duration), a.acceleration);
     // Written so that what is not a number is refused.
-    if (!(gap <= options.position_gap)) {
+    if (!(gap <= most.position)) {
       note(result, Reason::discontinuous, {gap, t, s.point[kDegree]});
-    } else if (const double dv = (b.velocity - a.velocity).norm(); !(dv <= options.velocity_gap)) {
+    } else if (const double dv = (b.velocity - a.velocity).norm(); !(dv <= most.velocity)) {
       note(result, Reason::discontinuous, {dv, t, s.point[kDegree]});
-    } else if (const double da = (b.acceleration - a.acceleration).norm();
-               !(da <= options.acceleration_gap)) {
+    } else if (const double da = (b.acceleration - a.acceleration).norm(); !(da <= most.change)) {
       note(result, Reason::discontinuous, {da, t, s.point[kDegree]});
-    } else if (const double dy = yaw_jump(s, next, 0); !(dy <= options.yaw_gap)) {
+    } else if (const double dy = yaw_jump(s, next, 0); !(dy <= most.yaw)) {
       note(result, Reason::discontinuous, {dy, t, s.point[kDegree]});
     } else if (const double dr = yaw_jump(s, next, 1); !(dr <= options.yaw_rate_gap)) {
       note(result, Reason::discontinuous, {dr, t, s.point[kDegree]});

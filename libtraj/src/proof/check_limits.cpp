@@ -7,6 +7,7 @@
 #include "curve/curve_piece.h"
 #include "curve/portable_math.h"
 #include "traj/curve/bernstein.h"
+#include "traj/proof/domain.h"
 
 namespace traj {
 namespace {
@@ -214,6 +215,12 @@ class LimitCheck {
 
   void report(const Trajectory& trajectory) const {
     if (result_.reason != Reason::none) return;
+    report_broken(trajectory);
+    if (result_.reason == Reason::none && options_.limits[Limit::yaw_rate]) report_gap(trajectory);
+  }
+
+ private:
+  void report_broken(const Trajectory& trajectory) const {
     for (const Limit limit : kOrderOfLimits) {
       if (!broken_[limit]) continue;
       const Extreme at = result_.largest[limit].value_or(Extreme{});
@@ -225,7 +232,15 @@ class LimitCheck {
     }
   }
 
- private:
+  // A segment without yaw between others: the yaw may have any rate there.
+  void report_gap(const Trajectory& trajectory) const {
+    const std::optional<std::size_t> gap = gap_in_yaw(trajectory);
+    if (!gap) return;
+    result_.reason = unmeasured(Limit::yaw_rate);
+    for (std::size_t i = 0; i < *gap; ++i) result_.time += trajectory.segments[i].duration;
+    result_.place = trajectory.segments[*gap].point.front();
+  }
+
   template <class Quantity>
   void holds(Limit limit, const Quantity& piece) {
     const auto& allowed = options_.limits[limit];

@@ -1,5 +1,6 @@
 #include "traj/proof/domain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -68,6 +69,15 @@ std::optional<OutsideDomain> outside_domain(std::span<const Vec3> points) {
     }
   }
   return std::nullopt;
+}
+
+std::optional<std::size_t> gap_in_yaw(const Trajectory& trajectory) {
+  const auto& segments = trajectory.segments;
+  const auto has = [](const Segment& s) { return s.yaw.has_value(); };
+  if (std::none_of(segments.begin(), segments.end(), has)) return std::nullopt;
+  const auto gap = std::find_if_not(segments.begin(), segments.end(), has);
+  if (gap == segments.end()) return std::nullopt;
+  return static_cast<std::size_t>(gap - segments.begin());
 }
 
 }  // namespace traj

@@ -141,7 +141,8 @@ CheckResult check_setpoints(const geom::CollisionScene& scene, const Flown& flow
 
 // --- paths ----------------------------------------------------------------------------------
 
-// Along a leg in the direction of `leg`: the autopilot does not climb or descend faster than it may.
+// Along a leg in the direction of `leg`: the autopilot does not climb or descend faster than it
+// may.
 double speed_along(const Flown& flown, const Vec3& leg) {
   const double most = leg.z() > 0 ? flown.climb : flown.descent;
   const double rise = std::abs(leg.z()) / leg.norm();
@@ -336,6 +337,7 @@ CheckOptions file_tolerance(const Limits& limits) {
   options.acceleration_gap = 1e-1;
   options.yaw_gap = 1e-3;
   options.yaw_rate_gap = 1e-2;
+  options.step_share = 1e-2;
   options.limit_slack = kSlack;
   return options;
 }

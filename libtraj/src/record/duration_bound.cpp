@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curve/halves.h"
 #include "traj/proof/least_duration.h"
 
 namespace traj {
@@ -27,17 +28,31 @@ bool rests_at_ends(const Trajectory& trajectory) {
   return begin[0] == begin[1] && end[kDegree - 1] == end[kDegree];
 }
 
-// Of the control polygons, which the curve is no longer than, and of the steps between them.
+// The curve is no longer than its control polygon, and no shorter than from end to end: halved
+// until these are nearly the same.
+double most_length(const std::array<Vec3, kPoints>& q, int halvings) {
+  double polygon = 0;
+  for (std::size_t i = 1; i < q.size(); ++i) polygon += (q[i] - q[i - 1]).norm();
+  const double straight = (q.back() - q.front()).norm();
+  if (halvings == 0 || polygon - straight <= 1e-7 * polygon) return polygon;
+  const auto [first, second] = halves(q);
+  return most_length(first, halvings - 1) + most_length(second, halvings - 1);
+}
+
+// With the steps between the segments.
 double most_length(const Trajectory& trajectory) {
+  constexpr int kHalvings = 12;
   double sum = 0;
   Vec3 before = trajectory.segments.front().point.front();
   for (const Segment& s : trajectory.segments) {
-    for (const Vec3& p : s.point) {
-      sum += (p - before).norm();
-      before = p;
-    }
+    sum += (s.point.front() - before).norm() + most_length(s.point, kHalvings);
+    before = s.point.back();
   }
   return sum;
+}
+
+bool undercuts(const Trajectory& trajectory, const std::optional<double>& least) {
+  return least && *least > duration(trajectory) * (1 + kRounding);
 }
 
 }  // namespace
@@ -50,7 +65,7 @@ std::optional<double> duration_bound(const TrajectoryRecord& record, const Limit
 void add_bounds(const geom::PathRecord& path, TrajectoryRecord& record) {
   if (!path.bound || record.status != TrajectoryStatus::solved) return;
   if (geom::mismatch(path.provenance, record.provenance)) return;
-  if (*path.bound > geom::length(path.points) * (1 + kRounding)) return;
+  if (claims_too_much(path)) return;
   if (path.points.front() != first(record) || path.points.back() != last(record)) return;
   record.bound = path.bound;
   record.duration_bound = duration_bound(record, limits_of(record));
@@ -59,10 +74,20 @@ void add_bounds(const geom::PathRecord& path, TrajectoryRecord& record) {
 bool claims_too_much(const TrajectoryRecord& record) {
   if (record.trajectory.segments.empty()) return record.bound || record.duration_bound;
   if (record.bound && *record.bound > most_length(record.trajectory) * (1 + kRounding)) return true;
-  if (!record.duration_bound) return false;
   const std::optional<double> follows = duration_bound(record, limits_of(record));
+  if (undercuts(record.trajectory, follows)) return true;
+  if (!record.duration_bound) return false;
   return !follows || *record.duration_bound > *follows ||
-         *record.duration_bound > duration(record.trajectory) * (1 + kRounding);
+         undercuts(record.trajectory, record.duration_bound);
+}
+
+bool claims_too_much(const TrajectoryRecord& record, const Limits& limits) {
+  return claims_too_much(record) ||
+         (record.bound && undercuts(record.trajectory, duration_bound(record, limits)));
+}
+
+bool claims_too_much(const geom::PathRecord& path) {
+  return path.bound && *path.bound > geom::length(path.points) * (1 + kRounding);
 }
 
 std::optional<double> duration_gap(const TrajectoryRecord& record) {

@@ -76,6 +76,7 @@ std::string to_json_line(const TogetherResult& result, const TogetherTask& task,
   line.add("pairs", result.pairs).add("near", result.near).add("pieces", result.pieces);
   line.add("refused", result.refused.size());
   add(line, task.rule.spacing);
+  if (task.overridden) line.add("overridden", std::tuple("vehicle"));
   return line.add("parked", name(task.rule.parked))
       .add("map", task.map)
       .add("epoch", task.epoch)

@@ -110,22 +110,37 @@ std::vector<ReportSummary::Named> parse_extremes(const geom::JsonFields& fields)
   return out;
 }
 
+void refuse(Reason reason, const Vec3& place, double worst, CheckResult& result) {
+  result.ok = false;
+  result.reason = reason;
+  result.time = 0;
+  result.place = place;
+  result.worst = worst;
+}
+
 }  // namespace
 
 void add_bounds(const TrajectoryRecord& record, ReportRecord& report) {
-  CheckResult& result = report.result;
   if (!accepted(report) || !report.overridden.empty()) return;
-  if (claims_too_much(record)) {
-    result.ok = false;
-    result.reason = Reason::duration_bound;
-    result.time = 0;
-    result.place = record.trajectory.segments.front().point.front();
-    result.worst = record.duration_bound.value_or(0);
+  if (claims_too_much(record, report.limits)) {
+    refuse(Reason::duration_bound, record.trajectory.segments.front().point.front(),
+           record.duration_bound.value_or(0), report.result);
     return;
   }
   if (geom::mismatch(record.provenance, report.provenance)) return;
   report.claimed_bound = record.bound;
   report.duration_bound = duration_bound(record, report.limits);
+}
+
+void add_bounds(const geom::PathRecord& record, ReportRecord& report) {
+  if (!accepted(report) || !report.overridden.empty() || !claims_too_much(record)) return;
+  refuse(Reason::duration_bound, record.points.front(), *record.bound, report.result);
+}
+
+void refuse_unmeasured(const Limits& asked, const Vec3& place, ReportRecord& report) {
+  const std::vector<Limit> missing = not_measured(report.result, asked);
+  if (missing.empty() || !report.result.ok) return;
+  refuse(unmeasured(missing.front()), place, 0, report.result);
 }
 
 bool accepted(const ReportRecord& record) {
@@ -144,6 +159,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   if (record.endless_jumps) line.add("endless_jumps", record.endless_jumps);
   if (!record.autopilot.empty()) line.add("autopilot", record.autopilot);
   if (!record.assumed.empty()) line.add("assumed", record.assumed);
+  line.add("drag", record.drag);
   line.add("navigation", record.navigation).add("tracking", record.tracking);
   if (result.looked && !map.timed().empty()) {
     line.add("timed_boxes", record.by_time ? "by_time" : "always_there");

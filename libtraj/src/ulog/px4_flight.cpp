@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include "geom/base/error.h"
 #include "traj/ulog/px4_projection.h"
 #include "ulog/px4_state.h"
 
@@ -20,7 +21,8 @@ constexpr std::array<std::string_view, 9> kTopics = {
     "vehicle_angular_velocity", "trajectory_setpoint",     "vehicle_local_position_setpoint",
     "battery_status",           "actuator_motors",         "vehicle_land_detected"};
 
-constexpr double kLatest = 1e9;  // s: what a flight log may hold
+constexpr double kLatest = 1e9;   // s: what a flight log may hold
+constexpr double kStanding = 10;  // s before a take-off in which the vehicle stood on the ground
 
 Vec3 enu_of(const Vec3& ned) { return {ned.y(), ned.x(), -ned.z()}; }
 
@@ -306,6 +308,28 @@ Px4Flight read_px4_flight(std::istream& in, std::string_view source, const Px4Op
   UlogSummary summary =
       read_ulog(in, source, kTopics, [&](const UlogMessage& message) { collector.take(message); });
   return std::move(collector).finish(std::move(summary));
+}
+
+double take_off_from(double ground, Px4Flight& flight, std::string_view source) {
+  std::vector<FlightSample>& samples = flight.log.samples;
+  const auto after = std::find_if(samples.begin(), samples.end(), [&](const FlightSample& s) {
+    return s.time > flight.takeoff.value_or(-1);
+  });
+  if (after == samples.begin()) {
+    throw geom::InputError(source,
+                           "expected a take-off after the first position, from whose ground the "
+                           "heights would count, found none");
+  }
+  // That it has taken off is noticed when it is in the air.
+  double was = std::prev(after)->position.z();
+  for (auto s = samples.begin(); s != after; ++s) {
+    if (s->time >= *flight.takeoff - kStanding) was = std::min(was, s->position.z());
+  }
+  for (FlightSample& s : samples) {
+    s.position.z() += ground - was;
+    s.setpoint_position.z() += ground - was;  // NaN stays
+  }
+  return was;
 }
 
 void begin_at(double begin, Px4Flight& flight) {

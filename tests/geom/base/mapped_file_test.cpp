@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -114,6 +115,15 @@ TEST_F(MappedFileTest, IsSeenToHaveChanged) {
   }
   EXPECT_THROW(require_mapped_files_unchanged(), std::runtime_error);  // closed in the meantime
   EXPECT_NO_THROW(require_mapped_files_unchanged());
+}
+
+TEST_F(MappedFileTest, IsSeenToHaveChangedWhereItsTimeIsSetBack) {
+  const MappedFile file(path_);
+  const auto time = std::filesystem::last_write_time(path_);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // clocks of files tick in some
+  std::fstream(path_, std::ios::in | std::ios::out | std::ios::binary) << "x";
+  std::filesystem::last_write_time(path_, time);
+  EXPECT_THROW(require_mapped_files_unchanged(), std::runtime_error);
 }
 
 TEST_F(MappedFileTest, RefusesWhatCannotBeMapped) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/text/text_table.h"
 #include "support/refusal.h"
 
 namespace geom {
@@ -76,6 +77,34 @@ TEST(Pcd, RefusesCompressedDataThatAreDamagedOrShort) {
   EXPECT_THROW(read_as_pcd(bytes), InputError);
 }
 
+// PCL maps a page and the data, or whole pages, and leaves zeros behind what it writes.
+TEST(Pcd, PassesOverTheZerosOfPclsPages) {
+  std::string binary = header("binary", 100);
+  for (int i = 0; i < 100; ++i) {
+    append(binary, static_cast<std::uint16_t>(i));
+    for (int k = 0; k < 3; ++k) append(binary, point(i)[k]);
+  }
+  for (const std::string& bytes : {binary, compressed(1000)}) {
+    const std::size_t head = bytes.find('\n', bytes.find("DATA")) + 1;
+    const std::string page = bytes + std::string(4096 - head, '\0');
+    const std::string to_page = bytes + std::string(4096 - bytes.size() % 4096, '\0');
+    EXPECT_EQ(read_as_pcd(page).size(), read_as_pcd(bytes).size());
+    EXPECT_EQ(read_as_pcd(to_page).size(), read_as_pcd(bytes).size());
+    EXPECT_THROW(read_as_pcd(bytes + std::string(52, '\0')), InputError) << "two points at 0";
+    std::string other = to_page;
+    other.back() = 'x';
+    EXPECT_THROW(read_as_pcd(other), InputError);
+  }
+}
+
+TEST(Pcd, RefusesWhatItsHeaderSaysTwice) {
+  const std::string rest = "\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3 4\n";
+  EXPECT_EQ(read_as_pcd("FIELDS x y z w" + rest)[0], Vec3(1, 2, 3));
+  EXPECT_THROW(read_as_pcd("FIELDS x y z x" + rest), InputError);
+  EXPECT_THROW(read_as_pcd("FIELDS x y z X" + rest), InputError);
+  EXPECT_THROW(read_as_pcd("FIELDS x y z w\nFIELDS w x y z" + rest), InputError);
+}
+
 TEST(Pcd, RefusesARecordOfMegabytesBeforeTakingMemory) {
   EXPECT_THROW(read_as_pcd("FIELDS x y z pad\nSIZE 4 4 4 8\nTYPE F F F F\nCOUNT 1 1 1 1000000\n"
                            "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary\n"),
@@ -128,14 +157,92 @@ TEST(Pcd, RefusesARowOfMoreNumbersThanItsFields) {
   EXPECT_EQ(refusal("1 2\n4 5 6\n"), "test.pcd:7: expected 3 numbers, found fewer");
 }
 
-std::size_t points_of_xyz(const std::string& text) {
-  std::istringstream in(text);
-  return read_xyz(in, "test.xyz", [](std::span<const CloudPoint>) {}).read;
+// Elements that join vertices make surfaces or lines, whatever they are called.
+TEST(Ply, CountsElementsThatMayBeSurfaces) {
+  const auto skipped = [](const std::string& element, const std::string& row) {
+    std::istringstream in(
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+        "property float z\nelement " +
+        element + "\nend_header\n1 2 3\n" + row);
+    return read_ply(in, "test.ply", [](std::span<const CloudPoint>) {}).skipped.count();
+  };
+  EXPECT_EQ(skipped("polygon 1\nproperty list uchar int of", "3 0 0 0\n"), 1u);
+  EXPECT_EQ(skipped("line 1\nproperty int a\nproperty int b", "0 0\n"), 1u);
+  EXPECT_EQ(skipped("polygon 0\nproperty list uchar int of", ""), 0u);
+  EXPECT_EQ(skipped("camera 1\nproperty float a\nproperty int w\nproperty int h", "1 2 3\n"), 0u);
+  EXPECT_EQ(skipped("range_grid 1\nproperty list uchar int vertex_indices", "1 0\n"), 0u);
 }
 
-TEST(Xyz, TakesAFirstLineOfWordsOrACountForAHeader) {
+TEST(Ply, RefusesAPropertyTwice) {
+  const std::string head = "property float x\nproperty float y\nproperty float z\n";
+  EXPECT_NE(ply_refusal(head + "property float x\n", "1 2 3 4\n5 6 7 8\n"), "");
+}
+
+std::vector<Vec3> xyz(const std::string& text) {
+  std::vector<Vec3> out;
+  std::istringstream in(text);
+  read_xyz(in, "test.xyz", [&](std::span<const CloudPoint> chunk) {
+    for (const CloudPoint& p : chunk) out.push_back(p.position);
+  });
+  return out;
+}
+std::size_t points_of_xyz(const std::string& text) { return xyz(text).size(); }
+std::string xyz_refusal(const std::string& text) {
+  return support::refusal_of([&] { xyz(text); });
+}
+
+TEST(Xyz, TakesAFirstLineOfNamesOrACountForAHeader) {
   EXPECT_EQ(points_of_xyz("x y z\n1 2 3\n"), 1u);
   EXPECT_EQ(points_of_xyz("1\n1 2 3\n"), 1u);
+  EXPECT_EQ(points_of_xyz("//X Y Z\n1\n1 2 3\n"), 1u);
+}
+
+TEST(Xyz, ObeysTheOrderThatAHeaderSays) {
+  for (const char* text :
+       {"Northing Easting Height\n2 1 3\n", "y x z\n2 1 3\n", "id x y z\n7 1 2 3\n",
+        "//Y X Z R G B\n2 1 3 0 0 0\n", "# y,x,z\n2 1 3\n", "# columns: y x z\n2 1 3\n",
+        "Point ID;Z;Y [m];X [m]\n7;3;2;1\n", "\"z\",\"x\",\"y\",\n3,1,2,\n",
+        "lat\tlon\tx\ty\tz\n48\t11\t1\t2\t3\n", "x,y,z\n1, 2, 3\n", "x;y;z;name\n1;2;3;\n"}) {
+    EXPECT_EQ(xyz(text), std::vector<Vec3>{Vec3(1, 2, 3)}) << text;
+  }
+}
+
+TEST(Xyz, RefusesAHeaderThatDoesNotSayWhereXYAndZAre) {
+  EXPECT_EQ(xyz_refusal("a b c\n1 2 3\n"),
+            "test.xyz:1: expected the names of columns, one of them for x (as in \"x y z\" or \"id "
+            "Easting Northing Height\"), found none in \"a b c\"");
+  EXPECT_EQ(xyz_refusal("x y z\n1 2 3 4\n"),
+            "test.xyz:1: expected a name for each of the 4 columns between blanks of the first "
+            "point, found 3: \"x y z\"");
+  EXPECT_EQ(xyz_refusal("latitude longitude z\n48 11 3\n"),
+            "test.xyz:1: expected columns in metres, found \"longitude\", which is in degrees: "
+            "project the points first, for example with `cs2cs`, and name the columns x, y and z");
+  for (const char* text :
+       {"# id x y z\n1 2 3\n", "x,y,z\n1 2 3\n", "x y depth\n1 2 3\n", "x[ft] y[ft] z[ft]\n1 2 3\n",
+        "x y z\nx y z\n1 2 3\n", "x y z\n1 2 3\n# y x z\n1 2 3\n", "1 2 3\n//y x z\n1 2 3\n",
+        "# x y z\n// y x z\n1 2 3\n", "x y\n1 2\n"}) {
+    EXPECT_NE(xyz_refusal(text), "") << text;
+  }
+}
+
+TEST(Xyz, TakesOneSeparatorAFile) {
+  for (const char* text : {"1 2 3\n", "1\t2\t3 \n", "1,2,3\r\n", "1; 2; 3\n",
+                           "1  2   3 wall, old\n", "1,2,3,\n", "1,2,3,7\n"}) {
+    EXPECT_EQ(xyz(text).at(0), Vec3(1, 2, 3)) << text;
+  }
+  for (const char* text :
+       {"1 2 3\n1,2,3\n", "1,2,3\n1;2;3\n", "1\t2\t3\n1 2 3\n", "10,5;20,5;3,0\n",
+        "10,5 20,5 3,0\n", "10,5\t20,5\t3,0\n", "1,2,3,4\n1,2,3\n", "1\t\t3\t4\n", "1 2 3,5\n"}) {
+    EXPECT_NE(xyz_refusal(text), "") << text;
+  }
+}
+
+TEST(Xyz, RefusesCarriageReturnsThatEndLines) {
+  EXPECT_EQ(xyz_refusal("1 2 3\r4 5 6\r"), "test.xyz:1: " + std::string(kLoneReturn));
+}
+
+TEST(Xyz, NamesPtxAndTheWayOut) {
+  EXPECT_NE(xyz_refusal("2\n1\n0 0 0\n1 0 0\n").find("PTX"), std::string::npos);
 }
 
 TEST(Xyz, RefusesAFirstLineThatIsAPointWithAWordInIt) {

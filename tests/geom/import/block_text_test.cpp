@@ -21,13 +21,20 @@ TEST(BlockText, ReadsColoursCommentsAndUnknownWords) {
 }
 
 TEST(BlockText, WantsOneBoundaryAndUprightBlocks) {
-  for (const char* bad :
-       {"block 0 0 0 1 1 1\n", "boundary 0 0 0 1 1 1\n",
-        "boundary 0 0 0 1 1 1\nboundary 0 0 0 1 1 1\nblock 0 0 0 1 1 1\n",
-        "boundary 0 0 0 1 1 1\nblock 1 0 0 0 1 1\n", "boundary 0 0 0 1 1 1\nblock 1 0 0 1 1\n"}) {
+  for (const char* bad : {"block 0 0 0 1 1 1\n", "boundary 0 0 0 1 1 1\n",
+                          "boundary 0 0 0 1 1 1\nboundary 0 0 0 1 1 1\nblock 0 0 0 1 1 1\n",
+                          "boundary 0 0 0 1 1 1\nblock 1 0 0 1 1\n"}) {
     std::istringstream in(bad);
     EXPECT_THROW(read_block_text(in, "m.txt"), InputError) << bad;
   }
+}
+
+TEST(BlockText, TakesCornersInEitherOrder) {
+  std::istringstream in("boundary 9 9 9 0 0 0\nblock 1 0 5 0 1 1\nblock 1 1 1 2 2 2\n");
+  const BlockText text = read_block_text(in, "m.txt");
+  EXPECT_EQ(text.boundary, (Aabb{{0, 0, 0}, {9, 9, 9}}));
+  EXPECT_EQ(text.table.boxes[0], (Aabb{{0, 0, 1}, {1, 1, 5}}));
+  EXPECT_EQ(text.reversed, 2u);
 }
 
 // Ten thousand block texts of which some lines are misspelt: each block is built, refused or

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "geom/import/city_footprints.h"
+#include "support/refusal.h"
 
 namespace geom {
 namespace {
@@ -98,6 +99,108 @@ TEST(CityJson, ObjectsWithoutSurfacesAreSkippedUnlessTheirChildrenHaveThem) {
           .skipped.count(),
       1u);
   EXPECT_EQ(on_a_slope(R"("r":{"type":"Road"},)" + part).skipped.count(), 0u);
+}
+
+TEST(CityJson, CountsWhatIsNamedAndNotThere) {
+  const std::string geometry =
+      R"("geometry":[{"type":"MultiSurface","lod":"1","boundaries":[[[0,1,2]]]}])";
+  for (const char* key : {"children", "members", "parents"}) {
+    EXPECT_EQ(on_a_slope(R"("b":{"type":"Building",")" + std::string(key) + R"(":["p"],)" +
+                         geometry + "}")
+                  .skipped.count(),
+              1u);
+  }
+}
+
+std::string refusal(const std::string& text) {
+  return support::refusal_of([&] {
+    std::istringstream in(text);
+    read_city_json(in, "t");
+  });
+}
+
+TEST(CityJson, RefusesAScaleOfZero) {
+  EXPECT_NE(refusal(R"({"type":"CityJSON","version":"2.0","CityObjects":{},"vertices":[],)"
+                    R"("transform":{"scale":[1,0,1],"translate":[0,0,0]}})")
+                .find("other than 0, found [1,0,1]"),
+            std::string::npos);
+}
+
+TEST(CityJson, RefusesATemplateInPerspective) {
+  std::string tree(kTree);
+  tree.replace(tree.find("0,0,0,1]}"), 7, "0,0,0,2");
+  EXPECT_NE(
+      refusal(R"({"type":"CityJSON","version":"2.0","vertices":[[0,0,0],[9,0,0],[9,9,4],)"
+              R"([50,0,0],[59,0,0],[59,9,7],[100,200,5]],"CityObjects":)" +
+              tree +
+              R"(,"geometry-templates":{"templates":[{"type":"MultiSurface","lod":"2",)"
+              R"("boundaries":[[[0,1,2]]]}],"vertices-templates":[[0,0,0],[1,0,0],[1,1,2]]}})")
+          .find("the last row of a transformationMatrix must be 0 0 0 1, found [0,0,0,2]"),
+      std::string::npos);
+}
+
+TEST(CityJson, RefusesATemplateOfNoVolume) {
+  std::string tree(kTree);
+  const std::size_t at = tree.find("\"transformationMatrix\":[");
+  tree.replace(at, tree.find(']', at) - at, R"("transformationMatrix":[1,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1)");
+  EXPECT_NE(
+      refusal(R"({"type":"CityJSON","version":"2.0","vertices":[[0,0,0],[9,0,0],[9,9,4],)"
+              R"([50,0,0],[59,0,0],[59,9,7],[100,200,5]],"CityObjects":)" +
+              tree +
+              R"(,"geometry-templates":{"templates":[{"type":"MultiSurface","lod":"2",)"
+              R"("boundaries":[[[0,1,2]]]}],"vertices-templates":[[0,0,0],[1,0,0],[1,1,2]]}})")
+          .find("found one of volume 0"),
+      std::string::npos);
+}
+
+TEST(CityJson, RefusesAVersionThatIsNotKnown) {
+  EXPECT_NE(refusal(R"({"type":"CityJSON","version":"2.10","CityObjects":{},"vertices":[]})")
+                .find("expected CityJSON version 1.0, 1.1 or 2.0, found"),
+            std::string::npos);
+}
+
+const std::string kFirst =
+    R"({"type":"CityJSON","version":"2.0","CityObjects":{},"vertices":[],)"
+    R"("transform":{"scale":[0.5,0.5,1],"translate":[10,20,0]},)"
+    R"("metadata":{"referenceSystem":"https://www.opengis.net/def/crs/EPSG/0/7415"}})";
+
+std::string feature(const std::string& id, const std::string& more = "") {
+  return R"({"type":"CityJSONFeature","id":")" + id + R"(",)" + more + R"("CityObjects":{")" + id +
+         R"(":{"type":"Building","geometry":[{"type":"MultiSurface","lod":"2","boundaries":)"
+         R"([[[0,1,2]]]}]}},"vertices":[[0,0,0],[18,0,0],[18,18,4]]})";
+}
+
+TEST(CityJsonSequence, HasOneTransformAndVerticesOfEachFeature) {
+  std::istringstream in(kFirst + "\r\n" + feature("a") + "\n\n" + feature("a"));
+  const CityModel model = read_city_json(in, "t");
+  EXPECT_EQ(model.crs, "EPSG:7415");
+  ASSERT_EQ(model.objects.size(), 2u);
+  EXPECT_EQ(model.objects[1].geometries.at(0).surfaces[0][0][2], Vec3(19, 29, 4));
+  EXPECT_NE(model.objects[0].whole, model.objects[1].whole);  // two of a name
+  EXPECT_TRUE(model.skipped.empty());
+}
+
+TEST(CityJsonSequence, RefusesWhatWouldMoveOrHideFeatures) {
+  const auto says = [](const std::string& text, const char* words) {
+    return refusal(text).find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says(feature("a") + "\n" + feature("b"), "expected a first line"));
+  EXPECT_TRUE(says(feature("a"), "expected a first line"));
+  EXPECT_TRUE(says(kFirst + "\n" + kFirst + "\n" + feature("a"), "t:2: expected"));
+  EXPECT_TRUE(says(kFirst + "\n" + feature("a") + "\n[]", "t:3: expected"));
+  EXPECT_TRUE(says(kFirst + "\n" + feature("a", R"("transform":{},)"), "in the first line alone"));
+  EXPECT_TRUE(says(R"({"type":"CityJSON","version":"2.0","CityObjects":{},"vertices":[]})"
+                   "\n" +
+                       feature("a"),
+                   "transform"));
+  EXPECT_TRUE(says(kFirst + "\n" + feature("a").substr(0, 60), "t:2"));
+}
+
+TEST(CityJsonSequence, CountsAFeatureThatIsNotInItself) {
+  std::string text = feature("a");
+  text.replace(text.find(R"("id":"a")"), 8, R"("id":"b")");
+  std::istringstream in(kFirst + "\n" + text);
+  EXPECT_EQ(read_city_json(in, "t").skipped.count(), 1u);
 }
 
 }  // namespace

@@ -111,5 +111,15 @@ TEST(FcndCsv, ComesBackFromWhatWasWritten) {
   }
 }
 
+TEST(FcndCsv, RefusesNamesInACommentAndNamesTwice) {
+  EXPECT_NE(refusal("# posY,posX,posZ,halfSizeX,halfSizeY,halfSizeZ\n1,2,3,1,1,3\n")
+                .find("found them in a comment"),
+            std::string::npos);
+  EXPECT_NE(refusal("posX,posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n9,1,2,3,1,1,3\n")
+                .find("expected one column posX"),
+            std::string::npos);
+  EXPECT_EQ(fcnd("# a city\n" + kHeader + "1,2,3,1,1,3\n").table.boxes.size(), 1u);
+}
+
 }  // namespace
 }  // namespace geom

@@ -74,5 +74,11 @@ TEST(Jps3dMap, RefusesOtherYaml) {
             "m.yaml:5: data must have the 4 numbers that dim says, found 3");
 }
 
+// A comment would swallow what another program reads.
+TEST(Jps3dMap, RefusesACarriageReturnAlone) {
+  EXPECT_NE(support::refusal_of([] { read("# a map\r" + kHead + "- data: [0, 0, 1, 0]\n"); }), "");
+  EXPECT_EQ(read("# a map\r\n" + kHead + "- data: [0, 0, 1, 0]\r\n").table.boxes.size(), 1u);
+}
+
 }  // namespace
 }  // namespace geom

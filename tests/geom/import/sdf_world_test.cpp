@@ -60,7 +60,8 @@ TEST(SdfWorld, TakesWhatIsSeenBesidesWhatCollides) {
 
 TEST(SdfWorld, TheHighestPlaneThatCollidesIsTheFloor) {
   EXPECT_EQ(read(plane("0 0 0 0 0 0") + plane("5 5 1.5 0 0 0")).floor, 1.5);
-  EXPECT_EQ(read(plane("0 0 0 0 0 0")).table.boxes.size(), 0u);
+  EXPECT_EQ(read(plane("0 0 0 0 0 0") + sdf_model("a", "", sdf_box("2 4 6"))).table.boxes.size(),
+            1u);
   EXPECT_EQ(read(plane("0 0 0 0.1 0 0")).skipped.count(), 1u) << "tilted";
   EXPECT_EQ(read(plane("0 0 0 3.141592653589793 0 0")).skipped.count(), 1u) << "upside down";
 }
@@ -69,7 +70,10 @@ TEST(SdfWorld, APlaneThatIsOnlySeenIsARectangleAboveTheFloor) {
   EXPECT_EQ(read(plane("0 0 2 0 0 0", "visual")).table.boxes[0],
             (Aabb{{-25, -25, 2}, {25, 25, 2}}));
   EXPECT_FALSE(read(plane("0 0 2 0 0 0", "visual")).floor);
-  EXPECT_EQ(read(plane("0 0 2 0 0 0") + plane("0 0 2 0 0 0", "visual")).table.boxes.size(), 0u);
+  EXPECT_EQ(read(plane("0 0 2 0 0 0") + plane("0 0 2 0 0 0", "visual") +
+                 sdf_model("a", "", sdf_box("2 4 6")))
+                .table.boxes.size(),
+            1u);
   EXPECT_EQ(read(plane("0 0 2 0 0 0") + plane("0 0 3 0 0 0", "visual")).table.boxes.size(), 1u);
 }
 
@@ -157,6 +161,21 @@ TEST(SdfWorld, RefusesWhatIsBeyondTheWorld) {
   EXPECT_NE(refusal(link("<collision name='c'/>")).find("expected <geometry>"), std::string::npos);
   EXPECT_EQ(refusal(sdf_model("a", "", "<box><size>1 1 -2</size></box>")),
             "w:4: <size> must be >= 0, found -2");
+}
+
+TEST(SdfWorld, IsItsGroundWhereThereIsNothingElse) {
+  const SdfWorld out = read(plane("0 0 2 0 0 0") + plane("0 0 2 0 0 0", "visual"));
+  ASSERT_EQ(out.table.boxes.size(), 1u);
+  EXPECT_EQ(out.table.boxes[0], (Aabb{{-25, -25, 2}, {25, 25, 2}}));
+  EXPECT_EQ(out.floor, 2);
+  EXPECT_TRUE(read(plane("0 0 2 0 0 0") + "<actor name='a'/>").table.boxes.empty());
+}
+
+TEST(SdfWorld, SkipsABodyOfWhichSomethingIsNotKnown) {
+  EXPECT_EQ(read(link("<collision name='c'><scale>2 2 2</scale><geometry>" + sdf_box("1 1 1") +
+                      "</geometry></collision>"))
+                .skipped.count(),
+            1u);
 }
 
 }  // namespace

@@ -342,5 +342,13 @@ TEST(ReadGltf, RefusesContainersThatAreCutOrLie) {
   expect_refusal("[]", "expected an object");
 }
 
+TEST(ReadGltf, RefusesFilesForLaterReaders) {
+  GltfFile file(support::cuboid(kBox));
+  file.text["asset"] = {{"version", "2.1"}, {"minVersion", "2.0"}};
+  EXPECT_EQ(read(file).mesh.triangles.size(), 12u);
+  file.text["asset"]["minVersion"] = "2.1";
+  expect_refusal(file, "found minVersion \"2.1\"");
+}
+
 }  // namespace
 }  // namespace geom

@@ -77,6 +77,10 @@ TEST(ReadObj, MakesTrianglesOfFacesAndPartsOfObjects) {
   EXPECT_FALSE(model.up || model.unit);
 }
 
+TEST(ReadObj, RefusesACarriageReturnAlone) {
+  expect_refusal(obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\n# a wall\rf 1 2 3\n", "a.obj:4: expected lines");
+}
+
 TEST(ReadObj, CountsWhatItDoesNotBuild) {
   const Model model = obj("v 0 0 0\nv 1 0 0\nl 1 2\np 1\ncstype bezier\nsurf 0 1 0 1 1 2\n");
   EXPECT_EQ(model.skipped.count(), 4u);
@@ -133,10 +137,27 @@ std::string ply_text(const std::string& faces, int count) {
 
 TEST(ReadPlyModel, ReadsPolygonsInDoublePrecision) {
   const Model model = ply(ply_text("4 0 1 2 3 0.5\n3 3 2 4 0.5\n", 2));
-  EXPECT_EQ(model.mesh.triangles.size(), 3u);
+  ASSERT_EQ(model.mesh.triangles.size(), 3u);
   EXPECT_EQ(model.mesh.vertices[0].x(), 5400000.1);
   EXPECT_EQ(model.mesh.triangles[2].corners, (std::array<std::uint32_t, 3>{3, 2, 4}));
   EXPECT_EQ(model.blur, 0);
+}
+
+TEST(ReadPlyModel, ReadsStripsAndSkipsOtherElementsOfVertices) {
+  const auto with = [](const std::string& element, const std::string& row) {
+    std::string text = ply_text("3 0 1 2 0.5\n" + row, 1);
+    const std::string end = "end_header";
+    return ply(text.insert(text.find(end), "element " + element +
+                                               " 1\nproperty list uchar int "
+                                               "vertex_indices\n"));
+  };
+  const Model strips = with("tristrips", "8 0 1 2 3 -1 2 3 4\n");
+  ASSERT_EQ(strips.mesh.triangles.size(), 4u);
+  EXPECT_EQ(strips.mesh.triangles[1].corners, (std::array<std::uint32_t, 3>{0, 1, 2}));
+  EXPECT_EQ(strips.mesh.triangles[2].corners, (std::array<std::uint32_t, 3>{2, 1, 3}));
+  EXPECT_EQ(strips.mesh.triangles[3].corners, (std::array<std::uint32_t, 3>{2, 3, 4}));
+  EXPECT_EQ(with("polygon", "3 0 1 2\n").skipped.count(), 1u);
+  EXPECT_NE(support::refusal_of([&] { with("tristrips", "3 0 1 9\n"); }), "");
 }
 
 TEST(ReadPlyModel, ReadsBinary) {

@@ -287,5 +287,17 @@ TEST(ReadTileset, RefusesBatchedModelsWhoseLengthsLie) {
   expect_refusal("RTC_CENTER: it lies outside the table", root, Files{{"b.b3dm", bytes}});
 }
 
+// Its own tiles may be finer than those beside it.
+TEST(ReadTileset, KnowsATilesetByItsBytesAndNotByItsName) {
+  for (const char* name : {"a.json", "a.JSON", "a.tiles", "a"}) {
+    const Files files = {{name, tileset(refined(tile("a.glb"), "ADD")).dump()},
+                         {"a.glb", house()},
+                         {"b.glb", house({5, 0, 0})}};
+    const TilesModel made = read(refined(tile(name, {tile("b.glb")}), "REPLACE"), files);
+    EXPECT_EQ(made.tiles, 2u) << name;
+    EXPECT_EQ(made.coarser, 0u) << name;
+  }
+}
+
 }  // namespace
 }  // namespace geom

@@ -40,4 +40,11 @@ TEST(CsvRecords, RefusesQuotesThatDoNotClose) {
   EXPECT_THROW(read("\"a\"b,c\n"), geom::InputError);
 }
 
+TEST(CsvRecords, RefusesACarriageReturnAloneOutsideQuotes) {
+  EXPECT_EQ(read("a,\"b\rc\"\r\r\nd,e\r"), (Rows{{"a", "b\rc"}, {"d", "e"}}));
+  EXPECT_THROW(read("a,b\rc,d\n"), geom::InputError);
+  EXPECT_THROW(read("a,\"b\"\rc,d\n"), geom::InputError);
+  EXPECT_THROW(read("# a comment\ra,b\nc,d\n"), geom::InputError);
+}
+
 }  // namespace

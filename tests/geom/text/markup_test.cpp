@@ -12,7 +12,16 @@ TEST(EscapedMarkup, LetsBracketsAndAmpersandsStandForThemselves) {
 
 TEST(EscapedMarkup, MakesControlCharactersSpacesAndLeavesOtherBytes) {
   EXPECT_EQ(escaped_markup(std::string_view("a\0b\n\tc\x1f", 7)), "a b  c ");
-  EXPECT_EQ(escaped_markup("Österö \"1\""), "Österö \"1\"");
+  EXPECT_EQ(escaped_markup("Österö '1'"), "Österö '1'");
+}
+
+TEST(EscapedMarkup, StandsBetweenQuotes) {
+  EXPECT_EQ(escaped_markup("the \"1\""), "the &quot;1&quot;");
+}
+
+TEST(EscapedMarkup, MakesWhatIsNoCharacterASpace) {
+  EXPECT_EQ(escaped_markup("a\xef\xbf\xbe\xef\xbf\xbf."), "a  .");
+  EXPECT_EQ(escaped_markup("\xef\xbf\xbd\xef\xbf"), "\xef\xbf\xbd\xef\xbf");
 }
 
 }  // namespace

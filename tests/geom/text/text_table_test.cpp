@@ -29,6 +29,19 @@ TEST(TextLines, PassOverCommentsBeforeTheFirstLine) {
   EXPECT_EQ(found, (Fields{"2", "4a", "5#1"}));
 }
 
+TEST(TextLines, ShowCommentsToWhoAsksForThem) {
+  std::istringstream in("# x y z\n1 2 3\n");
+  TextLines lines(in, "t.xyz", true);
+  ASSERT_TRUE(lines.next());
+  EXPECT_EQ(lines.line(), "# x y z");
+}
+
+TEST(TextLines, RefuseACarriageReturnAloneInAComment) {
+  std::istringstream in("# made by hand\rblock 0 0 0 1 1 1\n");
+  TextLines lines(in, "t.txt");
+  EXPECT_EQ(support::refusal_of([&] { lines.next(); }), "t.txt:1: " + std::string(kLoneReturn));
+}
+
 TEST(TextLines, RefuseWithSourceAndLine) {
   std::istringstream in("a\nb\n");
   TextLines lines(in, "t.csv");

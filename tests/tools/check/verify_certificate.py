@@ -137,12 +137,20 @@ def float_rows(data):
 
 
 SECONDS = 1e9  # from the epoch, at most: what the tools read
-EPOCH = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d*[1-9])?Z")
+EPOCH = re.compile(r"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d)(\.\d+)?(?:Z|\+00:00)")
 
 
 def an_epoch(value, what):
-    require(type(value) is str and EPOCH.fullmatch(value), f"the epoch of {what} must be an instant such as 2026-05-04T06:30:00Z, found {shown(value)}")
-    return value
+    """As the tools write it: without zeros at its end, and with Z."""
+    found = EPOCH.fullmatch(value) if type(value) is str else None
+    require(found, f"the epoch of {what} must be an instant such as 2026-05-04T06:30:00Z, found {shown(value)}")
+    return found[1] + (found[2] or "").rstrip("0").rstrip(".") + "Z"
+
+
+def same_epoch(values, wanted, what):
+    """Whether all are this instant; where it is nothing, none may have one."""
+    wanted = None if wanted is None else an_epoch(wanted, what)
+    return all((None if v is None else an_epoch(v, what)) == wanted for v in values)
 
 
 class BoxMap:
@@ -425,9 +433,16 @@ class Verifier:
         require_not_negative([most - c for c in square(derivative([[y] for y in yaw], 1))],
                              proof.get("yaw_rate"), "yaw_rate")
 
+    def step_of(self, limit, before, after):
+        """How far two segments may miss each other, where a limit on the next derivative holds."""
+        return F(1e-3) * F(1001, 1000) * F(self.limits[limit]) * min(before[0], after[0])
+
     def yaw_joint(self, before, after):
         if before[2] is None or after[2] is None:
             return
+        step = abs(before[2][-1] - after[2][0])
+        require("yaw_rate" not in self.limits or step <= self.step_of("yaw_rate", before, after),
+                "the yaw of two segments does not join")
         for order, most in enumerate([1e-9, 1e-6]):
             end = derivative([[y] for y in before[2]], order)[-1][0] / before[0]**order
             begin = derivative([[y] for y in after[2]], order)[0][0] / after[0]**order
@@ -447,7 +462,13 @@ class Verifier:
             end = derivative(before[1], order)[-1]
             begin = derivative(after[1], order)[0]
             step = [b / after[0]**order - e / before[0]**order for b, e in zip(begin, end)]
-            require(sum(c * c for c in step) <= (F(most) * F(1001, 1000)) ** 2, "two segments do not join")
+            square = sum(c * c for c in step)
+            require(square <= (F(most) * F(1001, 1000)) ** 2, "two segments do not join")
+            for limit in (("vmax", "vmax_h", "vmax_v"), ("amax",), ("jmax", "body_rate"))[order]:
+                force = [c / before[0]**2 for c in end] if limit == "body_rate" else None
+                unit = sum((c + (F(GRAVITY) if axis == 2 else 0)) ** 2 for axis, c in enumerate(force)) if force else 1
+                require(limit not in self.limits or square <= self.step_of(limit, before, after) ** 2 * unit,
+                        "two segments do not join")
         if before[1][-1] != after[1][0]:
             require("gap" in proof, "the step between two segments is not shown to be clear")
             self.clear([before[1][-1], after[1][0]], proof["gap"], (instant, instant))
@@ -459,6 +480,8 @@ class Verifier:
         check_keys(proofs, len(segments), lambda i: {"clear", "bounds", "planes", "gap"} | {
             cover for cover, limit in COVERS.items()
             if limit in self.limits and (cover != "yaw_rate" or segments[i][2] is not None)})
+        with_yaw = [s[2] is not None for s in segments]
+        require("yaw_rate" not in self.limits or all(with_yaw) or not any(with_yaw), "a segment without yaw between others")
         instants = [F(0) if self.start is None else self.start]
         for duration, _, _ in segments:
             instants.append(instants[-1] + duration)

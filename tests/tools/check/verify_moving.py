@@ -11,7 +11,7 @@ checked.
 from fractions import Fraction as F
 
 from verify_certificate import (LONGEST, SHORTEST, BoxMap, Refused, an_epoch, an_object, entries, number, numbers,
-                                pieces, require, run_main, text)
+                                pieces, require, run_main, same_epoch, text)
 from verify_together import Flight, read_records
 
 FASTEST = 1e4  # m/s, of an obstacle and of its growth: what the tools read
@@ -113,10 +113,9 @@ class Claim:
     @staticmethod
     def require_one_epoch(line, records, obstacles, box_map):
         epoch = line.get("epoch")
-        require(epoch is None or an_epoch(epoch, "the claim"), "no epoch")
-        require(all(r.get("epoch") == epoch for r in records), "the epoch of a record is another")
-        require(all(o.epoch == epoch for o in obstacles), "the epoch of an obstacle is another")
-        require(None in (epoch, box_map.epoch) or epoch == box_map.epoch, "the epoch of the map is another")
+        require(same_epoch([r.get("epoch") for r in records], epoch, "a record"), "the epoch of a record is another")
+        require(same_epoch([o.epoch for o in obstacles], epoch, "an obstacle"), "the epoch of an obstacle is another")
+        require(None in (epoch, box_map.epoch) or an_epoch(epoch, "the claim") == box_map.epoch, "the epoch of the map is another")
 
     @staticmethod
     def require_room(room, record):

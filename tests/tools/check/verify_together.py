@@ -10,7 +10,7 @@ usage; 3 when a file cannot be read as what it should be. docs/certificates.md s
 from fractions import Fraction as F
 
 from verify_certificate import (LONGEST, SHORTEST, Refused, an_object, bounding_box, entries, halves, number,
-                                numbers, pieces, require, run_main, strict_json, text)
+                                numbers, pieces, require, run_main, same_epoch, strict_json, text)
 
 MOST_HALVINGS = 12
 MOST_LOOKS = 20000
@@ -120,7 +120,7 @@ class Claim:
         require(self.parked in ("pad", "gone"), "parked must be pad or gone")
         ids = entries(line.get("flights"), "flights")
         require(ids == [f.id for f in flights], "the flights of the certificate are not those of the records, in order")
-        require(all(record.get("epoch") == line.get("epoch") for record in records), "the epochs differ")
+        require(same_epoch([record.get("epoch") for record in records], line.get("epoch"), "a record"), "the epochs differ")
         for key in ("map", "frame"):
             require(len({record[key] for record in records if record.get(key) is not None}) <= 1,
                     f"the records say different values of {key}")
@@ -274,6 +274,11 @@ def verify(records_path, certificate_path):
     return len(flights), len(proofs), line
 
 
+def rooms_of(line):
+    """What a distance between vehicles stands on: half sizes with the margin, metres."""
+    return f" of the rooms {dict(zip(line['flights'], line['rooms']))}" if line["separation"] == "vehicles" else ""
+
+
 def verify_files(records_path, certificate_path):
     """Prints what came of it, and says how many were refused."""
     try:
@@ -282,7 +287,7 @@ def verify_files(records_path, certificate_path):
         print(f"refused: {reason}")
         return 1
     ends = "each on its pad before and after, for the others" if line["parked"] == "pad" else "each gone before and after"
-    print(f"{flights} flights keep apart from each other at every instant, {ends}: separation {line['separation']}, "
+    print(f"{flights} flights keep apart from each other at every instant, {ends}: separation {line['separation']}{rooms_of(line)}, "
           f"downwash {line.get('downwash')}; {proofs} pairs by their own proof, the others by boxes; nothing is said of a map")
     return 0
 

@@ -6,6 +6,7 @@
 
 #include "geom/base/error.h"
 #include "support/cases.h"
+#include "support/refusal.h"
 #include "traj/drone_file/crazyflie.h"
 #include "traj/drone_file/geo_line.h"
 #include "traj/drone_file/gltf_line.h"
@@ -52,6 +53,25 @@ bool accepted(const geom::CollisionScene& scene, const std::string& format,
     return true;
   } catch (const geom::InputError&) {
     return false;
+  }
+}
+
+// A map's origin of height 0 does not say how high its z = 0 is; --origin does, whatever it says.
+TEST(DroneFiles, LinesAboveTheSeaNeedAMapWhoseHeightIsKnown) {
+  const std::string kml =
+      "<kml><LineString><altitudeMode>absolute</altitudeMode><coordinates>8,47,12 8.001,47,12"
+      "</coordinates></LineString></kml>";
+  const std::string geojson = R"({"type":"LineString","coordinates":[[8,47,12],[8.001,47,12]]})";
+  geom::Frame frame;
+  frame.origin = geom::GeodeticOrigin{47, 8, 0};
+  for (const auto& [format, text] : {std::pair("kml", kml), std::pair("geojson", geojson)}) {
+    DroneFileOptions options;
+    options.format = format;
+    EXPECT_EQ(support::refusal_of([&] { read_drone_file(text, "f", options, frame); }),
+              "f: its heights are above the sea or the ellipsoid, and the map does not say how "
+              "high its z = 0 is: give --origin latitude,longitude,height");
+    options.placement.origin = frame.origin;
+    EXPECT_EQ(read_drone_file(text, "f", options, frame).at(0).flown.path[1].z(), 12);
   }
 }
 

@@ -147,7 +147,7 @@ TEST(CityGml, PlacesImplicitGeometries) {
 TEST(CityGml, KeepsHeightsWithTheirUnit) {
   const std::string text = document(member(building(
       "<gen:measureAttribute name='ridge'><gen:value uom='m'>7</gen:value></gen:measureAttribute>"
-      "<bldg:measuredHeight uom='urn:adv:uom:ft'>20</bldg:measuredHeight>"
+      "<bldg:measuredHeight uom='urn:adv:uom:ft'>\n 20 \n</bldg:measuredHeight>"
       "<bldg:storeysAboveGround>2</bldg:storeysAboveGround>" +
       lod(2, surfaces(polygon(kRoof))))));
   const auto attributes = read(text, "ridge").model.objects[0].attributes;
@@ -200,13 +200,211 @@ TEST(CityGml, RefusesWhatWouldMislead) {
   EXPECT_NE(with("0 0 5 9 0 5 9 9").find("expected numbers by 3"), std::string::npos);
   EXPECT_NE(with("0 0 5 9 0 nan 9 9 8").find("expected numbers by 3"), std::string::npos);
   EXPECT_NE(with("0 0 5 9 0 1e300 9 9 8").find("within 1e8"), std::string::npos);
-  EXPECT_NE(refusal_of(document("", "3.0")).find("CityGML 1.0 or 2.0"), std::string::npos);
-  EXPECT_NE(refusal_of("<gpx/>").find("CityGML 1.0 or 2.0"), std::string::npos);
+  EXPECT_NE(refusal_of(document("", "4.0")).find("CityGML 1.0 to 3.0"), std::string::npos);
+  EXPECT_NE(refusal_of("<gpx/>").find("CityGML 1.0 to 3.0"), std::string::npos);
   const std::string whole = document(member(building(lod(2, surfaces(polygon(kRoof))))));
   EXPECT_NE(refusal_of(whole.substr(0, whole.size() / 2)).find("damaged or cut"),
             std::string::npos);
   EXPECT_NE(refusal_of(document("<a srsName='EPSG:1'/><a srsName='EPSG:2'/>")).find("expected one"),
             std::string::npos);
+}
+
+std::string part_in(const std::string& id, const std::string& inside) {
+  return "<bldg:BuildingPart gml:id='" + id + "'>" + inside + "</bldg:BuildingPart>";
+}
+
+const std::string kFloor = polygon("0 0 1 9 0 1 9 9 1 0 9 1");
+
+TEST(CityGml, FollowsLinksToParts) {
+  const std::string house =
+      member(building(lod(2, surfaces(kFloor)) + "<bldg:consistsOfBuildingPart xlink:href='#p'/>"));
+  const std::string part = member(part_in("p", lod(2, surfaces(polygon(kRoof)))));
+  for (const std::string& text : {house + part, part + house}) {
+    const CityGml city = read(document(text));
+    ASSERT_EQ(city.model.objects.size(), 2u);
+    EXPECT_EQ(city.model.objects[0].whole, city.model.objects[1].whole);
+    EXPECT_TRUE(city.model.skipped.empty());
+    // The part stands on the lowest ground of the house.
+    for (const auto& f : geom::footprints_of(city.model, 1, {}).footprints) EXPECT_EQ(f.bottom, 1);
+  }
+}
+
+TEST(CityGml, FollowsLinksToBoundaries) {
+  const std::string roof =
+      "<bldg:RoofSurface gml:id='r'>" + lod(2, surfaces(polygon(kRoof))) + "</bldg:RoofSurface>";
+  const std::string house =
+      member(building(lod(2, surfaces(kFloor)) + "<bldg:boundedBy xlink:href='#r'/>"));
+  const std::string next = member("<bldg:Building>" + lod(2, surfaces(kFloor)) +
+                                  "<bldg:boundedBy>" + roof + "</bldg:boundedBy></bldg:Building>");
+  const CityGml shared = read(document(house + next));
+  EXPECT_EQ(shared.model.objects[0].geometries.size(), 2u);
+  const CityGml alone = read(document(house + member(roof)));
+  EXPECT_EQ(alone.model.objects[0].whole, alone.model.objects[1].whole);
+}
+
+TEST(CityGml, CountsLinksThatLeadNowhere) {
+  const std::string own = lod(2, surfaces(kFloor));
+  for (const char* property :
+       {"bldg:consistsOfBuildingPart", "bldg:boundedBy", "bldg:outerBuildingInstallation",
+        "bldg:interiorRoom", "gen:somethingElse"}) {
+    for (const char* target : {"#none", "other.gml#p", "#"}) {
+      const std::string link = std::string("<") + property + " xlink:href='" + target + "'/>";
+      EXPECT_EQ(read(document(member(building(own + link)))).model.skipped.count(), 1u) << link;
+    }
+  }
+  EXPECT_EQ(read(document("<cityObjectMember xlink:href='rest.gml#a'/>" + member(building(own))))
+                .model.skipped.count(),
+            1u);
+  // What is related need not stand here.
+  EXPECT_EQ(read(document(member(building(own + "<generalizesTo xlink:href='#none'/>"))))
+                .model.skipped.count(),
+            0u);
+}
+
+TEST(CityGml, RefusesADocumentTypeAndAnInclusion) {
+  const std::string city = document(member(building(lod(2, surfaces(kFloor)) + "&rest;")));
+  const std::string laughs = "<!ENTITY a 'ha'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;&a;&a;'>";
+  for (const std::string& type : {std::string("<!DOCTYPE c [<!ENTITY rest SYSTEM 'rest.xml'>]>"),
+                                  std::string("<!DOCTYPE c SYSTEM 'c.dtd'>"),
+                                  "<!DOCTYPE c [" + laughs + "<!ENTITY rest '&b;&b;'>]>"}) {
+    EXPECT_NE(refusal_of(type + city).find("expected no document type"), std::string::npos);
+  }
+  EXPECT_NE(refusal_of(city).find("well-formed"), std::string::npos);
+  EXPECT_NE(refusal_of(document("<i:include xmlns:i='http://www.w3.org/2001/XInclude' "
+                                "href='rest.xml'/>"))
+                .find("XInclude"),
+            std::string::npos);
+}
+
+TEST(CityGml, CountsShapesThatItDoesNotKnow) {
+  const auto skipped = [](const std::string& geometry) {
+    return read(document(member(building(lod(2, geometry))))).model;
+  };
+  EXPECT_EQ(skipped("<gml:Surface><gml:patches><gml:PolygonPatch>" +
+                    ring("<gml:posList>0 0 1 9 0 1 9 9 1</gml:posList>") +
+                    "</gml:PolygonPatch><gml:Cylinder/></gml:patches></gml:Surface>")
+                .skipped.count(),
+            1u);
+  // A line among surfaces, as an aerial is drawn.
+  const auto city = skipped("<gml:MultiGeometry><gml:geometryMember>" + kFloor +
+                            "</gml:geometryMember><gml:geometryMember><gml:LineString>"
+                            "<gml:posList>0 0 1 0 0 30</gml:posList></gml:LineString>"
+                            "</gml:geometryMember></gml:MultiGeometry>");
+  EXPECT_EQ(geom::footprints_of(city, 1, {}).skipped.count(), 1u);
+}
+
+TEST(CityGml, RefusesTextBesideElementsAndPerspectives) {
+  EXPECT_NE(
+      refusal_of(document(member(building(lod(
+                     2, surfaces("<gml:Polygon>" +
+                                 ring("<gml:posList>0 0 1 9 0 1 9 9 1 <a/> 9 9 1</gml:posList>") +
+                                 "</gml:Polygon>"))))))
+          .find("expected text alone"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal_of(
+          document(member(
+              "<gen:GenericCityObject><gen:lod1ImplicitRepresentation><ImplicitGeometry>"
+              "<transformationMatrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 2</transformationMatrix>"
+              "<relativeGMLGeometry>" +
+              surfaces(kFloor) +
+              "</relativeGMLGeometry>"
+              "<referencePoint><gml:Point><gml:pos>1 2 5</gml:pos></gml:Point></referencePoint>"
+              "</ImplicitGeometry></gen:lod1ImplicitRepresentation></gen:GenericCityObject>")))
+          .find("last row"),
+      std::string::npos);
+}
+
+// Objects of modules that nobody knows are not replaced by finer ones around them.
+TEST(CityGml, BuildsObjectsOfUnknownModulesByThemselves) {
+  const CityGml city = read(document(
+      member(building(lod(3, surfaces(kFloor)) + "<x:carries xmlns:x='x'><x:Mast>" +
+                      lod(1, surfaces(polygon("4 4 2 5 4 2 5 5 2"))) + "</x:Mast></x:carries>"))));
+  EXPECT_EQ(geom::footprints_of(city.model, 1, {}).footprints.size(), 2u);
+}
+
+std::string third(const std::string& members) {
+  return "<CityModel xmlns='http://www.opengis.net/citygml/3.0' "
+         "xmlns:bldg='http://www.opengis.net/citygml/building/3.0' "
+         "xmlns:con='http://www.opengis.net/citygml/construction/3.0' "
+         "xmlns:pcl='http://www.opengis.net/citygml/pointcloud/3.0' "
+         "xmlns:gen='http://www.opengis.net/citygml/generics/3.0' "
+         "xmlns:gml='http://www.opengis.net/gml/3.2' xmlns:xlink='http://www.w3.org/1999/xlink'>" +
+         members + "</CityModel>";
+}
+
+std::string core_lod(int n, const std::string& geometry) {
+  const std::string name = "lod" + std::to_string(n) + "MultiSurface";
+  return "<" + name + ">" + geometry + "</" + name + ">";
+}
+
+std::string height(const std::string& high, const std::string& low, const std::string& value) {
+  return "<con:height><con:Height><con:highReference>" + high +
+         "</con:highReference>\n<con:lowReference>" + low +
+         "</con:lowReference><con:status>measured</con:status>\n<con:value uom='m'>" + value +
+         "</con:value></con:Height></con:height>";
+}
+
+TEST(CityGml3, TakesBoundariesPartsAndAttributes) {
+  const std::string boundary = "<boundary><con:RoofSurface gml:id='r'>" +
+                               core_lod(2, surfaces(polygon(kRoof))) +
+                               "</con:RoofSurface></boundary>";
+  const std::string part = "<bldg:buildingPart>" + part_in("p", boundary) + "</bldg:buildingPart>";
+  const std::string ridge =
+      "<genericAttribute><gen:MeasureAttribute><gen:name>ridge</gen:name>"
+      "<gen:value uom='m'>7</gen:value></gen:MeasureAttribute>"
+      "</genericAttribute>";
+  const CityGml city =
+      read(third(member(building(ridge + core_lod(2, surfaces(kFloor)) +
+                                 height("highestRoofEdge", "lowestGroundPoint", "20") + part))),
+           "ridge");
+  ASSERT_EQ(city.model.objects.size(), 2u);
+  EXPECT_EQ(city.model.objects[0].attributes.at("measuredHeight"), "20 m");
+  EXPECT_EQ(city.model.objects[0].attributes.at("ridge"), "7 m");
+  EXPECT_TRUE(city.model.objects[1].geometries.at(0).roofs_only);
+  EXPECT_EQ(city.model.objects[1].whole, city.model.objects[0].whole);
+  EXPECT_TRUE(city.model.skipped.empty());
+}
+
+// The place of an address is in a reference system of its own.
+TEST(CityGml3, TakesTheReferenceSystemOfItsSurfaces) {
+  const std::string address =
+      "<bldg:address><Address><multiPoint><gml:MultiPoint srsName='EPSG:4326'><gml:pointMember>"
+      "<gml:Point><gml:pos>48 11 0</gml:pos></gml:Point></gml:pointMember></gml:MultiPoint>"
+      "</multiPoint></Address></bldg:address>";
+  const CityGml city =
+      read(third("<boundedBy srsName='EPSG:25832'/>" +
+                 member(building(address + core_lod(2, surfaces(polygon(kRoof)))))));
+  EXPECT_EQ(city.model.crs, "EPSG:25832");
+  EXPECT_TRUE(geom::footprints_of(city.model, 1, {}).skipped.empty());
+}
+
+// What is drawn flat is as high as its highest point above its lowest ground; to its eaves alone
+// it may be higher.
+TEST(CityGml3, TakesHeightsThatReachTheTop) {
+  const auto city = [](const std::string& heights) {
+    return geom::footprints_of(
+        read(third(member(building(core_lod(0, surfaces(kFloor)) + heights)))).model, 1, {});
+  };
+  const auto eaves = height("generalEave", "lowestGroundPoint", "20");
+  EXPECT_EQ(city(eaves + height("highestRoofEdge", "lowestGroundPoint", "12")).footprints.at(0).top,
+            13);
+  EXPECT_TRUE(city(eaves).heights.at(0).second.junk);
+  EXPECT_TRUE(city(height("highestRoofEdge", "entrancePoint", "12")).heights.at(0).second.junk);
+}
+
+TEST(CityGml3, CountsPartsWithoutSurfacesAndCloudsAlone) {
+  const auto skipped = [](const std::string& inside) {
+    return geom::footprints_of(read(third(member(building(inside)))).model, 1, {}).skipped.count();
+  };
+  const std::string cloud =
+      "<pointCloud><pcl:PointCloud><pcl:pointFile>a.laz</pcl:pointFile>"
+      "</pcl:PointCloud></pointCloud>";
+  EXPECT_EQ(skipped(cloud), 1u);
+  EXPECT_EQ(skipped(cloud + core_lod(2, surfaces(polygon(kRoof)))), 0u);
+  EXPECT_EQ(skipped(core_lod(2, surfaces(polygon(kRoof))) +
+                    "<bldg:buildingPart><bldg:BuildingPart/></bldg:buildingPart>"),
+            1u);
 }
 
 }  // namespace

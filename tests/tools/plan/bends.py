@@ -117,7 +117,12 @@ class EdgeFinder:
 
     def boxes_near(self, low, high):
         """The grown boxes that a closed box meets."""
-        found = {i for cell in self.cells_of(low, high) for i in self.cells.get(cell, ())}
+        across, along = ([math.floor(v / CELL) for v in (low[k], high[k])] for k in (0, 1))
+        if (across[1] - across[0] + 1) * (along[1] - along[0] + 1) <= len(self.cells):
+            cells = self.cells_of(low, high)
+        else:  # as of an occluder that somebody made up
+            cells = (c for c in self.cells if across[0] <= c[0] <= across[1] and along[0] <= c[1] <= along[1])
+        found = {i for cell in cells for i in self.cells.get(cell, ())}
         boxes = (self.boxes[i] for i in sorted(found))
         return [(l, h) for l, h in boxes if all(a <= d and c <= b for a, b, c, d in zip(low, high, l, h))]
 

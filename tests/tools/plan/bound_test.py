@@ -142,6 +142,8 @@ def strange(record, chance):
     for key, value in (("map", "sha256:" + "0" * 64), ("frame", "neu"), ("type", "enclosure"), ("bounds", [[0, 0, 0], [SIDE] * 2 + [SIDE + 1]]),
                        ("bound", "1"), ("levels", 3), ("margin", -1), ("from", [1, 1])):
         yield key, record | {key: value}
+    if record["occluders"]:  # found to be none in no time
+        yield "an occluder larger than all", record | {"occluders": [[[-1e8] * 3, [1e8] * 3]] * len(record["occluders"])}
     for key in ("bound", "levels", "vehicle", "occluders"):
         yield key, {k: v for k, v in record.items() if k != key}
 

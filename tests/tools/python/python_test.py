@@ -164,6 +164,8 @@ def test_limits_of_vehicles_hold(city):
     report = skyway.check(tello, trajectory, limits={"vmax": 30, "amax": 30})
     assert report["ok"] and report["limits"] == {**tello.limits, "amax": 30}
     assert skyway.check(tello, trajectory, limits={"vmax": 1})["limits"]["vmax"] == 1
+    report = skyway.check(tello, path, limits={"vmax": 1})  # a path has no speed
+    assert not report["ok"] and report["reason"] == "speed_not_measured"
     again = skyway.CollisionScene(city, path.vehicle)
     assert again.vehicle == tello.vehicle and skyway.solve(again, path).to_json() == trajectory.to_json()
     for small in ("box:0.01,0.01,0.01", "crazyflie"):
@@ -172,6 +174,16 @@ def test_limits_of_vehicles_hold(city):
     assert "with margin 0.1" in raises(skyway.InputError, skyway.solve, large, path)
     assert skyway.check(large, trajectory)["margin"] == 0.1
     assert "finite" in raises(skyway.InputError, skyway.solve, tello, path, limits={"vmax": float("inf")})
+
+
+def test_degrees_are_no_metres(out):
+    tool("skyway-import", "-q", source_dir / "tests/golden/data/village.csv", "-o", f"{out}/village.boxmap")
+    village = skyway.CollisionScene(skyway.read_box_map(f"{out}/village.boxmap"), VEHICLE)
+    ends = numpy.array([[37.7925, -122.3973, 5.], [37.7926, -122.3972, 5.]])
+    for function, what in ((skyway.Planner(village).plan, ends), (skyway.check, (village, ends)),
+                           (skyway.Planner(village).plan_batch, (ends.reshape(1, 6),)),
+                           (village.hits, (ends.reshape(1, 6),)), (village.free, (ends,))):
+        assert "look like degrees" in raises(skyway.InputError, function, *what), function
 
 
 def test_errors_carry_the_tools_messages(out, scene):
@@ -312,6 +324,7 @@ with tempfile.TemporaryDirectory() as folder:
     test_records_are_those_of_the_tools(folder, here)
     test_errors_carry_the_tools_messages(folder, here)
     test_limits_of_vehicles_hold(here.map)
+    test_degrees_are_no_metres(folder)
     test_flight_logs(folder)
     test_stubs_name_what_is_there()
     test_examples_and_pages(folder)

@@ -192,7 +192,7 @@ def check_flight(page, record, folder):
 
 def check_imported(folder):
     """What a log does not say is not in the page."""
-    run("skyway-import-flight", data / "hop.ulg", "-q", "--map", folder / "map", "--geoid", "-32", "-o", folder / "hop.csv")
+    run("skyway-import-flight", data / "hop.ulg", "-q", "--map", folder / "map", "--ground", "1", "-o", folder / "hop.csv")
     lines = (folder / "hop.csv").read_text().splitlines()
     some = [line.split(",") for line in lines[:1] + lines[1:]]
     for row in some[1:]:

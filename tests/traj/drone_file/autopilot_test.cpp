@@ -22,6 +22,22 @@ TEST(Autopilots, DoNotFollowALegToATightRadiusSince112) {
   EXPECT_EQ(ardupilot().least_radius, 0);
 }
 
+TEST(Autopilots, OvershootByTheDragOfTheAirframe) {
+  Autopilot draggy = px4();
+  set_drag(draggy, 1);
+  Autopilot sleek = px4();
+  set_drag(sleek, 0.1);
+  EXPECT_EQ(px4().drag, kUsualDrag);
+  EXPECT_GT(draggy.overshoot_time, px4().overshoot_time);
+  EXPECT_EQ(sleek.overshoot_time, 0);
+  EXPECT_GT(draggy.fall, sleek.fall);
+  Autopilot ardu = ardupilot();
+  set_drag(ardu, 0);
+  EXPECT_EQ(ardu.overshoot_time, 0.12) << "no less than it was flown with";
+  set_drag(ardu, 1);
+  EXPECT_EQ(ardu.overshoot_time, 0.2);
+}
+
 TEST(SCurveLength, IsThatOfAccelerationAndJerk) {
   EXPECT_DOUBLE_EQ(s_curve_length(ardupilot(), 8), 64 / 5.0 + 8 * 2.5 / 2);
   EXPECT_EQ(s_curve_length(ardupilot(), 0), 0);

@@ -51,6 +51,25 @@ TEST(FlownDji, RisesToTheFirstWaypointGoesThereAndOn) {
   EXPECT_FALSE(flown.lands_below || flown.returns || flown.returns_at);
 }
 
+TEST(FlownDji, CountsFromTheGroundThatIsGivenWhereTheMapsHeightIsNotKnown) {
+  const MissionFrame unknown{{47, 8, 0}, 0, false};
+  DjiMission m = example();
+  const auto refusal = [&](const DjiRules& rules) {
+    return support::refusal_of([&] { flown_dji(m, unknown, rules, "m.kmz"); });
+  };
+  EXPECT_EQ(refusal({}),
+            "m.kmz:7: heights count from the take-off, and the map does not say how high above the "
+            "ellipsoid its z = 0 is: give the map's z of the ground there (--ground)");
+  const FlownDji flown = flown_dji(m, unknown, {3, {}}, "m.kmz");
+  EXPECT_EQ(flown.ends.takeoff_from, 3);
+  EXPECT_NEAR(flown.path.back().z(), 38, 1e-9);
+  m.waylines[0].heights = DjiHeights::ellipsoid;
+  EXPECT_EQ(refusal({3, {}}),
+            "m.kmz:7: expected heights above the take-off, found one above the ellipsoid, and the "
+            "map does not say how high above it its z = 0 is: give --origin "
+            "latitude,longitude,height");
+}
+
 TEST(FlownDji, RisesToTheSecurityHeightFirst) {
   DjiMission m = example();
   m.security_height = 50;
@@ -66,7 +85,7 @@ TEST(FlownDji, TakesOffBelowTheFirstWaypointWhereNothingElseIsSaid) {
   m.takeoff.reset();
   EXPECT_EQ(support::refusal_of([&] { fly(m); }),
             "m.kmz:7: heights count from the take-off, and the file does not say where that is: "
-            "give the height of the ground there (--ground)");
+            "give the map's z of the ground there (--ground)");
   const FlownDji flown = fly(m, {12, {}});
   expect_path(flown, {{0, 0, 42}, {kEast, 0, 47}});
   EXPECT_FALSE(flown.home_is_said);

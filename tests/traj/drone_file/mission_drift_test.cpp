@@ -16,6 +16,7 @@ struct Way {
   std::vector<std::optional<double>> speeds;
   VerticalEnds ends;
   std::vector<Vec3> rally;
+  std::vector<Sweep> sweeps;
 
   Way& go(const Vec3& p, const Turn& turn, double seconds = 0, double speed = 8,
           Manoeuvre manoeuvre = Manoeuvre::leg) {
@@ -28,7 +29,7 @@ struct Way {
   }
 
   std::vector<Sweep> drift(const Autopilot& autopilot) const {
-    const DriftTask task{path, hold, legs, turns, speeds, {}, {path.size() + 1, Manoeuvre::landing},
+    const DriftTask task{path, hold, legs, turns, speeds, sweeps, {path.size() + 1, Manoeuvre::landing},
                          ends, rally};
     return drift_sweeps(autopilot, task);
   }
@@ -75,8 +76,54 @@ TEST(Drift, OvershootsAStopByItsSpeed) {
   EXPECT_TRUE(holds(sweeps, {100 + 0.12 * 8 + 0.099, 0, 20}));
   EXPECT_FALSE(holds(sweeps, {100 + 0.12 * 8 + 0.101, 0, 20}));
   EXPECT_TRUE(holds(sweeps, {100.5, 5, 20})) << "the next leg begins while it is still off";
-  EXPECT_FALSE(holds(corner(kRest, 5).drift(px4()), {100.5, 0, 20}));
+  const auto with_drag = [](double drag) {
+    Autopilot pilot = px4();
+    set_drag(pilot, drag);
+    return corner(kRest, 5).drift(pilot);
+  };
+  EXPECT_FALSE(holds(with_drag(0.1), {100.01, 0, 20}));
+  EXPECT_TRUE(holds(with_drag(0.5), {100 + 0.25 * 0.4 * 8 - 0.001, 0, 20}));
+  EXPECT_FALSE(holds(with_drag(0.5), {100 + 0.25 * 0.4 * 8 + 0.001, 0, 20}));
   EXPECT_FALSE(holds(corner(kRest, 5, 2).drift(ardupilot()), {100.4, 0, 20})) << "slowly";
+}
+
+TEST(Drift, ClimbsAheadOfItsPlaceWithMuchDrag) {
+  Way way;
+  way.ends = {0.0, 0.0};
+  way.go({0, 0, 20}, {}, 0, 6, Manoeuvre::takeoff).go({60, 0, 30}, kRest, 5, 6);
+  Autopilot pilot = px4();
+  EXPECT_TRUE(holds(way.drift(pilot), {2, 0, 21.1})) << "6 m to the full speed: 1 m up";
+  EXPECT_FALSE(holds(way.drift(pilot), {2, 0, 22}));
+  EXPECT_TRUE(holds(way.drift(pilot), {55, 0, 30}));
+  set_drag(pilot, 0.1);
+  EXPECT_FALSE(holds(way.drift(pilot), {55, 0, 30}));
+}
+
+TEST(Drift, LeavesASplineByWhatAStopIsOvershot) {
+  Way way = corner(kRest, 5);
+  way.sweeps = {{{{0, 50, 20}, {50, 50, 20}}, {3, Manoeuvre::spline}}};
+  EXPECT_TRUE(holds(way.drift(ardupilot()), {25, 50 + 0.12 * 8 + 0.09, 20}));
+  EXPECT_FALSE(holds(way.drift(ardupilot()), {25, 50 + 0.12 * 8 + 0.11, 20}));
+  way.sweeps[0].part.manoeuvre = Manoeuvre::circle;
+  EXPECT_FALSE(holds(way.drift(ardupilot()), {25, 50.1, 20}));
+}
+
+TEST(Drift, SwingsLessBehindSharpTurns) {
+  const auto aside = [](const Vec3& corner, const Vec3& end) {
+    Way way;
+    way.ends = {0.0, 0.0};
+    way.go({0, 0, 20}, {}, 0, 12, Manoeuvre::takeoff).go(corner, kPass, 0, 12);
+    way.go(end, kRest, 5, 12);
+    Autopilot pilot = px4();
+    set_drag(pilot, 0.1);
+    const Vec3 out = (end - corner).normalized();
+    const Vec3 right(out.y(), -out.x(), 0);
+    double reach = 0;
+    while (holds(way.drift(pilot), corner + 20 * out + (reach + 0.1) * right)) reach += 0.1;
+    return reach;
+  };
+  EXPECT_NEAR(aside({200, 0, 20}, {390, 60, 20}), 0.013 * 144, 0.1);
+  EXPECT_LT(aside({200, 0, 20}, {200, 200, 20}), 1.3);
 }
 
 TEST(Drift, SlowsDownOnlyOnAWayThatIsLongEnough) {

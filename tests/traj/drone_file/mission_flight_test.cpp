@@ -41,12 +41,12 @@ class Maker {
     return *this;
   }
 
-  FlownMission fly(const MissionRules& rules = {}) const {
-    return flown_mission(mission_, kFrame, rules, "m");
+  FlownMission fly(const MissionRules& rules = {}, const MissionFrame& frame = kFrame) const {
+    return flown_mission(mission_, frame, rules, "m");
   }
 
-  std::string refusal(const MissionRules& rules = {}) const {
-    return support::refusal_of([&] { fly(rules); });
+  std::string refusal(const MissionRules& rules = {}, const MissionFrame& frame = kFrame) const {
+    return support::refusal_of([&] { fly(rules, frame); });
   }
 
   Mission& mission() { return mission_; }
@@ -354,6 +354,45 @@ TEST(FlownMission, CountsWhatMovesNothing) {
   Maker maker;
   maker.just(201).just(2000).add(kWaypoint, {100, 0, 30});
   EXPECT_EQ(maker.fly().idle_items, 2u);
+}
+
+// Its home is 410 m above the sea, and that says nothing of the map's z.
+TEST(FlownMission, CountsFromTheGroundThatIsGivenWhereTheMapsHeightIsNotKnown) {
+  const MissionFrame unknown{{47, 8, 0}, 0, false};
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {2, 0, 0, 0});
+  EXPECT_EQ(maker.refusal({}, unknown),
+            "m: item 1: heights count from home, which the file gives above the sea, and the map "
+            "does not say how high its z = 0 is: give the map's z of the ground there (--ground)");
+  const FlownMission flown = maker.fly({.home = 3}, unknown);
+  EXPECT_EQ(flown.ends.takeoff_from, 3);
+  EXPECT_NEAR(flown.path.back().z(), 23, 1e-9);
+}
+
+TEST(FlownMission, RefusesHeightsAboveTheSeaWhereTheMapsHeightIsNotKnown) {
+  const MissionFrame unknown{{47, 8, 0}, 0, false};
+  for (const int frame : {kGlobal, kGlobalInt}) {
+    Maker maker;
+    maker.add(kWaypoint, {100, 0, 30});
+    maker.mission().items.back().frame = frame;
+    EXPECT_EQ(maker.refusal({.home = 3}, unknown),
+              "m: item 2: expected heights above home, found one above the sea, and the map does "
+              "not say how high its z = 0 is: give --origin latitude,longitude,height");
+  }
+}
+
+// Else the way up from the ground would be left out.
+TEST(FlownMission, RefusesATakeOffFromAGroundThatNobodyGave) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 430}, {2, 0, 0, 0});
+  maker.mission().items[0].altitude = 430;
+  for (MissionItem& item : maker.mission().items) item.frame = kGlobal;
+  EXPECT_EQ(maker.fly().ends.takeoff_from, 10);
+  maker.mission().home.reset();
+  EXPECT_EQ(maker.refusal(),
+            "m: item 1: heights count from home, and the file has no home: give the height of the "
+            "ground there (--ground)");
+  EXPECT_EQ(maker.fly({.home = 12}).ends.takeoff_from, 12);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "geom/base/error.h"
 #include "support/random_city.h"
 #include "support/segment_distance.h"
+#include "traj/proof/exact/exact_check.h"
 #include "traj/scenes.h"
 #include "traj/solve/stop_and_go.h"
 
@@ -62,7 +63,8 @@ TEST(Check, SaysNoYesToWhatIsNotANumber) {
   }
   for (double CheckOptions::*member :
        {&CheckOptions::position_gap, &CheckOptions::velocity_gap, &CheckOptions::acceleration_gap,
-        &CheckOptions::yaw_gap, &CheckOptions::yaw_rate_gap, &CheckOptions::limit_slack}) {
+        &CheckOptions::yaw_gap, &CheckOptions::yaw_rate_gap, &CheckOptions::limit_slack,
+        &CheckOptions::step_share}) {
     CheckOptions options;
     options.*member = nan;
     EXPECT_THROW(check(scene, line, options), geom::InputError);
@@ -176,6 +178,48 @@ TEST(Check, HoldsEachLimitApart) {
   EXPECT_EQ(check(scene, turning, {{Limit::yaw_rate, 0.54}}).reason, Reason::yaw_rate);
   turning.segments[1].yaw->front() = 1.1;
   EXPECT_EQ(check(scene, turning, Limits{}).reason, Reason::discontinuous);
+}
+
+// However short it is, the yaw may jump there.
+TEST(Check, AsksForYawInAllSegmentsWhereItsRateIsLimited) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  Trajectory t = arc({0, 20, 0}, {6, 0, 0});
+  const Limits limits{{Limit::yaw_rate, 100}};
+  EXPECT_EQ(check(scene, t, limits).reason, Reason::none) << "no yaw at all";
+  t.segments[0].yaw = {0, 0, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(check(scene, t, Limits{}).reason, Reason::none);
+  const CheckResult result = check(scene, t, limits);
+  EXPECT_EQ(result.reason, Reason::yaw_rate_not_measured);
+  EXPECT_EQ(result.time, 4);
+  EXPECT_EQ(result.place, t.segments[1].point.front());
+  t.segments[1].yaw = t.segments[0].yaw;
+  EXPECT_EQ(check(scene, t, limits).reason, Reason::none);
+}
+
+// Segments of constant acceleration, each 9e-5 m/s2 more than the one before: 0.09 m/s3.
+TEST(Check, TakesNoStepsThatAddUpToMoreThanALimit) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  constexpr double kTime = 1e-3;
+  State from{{0, 4, 0}, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  Trajectory t;
+  for (int i = 0; i < 200; ++i) {
+    from.acceleration.x() = 9e-5 * i;
+    State to = from;
+    to.position += from.velocity * kTime + from.acceleration * (kTime * kTime / 2);
+    to.velocity += from.acceleration * kTime;
+    t.segments.push_back(hermite(from, to, kTime));
+    from = to;
+  }
+  EXPECT_EQ(check(scene, t, {{Limit::jerk, 0.02}}).reason, Reason::discontinuous);
+  EXPECT_EQ(check(scene, t, {{Limit::body_rate, 0.002}}).reason, Reason::discontinuous);
+  EXPECT_EQ(check(scene, t, {{Limit::jerk, 100}, {Limit::body_rate, 10}}).reason, Reason::none);
+  EXPECT_EQ(check(scene, t, Limits{}).reason, Reason::none);
+  const auto exactly = [&](const Limits& limits) {
+    return check_exactly({scene.map(), scene.vehicle(), scene.margin(), limits}, t).reason;
+  };
+  EXPECT_EQ(exactly({{Limit::jerk, 0.02}}), Reason::discontinuous);
+  EXPECT_EQ(exactly({{Limit::body_rate, 0.002}}), Reason::discontinuous);
+  EXPECT_EQ(exactly({{Limit::jerk, 100}, {Limit::body_rate, 10}}), Reason::none);
 }
 
 // Each extreme against the largest of many instants, which it is never below.

@@ -183,6 +183,47 @@ TEST(DurationBound, OfAReportIsRefusedWhereTheRecordLies) {
   EXPECT_FALSE(report.claimed_bound || report.duration_bound);
 }
 
+// Its control points reach further than its curve, whose length is what counts.
+TEST(DurationBound, OnLengthIsHeldAgainstTheCurveNotItsControlPoints) {
+  TrajectoryRecord record;
+  record.status = TrajectoryStatus::solved;
+  Segment& s = record.trajectory.segments.emplace_back();
+  s.duration = 6;
+  const double x[] = {0, 0, 30, -20, 30, -20, 10, 10};
+  for (std::size_t i = 0; i < s.point.size(); ++i) s.point[i] = {x[i], 0, 0};
+  double length = 0;
+  for (int i = 1; i <= 10000; ++i) {
+    length += (evaluate(s, 6e-4 * i).position - evaluate(s, 6e-4 * (i - 1)).position).norm();
+  }
+  record.bound = length * (1 - 1e-6);
+  EXPECT_FALSE(claims_too_much(record));
+  record.bound = length * (1 + 1e-5);
+  EXPECT_TRUE(claims_too_much(record));
+}
+
+TEST(DurationBound, ThatFollowsAndIsUndercutIsRefused) {
+  TrajectoryRecord record = bounded();
+  record.duration_bound.reset();
+  EXPECT_FALSE(claims_too_much(record));
+  record.limits[Limit::speed] = 2;
+  EXPECT_TRUE(claims_too_much(record)) << "34 s at least, by its own limits";
+  record.limits = kLimits;
+  EXPECT_TRUE(claims_too_much(record, {{Limit::speed, 2}}));
+}
+
+TEST(DurationBound, OfAPathIsRefusedWhereItIsLongerThanThePath) {
+  geom::PathRecord record = path();
+  ReportRecord report{"q", "path", {}, {}, {}, {}, {}};
+  report.result.ok = true;
+  add_bounds(record, report);
+  EXPECT_TRUE(accepted(report));
+  record.bound = 71;
+  add_bounds(record, report);
+  EXPECT_FALSE(accepted(report));
+  EXPECT_EQ(report.result.reason, Reason::duration_bound);
+  EXPECT_EQ(report.result.worst, 71);
+}
+
 TEST(DurationBound, InWordsIsRoundedUp) {
   EXPECT_EQ(slower_words(0.0312), "at most 3.2 % slower than any");
   EXPECT_EQ(slower_words(0.03), "at most 3.0 % slower than any");

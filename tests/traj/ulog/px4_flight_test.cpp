@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "support/refusal.h"
 #include "traj/ulog/px4_projection.h"
 #include "ulog_bytes.h"
 
@@ -222,6 +223,26 @@ TEST(Px4Flight, SaysWhereTheLogBreaksOff) {
 TEST(Px4Flight, HasNoSamplesWithoutPositions) {
   EXPECT_TRUE(Log().read().log.samples.empty());
   EXPECT_EQ(Log().local(0, {0, 0, 0}, false).read().not_known, 1u);
+}
+
+TEST(Px4Flight, TakesOffFromTheGroundThatIsGiven) {
+  const auto log = [](bool takes_off) {
+    Log log;
+    log.row(kLanded, 0, true).local(1, {0, 0, 0}).local(2, {0, 0, -1});
+    if (takes_off) log.row(kLanded, 2.5, false);
+    return log.local(3, {0, 0, -5}).local(4, {0, 0, -9}).read({MissionFrame{{47, 8, 0}, 0, false}});
+  };
+  Px4Flight flight = log(true);
+  EXPECT_NEAR(take_off_from(7, flight, "log.ulg"), 400, 1e-6);
+  const auto& samples = flight.log.samples;
+  ASSERT_EQ(samples.size(), 4u);
+  EXPECT_NEAR(samples[0].position.z(), 7, 1e-6);
+  EXPECT_NEAR(samples[1].position.z(), 8, 1e-6) << "it rises before that is noticed";
+  EXPECT_NEAR(samples[3].position.z(), 16, 1e-6);
+  flight = log(false);
+  EXPECT_EQ(support::refusal_of([&] { take_off_from(7, flight, "log.ulg"); }),
+            "log.ulg: expected a take-off after the first position, from whose ground the heights "
+            "would count, found none");
 }
 
 }  // namespace

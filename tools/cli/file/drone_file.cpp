@@ -9,9 +9,10 @@
 #include "cli/file/dji_file.h"
 #include "cli/option/numbers_option.h"
 #include "cli/run.h"
-#include "geom/text/counted.h"
 #include "geom/base/error.h"
+#include "geom/import/volume_keep_out.h"
 #include "geom/record/path_csv.h"
+#include "geom/text/counted.h"
 #include "traj/curve/to_enu.h"
 #include "traj/drone_file/crazyflie.h"
 #include "traj/drone_file/geo_line.h"
@@ -137,6 +138,12 @@ traj::Flown flown_mission(const traj::Mission& mission, const std::string& sourc
 
 geom::Polyline on_map(const traj::GeoPoints& places, const traj::MissionFrame& frame, double geoid,
                       std::string_view source) {
+  if (!frame.height_known) {
+    throw geom::InputError(
+        source,
+        "its heights are above the sea or the ellipsoid, and the map does not say how high "
+        "its z = 0 is: give --origin latitude,longitude,height");
+  }
   const geom::GeographicFrame earth(frame.origin);
   geom::Polyline path;
   for (geom::GeodeticPlace place : places) {
@@ -255,10 +262,14 @@ void Placement::add_origin_to(CLI::App& app) {
       ->check(CLI::Range(-200.0, 200.0));
 }
 
-void Placement::add_to(CLI::App& app) {
-  add_origin_to(app);
+void Placement::add_ground_to(CLI::App& app) {
   app.add_option("--ground", ground, "height of the ground at the take-off, in the map's z")
       ->check(CLI::Range(-1e6, 1e6));
+}
+
+void Placement::add_to(CLI::App& app) {
+  add_origin_to(app);
+  add_ground_to(app);
   app.add_option("--takeoff-height", takeoff_height,
                  "metres above the ground to which a Tello rises on take-off (default 1)")
       ->check(CLI::Range(0.2, 10.0));
@@ -278,12 +289,12 @@ traj::MissionFrame Placement::mission_frame(const geom::Frame& frame) const {
                       "that place",
                       frame.crs.substr(0, 60)));
     }
-    return {*origin, geoid};
+    return {*origin, geoid, true};
   }
   if (!geom::counts_from_origin(frame)) {
     throw UsageError("the map has no origin on Earth: give --origin latitude,longitude,height");
   }
-  return {*frame.origin, geoid};
+  return {*frame.origin, geoid, geom::knows_height(frame)};
 }
 
 void require_near_origin(const geom::Polyline& enu, const geom::GeodeticOrigin& origin,

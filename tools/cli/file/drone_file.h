@@ -25,9 +25,11 @@ struct Placement {
   std::optional<double> heading;               // --heading, degrees clockwise from north
 
   void add_origin_to(CLI::App& app);  // --origin and --geoid
+  void add_ground_to(CLI::App& app);  // --ground
   void add_to(CLI::App& app);         // all
 
-  // Throws UsageError where neither the options nor the frame know the origin.
+  // Its height is known where --origin gives it, or the frame (geom::knows_height). Throws
+  // UsageError where neither the options nor the frame know the origin.
   traj::MissionFrame mission_frame(const geom::Frame& frame) const;
   traj::TelloStart tello_start(const geom::Vec3& enu_ground) const;
 };

@@ -124,8 +124,8 @@ constexpr std::array kElements = {
 // In JSON, by keys and values without blanks between them.
 constexpr std::array kJson = {
     Word{R"("type":"CityJSON")", "a CityJSON model", "skyway-footprints", ""},
-    Word{R"("type":"CityJSONFeature")", "a CityJSON sequence", "",
-         "join its features into one CityJSON"},
+    Word{R"("type":"CityJSONFeature")", "features of CityJSON without their first line", "",
+         "put the CityJSON line of their sequence or service before them"},
     Word{R"("type":"path")", "a stream of paths", kPathTools, ""},
     Word{R"("type":"trajectory")", "a stream of trajectories", kTrajectoryTools, ""},
     Word{R"("type":"moving")", "a stream of obstacles that move",

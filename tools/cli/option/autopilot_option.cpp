@@ -13,6 +13,7 @@ namespace cli {
 namespace {
 
 constexpr double kFurthest = 100;  // m
+constexpr double kMostDrag = 2;    // 1/s: at 5 m/s that is the weight
 
 void add_uncertainty(CLI::App& app, const std::string& flag, std::optional<Uncertainty>& value,
                      const std::string& description) {
@@ -30,6 +31,12 @@ void add_uncertainty(CLI::App& app, const std::string& flag, std::optional<Uncer
          },
          description)
       ->type_name("H,V");
+}
+
+// The largest drag over mass that the profile tells.
+std::optional<double> drag_of(const std::optional<traj::VehicleProfile>& profile) {
+  if (!profile || !profile->airframe.drag || !profile->airframe.mass) return std::nullopt;
+  return profile->airframe.drag->maxCoeff() / *profile->airframe.mass;
 }
 
 geom::Vec3 box_of(const std::optional<Uncertainty>& value) {
@@ -52,6 +59,11 @@ void AutopilotOptions::add_to(CLI::App& app) {
                  "the autopilot's parameters: .params of PX4 or QGroundControl, .param of "
                  "ArduPilot, or a PX4 log")
       ->type_name("FILE");
+  app.add_option("--drag", drag,
+                 fmt::format("the airframe's drag over its mass, 1/s, of which autopilots overshoot "
+                             "their stops (default: the profile's, else {})",
+                             traj::kUsualDrag))
+      ->check(CLI::Range(0.0, kMostDrag));
   add_uncertainty(app, "--navigation", navigation,
                   "metres across, and up or down, by which the vehicle may be wrong about where it "
                   "is (default: the profile's navigation_m, else 0)");
@@ -68,7 +80,13 @@ void AutopilotOptions::settle(const std::optional<traj::VehicleProfile>& profile
     navigation = Uncertainty{profile->navigation->x(), profile->navigation->y()};
   }
   pilots = traj::autopilots_of(word).value();
-  if (params.empty()) return;
+  if (!params.empty()) take_parameters();
+  if (!drag) drag = drag_of(profile);
+  if (!drag) return;
+  for (traj::Autopilot& one : pilots) traj::set_drag(one, *drag);
+}
+
+void AutopilotOptions::take_parameters() {
   InputFile file(params);
   const auto settings = traj::read_autopilot_settings(file.stream(), file.name());
   traj::SetAutopilot set = traj::set_autopilot(settings, pilots, file.name());

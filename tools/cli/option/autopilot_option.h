@@ -24,6 +24,7 @@ struct AutopilotOptions {
   std::string params;                      // --params
   std::optional<Uncertainty> navigation;   // --navigation
   std::optional<Uncertainty> tracking;     // --tracking
+  std::optional<double> drag;              // --drag
   std::vector<traj::Autopilot> pilots{};   // settle() gives them
   std::vector<std::string> assumed{};      // parameters that the file of --params leaves out
   std::optional<traj::Autopilot> exactly;  // the one whose parameters are known
@@ -31,7 +32,7 @@ struct AutopilotOptions {
   void add_to(CLI::App& app);
   void add_tracking_to(CLI::App& app);
 
-  // Reads the parameters; takes the navigation of the profile where no option says one. Once,
+  // Reads the parameters; takes navigation and drag of the profile where no option says them. Once,
   // before anything else is asked.
   void settle(const std::optional<traj::VehicleProfile>& profile);
 
@@ -41,6 +42,9 @@ struct AutopilotOptions {
   // Metres along each axis that the vehicle's box is larger by: navigation, and with `tracks` what
   // is allowed for tracking.
   geom::Vec3 allowance(bool tracks) const;
+
+ private:
+  void take_parameters();
 };
 
 }  // namespace cli

@@ -60,4 +60,33 @@ void MetresOption::check_input(const geom::Frame& frame, std::span<const geom::V
   throw geom::InputError(source, line, what_stood_there(frame, points.front()));
 }
 
+void MetresOption::check_input(const geom::Frame& frame, const traj::Trajectory& trajectory,
+                               const std::string& source, std::size_t line) const {
+  for (const traj::Segment& s : trajectory.segments) {
+    if (!look_like_degrees(frame, s.point)) return;
+  }
+  if (!trajectory.segments.empty()) {
+    check_input(frame, std::span(trajectory.segments[0].point), source, line);
+  }
+}
+
+void MetresOption::check_outline(const geom::Frame& frame, std::span<const geom::Vec3> corners,
+                                 const std::string& source) const {
+  constexpr double kSmall = 2;  // m, or degrees: a country
+  check_input(frame, corners, source, 0);
+  if (insisted_) return;
+  geom::Vec3 low = corners.front();
+  geom::Vec3 high = corners.front();
+  for (const geom::Vec3& p : corners) {
+    if (!fractional(p.x()) || !fractional(p.y())) return;
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  if (std::max((high - low).x(), (high - low).y()) >= kSmall) return;
+  throw geom::InputError(
+      source, fmt::format("expected a volume in metres, found one of {:.3g} by {:.3g} m about "
+                          "[{}, {}], which may be degrees; give metres, or insist with --metres",
+                          (high - low).x(), (high - low).y(), low.x(), low.y()));
+}
+
 }  // namespace cli

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "geom/map/frame.h"
+#include "traj/curve/trajectory.h"
 
 namespace cli {
 
@@ -27,6 +28,14 @@ class MetresOption {
                     const std::string& option) const;
   void check_input(const geom::Frame& frame, std::span<const geom::Vec3> points,
                    const std::string& source, std::size_t line) const;
+
+  void check_input(const geom::Frame& frame, const traj::Trajectory& trajectory,
+                   const std::string& source, std::size_t line) const;
+
+  // Of one volume, whose corners may also be degrees where nobody knows the frame's origin: those
+  // of a volume less than 2 m across, none of whose numbers is whole. `source` names it.
+  void check_outline(const geom::Frame& frame, std::span<const geom::Vec3> corners,
+                     const std::string& source) const;
 
  private:
   std::string what_stood_there(const geom::Frame& frame, const geom::Vec3& p) const;

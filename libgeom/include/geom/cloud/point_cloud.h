@@ -60,8 +60,12 @@ CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink&
 CloudCounts read_las(std::istream& in, std::string_view source, const PointSink& sink,
                      const ReferenceSink& reference = {}, const LasReading& reading = {});
 
-// Three numbers a line, then anything; fields by white space, comma or semicolon; `#` and `//`
-// start comments, and a first line that starts with a word or is a number alone is a header.
+// Three numbers a line, then anything. One separator holds for the whole file: blanks, tabs, commas
+// or semicolons, as the first point has them; numbers have decimal points. A line of words before
+// the first point names the columns ("Northing Easting Height", "id,X [m],Y [m],Z [m]") and is
+// obeyed; it throws where it does not name one column for each axis and all columns of the points,
+// and where it says degrees, another unit than metres, or depth. `#` and `//` begin comments, which
+// are headers where they name all three axes. A number alone before the points is their count.
 CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink& sink);
 
 }  // namespace geom

@@ -47,6 +47,7 @@ struct ImportedBoxes {
   std::optional<double> floor;     // metres, where the format has one: FCND tables stand on 0
   double seal = 0;                 // metres: what hangs lower stands on the floor (MakeMapOptions)
   std::size_t flat = 0;            // boxes without extent along one or two axes: kept
+  std::size_t reversed = 0;        // boxes given from their upper corner to their lower one
   double largest_change = 0;       // metres that rounding outward moved a face by, at most
   Skipped skipped;                 // what is or may be an obstacle and is no box
   bool allow_skipped = false;      // for make_map(): set by who accepts maps without it

@@ -3,6 +3,7 @@
 // No-fly volumes: GeoJSON polygons with a lower and an upper altitude.
 
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ struct KeepOut {
   std::vector<std::string> labels;  // "keep-out: NAME", one a volume
   std::vector<double> bulge;        // metres the true outline may reach outside the polygon
   std::vector<TimeSpan> times;      // when each is there, rounded outward
+  // Names that speak of heights or times and are not read, as ED-318 and others have them, and how
+  // many features have each.
+  std::map<std::string, std::size_t> unread;
 };
 
 struct KeepOutOptions {
@@ -39,7 +43,8 @@ struct KeepOutOptions {
 // volume with times, names the epoch. Throws InputError(source, …) for malformed JSON, other
 // geometries, rings of fewer than 4 positions, altitudes that are no numbers or inverted, times
 // that are none or inverted, times without an epoch, another epoch, and without `local` for a frame
-// that has no origin.
+// that has no origin; for two names of one altitude that do not agree, and for an altitude beside a
+// unit or a reference ("uom", "lowerReference", …), which may be others than the map's.
 KeepOut read_keep_out(std::istream& in, std::string_view source, const Frame& frame,
                       const KeepOutOptions& options);
 

@@ -51,11 +51,12 @@ struct SdfWorld {
 };
 
 // Of every link all <collision> and, unless they are off, all <visual>: box, cylinder, cone,
-// sphere, ellipsoid, capsule, upright polyline. Where poses only move, and turn by quarters exactly
+// sphere, ellipsoid, capsule, polyline. Where poses only move, and turn by quarters exactly
 // (in degrees or quaternions), a box is the sum of its numbers rounded outward once; what else is
 // turned or round is covered by boxes. What a link shows and collides with as the same boxes is
 // there once. A level plane that collides and faces up is the floor; a visual plane is the
-// rectangle that it is, and none where it lies on the floor or below.
+// rectangle that it is, and none where it lies on the floor or below. Where there is nothing else,
+// the planes of the floor are flat boxes of their <size>.
 //
 // A <mesh> is an OBJ, STL or COLLADA file, by its ending. Numbers of OBJ and STL are metres with z
 // up, as simulators take them. Of COLLADA those are read that all simulators show alike, in the

@@ -2,6 +2,7 @@
 
 // Others' models as triangles: what all their readers give.
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -23,6 +24,8 @@ struct Model {
   std::optional<UpAxis> up;        // where the file or its format says so,
   std::optional<double> unit;      // and so metres in a unit
   double blur = 0;                 // in units: how far vertices may be off, by rounding in reading
+  std::size_t bent = 0;            // polygons that are not flat (model_polygons.h); their solids
+  std::size_t solid_from = SIZE_MAX;  // are the parts from this one on
 };
 
 // The bytes of a file that another one names, by a path relative to that one. Throws
@@ -45,7 +48,8 @@ Model read_obj(std::istream& in, std::string_view source);
 // STL, as text or binary; a part for each solid.
 Model read_stl(std::istream& in, std::string_view source);
 
-// PLY, as text or binary: polygons of the element "face". Edges and strips are skipped and counted.
+// PLY, as text or binary: polygons of the element "face", and "tristrips". Other elements that may
+// join vertices are skipped and counted.
 Model read_ply_model(std::istream& in, std::string_view source);
 
 // All throw InputError(source, …) for what is malformed, cut short, no number or beyond

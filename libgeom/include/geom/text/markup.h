@@ -7,12 +7,18 @@
 
 namespace geom {
 
-// As text between tags, where "<", ">" and "&" stand for themselves; control characters, which XML
-// cannot hold, become spaces.
+// As text between tags or between double quotes, where "<", ">", "&" and quotes stand for
+// themselves. What XML cannot hold becomes a space: control characters, U+FFFE and U+FFFF (UTF-8).
 inline std::string escaped_markup(std::string_view words) {
   std::string out;
-  for (const char c : words) {
-    if (c == '<') {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const char c = words[i];
+    if (words.substr(i, 3) == "\xef\xbf\xbe" || words.substr(i, 3) == "\xef\xbf\xbf") {
+      out += ' ';
+      i += 2;
+    } else if (c == '"') {
+      out += "&quot;";
+    } else if (c == '<') {
       out += "&lt;";
     } else if (c == '>') {
       out += "&gt;";

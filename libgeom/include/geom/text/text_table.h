@@ -11,13 +11,16 @@
 namespace geom {
 
 // The lines of a stream, trimmed of a leading BOM and of white space at both ends. Lines that begin
-// with `#` before the first other one that is not blank are comments, and passed over; after it,
-// they are lines like all others, as an id may begin so.
+// with `#` before the first other one that is not blank are comments, and passed over, unless
+// `comments_too`; after it, they are lines like all others, as an id may begin so.
 class TextLines {
  public:
-  TextLines(std::istream& in, std::string_view source) : in_(in), source_(source) {}
+  TextLines(std::istream& in, std::string_view source, bool comments_too = false)
+      : in_(in), source_(source), begun_(comments_too) {}
 
-  bool next();  // false at the end; throws std::system_error when reading fails
+  // False at the end. Throws std::system_error when reading fails, and InputError where a carriage
+  // return stands within a line: what another program takes for two lines must not become one.
+  bool next();
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }  // from 1
   std::string_view source() const { return source_; }
@@ -29,10 +32,15 @@ class TextLines {
   std::string buffer_;
   std::string_view line_;
   std::size_t number_ = 0;
-  bool begun_ = false;  // past the comments at the beginning
+  bool begun_;  // past the comments at the beginning
 };
 
 std::string_view trimmed(std::string_view text);
+
+// What readers of text say of a carriage return that stands alone.
+inline constexpr std::string_view kLoneReturn =
+    "expected lines that end in LF or CRLF, found a carriage return alone: convert the line ends, "
+    "for example with `tr '\\r' '\\n'`";
 
 // Fields between commas, or between semicolons where the line has one; trimmed. With `quoted`,
 // a field may stand in double quotes, in which a doubled quote is one.

@@ -21,7 +21,8 @@ struct XmlElement {
 
 // The root element. Comments and processing instructions are left out. Throws InputError
 // (source, line, …) for text that is not well-formed XML 1.0 in UTF-8 from its first byte to its
-// last, for a document type (entities of one's own), and for elements nested deeper than 100.
+// last, for a document type or an inclusion
+// (xml_head.h), and for elements nested deeper than 100.
 XmlElement parse_xml(std::string_view text, std::string_view source);
 
 }  // namespace geom

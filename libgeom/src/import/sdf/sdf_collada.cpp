@@ -93,16 +93,26 @@ void require_plain_positions(const SdfNode& mesh) {
 
 class Agreement {
  public:
-  void look(const SdfNode& node) {
-    look_at(node);
+  void look(const SdfNode& node, bool in_library = false) {
+    look_at(node, in_library);
+    in_library |= node.name() == "library_nodes";
     for (const XmlElement& child : node.element->children) {
       const bool shown = child.name != "extra" && !child.name.starts_with("library_physics");
-      if (shown) look(node.of(child));
+      if (shown) look(node.of(child), in_library);
+    }
+  }
+
+  // After the look at all: nodes of the library that others place must be there, once.
+  void require_placed_nodes() const {
+    for (const auto& [url, at] : placed_nodes_) {
+      const bool there = url.starts_with('#') && library_nodes_.count(url.substr(1)) == 1 &&
+                         scene_nodes_.count(url.substr(1)) == 0;
+      if (!there) refuse(at, "a node of <library_nodes>, of an id that no other has", url);
     }
   }
 
  private:
-  void look_at(const SdfNode& node) {
+  void look_at(const SdfNode& node, bool in_library) {
     const std::string& name = node.name();
     if (!node.element->prefix.empty()) refuse(node, "elements without a prefix", tag(node));
     if ((name == "up_axis" || name == "unit") && ++said_[name] > 1) {
@@ -111,7 +121,8 @@ class Agreement {
     if (name == "animation" || name == "instance_controller") {
       refuse(node, "a mesh that stands still: write one state of it", tag(node));
     }
-    if (name == "instance_node" || name == "lookat") {
+    if (name == "node") take_node(node, in_library);
+    if (name == "lookat") {
       refuse(node, "nodes that stand where they are placed: write the mesh with one <matrix> each",
              tag(node));
     }
@@ -126,9 +137,28 @@ class Agreement {
     if (name == "mesh") require_plain_positions(node);
   }
 
+  // One that places another shows nothing else: simulators stop at the first.
+  void take_node(const SdfNode& node, bool in_library) {
+    const std::string id = node.attribute("id");
+    if (!id.empty()) (in_library ? library_nodes_ : scene_nodes_).insert(id);
+    const std::vector<SdfNode> others = node.all("instance_node");
+    if (others.empty()) return;
+    if (others.size() > 1 || !node.all("instance_geometry").empty()) {
+      refuse(others.back(), "one <instance_node> alone in a <node>: write a <node> for each",
+             "another shape beside it");
+    }
+    const std::string url = others[0].attribute("url");
+    if (!placed_nodes_.emplace(url, others[0]).second) {
+      refuse(others[0], "each node of <library_nodes> in one place: write a copy for each", url);
+    }
+  }
+
   std::map<std::string, int> said_;
   std::set<std::string> ids_;
-  std::set<std::string> placed_;  // geometries
+  std::set<std::string> placed_;              // geometries
+  std::multiset<std::string> library_nodes_;  // by ids
+  std::multiset<std::string> scene_nodes_;
+  std::map<std::string, SdfNode> placed_nodes_;  // by their urls: where
 };
 
 }  // namespace
@@ -136,7 +166,9 @@ class Agreement {
 void require_simulators_agree(const SdfNode& collada) {
   if (collada.name() != "COLLADA") refuse(collada, "<COLLADA>", tag(collada));
   require_z_up(collada);
-  Agreement().look(collada);
+  Agreement agreement;
+  agreement.look(collada);
+  agreement.require_placed_nodes();
 }
 
 }  // namespace geom

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string_view>
 
 #include "geom/text/number.h"
 
@@ -12,6 +14,9 @@ namespace {
 
 constexpr std::size_t kMostModels = 1000000;
 constexpr std::size_t kDeepest = 50;  // includes in includes
+// What an <include> may hold; anything else might change the model, as a <scale> would.
+const std::set<std::string_view> kOfInclude = {"name", "placement_frame", "plugin",
+                                               "pose", "static",          "uri"};
 
 void require_version(const SdfNode& root) {
   if (root.name() != "sdf") {
@@ -119,9 +124,9 @@ void SdfLoader::add_include(SdfScope& scope, const SdfNode& include) {
   if (!fixed) fixed = model->find("static");
   made->is_static = scope.is_static || (fixed && fixed->flag());
   for (const XmlElement& child : include.element->children) {
-    if (child.prefix == "experimental") {
-      skipped_.add("change of an included model", sdf_place(include.of(child), child.name));
-    }
+    const bool known = child.prefix.empty() && kOfInclude.contains(child.name);
+    if (known || (!child.prefix.empty() && child.prefix != "experimental")) continue;
+    skipped_.add("change of an included model", sdf_place(include.of(child), child.name));
   }
   open_.push_back(file->name);
   fill(*made);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geom/base/error.h"
+#include "geom/shape/convex_parts.h"
 #include "geom/shape/cover.h"
 #include "geom/shape/ring_stack.h"
 #include "sdf_loader.h"
@@ -95,13 +96,8 @@ SdfBoxes SdfShapes::plane(const SdfNode& shape, const SdfPose& pose) const {
   return out;
 }
 
-SdfBoxes SdfShapes::polylines(const std::vector<SdfNode>& shapes, const SdfPose& pose) const {
-  SdfBoxes out;
-  if (!upright(pose)) {
-    skip(shapes[0], "polyline that is not upright");
-    return out;
-  }
-  Polygon polygon;
+std::optional<SdfShapes::Extrusion> SdfShapes::extrusion(const std::vector<SdfNode>& shapes) const {
+  Extrusion out;
   std::vector<double> heights;
   for (const SdfNode& shape : shapes) {
     const auto height = shape.find("height");
@@ -109,32 +105,62 @@ SdfBoxes SdfShapes::polylines(const std::vector<SdfNode>& shapes, const SdfPose&
     std::vector<Vec2> ring;
     for (const SdfNode& point : shape.all("point")) {
       const std::vector<double> v = point.numbers(2);
-      ring.push_back((pose.turn * Vec3(v[0], v[1], 0)).head<2>());
+      ring.push_back({v[0], v[1]});
     }
     if (ring.size() < 3) {
       shape.refuse(fmt::format("<polyline> must have at least 3 points, found {}", ring.size()));
     }
     // The first ring is the outline, and the parity of all counts: so is the simulator's.
-    (polygon.outer.empty() ? polygon.outer : polygon.holes.emplace_back()) = std::move(ring);
+    std::vector<Vec2>& to =
+        out.polygon.outer.empty() ? out.polygon.outer : out.polygon.holes.emplace_back();
+    to = std::move(ring);
   }
   const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
   if (*least != *most) {
     skip(shapes[0], "polylines of different heights");
-    return out;
+    return std::nullopt;
   }
-  const double up = pose.turn(2, 2) * *most;
-  double reach = *most;
-  for (const Vec2& p : polygon.outer) reach = std::max(reach, p.norm());
-  for (const auto& hole : polygon.holes) {
-    for (const Vec2& p : hole) reach = std::max(reach, p.norm());
+  out.height = *most;
+  return out;
+}
+
+std::vector<Aabb> SdfShapes::upright_boxes(Extrusion solid, const SdfPose& pose) const {
+  const double up = pose.turn(2, 2) * solid.height;
+  double reach = solid.height;
+  const auto turn = [&](std::vector<Vec2>& ring) {
+    for (Vec2& p : ring) {
+      p = (pose.turn * Vec3(p.x(), p.y(), 0)).head<2>();
+      reach = std::max(reach, p.norm());
+    }
+  };
+  turn(solid.polygon.outer);
+  for (std::vector<Vec2>& hole : solid.polygon.holes) turn(hole);
+  std::vector<Aabb> out;
+  for (const Rectangle& r : cover(solid.polygon, 0.98 * slack_)) {
+    const Aabb local{{r.min.x(), r.min.y(), std::min(0.0, up)},
+                     {r.max.x(), r.max.y(), std::max(0.0, up)}};
+    out.push_back(shifted(pose, local, reach));
   }
+  return out;
+}
+
+SdfBoxes SdfShapes::polylines(const std::vector<SdfNode>& shapes, const SdfPose& pose) const {
+  const std::optional<Extrusion> solid = extrusion(shapes);
+  if (!solid) return {};
+  SdfBoxes out;
   try {
-    for (const Rectangle& r : cover(polygon, 0.98 * slack_)) {
-      const Aabb local{{r.min.x(), r.min.y(), std::min(0.0, up)},
-                       {r.max.x(), r.max.y(), std::max(0.0, up)}};
-      out.boxes.push_back(shifted(pose, local, reach));
+    if (upright(pose)) return {upright_boxes(*solid, pose), {}};
+    for (const std::vector<Vec2>& ring : convex_parts(solid->polygon)) {
+      RingStack part;
+      part.sides = ring.size();
+      for (const double z : {0.0, solid->height}) {
+        for (const Vec2& p : ring) part.corners.push_back({p.x(), p.y(), z});
+      }
+      const std::vector<Aabb> boxes = turned(part, pose, shapes[0]);
+      out.boxes.insert(out.boxes.end(), boxes.begin(), boxes.end());
     }
   } catch (const InputError& problem) {
+    if (std::string_view(problem.what()).starts_with(*shapes[0].source)) throw;
     shapes[0].refuse(problem.what());
   }
   return out;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/import/skipped.h"
+#include "geom/shape/polygon.h"
 #include "sdf_meshes.h"
 #include "sdf_pose.h"
 
@@ -30,6 +31,12 @@ class SdfShapes {
   SdfBoxes shape(const SdfNode& shape, const SdfPose& pose) const;
   SdfBoxes box(const SdfNode& shape, const SdfPose& pose) const;
   SdfBoxes plane(const SdfNode& shape, const SdfPose& pose) const;
+  struct Extrusion {  // of a polygon, upward from its plane
+    Polygon polygon;
+    double height = 1;
+  };
+  std::optional<Extrusion> extrusion(const std::vector<SdfNode>& shapes) const;
+  std::vector<Aabb> upright_boxes(Extrusion solid, const SdfPose& pose) const;
   SdfBoxes polylines(const std::vector<SdfNode>& shapes, const SdfPose& pose) const;
   std::vector<Aabb> turned(const struct RingStack& solid, const SdfPose& pose,
                            const SdfNode& at) const;

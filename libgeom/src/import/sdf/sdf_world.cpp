@@ -56,6 +56,22 @@ const Kinds kOfLink = {
     "frame",      "gravity",           "inertial",         "joint",          "kinematic",
     "light",      "must_be_base_link", "particle_emitter", "plugin",         "pose",
     "projector",  "self_collide",      "sensor",           "velocity_decay", "visual"};
+const Kinds kOfPart = {"auto_inertia_params",
+                       "cast_shadows",
+                       "density",
+                       "frame",
+                       "geometry",
+                       "laser_retro",
+                       "layer",
+                       "lighting",
+                       "material",
+                       "max_contacts",
+                       "meta",
+                       "plugin",
+                       "pose",
+                       "surface",
+                       "transparency",
+                       "visibility_flags"};
 const Kinds kMoving = {"actor", "population", "road"};
 
 struct BoxOrder {
@@ -88,6 +104,7 @@ class WorldReader {
     }
     for (const SdfNode& state : world.node.all("state")) require_unmoved(state, world);
     add_plane_pictures();
+    add_ground_alone();
   }
 
  private:
@@ -120,6 +137,7 @@ class WorldReader {
     const SdfPose pose = model.pose_of(link);
     std::set<Aabb, BoxOrder> there;
     const auto take = [&](const SdfNode& part, bool seen) {
+      require_known(part, kOfPart);
       const SdfPose place = outer * model.pose_in_link(part, pose);
       const SdfBoxes made = shapes_.boxes_of(part.child("geometry"), place);
       take_boxes(part, made, seen, label, there);
@@ -136,6 +154,7 @@ class WorldReader {
     const bool plane = part.child("geometry").find("plane").has_value();
     if (plane && !seen) {
       if (made.plane) {
+        for (const Aabb& box : made.boxes) grounds_.push_back({box, links_, label});
         out_.floor = std::max(*made.plane, out_.floor.value_or(*made.plane));
       } else {
         out_.skipped.add("plane that is no floor", sdf_place(part, "a collision must be level"));
@@ -164,13 +183,29 @@ class WorldReader {
     out_.table.add(box, id, out_.table.label_of(label));
   }
 
+  struct Picture {
+    Aabb box;
+    std::size_t link;
+    std::string label;
+  };
+
   // Level planes that are seen and do not lie on the floor.
   void add_plane_pictures() {
     for (const Picture& p : pictures_) {
       if (out_.floor && p.box.max.z() <= *out_.floor) continue;
-      ++out_.flat;
-      out_.table.add(p.box, p.link, out_.table.label_of(p.label));
+      add_picture(p);
     }
+  }
+
+  void add_picture(const Picture& p) {
+    ++out_.flat;
+    out_.table.add(p.box, p.link, out_.table.label_of(p.label));
+  }
+
+  // A world of ground alone is a map of that ground: a flat box as large as its plane.
+  void add_ground_alone() {
+    if (!out_.table.boxes.empty() || !out_.skipped.empty()) return;
+    for (const Picture& p : grounds_.empty() ? pictures_ : grounds_) add_picture(p);
   }
 
   // Older simulators put models where a <state> says.
@@ -229,17 +264,12 @@ class WorldReader {
     return (a.place() - b.place()).norm() < same && (a.turn - b.turn).norm() < std::min(same, 1e-5);
   }
 
-  struct Picture {
-    Aabb box;
-    std::size_t link;
-    std::string label;
-  };
-
   const SdfOptions& options_;
   SdfWorld& out_;
   SdfMeshes meshes_;
   SdfShapes shapes_;
   std::vector<Picture> pictures_;
+  std::vector<Picture> grounds_;  // level planes that collide, as large as the file says
   std::size_t links_ = 0;
 };
 

@@ -66,6 +66,9 @@ struct Mission {
 struct MissionFrame {
   geom::GeodeticOrigin origin;  // of the map, on the ellipsoid
   double geoid = 0;             // m: sea level above the ellipsoid there
+  // Whether origin.height says how high z = 0 is. If not, heights above the sea and above the
+  // ellipsoid are refused.
+  bool height_known = true;
 };
 
 struct MissionOptions {

@@ -29,6 +29,8 @@ struct Stray {
 // Whether a check measures the clearance too. No verdict hangs on it, and it costs more than one.
 enum class Clearance { measured, left_out };
 
+inline constexpr double kStepShare = 1e-3;
+
 struct CheckOptions {
   Limits limits;
   // Of each segment, and then the curve with all that is so near to it must be clear and inside the
@@ -41,7 +43,11 @@ struct CheckOptions {
   double acceleration_gap = 1e-4;  // m/s2
   double yaw_gap = 1e-9;           // radians
   double yaw_rate_gap = 1e-6;      // rad/s
-  double limit_slack = 0;          // relative, on every limit
+  // Steps add up: at most this share of what a limit that is asked for allows on the next
+  // derivative in the time of the shorter segment. So what is flown keeps limits to twice this
+  // share.
+  double step_share = kStepShare;
+  double limit_slack = 0;  // relative, on every limit
   Clearance clearance = Clearance::measured;
   // When it begins, seconds after the epoch of the scene's map, within geom::kLargestTime: boxes
   // that are there for a time must be clear at that time only (closed at both ends, rounded

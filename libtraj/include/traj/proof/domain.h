@@ -36,4 +36,8 @@ std::optional<OutsideDomain> outside_domain(const Limits& limits);
 // The same for the points of a path.
 std::optional<OutsideDomain> outside_domain(std::span<const Vec3> points);
 
+// The first segment without yaw, where others have one: a limit on the yaw rate cannot be judged
+// there.
+std::optional<std::size_t> gap_in_yaw(const Trajectory& trajectory);
+
 }  // namespace traj

@@ -20,9 +20,15 @@ std::optional<double> duration_bound(const TrajectoryRecord& record, const Limit
 void add_bounds(const geom::PathRecord& path, TrajectoryRecord& record);
 
 // Whether the record claims more than can be: a duration bound that does not follow from its bound
-// on length and its limits, or that it undercuts itself; or a bound on length that is longer than
-// its own curve. To be asked of what is free and within its limits.
+// on length and its limits; a bound on length that is longer than its own curve, or from which a
+// time follows that it undercuts itself. To be asked of what is free and within its limits.
 bool claims_too_much(const TrajectoryRecord& record);
+
+// The same of a record that keeps these limits, too.
+bool claims_too_much(const TrajectoryRecord& record, const Limits& limits);
+
+// Whether the path is shorter than its own bound on length. To be asked of what is free.
+bool claims_too_much(const geom::PathRecord& path);
 
 // Its duration over duration_bound() for its own limits, less 1; nothing where there is no such
 // bound, or where the record claims too much.

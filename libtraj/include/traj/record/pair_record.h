@@ -18,6 +18,7 @@ struct TogetherTask {
   std::optional<std::string> epoch;
   std::optional<std::string> map;  // its hash
   std::string flights_hash;        // see flights_hash.h
+  bool overridden = false;         // a vehicle or margin is smaller than its record says
 };
 
 // Of a pair that is refused; ends with a newline.

@@ -33,9 +33,11 @@ struct ReportRecord {
   std::optional<Vec3> home = {};
   std::size_t idle_items = 0;
   // Of what an autopilot flies: which ones that holds for, the parameters that were assumed of them,
-  // and metres across and up or down by which they may be wrong about where they are, or stray.
+  // the airframe's drag over its mass (1/s), and metres across and up or down by which they may be
+  // wrong about where they are, or stray.
   std::string autopilot = {};
   std::vector<std::string> assumed = {};
+  std::optional<double> drag = {};
   std::optional<std::array<double, 2>> navigation = {};
   std::optional<std::array<double, 2>> tracking = {};
   std::size_t endless_jumps = 0;
@@ -48,6 +50,12 @@ struct ReportRecord {
 // Gives `report`, which holds what was checked of `record`, its bounds; refuses what is accepted
 // but claims too much. A bound of another map, vehicle or margin, or of none, is left out.
 void add_bounds(const TrajectoryRecord& record, ReportRecord& report);
+
+// Refuses an accepted path that is shorter than its own bound.
+void add_bounds(const geom::PathRecord& record, ReportRecord& report);
+
+// Refuses, with its first place, what is accepted though a limit was asked for and not measured.
+void refuse_unmeasured(const Limits& asked, const Vec3& place, ReportRecord& report);
 
 // Whether every check that was made accepts it.
 bool accepted(const ReportRecord& record);

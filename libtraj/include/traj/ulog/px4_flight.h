@@ -47,6 +47,11 @@ struct Px4Flight {
 // geom::InputError as read_ulog does.
 Px4Flight read_px4_flight(std::istream& in, std::string_view source, const Px4Options& options);
 
+// Raises or lowers the flight so that the lowest position of the 10 s before the take-off is at
+// z = `ground`, metres, and returns the z that it had. Throws geom::InputError(source, …) where the
+// log has no take-off after a position. Before begin_at().
+double take_off_from(double ground, Px4Flight& flight, std::string_view source);
+
 // Leaves out all before `begin` seconds, and counts from there.
 void begin_at(double begin, Px4Flight& flight);
 

@@ -3,6 +3,7 @@
 
 #include "gmp_conditions.h"
 #include "gmp_judge.h"
+#include "traj/proof/check.h"
 #include "traj/proof/domain.h"
 #include "traj/proof/exact/exact_check.h"
 
@@ -132,6 +133,10 @@ class Proof {
                       proof.limits[limit]);
       });
     };
+    const auto yaw_is_whole = [&] {
+      const auto gap = limits[Limit::yaw_rate] ? gap_in_yaw(trajectory) : std::nullopt;
+      return !gap || refuse(unmeasured(Limit::yaw_rate), 0, segments[*gap].point.front());
+    };
     result_.ok = each([&](const Segment& s, Timing timing, SegmentProof& proof) {
                    return inside(s.point, timing, proof.bounds);
                  }) &&
@@ -139,7 +144,7 @@ class Proof {
                    return clear(s.point, timing, proof.clear);
                  }) &&
                  gaps(trajectory) && stands(trajectory) &&
-                 std::all_of(kOrderOfLimits.begin(), kOrderOfLimits.end(), holds);
+                 std::all_of(kOrderOfLimits.begin(), kOrderOfLimits.end(), holds) && yaw_is_whole();
     return result_;
   }
 
@@ -217,6 +222,7 @@ class Proof {
 
   bool joint(const Segment& before, const Segment& after, double time) {
     const double most[] = {1e-9, 1e-6, 1e-4};  // CheckOptions
+    const mpq_class share = share_of(before, after);
     bool ok = true;
     for (int order = 0; order < 4; ++order) {
       const auto a = derivative_at(before, order, true);
@@ -231,12 +237,35 @@ class Proof {
       if (order == 3) continue;
       const mpq_class limit = mpq_class(most[order]) * mpq_class(1001, 1000);
       ok = ok && square <= limit * limit;
+      for (const Limit next : kNext[order]) {
+        if (!task_.limits[next]) continue;
+        const mpq_class step = share * mpq_class(*task_.limits[next]);
+        ok = ok && square <= step * step * (next == Limit::body_rate ? square_of_force(a) : 1);
+      }
     }
-    ok = ok && yaw_joins(before, after);
+    ok = ok && yaw_joins(before, after, share);
     return ok || refuse(Reason::discontinuous, time, before.point[kDegree]);
   }
 
-  static bool yaw_joins(const Segment& before, const Segment& after) {
+  // The limits on the next derivative of the position, the velocity and the acceleration.
+  static constexpr std::array<std::array<Limit, 3>, 3> kNext{
+      {{Limit::speed, Limit::horizontal_speed, Limit::vertical_speed},
+       {Limit::acceleration, Limit::acceleration, Limit::acceleration},
+       {Limit::jerk, Limit::body_rate, Limit::body_rate}}};
+
+  // Of these limits, which the steps at a joint may be (CheckOptions::step_share), times seconds.
+  static mpq_class share_of(const Segment& before, const Segment& after) {
+    return mpq_class(kStepShare) * mpq_class(1001, 1000) *
+           mpq_class(std::min(before.duration, after.duration));
+  }
+
+  template <class Vector>
+  static mpq_class square_of_force(const Vector& acceleration) {
+    const mpq_class up = acceleration[2] + mpq_class(kGravity);
+    return acceleration[0] * acceleration[0] + acceleration[1] * acceleration[1] + up * up;
+  }
+
+  bool yaw_joins(const Segment& before, const Segment& after, const mpq_class& share) const {
     if (!before.yaw || !after.yaw) return true;
     const auto& a = *before.yaw;
     const auto& b = *after.yaw;
@@ -247,7 +276,9 @@ class Proof {
         kDegree * exact_step(b[0], b[1]) / mpq_class(after.duration) -
         kDegree * exact_step(a[kDegree - 1], a[kDegree]) / mpq_class(before.duration);
     const mpq_class more(1001, 1000);
-    return abs(exact_step(a[kDegree], b[0])) <= mpq_class(1e-9) * more &&
+    const mpq_class step = abs(exact_step(a[kDegree], b[0]));
+    const auto& rate = task_.limits[Limit::yaw_rate];
+    return step <= mpq_class(1e-9) * more && (!rate || step <= share * mpq_class(*rate)) &&
            abs(rate_step) <= mpq_class(1e-6) * more;
   }
 

@@ -71,7 +71,7 @@ TEST(SdfCollada, NodesAreOneMatrixOrMoveTurnAndScaleInThisOrder) {
 
 TEST(SdfCollada, WhatMovesOrStandsInTwoPlacesIsShownInDifferentWays) {
   for (const char* place : {"<instance_geometry url='#g'/>", "<instance_node url='#n'/>",
-                            "<instance_controller url='#c'/>"}) {
+                            "<instance_node url='#gone'/>", "<instance_controller url='#c'/>"}) {
     EXPECT_NE(problem(collada(kUp, place)), "") << place;
   }
   EXPECT_NE(problem_with("<library_visual_scenes>",
@@ -111,6 +111,25 @@ TEST(SdfCollada, WhatProgramsAddForThemselvesDoesNotMatter) {
             "");
   EXPECT_EQ(problem(collada(kUp, "<extra><x:y xmlns:x='u'/><up_axis>Y_UP</up_axis></extra>")), "");
   EXPECT_NE(problem(collada(kUp, "<x:node xmlns:x='u'/>")), "");
+}
+
+// As SketchUp writes it: a library of nodes, each placed once.
+TEST(SdfCollada, ANodeOfTheLibraryMayStandInOnePlace) {
+  const auto placed = [](const std::string& scene, const std::string& more = "") {
+    std::string text = collada(kUp);
+    const std::string node = "<instance_geometry url=\"#g\"/></node>";
+    text.replace(text.find(node), node.size(), scene + "</node>");
+    const std::string library = "<library_visual_scenes>";
+    return problem(text.insert(text.find(library),
+                               "<library_nodes><node id='k'><instance_geometry "
+                               "url='#g'/></node>" +
+                                   more + "</library_nodes>"));
+  };
+  EXPECT_EQ(placed("<instance_node url='#k'/>"), "");
+  EXPECT_NE(placed("<instance_node url='#k'/><instance_node url='#k'/>"), "");
+  EXPECT_NE(placed("<instance_node url='#k'/></node><node><instance_node url='#k'/>"), "");
+  EXPECT_NE(placed("<instance_node url='#k'/>", "<node id='k'/>"), "") << "which of the two?";
+  EXPECT_NE(placed("<instance_node url='#n'/>"), "") << "it is in the scene already";
 }
 
 }  // namespace

@@ -72,6 +72,8 @@ TEST(SdfLoader, SkipsWhatIsNotFoundAndWhatIsChanged) {
   EXPECT_EQ(
       read(files, include("b", "<experimental:params><x/></experimental:params>")).skipped.count(),
       1u);
+  EXPECT_EQ(read(files, include("b", "<scale>2 2 2</scale>")).skipped.count(), 1u);
+  EXPECT_EQ(read(files, include("b", "<plugin/><static>1</static>")).skipped.count(), 0u);
   files.add("c", file("<light name='c'/>"));
   EXPECT_EQ(read(files, include("c")).skipped.count(), 0u);
   files.add("d", file("<actor name='c'/>"));

@@ -60,7 +60,28 @@ TEST(SdfShapes, PolylinesStandOnTheirPlaceAndHaveHoles) {
   EXPECT_NEAR(around(made(outline, "0 0 5 180 0 0")).min.z(), 3, 1e-8);
   const Made open = made(outline + hole);
   for (const Aabb& b : open.out.boxes) EXPECT_FALSE(contains(b, {4.5, 4.5, 1}));
-  EXPECT_EQ(made(outline, "0 0 5 10 0 0").skipped.count(), 1u);
+}
+
+// On its side: what was up is along -y, and the hole goes through.
+TEST(SdfShapes, PolylinesMayBeTilted) {
+  const std::string outline =
+      "<polyline><point>0 0</point><point>9 0</point><point>9 9</point><point>0 9</point>"
+      "<height>2</height></polyline>";
+  const std::string hole =
+      "<polyline><point>3 3</point><point>6 3</point><point>6 6</point><point>3 6</point>"
+      "<height>2</height></polyline>";
+  const Made side = made(outline + hole, "0 0 5 90 0 0");
+  EXPECT_TRUE(side.skipped.empty());
+  const auto held = [&](const Vec3& p) {
+    return std::any_of(side.out.boxes.begin(), side.out.boxes.end(),
+                       [&](const Aabb& b) { return contains(b, p); });
+  };
+  for (const Vec3& p : {Vec3(1, -1, 6), Vec3(8, -2, 13.9), Vec3(4.5, 0, 5.5), Vec3(0, -1, 9)}) {
+    EXPECT_TRUE(held(p)) << p.transpose();
+  }
+  EXPECT_FALSE(held({4.5, -1, 9.5}));
+  EXPECT_NEAR(around(side).min.y(), -2, 0.1);
+  EXPECT_NEAR(around(side).max.z(), 14, 0.1);
 }
 
 TEST(SdfShapes, APlaneIsAFloorOrARectangle) {

@@ -51,6 +51,16 @@ TEST(Whole, HoldsEveryDouble) {
   }
 }
 
+TEST(ExactCheck, AsksForYawInAllSegmentsWhereItsRateIsLimited) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0.1);
+  Trajectory t = arc({0, 8, 0}, {3, 0, 0});
+  const Limits limits{{Limit::yaw_rate, 100}};
+  EXPECT_TRUE(exactly(scene, t, limits).ok) << "no yaw at all";
+  t.segments[1].yaw = {0, 0, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(exactly(scene, t, limits).reason, Reason::yaw_rate_not_measured);
+  EXPECT_TRUE(exactly(scene, t).ok);
+}
+
 TEST(ExactCheck, CoversEverySegmentOnce) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0.1);
   const ExactResult result =
