@@ -39,7 +39,8 @@ class Reader {
         begin_sequence(parse_json(head, source_));
       }
       if (!sequence) {
-        head += line + '\n';
+        head += line;
+        if (!in.eof()) head += '\n';
       } else if (!words.empty()) {
         line_ = number;
         read_feature(parse_json(line, source_, number));

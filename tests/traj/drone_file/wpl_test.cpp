@@ -75,7 +75,7 @@ TEST(Wpl, BadFilesAreRefused) {
             "m.wpl:3: expected a place near the origin 47 8, found -33 151");
   EXPECT_EQ(refusal("0\t1\t3\t22\t0\t0\t0\t0\t47\t8\t15\t1\n"),
             "m.wpl:2: heights count from home, and the file has no home: give the height of the "
-            "ground there");
+            "ground there (--ground)");
   EXPECT_EQ(refusal(home + "1\t0\t3\t16\t-1\t0\t0\t0\t47\t8\t15\t1\n"),
             "m.wpl:3: a hold must be >= 0 s, found -1");
   EXPECT_EQ(refusal(home + "1\t0\t2\t20\t0\t0\t0\t0\t0\t0\t0\t1\n"),
