@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "geom/import/building_height.h"
+#include "geom/import/written_height.h"
 #include "gml_words.h"
 
 namespace footprints {
