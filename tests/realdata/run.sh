@@ -74,7 +74,7 @@ kind=path
 [ "$(records "$traj/uav_trajectories/waypoints1.csv")" -eq 1 ]
 [ "$(records "$traj/dronekit_mpmission.txt" --origin -35.363262,149.165237,584)" -eq 1 ]
 for mission in "$traj"/mavsdk_plans/*; do
-  [ "$(records "$mission" --origin 47.3977507,8.5456075,488.93)" -eq 1 ]
+  [ "$(records "$mission" --origin 47.3977507,8.5456075,488.93 --ground 0)" -eq 1 ]
 done
 if command -v skyway-footprints > /dev/null; then
   city=$SKYWAY_REALDATA/city
