@@ -50,8 +50,8 @@ Autopilot px4(std::string_view version) {
   out.tracking = {0.45, 0.45, 0.35};
   out.rest_settling = 20;
   out.rest_settling_time = 2.5;
-  out.settling = 20;
-  out.settling_time = 12;
+  out.settling = 80;
+  out.settling_time = 7;
   out.bulge = 0.013;
   out.run_on = 0.3;
   set_drag(out, kUsualDrag);
