@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "geom/archive/box_map_file.h"
+#include "geom/map/box_map_file.h"
 #include "support/union_oracle.h"
 
 int main(int argc, char** argv) {

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "embree_peer.h"
-#include "geom/archive/box_map_file.h"
 #include "geom/base/random.h"
+#include "geom/map/box_map_file.h"
 #include "tree_peer.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <map>
 
-#include "geom/archive/box_map_file.h"
+#include "geom/map/box_map_file.h"
 #include "geom/record/record.h"
 #include "traj/proof/check.h"
 #include "traj/solve/solve.h"

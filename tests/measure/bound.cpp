@@ -18,7 +18,7 @@
 #include <numeric>
 #include <vector>
 
-#include "geom/archive/box_map_file.h"
+#include "geom/map/box_map_file.h"
 #include "geom/record/query_record.h"
 #include "geom/shape/polyline.h"
 #include "plan/planner/plan.h"

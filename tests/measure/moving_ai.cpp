@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "geom/archive/box_map_file.h"
+#include "geom/map/box_map_file.h"
 #include "plan/lattice/astar.h"
 #include "plan/lattice/build_lattice.h"
 

@@ -11,7 +11,7 @@
 #include <ctime>
 #include <vector>
 
-#include "geom/archive/box_map_file.h"
+#include "geom/map/box_map_file.h"
 #include "support/random_city.h"
 
 namespace {

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <vector>
 
-#include "geom/archive/box_map_file.h"
 #include "geom/collision/collision.h"
+#include "geom/map/box_map_file.h"
 
 int main(int argc, char** argv) {
   if (argc != 5) return 2;

@@ -7,6 +7,9 @@ import statistics
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import layers
+
 TREE = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 LIMITS = {
     "vmax": ("vmax", "speed"), "vmax_h": ("vmax_h", "horizontal_speed"), "vmax_v": ("vmax_v", "vertical_speed"),
@@ -67,6 +70,13 @@ def main():
     largest = folders.most_common(3)
     print(f"folders with sources: {len(folders)}; files in one: median {statistics.median(folders.values()):g}, "
           f"largest {', '.join(f'{count} ({folder})' for folder, count in largest)}")
+
+    rooms = layers.uses(layers.sources(TREE))
+    cycles = layers.cycles(rooms)
+    public = [file for file in files if file.parts[1] == "include"]
+    print(f"cycles of rooms: {len(cycles)}, which hold {sum(map(len, cycles))} of {len(rooms)} rooms")
+    print(f"public headers: {len(public)}; lines of product: {sum(texts[file].count(chr(10)) for file in product)}, "
+          f"of tests: {sum(texts[file].count(chr(10)) for file in files if file.parts[0] == 'tests')}")
 
     climbing = sum(len(re.findall(r'#include "\.\./', text)) for text in texts.values())
     print(f"includes that climb (\"../\"): {climbing}")

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "geom/archive/array_archive.h"
-#include "geom/archive/box_map_file.h"
 #include "geom/map/box_map.h"
+#include "geom/map/box_map_file.h"
 
 namespace support {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace support {
 

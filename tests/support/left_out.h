@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geom/base/error.h"
-#include "geom/import/skipped.h"
+#include "geom/base/skipped.h"
 #include "geom/shape/aabb.h"
 #include "geom/text/excerpt.h"
 #include "support/random_city.h"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "geom/base/vec3.h"
 #include "geom/map/footprint.h"
-#include "geom/shape/vec3.h"
 #include "support/cover_oracle.h"
 #include "support/random_city.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "bounds.h"
-#include "cli/file/artefacts.h"
+#include "cli/content/artefacts.h"
 #include "cli/file/files.h"
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"

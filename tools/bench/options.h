@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/file/artefacts.h"
+#include "cli/content/artefacts.h"
 #include "measure.h"
 #include "method.h"
 #include "query_set.h"

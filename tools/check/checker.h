@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/file/drone_file.h"
+#include "cli/content/drone_file.h"
 #include "cli/file/files.h"
 #include "cli/option/degrees.h"
 #include "cli/option/scenes.h"

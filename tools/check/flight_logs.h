@@ -6,9 +6,9 @@
 #include <string>
 
 #include "cli/batch.h"
-#include "cli/file/contents.h"
-#include "cli/file/record_output.h"
+#include "cli/content/contents.h"
 #include "cli/option/scenes.h"
+#include "cli/shard/record_output.h"
 #include "traj/record/sampled_report.h"
 
 namespace checking {

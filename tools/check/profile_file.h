@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "cli/file/record_output.h"
+#include "cli/shard/record_output.h"
 #include "traj/proof/clearance.h"
 
 namespace checking {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "run.h"
+#include "cli/option/common.h"
 
 namespace cli {
 

@@ -1,16 +1,13 @@
 #include "run.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <new>
 #include <sstream>
 #include <system_error>
-#include <thread>
 
 #include "cli/file/cut_file.h"
-#include "cli/file/files.h"
 #include "cli/file/missing_file.h"
 #include "cli/file/run_files.h"
 #include "cli/file/standard_streams.h"
@@ -21,18 +18,9 @@
 #include "cli/option/parse_error.h"
 #include "geom/base/error.h"
 #include "geom/base/mapped_file.h"
-#include "geom/text/excerpt.h"
-#include "geom/text/json_line.h"
 
 namespace cli {
 namespace {
-
-constexpr std::size_t kLongestMessage = 2000;  // bytes
-
-// As it may reach a terminal: no file can write its own lines there, or steer it.
-std::string shown_message(std::string_view message) {
-  return geom::excerpt(message, kLongestMessage);
-}
 
 // A message is one line, however the names in it are spelt.
 int fail(const CLI::App& app, Exit code, std::string_view message) {
@@ -46,28 +34,6 @@ int usage(const CLI::App& app, std::string_view message) {
   return code;
 }
 
-// One line on stderr, drawn anew at most ten times a second.
-class ProgressLine {
- public:
-  ProgressLine(std::string label, bool json) : label_(std::move(label)), json_(json) {}
-
-  void operator()(std::size_t done, std::size_t total) {
-    const auto now = std::chrono::steady_clock::now();
-    if (done < total && now - last_ < std::chrono::milliseconds(100)) return;
-    last_ = now;
-    if (json_) {
-      say(geom::JsonLine().add("progress", label_).add("done", done).add("total", total).line());
-    } else {
-      say(fmt::format("\r{} {}/{}{}", label_, done, total, done == total ? "\n" : ""));
-    }
-  }
-
- private:
-  std::string label_;
-  bool json_;
-  std::chrono::steady_clock::time_point last_{};
-};
-
 // What --help, --version and --completion print.
 int answer(CLI::App& app, const CLI::Success& asked) {
   std::ostringstream text;
@@ -76,31 +42,14 @@ int answer(CLI::App& app, const CLI::Success& asked) {
   return static_cast<int>(Exit::yes);
 }
 
-bool stats_written = false;
-
-void write_stats_to(const std::string& path, const nlohmann::ordered_json& stats) {
-  if (path.empty()) return;
-  OutputFile file(path, OutputKind::text);
-  file.stream() << stats.dump(2) << '\n';
-  file.commit();
-  stats_written = true;
-}
-
-// Of a tool that has nothing to count.
-void write_time(const CLI::App& app, std::chrono::steady_clock::time_point begin) {
-  const CLI::Option* const asked = app.get_option_no_throw("--stats");
-  if (!asked || asked->count() == 0 || stats_written) return;
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  write_stats_to(asked->results().front(), {{"seconds", seconds.count()}});
-}
-
 Exit run(const CLI::App& app, const std::function<Exit()>& body) {
   const auto begin = std::chrono::steady_clock::now();
   RunFiles& files = *RunFiles::current();
   expect_outputs(files);
   const Exit exit = body();
   geom::require_mapped_files_unchanged();  // what is written was made of them
-  write_time(app, begin);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  write_time(app, taken.count());
   files.publish();
   return exit;
 }
@@ -125,37 +74,6 @@ int guarded(CLI::App& app, const std::function<int()>& body) {
 }
 
 }  // namespace
-
-Common::Common(CLI::App& app, bool with_threads) : tool_(app.get_name()) {
-  if (with_threads) {
-    app.add_option("--threads", threads_, "worker threads; changes the time only (default: all)")
-        ->check(CLI::Range(1u, 1024u));
-  }
-  app.add_option("--progress", progress_, "progress on stderr: auto, none, bar or json")
-      ->check(CLI::IsMember({"auto", "none", "bar", "json"}));
-  add_output(app, "--stats", stats_, "write counts and times to this JSON file");
-  app.add_flag("-q,--quiet", quiet_, "no warnings and no progress");
-}
-
-geom::Execution Common::execution(std::string label) const {
-  geom::Execution run;
-  run.threads = threads_ ? threads_ : std::max(1u, std::thread::hardware_concurrency());
-  const bool bar = progress_ == "bar" || (progress_ == "auto" && isatty(STDERR_FILENO));
-  if (!quiet_ && (bar || progress_ == "json")) {
-    run.progress = ProgressLine(std::move(label), progress_ == "json");
-  }
-  return run;
-}
-
-void Common::warn(const std::string& message) const {
-  if (!quiet_) say(fmt::format("{}: warning: {}\n", tool_, shown_message(message)));
-}
-
-void Common::note(const std::string& text) const {
-  if (!quiet_) say(text);
-}
-
-void Common::write_stats(nlohmann::ordered_json stats) const { write_stats_to(stats_, stats); }
 
 void complain(std::string_view tool, std::string_view message) {
   say(fmt::format("{}: {}\n", tool, shown_message(message)));

@@ -1,43 +1,15 @@
 #pragma once
 
-// What every tool shares: the exit codes, the common options, and the one place that catches.
+// What every tool is run by: the one place that catches, and knows what each exit code stands for.
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
+#include <string_view>
 
-#include "geom/base/execution.h"
+#include "cli/answer/exit.h"
+#include "cli/option/common.h"
 
 namespace cli {
-
-enum class Exit { yes = 0, no = 1, usage = 2, bad_input = 3, failed = 4 };
-
-// Wrong usage found after parsing: exit 2.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-// Options that every tool has, and what they lead to.
-class Common {
- public:
-  explicit Common(CLI::App& app, bool with_threads = false);
-
-  geom::Execution execution(std::string label) const;
-  void warn(const std::string& message) const;  // on stderr, unless -q
-  void note(const std::string& text) const;     // the same, as it stands: printable lines
-  // Writes the JSON of --stats, where that was asked for.
-  void write_stats(nlohmann::ordered_json stats) const;
-
- private:
-  unsigned threads_ = 0;
-  std::string progress_ = "auto";
-  std::string stats_;
-  bool quiet_ = false;
-  std::string tool_;
-};
 
 // Says why the answer is no, on stderr.
 void complain(std::string_view tool, std::string_view message);

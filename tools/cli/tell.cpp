@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "geom/text/excerpt.h"
+#include "cli/file/standard_streams.h"
 
 namespace cli {
 
 void tell(const Common& common, std::string_view tool, std::string_view message) {
-  constexpr std::size_t kLongest = 2000;  // bytes
-  common.note(fmt::format("{}: {}\n", tool, geom::excerpt(message, kLongest)));
+  common.note(fmt::format("{}: {}\n", tool, shown_message(message)));
 }
 
 }  // namespace cli

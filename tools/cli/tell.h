@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "run.h"
+#include "cli/option/common.h"
 
 namespace cli {
 

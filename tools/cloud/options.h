@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/file/map_output.h"
+#include "cli/option/map_output.h"
 #include "cli/option/skipped_option.h"
 #include "geom/map/column_grid.h"
 #include "geom/map/ground_grid.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/file/drone_file.h"
+#include "cli/content/drone_file.h"
 #include "traj/curve/trajectory.h"
 #include "traj/drone_file/dji_mission.h"
 #include "traj/proof/limits.h"
@@ -26,14 +26,14 @@ struct Task {
   double ground = 0;       // z under the first point
   double landing = 0;      // and under the last
   bool lands = true;
-  std::optional<double> speed;  // m/s
-  std::vector<bool> passed;      // of missions: traj::MissionOptions
-  std::vector<double> approach;  // likewise
+  std::optional<double> speed;      // m/s
+  std::vector<bool> passed;         // of missions: traj::MissionOptions
+  std::vector<double> approach;     // likewise
   cli::AutopilotOptions autopilot;  // what will fly it
-  traj::DjiOptions dji;         // version, aircraft, and turns as far as they are known to fit
-  std::optional<double> turns;  // m, asked for
-  std::size_t volumes = 8;      // of airspace, at most
-  double buffer = 0;            // m around the vehicle and its margin, of volumes of airspace
+  traj::DjiOptions dji;             // version, aircraft, and turns as far as they are known to fit
+  std::optional<double> turns;      // m, asked for
+  std::size_t volumes = 8;          // of airspace, at most
+  double buffer = 0;                // m around the vehicle and its margin, of volumes of airspace
   bool checked = true;
 };
 
@@ -44,7 +44,7 @@ struct Written {
   std::string csv;
   std::vector<std::size_t> points = {};  // of a mission: the path's point of each item
   cli::DroneFileOptions reading;         // what it takes to read the text again
-  std::string note = {};          // what is not as asked; empty: all is
+  std::string note = {};                 // what is not as asked; empty: all is
 };
 
 // Whether somebody said how high above the ellipsoid the map's z = 0 is; else it counts as 0 m.

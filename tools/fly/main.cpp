@@ -11,7 +11,7 @@
 #include "cli/run.h"
 #include "mission.h"
 #include "options.h"
-#include "traj/record/gains_record.h"
+#include "traj/flight/gains_record.h"
 
 namespace {
 
@@ -130,7 +130,8 @@ int main(int argc, char** argv) {
     const Inputs inputs = inputs_of(files);
     check_usage(options, inputs, sharding, report);
     cli::only_for(app, options.tune, {"--cost"}, "--tune");
-    if (vehicle.word.empty()) throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");
+    if (vehicle.word.empty())
+      throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");
     sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
                    {{"output", output}, {"report", report}});
     std::optional<geom::BoxMap> map;

@@ -9,8 +9,8 @@
 
 #include "cli/batch.h"
 #include "cli/file/files.h"
-#include "cli/file/record_output.h"
 #include "cli/option/scenes.h"
+#include "cli/shard/record_output.h"
 #include "cli/shard/run_shard.h"
 #include "options.h"
 #include "traj/record/flight_report.h"

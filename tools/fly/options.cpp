@@ -9,7 +9,7 @@
 #include "cli/option/numbers_option.h"
 #include "cli/run.h"
 #include "geom/text/json_fields.h"
-#include "traj/record/gains_record.h"
+#include "traj/flight/gains_record.h"
 
 namespace fly {
 namespace {

@@ -5,7 +5,7 @@
 #include <istream>
 #include <string>
 
-#include "geom/import/skipped.h"
+#include "geom/base/skipped.h"
 
 namespace footprints {
 

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "cli/file/hashed_input.h"
-#include "cli/file/map_output.h"
 #include "cli/option/format_options.h"
+#include "cli/option/map_output.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/skipped_option.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "axis_order.h"
+#include "geom/base/skipped.h"
 #include "geom/import/building_height.h"
-#include "geom/import/skipped.h"
 #include "geom/map/footprint.h"
 
 namespace footprints {

@@ -4,7 +4,7 @@
 
 #include "cli/file/files.h"
 #include "cli/file/hashed_input.h"
-#include "cli/file/map_output.h"
+#include "cli/option/map_output.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/skipped_option.h"

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "cli/file/drone_file.h"
+#include "cli/content/drone_file.h"
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"

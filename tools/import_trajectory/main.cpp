@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/file/drone_file.h"
+#include "cli/content/drone_file.h"
 #include "cli/file/files.h"
 #include "cli/option/degrees.h"
 #include "cli/option/numbers_option.h"

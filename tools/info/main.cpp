@@ -6,14 +6,14 @@
 #include <map>
 #include <sstream>
 
-#include "cli/file/describe.h"
+#include "cli/content/describe.h"
 #include "cli/file/files.h"
 #include "cli/file/hashed_input.h"
 #include "cli/file/recognise.h"
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
-#include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
+#include "geom/map/box_map_file.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
 #include "plan/lattice/lattice_file.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/file/map_output.h"
+#include "cli/option/map_output.h"
 #include "cli/option/output_option.h"
 #include "cli/run.h"
 #include "cli/shard/map_shard.h"

@@ -14,6 +14,7 @@
 #include "plan/lattice/fitting_length.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
+#include "plan/lattice/patch_lattice.h"
 
 namespace {
 

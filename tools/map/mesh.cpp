@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "cli/file/contents.h"
+#include "cli/content/contents.h"
 #include "cli/file/files.h"
 #include "cli/option/scenes.h"
 #include "traj/curve/to_enu.h"

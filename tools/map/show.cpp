@@ -1,6 +1,6 @@
 // Looking at maps: info, to-csv, to-geojson, to-sdf.
 
-#include "cli/file/describe.h"
+#include "cli/content/describe.h"
 #include "cli/file/files.h"
 #include "geom/import/box_csv.h"
 #include "geom/map/box_geojson.h"

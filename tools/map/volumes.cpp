@@ -13,10 +13,10 @@
 #include "geom/import/keep_out.h"
 #include "geom/import/volume_keep_out.h"
 #include "geom/map/join.h"
-#include "geom/record/instant.h"
 #include "geom/record/volume4d.h"
 #include "geom/shape/cover.h"
 #include "geom/text/counted.h"
+#include "geom/text/instant.h"
 #include "geom/text/parse_json.h"
 #include "traj/drone_file/fence_file.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "geom/import/skipped.h"
+#include "geom/base/skipped.h"
 
 namespace mesh {
 

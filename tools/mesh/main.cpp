@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cli/file/files.h"
-#include "cli/file/map_output.h"
+#include "cli/option/map_output.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/skipped_option.h"

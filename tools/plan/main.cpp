@@ -7,15 +7,15 @@
 #include <optional>
 
 #include "cli/batch.h"
-#include "cli/file/artefacts.h"
+#include "cli/content/artefacts.h"
+#include "cli/content/filled_roadmap.h"
 #include "cli/file/files.h"
-#include "cli/file/filled_roadmap.h"
-#include "cli/file/record_output.h"
 #include "cli/option/output_option.h"
 #include "cli/option/quality_option.h"
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
+#include "cli/shard/record_output.h"
 #include "cli/tell.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/parallel.h"

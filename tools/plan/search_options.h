@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/file/artefacts.h"
+#include "cli/content/artefacts.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/layers.h"
 #include "plan/planner/plan.h"
@@ -16,12 +16,12 @@ namespace planning {
 struct SearchOptions {
   plan::PlanOptions plan;
   std::optional<plan::Layers> layers;  // to cruise in
-  std::optional<double> spacing;  // metres, of astar's lattice where no file gives one
-  int connect = 26;               // its neighbours of a node
-  double seconds = 0;             // a search; 0: no end
-  bool fill = false;              // the roadmap, as it is used
-  std::string tree_file;          // empty: none
-  std::string certificate;        // file of enclosures; empty: none
+  std::optional<double> spacing;       // metres, of astar's lattice where no file gives one
+  int connect = 26;                    // its neighbours of a node
+  double seconds = 0;                  // a search; 0: no end
+  bool fill = false;                   // the roadmap, as it is used
+  std::string tree_file;               // empty: none
+  std::string certificate;             // file of enclosures; empty: none
 
   void add_to(CLI::App& app);
 

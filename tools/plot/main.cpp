@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "clearance.h"
-#include "cli/file/contents.h"
+#include "cli/content/contents.h"
 #include "cli/file/ending.h"
 #include "cli/file/files.h"
 #include "cli/option/output_option.h"

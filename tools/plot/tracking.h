@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "traj/curve/trajectory.h"
-#include "traj/record/flight_log.h"
+#include "traj/flight/flight_log.h"
 
 namespace plot {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clearance.h"
-#include "cli/file/contents.h"
+#include "cli/content/contents.h"
 #include "plan_view.h"
 
 namespace plot {

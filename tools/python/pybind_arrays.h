@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace binding {
 

@@ -1,7 +1,7 @@
 // Box maps, lattices and roadmaps as NumPy arrays over the mapped files.
 
 #include "cli/file/files.h"
-#include "geom/archive/box_map_file.h"
+#include "geom/map/box_map_file.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/roadmap/roadmap_file.h"
 #include "pybind_arrays.h"

@@ -3,7 +3,7 @@
 #include "cli/file/files.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
-#include "traj/record/flight_log.h"
+#include "traj/flight/flight_log.h"
 
 namespace binding {
 namespace {

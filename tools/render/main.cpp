@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/file/contents.h"
+#include "cli/content/contents.h"
 #include "cli/file/files.h"
 #include "cli/option/scenes.h"
 #include "cli/run.h"
@@ -37,7 +37,8 @@ const render::Motion* flown(const std::vector<render::Motion>& motions,
   if (!best && (options.has_eye() || options.at || options.is_moving())) {
     if (options.inputs.empty()) {
       throw cli::UsageError(
-          "nothing to fly along: give a trajectory or a flight log, or draw the map (--view plan or "
+          "nothing to fly along: give a trajectory or a flight log, or draw the map (--view plan "
+          "or "
           "overview)");
     }
     throw geom::InputError(options.inputs[0],

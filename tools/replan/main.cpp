@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/batch.h"
-#include "cli/file/artefacts.h"
+#include "cli/content/artefacts.h"
 #include "cli/file/files.h"
 #include "cli/option/degrees.h"
 #include "cli/option/output_option.h"

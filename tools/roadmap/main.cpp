@@ -15,6 +15,7 @@
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
 #include "plan/roadmap/part_file.h"
+#include "plan/roadmap/patch_roadmap.h"
 #include "plan/roadmap/roadmap_estimate.h"
 #include "plan/roadmap/roadmap_file.h"
 #include "plan/roadmap/roadmap_part.h"

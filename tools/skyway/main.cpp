@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "cli/answer/nearest_word.h"
 #include "cli/file/standard_streams.h"
 #include "cli/option/completion.h"
-#include "cli/option/nearest_word.h"
 #include "cli/run.h"
 
 namespace {

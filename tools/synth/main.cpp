@@ -3,7 +3,7 @@
 #include "cli/file/files.h"
 #include "cli/option/output_option.h"
 #include "cli/run.h"
-#include "geom/map/synth_city.h"
+#include "geom/import/synth_city.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Make up a city: an FCND-style table of boxes.", "skyway-synth"};

@@ -7,12 +7,12 @@
 #include "answer.h"
 #include "cli/batch.h"
 #include "cli/file/files.h"
-#include "cli/file/record_output.h"
 #include "cli/option/output_option.h"
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "cli/shard/processes.h"
+#include "cli/shard/record_output.h"
 #include "options.h"
 
 namespace {

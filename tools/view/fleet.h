@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bundle.h"
-#include "cli/file/contents.h"
+#include "cli/content/contents.h"
 #include "traj/together/nearest_approach.h"
 
 namespace view {

@@ -3,7 +3,7 @@
 // What the page shows of each kind of artefact: its numbers in JSON, its arrays in a bundle.
 
 #include "bundle.h"
-#include "cli/file/contents.h"
+#include "cli/content/contents.h"
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "fleet.h"

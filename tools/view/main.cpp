@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cli/file/contents.h"
+#include "cli/content/contents.h"
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "geom/base/error.h"
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 #include "geom/text/parse_json.h"
 #include "geom/text/text_table.h"
 

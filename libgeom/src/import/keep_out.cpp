@@ -11,9 +11,8 @@
 
 #include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"
-#include "geom/record/flight_time.h"
-#include "geom/record/instant.h"
 #include "geom/text/geojson_crs.h"
+#include "geom/text/instant.h"
 #include "geom/text/parse_json.h"
 
 namespace geom {

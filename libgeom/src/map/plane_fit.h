@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "geom/base/vec3.h"
 #include "geom/map/footprint.h"
-#include "geom/shape/vec3.h"
 
 namespace geom {
 

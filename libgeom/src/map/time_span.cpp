@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "geom/record/flight_time.h"
+#include "geom/text/instant.h"
 
 namespace geom {
 

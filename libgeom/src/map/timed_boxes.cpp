@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "geom/record/flight_time.h"
+#include "geom/text/instant.h"
 
 namespace geom {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cover_grid.h"
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace geom {
 

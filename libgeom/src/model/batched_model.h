@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace geom {
 

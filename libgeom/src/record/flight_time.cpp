@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,40 +13,6 @@
 
 namespace geom {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-// The digits at a place of the text, or -1.
-int whole_at(std::string_view text, std::size_t at, std::size_t digits) {
-  int value = 0;
-  for (const char c : text.substr(at, digits)) {
-    if (!is_digit(c)) return -1;
-    value = 10 * value + (c - '0');
-  }
-  return value;
-}
-
-int days_in(int year, int month) {
-  constexpr std::array kDays{31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-  return kDays[static_cast<std::size_t>(month - 1)] + (month == 2 && leap ? 1 : 0);
-}
-
-bool within(int value, int least, int most) { return value >= least && value <= most; }
-
-// "2026-05-04T06:30:00" is an instant.
-bool is_instant(std::string_view text) {
-  constexpr std::string_view kForm = "0000-00-00T00:00:00";
-  for (std::size_t i = 0; i < kForm.size(); ++i) {
-    const bool right = kForm[i] == '0' ? is_digit(text[i]) : text[i] == kForm[i];
-    if (!right) return false;
-  }
-  const int year = whole_at(text, 0, 4);
-  const int month = whole_at(text, 5, 2);
-  return within(month, 1, 12) && within(whole_at(text, 8, 2), 1, days_in(year, month)) &&
-         within(whole_at(text, 11, 2), 0, 23) && within(whole_at(text, 14, 2), 0, 59) &&
-         within(whole_at(text, 17, 2), 0, 59);
-}
 
 std::optional<std::string> fault_of(std::string_view key, const std::optional<double>& value) {
   if (!value) return std::nullopt;
@@ -96,22 +61,6 @@ std::optional<int> read_priority(const nlohmann::json& object,
 }
 
 }  // namespace
-
-std::optional<std::string> epoch_from(std::string_view text) {
-  constexpr std::size_t kSeconds = 19;  // characters to the end of the seconds
-  if (text.size() <= kSeconds || !is_instant(text)) return std::nullopt;
-  std::string out(text.substr(0, kSeconds));
-  text.remove_prefix(kSeconds);
-  if (text.front() == '.') {
-    const std::size_t end = text.find_first_not_of("0123456789", 1);
-    if (end == 1 || end == std::string_view::npos) return std::nullopt;
-    const std::size_t last = text.substr(0, end).find_last_not_of('0');
-    if (last > 0) out += text.substr(0, last + 1);
-    text.remove_prefix(end);
-  }
-  if (text != "Z" && text != "+00:00") return std::nullopt;
-  return out + 'Z';
-}
 
 bool is_priority(double value) {
   return std::abs(value) <= kLargestPriority && value == std::floor(value);

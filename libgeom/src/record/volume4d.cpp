@@ -9,8 +9,7 @@
 #include <utility>
 
 #include "geom/base/error.h"
-#include "geom/record/flight_time.h"
-#include "geom/record/instant.h"
+#include "geom/text/instant.h"
 #include "geom/text/json_line.h"
 #include "geom/text/parse_json.h"
 

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "geom/base/error.h"
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 #include "geom/text/number.h"
 
 namespace geom {

@@ -1,3 +1,5 @@
+#include "plan/lattice/patch_lattice.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,9 +8,8 @@
 
 #include "block_store.h"
 #include "geom/base/error.h"
+#include "patch/require_made_for.h"
 #include "plan/lattice/build_lattice.h"
-#include "plan/planner/patch.h"
-#include "planner/require_made_for.h"
 
 namespace plan {
 namespace {

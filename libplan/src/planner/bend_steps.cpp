@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plan/planner/taut.h"
+#include "plan/path/taut.h"
 
 namespace plan {
 

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <optional>
 
-#include "plan/planner/shortcut.h"
-#include "plan/planner/taut.h"
+#include "plan/path/shortcut.h"
+#include "plan/path/taut.h"
 
 namespace plan {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "geom/base/error.h"
-#include "plan/planner/shortcut.h"
-#include "plan/planner/taut.h"
+#include "plan/path/shortcut.h"
+#include "plan/path/taut.h"
 #include "shown_point.h"
 
 namespace plan {

@@ -1,3 +1,5 @@
+#include "plan/roadmap/patch_roadmap.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,8 +9,7 @@
 
 #include "bends.h"
 #include "geom/base/parallel.h"
-#include "plan/planner/patch.h"
-#include "planner/require_made_for.h"
+#include "patch/require_made_for.h"
 #include "tiled.h"
 
 namespace plan {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace plan {
 

@@ -14,9 +14,9 @@
 #include "frontier.h"
 #include "loaded_tiles.h"
 #include "onward.h"
+#include "path/last_blockers.h"
 #include "plan/roadmap/roadmap.h"
 #include "plan/roadmap/roadmap_fill.h"
-#include "planner/last_blockers.h"
 #include "shadows.h"
 
 namespace plan {

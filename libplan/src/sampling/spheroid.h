@@ -2,7 +2,7 @@
 
 // Where a path that is shorter than a given length may go.
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace plan {
 

@@ -8,8 +8,8 @@
 
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
-#include "geom/record/instant.h"
 #include "geom/shape/convex_outline.h"
+#include "geom/text/instant.h"
 #include "window.h"
 
 namespace traj {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "geom/base/rounding.h"
-#include "geom/record/instant.h"
+#include "geom/text/instant.h"
 #include "window.h"
 
 namespace traj {

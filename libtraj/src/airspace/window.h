@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/record/instant.h"
+#include "geom/text/instant.h"
 #include "together/timeline.h"
 #include "traj/together/timed_flight.h"
 

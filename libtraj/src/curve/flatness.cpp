@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "traj/proof/limits.h"
+#include "geom/vehicle/limits.h"
 
 namespace traj {
 namespace {
@@ -44,7 +44,7 @@ Vec3 body_rates_along(const Vec3& force, const Vec3& jerk, const Heading& headin
 }
 
 FlatState flat_state(const State& state, const Heading& heading) {
-  const Vec3 force = state.acceleration + Vec3(0, 0, kGravity);
+  const Vec3 force = state.acceleration + Vec3(0, 0, geom::kGravity);
   const double thrust = force.norm();
   if (thrust < kFreeFall) return {upright(heading.yaw), thrust, {0, 0, heading.rate}};
   return {attitude_along(force, heading.yaw), thrust, body_rates_along(force, state.jerk, heading)};

@@ -10,8 +10,8 @@
 #include "built_in_vehicles.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
+#include "traj/flight/airframe_record.h"
 #include "traj/proof/limits.h"
-#include "traj/record/airframe_record.h"
 
 namespace traj {
 namespace {
@@ -88,9 +88,10 @@ std::optional<geom::Vec2> stated_navigation(const JsonFields& fields) {
   };
   const bool pair = value.is_array() && value.size() == 2;
   if (!pair || !(metres(0) >= 0 && metres(0) <= 100) || !(metres(1) >= 0 && metres(1) <= 100)) {
-    fields.refuse(fmt::format("navigation_m must be metres across and metres up or down, each "
-                              "from 0 to 100, as [0.5, 1], found {}",
-                              geom::shown(value)));
+    fields.refuse(
+        fmt::format("navigation_m must be metres across and metres up or down, each "
+                    "from 0 to 100, as [0.5, 1], found {}",
+                    geom::shown(value)));
   }
   return geom::Vec2(metres(0), metres(1));
 }

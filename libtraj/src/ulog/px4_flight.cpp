@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geom/base/error.h"
+#include "geom/map/geodetic_outline.h"
 #include "traj/ulog/px4_projection.h"
 #include "ulog/px4_state.h"
 
@@ -79,7 +80,7 @@ class Placing {
   }
 
   bool is_near(const GeodeticPlace& reference) const {
-    return traj::is_near(frame_.origin, reference.latitude, reference.longitude);
+    return geom::is_near(frame_.origin, reference.latitude, reference.longitude);
   }
 
  private:

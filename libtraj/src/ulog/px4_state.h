@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 #include "traj/ulog/ulog_reader.h"
 
 namespace traj {

@@ -20,9 +20,9 @@
 
 #include "collision/groups.h"
 #include "geom/archive/array_archive.h"
-#include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
 #include "geom/collision/collision.h"
+#include "geom/map/box_map_file.h"
 #include "support/cases.h"
 #include "support/failing_memory.h"
 #include "support/random_city.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geom/base/random.h"
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 #include "geom/text/parse_json.h"
 
 namespace geom {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "plan/path/taut.h"
 #include "plan/planner/plan.h"
-#include "plan/planner/taut.h"
 #include "plan/roadmap/roadmap_file.h"
 #include "roadmap/tiled.h"
 #include "support/random_city.h"

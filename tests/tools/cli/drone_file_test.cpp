@@ -1,4 +1,4 @@
-#include "cli/file/drone_file.h"
+#include "cli/content/drone_file.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include "traj/drone_file/geo_line.h"
 #include "traj/drone_file/gltf_line.h"
 #include "traj/drone_file/qgc_plan.h"
+#include "traj/drone_file/setpoints.h"
 #include "traj/drone_file/wpl.h"
 #include "traj/scenes.h"
 

@@ -1,4 +1,4 @@
-#include "cli/option/nearest_word.h"
+#include "cli/answer/nearest_word.h"
 
 #include <gtest/gtest.h>
 

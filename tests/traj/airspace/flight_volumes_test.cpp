@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "geom/record/instant.h"
+#include "geom/text/instant.h"
 
 namespace traj {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "geom/text/json_fields.h"
 #include "support/refusal.h"
-#include "traj/record/airframe_record.h"
+#include "traj/flight/airframe_record.h"
 
 namespace traj {
 namespace {

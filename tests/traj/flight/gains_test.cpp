@@ -8,8 +8,8 @@
 #include "geom/text/json_fields.h"
 #include "support/refusal.h"
 #include "traj/flight/airframe.h"
-#include "traj/record/airframe_record.h"
-#include "traj/record/gains_record.h"
+#include "traj/flight/airframe_record.h"
+#include "traj/flight/gains_record.h"
 
 namespace traj {
 namespace {

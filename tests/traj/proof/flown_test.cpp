@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "traj/drone_file/setpoints.h"
 #include "traj/drone_file/tello.h"
 #include "traj/scenes.h"
 
@@ -80,7 +81,8 @@ TEST(CheckFlown, NavigationAndTrackingMakeTheVehicleLarger) {
 TEST(CheckFlown, TheAutopilotKeepsItsRatesOfClimb) {
   Flown flown = path({{40, 40, 5}, {40, 40, 25}, {80, 40, 25}});
   flown.speed = 8;
-  EXPECT_EQ(check_flown(yard(), flown, {{Limit::vertical_speed, 4}}).reason, Reason::vertical_speed);
+  EXPECT_EQ(check_flown(yard(), flown, {{Limit::vertical_speed, 4}}).reason,
+            Reason::vertical_speed);
   flown.climb = 3;
   flown.descent = 1.5;
   const CheckResult result = check_flown(yard(), flown, {{Limit::vertical_speed, 4}});

@@ -14,13 +14,6 @@ TEST(Reason, OfALimitIsItsQuantity) {
   }
 }
 
-TEST(Reason, OfAStatusIsWhyThereIsNothingToCheck) {
-  EXPECT_EQ(reason_of(TrajectoryStatus::solved), Reason::none);
-  EXPECT_EQ(reason_of(TrajectoryStatus::no_path), Reason::no_path);
-  EXPECT_EQ(reason_of(TrajectoryStatus::infeasible), Reason::infeasible);
-  EXPECT_EQ(reason_of(TrajectoryStatus::stopped), Reason::stopped);
-}
-
 TEST(Reason, IsNamedAsInReports) {
   EXPECT_EQ(name(Reason::none), "");
   EXPECT_EQ(name(Reason::collision), "collision");

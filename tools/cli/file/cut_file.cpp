@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 #include "geom/base/mapped_file.h"
 
 namespace cli {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 
 namespace cli {
 

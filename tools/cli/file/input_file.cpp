@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 #include "files.h"
-#include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
+#include "geom/map/box_map_file.h"
 #include "io_failure.h"
 #include "run_files.h"
 #include "verified_mark.h"

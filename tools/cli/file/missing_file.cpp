@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/option/nearest_word.h"
+#include "cli/answer/nearest_word.h"
 
 namespace cli {
 namespace {

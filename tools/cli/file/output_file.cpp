@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 #include "destination.h"
 #include "files.h"
 #include "io_failure.h"

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 
 namespace cli {
 namespace {

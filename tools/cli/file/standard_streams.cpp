@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "geom/text/excerpt.h"
+
 namespace cli {
 namespace {
 
@@ -40,6 +42,11 @@ void end_as_by_sigpipe() {
   if (!prepared) return;
   signal(SIGPIPE, SIG_DFL);
   raise(SIGPIPE);
+}
+
+std::string shown_message(std::string_view message) {
+  constexpr std::size_t kLongest = 2000;  // bytes
+  return geom::excerpt(message, kLongest);
 }
 
 void say(std::string_view text) noexcept {

@@ -5,6 +5,7 @@
 // Work that is finished is never lost because nobody hears of it: what goes to stderr may vanish.
 // What goes to stdout is an output, and failing to write it is a failure.
 
+#include <string>
 #include <string_view>
 
 namespace cli {
@@ -18,6 +19,10 @@ void prepare_standard_streams();
 // Ends the process as SIGPIPE does: its reader wants no more of stdout. Returns, having done
 // nothing, where prepare_standard_streams() was not called: the signal is then another's affair.
 void end_as_by_sigpipe();
+
+// A message as it may reach a terminal: one line of at most 2,000 bytes. No file can write its own
+// lines there, or steer it.
+std::string shown_message(std::string_view message);
 
 // Writes to stderr as much as it takes. Never throws.
 void say(std::string_view text) noexcept;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 #include "geom/base/error.h"
 #include "geom/record/made_for_another.h"
 #include "limit_options.h"

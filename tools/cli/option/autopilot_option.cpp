@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "cli/file/files.h"
-#include "cli/run.h"
 #include "numbers_option.h"
 #include "traj/drone_file/autopilot_settings.h"
 
@@ -24,8 +23,10 @@ void add_uncertainty(CLI::App& app, const std::string& flag, std::optional<Uncer
            if (!v || !((*v)[0] >= 0 && (*v)[0] <= kFurthest) ||
                !((*v)[1] >= 0 && (*v)[1] <= kFurthest)) {
              throw CLI::ValidationError(
-                 flag, "expected metres across and metres up or down, each from 0 to 100, as "
-                       "0.5,1; found \"" + text + '"');
+                 flag,
+                 "expected metres across and metres up or down, each from 0 to 100, as "
+                 "0.5,1; found \"" +
+                     text + '"');
            }
            value = Uncertainty{(*v)[0], (*v)[1]};
          },
@@ -59,10 +60,11 @@ void AutopilotOptions::add_to(CLI::App& app) {
                  "the autopilot's parameters: .params of PX4 or QGroundControl, .param of "
                  "ArduPilot, or a PX4 log")
       ->type_name("FILE");
-  app.add_option("--drag", drag,
-                 fmt::format("the airframe's drag over its mass, 1/s, of which autopilots overshoot "
-                             "their stops (default: the profile's, else {})",
-                             traj::kUsualDrag))
+  app.add_option(
+         "--drag", drag,
+         fmt::format("the airframe's drag over its mass, 1/s, of which autopilots overshoot "
+                     "their stops (default: the profile's, else {})",
+                     traj::kUsualDrag))
       ->check(CLI::Range(0.0, kMostDrag));
   add_uncertainty(app, "--navigation", navigation,
                   "metres across, and up or down, by which the vehicle may be wrong about where it "

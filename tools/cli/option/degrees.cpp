@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 #include "geom/base/error.h"
 
 namespace cli {

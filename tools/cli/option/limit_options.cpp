@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 
 namespace cli {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 
 namespace cli {
 

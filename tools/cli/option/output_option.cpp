@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "cli/file/run_files.h"
-#include "cli/run.h"
 
 namespace cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "nearest_word.h"
+#include "cli/answer/nearest_word.h"
 #include "unit_hint.h"
 
 namespace cli {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "geom/archive/array_archive.h"
-#include "plan/planner/patch.h"
+#include "plan/patch/map_change.h"
 #include "scenes.h"
 #include "vehicle_option.h"
 

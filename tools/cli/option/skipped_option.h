@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/run.h"
-#include "geom/import/skipped.h"
+#include "cli/option/common.h"
+#include "geom/base/skipped.h"
 #include "geom/map/box_map.h"
 
 namespace cli {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 
 namespace cli {
 namespace {

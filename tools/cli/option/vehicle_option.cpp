@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 #include "memory.h"
 
 namespace cli {

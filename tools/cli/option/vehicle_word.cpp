@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/answer/exit.h"
+#include "cli/answer/nearest_word.h"
 #include "cli/file/files.h"
-#include "cli/run.h"
-#include "nearest_word.h"
 #include "numbers_option.h"
 
 namespace cli {

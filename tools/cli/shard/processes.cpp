@@ -15,7 +15,7 @@
 #include <system_error>
 #include <vector>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 #include "geom/base/error.h"
 
 namespace cli {

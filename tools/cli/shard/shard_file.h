@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/run.h"
+#include "cli/answer/exit.h"
 #include "geom/archive/array_archive.h"
 #include "geom/base/shard.h"
 

@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "cli/answer/exit.h"
 #include "cli/file/files.h"
-#include "cli/run.h"
+#include "cli/option/common.h"
 #include "shard_file.h"
 
 namespace cli {

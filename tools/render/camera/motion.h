@@ -8,7 +8,7 @@
 #include "camera.h"
 #include "geom/map/frame.h"
 #include "traj/curve/trajectory.h"
-#include "traj/record/flight_log.h"
+#include "traj/flight/flight_log.h"
 
 namespace render {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "canvas.h"
-#include "cli/file/contents.h"
+#include "cli/content/contents.h"
 #include "render/camera/motion.h"
 #include "render/scene/embree_picture.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace geom {
 

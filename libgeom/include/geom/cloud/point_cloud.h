@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "geom/base/execution.h"
+#include "geom/base/skipped.h"
+#include "geom/base/vec3.h"
 #include "geom/cloud/coordinate_reference.h"
-#include "geom/import/skipped.h"
-#include "geom/shape/vec3.h"
 
 namespace geom {
 

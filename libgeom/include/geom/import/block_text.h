@@ -5,7 +5,7 @@
 #include <iosfwd>
 #include <string_view>
 
-#include "geom/import/skipped.h"
+#include "geom/base/skipped.h"
 #include "geom/map/box_map.h"
 
 namespace geom {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "geom/import/skipped.h"
-#include "geom/shape/vec3.h"
+#include "geom/base/skipped.h"
+#include "geom/base/vec3.h"
 
 namespace geom {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "geom/import/skipped.h"
+#include "geom/base/skipped.h"
 #include "geom/map/box_map.h"
 
 namespace geom {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/skipped.h"
 #include "geom/import/sdf_world.h"
-#include "geom/import/skipped.h"
 #include "geom/map/box_table.h"
 #include "geom/map/frame.h"
 #include "geom/map/make_map.h"

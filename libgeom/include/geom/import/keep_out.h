@@ -29,7 +29,7 @@ struct KeepOutOptions {
   bool local = false;  // coordinates are the map's own metres, not longitude and latitude
   double floor = 0;    // metres: where a volume without lower altitude starts
   double ceiling = 0;  // where one without upper altitude ends
-  // The instant that seconds count from, as epoch_from() writes it (geom/record/flight_time.h).
+  // The instant that seconds count from, as epoch_from() writes it (geom/text/instant.h).
   std::optional<std::string> epoch;
 };
 

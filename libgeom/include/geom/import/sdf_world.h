@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "geom/import/skipped.h"
+#include "geom/base/skipped.h"
 #include "geom/map/box_table.h"
 #include "geom/map/frame.h"
 #include "geom/model/model.h"

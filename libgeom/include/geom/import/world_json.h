@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/import/skipped.h"
+#include "geom/base/skipped.h"
 #include "geom/map/box_map.h"
 
 namespace geom {

@@ -31,7 +31,7 @@ struct BoxMapSpec {
   std::string bounds_from;  // "source", "obstacles" or "option": who set the bounds
   double tile_size = 100;   // metres, > 0
   std::string history;      // one JSON array: a line of options and input hashes per step
-  // The instant that times of boxes count from, as epoch_from() writes it (flight_time.h).
+  // The instant that times of boxes count from, as epoch_from() writes it (geom/text/instant.h).
   std::optional<std::string> epoch;
 };
 

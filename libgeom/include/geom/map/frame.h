@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "geom/base/vec3.h"
 #include "geom/shape/aabb.h"
-#include "geom/shape/vec3.h"
 
 namespace geom {
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace geom {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/import/skipped.h"
+#include "geom/base/skipped.h"
 #include "geom/mesh/triangle_mesh.h"
 
 namespace geom {

@@ -7,9 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "geom/text/instant.h"
+
 namespace geom {
 
-inline constexpr double kLargestTime = 1e9;  // seconds, before or after the epoch
 inline constexpr int kLargestPriority = 1000000;
 inline constexpr double kLeastTime = 1e-9;  // seconds: a smaller one that is not 0 is refused
 
@@ -27,11 +28,6 @@ struct FlightTime {
 
   friend bool operator==(const FlightTime&, const FlightTime&) = default;
 };
-
-// An instant of RFC 3339 in UTC, as one instant is always written: "2026-05-04T06:30:00Z", with the
-// digits of a fraction of a second that are not 0. Nothing for other text: another offset than Z
-// or +00:00, a day that the month does not have, a leap second.
-std::optional<std::string> epoch_from(std::string_view text);
 
 // Whether it is a whole number within kLargestPriority.
 bool is_priority(double value);

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/vec3.h"
 #include "geom/record/flight_time.h"
 #include "geom/record/locator.h"
-#include "geom/shape/vec3.h"
 
 namespace geom {
 

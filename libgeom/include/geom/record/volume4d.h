@@ -20,7 +20,7 @@ struct Volume4d {
   std::optional<double> lower;  // metres above the ellipsoid of WGS 84; absent: open below
   std::optional<double> upper;  // > lower; absent: open above
   std::optional<std::string>
-      start;                       // as epoch_from() writes it (flight_time.h); absent: since ever
+      start;  // as epoch_from() writes it (geom/text/instant.h); absent: since ever
   std::optional<std::string> end;  // > start; absent: for ever
 };
 

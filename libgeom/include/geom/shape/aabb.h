@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace geom {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 #include "geom/text/words.h"
 
 namespace geom {

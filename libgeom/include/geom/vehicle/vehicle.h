@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 #include "geom/vehicle/limits.h"
 
 namespace geom {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "geom/base/error.h"
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 #include "geom/text/text_table.h"
 
 namespace geom {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/import/skipped.h"
+#include "geom/base/skipped.h"
 #include "geom/shape/polygon.h"
 #include "sdf_meshes.h"
 #include "sdf_pose.h"

@@ -15,6 +15,7 @@
 #include "plan/lattice/astar.h"
 #include "plan/lattice/lattice.h"
 #include "plan/planner/route.h"
+#include "plan/reach/reach.h"
 #include "plan/roadmap/roadmap.h"
 #include "plan/sampling/rrt.h"
 
@@ -57,12 +58,6 @@ struct PathStep {
   std::string_view name;
   std::size_t points = 0;
   double length = 0;  // metres
-};
-
-// All of free space that can be reached from one end, in cells (plan/reach/reach.h).
-struct Enclosure {
-  std::vector<geom::Aabb> cells;
-  bool around_start = true;  // else around the goal
 };
 
 struct PlanResult {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "geom/record/record.h"
-#include "plan/planner/plan.h"
+#include "plan/reach/reach.h"
 
 namespace plan {
 

@@ -38,6 +38,12 @@ struct ReachResult {
   std::size_t looked_at = 0;  // cells, of both ends
 };
 
+// All of free space that can be reached from one end, in cells.
+struct Enclosure {
+  std::vector<geom::Aabb> cells;
+  bool around_start = true;  // else around the goal
+};
+
 // May be asked from several threads, one after the other. The scene must outlive it. A question
 // costs what it looks at, and no more on a larger map.
 class Reach {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace plan {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace traj {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace traj {
 
@@ -54,19 +54,19 @@ struct Autopilot {
   double drag = 0;
 
   // Measured.
-  Vec3 tracking = Vec3::Zero();  // m from the way along each axis, navigation at its quietest
-  double overshoot_time = 0;     // s: a stop is overshot by this times the speed,
-  double overshoot = 0;          // m: and by this
-  double rest_settling = 0;      // m of the next leg until that has decayed,
+  Vec3 tracking = Vec3::Zero();   // m from the way along each axis, navigation at its quietest
+  double overshoot_time = 0;      // s: a stop is overshot by this times the speed,
+  double overshoot = 0;           // m: and by this
+  double rest_settling = 0;       // m of the next leg until that has decayed,
   double rest_settling_time = 0;  // s: and this times the speed
-  double settling = 0;           // m of the next leg until a corner has decayed,
-  double settling_time = 0;      // s: and this times the speed
-  double bulge = 0;              // s2/m: while it speeds up behind a corner it leaves the leg to
-                                 // either side by this times the square of the speed
-  bool climbs_ahead = false;     // on a sloping leg from a rest the height is ahead of the place
-  double run_on = 0;             // s: where it waits at a point that it would have passed, it runs
-                                 // on by this times the speed
-  double fall = 0;               // m that it sinks in a landing until it is above its place
+  double settling = 0;            // m of the next leg until a corner has decayed,
+  double settling_time = 0;       // s: and this times the speed
+  double bulge = 0;               // s2/m: while it speeds up behind a corner it leaves the leg to
+                                  // either side by this times the square of the speed
+  bool climbs_ahead = false;      // on a sloping leg from a rest the height is ahead of the place
+  double run_on = 0;              // s: where it waits at a point that it would have passed, it runs
+                                  // on by this times the speed
+  double fall = 0;                // m that it sinks in a landing until it is above its place
 };
 
 // The autopilot on an airframe of that drag over mass, 1/s: its controller overshoots what drag

@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "traj/drone_file/fence.h"
+#include "traj/proof/fence.h"
 
 namespace traj {
 
 // Of a QGroundControl plan, or of a `QGC WPL` file with or without a mission. Throws
-// geom::InputError(source, …) where such a file cannot be read (wpl.h, qgc_plan.h), and where it has
-// no fence.
+// geom::InputError(source, …) where such a file cannot be read (wpl.h, qgc_plan.h), and where it
+// has no fence.
 std::vector<GeodeticFence> read_fences(std::istream& in, std::string_view source);
 
 }  // namespace traj

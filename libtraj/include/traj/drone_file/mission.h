@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "geom/map/geographic_frame.h"
+#include "traj/curve/mission_frame.h"
 #include "traj/curve/trajectory.h"
-#include "traj/drone_file/fence.h"
+#include "traj/proof/fence.h"
 
 namespace traj {
 
@@ -60,15 +61,6 @@ struct Mission {
   std::vector<GeodeticFence> fences;
   std::vector<geom::GeodeticPlace> rally;  // where a return may go; heights above home
   std::vector<std::string> notes;          // what a reader met that its user should know
-};
-
-// How missions are laid over a map.
-struct MissionFrame {
-  geom::GeodeticOrigin origin;  // of the map, on the ellipsoid
-  double geoid = 0;             // m: sea level above the ellipsoid there
-  // Whether origin.height says how high z = 0 is. If not, heights above the sea and above the
-  // ellipsoid are refused.
-  bool height_known = true;
 };
 
 struct MissionOptions {

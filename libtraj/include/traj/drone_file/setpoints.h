@@ -6,16 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "traj/curve/trajectory.h"
+#include "traj/curve/setpoint.h"
 
 namespace traj {
-
-struct Setpoint {
-  double time = 0;  // s
-  State state;      // without jerk
-  double yaw = 0;   // rad
-  double yaw_rate = 0;
-};
 
 enum class SetpointAxes { enu, ned };
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 #include "traj/flight/gains.h"
 
 namespace traj {

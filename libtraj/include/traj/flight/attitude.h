@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 
 namespace traj {
 

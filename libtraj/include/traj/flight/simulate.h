@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "traj/flight/controller.h"
+#include "traj/flight/flight_log.h"
 #include "traj/flight/reference.h"
 #include "traj/flight/wind.h"
-#include "traj/record/flight_log.h"
 
 namespace traj {
 
@@ -56,8 +56,8 @@ struct Flight {
 
 // Starts level and at rest (or with the trajectory's own first velocity where `hover` is 0) with
 // the motors holding the weight. Power goes with thrust to the power 3/2 (momentum theory). Lost:
-// more than 100 m from the reference, turning faster than 100 rad/s, or not finite. No allocation in
-// the loop. Deterministic for a libm.
+// more than 100 m from the reference, turning faster than 100 rad/s, or not finite. No allocation
+// in the loop. Deterministic for a libm.
 Flight simulate(const ReferenceTrack& track, const FlightOptions& options, const FlightKeep& keep);
 
 }  // namespace traj

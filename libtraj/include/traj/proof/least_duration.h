@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "geom/shape/vec3.h"
+#include "geom/base/vec3.h"
 #include "traj/proof/limits.h"
 
 namespace traj {

@@ -6,7 +6,6 @@
 
 #include "geom/text/words.h"
 #include "traj/proof/limits.h"
-#include "traj/record/trajectory_status.h"
 
 namespace traj {
 
@@ -101,11 +100,6 @@ inline constexpr geom::Words<Reason, 39> kReasonWords{{
     {Reason::duration_bound, "duration_bound"},
 }};
 constexpr std::string_view name(Reason reason) { return geom::word_of(kReasonWords, reason); }
-
-// Why there is nothing to check.
-constexpr Reason reason_of(TrajectoryStatus status) {
-  return geom::value_of(kReasonWords, name(status)).value_or(Reason::none);
-}
 
 // That a limit does not hold, or is not measured.
 constexpr Reason broken(Limit limit) {

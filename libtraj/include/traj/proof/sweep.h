@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "geom/collision/collision.h"
-#include "traj/drone_file/fence.h"
 #include "traj/proof/check.h"
+#include "traj/proof/fence.h"
 #include "traj/proof/flight_part.h"
 
 namespace traj {
@@ -41,8 +41,8 @@ void check_sweeps(const geom::CollisionScene& scene, std::span<const Sweep> swee
 // Holds the places of each drift against bounds and obstacles, for the vehicle without its margin
 // but `navigation` metres larger on every side: the margin is what an autopilot may stray. `result`
 // as above, and `strayed`.
-void check_drift(const geom::CollisionScene& scene, std::span<const Drift> drift,
-                 const Vec3& stray, const Vec3& navigation, CheckResult& result);
+void check_drift(const geom::CollisionScene& scene, std::span<const Drift> drift, const Vec3& stray,
+                 const Vec3& navigation, CheckResult& result);
 
 // The sweeps against fences, in plan: the whole vehicle with its margin stays in every inclusion
 // and out of every exclusion. `worst` is how far beyond the first fence that it does not keep to

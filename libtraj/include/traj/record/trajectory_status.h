@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "geom/text/words.h"
+#include "traj/proof/reason.h"
 
 namespace traj {
 
@@ -22,6 +23,11 @@ inline constexpr geom::Words<TrajectoryStatus, 4> kTrajectoryStatusWords{{
 }};
 constexpr std::string_view name(TrajectoryStatus status) {
   return geom::word_of(kTrajectoryStatusWords, status);
+}
+
+// Why of such a record there is nothing to check.
+constexpr Reason reason_of(TrajectoryStatus status) {
+  return geom::value_of(kReasonWords, name(status)).value_or(Reason::none);
 }
 
 }  // namespace traj

@@ -6,8 +6,9 @@
 #include <optional>
 #include <string_view>
 
-#include "traj/drone_file/mission.h"
-#include "traj/record/flight_log.h"
+#include "geom/map/geographic_frame.h"
+#include "traj/curve/mission_frame.h"
+#include "traj/flight/flight_log.h"
 #include "traj/ulog/ulog_reader.h"
 
 namespace traj {

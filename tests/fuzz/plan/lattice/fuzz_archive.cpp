@@ -1,6 +1,6 @@
 #include "fuzz/readers.h"
-#include "geom/archive/box_map_file.h"
 #include "geom/base/error.h"
+#include "geom/map/box_map_file.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/roadmap/roadmap_file.h"
 

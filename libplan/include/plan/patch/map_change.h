@@ -1,0 +1,22 @@
+#pragma once
+
+// Which boxes of an older map a newer one has not, and the other way: what patches of lattices
+// (plan/lattice/patch_lattice.h) and roadmaps (plan/roadmap/patch_roadmap.h) go by.
+
+#include <vector>
+
+#include "geom/collision/collision.h"
+
+namespace plan {
+
+// Boxes that one of two maps has and the other has not, grown. A box that moved is in both lists.
+struct MapChange {
+  std::vector<geom::Aabb> removed;
+  std::vector<geom::Aabb> added;
+};
+
+// From an older map to that of the scene, grown as the scene's. Throws geom::InputError where the
+// frames differ.
+MapChange change_since(const geom::BoxMap& before, const geom::CollisionScene& scene);
+
+}  // namespace plan

@@ -1,0 +1,16 @@
+#pragma once
+
+// Where a vehicle is to be at one instant, and how it is to move there.
+
+#include "traj/curve/trajectory.h"
+
+namespace traj {
+
+struct Setpoint {
+  double time = 0;  // s
+  State state;      // without jerk
+  double yaw = 0;   // rad
+  double yaw_rate = 0;
+};
+
+}  // namespace traj

@@ -1,0 +1,207 @@
+#include "traj/flight/flight_log.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "geom/base/error.h"
+#include "geom/base/random.h"
+#include "support/refusal.h"
+
+namespace traj {
+namespace {
+
+std::string text_of(const std::vector<FlightLog>& logs) {
+  std::ostringstream out;
+  write_flight_log(out, logs);
+  return out.str();
+}
+
+std::vector<FlightLog> read(const std::string& text) {
+  std::istringstream in(text);
+  return read_flight_log(in, "log.csv");
+}
+
+std::string refusal(const std::string& text) {
+  return support::refusal_of([&] { read(text); });
+}
+
+std::vector<FlightLog> random_flights(std::uint64_t seed) {
+  geom::SplitMix64 random(seed);
+  const auto vector = [&] {
+    const double x = random.uniform(-1e3, 1e3);
+    const double y = random.uniform(-1e-3, 1e-3);
+    return geom::Vec3(x, y, random.uniform(0, 1));
+  };
+  std::vector<FlightLog> logs;
+  for (const char* id : {"q1", "a,\"b\"", "", "ü"}) {
+    logs.push_back({id, logs.size() % 2 ? "sha256:0123" : "", {}});
+    for (int i = 0; i < 5; ++i) {
+      FlightSample s;
+      s.time = i * 0.01 + random.uniform(0, 0.009);
+      s.position = vector();
+      s.velocity = vector();
+      s.attitude.coeffs() << vector(), random.uniform(-1, 1);
+      s.attitude.normalize();
+      s.body_rates = vector();
+      s.setpoint_position = vector();
+      s.setpoint_velocity = vector();
+      s.setpoint_yaw = random.uniform(-10, 10);
+      for (double& motor : s.motors) motor = random.uniform(0, 1);
+      s.saturated = random.chance(0.5);
+      logs.back().samples.push_back(s);
+    }
+  }
+  return logs;
+}
+
+const std::string kOldHeader =
+    "id,t_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_x_m,"
+    "setpoint_y_m,setpoint_z_m,setpoint_vx_mps,setpoint_vy_mps,setpoint_vz_mps,setpoint_yaw_rad,"
+    "motor1,motor2,motor3,motor4,saturated\n";
+const std::string kOldHeaderWithMap = kOldHeader.substr(0, kOldHeader.size() - 1) + ",map\n";
+const std::string kHeader =
+    "id,t_s,east_m,north_m,up_m,v_east_mps,v_north_mps,v_up_mps,qw,qx,qy,qz,p_radps,q_radps,r_"
+    "radps,"
+    "setpoint_east_m,setpoint_north_m,setpoint_up_m,setpoint_v_east_mps,setpoint_v_north_mps,"
+    "setpoint_v_up_mps,setpoint_yaw_rad,motor1,motor2,motor3,motor4,saturated,map\n";
+
+TEST(FlightLog, HasOneRowASample) {
+  FlightLog log{"q1", "sha256:a", {FlightSample{}}};
+  log.samples[0].motors = {0.25, 0.5, 0.75, 1};
+  log.samples[0].saturated = true;
+  EXPECT_EQ(text_of({log}),
+            kHeader + "q1,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0.25,0.5,0.75,1,1,sha256:a\n");
+}
+
+TEST(FlightLog, ComesBackBitForBit) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto logs = random_flights(seed);
+    const auto back = read(text_of(logs));
+    ASSERT_EQ(back.size(), logs.size()) << "seed " << seed;
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      EXPECT_EQ(back[i].id, logs[i].id);
+      EXPECT_EQ(back[i].map, logs[i].map);
+      ASSERT_EQ(back[i].samples.size(), logs[i].samples.size());
+    }
+    EXPECT_EQ(back[1].samples[3].attitude.coeffs(), logs[1].samples[3].attitude.coeffs());
+    EXPECT_EQ(back[1].samples[3].setpoint_velocity, logs[1].samples[3].setpoint_velocity);
+    EXPECT_EQ(text_of(back), text_of(logs)) << "seed " << seed;
+  }
+}
+
+TEST(FlightLog, NamesItsMapInTheFirstRowOfAFlight) {
+  const FlightLog log{"q", "sha256:a", {FlightSample{}, FlightSample{.time = 1}}};
+  const std::string text = text_of({log});
+  EXPECT_NE(text.find(",0,sha256:a\nq,1,"), std::string::npos) << text;
+  EXPECT_EQ(text.substr(text.size() - 3), "0,\n");
+  const std::string again = text.substr(0, text.size() - 1) + "sha256:b\n";
+  EXPECT_NE(refusal(again).find("log.csv:3: the map must stand in the first row"),
+            std::string::npos);
+}
+
+TEST(FlightLog, IsReadWithoutTheColumnOfTheMap) {
+  const auto logs = read(kOldHeader + "q,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n");
+  ASSERT_EQ(logs.size(), 1u);
+  EXPECT_EQ(logs[0].map, "");
+  EXPECT_EQ(logs[0].samples.size(), 1u);
+}
+
+TEST(FlightLog, IsReadWithTheNamesOfEarlierReleases) {
+  const auto logs = random_flights(3);
+  std::string text = text_of(logs);
+  text.replace(0, kHeader.size(), kOldHeaderWithMap);
+  const auto back = read(text);
+  ASSERT_EQ(back.size(), logs.size());
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    EXPECT_EQ(back[i].map, logs[i].map);
+    EXPECT_EQ(back[i].samples.back().position, logs[i].samples.back().position);
+    EXPECT_EQ(back[i].samples.back().setpoint_velocity, logs[i].samples.back().setpoint_velocity);
+  }
+}
+
+TEST(FlightLog, IsReadWithCarriageReturnsAndBlankLines) {
+  EXPECT_EQ(
+      read(kHeader + "\r\nq,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,\r\n\n").size(), 1);
+}
+
+TEST(FlightLog, RefusesWhatIsNotOne) {
+  const std::string row =
+      "q,0,0,0,0,0,0,0,1,0,0,0" + std::string(",0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,\n");
+  EXPECT_NE(refusal("").find("expected the header id,t_s"), std::string::npos);
+  EXPECT_NE(refusal(kHeader).find("at least one row"), std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,1\n").find("log.csv:2: expected 28 columns, found 3"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + row + row).find("log.csv:3: t_s must grow, found 0 after 0"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + row + "p" + row.substr(1) + row).find("must stand together; \"q\""),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,nan" + row.substr(5)).find("east_m must be a number from"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,1e9" + row.substr(5)).find("east_m must be a number from"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,-1,0" + row.substr(5)).find("t_s must be"), std::string::npos);
+  EXPECT_NE(
+      refusal(kHeader + "q,0,0,0,0,0,0,0,1,1" + row.substr(19)).find("a quaternion of length 1"),
+      std::string::npos);
+  std::string saturated = row;
+  saturated[saturated.size() - 3] = '2';
+  EXPECT_NE(refusal(kHeader + saturated).find("saturated must be a number from 0 to 1"),
+            std::string::npos);
+}
+
+TEST(FlightLog, RefusesIdsThatWouldNotComeBack) {
+  for (const char* id : {"a\nb", " a", "a\t"}) {
+    std::ostringstream out;
+    EXPECT_THROW(write_flight(out, {id, "", {FlightSample{}}}), geom::InputError) << id;
+  }
+}
+
+TEST(FlightLog, LeavesEmptyWhatIsNotKnown) {
+  FlightLog log{"q", "", {nothing_known()}};
+  log.samples[0].position = {1, 2, 3};
+  const std::string row = "q,0,1,2,3,,,,,,,,,,,,,,,,,,,,,,,\n";
+  EXPECT_EQ(text_of({log}), kHeader + row);
+  const auto back = read(kHeader + row);
+  EXPECT_EQ(back[0].samples[0].position, log.samples[0].position);
+  EXPECT_FALSE(is_known(back[0].samples[0].velocity));
+  EXPECT_FALSE(is_known(back[0].samples[0].setpoint_position));
+  EXPECT_TRUE(std::isnan(back[0].samples[0].motors[3]));
+  EXPECT_TRUE(std::isnan(back[0].samples[0].battery));
+  EXPECT_EQ(text_of(back), kHeader + row);
+}
+
+TEST(FlightLog, HasBatteryAndEndWhereTheyAreKnown) {
+  FlightLog log{"q", "sha256:a", {nothing_known(), nothing_known()}, true};
+  log.samples[0].battery = 0.75;
+  log.samples[1].time = 1;
+  const std::string text = text_of({log});
+  EXPECT_EQ(text, kHeader.substr(0, kHeader.size() - 1) +
+                      ",battery_share,end\nq,0,0,0,0,,,,,,,,,,,,,,,,,,,,,,,sha256:a,0.75,\n"
+                      "q,1,0,0,0,,,,,,,,,,,,,,,,,,,,,,,,,cut\n");
+  const auto back = read(text);
+  EXPECT_TRUE(back[0].cut);
+  EXPECT_EQ(back[0].samples[0].battery, 0.75);
+  EXPECT_TRUE(std::isnan(back[0].samples[1].battery));
+  EXPECT_EQ(text_of(back), text);
+  EXPECT_NE(
+      refusal(text + "q,2,0,0,0,,,,,,,,,,,,,,,,,,,,,,,,,\n").find("the flight ended in the row"),
+      std::string::npos);
+  EXPECT_NE(refusal(text.substr(0, text.size() - 2) + "x\n").find("end must be cut or empty"),
+            std::string::npos);
+}
+
+TEST(FlightLog, RefusesAPartOfAVector) {
+  EXPECT_NE(
+      refusal(kHeader + "q,0,1,2,3,,5,,,,,,,,,,,,,,,,,,,,,\n").find("v_east_mps must be a number"),
+      std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,1,2,,,,,,,,,,,,,,,,,,,,,,,,\n").find("up_m must be a number"),
+            std::string::npos);
+  EXPECT_NE(refusal(kHeader + "q,0,1,2,3,,,,,,,,,,,,,,,,,,0.5,0.5,0.5,,,\n")
+                .find("motor4 must be a number"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace traj

@@ -1,0 +1,252 @@
+#include "contents.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "cli/file/files.h"
+#include "cli/file/recognise.h"
+#include "cli/option/named_map.h"
+#include "geom/base/error.h"
+#include "geom/map/box_map_file.h"
+#include "geom/text/json_fields.h"
+#include "plan/lattice/lattice_file.h"
+
+namespace cli {
+namespace {
+
+void add_archive(const geom::ArrayArchive& archive, Contents& out) {
+  const std::string& name = archive.name();
+  if (geom::is_box_map(archive)) {
+    if (out.map) {
+      throw geom::InputError(name, fmt::format("expected one map, found another beside {}: join "
+                                               "them with skyway-map join",
+                                               out.map->source));
+    }
+    out.map = {open_map(archive, geom::Verified::extents), name, 0};
+  } else if (plan::is_lattice(archive)) {
+    out.lattices.push_back({plan::read_lattice(archive), name, 0});
+  } else {
+    throw geom::InputError(name,
+                           "expected a box map or a lattice, found an archive of another kind");
+  }
+}
+
+// Sorts the lines of one stream into the contents.
+class Records {
+ public:
+  Records(const std::string& source, const ContentKinds& kinds, Contents& out)
+      : source_(source), kinds_(kinds), out_(out) {}
+
+  void add(const std::string& text, std::size_t line) {
+    if (tree_ && !tree_->complete()) {
+      tree_->add(text, source_, line);
+    } else {
+      finish_tree(line);
+      add_record(text, line);
+    }
+  }
+
+  void finish_tree(std::size_t line) {
+    if (!tree_) return;
+    out_.trees.push_back({std::move(*tree_).finish(source_, line), source_, tree_line_});
+    tree_.reset();
+  }
+
+ private:
+  void add_record(const std::string& text, std::size_t line) {
+    const geom::JsonFields fields(text, source_, line);
+    const std::string type = fields.text("type", "query");
+    if (type == "tree") {
+      tree_.emplace(text, source_, line);
+      tree_line_ = line;
+    } else if (type == "path") {
+      out_.paths.push_back({geom::read_path_record(fields), source_, line});
+    } else if (type == "trajectory") {
+      out_.trajectories.push_back({traj::read_trajectory_record(fields), source_, line});
+    } else if (type == "corridor" && kinds_.corridors) {
+      out_.corridors.push_back({traj::parse_corridor_record(text, source_, line), source_, line});
+    } else if (type == "pair" && kinds_.reports) {
+      out_.pairs.push_back({traj::parse_pair_record(text, source_, line), source_, line});
+    } else if (type == "together" && kinds_.reports) {
+      out_.together.push_back({traj::parse_together_record(text, source_, line), source_, line});
+    } else if ((type == "report" || type == "flight") && kinds_.reports) {
+      out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
+    } else {
+      fields.refuse(fmt::format(fmt::runtime(kinds_.refusal), type));
+    }
+  }
+
+  const std::string& source_;
+  const ContentKinds& kinds_;
+  Contents& out_;
+  std::optional<plan::SearchTreeReader> tree_;
+  std::size_t tree_line_ = 0;
+};
+
+void add_records(InputFile& file, const ContentKinds& kinds, Contents& out) {
+  Records records(file.name(), kinds, out);
+  std::size_t last = 0;
+  file.for_each_line([&](const std::string& text, std::size_t line) {
+    records.add(text, line);
+    last = line;
+  });
+  records.finish_tree(last);
+}
+
+void add_flights(InputFile& file, Contents& out) {
+  for (traj::FlightLog& log : traj::read_flight_log(file.stream(), file.name())) {
+    out.flights.push_back({std::move(log), file.name(), 0});
+  }
+}
+
+// The whole way of a path that is flown, as skyway-check counts its legs.
+geom::Polyline whole_way(const traj::Flown& flown) {
+  geom::Polyline way = flown.path;
+  const auto at = [](const geom::Vec3& p, double z) { return geom::Vec3(p.x(), p.y(), z); };
+  if (flown.ends.takeoff_from) way.insert(way.begin(), at(way.front(), *flown.ends.takeoff_from));
+  if (flown.ends.landing_on && *flown.ends.landing_on < way.back().z()) {
+    way.push_back(at(way.back(), *flown.ends.landing_on));
+  }
+  return way;
+}
+
+traj::CorridorShape regions(const std::string& id, const geom::Provenance& provenance,
+                            const traj::Flown& flown) {
+  traj::CorridorShape shape{id, provenance, {}};
+  for (const traj::Sweep& sweep : flown.sweeps) {
+    if (sweep.hull.size() < 3) continue;
+    traj::CorridorShape::Piece& piece = shape.pieces.emplace_back();
+    piece.vertices = sweep.hull;
+    std::vector<std::uint32_t>& face = piece.faces.emplace_back(sweep.hull.size());
+    std::iota(face.begin(), face.end(), 0u);
+  }
+  return shape;
+}
+
+// Paths, as long as there is a path to see; of a trajectory its record.
+void add_drone_file(const std::string& path, const DroneFileOptions& options, Contents& out) {
+  InputFile file(path);
+  geom::Provenance provenance;
+  geom::Frame frame;
+  if (out.map) {
+    frame = out.map->record.spec().frame;
+    provenance.map = out.map->record.hash();
+  }
+  provenance.frame = frame.axes;
+  for (DroneFile& one : read_drone_file(file.read_all(), file.name(), options, frame)) {
+    if (one.flown.path.empty()) {
+      traj::TrajectoryRecord record;
+      record.id = one.id;
+      record.status = traj::TrajectoryStatus::solved;
+      record.provenance = provenance;
+      record.trajectory = std::move(one.flown.trajectory);
+      out.trajectories.push_back({std::move(record), file.name(), 0});
+      continue;
+    }
+    geom::PathRecord record;
+    record.id = one.id;
+    record.status = geom::PathStatus::found;
+    record.provenance = provenance;
+    record.points = whole_way(one.flown);
+    out.paths.push_back({std::move(record), file.name(), 0});
+    traj::CorridorShape shape = regions(one.id, provenance, one.flown);
+    if (!shape.pieces.empty()) out.corridors.push_back({std::move(shape), file.name(), 0});
+  }
+}
+
+bool is_drone_file(const std::string& path) {
+  const auto kind = recognise_file(path);
+  return kind && kind->tools.starts_with(kDroneTools);
+}
+
+void add_input(const std::string& path, const ContentKinds& kinds, Contents& out) {
+  InputFile file(path);
+  const int first = file.stream().peek();
+  if (first == std::char_traits<char>::eof()) {
+    throw geom::InputError(file.name(), "expected records or a flight log, found an empty file");
+  }
+  if (first == 'P' && kinds.archives) return add_archive(open_archive(path), out);
+  if (first == '{' || std::isspace(first)) return add_records(file, kinds, out);
+  add_flights(file, out);
+}
+
+// Compares what records say of their map with the map, or with the first that says anything.
+class SameMap {
+ public:
+  explicit SameMap(const geom::BoxMap* map) {
+    if (!map) return;
+    map_.emplace(*map);
+    first_ = {map->hash(), map->spec().frame.axes, {}, {}};
+  }
+
+  // What says only where something goes.
+  void require(const geom::Provenance& made_for, const std::string& source, std::size_t line) {
+    if (map_) return map_->require(made_for, source, line);
+    require_exactly(made_for, source, line);
+  }
+  // What says that something is free or clear, which boxes that were added since may not be.
+  void require_exactly(const geom::Provenance& made_for, const std::string& source,
+                       std::size_t line) {
+    if (!first_.map) first_.map = made_for.map;
+    geom::require_map_agrees(made_for, first_, source, line);
+  }
+
+ private:
+  std::optional<NamedMap> map_;
+  geom::Provenance first_;  // its map and, where there is a map, its frame
+};
+
+}  // namespace
+
+Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds) {
+  Contents out;
+  std::vector<std::string> drone_files;
+  for (const std::string& path : inputs) {
+    if (kinds.drone_files && is_drone_file(path)) {
+      drone_files.push_back(path);
+    } else {
+      add_input(path, kinds, out);
+    }
+  }
+  for (const std::string& path : drone_files) add_drone_file(path, *kinds.drone_files, out);
+  return out;
+}
+
+void require_same_map(const Contents& contents, const geom::BoxMap* map) {
+  SameMap same(map);
+  for (const auto& [lattice, source, line] : contents.lattices) {
+    same.require_exactly(lattice.made_for(), source, line);
+  }
+  for (const auto& [flight, source, line] : contents.flights) {
+    if (!flight.map.empty()) same.require({flight.map, {}, {}, {}}, source, line);
+  }
+  const auto ways = [&](const auto& list) {
+    for (const auto& [record, source, line] : list) same.require(record.provenance, source, line);
+  };
+  ways(contents.paths);
+  ways(contents.trajectories);
+  const auto claims = [&](const auto& list) {
+    for (const auto& [record, source, line] : list) {
+      same.require_exactly(record.provenance, source, line);
+    }
+  };
+  claims(contents.trees);
+  claims(contents.corridors);
+  claims(contents.reports);
+  for (const auto& [record, source, line] : contents.together) {
+    if (record.map) same.require_exactly({*record.map, {}, {}, {}}, source, line);
+  }
+}
+
+std::size_t drop_failed(Contents& contents) {
+  return std::erase_if(contents.paths,
+                       [](const auto& p) { return p.record.status != geom::PathStatus::found; }) +
+         std::erase_if(contents.trajectories, [](const auto& t) {
+           return t.record.status != traj::TrajectoryStatus::solved;
+         });
+}
+
+}  // namespace cli
