@@ -15,6 +15,10 @@ namespace {
 
 using Vector = std::vector<double>;
 
+constexpr int kJoint = Nlp::kJoint;
+constexpr int kTime = Nlp::kTime;
+constexpr int kPiece = Nlp::kPiece;
+
 // A larger one drives some curves away from their start, to another optimum that is slower.
 constexpr double kFirstBarrier = 0.05;
 constexpr double kLeastBarrier = 1e-5;
@@ -218,19 +222,20 @@ class InteriorPoint {
     matrix_.set_zero();
     for (std::size_t k = 0; k < n; ++k) {
       const Nlp::Block& h = blocks_[k];
-      matrix_.diagonal(k) += h.topLeftCorner<13, 13>();
-      matrix_.diagonal(k)(12, 12) += share * lift_[k];
+      matrix_.diagonal(k) += h.topLeftCorner<kPiece, kPiece>();
+      matrix_.diagonal(k)(kTime, kTime) += share * lift_[k];
       if (k + 1 == n) break;
-      matrix_.below(k).topRows<12>() = h.block<12, 13>(13, 0);
-      matrix_.diagonal(k + 1).topLeftCorner<12, 12>() = h.bottomRightCorner<12, 12>();
+      matrix_.below(k).topRows<kJoint>() = h.block<kJoint, kPiece>(kPiece, 0);
+      matrix_.diagonal(k + 1).topLeftCorner<kJoint, kJoint>() =
+          h.bottomRightCorner<kJoint, kJoint>();
     }
     for (std::size_t k = 0; k < n; ++k) matrix_.diagonal(k).diagonal().array() += shift;
     // The rest at the start is no variable.
-    matrix_.diagonal(0).topLeftCorner<12, 12>().setIdentity();
+    matrix_.diagonal(0).topLeftCorner<kJoint, kJoint>().setIdentity();
     for (std::size_t i = 0; i < bounds_.size(); ++i) {
-      const std::size_t v = bounds_[i].variable + 12;
-      const int d = static_cast<int>(v % 13);
-      matrix_.diagonal(v / 13)(d, d) += multiplier_.bound[i] / bounds_[i].distance(at_.x);
+      const std::size_t v = bounds_[i].variable + kJoint;
+      const int d = static_cast<int>(v % kPiece);
+      matrix_.diagonal(v / kPiece)(d, d) += multiplier_.bound[i] / bounds_[i].distance(at_.x);
     }
     return matrix_.factor();
   }
@@ -246,10 +251,10 @@ class InteriorPoint {
     for (const Bound& bound : bounds_) {
       right[bound.variable] += bound.inside * barrier_ / bound.distance(at_.x);
     }
-    right.insert(right.begin(), 12, 0.0);
+    right.insert(right.begin(), kJoint, 0.0);
     matrix_.solve(right);
     Direction d;
-    d.x.assign(right.begin() + 12, right.end());
+    d.x.assign(right.begin() + kJoint, right.end());
     for (std::size_t i = 0; i < d.x.size(); ++i) d.slope += gradient_[i] * d.x[i];
     add_slacks(d);
     add_bounds(d);

@@ -1,17 +1,19 @@
 #pragma once
 
-// Symmetric positive definite matrices of 13 x 13 blocks on three diagonals.
+// Symmetric positive definite matrices of blocks on three diagonals.
 
 #include <Eigen/Core>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "nlp.h"
+
 namespace traj {
 
 class BlockTridiagonal {
  public:
-  static constexpr int kSize = 13;
+  static constexpr int kSize = Nlp::kPiece;  // a block for each piece of the optimiser's problem
   using Block = Eigen::Matrix<double, kSize, kSize>;
 
   explicit BlockTridiagonal(std::size_t blocks)
@@ -28,7 +30,7 @@ class BlockTridiagonal {
   // matrix is not positive definite to rounding; then what is left is of no use.
   bool factor();
 
-  // Solves in place, once it is factored: 13 numbers a block.
+  // Solves in place, once it is factored: kSize numbers a block.
   void solve(std::span<double> b) const;
 
  private:

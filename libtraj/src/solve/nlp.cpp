@@ -27,14 +27,14 @@ Nlp::Nlp(NlpSpec spec) : spec_(std::move(spec)) {
 double Nlp::scale(std::size_t piece, int local) const {
   if (local == kTime) return 1;
   const bool later = local > kTime;
-  const int q = (later ? local - 13 : local) / 3;
+  const int q = (later ? local - kPiece : local) / 3;
   return spec_.scale[piece + (later ? 1 : 0)][static_cast<std::size_t>(q)];
 }
 
 int Nlp::global(std::size_t piece, int local) const {
   if (piece == 0 && local < kTime) return -1;
   if (piece + 1 == spec_.corridor.size() && local > kTime) return -1;
-  return 13 * static_cast<int>(piece) - 12 + local;
+  return kPiece * static_cast<int>(piece) - kJoint + local;
 }
 
 void Nlp::add_variables() {
@@ -46,7 +46,7 @@ void Nlp::add_variables() {
     upper_.push_back(10 * t);
     if (k + 1 == n) break;
     const State& s = spec_.state[k + 1];
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < kJoint; ++i) {
       const bool position = i < 3;
       const std::array<const Vec3*, 4> parts{&s.position, &s.velocity, &s.acceleration, &s.jerk};
       start_.push_back(
@@ -154,7 +154,7 @@ void Nlp::add_hessian_entries() {
 State Nlp::state(std::size_t joint, std::span<const double> x) const {
   State s = spec_.state[joint];
   if (joint == 0 || joint == spec_.corridor.size()) return s;
-  const double* y = &x[13 * joint - 12];
+  const double* y = &x[kPiece * joint - kJoint];
   const auto part = [&](int q) { return Vec3(y[3 * q], y[3 * q + 1], y[3 * q + 2]); };
   s.position += part(0);
   s.velocity = part(1) * spec_.scale[joint][1];
@@ -166,7 +166,7 @@ State Nlp::state(std::size_t joint, std::span<const double> x) const {
 Nlp::Piece Nlp::piece(std::size_t index, std::span<const double> x) const {
   const State a = state(index, x);
   const State b = state(index + 1, x);
-  const double t = x[13 * index];
+  const double t = x[kPiece * index];
   return {{a.position, a.velocity, a.acceleration, a.jerk, b.position, b.velocity, b.acceleration,
            b.jerk},
           t,
@@ -213,7 +213,7 @@ std::vector<double> Nlp::gradient(std::span<const double> x) const {
         }
       }
     }
-    out[13 * k] += in_time;
+    out[kPiece * k] += in_time;
   }
   return out;
 }
@@ -277,7 +277,7 @@ std::vector<double> Nlp::jacobian_times(std::span<const double> x,
     }
     for (const Group& group : groups(k)) {
       const Point z = p.point(group.order, group.point);
-      Vec3 moved = d[13 * k] * z.dt;
+      Vec3 moved = d[kPiece * k] * z.dt;
       for (std::size_t m = 0; m < kStates; ++m) moved += z.weight[m] * step[m];
       for (std::size_t r = group.first_row; r < group.last_row; ++r) {
         out.push_back(slope(rows_[r], z.value).dot(moved));
@@ -301,7 +301,7 @@ std::vector<double> Nlp::transposed_jacobian_times(std::span<const double> x,
         sum += v[r] * slope(rows_[r], z.value);
       }
       for (std::size_t m = 0; m < kStates; ++m) pull[m] += z.weight[m] * sum;
-      out[13 * k] += sum.dot(z.dt);
+      out[kPiece * k] += sum.dot(z.dt);
     }
     for (int m = 0; m < kStates; ++m) {
       for (int i = 0; i < 3; ++i) {
@@ -318,7 +318,7 @@ std::vector<double> Nlp::transposed_jacobian_times(std::span<const double> x,
 Trajectory Nlp::trajectory(std::span<const double> x) const {
   Trajectory out;
   for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    out.segments.push_back(hermite(state(k, x), state(k + 1, x), x[13 * k]));
+    out.segments.push_back(hermite(state(k, x), state(k + 1, x), x[kPiece * k]));
   }
   return out;
 }

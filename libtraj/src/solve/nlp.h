@@ -33,17 +33,23 @@ struct NlpSpec {
 };
 
 // Variables in the order T0, X1, T1, X2, ..., T(n-1): durations, and scaled joint states
-// X = (p - guess, v, a, j), so that a piece depends on at most 25 in a row. Every constraint reads
-// g(x) <= bound.
+// X = (p - guess, v, a, j), so that a piece depends on at most kLocal in a row. Every constraint
+// reads g(x) <= bound.
 class Nlp {
  public:
+  // What a piece depends on, in the order of local indices: the state at its start, its duration,
+  // the state at its end.
+  static constexpr int kJoint = 12;         // p, v, a, j of a joint along each axis
+  static constexpr int kTime = kJoint;      // where the duration is
+  static constexpr int kPiece = kTime + 1;  // where the second state begins; variables a piece adds
+  static constexpr int kLocal = kPiece + kJoint;
+
   explicit Nlp(NlpSpec spec);
 
   struct Entry {  // of a sparse matrix
     int row;
     int column;
   };
-  static constexpr int kLocal = 25;  // state at the start, duration, state at the end
   using Block = Eigen::Matrix<double, kLocal, kLocal>;
 
   int variables() const { return static_cast<int>(start_.size()); }

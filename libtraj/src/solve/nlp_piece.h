@@ -1,8 +1,7 @@
 #pragma once
 
 // One piece of the optimiser's problem: its Bernstein points as functions of the states at its ends
-// and its duration. Local indices: 12 numbers of the state at the start, the duration, 12 of the
-// state at the end.
+// and its duration. Local indices: the state at the start, the duration, the state at the end.
 
 #include <array>
 
@@ -11,7 +10,7 @@
 
 namespace traj {
 
-inline constexpr int kTime = 12;  // local index of the duration
+inline constexpr int kTime = Nlp::kTime;  // local index of the duration
 constexpr std::array<StateTable<8>, 4> padded_tables() {
   std::array<StateTable<8>, 4> out{};
   const auto copy = [&](int order, const auto& table) {

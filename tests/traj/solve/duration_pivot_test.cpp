@@ -11,7 +11,7 @@
 namespace traj {
 namespace {
 
-constexpr int kTime = 12;
+constexpr int kTime = Nlp::kTime;
 
 // The states' part is positive definite, whatever the duration's is.
 Nlp::Block random_block(testing::Random& random) {
