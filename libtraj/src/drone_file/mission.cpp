@@ -1,9 +1,21 @@
 #include "traj/drone_file/mission.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace traj {
 namespace {
+
+constexpr MavCommand kMovesNothing[] = {
+    kConditionDelay, kConditionDistance, kConditionYaw,    kSetRelay,
+    kRepeatRelay,    kSetServo,          kRepeatServo,     kLandingStart,
+    kLookAtPlace,    kLookAtNext,        kLookAtNothing,   kControlVideo,
+    kLookAt,         kConfigureCamera,   kControlCamera,   kConfigureMount,
+    kControlMount,   kTriggerByDistance, kEnableFence,     kGripper,
+    kTriggerByTime,  kCameraMode,        kCameraZoom,      kCameraFocus,
+    kJumpTag,        kGimbalAngles,      kConfigureGimbal, kStartImages,
+    kStopImages,     kControlTrigger,    kStartVideo,      kStopVideo};
 
 double to_1e7(double degrees) { return std::round(degrees * 1e7) / 1e7; }
 double to_millimetres(double metres) { return std::round(metres * 1e3) / 1e3; }
@@ -84,6 +96,11 @@ class MissionMaker {
 };
 
 }  // namespace
+
+bool moves_nothing(int command) {
+  return std::find(std::begin(kMovesNothing), std::end(kMovesNothing), command) !=
+         std::end(kMovesNothing);
+}
 
 Mission make_mission(std::span<const Vec3> points, const MissionFrame& frame,
                      const MissionOptions& options) {

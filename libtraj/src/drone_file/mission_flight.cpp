@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "flown_regions.h"
@@ -16,19 +15,7 @@
 namespace traj {
 namespace {
 
-// MAV_CMD of what changes no place and no height: conditions on time, distance and yaw, the start
-// of a landing as a mark, relays and servos, regions of interest, cameras, mounts, the fence's
-// switch, grippers, gimbals, a jump's tag.
-constexpr int kMovesNothing[] = {112, 114, 115, 181,  182,  183,  184,  189,  195,  196, 197,
-                                 200, 201, 202, 203,  204,  205,  206,  207,  211,  214, 530,
-                                 531, 532, 600, 1000, 1001, 2000, 2001, 2003, 2500, 2501};
-
 constexpr double kSamePlace = 0.5;  // m: home and a take-off that mean the same
-
-bool moves_nothing(int command) {
-  return std::find(std::begin(kMovesNothing), std::end(kMovesNothing), command) !=
-         std::end(kMovesNothing);
-}
 
 // The path and regions of a flight, while it is being flown.
 class Flight {
@@ -429,7 +416,7 @@ class Flight {
   std::vector<std::size_t> order_;
   std::size_t next_ = 0;  // into the order
   const MissionItem* item_ = nullptr;
-  std::size_t last_ = 0;  // that moves something
+  std::size_t last_ = 0;   // that moves something
   double most_climb_ = 0;  // m/s that items ask for
   double most_descent_ = 0;
   FlownTrack track_;

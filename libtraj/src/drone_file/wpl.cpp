@@ -98,10 +98,8 @@ struct LineReader {
   }
 };
 
-constexpr int kFenceCorners[] = {5001, 5002};  // MAV_CMD: of an inclusion, an exclusion
-constexpr int kFenceCircles[] = {5003, 5004};
-constexpr int kFenceReturn = 5000;  // where a vehicle goes that left its fence
-constexpr int kRallyPoint = 5100;
+constexpr MavCommand kFenceCorners[] = {kCornerToStayIn, kCornerToStayOut};
+constexpr MavCommand kFenceCircles[] = {kCircleToStayIn, kCircleToStayOut};
 
 class WplReader {
  public:

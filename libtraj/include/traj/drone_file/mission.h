@@ -25,8 +25,9 @@ enum MavFrame {
   kGlobalTerrain = 10,
   kGlobalTerrainInt = 11
 };
-// MAV_CMD
+// MAV_CMD, by what they do.
 enum MavCommand {
+  // Of missions: flown, or obeyed.
   kWaypoint = 16,
   kLoiterForever = 17,
   kLoiterTurns = 18,
@@ -39,8 +40,50 @@ enum MavCommand {
   kDelay = 93,
   kJump = 177,
   kSpeed = 178,
-  kLandingStart = 189
+  // Of missions: what changes no place and no height (moves_nothing).
+  kConditionDelay = 112,
+  kConditionDistance = 114,
+  kConditionYaw = 115,
+  kSetRelay = 181,
+  kRepeatRelay = 182,
+  kSetServo = 183,
+  kRepeatServo = 184,
+  kLandingStart = 189,
+  kLookAtPlace = 195,  // a region of interest
+  kLookAtNext = 196,
+  kLookAtNothing = 197,
+  kControlVideo = 200,
+  kLookAt = 201,
+  kConfigureCamera = 202,
+  kControlCamera = 203,
+  kConfigureMount = 204,
+  kControlMount = 205,
+  kTriggerByDistance = 206,
+  kEnableFence = 207,
+  kGripper = 211,
+  kTriggerByTime = 214,
+  kCameraMode = 530,
+  kCameraZoom = 531,
+  kCameraFocus = 532,
+  kJumpTag = 600,
+  kGimbalAngles = 1000,
+  kConfigureGimbal = 1001,
+  kStartImages = 2000,
+  kStopImages = 2001,
+  kControlTrigger = 2003,
+  kStartVideo = 2500,
+  kStopVideo = 2501,
+  // Of fences and rally points.
+  kFenceReturn = 5000,  // where a vehicle goes that left its fence
+  kCornerToStayIn = 5001,
+  kCornerToStayOut = 5002,
+  kCircleToStayIn = 5003,
+  kCircleToStayOut = 5004,
+  kRallyPoint = 5100
 };
+
+// Whether it is one of those that change no place and no height.
+bool moves_nothing(int command);
 
 // An item as it stands in a file. NaN: the file says null.
 struct MissionItem {
