@@ -10,6 +10,7 @@
 #include <map>
 #include <sstream>
 
+#include "geom/base/percentile.h"
 #include "plan/planner/plan.h"
 #include "support/bench_scene.h"
 
@@ -43,13 +44,6 @@ std::vector<Query> read(const char* file) {
     out.push_back({f[0], {at(2), at(3), at(4)}, {at(5), at(6), at(7)}, at(9)});
   }
   return out;
-}
-
-// By nearest rank.
-double percentile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  return values[std::max<std::size_t>(rank, 1) - 1];
 }
 
 }  // namespace
@@ -103,8 +97,8 @@ int main(int argc, char** argv) {
       fmt::print(
           "{} {}: length mean {:.5f} p99 {:.4f} max {:.4f}; ms median {:.3f} p99 {:.3f} max "
           "{:.3f}\n",
-          name, set, mean, percentile(r, 0.99), percentile(r, 1), percentile(t, 0.5),
-          percentile(t, 0.99), percentile(t, 1));
+          name, set, mean, geom::percentile(r, 0.99), geom::percentile(r, 1),
+          geom::percentile(t, 0.5), geom::percentile(t, 0.99), geom::percentile(t, 1));
     }
   }
   return 0;

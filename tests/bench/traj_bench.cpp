@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 
+#include "geom/base/percentile.h"
 #include "geom/map/box_map_file.h"
 #include "geom/record/record.h"
 #include "traj/proof/check.h"
@@ -21,13 +22,6 @@ double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-// By nearest rank.
-double percentile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  return values[std::max<std::size_t>(rank, 1) - 1];
 }
 
 double mean(const std::vector<double>& values) {
@@ -84,9 +78,10 @@ int main(int argc, char** argv) {
           "seconds median {:.3f} p95 {:.3f} p99 {:.3f} max {:.3f}; proof ms median {:.2f} max "
           "{:.2f}; snap mean {:.0f}\n",
           argv[k], name, set.proved, set.ratio.size(), rungs, mean(set.ratio),
-          percentile(set.ratio, 0.9), percentile(set.ratio, 1), percentile(set.seconds, 0.5),
-          percentile(set.seconds, 0.95), percentile(set.seconds, 0.99), percentile(set.seconds, 1),
-          percentile(set.check, 0.5), percentile(set.check, 1), mean(set.snap));
+          geom::percentile(set.ratio, 0.9), geom::percentile(set.ratio, 1),
+          geom::percentile(set.seconds, 0.5), geom::percentile(set.seconds, 0.95),
+          geom::percentile(set.seconds, 0.99), geom::percentile(set.seconds, 1),
+          geom::percentile(set.check, 0.5), geom::percentile(set.check, 1), mean(set.snap));
       std::fflush(stdout);
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/base/percentile.h"
 #include "measure.h"
 
 namespace bench {
@@ -77,23 +78,23 @@ Json time_of(const Run& run) {
   for (const double value : ms) time.add(value);
   return {{"clock", "thread CPU"},
           {"mean", time.mean()},
-          {"p50", percentile(ms, 0.5)},
-          {"p90", percentile(ms, 0.9)},
-          {"p99", percentile(ms, 0.99)},
-          {"max", percentile(ms, 1)},
+          {"p50", geom::percentile(ms, 0.5)},
+          {"p90", geom::percentile(ms, 0.9)},
+          {"p99", geom::percentile(ms, 0.99)},
+          {"max", geom::percentile(ms, 1)},
           {"standard_error", time.standard_error()}};
 }
 
 Json ratios(const std::vector<double>& values) {
   return {{"paths", values.size()},
           {"mean", mean(values)},
-          {"p50", percentile(values, 0.5)},
-          {"p99", percentile(values, 0.99)},
-          {"max", percentile(values, 1)}};
+          {"p50", geom::percentile(values, 0.5)},
+          {"p99", geom::percentile(values, 0.99)},
+          {"max", geom::percentile(values, 1)}};
 }
 
 std::string cell(const std::vector<double>& values, double share) {
-  return values.empty() ? "-" : fmt::format("{:.4f}", percentile(values, share));
+  return values.empty() ? "-" : fmt::format("{:.4f}", geom::percentile(values, share));
 }
 
 std::string cell_mean(const std::vector<double>& values) {
@@ -111,7 +112,7 @@ std::string row(const Run& run, const Run& first) {
   const std::vector<double> bound = over_bound(run);
   const Comparison against = compare(run, first);
   const auto time = [&](double share) {
-    return run.one_process ? "-" : fmt::format("{:.4f}", percentile(ms, share));
+    return run.one_process ? "-" : fmt::format("{:.4f}", geom::percentile(ms, share));
   };
   return fmt::format(kRow, run.method, run.trials.size(), count(run, Verdict::found),
                      count(run, Verdict::unreachable), count(run, Verdict::failed) + run.extra,
@@ -123,13 +124,6 @@ std::string row(const Run& run, const Run& first) {
 }
 
 }  // namespace
-
-double percentile(std::vector<double> values, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 Comparison compare(const Run& run, const Run& first) {
   const std::size_t both = std::min(run.trials.size(), first.trials.size());
@@ -183,9 +177,9 @@ Json report(const Run& run, const Run& first) {
   }
   if (const auto nodes = expanded(run); !nodes.empty()) {
     out["expanded"] = {{"mean", mean(nodes)},
-                       {"p50", percentile(nodes, 0.5)},
-                       {"p99", percentile(nodes, 0.99)},
-                       {"max", percentile(nodes, 1)}};
+                       {"p50", geom::percentile(nodes, 0.5)},
+                       {"p99", geom::percentile(nodes, 0.99)},
+                       {"max", geom::percentile(nodes, 1)}};
   }
   if (run.peak_rss) out["peak_rss_bytes"] = *run.peak_rss;
   const Comparison against = compare(run, first);

@@ -10,10 +10,6 @@
 
 namespace bench {
 
-// By nearest rank: the least value that at least `share` of the values do not exceed. `values` is
-// not empty.
-double percentile(std::vector<double> values, double share);
-
 // How a run compares with another on the same queries: the ratio of the mean times, and the mean
 // ratio of the lengths over the queries that both found.
 struct Comparison {

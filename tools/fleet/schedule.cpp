@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "geom/base/percentile.h"
 #include "geom/text/json_line.h"
 
 namespace fleet {
@@ -17,13 +18,6 @@ constexpr std::size_t kNamed = 5;  // flights in the way that a message names
 geom::JsonLine object_of(const traj::Zone& zone) {
   geom::JsonLine line;
   return line.add("shape", zone.round ? "cylinder" : "box").add("reach", zone.reach);
-}
-
-// By nearest rank, of what is in order; 0 of none.
-double percentile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
 }
 
 }  // namespace
@@ -199,8 +193,8 @@ std::string Schedule::report(const Proof& proof, int rounds) const {
   if (without() > 0) line.add("left_out", without());
   line.add("delay", JsonLine()
                         .add("mean", sum / count)
-                        .add("p95", percentile(delay, 0.95))
-                        .add("max", percentile(delay, 1)));
+                        .add("p95", delay.empty() ? 0 : geom::percentile(delay, 0.95))
+                        .add("max", delay.empty() ? 0 : delay.back()));
   line.add("delayed", std::count_if(delay.begin(), delay.end(), [](double d) { return d > 0; }));
   std::vector<std::string> rerouted;
   std::vector<std::string> refusals;

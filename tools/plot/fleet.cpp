@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "geom/base/percentile.h"
 #include "geom/text/counted.h"
 #include "histogram.h"
 #include "palette.h"
@@ -52,12 +53,6 @@ void draw_bars(Drawing& drawing, const Histogram& bars, std::string_view fill,
   drawing.svg.axes(frame, x_label, y_label);
 }
 
-double percentile(std::vector<double> sorted, double share) {
-  const auto rank = static_cast<std::size_t>(
-      std::max(1.0, std::ceil(share * static_cast<double>(sorted.size()))));
-  return sorted[rank - 1];
-}
-
 void draw_delays(Drawing& drawing, std::span<const FleetFlight> flights) {
   std::vector<double> delays;
   for (const FleetFlight& flight : flights) {
@@ -72,7 +67,7 @@ void draw_delays(Drawing& drawing, std::span<const FleetFlight> flights) {
     note = fmt::format(
         "{} of {} late; delay {:.3g} s in the mean, 95 % within {:.3g} s, {:.3g} s "
         "at most",
-        late, geom::counted(delays.size(), "flight"), mean, percentile(delays, 0.95),
+        late, geom::counted(delays.size(), "flight"), mean, geom::percentile(delays, 0.95),
         delays.back());
   }
   draw_bars(drawing, histogram(delays, kBins), colour(0), note, "delay, s", "flights");

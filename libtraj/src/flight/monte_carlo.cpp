@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geom/base/parallel.h"
+#include "geom/base/percentile.h"
 #include "geom/base/random.h"
 
 namespace traj {
@@ -73,7 +74,7 @@ TrackingTube tube_of(std::span<const RunOutcome> outcomes) {
   std::vector<double> errors(outcomes.size());
   for (std::size_t bin = 0; bin < outcomes.front().largest.size(); ++bin) {
     for (std::size_t i = 0; i < outcomes.size(); ++i) errors[i] = outcomes[i].largest[bin];
-    tube.radius.push_back(percentile(errors, kTubeShare));
+    tube.radius.push_back(geom::percentile(errors, kTubeShare));
   }
   return tube;
 }

@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace traj {
+#include "geom/base/percentile.h"
 
-double percentile(std::span<double> values, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  const auto at =
-      values.begin() + static_cast<long>(std::clamp<std::size_t>(rank, 1, values.size())) - 1;
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
+namespace traj {
 
 Tracking tracking(const Flight& flight, double duration) {
   const auto end = std::min(static_cast<std::size_t>(std::floor(duration / kSamplePeriod)),
@@ -38,7 +32,7 @@ Tracking tracking(const Flight& flight, double duration) {
     out.settling =
         settled == end ? 0 : std::max(0.0, static_cast<double>(settled) / 100 - duration);
   }
-  out.p99 = percentile(errors, 0.99);
+  out.p99 = geom::percentile(errors, 0.99);
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geom/base/percentile.h"
 #include "geom/text/json_line.h"
 
 namespace traj {
@@ -42,7 +43,7 @@ JsonLine spread(std::span<const Tracking> runs, double Tracking::*figure) {
   for (const Tracking& t : runs) values.push_back(t.*figure), sum += t.*figure;
   return JsonLine()
       .add("mean", sum / static_cast<double>(values.size()))
-      .add("p99", percentile(values, 0.99))
+      .add("p99", geom::percentile(values, 0.99))
       .add("max", *std::max_element(values.begin(), values.end()));
 }
 

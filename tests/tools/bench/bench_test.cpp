@@ -101,13 +101,6 @@ TEST(RunningMean, IsThatOfTheTextbook) {
   EXPECT_DOUBLE_EQ(mean.standard_error(), std::sqrt(32.0 / 7 / 8));
 }
 
-TEST(Percentile, IsByNearestRank) {
-  EXPECT_EQ(percentile({3, 1, 2}, 0.5), 2);
-  EXPECT_EQ(percentile({4, 3, 1, 2}, 0.5), 2);
-  EXPECT_EQ(percentile({1, 2}, 0.99), 2);
-  EXPECT_EQ(percentile({7}, 0.01), 7);
-}
-
 Trial trial(Verdict verdict, double seconds, double length) {
   return {verdict, seconds, length, 1, std::nullopt, std::nullopt};
 }

@@ -7,14 +7,6 @@
 namespace traj {
 namespace {
 
-TEST(Percentile, IsByNearestRank) {
-  std::vector<double> v = {5, 1, 4, 2, 3};
-  EXPECT_EQ(percentile(v, 0.2), 1);
-  EXPECT_EQ(percentile(v, 0.21), 2);
-  EXPECT_EQ(percentile(v, 1), 5);
-  EXPECT_EQ(percentile(v, 0.999), 5);
-}
-
 // Of 1 s: an error that grows by 1 mm a sample to 100 mm, then shrinks by 2 mm a sample.
 TEST(Tracking, IsOfTheErrorsUpToTheEndAndSettlesAfterIt) {
   Flight flight;

@@ -3,7 +3,6 @@
 // How well a flight followed its trajectory.
 
 #include <optional>
-#include <span>
 
 #include "traj/flight/simulate.h"
 
@@ -25,8 +24,5 @@ struct Tracking {
 
 // Of a flight that was not lost, along a trajectory of this duration.
 Tracking tracking(const Flight& flight, double duration);
-
-// By nearest rank, `share` in (0, 1]; `values` are put in order. At least one value.
-double percentile(std::span<double> values, double share);
 
 }  // namespace traj
