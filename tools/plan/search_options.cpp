@@ -21,11 +21,7 @@ constexpr int kMostLayers = 360;
 
 const std::map<std::string, plan::Method> kMethod = [] {
   std::map<std::string, plan::Method> out;
-  using plan::Method;
-  for (const Method method : {Method::automatic, Method::astar, Method::rrt, Method::rrt_connect,
-                              Method::rrt_star, Method::informed_rrt_star}) {
-    out.emplace(plan::name(method), method);
-  }
+  for (const auto& [method, word] : plan::kMethodWords) out.emplace(word, method);
   return out;
 }();
 

@@ -17,11 +17,7 @@ namespace {
 using geom::Vec3;
 
 plan::Method method_from(const std::string& word) {
-  using plan::Method;
-  for (const Method method : {Method::automatic, Method::astar, Method::rrt, Method::rrt_connect,
-                              Method::rrt_star, Method::informed_rrt_star}) {
-    if (word == plan::name(method)) return method;
-  }
+  if (const auto method = geom::value_of(plan::kMethodWords, word)) return *method;
   throw py::value_error("method: there is no \"" + word + "\"");
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 #include "bend_steps.h"
@@ -63,17 +64,21 @@ std::string why_not(const PlanResult& result) {
   return fmt::format("no path on a lattice with nodes every {} m", result.resolution);
 }
 
-SamplingMethod sampling(Method method) {
-  switch (method) {
-    case Method::rrt_connect:
-      return SamplingMethod::rrt_connect;
-    case Method::rrt_star:
-      return SamplingMethod::rrt_star;
-    case Method::informed_rrt_star:
-      return SamplingMethod::informed_rrt_star;
-    default:
-      return SamplingMethod::rrt;
-  }
+// A method that is one of the sampling planners.
+struct Sampler {
+  Method method;
+  SamplingMethod sampling;
+  Route route;
+};
+constexpr Sampler kSamplers[] = {
+    {Method::rrt, SamplingMethod::rrt, Route::rrt},
+    {Method::rrt_connect, SamplingMethod::rrt_connect, Route::rrt_connect},
+    {Method::rrt_star, SamplingMethod::rrt_star, Route::rrt_star},
+    {Method::informed_rrt_star, SamplingMethod::informed_rrt_star, Route::informed_rrt_star}};
+
+const Sampler& sampler(Method method) {
+  return *std::find_if(std::begin(kSamplers), std::end(kSamplers),
+                       [method](const Sampler& s) { return s.method == method; });
 }
 
 }  // namespace
@@ -98,17 +103,6 @@ struct Planner::Impl {
   std::vector<std::unique_ptr<LatticeLevel>> levels_;         // from the first to try to finer ones
   std::vector<std::unique_ptr<LatticeLevel>> coarse_levels_;  // for where the first are too large
 };
-
-std::string_view name(Method method) {
-  switch (method) {
-    case Method::automatic:
-      return "auto";
-    case Method::astar:
-      return "astar";
-    default:
-      return name(sampling(method));
-  }
-}
 
 Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
                     const Roadmap* roadmap, RoadmapFill* fill)
@@ -202,10 +196,10 @@ PlanResult Planner::Impl::by_cells(const Task& task, ReachResult reached, PlanRe
 
 PlanResult Planner::Impl::by_sampling(const Task& task) {
   const PlanOptions& options = task.options;
-  SamplingResult sampled =
-      sample_path(scene_, task.from, task.to, sampling(options.method), options.sampling);
+  const Sampler& by = sampler(options.method);
+  SamplingResult sampled = sample_path(scene_, task.from, task.to, by.sampling, options.sampling);
   PlanResult result;
-  result.route = geom::value_of(kRouteWords, name(options.method));
+  result.route = by.route;
   result.expanded = sampled.iterations;
   if (options.keep_tree) result.tree = std::move(sampled.tree);
   if (sampled.found) {

@@ -142,20 +142,6 @@ SamplingOptions fitted(const SamplingOptions& options, const geom::Aabb& free_bo
 
 }  // namespace
 
-std::string_view name(SamplingMethod method) {
-  switch (method) {
-    case SamplingMethod::rrt:
-      return "rrt";
-    case SamplingMethod::rrt_connect:
-      return "rrt-connect";
-    case SamplingMethod::rrt_star:
-      return "rrt-star";
-    case SamplingMethod::informed_rrt_star:
-      return "informed-rrt-star";
-  }
-  return "";
-}
-
 SamplingResult sample_path(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
                            SamplingMethod method, const SamplingOptions& options) {
   check(options);

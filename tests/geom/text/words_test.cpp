@@ -6,7 +6,7 @@
 
 #include "geom/import/import_boxes.h"
 #include "geom/record/path_status.h"
-#include "plan/planner/route.h"
+#include "plan/planner/plan.h"
 #include "traj/proof/reason.h"
 #include "traj/record/trajectory_status.h"
 #include "traj/solve/rung.h"
@@ -31,6 +31,8 @@ TEST(Words, GoBothWays) {
   expect_one_to_one(kPathStatusWords);
   expect_one_to_one(kBoxFormatWords);
   expect_one_to_one(plan::kRouteWords);
+  expect_one_to_one(plan::kMethodWords);
+  expect_one_to_one(plan::kSamplingWords);
   expect_one_to_one(traj::kTrajectoryStatusWords);
   expect_one_to_one(traj::kRungWords);
   expect_one_to_one(traj::kReasonWords);

@@ -11,6 +11,7 @@
 
 #include "geom/collision/collision.h"
 #include "geom/record/path_status.h"
+#include "geom/text/words.h"
 #include "plan/bound/bound.h"
 #include "plan/lattice/astar.h"
 #include "plan/lattice/lattice.h"
@@ -37,8 +38,16 @@ enum class Method {
   rrt_star,
   informed_rrt_star
 };
-
-std::string_view name(Method method);  // as on a command line: "auto", "rrt-connect"
+// As on a command line; sampling planners have their own names.
+inline constexpr geom::Words<Method, 6> kMethodWords{{
+    {Method::automatic, "auto"},
+    {Method::astar, "astar"},
+    {Method::rrt, name(SamplingMethod::rrt)},
+    {Method::rrt_connect, name(SamplingMethod::rrt_connect)},
+    {Method::rrt_star, name(SamplingMethod::rrt_star)},
+    {Method::informed_rrt_star, name(SamplingMethod::informed_rrt_star)},
+}};
+constexpr std::string_view name(Method method) { return geom::word_of(kMethodWords, method); }
 
 struct PlanOptions {
   Method method = Method::automatic;

@@ -10,6 +10,7 @@
 
 #include "geom/collision/collision.h"
 #include "geom/shape/polyline.h"
+#include "geom/text/words.h"
 #include "plan/sampling/search_tree.h"
 
 namespace plan {
@@ -23,7 +24,16 @@ namespace plan {
 //   2. Once a path is known, samples come from the prolate spheroid of what could shorten it.
 enum class SamplingMethod { rrt, rrt_connect, rrt_star, informed_rrt_star };
 
-std::string_view name(SamplingMethod method);  // as on a command line: "rrt-connect"
+// As on a command line.
+inline constexpr geom::Words<SamplingMethod, 4> kSamplingWords{{
+    {SamplingMethod::rrt, "rrt"},
+    {SamplingMethod::rrt_connect, "rrt-connect"},
+    {SamplingMethod::rrt_star, "rrt-star"},
+    {SamplingMethod::informed_rrt_star, "informed-rrt-star"},
+}};
+constexpr std::string_view name(SamplingMethod method) {
+  return geom::word_of(kSamplingWords, method);
+}
 
 struct SamplingOptions {
   // Metres, > 0: the longest edge grown towards a sample. Absent: fitting_length() of 15 m.
