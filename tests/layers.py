@@ -128,7 +128,7 @@ def faults(files, text):
     for path, line, include, named in includes(files):
         fault = why_not(room_of(path), room_of(named), left)
         if fault:
-            yield f"{path}:{line}: {fault}: move what is needed from \"{include}\", or the include"
+            yield f"{path}:{line}: {fault}: move what it needs of \"{include}\" to a lower room, or this file to a higher one"
 
 
 DRAWN = """## Layers
