@@ -25,7 +25,7 @@ constexpr std::string_view name(TrajectoryStatus status) {
   return geom::word_of(kTrajectoryStatusWords, status);
 }
 
-// Why of such a record there is nothing to check.
+// Why there is nothing to check in a record of this status.
 constexpr Reason reason_of(TrajectoryStatus status) {
   return geom::value_of(kReasonWords, name(status)).value_or(Reason::none);
 }
