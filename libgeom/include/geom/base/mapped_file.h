@@ -24,8 +24,8 @@ struct FileState {
 };
 
 // A regular file, read-only. Throws std::system_error where it cannot be read, InputError where it
-// is empty or no regular file. Whoever cuts the file meanwhile makes the system send SIGBUS to the
-// reader of what is gone.
+// is empty or no regular file. If somebody cuts the file meanwhile, a reader of the
+// lost part gets SIGBUS from the system.
 class MappedFile {
  public:
   explicit MappedFile(const std::string& path);
@@ -52,11 +52,11 @@ void require_mapped_files_unchanged();
 
 inline constexpr std::size_t kMappedKept = std::size_t{1} << 25;  // 32 MB
 
-// What was read of mapped files counts as the process's memory until somebody needs it. Where more
-// than `most` bytes of files (code among them) are held, gives back all of MappedFile: what is
-// touched again is read again, mostly from the system's cache. Changes no answer, and may be called
-// from any thread at any time; cheap where little is mapped. Call it now and then in work that
-// touches ever more of a big file.
+// Pages of mapped files count as the process's memory until the system needs it. If more
+// than `most` bytes of files (code among them) are held, gives back all pages of MappedFile. A page
+// that is touched again is read again, mostly from the system's cache. Changes no answer, and may
+// be called from any thread at any time; cheap where little is mapped. Call it now and then in work
+// that touches ever more of a big file.
 void trim_mapped_files(std::size_t most = kMappedKept);
 
 // The state of the file of that name; throws std::system_error where there is none.

@@ -1,15 +1,15 @@
 #pragma once
 
-// What is to be done once, by whoever comes first.
+// Work that is done once, by the first thread that needs it.
 
 #include <atomic>
 #include <mutex>
 
 namespace geom {
 
-// As std::call_once: threads may call at once, and all return when it is done; what throws is not
-// done, and the next call tries again. But nothing of the C library stands between `f` and the
-// caller: its frames cannot be unwound where memory is short, and the process would end.
+// Like std::call_once: threads may call at once, and all return when `f` is done. If `f` throws,
+// the next call tries again. Unlike std::call_once, no frame of the C library stands between `f`
+// and the caller: such a frame cannot be unwound if memory is short, and the process would end.
 class Once {
  public:
   template <class F>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What public functions need of their arguments, and say where it is missing.
+// Checks of arguments that public functions make.
 
 #include <cmath>
 #include <string_view>
@@ -16,8 +16,8 @@ inline constexpr double kFarthest = 10 * kLargestCoordinate;
 [[noreturn]] void refuse_point(std::string_view what, const Vec3& p);
 [[noreturn]] void refuse_length(std::string_view what, double value, double most);
 
-// Each throws InputError("`what`", …) and else costs a few comparisons. None passes what is not a
-// number.
+// Each throws InputError("`what`", …) for a wrong argument, NaN included. It costs a few
+// comparisons.
 
 // Finite coordinates within kFarthest.
 inline void require_point(std::string_view what, const Vec3& p) {

@@ -7,7 +7,7 @@
 
 namespace geom {
 
-// Share `index` of `count`: either every count-th item (takes), which spreads what is costly, or a
+// Share `index` of `count`: either every count-th item (takes), which spreads costly items, or a
 // run of neighbours (begin, end), which stays in one place. Both give each item to one share.
 struct Shard {
   std::size_t index = 0;  // below count

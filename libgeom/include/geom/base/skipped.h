@@ -1,6 +1,6 @@
 #pragma once
 
-// What a reader could not build although it is, or may be, an obstacle.
+// Obstacles, or possible ones, that a reader could not build.
 
 #include <cstddef>
 #include <map>
@@ -10,8 +10,8 @@
 
 namespace geom {
 
-// Counts by kind, and the names of the first few of each. Who makes a map of the rest either
-// refuses or says so in the map (cli::SkippedOption).
+// Counts by kind, and the names of the first few of each. Code that makes a map of the rest
+// either refuses, or writes the count into the map (cli::SkippedOption).
 class Skipped {
  public:
   // `kind`: "unknown keyword"; `which`: "line 7: window".

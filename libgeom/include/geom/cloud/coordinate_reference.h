@@ -1,6 +1,6 @@
 #pragma once
 
-// What a file says of its coordinates: which reference system, and how long its units are.
+// The reference system of a file's coordinates, and the length of its units.
 
 #include <cstdint>
 #include <optional>

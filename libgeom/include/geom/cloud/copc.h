@@ -12,7 +12,7 @@ namespace geom {
 
 // In the units of the file.
 struct CopcPart {
-  // Closed; z is not looked at. Nothing: all points.
+  // Closed; z does not matter. Nothing: all points.
   std::optional<Aabb> region;
   // Levels are read until their points are this near to each other; 0: all levels.
   double resolution = 0;
@@ -39,8 +39,8 @@ bool is_copc(std::string_view head);
 // region is missing, as far as the file says the truth of the cubes that are not read. Throws
 // InputError(source, …) where a claim is found wrong, and as read_las() does.
 //
-// What a level holds of the levels below it is a promise of its writer: with a resolution, some
-// obstacles of the region are read only in part, or not at all. `counts.finer` says that it is so.
+// A coarse level need not show what finer levels hold. So with a resolution, some
+// obstacles of the region are read only in part, or not at all; then `counts.finer` is not 0.
 //
 // Chunks are decoded on all threads of `run`; `read` and `sink` are called by one thread at a time
 // each, which need not be the caller's. Points and counts do not depend on it.

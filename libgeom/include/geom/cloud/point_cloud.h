@@ -29,7 +29,7 @@ using ReferenceSink = std::function<void(const CoordinateReference&)>;
 // Reads up to `to.size()` bytes from this place of a file; gives how many there were.
 using ReadAt = std::function<std::size_t(std::uint64_t at, std::span<unsigned char> to)>;
 
-// What changes the time that reading LAS takes, and nothing else.
+// Options that change only the time that reading LAS takes.
 struct LasReading {
   Execution run = {};  // chunks of LAZ are decoded on all threads; not so in formats 0 to 5 where
   ReadAt ahead = {};   // there is no second way into the file, to where it says how large they are
@@ -38,7 +38,7 @@ struct LasReading {
 struct CloudCounts {
   std::size_t read = 0;        // points in the file
   std::size_t not_finite = 0;  // of these, left out: a coordinate is NaN or infinite
-  Skipped skipped;             // what is no point and may be an obstacle: faces of a mesh
+  Skipped skipped;             // shapes other than points, possibly obstacles: faces of a mesh
 };
 
 // Each throws InputError(source, …) for a header that is wrong or of a kind not known, for data

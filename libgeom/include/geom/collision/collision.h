@@ -39,20 +39,20 @@ struct CollisionCounts {
   std::size_t most_bytes = 0;   // that they took at a time
 };
 
-// Holds the map, grown by vehicle and margin (geom::grow). Groups of neighbouring tiles are built
-// on first touch, once, whatever the threads, and given up, first what was not touched for long,
-// once all together take more than the budget. All queries are const and may run from several
+// Holds the map, grown by vehicle and margin (geom::grow). A group of neighbouring tiles is built
+// when a query first touches it. When all groups together take more than the budget, those that
+// were not touched for long are dropped. All queries are const and may run from several
 // threads at once. Answers are exact for the grown boxes, and ties break on the lowest index.
 //
-// A query answers only where nothing went wrong in it. It throws InputError where a tile of a
-// mapped file that it touches holds a wrong value, and std::bad_alloc where there is no memory for
-// a group; asked again, it builds the group anew. Points must be within kFarthest
-// (geom/base/precondition.h), lengths >= 0, regions have min <= max, and what is not a number is
-// never answered: InputError too. Regions and radii may be infinite.
+// A query that fails throws, and gives no answer. It throws InputError if a tile of a
+// mapped file that it touches holds a wrong value, and std::bad_alloc if there is no memory for
+// a group; the next query builds the group anew. Points must be within kFarthest
+// (geom/base/precondition.h), lengths >= 0, and regions have min <= max; otherwise, and for NaN,
+// a query throws InputError. Regions and radii may be infinite.
 class CollisionScene {
  public:
-  // `margin` in metres is added to each half size. InputError where it, a half size (both 0 to
-  // kLargestCoordinate) or the map's extent is none.
+  // `margin` in metres is added to each half size. InputError if the margin or a half size is not
+  // within 0 and kLargestCoordinate, or if the map's extent is not valid.
   CollisionScene(BoxMap map, Vehicle vehicle, double margin, const CollisionOptions& options = {});
   ~CollisionScene();
   CollisionScene(CollisionScene&&) noexcept;
@@ -66,18 +66,18 @@ class CollisionScene {
   // Where the reference point may be (geom::shrink of the map's bounds); nothing when the vehicle
   // does not fit.
   const std::optional<Aabb>& free_bounds() const;
-  bool inside_bounds(const Vec3& p) const;  // of any point; of what is none, too: false
+  bool inside_bounds(const Vec3& p) const;  // false for a point that is not finite
 
-  // Whether the closed segment (or point, a == b) meets a grown box. Bounds are not looked at.
+  // Whether the closed segment (or point, a == b) meets a grown box. Bounds do not matter.
   bool hits(const Vec3& a, const Vec3& b) const;
   bool hits(const Vec3& p) const { return hits(p, p); }
 
-  // A grown box that the closed segment meets, or nothing where there is none: see hits(). Which of
-  // several is not said: it may differ from run to run.
+  // A grown box that the closed segment meets, or nothing: see hits(). Of several boxes any may be
+  // given, and another one in the next run.
   std::optional<Aabb> blocker(const Vec3& a, const Vec3& b) const;
 
-  // Inside the bounds at both ends and free of every grown box. False of points outside, how far
-  // away whatsoever.
+  // Inside the bounds at both ends and free of every grown box. False for points outside, at any
+  // distance.
   bool free(const Vec3& a, const Vec3& b) const;
   bool free(const Vec3& p) const { return free(p, p); }
 

@@ -29,7 +29,7 @@ struct BuildingHeight {
 
 // From `height` or `building:height`; else the higher of `est_height` and of `building:levels` with
 // roof:levels or roof:height; from `min_height` or `building:min_level` up. Heights of 0 and below
-// tell nothing. What would begin above its top is as high as both together, down to the ground.
+// count as missing. A building whose bottom is above its top is as high as both together, from 0.
 // `tag` gives an attribute's text, empty where there is none.
 BuildingHeight building_height(const std::function<std::string(const char*)>& tag,
                                const HeightOptions& options);

@@ -15,7 +15,7 @@ using CitySurface = std::vector<std::vector<Vec3>>;  // an outer ring, then hole
 
 struct CityGeometry {
   double lod = 0;
-  bool roof_edge = false;   // the outline of a roof, and not of what stands on the ground
+  bool roof_edge = false;   // the outline of a roof, not of the building's ground
   bool roofs_only = false;  // the file says of all surfaces that they are roofs
   std::vector<CitySurface> surfaces;
 };
@@ -35,7 +35,7 @@ struct CityObject {
 struct CityModel {
   std::vector<CityObject> objects;
   std::string crs;  // "EPSG:7415", or as the file names it, or empty
-  Skipped skipped;  // what the reader could not take in
+  Skipped skipped;  // objects that the reader could not read
 };
 
 }  // namespace geom

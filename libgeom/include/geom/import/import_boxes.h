@@ -49,8 +49,8 @@ struct ImportedBoxes {
   std::size_t flat = 0;            // boxes without extent along one or two axes: kept
   std::size_t reversed = 0;        // boxes given from their upper corner to their lower one
   double largest_change = 0;       // metres that rounding outward moved a face by, at most
-  Skipped skipped;                 // what is or may be an obstacle and is no box
-  bool allow_skipped = false;      // for make_map(): set by who accepts maps without it
+  Skipped skipped;                 // obstacles, or possible ones, that could not be built
+  bool allow_skipped = false;      // for make_map(): whether the caller accepts a map without them
   std::size_t unknown = 0;         // cells of an OctoMap or a jps3d map, never seen
   std::size_t movable = 0;         // models of an SDF world that may move from where they stand
   std::set<std::string> left_out;  // models of an SDF world that the options leave out
@@ -61,9 +61,9 @@ struct ImportedBoxes {
 ImportedBoxes import_boxes(std::istream& in, BoxFormat format, std::string_view source,
                            const ImportOptions& options = {});
 
-// The map of what was imported. Bounds, floor and seal are the source's where the options leave
-// theirs out. Throws InputError where something was skipped and that is not allowed: what was left
-// out would be flown through. Where it is allowed, the map's history counts it.
+// The map of the imported boxes. Bounds, floor and seal are the source's if the options do not give
+// them. Throws InputError if an obstacle was skipped, because a vehicle could fly through it,
+// unless that is allowed; then the map's history counts it.
 MadeMap make_map(ImportedBoxes boxes, std::string_view source, MakeMapOptions options = {});
 
 }  // namespace geom

@@ -31,8 +31,8 @@ using OpenSdfFile = std::function<const SdfFile*(const std::string& uri, const s
 using ReadCollada = std::function<Model(const SdfFile& file)>;
 
 struct SdfOptions {
-  double slack = 0.1;             // metres that boxes may reach outside what is turned or round
-  bool visuals = true;            // what is seen counts, besides what collides in the simulator
+  double slack = 0.1;             // metres that boxes may reach outside turned or round shapes
+  bool visuals = true;            // <visual> shapes are obstacles too, like <collision> shapes
   std::set<std::string> without;  // names of models of the world that are left out
   OpenSdfFile open;               // the model of an <include>; empty: every one is missing
   OpenSdfFile open_mesh;          // the triangles of a <mesh>; empty: every one is missing

@@ -12,8 +12,8 @@
 namespace geom {
 
 struct VolumeKeepOutOptions {
-  // Of the map's z = 0 above the ellipsoid, metres. Absent: as the frame says, unless that is 0,
-  // which is what maps have whose height nobody knows.
+  // Height of the map's z = 0 above the ellipsoid, metres. Absent: the height of the frame's
+  // origin, unless that is 0. A height of 0 means that the height is unknown.
   std::optional<double> height;
   double floor = 0;    // metres in the map's z: where a volume that is open below starts
   double ceiling = 0;  // where one that is open above ends; >= floor

@@ -1,13 +1,14 @@
 #pragma once
 
-// What of a map has no times.
+// A map without its timed boxes.
 
 #include "geom/map/box_map.h"
 
 namespace geom {
 
-// The map without the boxes that are there for a time only: the one that these were added to, by
-// its hash too, where nothing else was changed. Costs what making a map of the boxes does.
+// The map without the boxes that are there for a time only. If nothing else was changed, it is the
+// map that these boxes were added to, with the same hash. Costs what making a map of the boxes
+// does.
 BoxMap always_there(const BoxMap& map);
 
 }  // namespace geom

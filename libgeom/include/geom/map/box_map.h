@@ -47,9 +47,9 @@ enum class Verified : std::uint8_t {
 // ordered by tile (large first, then by iy, ix), in a tile by (min, max, id), so equal content
 // gives equal bytes. Threads may read one at once.
 //
-// A map from a file is believed no further than it was verified: tiles(), boxes(), boxes_of() and
-// label() verify the extents first, whoever asks, and throw InputError where one is wrong. What
-// decides for good (a proof, a map made of this one) calls require(Verified::contents).
+// A map from a file is verified before use: tiles(), boxes(), boxes_of() and
+// label() verify the extents first, and throw InputError if one is wrong. Code that decides
+// for good (a proof, a map made of this one) calls require(Verified::contents).
 class BoxMap {
  public:
   // Sorts `table` into tiles. No box may be inverted or not finite (precondition). Where some are
@@ -67,8 +67,8 @@ class BoxMap {
   const std::vector<std::string>& labels() const;
   std::span<const Tile> tiles() const;
 
-  // Of boxes that are not always there. Whoever does not ask counts them as always there, which is
-  // on the safe side of every answer about free space.
+  // Boxes that are not always there. Code that ignores their times takes them as always there,
+  // which is the safe side for every answer about free space.
   std::span<const std::uint64_t> timed() const;  // their indices, ascending
   std::span<const TimeSpan> times() const;       // when each of these is there
   TimeSpan time(std::size_t i) const;            // of any box; log of the timed ones
@@ -77,7 +77,7 @@ class BoxMap {
   // claim of the file's until its contents are verified.
   const std::string& hash() const;
 
-  // Verifies what is not yet: reads all boxes for the extents, all bytes for the contents. Throws
+  // Verifies as far as is still needed: reads all boxes for extents, all bytes for contents. Throws
   // InputError at the first that is wrong, whatever the threads. Once for all copies; threads may
   // call it at once. A map that was made here is verified.
   void require(Verified level, const Execution& run = {}) const;

@@ -23,9 +23,9 @@ struct Footprint {
   // Of the corners, those of `outer` first, then those of each hole: the top is the surface that
   // they span, no corner above `top`. Empty: the top is flat.
   std::vector<double> heights;
-  // The footprint's sides may lie that far beside those of the polygon, metres: boxes hold what is
-  // so far outside of it, and reach no further than the slack outside what is so far inside. Of flat
-  // tops alone.
+  // The true sides may lie up to this many metres beside those of the polygon. Boxes hold the
+  // polygon grown by it, and reach no further than the slack outside the polygon shrunk by it. For
+  // flat tops only.
   double bulge = 0;
 };
 
@@ -36,7 +36,7 @@ struct Footprint {
 BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const Execution& run);
 
 // How far apart, in metres, two readings of the footprint's surface may be, since its corners lie
-// in no plane: its boxes may reach that much further outside. 0 of what stands upright or is flat.
+// in no plane: its boxes may reach that much further outside. 0 for upright or flat footprints.
 double uneven_by(const Footprint& footprint, double slack);
 
 }  // namespace geom

@@ -1,6 +1,6 @@
 #pragma once
 
-// Areas that others draw on the Earth, polygons and circles, on a map.
+// Polygons and circles that are given on the Earth, as polygons on a map.
 
 #include <string_view>
 #include <vector>

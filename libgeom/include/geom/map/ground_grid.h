@@ -16,8 +16,8 @@ struct GroundSpec {
   double widest = 200;  // metres: no roof is wider without something lower beside it
 };
 
-// Two tests, of which a point must pass both, so that each can only make obstacles of what the
-// other takes for ground:
+// A point is ground if it passes both of two tests. So each test can only turn into obstacles what
+// the other takes for ground:
 // - It is near the lowest returns around it, lowered to what the slope allows (K. Zhang et al.,
 //   "A progressive morphological filter", TGRS 41(4), 2003, with a slope instead of windows).
 //   Alone that takes the middle of a wide flat roof for ground.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is in a map, counted.
+// Counts and sums over a map.
 
 #include <cstddef>
 

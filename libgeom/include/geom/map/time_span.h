@@ -1,6 +1,6 @@
 #pragma once
 
-// From when until when an obstacle is there.
+// The time during which an obstacle is there.
 
 #include <compare>
 #include <limits>
@@ -18,7 +18,7 @@ struct TimeSpan {
   double until = std::numeric_limits<double>::infinity();
 
   bool always() const { return *this == TimeSpan{}; }
-  // Whether the two have an instant in common; closed. False of what is no number.
+  // Whether the two have an instant in common; closed. False for NaN.
   bool meets(const TimeSpan& other) const { return from <= other.until && other.from <= until; }
   bool contains(const TimeSpan& other) const { return from <= other.from && other.until <= until; }
 
@@ -26,8 +26,8 @@ struct TimeSpan {
   friend auto operator<=>(const TimeSpan&, const TimeSpan&) = default;
 };
 
-// Why that is none, in words: an end that is no number, or beyond kLargestTime and not infinite; a
-// `from` after `until`. Nothing where it is one.
+// Why the span is not valid, in words: an end that is NaN, or beyond kLargestTime and not infinite;
+// a `from` after `until`. Nothing if it is valid.
 std::optional<std::string> span_fault(const TimeSpan& span);
 
 }  // namespace geom

@@ -1,7 +1,7 @@
 #pragma once
 
 // Triangles that Draco has compressed (KHR_draco_mesh_compression), as a decoder gives them. The
-// libraries have none of their own: who links one hands it in.
+// libraries have no decoder: the caller passes one.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +25,7 @@ struct DracoMesh {
   std::map<std::uint64_t, Attribute> attributes;  // by their numbers in the compressed data
 };
 
-// Throws InputError(source, …) for what is no such mesh, or cut short.
+// Throws InputError(source, …) if the bytes are no such mesh, or cut short.
 using DracoDecoder = std::function<DracoMesh(std::string_view bytes, const std::string& source)>;
 
 }  // namespace geom

@@ -20,7 +20,7 @@ enum class UpAxis { y, z };  // of a right-handed frame
 struct Model {
   TriangleMesh mesh;               // in the file's own axes and units
   std::vector<std::string> parts;  // the names of its parts: objects, nodes, features
-  Skipped skipped;                 // what is or may be an obstacle and is no triangle
+  Skipped skipped;                 // obstacles, or possible ones, that are no triangles
   std::optional<UpAxis> up;        // where the file or its format says so,
   std::optional<double> unit;      // and so metres in a unit
   double blur = 0;                 // in units: how far vertices may be off, by rounding in reading
@@ -52,7 +52,7 @@ Model read_stl(std::istream& in, std::string_view source);
 // join vertices are skipped and counted.
 Model read_ply_model(std::istream& in, std::string_view source);
 
-// All throw InputError(source, …) for what is malformed, cut short, no number or beyond
-// kLargestCoordinate, and for an index that has no vertex.
+// All throw InputError(source, …) for a malformed or cut file, for a coordinate that is not finite
+// or beyond kLargestCoordinate, and for an index that has no vertex.
 
 }  // namespace geom

@@ -11,8 +11,8 @@ namespace geom {
 
 struct PlacedModel {
   Frame frame;
-  // How far the map's surface of a triangle may lie from the flat one between its corners, at most:
-  // what is straight through space is not quite in a map projection. Boxes must grow by that.
+  // A straight line through space is not quite straight in a map projection. This bounds how far
+  // a triangle on the map may lie from the flat one between its corners. Boxes must grow by it.
   double bend = 0;  // metres
 };
 

@@ -18,10 +18,10 @@ struct TilesModel {
 // The `tileset.json` at `path` and all that it names, by `files` (paths relative to the folder of
 // `path`). Content is b3dm, glb, glTF, or another tileset, by its bytes and not by its name. Of
 // tiles that replace each other the finest are taken: a tile's own content is left out only where
-// each of its children has some. Bounding volumes are not looked at: nothing is left out because of
-// them. Implicit tiles are those that their subtrees say there are.
+// each of its children has some. Bounding volumes are ignored, so no tile is left out because of
+// them. Implicit tiles exist if their subtrees say so.
 //
-// Skipped and counted: content of other kinds (i3dm, pnts, cmpt and what is not known). Refused
+// Skipped and counted: content of other kinds (i3dm, pnts, cmpt and unknown ones). Refused
 // (InputError): a tileset within itself, subtrees whose bits contradict each other or the tileset,
 // a b3dm whose lengths do not add up, a path that leaves the folder or names another host, and what
 // read_gltf() refuses; `draco` is as there.

@@ -1,6 +1,6 @@
 #pragma once
 
-// In words, what something was made for where that is not what is at hand.
+// Words for a record or file that was made for another map, vehicle or margin.
 
 #include <optional>
 #include <string>

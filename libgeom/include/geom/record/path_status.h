@@ -1,6 +1,6 @@
 #pragma once
 
-// What became of a query for a path.
+// The result of a query for a path.
 
 #include <optional>
 #include <string_view>

@@ -17,7 +17,7 @@
 
 namespace geom {
 
-// What was asked, as it travels: absent where a record does not say.
+// What a record was made for; members are absent if the record does not have them.
 struct Provenance {
   std::optional<std::string> map;  // BoxMap::hash()
   std::optional<Axes> frame;
@@ -25,17 +25,17 @@ struct Provenance {
   std::optional<double> margin;  // metres
 };
 
-// The first in which they differ: "map", "frame", "vehicle" (its half sizes: what it may do is no
-// matter of shape) or "margin". Nothing where all are the same.
+// The first in which they differ: "map", "frame", "vehicle" (its half sizes, not its
+// limits) or "margin". Nothing where all are the same.
 std::optional<std::string_view> mismatch(const Provenance& a, const Provenance& b);
 
-// Throws InputError(source, line, …) where both name a map and it is not one, or a frame. What one
-// of them does not say agrees.
+// Throws InputError(source, line, …) if both name a map and it is not the same, or a frame. A
+// member that one of them lacks counts as equal.
 void require_map_agrees(const Provenance& record, const Provenance& ours, std::string_view source,
                         std::size_t line);
 
 class CollisionScene;
-Provenance provenance_of(const CollisionScene& scene);  // of what is made with it
+Provenance provenance_of(const CollisionScene& scene);  // of things made with it
 
 // Legs of a path from points[first] to points[last], first < last.
 struct LegRange {
@@ -63,8 +63,8 @@ struct PathRecord {
   std::vector<double> hold;          // seconds to stand still at each point, >= 0; empty: nowhere
   std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
   FlightTime time;
-  // Some boxes of the map are there for a time only, and were counted as always there: so status
-  // and bound are of a world with no less in the way than there is.
+  // Some boxes of the map are there for a time only, and counted as always there. So status and
+  // bound are those of a world with at least as many obstacles as there are at any time.
   bool closed_times = false;
 };
 

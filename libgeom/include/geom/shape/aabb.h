@@ -17,8 +17,8 @@ struct Aabb {
   friend bool operator==(const Aabb& a, const Aabb& b) { return a.min == b.min && a.max == b.max; }
 };
 
-// The shortest distance from `p` to `box`, in metres; 0 inside or on the face. Not a number where a
-// coordinate of `p` is none.
+// The shortest distance from `p` to `box`, in metres; 0 inside or on the face. NaN if a
+// coordinate of `p` is NaN.
 double distance(const Vec3& p, const Aabb& box);
 
 // Whether the closed box holds `p`. Exact.
@@ -30,8 +30,7 @@ bool overlap(const Aabb& a, const Aabb& b);
 // Whether the closed segment from `a` to `b` meets the closed box. Exact for the doubles given:
 // the separating-axis test with filtered orientation predicates, which fall back on exact numbers.
 // A zero-length segment is a point. Finite coordinates of any size are decided right; a segment
-// with one that is not a number is taken to meet all that its other coordinates do not keep it
-// from.
+// with a NaN counts as meeting each box that its other coordinates do not keep it from.
 bool segment_hits(const Vec3& a, const Vec3& b, const Aabb& box);
 
 // A part of a segment from a to b: that from a + from (b - a) to a + to (b - a).

@@ -10,9 +10,9 @@
 
 namespace geom {
 
-// Where the closed convex hull of the points (at least one) meets the closed box; nothing where
-// they are apart, which is said only of what a plane separates in real arithmetic: its rounding is
-// subtracted. What is nearer than about 1e-14 of the coordinates may count as meeting.
+// A point where the closed convex hull of the points (at least one) meets the closed box, or
+// nothing if they are apart. They count as apart only if a plane separates them after its rounding
+// is subtracted, so those nearer than about 1e-14 of the coordinates may count as meeting.
 //
 // Wolfe, "Finding the nearest point in a polytope" (1976), on the hull of all differences of a
 // point and a corner. Cost: a few passes over the points.
@@ -20,7 +20,7 @@ std::optional<Vec3> hull_meets(std::span<const Vec3> points, const Aabb& box);
 
 // How deep the hull reaches into the box, metres: the most that all six faces of the box can move
 // inwards until the two are apart, to 1e-7; and a point of the hull that is as deep. Both must meet
-// (else 0, and the first point). For reports: no verdict should hang on it.
+// (else 0, and the first point). For reports only, not for a verdict.
 struct HullDepth {
   double depth = 0;
   Vec3 place = Vec3::Zero();

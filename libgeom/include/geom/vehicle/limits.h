@@ -1,8 +1,8 @@
 #pragma once
 
-// What a vehicle may do: bounds on velocity, acceleration and jerk, and on thrust, tilt and body
-// rates by differential flatness (the thrust of a quadrotor is along a + g). And which of them hold
-// where several say some.
+// The limits of a vehicle: bounds on velocity, acceleration and jerk, and on thrust, tilt and body
+// rates by differential flatness (the thrust of a quadrotor is along a + g). And which limit holds
+// if several are given.
 
 #include <array>
 #include <cstddef>

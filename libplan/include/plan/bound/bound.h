@@ -1,7 +1,6 @@
 #pragma once
 
-// How long a path must be at least: a lower bound, proved, on the length of every path between two
-// places.
+// A proved lower bound on the length of every path between two places.
 //
 // A shortest path that may touch obstacles bends only on convex edges of the union of the grown
 // boxes (docs/bound.md). These are cut into parts; a path is covered by a chain of parts, and what
@@ -24,16 +23,16 @@ using geom::Vec3;
 
 struct BoundOptions {
   double gap = 1e-2;              // the bound wanted is length / (1 + gap); > 0
-  std::size_t most = 60'000'000;  // steps: pairs of parts looked at
-  bool keep_proof = false;        // what the bound follows from
+  std::size_t most = 60'000'000;  // steps: pairs of parts that are checked
+  bool keep_proof = false;        // whether to give the reasons for the bound
 };
 
 struct LengthBound {
   // Metres: no path of the free space between the two places is shorter. At least a hair less than
   // the straight line.
   double bound = 0;
-  bool closed = false;  // whether it is what was wanted, of the path below where there is one
-  // Shorter than the length given, every leg free: found where the bound would not close. Or empty.
+  bool closed = false;  // whether it is within the gap (of the path below, if there is one)
+  // A free path that is shorter than the given length, found as the bound did not close. Or empty.
   geom::Polyline path;
   std::size_t steps = 0;  // as of BoundOptions
   std::size_t levels = 0;

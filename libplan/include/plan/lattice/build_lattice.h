@@ -1,6 +1,6 @@
 #pragma once
 
-// Lattices of a map: the grown boxes put onto a grid, at once or where they are looked at.
+// Lattices of a map: the grown boxes put onto a grid, all at once or where a search needs them.
 
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"
@@ -17,8 +17,8 @@ Lattice build_lattice(const geom::CollisionScene& scene, const LatticeSpec& spec
                       const geom::Execution& run = {},
                       const std::optional<geom::Aabb>& within = std::nullopt);
 
-// The same lattice, each block worked out when it is read, and again when it is read again. The
-// scene must outlive it.
+// The same lattice. Each block is computed each time it is read. The scene must outlive the
+// lattice.
 Lattice lazy_lattice(const geom::CollisionScene& scene, const LatticeSpec& spec,
                      const std::optional<geom::Aabb>& within = std::nullopt);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Lengths for searches that nobody chose: those that suit a city, less on smaller maps.
+// Default lengths for searches: those that suit a city, and smaller ones on smaller maps.
 
 #include "geom/shape/aabb.h"
 

@@ -18,7 +18,7 @@ class JsonFields;
 
 namespace plan {
 
-// Of a lattice that was built or read, not of one worked out where it is looked at.
+// Writes a lattice that was built or read, not a lazy one (lazy_lattice).
 void write_lattice(std::ostream& out, const Lattice& lattice);
 
 // Of join_lattice(parts), whose masks are not copied for it. Throws as that does.

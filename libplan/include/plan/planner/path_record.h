@@ -1,6 +1,6 @@
 #pragma once
 
-// Path records of what was planned.
+// Path records of planned paths.
 
 #include <string>
 

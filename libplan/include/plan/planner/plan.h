@@ -80,8 +80,8 @@ struct PlanResult {
   std::size_t expanded = 0;  // nodes of that lattice, bends, cells, or iterations of sampling
   std::vector<PathStep> steps;         // from the search to the path
   SearchTree tree;                     // where it was to be kept
-  std::optional<Enclosure> enclosure;  // of what is unreachable, where it was to be kept
-  std::optional<LengthBound> bound;    // of what was found, where a gap was given
+  std::optional<Enclosure> enclosure;  // why there is no way, if keep_cells
+  std::optional<LengthBound> bound;    // of the path, if a gap was given
   std::optional<Vec3> snapped_start;   // where an end was moved to
   std::optional<Vec3> snapped_goal;
   std::optional<std::pair<double, double>> layer;  // heights it goes in between its ends (layers.h)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Paths of an older map made good on a newer one: what is still free is kept, the rest mended.
+// Paths of an older map on a newer one: free legs are kept, blocked ones mended.
 
 #include "geom/collision/collision.h"
 #include "geom/record/record.h"
@@ -22,7 +22,7 @@ struct ReplanResult {
 // stretch and pulling gains more than 0.5 %. Where a run finds no way between its ends, or the
 // outcome is more than 5 % longer than `path`, the whole is planned anew: that is taken where there
 // is no mended path or it is more than 5 % longer than the new one. A path all of whose legs are
-// free costs no more than to look at them. Status and message are those of the planner where there
+// free costs only their checks. Status and message are those of the planner where there
 // is no path. Threads may share the planner.
 ReplanResult replan(const geom::CollisionScene& scene, Planner& planner, const geom::Polyline& path,
                     Quality quality = Quality::normal);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Path records of what was replanned, with what the old record said of the points that are left.
+// Path records of replanned paths, with the holds and velocities of the points that are kept.
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether there is any way between two places, exactly, by cells of free space.
+// Decides exactly whether there is any way between two places, by cells of free space.
 //
 // Free space is where the reference point may be: CollisionScene::free_bounds(), closed, less the
 // closed grown boxes. It is cut into cells that are free inside, as the leaves of a k-d tree, which

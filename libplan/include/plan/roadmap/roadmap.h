@@ -36,7 +36,7 @@ struct RoadmapSpec {
 };
 
 // Immutable, and cheap to copy: the arrays are mapped from a file or owned. Bends are kept in
-// tiles, which are squares of the plan, so that what a search touches is read and nothing else. An
+// tiles, which are squares of the plan, so that only the tiles that a search touches are read. An
 // edge names a tile near its own and the number of a bend in that (docs/formats.md). The edges of
 // bend i begin at edge_first[i] of those of its tile; the first edge_split[i] of them run to the
 // side where, across the box edge and with outward signs, x < y, the others to the other side; each

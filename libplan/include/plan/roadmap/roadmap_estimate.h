@@ -1,6 +1,6 @@
 #pragma once
 
-// What a roadmap will have and take, told from some of its tiles before it is built.
+// The size and cost of a roadmap, estimated from some of its tiles before it is built.
 
 #include <functional>
 

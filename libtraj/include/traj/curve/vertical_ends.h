@@ -25,10 +25,10 @@ struct FlightEnvelope {
 // of the bounds: where it can stand. `p` is free.
 double ground_below(const geom::CollisionScene& scene, const geom::Vec3& p);
 
-// What a vehicle that sinks from `p` comes to stand on, where it may be up to `beside` metres
+// The ground of a vehicle that sinks from `p`, if it may be up to `beside` metres
 // further along x and y: the height of the highest top that its box without margin may meet, else
-// the floor of the bounds; and whether all below the box is as high, to `level` metres, so that it
-// stands wherever it comes down. Tops above `p` are not looked at.
+// the floor of the bounds; and whether all ground below the box is as high, to `level` metres, so
+// that it stands level wherever it comes down. Tops above `p` do not count.
 struct LandingGround {
   double height = 0;
   bool whole = true;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an autopilot makes of a mission beside what its file says, as numbers.
+// How far an autopilot strays from the way that a mission file describes, as numbers.
 
 #include <optional>
 #include <span>
@@ -17,7 +17,7 @@ using geom::Vec3;
 // PX4 from 1.12 on leaves the line before an item whose radius is smaller, m.
 inline constexpr double kLeastLineRadius = 2;
 
-// The drag over the mass of an airframe that nobody described, 1/s: more than quadrotors in the
+// The drag over the mass of an unknown airframe, 1/s: more than quadrotors in the
 // literature have (0.54: Faessler, Franchi and Scaramuzza 2018).
 inline constexpr double kUsualDrag = 0.6;
 
@@ -69,8 +69,8 @@ struct Autopilot {
   double fall = 0;                // m that it sinks in a landing until it is above its place
 };
 
-// The autopilot on an airframe of that drag over mass, 1/s: its controller overshoots what drag
-// held back. Those of px4() and ardupilot() have kUsualDrag.
+// The autopilot on an airframe of that drag over mass, 1/s: the more drag, the further its
+// controller overshoots. Those of px4() and ardupilot() have kUsualDrag.
 void set_drag(Autopilot& autopilot, double drag);
 
 // The version must be one of those that are modelled: of PX4 "1.11" to "1.17", of ArduPilot Copter

@@ -13,7 +13,7 @@ namespace traj {
 // `author` goes into the template. The mission must be one of make_dji_mission.
 void write_dji_kmz(std::ostream& out, const DjiMission& mission, std::string_view author);
 
-// Throws geom::InputError(source, …) for what is no whole KMZ with waylines.wpml, for another
+// Throws geom::InputError(source, …) if it is no whole KMZ with waylines.wpml, for another
 // version, and as read_dji_wpml does.
 DjiMission read_dji_kmz(std::istream& in, std::string_view source);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a vehicle makes of a mission: where it flies, and where it may fly between.
+// The flight of a vehicle on a mission: its legs, and the regions that it may fly through.
 
 #include <optional>
 #include <string_view>
@@ -14,7 +14,7 @@
 
 namespace traj {
 
-// What a file leaves to the vehicle's settings, as far as its user says it.
+// Settings of the vehicle that a file does not have, as far as the user gives them.
 struct MissionRules {
   std::optional<double> home;           // z of home, for files that do not say it
   std::optional<double> acceptance;     // m from a waypoint where a turn may begin
@@ -25,8 +25,8 @@ struct MissionRules {
   std::vector<Autopilot> autopilots{px4(), ardupilot()};  // any of which may fly it
 };
 
-// Straight legs in ENU, and beside them the regions that it may fly through anywhere: where it does
-// not rest at a waypoint, where it flies curves.
+// Straight legs in ENU, and regions in which the vehicle may be anywhere: at waypoints without a
+// rest, and on curves.
 struct FlownMission {
   geom::Polyline path;
   std::vector<double> hold;      // s, one a point
@@ -82,8 +82,8 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 //   from there; arcs are swept between chord and tangents. Whole turns, from outside of half the
 //   radius. Loitering for a time or for ever: on the spot, or on the circle of the radius that is
 //   given, or anywhere in it.
-// - Jumps are unrolled: a mission of more than kMostItems items, or one that jumps for ever, is
-//   refused.
+// - Jumps are unrolled, a jump for ever twice. A mission of more than kMostItems items with all
+//   jumps taken is refused.
 // - A return climbs to `return_height` above home, where it is lower, goes straight above home, and
 //   lands there; nearer to home than that is high, it may return at any height from its own to that
 //   (PX4's RTL_CONE_ANG of 45 degrees, ArduCopter's cone). As sweeps, likewise to each rally point
@@ -91,7 +91,7 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 //   height, or with the mark of a landing (189) that it may go to: `returns`.
 // Commands that are known to move nothing (cameras, gimbals, servos, yaw) are counted.
 //
-// Throws geom::InputError(source, line, …) for all others (changes of mode, what is not known), for
+// Throws geom::InputError(source, line, …) for all others (changes of mode, unknown ones), for
 // items after the end of the flight, a second take-off, heights above terrain without `ground`, an
 // altitude of 0 (to some autopilots the present one), places that are not near the origin, and a
 // height above home without home.

@@ -1,6 +1,6 @@
 #pragma once
 
-// A trajectory as the few straight legs that a mission of waypoints can say.
+// A trajectory as the few straight legs that a mission of waypoints can express.
 
 #include "geom/collision/collision.h"
 #include "geom/shape/polyline.h"
@@ -10,10 +10,10 @@ namespace traj {
 
 // Points on the curve, the first and the last included, such that the curve between two of them is
 // within `tolerance` metres (> 0) of their leg: by control points, so between all instants. No
-// point repeats its neighbour. Whether the legs are clear of anything must be asked of them.
+// point repeats its neighbour. The legs are not checked for collision here.
 geom::Polyline straight_legs(const Trajectory& trajectory, double tolerance);
 
-// The points, in the map's axes, moved out of what comes nearer than `distance` metres to them, so
+// The points, in the map's axes, moved away from obstacles nearer than `distance` metres, so
 // that legs survive rounding: from each grown box along every axis on which a point is beside it
 // (an edge's both), and from the bounds. The first and the last stay. One pass: promises nothing.
 geom::Polyline pushed_off(const geom::CollisionScene& scene, geom::Polyline points,

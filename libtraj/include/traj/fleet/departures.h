@@ -32,14 +32,15 @@ struct Departures {
   std::size_t moved = 0;      // flights that rounds moved forward
 };
 
-// Those that are settled first, each at its time, and nothing moves them. Then first come first
-// served: by priority, then by number, each at the earliest time at which it is too near no flight
+// Settled flights go first, each at its own time. Then come the others, by
+// priority, then by number, each at the earliest time at which it is too near no flight
 // that has a departure already. Where a wait is needed, in whole milliseconds after the epoch,
 // rounded up. By the first of its ways that can depart by its latest.
 //
-// A round of improvement looks at each flight that waits, in an order drawn from the seed: it goes
-// first, then others that wait for what was in its way, then what was in its way; none of these is
-// of higher priority. Kept where the sum of their delays becomes less and none is refused for it.
+// A round of improvement tries each waiting flight, in an order drawn from the seed. It lets this
+// flight go first, then others that wait for the flights in its way, then the flights in its way;
+// none of these has a higher priority. The change is kept if the sum of their delays becomes less
+// and none is refused for it.
 //
 // Numbers are 0, 1, 2, …; the flights of a number stand in the order in which they are tried.
 Departures choose_departures(std::span<const FleetFlight> flights, const FleetConflicts& conflicts,

@@ -16,8 +16,8 @@
 
 namespace traj {
 
-// Of the pairs for which any difference is forbidden that their earliest and latest departures
-// allow. At every other difference, of these and of all other pairs, two flights keep apart.
+// The pairs for which some difference of departure, within the earliest and latest ones, is
+// forbidden. At all other differences, and in all other pairs, two flights keep apart.
 struct FleetConflicts {
   std::size_t looked_at = 0;             // pairs that boxes in space and time did not keep apart
   std::vector<FlightPair> pairs;         // in order

@@ -20,8 +20,8 @@ namespace traj {
 // plane of (t, s), and d = t - s. Each flight is cut into pieces that are straight at a constant
 // speed but for a small part of the zone; two such pieces are too near for (t, s) of a convex
 // polygon, whose corners give the least and the largest d. Rounded outward: every d that is truly
-// too near is in the answer. What is in it beyond that is what a zone larger by up to 1/50 would
-// forbid, and a microsecond.
+// too near is in the answer. The answer is larger only by what a zone larger by up to 1/50
+// would forbid, and by a microsecond.
 //
 // Trajectories within domain.h. Segments that miss each other at a joint are padded by the most of
 // that, as check_pair() does it. Parked::pad: standing at the ends counts for all time, so that an

@@ -1,6 +1,6 @@
 #pragma once
 
-// Flight logs as CSV: what a vehicle did, beside what was asked of it. Always in ENU axes, whatever
+// Flight logs as CSV: the motion of a vehicle beside its setpoints. Always in ENU axes, whatever
 // the map's; body axes are x forward, y left, z up.
 
 #include <Eigen/Geometry>
@@ -16,8 +16,8 @@
 
 namespace traj {
 
-// What a log does not say is NaN, in all components of a vector: only time and position are always
-// there. A simulated flight has everything but the battery.
+// A quantity that a log does not have is NaN, in all components of a vector. Only time and position
+// are always there. A simulated flight has everything but the battery.
 struct FlightSample {
   double time = 0;                                               // s from the flight's start
   geom::Vec3 position = geom::Vec3::Zero();                      // m
@@ -32,7 +32,7 @@ struct FlightSample {
   double battery = std::numeric_limits<double>::quiet_NaN();  // share that is left, 0 to 1
 };
 
-// A sample that says nothing but its time and position, which are 0.
+// A sample with only its time and position, which are 0.
 FlightSample nothing_known();
 
 bool is_known(const geom::Vec3& v);  // no component is NaN

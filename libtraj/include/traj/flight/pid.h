@@ -9,7 +9,7 @@
 namespace traj {
 
 // Called at a fixed period. The derivative is low-passed (first order). Each output is clipped, and
-// the integral of an axis stands still while its output is short of what was asked in the direction
+// the integral of an axis stops while its clipped output falls short in the direction
 // of the error (clamping: no windup).
 class Pid {
  public:

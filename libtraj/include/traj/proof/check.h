@@ -16,8 +16,8 @@
 
 namespace traj {
 
-// How far what is flown may be from a segment at any instant, beside what the segment says: from
-// rounding that the vehicle does itself.
+// How far the flight may be from a segment at any instant, because the vehicle's own arithmetic
+// rounds.
 struct Stray {
   Vec3 position = Vec3::Zero();  // m along each axis
   double velocity = 0;           // m/s, m/s2, m/s3: of the norms
@@ -26,15 +26,15 @@ struct Stray {
   double yaw_rate = 0;  // rad/s
 };
 
-// Whether a check measures the clearance too. No verdict hangs on it, and it costs more than one.
+// Whether a check measures the clearance too. It changes no verdict, and costs more than one.
 enum class Clearance { measured, left_out };
 
 inline constexpr double kStepShare = 1e-3;
 
 struct CheckOptions {
   Limits limits;
-  // Of each segment, and then the curve with all that is so near to it must be clear and inside the
-  // limits; empty: none. Must outlive the check.
+  // One for each segment, or empty. All curves that are so near to the segment must be clear and
+  // within the limits. Must outlive the check.
   std::span<const Stray> stray;
   // How far neighbouring segments may miss each other at a joint. The straight step between
   // them is tested for collision as well.
@@ -43,8 +43,8 @@ struct CheckOptions {
   double acceleration_gap = 1e-4;  // m/s2
   double yaw_gap = 1e-9;           // radians
   double yaw_rate_gap = 1e-6;      // rad/s
-  // Steps add up: at most this share of what a limit that is asked for allows on the next
-  // derivative in the time of the shorter segment. So what is flown keeps limits to twice this
+  // Steps add up. So a step is at most this share of what a limit on the next derivative allows in
+  // the time of the shorter segment, and the flight keeps the limits but for twice this
   // share.
   double step_share = kStepShare;
   double limit_slack = 0;  // relative, on every limit
@@ -53,8 +53,8 @@ struct CheckOptions {
   // that are there for a time must be clear at that time only (closed at both ends, rounded
   // outward). Nothing: each of them counts as always there.
   std::optional<double> start;
-  // Before it begins it stands at its first point, and after it has ended at its last one, for
-  // ever: clear of what comes there or was there. Matters with `start` alone.
+  // Whether the vehicle stands at its first point before, and at its last point after, for ever,
+  // and must be clear of boxes that are there then. Matters only with `start`.
   bool stands = false;
 };
 
@@ -74,18 +74,18 @@ struct CheckResult {
   std::optional<std::size_t> box;  // the obstacle hit: an index into BoxMap::boxes()
   double worst = 0;  // how bad: penetration or way out of bounds or gap in metres, else the value
   std::optional<FlightPart> part;  // of a mission: where that is
-  // Of a mission that is refused for where an autopilot may stray, beside its way: that autopilot.
+  // If a mission is refused because an autopilot may stray from its way: that autopilot.
   std::string strayed = {};
 
-  std::size_t looked_at = 0;  // obstacles near the pieces it was cut into: what the place cost
+  std::size_t looked_at = 0;  // obstacles near the pieces of the curve: the cost of the place
 
   double duration = 0;  // seconds
   // Metres to the obstacles that are there at the instant, grown by the vehicle without its margin,
   // the least: of trajectories to 1 mm, of paths to rounding. Absent without obstacles, and where
   // it was left out.
   std::optional<Extreme> clearance;
-  // The largest of what was measured, to a relative 1e-4; absent: not measured, as of a path, which
-  // has no times, and of a yaw that no segment says.
+  // The largest measured values, to a relative 1e-4. Absent: not measured, as for a path, which
+  // has no times, and for the yaw rate of a trajectory without yaw.
   PerLimit<std::optional<Extreme>> largest;
   std::optional<std::array<double, 7>> jumps;  // at joints, see continuity.h
 };

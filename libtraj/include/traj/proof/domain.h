@@ -1,7 +1,7 @@
 #pragma once
 
-// What can be judged at all: the numbers for which neither the check nor the exact check overflows,
-// divides by about nothing, or compares what is not a number. Both refuse everything else alike.
+// The domain of both checks: numbers for which neither the check nor the exact check overflows,
+// divides by nearly 0, or compares NaN. Both refuse all other numbers alike.
 
 #include <optional>
 #include <span>

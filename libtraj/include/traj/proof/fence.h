@@ -1,6 +1,6 @@
 #pragma once
 
-// Fences that come with missions: where a vehicle must stay, and what it must stay out of.
+// Fences that come with missions: regions in which a vehicle must stay, or which it must avoid.
 
 #include <string_view>
 #include <vector>
@@ -24,8 +24,8 @@ struct Fence {
   double bulge = 0;  // how far its true edges may be from these
 };
 
-// geom::outline_on_map(), a circle around what is to be stayed out of, and within what is to be
-// stayed in: on the safe side. Throws geom::InputError(source, …) as that does.
+// geom::outline_on_map() on the safe side: the polygon of a circle lies around an exclusion, and
+// within an inclusion. Throws geom::InputError(source, …) as that does.
 Fence fence_on_map(const GeodeticFence& fence, const geom::GeodeticOrigin& origin,
                    std::string_view source);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a file makes a vehicle fly, and whether that is clear of the map and within limits.
+// The flight of a vehicle that gets a file, and whether it is clear of the map and within limits.
 
 #include <optional>
 #include <vector>
@@ -23,15 +23,15 @@ struct Flown {
   std::vector<double> hold;  // s at each point of the path; may be empty
   VerticalEnds ends;
   bool lands_below = false;        // on whatever is below the last point
-  Vec3 path_stray = Vec3::Zero();  // m that what is flown may be from the path, along each axis
+  Vec3 path_stray = Vec3::Zero();  // m that the flight may be from the path, along each axis
   std::optional<double> speed;     // m/s along the legs
   double climb = 0;                // m/s at most, whatever that speed is; 0: as it is
   double descent = 0;              // likewise
   std::vector<FlightPart> legs;    // of a mission: to each point, and the landing's; may be empty
   std::vector<Sweep> sweeps;       // beside the path
   std::vector<Drift> drift;        // where the autopilots that may fly it may be
-  // m along each axis that the vehicle may be off all this, by what it does not know of its place,
-  // and, where there is no drift, by its tracking.
+  // m along each axis that the vehicle may be off all this: how wrong it is about its place, and,
+  // if there is no drift, how far it strays in tracking.
   Vec3 navigation = Vec3::Zero();
   std::vector<Vec3> rally;        // places in the air from which it may land instead
   std::vector<Fence> fences;      // that the path and the sweeps keep to
@@ -58,14 +58,14 @@ CheckOptions file_tolerance(const Limits& limits);
 // acceleration in between, sent in single precision. Collision and bounds of the straight ways;
 // limits of each setpoint and of the changes from one to the next: the speed of the way, the
 // acceleration that changes the velocity, the jerk and the turning of the thrust as the
-// acceleration changes, the yaw rate. So what a file says in one column and denies in another is
-// found out. A path: check_path of its legs, with the ascent before and the descent after, from 1
+// acceleration changes, the yaw rate. So a file whose columns contradict each other is
+// refused. A path: check_path of its legs, with the ascent before and the descent after, from 1
 // mm above where the vehicle stands, of its sweeps (check_sweeps), its drift (check_drift), and
 // its fences; below each
 // rally place must be the ground of home, or the way back is not known ("return"); then "speed",
 // "horizontal_speed" and "vertical_speed" of its legs where the speed is known, "ceiling", "range",
 // "endurance", and "return" where it ends by a way that is not said. How a vehicle speeds up and
-// slows down along legs is its own affair, and not measured. Times of a path count legs from 0, the
+// slows down along legs is not measured. Times of a path count legs from 0, the
 // ascent being one.
 //
 // Then the same for a vehicle that is larger by `navigation`, without the margin, which is there

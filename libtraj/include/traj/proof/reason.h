@@ -10,17 +10,17 @@
 namespace traj {
 
 enum class Reason {
-  none,  // it is not
+  none,  // it is not refused
   // Nothing to check.
   no_path,
   infeasible,
   stopped,
-  // Outside of what can be judged (domain.h); the vehicle's half sizes or margin likewise.
+  // Numbers that cannot be judged (domain.h); also the vehicle's half sizes or margin.
   duration,
   coordinates,
   limits,
   vehicle,
-  // Where it is. Undecided: a bound on what lies between samples could not be shown.
+  // Its way. Undecided: the way between two samples could not be bounded.
   discontinuous,
   bounds,
   collision,

@@ -1,7 +1,7 @@
 #pragma once
 
-// How much faster than a trajectory record any other flight could be. All of it stands on the bound
-// on length that the record names and that nothing here can verify.
+// How much faster than a trajectory record any other flight could be. All of it rests on the bound
+// on length in the record, which this library cannot verify.
 
 #include <optional>
 #include <string>
@@ -19,15 +19,15 @@ std::optional<double> duration_bound(const TrajectoryRecord& record, const Limit
 // the record: it is solved, of the same map, frame, vehicle and margin, and has the path's ends.
 void add_bounds(const geom::PathRecord& path, TrajectoryRecord& record);
 
-// Whether the record claims more than can be: a duration bound that does not follow from its bound
+// Whether the record claims the impossible: a duration bound that does not follow from its bound
 // on length and its limits; a bound on length that is longer than its own curve, or from which a
-// time follows that it undercuts itself. To be asked of what is free and within its limits.
+// time follows that it undercuts itself. Call it for a free trajectory within its limits.
 bool claims_too_much(const TrajectoryRecord& record);
 
 // The same of a record that keeps these limits, too.
 bool claims_too_much(const TrajectoryRecord& record, const Limits& limits);
 
-// Whether the path is shorter than its own bound on length. To be asked of what is free.
+// Whether the path is shorter than its own bound on length. Call it for a free path.
 bool claims_too_much(const geom::PathRecord& path);
 
 // Its duration over duration_bound() for its own limits, less 1; nothing where there is no such

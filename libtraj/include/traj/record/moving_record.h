@@ -36,17 +36,17 @@ struct MovingConflict {
   MovingResult result;  // clear where the exact check alone refuses
 };
 
-// A flight that is, with the reasons.
+// A flight that is clear of an obstacle, and why.
 struct ProvedMoving {
   std::string flight;
   std::string obstacle;
   ExactMoving proof;  // clear
 };
 
-// What the check against all obstacles came to.
+// The result of the check against all obstacles.
 struct MovingSummary {
   std::size_t flights = 0;
-  std::size_t left_out = 0;  // that could not be looked at, which refuses the whole
+  std::size_t left_out = 0;  // without a trajectory; then the whole is refused
   std::size_t obstacles = 0;
   std::size_t pieces = 0;
   std::size_t refused = 0;
@@ -71,7 +71,7 @@ std::string to_json_line(const MovingConflict& conflict, const std::optional<std
 std::string to_json_line(const MovingSummary& summary);
 
 // Why a flight is clear of an obstacle, and what is claimed of all; each ends with a newline.
-// docs/certificates.md says what they must fulfil.
+// docs/certificates.md has the conditions for them.
 std::string certificate_line(const ProvedMoving& proved);
 std::string certificate_line(const MovingClaim& claim);
 

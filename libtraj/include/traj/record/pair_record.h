@@ -11,7 +11,7 @@
 
 namespace traj {
 
-// What was asked.
+// The question to the check.
 struct TogetherTask {
   std::vector<std::string> ids;  // of the flights
   TogetherRule rule;
@@ -30,7 +30,7 @@ std::string to_json_line(const TogetherResult& result, const TogetherTask& task,
                          std::size_t left_out);
 
 // Why a near pair is apart, and what all pairs claim; each ends with a newline.
-// docs/certificates.md says what they must fulfil. `flights` are those of the ids.
+// docs/certificates.md has the conditions for them. `flights` are those of the ids.
 std::string certificate_line(const ProvedPair& pair, const TogetherTask& task);
 std::string certificate_line(const TogetherTask& task, std::span<const TimedFlight> flights);
 

@@ -32,9 +32,9 @@ struct ReportRecord {
   // Of a mission: home as it was assumed, and how many items move nothing.
   std::optional<Vec3> home = {};
   std::size_t idle_items = 0;
-  // Of what an autopilot flies: which ones that holds for, the parameters that were assumed of them,
-  // the airframe's drag over its mass (1/s), and metres across and up or down by which they may be
-  // wrong about where they are, or stray.
+  // Of a drone file: the autopilots for which the result holds, their assumed parameters, the
+  // airframe's drag over its mass (1/s), and metres across and up or down by which the vehicle may
+  // be wrong about its place, or stray.
   std::string autopilot = {};
   std::vector<std::string> assumed = {};
   std::optional<double> drag = {};
@@ -43,18 +43,18 @@ struct ReportRecord {
   std::size_t endless_jumps = 0;
   std::string detail = {};  // of the reason, in words; may be empty
   geom::FlightTime time = {};
-  // Whether boxes that are there for a time were looked at by time; else as always there.
+  // Whether timed boxes counted by their times; else as always there.
   bool by_time = false;
 };
 
-// Gives `report`, which holds what was checked of `record`, its bounds; refuses what is accepted
-// but claims too much. A bound of another map, vehicle or margin, or of none, is left out.
+// Adds to `report`, the result for `record`, its bounds. Refuses an accepted record
+// that claims too much. A bound of another map, vehicle or margin, or of none, is left out.
 void add_bounds(const TrajectoryRecord& record, ReportRecord& report);
 
 // Refuses an accepted path that is shorter than its own bound.
 void add_bounds(const geom::PathRecord& record, ReportRecord& report);
 
-// Refuses, with its first place, what is accepted though a limit was asked for and not measured.
+// Refuses an accepted record if a limit was asked for and not measured; the place is its first.
 void refuse_unmeasured(const Limits& asked, const Vec3& place, ReportRecord& report);
 
 // Whether every check that was made accepts it.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What became of a path that was to be a trajectory.
+// The result of making a trajectory of a path.
 
 #include <string_view>
 

@@ -25,9 +25,9 @@ struct CorridorPiece {
 
 using Corridor = std::vector<CorridorPiece>;  // each piece starts where the one before ends
 
-// The path without legs shorter than `least` metres, as far as it stays free; both ends stay. Of
-// two points so near each other one is left out, or, round a corner that needs both, one takes the
-// place of both, up to 2.5 `least` from them. A piece of millimetres between others of metres has
+// The path without legs shorter than `least` metres, as far as it stays free; both ends stay. If
+// two points are that near, one is left out; at a corner that needs both, one new point replaces
+// both, up to 2.5 `least` from them. A piece of millimetres between others of metres has
 // durations that no optimiser finds.
 geom::Polyline without_short_legs(const geom::CollisionScene& scene, const geom::Polyline& path,
                                   double least);

@@ -47,14 +47,14 @@ struct SolveResult {
   std::string solver_status;  // the optimiser's own word, "was not run" before it runs
   int iterations = 0;         // of the optimiser, all rounds
   int rounds = 0;             // of the optimiser
-  int proofs = 0;             // tried: of these, and of what else might have been taken
+  int proofs = 0;             // proofs tried, of these rounds and of other candidates
   double objective = 0;       // of its last round
   double max_violation = 0;   // the largest constraint violation of its last round
   Corridor corridor;          // of its last round; empty when it was not run
   double snap = 0;            // integral of |fourth derivative|^2 of the result, m2/s7
 };
 
-// Whatever comes back as solved has passed traj::check for these limits. Every path whose legs are
+// Every solved result has passed traj::check for these limits. Every path whose legs are
 // free and inside the bounds is solved by `automatic`. Ipopt runs once at a time in a process
 // (MUMPS is not thread safe); threads that call this wait for each other there.
 SolveResult solve(const geom::CollisionScene& scene, const geom::Polyline& path,

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which flights a check of all against one another was of.
+// Identifies the flights of a check of all against one another.
 
 #include <optional>
 #include <span>
@@ -12,8 +12,8 @@ namespace traj {
 
 // SHA-256, in hexadecimal, over the epoch (empty where there is none), a line feed, and the flights
 // sorted by id: of each the id, a line feed, its start, the number of its segments, and of each
-// segment the duration and the control points, all as little-endian float64. It does not hang on
-// the order of the stream. `ids` are those of `flights`.
+// segment the duration and the control points, all as little-endian float64. It does not depend
+// on the order of the stream. `ids` are those of `flights`.
 std::string flights_hash(std::span<const std::string> ids, std::span<const TimedFlight> flights,
                          const std::optional<std::string>& epoch);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Obstacles that move: the proof that a flight keeps clear of them at every instant.
+// Obstacles that move, and the proof that a flight keeps clear of them at every instant.
 
 #include <cstddef>
 #include <optional>
@@ -24,9 +24,9 @@ struct MovingBox {
   double until = 0;              // > from
 };
 
-// Why it cannot be judged, in words: a number that is not finite or too large, a box whose min is
-// above its max, growth below 0, times that are none, or a place that it goes to beyond
-// geom::kLargestCoordinate. Nothing where it can.
+// Why the obstacle cannot be judged, in words: a number that is not finite or too large, a box
+// whose min is above its max, growth below 0, invalid times, or a place on its way beyond
+// geom::kLargestCoordinate. Nothing if it can be judged.
 std::optional<std::string> moving_box_fault(const MovingBox& box);
 
 struct MovingResult {

@@ -20,7 +20,7 @@ inline constexpr double kNearStep = 100;
 
 // Every pair that is not named is apart at every instant: no box around a piece of the one, with
 // its time and grown by reach_of(), meets one of the other. Rounded outward. In order, each once.
-// By a tree of boxes in four dimensions: about as long as flights and pairs are many.
+// A tree of boxes in four dimensions: the cost grows with flights and pairs.
 std::vector<FlightPair> near_pairs(std::span<const TimedFlight> flights, const Spacing& spacing,
                                    Parked parked, const geom::Execution& run = {},
                                    double step = kNearStep);

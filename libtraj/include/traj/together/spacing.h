@@ -37,8 +37,8 @@ std::vector<Zone> zones_between(const Spacing& spacing, const Vec3& room, const 
 // difference: half of each zone, rounded up.
 Vec3 reach_of(const Spacing& spacing, const Vec3& room);
 
-// Why nothing can be kept apart so, in words: a reach that is not > 0 or beyond 1e8 m. Nothing
-// where it can.
+// Why the spacing is not valid, in words: a reach that is not > 0 or beyond 1e8 m. Nothing if it is
+// valid.
 std::optional<std::string> spacing_fault(const Zone& zone);
 
 // The nearness of a difference of position in a zone's own norm: below 1 inside, 1 on its surface.

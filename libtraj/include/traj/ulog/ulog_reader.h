@@ -26,8 +26,8 @@ class UlogMessage {
   std::string_view topic() const { return topic_; }
   std::uint64_t timestamp() const;  // microseconds since the vehicle was switched on
 
-  // The i-th value of a field; nothing where the format has none, for text, and for what is not
-  // finite, which is how PX4 says "not known".
+  // The i-th value of a field. Nothing if the format has none, for text, and for a value that is
+  // not finite, by which PX4 means "not known".
   std::optional<double> number(std::string_view field, std::size_t i = 0) const;
   std::optional<bool> flag(std::string_view field) const;  // whether it is not 0
 
@@ -37,7 +37,7 @@ class UlogMessage {
   std::string_view bytes_;
 };
 
-// What a log says of itself.
+// A summary of a log.
 struct UlogSummary {
   int version = 0;
   std::uint64_t start = 0;     // microseconds: when logging began
@@ -55,11 +55,11 @@ struct UlogSummary {
 };
 
 // Gives `take` each message of the `topics`, in the order of the file, of the first instance of
-// each (multi_id 0). One message is held at a time. A log that breaks off, or goes on with what is
-// no message, is read up to there (`cut_at`); one cut exactly between two messages looks whole, as
-// a log does not say how long it is. Throws geom::InputError for what is no ULog, for features that
-// are marked as incompatible, for appended data whose place cannot be, and for formats of `topics`
-// that are no formats (ulog_format.h) or have no time.
+// each (multi_id 0). One message is held at a time. A log that breaks off, or goes on with bytes
+// that are no message, is read up to there (`cut_at`); one cut exactly between two messages looks
+// whole, as a log does not say how long it is. Throws geom::InputError if it is no ULog, for
+// features that are marked as incompatible, for appended data whose place cannot be, and for
+// formats of `topics` that are no formats (ulog_format.h) or have no time.
 UlogSummary read_ulog(std::istream& in, std::string_view source,
                       std::span<const std::string_view> topics,
                       const std::function<void(const UlogMessage&)>& take);
