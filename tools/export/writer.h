@@ -8,6 +8,7 @@
 #include "cli/file/drone_file.h"
 #include "traj/curve/trajectory.h"
 #include "traj/drone_file/dji_mission.h"
+#include "traj/drone_file/mission_time.h"
 #include "traj/proof/limits.h"
 
 namespace exporting {
@@ -26,15 +27,21 @@ struct Task {
   double ground = 0;       // z under the first point
   double landing = 0;      // and under the last
   bool lands = true;
-  std::optional<double> speed;  // m/s
-  std::vector<bool> passed;      // of missions: traj::MissionOptions
-  std::vector<double> approach;  // likewise
+  std::optional<double> speed;      // m/s
+  std::vector<bool> passed;         // of missions: traj::MissionOptions
+  std::vector<double> approach;     // likewise
   cli::AutopilotOptions autopilot;  // what will fly it
-  traj::DjiOptions dji;         // version, aircraft, and turns as far as they are known to fit
-  std::optional<double> turns;  // m, asked for
-  std::size_t volumes = 8;      // of airspace, at most
-  double buffer = 0;            // m around the vehicle and its margin, of volumes of airspace
+  traj::DjiOptions dji;             // version, aircraft, and turns as far as they are known to fit
+  std::optional<double> turns;      // m, asked for
+  std::size_t volumes = 8;          // of airspace, at most
+  double buffer = 0;                // m around the vehicle and its margin, of volumes of airspace
   bool checked = true;
+};
+
+// How long an autopilot will take.
+struct Estimate {
+  std::string autopilot;
+  traj::MissionTime time;
 };
 
 struct Written {
@@ -44,7 +51,8 @@ struct Written {
   std::string csv;
   std::vector<std::size_t> points = {};  // of a mission: the path's point of each item
   cli::DroneFileOptions reading;         // what it takes to read the text again
-  std::string note = {};          // what is not as asked; empty: all is
+  std::string note = {};                 // what is not as asked; empty: all is
+  std::vector<Estimate> estimates = {};  // of a mission: one an autopilot that may fly it
 };
 
 // Whether somebody said how high above the ellipsoid the map's z = 0 is; else it counts as 0 m.
