@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "footprints/formats.h"
-#include "footprints/place.h"
-#include "footprints/source.h"
+#include "geom/gis/footprint_source.h"
+#include "geom/gis/place_footprints.h"
+#include "geom/gis/read_footprints.h"
 
 namespace support {
 
@@ -19,10 +19,10 @@ inline std::vector<geom::Footprint> projected_city(const std::string& path, doub
   head.resize(static_cast<std::size_t>(in.gcount()));
   in.clear();
   in.seekg(0);
-  footprints::Source source = footprints::read(footprints::detect(head, path), path, path, in, {});
-  const footprints::Projector projector(source, path, std::nullopt, true);
-  footprints::sink_ground(source.footprints, std::nullopt);
-  footprints::project(source, projector, slack);
+  geom::gis::Source source = geom::gis::read(geom::gis::detect(head, path), path, path, in, {});
+  const geom::gis::Projector projector(source, path, std::nullopt, true);
+  geom::gis::sink_ground(source.footprints, std::nullopt);
+  geom::gis::project(source, projector, slack);
   return std::move(source.footprints);
 }
 

@@ -10,15 +10,15 @@
 #include "cli/tell.h"
 #include "geom/base/error.h"
 #include "geom/cloud/clusters.h"
-#include "ground_filter.h"
+#include "geom/cloud/ground_filter.h"
+#include "geom/cloud/pcl_filters.h"
 #include "options.h"
-#include "pcl_filters.h"
 #include "point_source.h"
 
 namespace {
 
 using cloud::Options;
-using cloud::Points;
+using Points = geom::CloudPoints;
 using cloud::PointSource;
 using geom::CloudPoint;
 using Report = nlohmann::ordered_json;  // how many points each step dropped, in order
@@ -39,7 +39,7 @@ bool takes(const geom::Shard& shard, const geom::Vec3& p, double cell) {
 
 geom::ColumnGrid stream(PointSource& points, const Options& options, const geom::Shard& shard,
                         Made& made) {
-  cloud::GroundFilter ground(options.ground_spec, options.ground_by);
+  geom::GroundFilter ground(options.ground_spec, options.ground_by);
   if (options.drops_ground()) {
     if (options.ground_by != "class") points.for_each([&](const CloudPoint& p) { ground.add(p); });
     ground.finish();
@@ -64,7 +64,7 @@ geom::ColumnGrid stream(PointSource& points, const Options& options, const geom:
 }
 
 Points without_ground(const Points& points, const Options& options, Made& made) {
-  cloud::GroundFilter ground(options.ground_spec, options.ground_by);
+  geom::GroundFilter ground(options.ground_spec, options.ground_by);
   for (const CloudPoint& p : points) ground.add(p);
   ground.finish();
   made.ground_by = ground.by();
@@ -116,10 +116,10 @@ geom::BoxTable filter(PointSource& source, const Options& options, const std::st
                             options.outliers + "\"");
     }
     apply("dropped_as_outliers",
-          cloud::without_outliers(points, static_cast<int>(k), (*numbers)[1]));
+          geom::without_outliers(points, static_cast<int>(k), (*numbers)[1]));
   }
   if (options.voxel > 0)
-    apply("dropped_by_voxel", cloud::one_per_voxel(points, options.voxel, name));
+    apply("dropped_by_voxel", geom::one_per_voxel(points, options.voxel, name));
   if (options.drops_ground()) {
     apply("dropped_as_ground", without_ground(points, options, made));
   }

@@ -100,12 +100,13 @@ void Options::add_to(CLI::App& app) {
   add_objects(app, *this);
   app.add_option("--unknown", unknown, "space that was not scanned: free (default) or blocked")
       ->check(CLI::IsMember({"free", "blocked"}));
-  placement.add_to(app);
+  place.add_to(app);
   skipped.add_to(app);
   map.add_to(app);
 }
 
 void Options::settle() {
+  placement = geom::CloudPlace(place.options());
   columns.unknown_blocked = unknown == "blocked";
   if (columns.unknown_blocked && mode == "objects") {
     throw cli::UsageError("--unknown blocked goes with --mode columns");
@@ -154,7 +155,7 @@ nlohmann::ordered_json step_of(const Options& options, const nlohmann::ordered_j
     step["tolerance"] = options.tolerance;
     step["min_points"] = options.min_points;
   }
-  options.placement.record(step);
+  options.place.record(options.placement, step);
   step.update(cli::history_of(map));
   return step;
 }

@@ -11,7 +11,7 @@
 #include "cli/option/skipped_option.h"
 #include "geom/map/column_grid.h"
 #include "geom/map/ground_grid.h"
-#include "placement.h"
+#include "place_options.h"
 
 namespace cloud {
 
@@ -30,7 +30,8 @@ struct Options {
   std::bitset<256> classes;  // none: all
   geom::ColumnSpec columns;
   geom::GroundSpec ground_spec;
-  Placement placement;
+  PlaceOptions place;
+  geom::CloudPlace placement;  // once settled
   cli::SkippedOption skipped;
   cli::MapOptions map;
 

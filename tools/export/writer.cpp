@@ -109,7 +109,11 @@ Written write_mission(const Task& task, const geom::Polyline& legs) {
     traj::write_qgc_plan(text, mission, task.checked ? "skyway" : "skyway (UNCHECKED)");
   }
   const cli::Placement placement = placement_of(task, over);
-  return {text.str(), {}, {}, std::move(points), {task.format, placement, {}}};
+  Written written{text.str(), {}, {}, std::move(points), {task.format, placement, {}}};
+  for (const traj::Autopilot& one : task.autopilot.pilots) {
+    written.estimates.push_back({one.name, traj::mission_time(mission, one)});
+  }
+  return written;
 }
 
 // Of the turns that were asked for, those that became stops.

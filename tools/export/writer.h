@@ -8,6 +8,7 @@
 #include "cli/content/drone_file.h"
 #include "traj/curve/trajectory.h"
 #include "traj/drone_file/dji_mission.h"
+#include "traj/drone_file/mission_time.h"
 #include "traj/proof/limits.h"
 
 namespace exporting {
@@ -37,6 +38,12 @@ struct Task {
   bool checked = true;
 };
 
+// How long an autopilot will take.
+struct Estimate {
+  std::string autopilot;
+  traj::MissionTime time;
+};
+
 struct Written {
   std::string text;
   // Of a Tello: a program and a table, for those who ask for them.
@@ -45,6 +52,7 @@ struct Written {
   std::vector<std::size_t> points = {};  // of a mission: the path's point of each item
   cli::DroneFileOptions reading;         // what it takes to read the text again
   std::string note = {};                 // what is not as asked; empty: all is
+  std::vector<Estimate> estimates = {};  // of a mission: one an autopilot that may fly it
 };
 
 // Whether somebody said how high above the ellipsoid the map's z = 0 is; else it counts as 0 m.

@@ -14,9 +14,9 @@
 #include "cli/run.h"
 #include "cli/shard/map_shard.h"
 #include "cli/tell.h"
-#include "formats.h"
 #include "geom/base/error.h"
-#include "place.h"
+#include "geom/gis/place_footprints.h"
+#include "geom/gis/read_footprints.h"
 
 namespace {
 
@@ -34,7 +34,7 @@ struct Options {
   std::string input;
   std::string output = "-";
   std::string format = "auto";
-  footprints::ReadOptions read;
+  geom::gis::ReadOptions read;
   double slack = 0.5;  // metres
   std::string terrain;
   std::string origin;
@@ -116,7 +116,7 @@ nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
 }
 
 // What was read, in numbers; warns of what is worth knowing.
-nlohmann::ordered_json counts_of(const footprints::Source& source, const std::string& format,
+nlohmann::ordered_json counts_of(const geom::gis::Source& source, const std::string& format,
                                  const std::string& name, double default_height,
                                  const cli::Common& common) {
   nlohmann::ordered_json counts = {{"format", format}, {"footprints", source.footprints.size()}};
@@ -140,12 +140,12 @@ nlohmann::ordered_json counts_of(const footprints::Source& source, const std::st
 
 // A source in the coordinates of the map.
 struct City {
-  footprints::Source source;
+  geom::gis::Source source;
   geom::Frame frame;
 };
 
 // The shard's part of the source, on the ground where there is a terrain.
-City city_of(footprints::Source source, const Options& options,
+City city_of(geom::gis::Source source, const Options& options,
              const std::optional<geom::Vec2>& origin, const std::string& name,
              const cli::Sharding& sharding) {
   if (options.metres && !source.crs.empty()) {
@@ -154,19 +154,19 @@ City city_of(footprints::Source source, const Options& options,
                     "system, and {} names one: leave it out",
                     name));
   }
-  const footprints::Projector projector(source, name, origin, options.metres);
+  const geom::gis::Projector projector(source, name, origin, options.metres);
   const geom::MakeMapOptions map = options.map.make();
   std::optional<double> floor = map.floor;
   if (map.bounds) floor = map.bounds->min.z();
   if (floor) *floor /= map.scale;
-  footprints::sink_ground(source.footprints, floor);
-  if (sharding.asked()) footprints::keep_shard(source.footprints, sharding.shard());
-  footprints::project(source, projector, options.slack);
+  geom::gis::sink_ground(source.footprints, floor);
+  if (sharding.asked()) geom::gis::keep_shard(source.footprints, sharding.shard());
+  geom::gis::project(source, projector, options.slack);
   if (!options.terrain.empty()) {
-    const footprints::Terrain terrain(options.terrain, options.terrain, options.read);
-    footprints::lift(source, terrain, projector.frame().crs);
+    const geom::gis::Terrain terrain(options.terrain, options.terrain, options.read);
+    geom::gis::lift(source, terrain, projector.frame().crs);
   }
-  footprints::check_sizes(source, options.slack, name);
+  geom::gis::check_sizes(source, options.slack, name);
   for (const geom::Footprint& f : source.footprints) {
     if (geom::uneven_by(f, options.slack) > options.slack / 2) ++source.counts["surfaces_uneven"];
   }
@@ -191,8 +191,8 @@ int main(int argc, char** argv) {
       options.read.height_unit = cli::kMetres.at(options.height_units);
     }
     if (!options.axes.empty())
-      options.read.axes = options.axes == "east-north" ? footprints::Axes::east_north
-                                                       : footprints::Axes::north_east;
+      options.read.axes =
+          options.axes == "east-north" ? geom::gis::Axes::east_north : geom::gis::Axes::north_east;
     if (options.input == "-")
       throw cli::UsageError("footprints are read from a file, not from stdin");
     sharding.begin(app, {{"file", options.input}, {"terrain", options.terrain}},
@@ -201,12 +201,11 @@ int main(int argc, char** argv) {
     cli::InputFile file(options.input);
     cli::HashedInput hashed(file);
     if (hashed.head().empty()) throw geom::InputError(file.name(), "the file is empty");
-    const std::string format = options.format == "auto"
-                                   ? footprints::detect(hashed.head(), options.input)
-                                   : options.format;
+    const std::string format =
+        options.format == "auto" ? geom::gis::detect(hashed.head(), options.input) : options.format;
     cli::require_used(app, kFormatOptions, format, file.name());
     const City city =
-        city_of(footprints::read(format, options.input, file.name(), hashed.stream(), options.read),
+        city_of(geom::gis::read(format, options.input, file.name(), hashed.stream(), options.read),
                 options, origin, file.name(), sharding);
     const geom::MakeMapOptions map = options.map.make();
     nlohmann::ordered_json stats =
@@ -214,7 +213,7 @@ int main(int argc, char** argv) {
     nlohmann::ordered_json step = step_of(hashed.hash(), options, format, map);
     options.skipped.settle(city.source.skipped, file.name(), common, step);
     if (options.default_height->count() == 0) {
-      footprints::require_heights(city.source, file.name());
+      geom::gis::require_heights(city.source, file.name());
     }
     const std::string history = nlohmann::ordered_json::array({step}).dump();
     geom::BoxTable table =

@@ -17,7 +17,7 @@
 #include "geom/text/counted.h"
 #include "model_files.h"
 #ifdef SKYWAY_MESH
-#include "mesh/assimp_scene.h"
+#include "geom/model/assimp_scene.h"
 #endif
 
 namespace {
@@ -129,7 +129,7 @@ geom::ImportedBoxes imported(Options& options, geom::BoxFormat format, std::istr
   };
 #ifdef SKYWAY_MESH
   options.sdf.read_collada = [](const geom::SdfFile& file) {
-    return mesh::read_scene(file.text, file.name, "collada");
+    return geom::read_scene(file.text, file.name, "collada");
   };
 #endif
   geom::ImportedBoxes boxes =

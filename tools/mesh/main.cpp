@@ -14,8 +14,8 @@
 #include "cli/tell.h"
 #include "geom/base/error.h"
 #include "geom/model/model_polygons.h"
+#include "geom/model/read_model.h"
 #include "geom/text/counted.h"
-#include "source.h"
 
 namespace {
 
@@ -79,7 +79,7 @@ struct Place {
   double off = 0;   // metres that the map's triangles may be beside the model's flat ones
 };
 
-Place earth_place(mesh::Source& source, const Options& options, const std::string& name) {
+Place earth_place(geom::ModelSource& source, const Options& options, const std::string& name) {
   if (!options.up.empty() || !options.units.empty()) {
     throw cli::UsageError(
         "--up and --units are not for 3D Tiles on Earth, whose axes and metres "
@@ -90,7 +90,7 @@ Place earth_place(mesh::Source& source, const Options& options, const std::strin
 }
 
 // Local coordinates, by what the file and the options say.
-Place local_place(mesh::Source& source, const Options& options, const std::string& name,
+Place local_place(geom::ModelSource& source, const Options& options, const std::string& name,
                   const cli::Common& common) {
   geom::Model& model = source.model;
   if (source.format == "collada" && (!options.up.empty() || !options.units.empty())) {
@@ -159,7 +159,7 @@ geom::BoxTable table_of(geom::TriangleCover made, const std::vector<std::string>
   return table;
 }
 
-nlohmann::ordered_json stats_of(const mesh::Source& source, const geom::TriangleCover& made,
+nlohmann::ordered_json stats_of(const geom::ModelSource& source, const geom::TriangleCover& made,
                                 bool solid) {
   nlohmann::ordered_json stats = {{"format", source.format},
                                   {"files", source.files},
@@ -178,8 +178,8 @@ nlohmann::ordered_json stats_of(const mesh::Source& source, const geom::Triangle
   return stats;
 }
 
-void report(const mesh::Source& source, const geom::TriangleCover& made, const Options& options,
-            const std::string& name, const cli::Common& common) {
+void report(const geom::ModelSource& source, const geom::TriangleCover& made,
+            const Options& options, const std::string& name, const cli::Common& common) {
   std::string line = geom::counted(source.model.mesh.triangles.size(), "triangle", "triangles");
   if (source.tiles) {
     line += " of " + geom::counted(*source.tiles, "tile", "tiles");
@@ -198,7 +198,7 @@ void report(const mesh::Source& source, const geom::TriangleCover& made, const O
   cli::tell(common, kTool, name + ": " + line);
 }
 
-nlohmann::ordered_json step_of(const mesh::Source& source, const Options& options,
+nlohmann::ordered_json step_of(const geom::ModelSource& source, const Options& options,
                                const Place& place, const geom::MakeMapOptions& map) {
   nlohmann::ordered_json step = {{"tool", kTool},
                                  {"input", source.hash},
@@ -224,7 +224,9 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     if (options.input == "-") throw cli::UsageError("models are read from a file, not from stdin");
     const std::string& name = options.input;
-    mesh::Source source = mesh::read(options.input, options.format);
+    geom::ModelSource source =
+        geom::read_model(options.input, options.format,
+                         [](const std::string& path) { return cli::InputFile(path).read_all(); });
     const bool none = source.model.mesh.triangles.empty();
     if (none) {
       const std::string skipped = source.model.skipped.text();

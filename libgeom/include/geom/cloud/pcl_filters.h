@@ -1,0 +1,25 @@
+#pragma once
+
+// What PCL does to clouds. All work in single precision relative to the first point, and give
+// indices, so that the points themselves lose nothing.
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "geom/cloud/point_cloud.h"
+
+namespace geom {
+
+using CloudPoints = std::vector<CloudPoint>;
+
+// CloudPoints whose mean distance to their `neighbours` nearest is within `deviations` standard
+// deviations of the mean of all (pcl::StatisticalOutlierRemoval).
+CloudPoints without_outliers(const CloudPoints& points, int neighbours, double deviations);
+
+// One point of each cubic cell of that side, the one nearest to its middle (pcl::UniformSampling).
+// Throws InputError(source, …) where the box around the points has 2^31 cells or more: PCL's index
+// of cells would wrap, and points far apart count as one.
+CloudPoints one_per_voxel(const CloudPoints& points, double side, std::string_view source);
+
+}  // namespace geom

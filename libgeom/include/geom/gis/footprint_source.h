@@ -1,0 +1,165 @@
+#pragma once
+
+// What the readers of footprints give, in the coordinates of their source.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geom/base/skipped.h"
+#include "geom/gis/axis_order.h"
+#include "geom/import/building_height.h"
+#include "geom/map/footprint.h"
+
+namespace geom::gis {
+
+// An attribute whose values are numbers: one such may be the height that nobody named.
+struct NumericAttribute {
+  std::size_t features = 0;  // that have it
+  double low = 0;
+  double high = 0;
+};
+
+// Where the cells of a height model are.
+struct CellGrid {
+  struct Cells {  // [first_column, last_column) x [first_row, last_row)
+    int first_column;
+    int last_column;
+    int first_row;
+    int last_row;
+  };
+  double transform[6];    // GDAL's, from columns and rows to coordinates
+  std::vector<Cells> of;  // of each footprint, by its id
+
+  Vec2 corner(double column, double row) const {
+    return {transform[0] + column * transform[1] + row * transform[2],
+            transform[3] + column * transform[4] + row * transform[5]};
+  }
+  // All corners of cells along the sides, beginning at that of the first column and row.
+  std::vector<Vec2> ring(const Cells& cells) const;
+};
+
+struct Source {
+  using Warnings = std::vector<std::string>;
+
+  std::vector<Footprint> footprints;
+  std::optional<CellGrid> grid;               // of a height model with a CRS
+  std::string crs;                            // whatever PROJ understands; empty: local metres
+  std::map<std::string, std::size_t> counts;  // for the report: "heights from levels", …
+  Skipped skipped;                            // what is or may be an obstacle and is no footprint
+  Skipped defaults;                           // built as high as the default, as nothing tells
+  bool has_height_attribute = false;          // that of the options was there
+  std::map<std::string, NumericAttribute> numeric;  // of the features without a height
+  Warnings warnings;
+};
+
+struct ReadOptions {
+  HeightOptions height;
+  Axes axes = Axes::as_named;         // of city models
+  std::string where;                  // OGR SQL on attributes; empty: all features
+  std::optional<double> height_unit;  // metres in one of the heights that name no unit
+  double slack = 0.5;                 // metres that boxes will be allowed to reach outside
+  std::optional<Vec2> origin;         // of the map: latitude, longitude; else the middle
+  double height_step = 0.5;  // metres: surface models are rounded up to multiples of it; 0: not
+};
+
+// Counts where the height of a building came from. `which` names the building where its height is
+// not understood, or is the default. A tower, mast, chimney or crane may be of any height: where
+// nothing tells, it counts as skipped, too.
+void count_height(const BuildingHeight& height, const std::string& which, Source& source);
+
+// Throws InputError(name, …) where --height-attribute names one that nothing in the file has.
+void require_attribute(const Source& source, const ReadOptions& options, const std::string& name);
+
+// Notes an attribute of a feature without a height, where its value is a number.
+void note_attribute(const std::string& name, const std::string& value, Source& source);
+
+// Throws InputError(name, …) where more than a tenth of the buildings have no height but the
+// default, which nobody has chosen; the message names the attributes that may be heights.
+void require_heights(const Source& source, const std::string& name);
+
+// Metres in a unit of heights that name none, in a source of this CRS: what the options say, or the
+// CRS's own vertical part, or 1 where the CRS counts metres or degrees, or there is none. Nothing
+// where it counts something else, as heights may then too.
+std::optional<double> height_unit(const std::string& crs, const std::string& name,
+                                  const ReadOptions& options);
+
+// The refusal where height_unit() is nothing and a height is needed.
+[[noreturn]] void refuse_heights(const std::string& name, const std::string& crs);
+
+// GeoJSON, GeoPackage, Shapefile, FlatGeobuf and whatever else GDAL reads as polygons. `path` may
+// be one of GDAL's virtual files; `name` is for messages. Throws InputError.
+Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options);
+
+// Whether GDAL reads the file as a raster.
+bool is_raster(const std::string& path);
+
+// A surface or terrain model of one band: rectangles of cells, from the lowest cell up, that
+// together hold what the cells hold and no more; those that pass below higher cells overlap others.
+// Where there is a CRS, `grid` knows the corners of cells along their sides, since straight lines
+// bend when projected.
+Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options);
+
+// OpenStreetMap data: ways and multipolygons that are buildings, building parts, or towers, masts,
+// chimneys, silos and the like; multipolygons assembled. Those that are points or lines are
+// skipped, and so are outlines of which a part is not in the file, and other obstacles
+// (osm_obstacle.h).
+Source read_osm(const std::string& path, const std::string& name, const ReadOptions& options);
+
+// How far one step from cell to cell of a height model leads off the nearer of the map's axes,
+// metres: the most of nine places all over it. Infinity where PROJ converts one of them to nothing.
+// An estimate, for speed: between those places it may be more.
+struct CellLean {
+  double column = 0;
+  double row = 0;
+};
+CellLean lean_of(const CellGrid& grid, int width, int height, const std::string& crs,
+                 const std::string& name, const std::optional<Vec2>& origin);
+
+// The ground under a place, from a terrain model.
+class Terrain {
+ public:
+  Terrain(const std::string& path, const std::string& name, const ReadOptions& options);
+
+  struct Range {
+    double low;
+    double high;
+  };
+  // Of the cells that the region (x and y in `crs`) may touch; nothing where none has a height.
+  std::optional<Range> range(const Vec2& low, const Vec2& high, const std::string& crs) const;
+
+ private:
+  std::string name_;
+  std::string crs_;
+  double transform_[6];
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<double> cells_;  // NaN where there is no data
+};
+
+// From the source's coordinates to metres east and north of an origin.
+class Projector {
+ public:
+  // Without a CRS coordinates are metres already and stay; `origin` is then where (0, 0) is.
+  // `origin`: latitude, longitude; else the middle of the footprints. Throws InputError(name,
+  // …) for a CRS that PROJ does not know, for an origin too far from the footprints (and warns of
+  // one that is far), and, unless `metres` insists, for numbers without a CRS that look like
+  // degrees.
+  Projector(Source& source, const std::string& name, const std::optional<Vec2>& origin,
+            bool metres);
+  ~Projector();
+
+  // Many at once cost less than each, and those that are the same bit for bit cost one.
+  void convert(std::vector<Vec2>& points) const;
+  const Frame& frame() const { return frame_; }
+
+ private:
+  struct Transformation;
+  std::string name_;
+  Frame frame_;
+  std::unique_ptr<Transformation> transformation_;
+};
+
+}  // namespace geom::gis

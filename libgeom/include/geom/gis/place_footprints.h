@@ -1,0 +1,33 @@
+#pragma once
+
+// Footprints brought from their source to the map: onto its plane, and onto the ground.
+
+#include <optional>
+#include <string>
+
+#include "geom/base/shard.h"
+#include "geom/gis/footprint_source.h"
+
+namespace geom::gis {
+
+// Every corner, into metres of the map. Rectangles of cells of a height model keep four corners
+// where their sides are then straight to a hundredth of the slack (metres), which is their bulge;
+// others get all corners of cells along their sides.
+void project(Source& source, const Projector& projector, double slack);
+
+// Down to the lowest point of the ground under it, and as high above the highest; `crs` is that of
+// the footprints. Those without ground under them are skipped: where they stand is not known.
+void lift(Source& source, const Terrain& terrain, const std::string& crs);
+
+// What is ground is solid: down to the lowest of all footprints, and to the floor of the map (in
+// the footprints' own units) where that is lower. Before keep_shard().
+void sink_ground(std::vector<Footprint>& footprints, std::optional<double> floor);
+
+// Leaves the shard's features, each with all its footprints, which stand together.
+void keep_shard(std::vector<Footprint>& footprints, const Shard& shard);
+
+// What cover asks of its numbers, and that it ends: a footprint is cut into slabs no lower
+// than the slack (metres). Throws InputError(name, …).
+void check_sizes(const Source& source, double slack, const std::string& name);
+
+}  // namespace geom::gis

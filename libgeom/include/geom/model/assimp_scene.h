@@ -1,0 +1,19 @@
+#pragma once
+
+// COLLADA and 3DS, as assimp reads them.
+
+#include <string>
+
+#include "geom/model/model.h"
+
+namespace geom {
+
+// Triangles as the scene's nodes place them, z up; of COLLADA in metres, as its `unit` and
+// `up_axis` say. Numbers are single precision on the way: Model::blur says how far that may be off.
+// Polygons that the file counts and assimp does not give are skipped and counted, as are those with
+// holes, points and lines. Refused: what bones, morphs or animations move. assimp reads it in a
+// child process first: std::runtime_error where that breaks down. `format`: "collada" or "3ds".
+// Throws InputError(source, …).
+Model read_scene(const std::string& bytes, const std::string& source, const std::string& format);
+
+}  // namespace geom

@@ -1,0 +1,84 @@
+#include "geom/cloud/pcl_filters.h"
+
+#include <fmt/format.h>
+#include <pcl/filters/statistical_outlier_removal.h>
+#include <pcl/filters/uniform_sampling.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <algorithm>
+
+#include "geom/base/error.h"
+
+namespace geom {
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+Cloud::Ptr shifted(const CloudPoints& points) {
+  auto out = std::make_shared<Cloud>();
+  out->reserve(points.size());
+  for (const CloudPoint& p : points) {
+    const Eigen::Vector3f f = (p.position - points.front().position).cast<float>();
+    out->push_back({f.x(), f.y(), f.z()});
+  }
+  return out;
+}
+
+CloudPoints chosen(const CloudPoints& points, pcl::Indices indices) {
+  std::sort(indices.begin(), indices.end());
+  CloudPoints out;
+  out.reserve(indices.size());
+  for (const pcl::index_t i : indices) out.push_back(points[static_cast<std::size_t>(i)]);
+  return out;
+}
+
+// Two cells more on each axis than the box needs: whatever single precision rounds stays below.
+void refuse_many_voxels(const CloudPoints& points, double side, std::string_view source) {
+  Vec3 low = points.front().position;
+  Vec3 high = low;
+  for (const CloudPoint& p : points) {
+    low = low.cwiseMin(p.position);
+    high = high.cwiseMax(p.position);
+  }
+  const double cells = ((high - low).array() / side + 3).prod();
+  if (cells < 0x1p31) return;
+  throw InputError(
+      source, fmt::format("expected less than 2^31 voxels around the points, found {:.3g}: use a "
+                          "larger --voxel, or drop far points first",
+                          cells));
+}
+
+}  // namespace
+
+CloudPoints without_outliers(const CloudPoints& points, int neighbours, double deviations) {
+  if (points.empty()) return {};
+  pcl::StatisticalOutlierRemoval<pcl::PointXYZ> filter;
+  filter.setInputCloud(shifted(points));
+  filter.setMeanK(neighbours);
+  filter.setStddevMulThresh(deviations);
+  pcl::Indices kept;
+  filter.filter(kept);
+  return chosen(points, std::move(kept));
+}
+
+CloudPoints one_per_voxel(const CloudPoints& points, double side, std::string_view source) {
+  if (points.empty()) return {};
+  refuse_many_voxels(points, side, source);
+  pcl::UniformSampling<pcl::PointXYZ> filter(true);
+  filter.setInputCloud(shifted(points));
+  filter.setRadiusSearch(side);
+  Cloud sampled;
+  filter.filter(sampled);
+  // What is not removed is kept: the filter gives the points, and only these as indices.
+  std::vector<bool> removed(points.size());
+  for (const pcl::index_t i : *filter.getRemovedIndices())
+    removed[static_cast<std::size_t>(i)] = true;
+  CloudPoints out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!removed[i]) out.push_back(points[i]);
+  }
+  return out;
+}
+
+}  // namespace geom

@@ -1,0 +1,237 @@
+#include "geom/cloud/proj_reference.h"
+
+#include <fmt/format.h>
+#include <proj.h>
+
+#include <utility>
+
+#include "geom/base/error.h"
+
+namespace geom {
+namespace {
+
+using Kind = CoordinateReference::Kind;
+
+struct ContextCloser {
+  void operator()(PJ_CONTEXT* context) const { proj_context_destroy(context); }
+};
+using Context = std::unique_ptr<PJ_CONTEXT, ContextCloser>;
+
+struct ObjectCloser {
+  void operator()(PJ* object) const { proj_destroy(object); }
+};
+using Object = std::unique_ptr<PJ, ObjectCloser>;
+
+// One that says nothing by itself and never asks the network.
+Context quiet_context() {
+  Context context(proj_context_create());
+  proj_log_level(context.get(), PJ_LOG_NONE);
+  proj_context_set_enable_network(context.get(), 0);
+  return context;
+}
+
+// The metres (for an angle, radians) in a unit of the axis.
+std::optional<double> axis_unit(PJ_CONTEXT* context, const PJ* system, int axis) {
+  const Object axes(proj_crs_get_coordinate_system(context, system));
+  double unit = 0;
+  if (!axes || axis >= proj_cs_get_axis_count(context, axes.get()) ||
+      !proj_cs_get_axis_info(context, axes.get(), axis, nullptr, nullptr, nullptr, &unit, nullptr,
+                             nullptr, nullptr) ||
+      !(unit > 0 && unit < 1e9)) {
+    return std::nullopt;
+  }
+  return unit;
+}
+
+int axis_count(PJ_CONTEXT* context, const PJ* system) {
+  const Object axes(proj_crs_get_coordinate_system(context, system));
+  return axes ? proj_cs_get_axis_count(context, axes.get()) : 0;
+}
+
+// Mercator, whose scale grows with the latitude; not the transverse and oblique ones.
+bool is_mercator(PJ_CONTEXT* context, const PJ* system) {
+  const Object conversion(proj_crs_get_coordoperation(context, system));
+  const char* method = nullptr;
+  if (!conversion ||
+      !proj_coordoperation_get_method_info(context, conversion.get(), &method, nullptr, nullptr) ||
+      !method) {
+    return false;
+  }
+  const std::string name = method;
+  return name.starts_with("Mercator") || name.find("Pseudo") != std::string::npos;
+}
+
+Kind kind_of(PJ_CONTEXT* context, const PJ* system) {
+  switch (proj_get_type(system)) {
+    case PJ_TYPE_PROJECTED_CRS:
+      return is_mercator(context, system) ? Kind::no_plane : Kind::metric;
+    case PJ_TYPE_ENGINEERING_CRS:
+      return Kind::metric;
+    case PJ_TYPE_GEOGRAPHIC_2D_CRS:
+    case PJ_TYPE_GEOGRAPHIC_3D_CRS:
+    case PJ_TYPE_GEOCENTRIC_CRS:
+      return Kind::no_plane;
+    default:
+      return Kind::not_known;
+  }
+}
+
+}  // namespace
+
+std::string plane_about(const GeodeticOrigin& origin) {
+  return fmt::format(
+      "+proj=tmerc +lat_0={} +lon_0={} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs",
+      origin.latitude, origin.longitude);
+}
+
+struct ProjReference::Impl {
+  Context context = quiet_context();
+  Object whole;
+  Object plane;   // the part of x and y
+  Object height;  // of heights, where these have a part of their own
+};
+
+ProjReference::ProjReference(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ProjReference::~ProjReference() = default;
+ProjReference::ProjReference(ProjReference&&) noexcept = default;
+ProjReference& ProjReference::operator=(ProjReference&&) noexcept = default;
+
+std::optional<ProjReference> ProjReference::of(const std::string& text) {
+  auto impl = std::make_unique<Impl>();
+  PJ_CONTEXT* const context = impl->context.get();
+  impl->whole.reset(proj_create(context, text.c_str()));
+  // A PROJ string without +type=crs is an operation.
+  if (impl->whole && !proj_is_crs(impl->whole.get())) {
+    impl->whole.reset(proj_create(context, (text + " +type=crs").c_str()));
+  }
+  if (!impl->whole || !proj_is_crs(impl->whole.get())) return std::nullopt;
+  impl->plane.reset(proj_clone(context, impl->whole.get()));
+  if (proj_get_type(impl->plane.get()) == PJ_TYPE_COMPOUND_CRS) {
+    impl->height.reset(proj_crs_get_sub_crs(context, impl->whole.get(), 1));
+    impl->plane.reset(proj_crs_get_sub_crs(context, impl->whole.get(), 0));
+  }
+  if (!impl->plane) return std::nullopt;
+  // What a system is bound to by its transformation is kept for the way; here its own axes count.
+  Object axes(proj_clone(context, impl->plane.get()));
+  if (proj_get_type(axes.get()) == PJ_TYPE_BOUND_CRS) {
+    axes.reset(proj_get_source_crs(context, axes.get()));
+  }
+  if (!axes) return std::nullopt;
+  CoordinateReference told;
+  told.kind = kind_of(context, axes.get());
+  told.crs = text;
+  const char* const name = proj_get_name(impl->whole.get());
+  told.name = name && *name ? name : text.substr(0, 60);
+  if (told.kind == Kind::metric) {
+    told.plane = axis_unit(context, axes.get(), 0);
+    if (told.plane != axis_unit(context, axes.get(), 1)) told.plane.reset();
+  }
+  if (impl->height) {
+    Object height(proj_clone(context, impl->height.get()));
+    if (proj_get_type(height.get()) == PJ_TYPE_BOUND_CRS) {
+      height.reset(proj_get_source_crs(context, height.get()));
+    }
+    told.up = axis_unit(context, height.get(), 0);
+    told.up_unclear = !told.up;
+  } else if (axis_count(context, axes.get()) > 2) {
+    told.up = axis_unit(context, axes.get(), 2);
+  }
+  ProjReference out(std::move(impl));
+  out.told_ = std::move(told);
+  return out;
+}
+
+bool ProjReference::places() const {
+  PJ_TYPE type = proj_get_type(impl_->plane.get());
+  if (type == PJ_TYPE_BOUND_CRS) {
+    const Object source(proj_get_source_crs(impl_->context.get(), impl_->plane.get()));
+    type = proj_get_type(source.get());
+  }
+  return type == PJ_TYPE_PROJECTED_CRS || type == PJ_TYPE_GEOGRAPHIC_2D_CRS ||
+         type == PJ_TYPE_GEOGRAPHIC_3D_CRS;
+}
+
+struct ProjWay::Impl {
+  Context context = quiet_context();
+  Object way;
+  std::string source;
+  std::string name;
+};
+
+namespace {
+
+// From the plane of a system to another, x before y; never one that takes two datums for one.
+Object way_between(PJ_CONTEXT* context, const PJ* from, const std::string& to) {
+  const Object target(proj_create(context, to.c_str()));
+  const char* const options[] = {"ALLOW_BALLPARK=NO", nullptr};
+  const Object way(
+      target ? proj_create_crs_to_crs_from_pj(context, from, target.get(), nullptr, options)
+             : nullptr);
+  return Object(way ? proj_normalize_for_visualization(context, way.get()) : nullptr);
+}
+
+[[noreturn]] void no_way(const std::string& source, const std::string& name) {
+  throw InputError(
+      source, fmt::format("PROJ knows no way from the reference system \"{}\" to places on Earth: "
+                          "say which it is with --crs, for example --crs EPSG:25832",
+                          name.substr(0, 80)));
+}
+
+}  // namespace
+
+ProjWay::ProjWay(const ProjReference& from, const std::string& to, const std::string& source)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->source = source;
+  impl_->name = from.told().name;
+  if (!from.places()) no_way(source, impl_->name);
+  impl_->way = way_between(impl_->context.get(), from.impl_->plane.get(), to);
+  if (!impl_->way) no_way(source, impl_->name);
+}
+ProjWay::~ProjWay() = default;
+ProjWay::ProjWay(ProjWay&&) noexcept = default;
+ProjWay& ProjWay::operator=(ProjWay&&) noexcept = default;
+
+void ProjWay::project(std::span<CloudPoint> points) const {
+  if (points.empty()) return;
+  const Vec3 first = points.front().position;
+  const std::size_t stride = sizeof(CloudPoint);
+  proj_trans_generic(impl_->way.get(), PJ_FWD, &points[0].position.x(), stride, points.size(),
+                     &points[0].position.y(), stride, points.size(), nullptr, 0, 0, nullptr, 0, 0);
+  for (const CloudPoint& p : points) {
+    if (p.position.allFinite()) continue;
+    throw InputError(
+        impl_->source,
+        fmt::format("PROJ cannot tell where on Earth a point is: it, or one read with it, is near "
+                    "({}, {}) of \"{}\"; is that the right reference system?",
+                    first.x(), first.y(), impl_->name.substr(0, 80)));
+  }
+}
+
+std::optional<Aabb> ProjWay::origin_of(const Aabb& region) const {
+  constexpr int kPointsASide = 101;
+  Aabb out = region;
+  const bool told =
+      proj_trans_bounds(impl_->context.get(), impl_->way.get(), PJ_INV, region.min.x(),
+                        region.min.y(), region.max.x(), region.max.y(), &out.min.x(), &out.min.y(),
+                        &out.max.x(), &out.max.y(), kPointsASide);
+  if (!told || !out.min.allFinite() || !out.max.allFinite() || out.min.x() > out.max.x()) {
+    return std::nullopt;
+  }
+  const Vec3 more = 0.01 * (out.max - out.min);
+  return Aabb{out.min - more, out.max + more};
+}
+
+ProjWay way_to_plane(const ProjReference& from, const GeodeticOrigin& origin,
+                     const std::string& source) {
+  return ProjWay(from, plane_about(origin) + " +type=crs", source);
+}
+
+GeodeticOrigin origin_near(const ProjReference& reference, const Vec3& point,
+                           const std::string& source) {
+  CloudPoint place{point};
+  ProjWay(reference, "EPSG:4326", source).project({&place, 1});  // longitude before latitude
+  const Vec3 tidy = (place.position * 1e3).array().round() / 1e3;
+  return {tidy.y(), tidy.x(), 0};
+}
+
+}  // namespace geom

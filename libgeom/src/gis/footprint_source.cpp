@@ -1,0 +1,114 @@
+#include "geom/gis/footprint_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/base/error.h"
+#include "geom/text/text_table.h"
+
+namespace geom::gis {
+namespace {
+
+constexpr std::size_t kNamed = 8;  // attributes in a message
+
+const char* key_of(HeightFrom from) {
+  switch (from) {
+    case HeightFrom::height:
+      return "heights_given";
+    case HeightFrom::levels:
+      return "heights_from_levels";
+    case HeightFrom::nothing:
+      break;
+  }
+  return "heights_by_default";
+}
+
+std::size_t count_of(const Source& source, const char* what) {
+  const auto at = source.counts.find(what);
+  return at == source.counts.end() ? 0 : at->second;
+}
+
+// Those that most features have first.
+std::string numeric_attributes(const Source& source) {
+  std::vector<std::pair<std::string, NumericAttribute>> list(source.numeric.begin(),
+                                                             source.numeric.end());
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
+    return a.second.features > b.second.features;
+  });
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kNamed, list.size()); ++i) {
+    const auto& [name, numbers] = list[i];
+    out += fmt::format("{}\"{}\" ({} to {}, in {})", out.empty() ? "" : ", ", name.substr(0, 60),
+                       numbers.low, numbers.high, numbers.features);
+  }
+  return list.size() > kNamed ? out + ", …" : out;
+}
+
+}  // namespace
+
+std::vector<Vec2> CellGrid::ring(const Cells& cells) const {
+  std::vector<Vec2> out;
+  for (int i = cells.first_column; i < cells.last_column; ++i) {
+    out.push_back(corner(i, cells.first_row));
+  }
+  for (int j = cells.first_row; j < cells.last_row; ++j) {
+    out.push_back(corner(cells.last_column, j));
+  }
+  for (int i = cells.last_column; i > cells.first_column; --i) {
+    out.push_back(corner(i, cells.last_row));
+  }
+  for (int j = cells.last_row; j > cells.first_row; --j) {
+    out.push_back(corner(cells.first_column, j));
+  }
+  return out;
+}
+
+void count_height(const BuildingHeight& height, const std::string& which, Source& source) {
+  ++source.counts[key_of(height.from)];
+  if (height.junk) ++source.counts["heights_not_understood"];
+  source.has_height_attribute |= height.asked;
+  if (height.unread) source.skipped.add("height that is not understood", which);
+  if (height.from != HeightFrom::nothing) return;
+  if (height.tower) source.skipped.add("tower, mast or the like without a height", which);
+  source.defaults.add("footprint", which);
+}
+
+void require_attribute(const Source& source, const ReadOptions& options, const std::string& name) {
+  if (options.height.attribute.empty() || source.has_height_attribute) return;
+  throw InputError(name, fmt::format("expected an attribute \"{}\" (--height-attribute) of "
+                                     "what is built by its height, found none: correct the "
+                                     "name, or leave the option out",
+                                     options.height.attribute));
+}
+
+void note_attribute(const std::string& name, const std::string& value, Source& source) {
+  const auto number = parse_number(trimmed(value));
+  if (!number || !std::isfinite(*number)) return;
+  NumericAttribute& known =
+      source.numeric.try_emplace(name, NumericAttribute{0, *number, *number}).first->second;
+  ++known.features;
+  known.low = std::min(known.low, *number);
+  known.high = std::max(known.high, *number);
+}
+
+void require_heights(const Source& source, const std::string& name) {
+  const std::size_t without = count_of(source, "heights_by_default");
+  std::size_t all = without;
+  for (const char* key : {"heights_given", "heights_from_levels", "heights_from_corners"}) {
+    all += count_of(source, key);
+  }
+  if (without * 10 <= all) return;
+  const std::string numeric = numeric_attributes(source);
+  throw InputError(
+      name, fmt::format("expected heights of at least nine buildings in ten, found none for {} of "
+                        "{}; {}; say how high those without are with --default-height METRES",
+                        without, all,
+                        numeric.empty()
+                            ? "they have no attribute of numbers"
+                            : "attributes of numbers that they have: " + numeric +
+                                  ": where one is the height, name it with --height-attribute"));
+}
+
+}  // namespace geom::gis

@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "gdal_reference.h"
+#include "geom/gis/footprint_source.h"
+
+namespace geom::gis {
+
+struct Projector::Transformation {
+  std::unique_ptr<OGRCoordinateTransformation> to_local;
+};
+
+namespace {
+
+// The middle of all corners, and the largest extent of one footprint.
+struct Layout {
+  Vec2 low;
+  Vec2 high;
+  double largest = 0;
+
+  explicit Layout(const std::vector<Footprint>& footprints)
+      : low(footprints.front().polygon.outer.front()), high(low) {
+    for (const Footprint& f : footprints) {
+      Vec2 least = f.polygon.outer.front();
+      Vec2 most = least;
+      for (const Vec2& p : f.polygon.outer) {
+        least = least.cwiseMin(p);
+        most = most.cwiseMax(p);
+      }
+      low = low.cwiseMin(least);
+      high = high.cwiseMax(most);
+      largest = std::max(largest, (most - least).maxCoeff());
+    }
+  }
+};
+
+// Numbers in the range of degrees, and not one footprint as large as a tenth of one: as metres that
+// would be a city of crumbs.
+void require_metres(const Layout& layout, const std::string& name) {
+  const bool degrees = layout.low.x() >= -180 && layout.high.x() <= 180 && layout.low.y() >= -180 &&
+                       layout.high.y() <= 180 && layout.largest < 0.1;
+  if (!degrees) return;
+  throw InputError(
+      name, fmt::format("the file names no coordinate reference system, and its numbers look like "
+                        "degrees: [{}, {}] to [{}, {}]; name the system, for example with "
+                        "`ogr2ogr -a_srs EPSG:4326`, or say that they are metres with --metres",
+                        layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y()));
+}
+
+double kilometres(const Vec2& a, const Vec2& b) {  // longitude, latitude
+  const double radians = M_PI / 180;
+  const double h = std::pow(std::sin((b.y() - a.y()) * radians / 2), 2) +
+                   std::cos(a.y() * radians) * std::cos(b.y() * radians) *
+                       std::pow(std::sin((b.x() - a.x()) * radians / 2), 2);
+  return 2 * 6371 * std::asin(std::sqrt(std::min(1.0, h)));
+}
+
+// `at` and `middle`: longitude, latitude.
+void require_near(const Vec2& at, const Vec2& middle, const std::string& name,
+                  Source::Warnings& warnings) {
+  constexpr double kFar = 200;      // km
+  constexpr double kTooFar = 2000;  // where a plane about the origin means nothing any more
+  const double away = kilometres(at, middle);
+  if (away < kFar) return;
+  const bool swapped = std::abs(at.x()) <= 90 && kilometres({at.y(), at.x()}, middle) < kFar;
+  const std::string text =
+      fmt::format("the origin {},{} is {:.0f} km from the data, which lie about {:.4f},{:.4f}{}",
+                  at.y(), at.x(), away, middle.y(), middle.x(),
+                  swapped ? ": give the latitude first, then the longitude" : "");
+  if (swapped || away > kTooFar) throw InputError(name, text);
+  warnings.push_back(text);
+}
+
+// Metres about a place: longitude, latitude.
+std::string plane_about(const Vec2& at) {
+  return fmt::format(
+      "+proj=tmerc +lat_0={} +lon_0={} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs", at.y(),
+      at.x());
+}
+
+using Conversion = std::unique_ptr<OGRCoordinateTransformation>;
+
+Conversion conversion(const OGRSpatialReference& from, const OGRSpatialReference& to) {
+  return Conversion(OGRCreateCoordinateTransformation(&from, &to));
+}
+
+// A tidy origin, a decimetre off.
+Vec2 tidy(const Vec2& p) { return (p * 1e6).array().round() / 1e6; }
+
+bool convert_one(OGRCoordinateTransformation& by, Vec2& p) {
+  return by.Transform(1, &p.x(), &p.y()) && p.allFinite();
+}
+
+// Points, each but once; neighbours in a grid share theirs.
+struct DistinctPoints {
+  std::vector<Vec2> points;
+  std::vector<std::size_t> which;  // of `points`, for each that was given
+
+  explicit DistinctPoints(const std::vector<Vec2>& given) {
+    std::vector<std::size_t> known(std::bit_ceil(2 * given.size() + 1), kNone);
+    for (const Vec2& p : given) {
+      std::size_t at = hash(p) & (known.size() - 1);
+      while (known[at] != kNone && !same(points[known[at]], p)) at = (at + 1) & (known.size() - 1);
+      if (known[at] == kNone) {
+        known[at] = points.size();
+        points.push_back(p);
+      }
+      which.push_back(known[at]);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  static std::uint64_t bits(double v) { return std::bit_cast<std::uint64_t>(v); }
+  static bool same(const Vec2& a, const Vec2& b) {
+    return bits(a.x()) == bits(b.x()) && bits(a.y()) == bits(b.y());
+  }
+  static std::size_t hash(const Vec2& p) {
+    const std::uint64_t mixed =
+        (bits(p.x()) * 0x9E3779B97F4A7C15 ^ bits(p.y())) * 0xD6E8FEB86659FD93;
+    return mixed >> 24;
+  }
+};
+
+}  // namespace
+
+Projector::Projector(Source& source, const std::string& name, const std::optional<Vec2>& origin,
+                     bool metres)
+    : name_(name), transformation_(std::make_unique<Transformation>()) {
+  const Layout layout(source.footprints);
+  if (source.crs.empty()) {
+    if (!metres) require_metres(layout, name);
+    if (origin) frame_.origin = GeodeticOrigin{origin->x(), origin->y(), 0};
+    return;
+  }
+  const OGRSpatialReference from = reference(source.crs, name);
+  const OGRSpatialReference geodetic = reference("EPSG:4326", name);
+  Vec2 middle = 0.5 * (layout.low + layout.high);  // longitude, latitude once transformed
+  const Conversion back = conversion(from, geodetic);
+  if (!back || !convert_one(*back, middle) || std::abs(middle.y()) > 90) {
+    throw InputError(
+        name,
+        fmt::format("PROJ cannot tell where on Earth the coordinates [{}, {}] to [{}, {}] are in "
+                    "\"{}\": is that the right coordinate reference system?",
+                    layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y(),
+                    source.crs.substr(0, 60)));
+  }
+  Vec2 at = tidy(middle);
+  if (origin) {
+    at = {origin->y(), origin->x()};
+    require_near(at, middle, name, source.warnings);
+  }
+  const std::string local = plane_about(at);
+  const OGRSpatialReference to = reference(local, name);
+  transformation_->to_local = conversion(from, to);
+  if (!transformation_->to_local) {
+    throw InputError(name,
+                     "PROJ cannot convert these coordinates to metres about the origin: is their "
+                     "coordinate reference system right?");
+  }
+  frame_.origin = GeodeticOrigin{at.y(), at.x(), 0};
+  frame_.crs = local;
+}
+
+Projector::~Projector() = default;
+
+void Projector::convert(std::vector<Vec2>& points) const {
+  if (!transformation_->to_local) return;
+  const DistinctPoints distinct(points);
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const Vec2& p : distinct.points) {
+    x.push_back(p.x());
+    y.push_back(p.y());
+  }
+  const auto count = static_cast<int>(x.size());
+  std::vector<int> done(x.size());
+  transformation_->to_local->Transform(count, x.data(), y.data(), nullptr, done.data());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t k = distinct.which[i];
+    const Vec2 local(x[k], y[k]);
+    if (!done[k] || !local.allFinite()) {
+      throw InputError(
+          name_, fmt::format("PROJ cannot convert ({}, {}) to metres about the origin: is the "
+                             "coordinate reference system right?",
+                             points[i].x(), points[i].y()));
+    }
+    points[i] = local;
+  }
+}
+
+CellLean lean_of(const CellGrid& grid, int width, int height, const std::string& crs,
+                 const std::string& name, const std::optional<Vec2>& origin) {
+  constexpr CellLean kUnknown{std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::infinity()};
+  Conversion to_local;
+  if (!crs.empty()) {
+    const OGRSpatialReference from = reference(crs, name);
+    Vec2 at = grid.corner(0.5 * width, 0.5 * height);
+    const Conversion back = conversion(from, reference("EPSG:4326", name));
+    if (!back || !convert_one(*back, at)) return kUnknown;
+    at = origin ? Vec2(origin->y(), origin->x()) : tidy(at);
+    to_local = conversion(from, reference(plane_about(at), name));
+    if (!to_local) return kUnknown;
+  }
+  CellLean lean;
+  for (int i = 0; i < 9; ++i) {
+    const double column = i % 3 * std::floor(0.5 * (width - 1));
+    const double row = i / 3 * std::floor(0.5 * (height - 1));
+    std::array<Vec2, 3> p{grid.corner(column, row), grid.corner(column + 1, row),
+                          grid.corner(column, row + 1)};
+    for (Vec2& each : p) {
+      if (to_local && !convert_one(*to_local, each)) return kUnknown;
+    }
+    lean.column = std::max(lean.column, (p[1] - p[0]).cwiseAbs().minCoeff());
+    lean.row = std::max(lean.row, (p[2] - p[0]).cwiseAbs().minCoeff());
+  }
+  return lean;
+}
+
+}  // namespace geom::gis

@@ -1,0 +1,304 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+
+#include "gdal_reference.h"
+#include "geom/gis/footprint_source.h"
+#include "geom/shape/row_merge.h"
+#include "geom/shape/skyline_merge.h"
+
+namespace geom::gis {
+namespace {
+
+constexpr double kMostCells = 2e9;
+constexpr double kMostTerrain = 2.5e8;  // cells, which are held in memory
+constexpr double kHighest = 1e4;        // metres
+
+struct Raster {
+  Dataset dataset;
+  GDALRasterBand* band = nullptr;
+  CellGrid grid;
+  std::string crs;
+  int width = 0;
+  int height = 0;
+  double scale = 1;  // of the numbers in the file
+  double offset = 0;
+  double metres = 1;  // per unit of the band
+
+  // A row's heights in metres; NaN where there is no data.
+  void read_row(int row, const std::string& name, double* out) const {
+    if (band->RasterIO(GF_Read, 0, row, width, 1, out, width, 1, GDT_Float64, 0, 0) != CE_None) {
+      throw InputError(
+          name, fmt::format("row {} of heights cannot be read (GDAL: {}): the file is damaged "
+                            "or cut, get it again",
+                            row, CPLGetLastErrorMsg()));
+    }
+    int has_nodata = 0;
+    double nodata = band->GetNoDataValue(&has_nodata);
+    if (band->GetRasterDataType() == GDT_Float32) nodata = static_cast<float>(nodata);
+    for (int i = 0; i < width; ++i) {
+      const bool missing = (has_nodata && out[i] == nodata) || std::isnan(out[i]);
+      out[i] = (out[i] * scale + offset) * metres;
+      if (!missing && out[i] > kHighest) {
+        throw InputError(
+            name,
+            fmt::format("row {}, column {}: expected a height of at most {} m, found {}: say "
+                        "which value stands for none (`gdal_translate -a_nodata`), or what the "
+                        "unit is (--height-units)",
+                        row, i, kHighest, out[i]));
+      }
+      // What is said to lie deeper than any place on Earth is a value for none.
+      if (missing || out[i] < -kHighest) out[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+};
+
+double metres_per(const std::string& unit, const std::string& name) {
+  static const std::map<std::string, double> known = {{"m", 1},
+                                                      {"metre", 1},
+                                                      {"meter", 1},
+                                                      {"metres", 1},
+                                                      {"meters", 1},
+                                                      {"ft", 0.3048},
+                                                      {"foot", 0.3048},
+                                                      {"feet", 0.3048},
+                                                      {"cm", 0.01},
+                                                      {"dm", 0.1},
+                                                      {"us-ft", 1200.0 / 3937},
+                                                      {"ftUS", 1200.0 / 3937},
+                                                      {"US survey foot", 1200.0 / 3937}};
+  const auto at = known.find(unit);
+  if (at == known.end()) {
+    throw InputError(
+        name, fmt::format("expected heights in metres or feet, found the unit \"{}\"", unit));
+  }
+  return at->second;
+}
+
+// What the band says; else as other heights of its CRS.
+double metres_per_unit(GDALRasterBand& band, const std::string& crs, const std::string& name,
+                       const ReadOptions& options) {
+  const std::string unit = band.GetUnitType();
+  if (unit.empty()) {
+    const auto metres = height_unit(crs, name, options);
+    if (!metres) refuse_heights(name, crs);
+    return *metres;
+  }
+  const double metres = metres_per(unit, name);
+  if (options.height_unit && std::abs(*options.height_unit - metres) > 1e-9) {
+    throw InputError(name, fmt::format("its heights are in \"{}\", but --height-units says "
+                                       "otherwise: leave the option out",
+                                       unit));
+  }
+  return metres;
+}
+
+Raster open_raster(const std::string& path, const std::string& name, const ReadOptions& options) {
+  Raster raster;
+  raster.dataset = open(path, GDAL_OF_RASTER);
+  if (!raster.dataset || raster.dataset->GetRasterCount() < 1) {
+    throw InputError(name,
+                     "expected a raster of heights, as a GeoTIFF, found a file that GDAL cannot "
+                     "open as one");
+  }
+  if (raster.dataset->GetRasterCount() > 1) {
+    throw InputError(name, fmt::format("expected one band of heights, found {}: choose one, for "
+                                       "example with `gdal_translate -b 1 in.tif out.tif`",
+                                       raster.dataset->GetRasterCount()));
+  }
+  raster.band = raster.dataset->GetRasterBand(1);
+  raster.width = raster.dataset->GetRasterXSize();
+  raster.height = raster.dataset->GetRasterYSize();
+  if (static_cast<double>(raster.width) * raster.height > kMostCells) {
+    throw InputError(name, fmt::format("expected at most 2e9 cells, found {} x {}", raster.width,
+                                       raster.height));
+  }
+  if (raster.dataset->GetGeoTransform(raster.grid.transform) != CE_None) {
+    throw InputError(name,
+                     "expected a raster that says where on Earth its cells are, found one that "
+                     "does not: give it a place, for example with `gdal_translate -a_ullr`");
+  }
+  raster.scale = raster.band->GetScale();
+  raster.offset = raster.band->GetOffset();
+  raster.crs = wkt_of(raster.dataset->GetSpatialRef(), name);
+  raster.metres = metres_per_unit(*raster.band, raster.crs, name, options);
+  return raster;
+}
+
+class SurfaceReader {
+ public:
+  SurfaceReader(const Raster& raster, const std::string& name, const ReadOptions& options)
+      : raster_(raster), name_(name), options_(options) {}
+
+  // Where neither side of two cells by two leans by more than the slack, rectangles are as large as
+  // one box can be; else cover() makes several of each.
+  Source read() {
+    out_.crs = raster_.crs;
+    if (!raster_.crs.empty()) out_.grid = raster_.grid;
+    const CellLean lean =
+        lean_of(raster_.grid, raster_.width, raster_.height, raster_.crs, name_, options_.origin);
+    const long columns = within_slack(lean.column);
+    const long rows = within_slack(lean.row);
+    if (std::min(columns, rows) >= 2) {
+      SkylineMerge<Add> merge(Add{*this}, columns, rows);
+      for_each_row([&](int, std::span<const double> cells) { merge.add_row(cells); });
+      merge.finish();
+    } else {
+      RowMerge<double, Add> merge(Add{*this});
+      for_each_row([&](int row, std::span<const double> cells) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+          if (!std::isnan(cells[i])) merge.add(row, static_cast<long>(i), cells[i]);
+        }
+      });
+      merge.finish();
+    }
+    for (Footprint& f : out_.footprints) {
+      f.bottom = lowest_;
+      f.ground = true;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  // How many cells in line lean by no more than most of the slack.
+  long within_slack(double lean) const {
+    constexpr double kMost = 1e6;
+    return static_cast<long>(std::min(0.9 * options_.slack / lean, kMost));
+  }
+
+  // Calls f(row, heights rounded up).
+  template <class F>
+  void for_each_row(const F& f) {
+    std::vector<double> cells(static_cast<std::size_t>(raster_.width));
+    std::size_t known = 0;
+    for (int row = 0; row < raster_.height; ++row) {
+      raster_.read_row(row, name_, cells.data());
+      for (double& cell : cells) {
+        if (std::isnan(cell)) continue;
+        ++known;
+        lowest_ = std::min(lowest_, cell);
+        cell = rounded_up(cell);
+      }
+      f(row, cells);
+    }
+    const std::size_t all = cells.size() * static_cast<std::size_t>(raster_.height);
+    if (known > 0) out_.counts["cells"] = known;
+    if (known < all) out_.counts["cells_without_data"] = all - known;
+  }
+
+  double rounded_up(double height) const {
+    const double step = options_.height_step;
+    if (step == 0) return height;
+    double steps = std::ceil(height / step);
+    while (steps * step < height) ++steps;  // the division may round down
+    return steps * step;
+  }
+
+  struct Add {
+    SurfaceReader& reader;
+
+    void operator()(const CellRectangle<double>& r) const {
+      const CellGrid& grid = reader.raster_.grid;
+      const CellGrid::Cells cells{static_cast<int>(r.first_column), static_cast<int>(r.last_column),
+                                  static_cast<int>(r.first_row), static_cast<int>(r.last_row)};
+      Footprint f;
+      f.id = reader.out_.footprints.size();
+      f.top = r.value;
+      f.polygon.outer = {grid.corner(cells.first_column, cells.first_row),
+                         grid.corner(cells.last_column, cells.first_row),
+                         grid.corner(cells.last_column, cells.last_row),
+                         grid.corner(cells.first_column, cells.last_row)};
+      if (reader.out_.grid) reader.out_.grid->of.push_back(cells);
+      reader.out_.footprints.push_back(std::move(f));
+    }
+  };
+
+  const Raster& raster_;
+  const std::string& name_;
+  const ReadOptions& options_;
+  double lowest_ = std::numeric_limits<double>::infinity();
+  Source out_;
+};
+
+}  // namespace
+
+bool is_raster(const std::string& path) {
+  const Dataset dataset = open(path, GDAL_OF_RASTER);
+  return dataset && dataset->GetRasterCount() > 0;
+}
+
+Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options) {
+  const Raster raster = open_raster(path, name, options);
+  return SurfaceReader(raster, name, options).read();
+}
+
+Terrain::Terrain(const std::string& path, const std::string& name, const ReadOptions& options)
+    : name_(name) {
+  const Raster raster = open_raster(path, name, options);
+  if (static_cast<double>(raster.width) * raster.height > kMostTerrain) {
+    throw InputError(name, fmt::format("expected a terrain of at most {} cells, found {} x {}: "
+                                       "cut it to the city, for example with `gdalwarp -te`",
+                                       kMostTerrain, raster.width, raster.height));
+  }
+  crs_ = raster.crs;
+  std::copy(raster.grid.transform, raster.grid.transform + 6, transform_);
+  width_ = raster.width;
+  height_ = raster.height;
+  cells_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  for (int row = 0; row < height_; ++row) {
+    raster.read_row(row, name, cells_.data() + static_cast<std::ptrdiff_t>(row) * width_);
+  }
+}
+
+std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
+                                             const std::string& crs) const {
+  std::unique_ptr<OGRCoordinateTransformation> to_raster;
+  if (!crs.empty() && !crs_.empty()) {
+    const OGRSpatialReference from = reference(crs, name_);
+    const OGRSpatialReference to = reference(crs_, name_);
+    to_raster.reset(OGRCreateCoordinateTransformation(&from, &to));
+    if (!to_raster)
+      throw InputError(
+          name_,
+          "PROJ cannot convert the coordinates of the footprints to those of the terrain: are "
+          "their coordinate reference systems right?");
+  }
+  double inverse[6];
+  double forward[6];
+  std::copy(transform_, transform_ + 6, forward);
+  if (!GDALInvGeoTransform(forward, inverse)) {
+    throw InputError(name_, "expected cells with an area, found a geotransform that has none");
+  }
+  double c0 = std::numeric_limits<double>::infinity();
+  double c1 = -c0;
+  double r0 = c0;
+  double r1 = -c0;
+  for (Vec2 p : {low, high, Vec2(low.x(), high.y()), Vec2(high.x(), low.y())}) {
+    if (to_raster && !to_raster->Transform(1, &p.x(), &p.y())) return std::nullopt;
+    const double column = inverse[0] + p.x() * inverse[1] + p.y() * inverse[2];
+    const double row = inverse[3] + p.x() * inverse[4] + p.y() * inverse[5];
+    c0 = std::min(c0, column);
+    c1 = std::max(c1, column);
+    r0 = std::min(r0, row);
+    r1 = std::max(r1, row);
+  }
+  // One more cell all around: a straight side may bulge in the raster's coordinates.
+  const auto clamped = [](double v, int n) {
+    return static_cast<int>(std::clamp(v, 0.0, n - 1.0));
+  };
+  if (c1 < -1 || r1 < -1 || c0 > width_ || r0 > height_) return std::nullopt;
+  std::optional<Range> out;
+  for (int row = clamped(r0 - 1, height_); row <= clamped(r1 + 1, height_); ++row) {
+    for (int column = clamped(c0 - 1, width_); column <= clamped(c1 + 1, width_); ++column) {
+      const double cell = cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                                 static_cast<std::size_t>(column)];
+      if (std::isnan(cell)) continue;
+      out = out ? Range{std::min(out->low, cell), std::max(out->high, cell)} : Range{cell, cell};
+    }
+  }
+  return out;
+}
+
+}  // namespace geom::gis

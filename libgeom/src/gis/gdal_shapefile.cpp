@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "gdal_whole.h"
+#include "geom/base/error.h"
+
+namespace geom::gis {
+namespace {
+
+constexpr std::size_t kHeader = 100;  // bytes of .shp and .shx (ESRI Shapefile, 1998, p. 3)
+
+// A file as GDAL opens it.
+class PartFile {
+ public:
+  PartFile(std::string path, const std::string& name) : path_(std::move(path)), name_(name) {
+    file_.reset(VSIFOpenL(path_.c_str(), "rb"));
+    if (!file_) refuse("a readable copy", "one that cannot be opened");
+    VSIFSeekL(file_.get(), 0, SEEK_END);
+    size_ = VSIFTellL(file_.get());
+  }
+
+  std::uint64_t size() const { return size_; }
+
+  void read(std::uint64_t at, unsigned char* out, std::size_t size) const {
+    const bool there = at + size <= size_ && VSIFSeekL(file_.get(), at, SEEK_SET) == 0 &&
+                       VSIFReadL(out, 1, size, file_.get()) == size;
+    if (!there) refuse(fmt::format("at least {} bytes", at + size), fmt::format("{}", size_));
+  }
+
+  // Numbers: big-endian as in .shp and .shx, little-endian as in .dbf.
+  std::uint32_t big(std::uint64_t at) const {
+    std::array<unsigned char, 4> b;
+    read(at, b.data(), b.size());
+    return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | b[3];
+  }
+  std::uint32_t little(std::uint64_t at, std::size_t bytes) const {
+    std::array<unsigned char, 4> b{};
+    read(at, b.data(), bytes);
+    return std::uint32_t{b[3]} << 24 | std::uint32_t{b[2]} << 16 | std::uint32_t{b[1]} << 8 | b[0];
+  }
+
+  [[noreturn]] void refuse(const std::string& expected, const std::string& found) const {
+    throw InputError(
+        name_, fmt::format("the files of this shapefile do not belong together: expected {} of {}, "
+                           "found {}: get all of them again, or write it anew where it is whole",
+                           expected, CPLGetFilename(path_.c_str()), found));
+  }
+
+ private:
+  struct Closer {
+    void operator()(VSILFILE* file) const { VSIFCloseL(file); }
+  };
+
+  std::string path_;
+  const std::string& name_;
+  std::unique_ptr<VSILFILE, Closer> file_;
+  std::uint64_t size_ = 0;
+};
+
+// The length that a header of .shp or .shx says, bytes.
+std::uint64_t stated_size(const PartFile& file) { return std::uint64_t{file.big(24)} * 2; }
+
+void require_size(const PartFile& file) {
+  if (stated_size(file) != file.size()) {
+    file.refuse(fmt::format("the {} bytes that its header says", stated_size(file)),
+                fmt::format("{}", file.size()));
+  }
+}
+
+// The index names the records one after the other, with nothing between or behind. Returns how
+// many there are.
+std::uint64_t require_index(const PartFile& shapes, const PartFile& index) {
+  require_size(shapes);
+  require_size(index);
+  const std::uint64_t count = (index.size() - kHeader) / 8;
+  std::uint64_t next = kHeader;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint64_t at = std::uint64_t{index.big(kHeader + 8 * i)} * 2;
+    const std::uint64_t size = std::uint64_t{index.big(kHeader + 8 * i + 4)} * 2;
+    if (at != next) {
+      index.refuse(fmt::format("record {} at byte {}", i + 1, next), fmt::format("byte {}", at));
+    }
+    const std::uint64_t own = std::uint64_t{shapes.big(at + 4)} * 2;
+    if (own != size) {
+      index.refuse(fmt::format("record {} to have the {} bytes that it has", i + 1, own),
+                   fmt::format("{}", size));
+    }
+    next = at + 8 + size;
+  }
+  if (next != shapes.size()) {
+    index.refuse(fmt::format("records up to byte {}", shapes.size()),
+                 fmt::format("their end at byte {}, after {}", next, count));
+  }
+  return count;
+}
+
+void require_rows(const PartFile& table, std::uint64_t shapes, const std::string& name) {
+  const std::uint64_t rows = table.little(4, 4);
+  const std::uint64_t first = table.little(8, 2);
+  const std::uint64_t size = table.little(10, 2);
+  if (rows != shapes) {
+    table.refuse(fmt::format("a row for each of the {} shapes", shapes), fmt::format("{}", rows));
+  }
+  if (table.size() < first + rows * size) {
+    table.refuse(fmt::format("at least {} bytes", first + rows * size),
+                 fmt::format("{}", table.size()));
+  }
+  for (std::uint64_t i = 0; i < rows; ++i) {
+    if (table.little(first + i * size, 1) != '*') continue;
+    throw InputError(
+        name, fmt::format("row {} of its table is marked as deleted, but its shape is still there: "
+                          "GDAL leaves it out, other programs do not; settle it with `ogrinfo "
+                          "city.shp -sql \"REPACK city\"`, or write the file anew",
+                          i + 1));
+  }
+}
+
+std::string lower_extension(const std::string& path) {
+  std::string end = CPLGetExtension(path.c_str());
+  std::transform(end.begin(), end.end(), end.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return end;
+}
+
+}  // namespace
+
+void require_whole_shapefile(GDALDataset& dataset, const std::string& name) {
+  char** const files = dataset.GetFileList();
+  const auto path_of = [&](const char* end) -> std::optional<std::string> {
+    for (char** file = files; file && *file; ++file) {
+      if (lower_extension(*file) == end) return *file;
+    }
+    return std::nullopt;
+  };
+  const auto shp = path_of("shp");
+  const auto shx = path_of("shx");
+  const auto dbf = path_of("dbf");
+  CSLDestroy(files);
+  if (!shp || !shx || !dbf) {
+    throw InputError(
+        name, fmt::format("a shapefile is three files of one name, and the .{} is not there: copy "
+                          "it beside the others",
+                          !shp   ? "shp (the shapes)"
+                          : !shx ? "shx (their index)"
+                                 : "dbf (their attributes)"));
+  }
+  const std::uint64_t shapes = require_index(PartFile(*shp, name), PartFile(*shx, name));
+  require_rows(PartFile(*dbf, name), shapes, name);
+}
+
+std::string unopened(const std::string& path) {
+  if (lower_extension(path) == "shp") {
+    const std::string shx = CPLGetBasename(path.c_str()) + std::string(".shx");
+    VSIStatBufL about;
+    const auto beside = [&](const char* end) {
+      return VSIStatL(CPLResetExtension(path.c_str(), end), &about) == 0;
+    };
+    if (!beside("shx") && !beside("SHX")) {
+      return fmt::format(
+          "this is the .shp of a shapefile, and its index {} is not beside it: copy all its files "
+          "into one folder, or make the index anew with `ogrinfo --config SHAPE_RESTORE_SHX YES "
+          "{}`",
+          shx, CPLGetFilename(path.c_str()));
+    }
+  }
+  return "expected footprints that GDAL reads (GeoJSON, GeoPackage, Shapefile, FlatGeobuf), "
+         "CityJSON, OSM .pbf or a GeoTIFF, found a file that GDAL cannot open";
+}
+
+}  // namespace geom::gis

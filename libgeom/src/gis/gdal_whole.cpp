@@ -1,0 +1,195 @@
+#include "gdal_whole.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+
+#include "geom/base/error.h"
+#include "geom/text/counted.h"
+#include "geom/text/json_outline.h"
+#include "geom/text/parse_json.h"
+#include "xml.h"
+
+namespace geom::gis {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string text_of(const std::string& path, const std::string& name) {
+  GByte* bytes = nullptr;
+  vsi_l_offset size = 0;
+  if (!VSIIngestFile(nullptr, path.c_str(), &bytes, &size, -1)) {
+    throw InputError(name, "expected a file that can be read whole, found one that cannot");
+  }
+  const std::unique_ptr<GByte, decltype(&VSIFree)> owner(bytes, VSIFree);
+  return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
+}
+
+[[noreturn]] void refuse_part(const std::string& name, const std::string& why) {
+  throw InputError(name, fmt::format("this is a part of what its server has: {}; ask for the "
+                                     "rest and join both, or for fewer features at once",
+                                     why));
+}
+
+bool is_cut(const Json& object) {
+  return object.is_object() && object.value("exceededTransferLimit", Json()) == true;
+}
+
+const Json& member(const Json& object, const char* key) {
+  static const Json kNone;
+  const auto at = object.find(key);
+  return at == object.end() ? kNone : *at;
+}
+
+// What ESRI's servers and those of OGC API Features or WFS say of an answer that they cut.
+void require_all(const Json& root, std::size_t here, const std::string& name) {
+  if (is_cut(root) || is_cut(member(root, "properties"))) {
+    refuse_part(name, "\"exceededTransferLimit\" is true");
+  }
+  const Json& returned = member(root, "numberReturned");
+  for (const char* key : {"numberMatched", "totalFeatures"}) {
+    const Json& all = member(root, key);
+    if (!all.is_number()) continue;
+    if (all > here || (returned.is_number() && all > returned)) {
+      refuse_part(name, fmt::format("\"{}\" is {}, and the file has {}", key, all.dump(),
+                                    counted(here, "feature")));
+    }
+  }
+  const Json& links = member(root, "links");
+  if (!links.is_array()) return;
+  for (const Json& link : links) {
+    if (link.is_object() && member(link, "rel") == "next") {
+      refuse_part(name, "a link leads to its next part");
+    }
+  }
+}
+
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  return text;
+}
+
+// GDAL takes other words for these, and then not all that belongs to them.
+void require_type(const Json& value, std::initializer_list<const char*> types,
+                  const std::string& what, const std::string& name) {
+  const Json found = value.is_object() ? member(value, "type") : Json();
+  if (std::find(types.begin(), types.end(), found) != types.end()) return;
+  throw InputError(name, fmt::format("{}: expected \"type\" to be {} in these letters, found "
+                                     "{}: correct it",
+                                     what, fmt::join(types, ", "), shown(found)));
+}
+
+// The root with its own members and those of its features; a count of the features.
+std::size_t require_json(const std::string& path, const std::string& name, bool esri) {
+  constexpr std::size_t kDepth = 3;
+  const std::string text = text_of(path, name);
+  const Json root = json_outline(without_mark(text), name, kDepth);
+  if (!esri) {
+    require_type(root,
+                 {"FeatureCollection", "Feature", "Polygon", "MultiPolygon", "GeometryCollection",
+                  "Point", "MultiPoint", "LineString", "MultiLineString"},
+                 "the file", name);
+  }
+  if (!root.is_object()) return 0;
+  const Json& features = member(root, "features");
+  const std::size_t count = features.is_array() ? features.size() : 0;
+  for (std::size_t i = 0; i < count && !esri; ++i) {
+    require_type(features[i], {"Feature"}, fmt::format("feature {}", i), name);
+  }
+  require_all(root, count, name);
+  return count;
+}
+
+// A feature a line, or one behind each record separator.
+std::size_t require_json_sequence(const std::string& path, const std::string& name) {
+  const std::string text = text_of(path, name);
+  const char between = text.find('\x1e') != text.npos ? '\x1e' : '\n';
+  std::size_t features = 0;
+  std::size_t line = 0;
+  for (std::string_view rest = without_mark(text); !rest.empty();) {
+    const std::size_t end = std::min(rest.find(between), rest.size());
+    const std::string_view record = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (between == '\n') ++line;
+    if (record.find_first_not_of(" \t\r\n") == record.npos) continue;
+    require_type(json_outline(record, name, 1, line), {"Feature"},
+                 fmt::format("feature {}", features), name);
+    ++features;
+  }
+  return features;
+}
+
+class KmlHandler : public XmlHandler {
+ public:
+  explicit KmlHandler(const std::string& name) : name_(name) {}
+
+  void begin(XmlElement element) override {
+    if (element.name == "Placemark") ++placemarks;
+    if (element.name != "NetworkLink" && element.name != "Model") return;
+    throw InputError(
+        name_, element.line,
+        fmt::format("expected all places in this file, found a {}, which leads to another file: {}",
+                    element.name,
+                    element.name == "Model"
+                        ? "give the model itself to skyway-mesh, and take it out here"
+                        : "get that file too, and put both into one without the link"));
+  }
+  void text(std::string_view) override {}
+  void end(std::size_t) override {}
+
+  std::size_t placemarks = 0;
+
+ private:
+  const std::string& name_;
+};
+
+std::size_t require_kml_text(const std::string& path, const std::string& name) {
+  std::istringstream in(text_of(path, name));
+  KmlHandler handler(name);
+  read_xml(in, name, handler);
+  return handler.placemarks;
+}
+
+// Of a KMZ all KML files in it: GDAL reads one.
+std::size_t require_kml(const std::string& path, const std::string& name) {
+  if (!EQUAL(CPLGetExtension(path.c_str()), "kmz")) return require_kml_text(path, name);
+  std::size_t placemarks = 0;
+  const std::string archive = "/vsizip/" + path;
+  const std::unique_ptr<char*, decltype(&CSLDestroy)> files(VSIReadDirRecursive(archive.c_str()),
+                                                            CSLDestroy);
+  for (char** file = files.get(); file && *file; ++file) {
+    if (!EQUAL(CPLGetExtension(*file), "kml")) continue;
+    placemarks += require_kml_text(fmt::format("{}/{}", archive, *file), name);
+  }
+  return placemarks;
+}
+
+}  // namespace
+
+std::size_t require_whole(GDALDataset& dataset, const std::string& path, const std::string& name) {
+  const std::string_view driver = GDALGetDriverShortName(dataset.GetDriver());
+  if (driver == "OSM") {
+    throw InputError(name,
+                     "this is OpenStreetMap data, of which GDAL leaves out heights: read it "
+                     "with --format osm");
+  }
+  if (driver == "GeoJSON") return require_json(path, name, false);
+  if (driver == "ESRIJSON") return require_json(path, name, true);
+  if (driver == "GeoJSONSeq") return require_json_sequence(path, name);
+  if (driver == "KML" || driver == "LIBKML") return require_kml(path, name);
+  if (driver == "ESRI Shapefile") require_whole_shapefile(dataset, name);
+  if (driver == "FlatGeobuf") {
+    const GIntBig stated = dataset.GetLayerCount() > 0 ? dataset.GetLayer(0)->GetFeatureCount() : 0;
+    return stated > 0 ? static_cast<std::size_t>(stated) : 0;
+  }
+  return 0;
+}
+
+}  // namespace geom::gis

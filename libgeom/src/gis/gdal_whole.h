@@ -1,0 +1,24 @@
+#pragma once
+
+// Files that GDAL reads in part and says nothing of it (gdal_*.cpp only).
+
+#include <gdal_priv.h>
+
+#include <cstddef>
+#include <string>
+
+namespace geom::gis {
+
+// Throws InputError(name, …) where the file at `path`, which `dataset` was opened from, says
+// itself that it is a part, or holds what GDAL passes over: GeoJSON that its server cut or with a
+// key twice, KML that leads to other files, shapefiles whose parts do not belong together or that
+// have rows marked as deleted. Returns how many features must come of it at least.
+std::size_t require_whole(GDALDataset& dataset, const std::string& path, const std::string& name);
+
+// The same of a shapefile: `path` is its .shp.
+void require_whole_shapefile(GDALDataset& dataset, const std::string& name);
+
+// What to say of a file that GDAL did not open.
+std::string unopened(const std::string& path);
+
+}  // namespace geom::gis

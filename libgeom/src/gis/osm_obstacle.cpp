@@ -1,0 +1,184 @@
+#include "osm_obstacle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "geom/import/written_height.h"
+#include "geom/text/text_table.h"
+
+namespace geom::gis {
+namespace {
+
+struct Word {
+  std::string_view key;
+  std::string_view value;
+};
+
+// Of these keys every value is an obstacle but what is flat.
+constexpr std::array<std::string_view, 9> kObstacles{"man_made", "power",      "aerialway",
+                                                     "bridge",   "tower:type", "telecom",
+                                                     "historic", "attraction", "electrified"};
+
+constexpr std::array kFlat{Word{"man_made", "clearcut"},
+                           Word{"man_made", "courtyard"},
+                           Word{"man_made", "cutline"},
+                           Word{"man_made", "geoglyph"},
+                           Word{"man_made", "manhole"},
+                           Word{"man_made", "pier"},
+                           Word{"man_made", "pipeline"},
+                           Word{"man_made", "quay"},
+                           Word{"man_made", "survey_point"},
+                           Word{"power", "cable"},
+                           Word{"telecom", "cable"},
+                           Word{"historic", "battlefield"},
+                           Word{"historic", "district"},
+                           Word{"historic", "event"},
+                           Word{"attraction", "boat_ride"},
+                           Word{"attraction", "river_rafting"},
+                           Word{"electrified", "rail"},
+                           Word{"electrified", "4th_rail"},
+                           Word{"electrified", "ground-level_power_supply"}};
+
+// Obstacles by keys of which most values are none.
+constexpr std::array kOthers{
+    Word{"natural", "tree"},           Word{"natural", "tree_row"},
+    Word{"natural", "tree_group"},     Word{"natural", "wood"},
+    Word{"landuse", "forest"},         Word{"landuse", "orchard"},
+    Word{"landcover", "trees"},        Word{"highway", "street_lamp"},
+    Word{"barrier", "wall"},           Word{"barrier", "city_wall"},
+    Word{"barrier", "fence"},          Word{"barrier", "hedge"},
+    Word{"barrier", "retaining_wall"}, Word{"barrier", "height_restrictor"},
+    Word{"barrier", "toll_booth"},     Word{"barrier", "lift_gate"},
+    Word{"tourism", "artwork"},        Word{"advertising", "billboard"},
+    Word{"advertising", "column"},     Word{"advertising", "screen"},
+    Word{"advertising", "totem"},      Word{"advertising", "sculpture"},
+    Word{"generator:source", "wind"}};
+
+// What stands on an area, beside buildings.
+constexpr std::array kBuilt{
+    Word{"man_made", "tower"},         Word{"man_made", "mast"},
+    Word{"man_made", "water_tower"},   Word{"man_made", "communications_tower"},
+    Word{"man_made", "cooling_tower"}, Word{"man_made", "chimney"},
+    Word{"man_made", "crane"},         Word{"man_made", "silo"},
+    Word{"man_made", "storage_tank"},  Word{"man_made", "gasometer"},
+    Word{"man_made", "lighthouse"},    Word{"man_made", "windmill"},
+    Word{"man_made", "antenna"},       Word{"man_made", "obelisk"}};
+
+constexpr std::array kHighLines{Word{"power", "tower"},          Word{"power", "pole"},
+                                Word{"power", "line"},           Word{"power", "minor_line"},
+                                Word{"power", "portal"},         Word{"power", "catenary_mast"},
+                                Word{"generator:source", "wind"}};
+
+constexpr std::array kHeights{"height",          "est_height",      "min_height",
+                              "building:height", "building:levels", "building:min_level",
+                              "roof:height",     "roof:levels"};
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return out;
+}
+
+bool is_none(std::string_view value) { return value.empty() || value == "no" || value == "none"; }
+
+template <class Words>
+std::optional<std::string> first_of(const OsmTags& tags, const Words& words) {
+  for (const Word& word : words) {
+    if (tags.has(word.key, word.value)) return fmt::format("{}={}", word.key, word.value);
+  }
+  return std::nullopt;
+}
+
+// Flat, or hardly so high as a person; not where it says that it is above the ground.
+bool is_flat(const OsmTags& tags, std::string_view key, std::string_view value) {
+  if (tags.has("location", "overhead") || tags.has("location", "overground")) return false;
+  if (key == "power" && value == "generator") return tags.has("generator:source", "solar");
+  return std::any_of(kFlat.begin(), kFlat.end(),
+                     [&](const Word& word) { return word.key == key && word.value == value; });
+}
+
+// The first value of the key that is not flat.
+std::optional<std::string> first_high(const OsmTags& tags, std::string_view key) {
+  for (const std::string& value : tags.values(key)) {
+    if (!is_none(value) && !is_flat(tags, key, value)) return fmt::format("{}={}", key, value);
+  }
+  return std::nullopt;
+}
+
+// A height of 0 and below tells nothing.
+bool has_height(const OsmTags& tags) {
+  for (const char* key : kHeights) {
+    const std::string text = tags.text(key);
+    if (is_none(text)) continue;
+    const auto height = parse_highest(text);
+    if (!height || *height > 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void OsmTags::add(std::string_view key, std::string_view value) {
+  std::string plain = lower(trimmed(key));
+  for (bool again = true; again;) {
+    again = false;
+    for (const std::string_view prefix : {"disused:", "abandoned:", "ruins:", "construction:"}) {
+      if (!plain.starts_with(prefix)) continue;
+      plain.erase(0, prefix.size());
+      again = true;
+    }
+  }
+  tags_.push_back({std::move(plain), std::string(value)});
+}
+
+std::string OsmTags::text(std::string_view key) const {
+  std::string out;
+  for (const Tag& tag : tags_) {
+    if (tag.key != key) continue;
+    if (!out.empty()) out += ';';
+    out += tag.text;
+  }
+  return out;
+}
+
+std::vector<std::string> OsmTags::values(std::string_view key) const {
+  std::vector<std::string> out;
+  for (const Tag& tag : tags_) {
+    if (tag.key != key) continue;
+    for (std::string_view rest = tag.text; !rest.empty();) {
+      const std::size_t end = std::min(rest.find(';'), rest.size());
+      out.push_back(lower(trimmed(rest.substr(0, end))));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  }
+  return out;
+}
+
+bool OsmTags::has(std::string_view key, std::string_view value) const {
+  const std::vector<std::string> all = values(key);
+  return std::find(all.begin(), all.end(), value) != all.end();
+}
+
+bool is_built(const OsmTags& tags) {
+  return first_high(tags, "building") || first_high(tags, "building:part") ||
+         first_of(tags, kBuilt);
+}
+
+bool is_high_line(const OsmTags& tags) {
+  return first_of(tags, kHighLines) || first_high(tags, "aerialway");
+}
+
+std::optional<std::string> other_obstacle(const OsmTags& tags) {
+  auto kind = first_of(tags, kOthers);
+  for (auto key = kObstacles.rbegin(); key != kObstacles.rend(); ++key) {
+    if (auto high = first_high(tags, *key)) kind = high;
+  }
+  if (has_height(tags)) return kind.value_or("thing") + " with a height";
+  return kind;
+}
+
+}  // namespace geom::gis

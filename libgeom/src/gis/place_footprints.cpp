@@ -1,0 +1,169 @@
+#include "geom/gis/place_footprints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "geom/base/error.h"
+
+namespace geom::gis {
+namespace {
+
+// The rectangle around a ring.
+struct Reach {
+  Vec2 low;
+  Vec2 high;
+
+  explicit Reach(const std::vector<Vec2>& ring) : low(ring.front()), high(low) { add(ring); }
+  void add(const std::vector<Vec2>& ring) {
+    for (const Vec2& p : ring) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  }
+};
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 step = b - a;
+  const double squared = step.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(step) / squared, 0.0, 1.0) : 0;
+  return (a + t * step - p).norm();
+}
+
+// How far corners are from the straight sides between those at `ends`, the first of which is 0.
+double bulge_of(std::span<const Vec2> ring, const std::array<std::size_t, 4>& ends) {
+  double bulge = 0;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const std::size_t end = side < 3 ? ends[side + 1] : ring.size();
+    const Vec2& a = ring[ends[side]];
+    const Vec2& b = ring[end < ring.size() ? end : 0];
+    for (std::size_t i = ends[side] + 1; i < end; ++i) {
+      bulge = std::max(bulge, distance_to_segment(ring[i], a, b));
+    }
+  }
+  return bulge > 0 ? bulge + 1e-9 : 0;  // more than sums are rounded
+}
+
+// A footprint's corners among those that are converted together.
+class Corners {
+ public:
+  // Takes them.
+  Corners(Footprint& footprint, const std::optional<CellGrid>& grid, std::vector<Vec2>& all)
+      : footprint_(&footprint), first_(all.size()) {
+    if (grid) {
+      const CellGrid::Cells& cells = grid->of[footprint.id];
+      const auto columns = static_cast<std::size_t>(cells.last_column - cells.first_column);
+      const auto rows = static_cast<std::size_t>(cells.last_row - cells.first_row);
+      ends_ = {0, columns, columns + rows, 2 * columns + rows};
+      const std::vector<Vec2> ring = grid->ring(cells);
+      all.insert(all.end(), ring.begin(), ring.end());
+    } else {
+      for_each_ring([&](const auto& ring) { all.insert(all.end(), ring.begin(), ring.end()); });
+    }
+  }
+
+  // Puts them back, converted.
+  void place(std::span<const Vec2> all, double slack) const {
+    if (!ends_) {
+      std::size_t next = first_;
+      for_each_ring([&](auto& ring) {
+        for (Vec2& p : ring) p = all[next++];
+      });
+      return;
+    }
+    const auto& ends = *ends_;
+    const std::span ring = all.subspan(first_, 2 * ends[2]);
+    const double bulge = bulge_of(ring, ends);
+    if (bulge <= slack / 100) {
+      footprint_->bulge = bulge;
+      for (std::size_t i = 0; i < 4; ++i) footprint_->polygon.outer[i] = ring[ends[i]];
+    } else {
+      footprint_->polygon.outer.assign(ring.begin(), ring.end());
+    }
+  }
+
+ private:
+  template <class F>
+  void for_each_ring(const F& f) const {
+    f(footprint_->polygon.outer);
+    for (auto& hole : footprint_->polygon.holes) f(hole);
+  }
+
+  Footprint* footprint_;
+  std::size_t first_;
+  std::optional<std::array<std::size_t, 4>> ends_;  // of the sides of a rectangle of cells
+};
+
+}  // namespace
+
+void project(Source& source, const Projector& projector, double slack) {
+  constexpr std::size_t kTogether = 1U << 16;  // points, and those of one footprint
+  std::vector<Vec2> all;
+  std::vector<Corners> taken;
+  for (std::size_t i = 0; i < source.footprints.size(); ++i) {
+    taken.emplace_back(source.footprints[i], source.grid, all);
+    if (all.size() < kTogether && i + 1 < source.footprints.size()) continue;
+    projector.convert(all);
+    for (const Corners& corners : taken) corners.place(all, slack);
+    all.clear();
+    taken.clear();
+  }
+}
+
+void lift(Source& source, const Terrain& terrain, const std::string& crs) {
+  for (Footprint& f : source.footprints) {
+    const Reach reach(f.polygon.outer);
+    const auto ground = terrain.range(reach.low, reach.high, crs);
+    if (!ground) {
+      ++source.counts["footprints_without_terrain"];
+      source.skipped.add("footprint without ground under it", fmt::format("feature {}", f.id));
+      continue;
+    }
+    f.bottom += ground->low;
+    f.top += ground->high;
+    for (double& height : f.heights) height += ground->high;
+  }
+}
+
+void sink_ground(std::vector<Footprint>& footprints, std::optional<double> floor) {
+  double lowest = floor.value_or(kLargestCoordinate);
+  for (const Footprint& f : footprints) lowest = std::min(lowest, f.bottom);
+  for (Footprint& f : footprints) {
+    if (f.ground) f.bottom = lowest;
+  }
+}
+
+void keep_shard(std::vector<Footprint>& footprints, const Shard& shard) {
+  std::vector<std::size_t> first;  // of each feature
+  for (std::size_t i = 0; i < footprints.size(); ++i) {
+    if (i == 0 || footprints[i].id != footprints[i - 1].id) first.push_back(i);
+  }
+  const std::size_t features = first.size();
+  first.push_back(footprints.size());
+  const auto at = [&](std::size_t feature) {
+    return footprints.begin() + static_cast<std::ptrdiff_t>(first[feature]);
+  };
+  footprints.erase(at(shard.end(features)), footprints.end());
+  footprints.erase(footprints.begin(), at(shard.begin(features)));
+}
+
+void check_sizes(const Source& source, double slack, const std::string& name) {
+  constexpr double kMostSlabs = 1e6;
+  const double reach = std::min(kLargestCoordinate, 1e9 * slack);
+  for (const Footprint& f : source.footprints) {
+    Reach around(f.polygon.outer);
+    for (const auto& hole : f.polygon.holes) around.add(hole);
+    const auto& [low, high] = around;
+    const double size = (high - low).maxCoeff();
+    if (low.minCoeff() < -reach || high.maxCoeff() > reach || size > kMostSlabs * slack) {
+      throw InputError(
+          name, fmt::format("feature {}: expected a footprint within {} m of the origin and no "
+                            "longer than {} m (1e6 times --slack), found [{}, {}] to [{}, {}]",
+                            f.id, reach, kMostSlabs * slack, low.x(), low.y(), high.x(), high.y()));
+    }
+  }
+}
+
+}  // namespace geom::gis

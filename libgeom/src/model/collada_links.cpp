@@ -1,0 +1,256 @@
+#include "collada_links.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "geom/base/error.h"
+#include "geom/text/excerpt.h"
+#include "geom/text/text_table.h"
+#include "geom/text/xml_head.h"
+
+namespace geom {
+namespace {
+
+constexpr double kMostNodes = 1e6;  // wherever others place them
+constexpr std::size_t kDeepest = 200;
+
+// The value of an attribute of a tag; empty where there is none.
+std::string_view attribute(std::string_view tag, std::string_view key) {
+  for (std::size_t at = 0; (at = tag.find(key, at)) != std::string_view::npos;) {
+    const bool alone = at > 0 && std::string_view(" \t\r\n").find(tag[at - 1]) != tag.npos;
+    at += key.size();
+    std::string_view rest = tag.substr(at);
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+    if (!alone || !rest.starts_with('=')) continue;
+    rest.remove_prefix(1);
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+    if (rest.empty() || (rest[0] != '"' && rest[0] != '\'')) continue;
+    return rest.substr(1, rest.find(rest[0], 1) - 1);
+  }
+  return {};
+}
+
+// Where what begins at `at` with '<' ends: at its last character. Nothing where it does not end.
+std::size_t end_of_tag(std::string_view text, std::size_t at) {
+  for (const auto& [begin, end] : {std::pair<std::string_view, std::string_view>{"<!--", "-->"},
+                                   {"<![CDATA[", "]]>"},
+                                   {"<?", "?>"}}) {
+    if (!text.substr(at).starts_with(begin)) continue;
+    const std::size_t found = text.find(end, at + begin.size());
+    return found == std::string_view::npos ? found : found + end.size() - 1;
+  }
+  char quote = 0;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quote == 0 && c == '>') return at;
+    if (c == quote) {
+      quote = 0;
+    } else if (quote == 0 && (c == '"' || c == '\'')) {
+      quote = c;
+    }
+  }
+  return std::string_view::npos;
+}
+
+class Links {
+ public:
+  Links(const std::string& source, Skipped& skipped) : source_(source), skipped_(skipped) {}
+
+  void read(std::string_view text) {
+    require_plain_xml(text.substr(0, kXmlHead), source_);
+    std::size_t last = 0;
+    for (std::size_t at = 0; (at = text.find('<', at)) != std::string_view::npos;) {
+      const std::size_t end = end_of_tag(text, at);
+      if (end == std::string_view::npos) refuse("a tag is not ended: the file may be cut");
+      require_no_entity(text.substr(last, at - last));
+      if (text[at + 1] != '!' && text[at + 1] != '?') take(text.substr(at + 1, end - at - 1));
+      last = at = end;
+    }
+    for (const Accessor& accessor : accessors_) require_within(accessor);
+    for (const std::string& geometry : placed_) {
+      if (!geometries_.contains(geometry)) lose(geometry, "geometry");
+    }
+    for (const std::string& geometry : geometries_) {
+      if (!placed_.contains(geometry)) skipped_.add("geometry that no node places", geometry);
+    }
+    if (scenes_ > 1) skipped_.add("scenes beside the first", fmt::format("{} in all", scenes_));
+    for (const auto& [node, inner] : nodes_) count(node, 0);
+  }
+
+ private:
+  struct Accessor {
+    std::string_view source;
+    double numbers;  // that it reaches to
+    double stride;
+    double params = 0;
+  };
+
+  [[noreturn]] void refuse(const std::string& message) const { throw InputError(source_, message); }
+
+  void lose(std::string_view url, const char* what) {
+    skipped_.add(fmt::format("{} that is not in the file", what), excerpt(url, 60));
+  }
+
+  // assimp leaves an entity that nobody declared as it stands, and what it stands for out.
+  void require_no_entity(std::string_view text) const {
+    for (std::size_t at = 0; (at = text.find('&', at)) != std::string_view::npos; ++at) {
+      const std::string_view rest = text.substr(at + 1);
+      if (rest.starts_with('#')) continue;
+      const std::string_view name = rest.substr(0, rest.find(';'));
+      if (name == "amp" || name == "lt" || name == "gt" || name == "quot" || name == "apos")
+        continue;
+      refuse(
+          fmt::format("expected only entities of XML itself, found \"&{}\": write out what it "
+                      "stands for",
+                      excerpt(name, 40)));
+    }
+  }
+
+  // assimp passes over elements of other names, also of the same behind a prefix.
+  void require_no_prefix(std::string_view name) const {
+    const std::size_t colon = name.find(':');
+    if (colon == std::string_view::npos) return;
+    static const std::set<std::string_view> kRead = {"geometry",
+                                                     "include",
+                                                     "instance_geometry",
+                                                     "instance_node",
+                                                     "mesh",
+                                                     "node",
+                                                     "polygons",
+                                                     "library_geometries",
+                                                     "library_nodes",
+                                                     "polylist",
+                                                     "triangles",
+                                                     "tristrips",
+                                                     "trifans",
+                                                     "visual_scene",
+                                                     "library_visual_scenes"};
+    if (!kRead.contains(name.substr(colon + 1))) return;
+    refuse(fmt::format("expected elements without a prefix, found <{}>, which assimp passes over",
+                       excerpt(name, 40)));
+  }
+
+  void take(std::string_view tag) {
+    const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/", 1));
+    require_no_prefix(name);
+    require_no_entity(tag);
+    std::string id(attribute(tag, "id"));
+    if (name == "skew") refuse("it has a <skew>, which is not read: write its nodes with matrices");
+    if (name == "instance_controller") {
+      refuse("bones or morphs move its meshes (<instance_controller>): write one state of it");
+    }
+    if (name == "convex_mesh" || name == "spline" || name == "brep") {
+      skipped_.add("geometry that is no mesh", fmt::format("<{}>", name));
+    }
+    if (name == "unit") require_unit(attribute(tag, "meter"));
+    take_numbers(name, tag, id);
+    scenes_ += name == "visual_scene";
+    if (name == "geometry") geometries_.insert(id);
+    if (name == "node") {
+      if (id.empty()) id = attribute(tag, "name");  // assimp finds them by that, too
+      nodes_[id];
+      if (!tag.ends_with('/')) open_.push_back(id);
+    }
+    if (name == "/node" && !open_.empty()) open_.pop_back();
+    const bool node = name == "instance_node";
+    if (!node && name != "instance_geometry") return;
+    const std::string_view url = attribute(tag, "url");
+    if (!url.starts_with('#')) {
+      lose(url, node ? "node" : "geometry");
+    } else if (node) {
+      place_node(std::string(url.substr(1)));
+    } else {
+      placed_.emplace(url.substr(1));
+    }
+  }
+
+  double count_of(std::string_view tag, std::string_view key, double otherwise) const {
+    const std::string_view text = attribute(tag, key);
+    if (text.empty()) return otherwise;
+    const auto value = parse_number(text);
+    if (value && *value >= 0 && *value <= 1e12 && *value == std::floor(*value)) return *value;
+    refuse(fmt::format("expected {} to be a whole number, found \"{}\"", key, excerpt(text)));
+  }
+
+  void take_numbers(std::string_view name, std::string_view tag, const std::string& id) {
+    if (name == "float_array") {
+      const double count = count_of(tag, "count", 0);
+      const auto known = arrays_.emplace(id, count).first;
+      known->second = std::min(known->second, count);
+    } else if (name == "accessor") {
+      const double stride = count_of(tag, "stride", 1);
+      const double numbers = count_of(tag, "offset", 0) + stride * count_of(tag, "count", 0);
+      accessors_.push_back({attribute(tag, "source"), numbers, stride});
+      in_accessor_ = !tag.ends_with('/');
+    } else if (name == "/accessor") {
+      in_accessor_ = false;
+    } else if (name == "param" && in_accessor_) {
+      ++accessors_.back().params;
+    }
+  }
+
+  // Beyond its numbers assimp reads whatever memory holds.
+  void require_within(const Accessor& accessor) const {
+    if (!accessor.source.starts_with('#')) return;
+    const auto array = arrays_.find(std::string(accessor.source.substr(1)));
+    if (array == arrays_.end()) return;
+    if (accessor.numbers <= array->second && accessor.params <= accessor.stride) return;
+    refuse(
+        fmt::format("expected an <accessor> within the {} numbers of \"{}\", found one to {}, "
+                    "{} at a time of {}",
+                    array->second, excerpt(accessor.source), accessor.numbers, accessor.params,
+                    accessor.stride));
+  }
+
+  // Of others assimp makes 0, and all triangles are one point.
+  void require_unit(std::string_view metres) const {
+    const auto value = parse_number(metres);
+    if (metres.empty() || (value && std::isfinite(*value) && *value > 0)) return;
+    refuse(
+        fmt::format("expected <unit meter> to be a number above 0, found \"{}\"", excerpt(metres)));
+  }
+
+  void place_node(const std::string& id) {
+    for (const std::string& outer : open_) nodes_[outer].push_back(id);
+  }
+
+  // The nodes that one stands for, with all that it places.
+  double count(const std::string& node, std::size_t depth) {
+    if (const auto known = counts_.find(node); known != counts_.end()) return known->second;
+    if (!nodes_.contains(node)) {
+      lose(node, "node");
+      return counts_[node] = 0;
+    }
+    if (depth > kDeepest)
+      refuse("expected nodes that do not place themselves, found one that does");
+    double sum = 1;
+    for (const std::string& inner : nodes_.at(node)) sum += count(inner, depth + 1);
+    if (sum > kMostNodes) refuse("expected nodes that place less than 1e6 others, found more");
+    return counts_[node] = sum;
+  }
+
+  const std::string& source_;
+  Skipped& skipped_;
+  std::set<std::string> geometries_;
+  std::set<std::string> placed_;                           // geometries
+  std::map<std::string, std::vector<std::string>> nodes_;  // by id: which others they place
+  std::map<std::string, double> counts_;
+  std::vector<std::string> open_;         // nodes
+  std::map<std::string, double> arrays_;  // by id: how many numbers
+  std::vector<Accessor> accessors_;
+  bool in_accessor_ = false;
+  int scenes_ = 0;
+};
+
+}  // namespace
+
+void check_collada_links(std::string_view text, const std::string& source, Skipped& skipped) {
+  Links(source, skipped).read(text);
+}
+
+}  // namespace geom

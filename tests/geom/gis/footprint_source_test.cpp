@@ -1,0 +1,68 @@
+#include "geom/gis/footprint_source.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/base/error.h"
+
+namespace geom::gis {
+namespace {
+
+Source with(std::size_t given, std::size_t by_default) {
+  Source source;
+  if (given > 0) source.counts["heights_given"] = given;
+  if (by_default > 0) source.counts["heights_by_default"] = by_default;
+  return source;
+}
+
+std::string refusal_of(const Source& source) {
+  try {
+    require_heights(source, "city");
+  } catch (const geom::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RequireHeights, LetsATenthGoByDefault) {
+  EXPECT_EQ(refusal_of(with(9, 1)), "");
+  EXPECT_EQ(refusal_of(with(9, 0)), "");
+  EXPECT_EQ(refusal_of({}), "");
+  EXPECT_NE(refusal_of(with(8, 1)), "");
+  EXPECT_NE(refusal_of(with(0, 1)), "");
+}
+
+TEST(RequireHeights, CountsAllThatHaveAHeight) {
+  Source source = with(3, 1);
+  source.counts["heights_from_levels"] = 3;
+  source.counts["heights_from_corners"] = 3;
+  EXPECT_EQ(refusal_of(source), "");
+  source.counts["heights_from_corners"] = 2;
+  EXPECT_NE(refusal_of(source), "");
+}
+
+TEST(RequireHeights, NamesTheNumbersThatMostHave) {
+  Source source = with(0, 2);
+  note_attribute("use", "flats", source);
+  note_attribute("floor area", " 90 ", source);
+  note_attribute("h_max", "31.5", source);
+  note_attribute("h_max", "12", source);
+  note_attribute("h_max", "nan", source);
+  const std::string text = refusal_of(source);
+  EXPECT_NE(text.find("\"h_max\" (12 to 31.5, in 2), \"floor area\" (90 to 90, in 1)"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("flats"), std::string::npos);
+}
+
+TEST(CountHeight, NamesWhatIsNotUnderstood) {
+  Source source;
+  geom::BuildingHeight height;
+  height.junk = height.unread = true;
+  count_height(height, "way 7", source);
+  EXPECT_EQ(source.counts["heights_by_default"], 1u);
+  EXPECT_EQ(source.counts["heights_not_understood"], 1u);
+  EXPECT_NE(source.skipped.text().find("way 7"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace geom::gis

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "geom/base/error.h"
+#include "geom/gis/footprint_source.h"
+#include "support/memory_file.h"
+
+namespace geom::gis {
+namespace {
+
+// One square of 9 m whose corners have these heights.
+Source read_square(double west, double east, const std::string& properties,
+                   const ReadOptions& options = {}) {
+  const std::string ring =
+      fmt::format("[[0,0,{0}],[9,0,{1}],[9,9,{1}],[0,9,{0}],[0,0,{0}]]", west, east);
+  return read_geojson(
+      fmt::format(R"({{"type":"Feature","properties":{{{}}},"geometry":{{"type":"Polygon",)"
+                  R"("coordinates":[{}]}}}})",
+                  properties, ring),
+      options);
+}
+
+TEST(ReadVector, AddsTheHeightToCornersThatSlope) {
+  const Source source = read_square(40, 47, R"("height":19)");
+  ASSERT_EQ(source.footprints.size(), 1u);
+  EXPECT_EQ(source.footprints[0].bottom, 0);
+  EXPECT_EQ(source.footprints[0].top, 66);
+  EXPECT_EQ(source.counts.at("heights_given"), 1u);
+}
+
+TEST(ReadVector, ReachesDownToTheLowestCorner) {
+  const Source source = read_square(-3, 4, R"("height":19)");
+  EXPECT_EQ(source.footprints.at(0).bottom, -3);
+  EXPECT_EQ(source.footprints.at(0).top, 23);
+}
+
+TEST(ReadVector, SlopesLikeWhatIsLevel) {
+  const double level = read_square(40, 40, R"("height":19)").footprints.at(0).top;
+  const double sloped = read_square(40, 40.01, R"("height":19)").footprints.at(0).top;
+  EXPECT_NEAR(level, sloped, 0.02);
+}
+
+TEST(ReadVector, CountsTheNamedAttributeOnASlope) {
+  ReadOptions options;
+  options.height.attribute = "h_max";
+  EXPECT_EQ(read_square(40, 47, R"("h_max":19)", options).footprints.at(0).top, 66);
+}
+
+TEST(ReadVector, TellsTheDefaultOfASlopeWithoutAHeight) {
+  const Source source = read_square(40, 47, R"("use":"flats")");
+  EXPECT_EQ(source.footprints.at(0).top, 57);
+  EXPECT_EQ(source.counts.at("heights_by_default"), 1u);
+  EXPECT_EQ(source.defaults.count(), 1u);
+}
+
+// A roof and a wall below it.
+std::string solid(const std::string& properties) {
+  return fmt::format(
+      R"({{"type":"Feature","properties":{{{}}},"geometry":{{"type":"MultiPolygon","coordinates":[)"
+      R"([[[0,0,47],[9,0,47],[9,9,47],[0,9,47],[0,0,47]]],)"
+      R"([[[0,0,40],[9,0,40],[9,0,47],[0,0,47],[0,0,40]]]]}}}})",
+      properties);
+}
+
+TEST(ReadVector, BelievesTheWallsOfASolid) {
+  const Source source = read_geojson(solid(""), {});
+  ASSERT_EQ(source.footprints.size(), 2u);
+  EXPECT_EQ(source.footprints[0].bottom, 0);
+  EXPECT_EQ(source.footprints[0].top, 47);
+  EXPECT_EQ(source.counts.at("heights_from_corners"), 1u);
+}
+
+TEST(ReadVector, RaisesASolidThatIsHigherThanItsWalls) {
+  EXPECT_EQ(read_geojson(solid(R"("height":19)"), {}).footprints.at(0).top, 59);
+  EXPECT_EQ(read_geojson(solid(R"("height":5)"), {}).footprints.at(0).top, 47);
+}
+
+TEST(ReadVector, TakesATruthForNoHeight) {
+  const Source source = read_square(0, 0, R"("height":true)");
+  EXPECT_EQ(source.counts.at("heights_by_default"), 1u);
+  EXPECT_EQ(source.skipped.count(), 1u);
+}
+
+TEST(ReadVector, SkipsATowerWithoutAHeight) {
+  const Source source = read_square(0, 0, R"("man_made":"tower")");
+  EXPECT_EQ(source.footprints.size(), 1u);
+  EXPECT_NE(source.skipped.text().find("1 x tower, mast or the like without a height"),
+            std::string::npos);
+  EXPECT_TRUE(read_square(0, 0, R"("man_made":"tower","height":80)").skipped.empty());
+}
+
+TEST(RequireAttribute, RefusesANameThatNothingHas) {
+  ReadOptions options;
+  options.height.attribute = "h_max";
+  EXPECT_NO_THROW(
+      require_attribute(read_square(0, 0, R"("h_max":19)", options), options, "x.geojson"));
+  EXPECT_THROW(require_attribute(read_square(0, 0, R"("h":19)", options), options, "x.geojson"),
+               geom::InputError);
+}
+
+}  // namespace
+}  // namespace geom::gis

@@ -1,0 +1,176 @@
+#include "gis/gdal_whole.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/base/error.h"
+#include "support/shape_files.h"
+
+namespace geom::gis {
+namespace {
+
+const std::string kFeature =
+    R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"Polygon",)"
+    R"("coordinates":[[[0,0],[9,0],[9,9],[0,0]]]}})";
+
+std::string collection(const std::string& members) {
+  return R"({"type":"FeatureCollection",)" + members + R"("features":[)" + kFeature + "]}";
+}
+
+// What reading the text says against it; empty where it is read.
+std::string refusal(const std::string& name, const std::string& text) {
+  try {
+    read_text(name, text, {});
+  } catch (const geom::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RequireWhole, RefusesGeoJsonThatItsServerCut) {
+  for (const char* members :
+       {R"("exceededTransferLimit":true,)", R"("properties":{"exceededTransferLimit":true},)",
+        R"("numberMatched":9,"numberReturned":1,)", R"("numberMatched":9,)",
+        R"("totalFeatures":2,)", R"("links":[{"rel":"self"},{"rel":"next","href":"x"}],)"}) {
+    EXPECT_NE(refusal("a.geojson", collection(members)).find("a part of what its server has"),
+              std::string::npos)
+        << members;
+  }
+  for (const char* members :
+       {"", R"("exceededTransferLimit":false,)", R"("numberMatched":1,"numberReturned":1,)",
+        R"("numberMatched":"unknown",)", R"("links":[{"rel":"self"}],"totalFeatures":1,)"}) {
+    EXPECT_EQ(refusal("a.geojson", collection(members)), "") << members;
+  }
+}
+
+TEST(RequireWhole, RefusesAKeyThatComesTwice) {
+  EXPECT_NE(refusal("a.geojson", collection(R"("features":[],)")).find("expected each key once"),
+            std::string::npos);
+  std::string twice = collection("");
+  twice.replace(twice.find(R"("height":9)"), 10, R"("height":9,"height":2)");
+  EXPECT_NE(refusal("a.geojson", twice).find("found \"height\" again"), std::string::npos);
+}
+
+// GDAL reads a "feature" and leaves out its attributes.
+TEST(RequireWhole, RefusesGeoJsonInOtherLetters) {
+  std::string odd = collection("");
+  odd.replace(odd.rfind("\"Feature\""), 9, "\"feature\"");
+  EXPECT_NE(refusal("a.geojson", odd).find("feature 0: expected \"type\" to be Feature"),
+            std::string::npos)
+      << refusal("a.geojson", odd);
+  odd = collection("");
+  odd.replace(odd.find("FeatureCollection"), 17, "featurecollection");
+  EXPECT_NE(refusal("a.geojson", odd), "");
+}
+
+TEST(RequireWhole, LooksAtEachLineOfASequence) {
+  const std::string lines = kFeature + "\n" + kFeature + "\n";
+  EXPECT_EQ(refusal("a.geojsonl", lines), "");
+  std::string twice = lines;
+  twice.replace(twice.rfind(R"("height":9)"), 10, R"("height":9,"height":2)");
+  EXPECT_NE(refusal("a.geojsonl", twice).find(":2: column"), std::string::npos);
+}
+
+std::string kml(const std::string& more) {
+  return R"(<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document><Placemark>)"
+         "<Polygon><outerBoundaryIs><LinearRing><coordinates>0,0,5 1,0,5 1,1,5 0,0,5</coordinates>"
+         "</LinearRing></outerBoundaryIs></Polygon></Placemark>" +
+         more + "</Document></kml>";
+}
+
+TEST(RequireWhole, RefusesKmlThatLeadsElsewhere) {
+  EXPECT_EQ(refusal("a.kml", kml("")), "");
+  EXPECT_NE(refusal("a.kml", kml("<NetworkLink><Link><href>rest.kml</href></Link></NetworkLink>"))
+                .find("found a NetworkLink"),
+            std::string::npos);
+  EXPECT_NE(refusal("a.kml", kml("<Placemark><Model><Link><href>t.dae</href></Link></Model>"
+                                 "</Placemark>"))
+                .find("found a Model"),
+            std::string::npos);
+}
+
+TEST(RequireWhole, RefusesOpenStreetMapWithoutItsHeights) {
+  EXPECT_NE(refusal("a.osm", R"(<osm version="0.6"><node id="1" lat="1" lon="2"/></osm>)")
+                .find("--format osm"),
+            std::string::npos);
+}
+
+class Shapefile : public testing::Test {
+ protected:
+  Shapefile() {
+    const std::vector<geom::Vec2> square{{0, 0}, {9, 0}, {9, 9}, {0, 9}};
+    write_layer("ESRI Shapefile", files_.shp.path(),
+                {{square, {0, 0, 0, 0}, 5}, {square, {0, 0, 0, 0}, 6}, {square, {0, 0, 0, 0}, 7}});
+  }
+
+  std::string refusal() const {
+    try {
+      read_vector(files_.shp.path(), "city.shp", {});
+    } catch (const geom::InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  static void change(const MemoryFile& file, std::size_t at, char to) {
+    std::string bytes = file.read();
+    bytes.at(at) = to;
+    file.write(bytes);
+  }
+
+  ShapeFiles files_;
+};
+
+TEST_F(Shapefile, IsReadWhereItsFilesAgree) { EXPECT_EQ(refusal(), ""); }
+
+TEST_F(Shapefile, IsRefusedWithARowMarkedAsDeleted) {
+  const std::string bytes = files_.dbf.read();
+  const std::size_t first = static_cast<unsigned char>(bytes[8]);
+  const std::size_t size = static_cast<unsigned char>(bytes[10]);
+  change(files_.dbf, first + size, '*');
+  EXPECT_NE(refusal().find("row 2 of its table is marked as deleted"), std::string::npos);
+}
+
+TEST_F(Shapefile, IsRefusedWhereTheTableHasOtherRows) {
+  change(files_.dbf, 4, 2);
+  EXPECT_NE(refusal().find("expected a row for each of the 3 shapes of city.dbf, found 2"),
+            std::string::npos)
+      << refusal();
+}
+
+TEST_F(Shapefile, IsRefusedWhereTheTableIsCut) {
+  files_.dbf.write(files_.dbf.read().substr(0, files_.dbf.read().size() - 20));
+  EXPECT_NE(refusal().find("do not belong together"), std::string::npos) << refusal();
+}
+
+TEST_F(Shapefile, IsRefusedWhereTheIndexIsOfOtherShapes) {
+  std::string index = files_.shx.read();
+  index.resize(index.size() - 8);
+  index[27] = static_cast<char>(index[27] - 4);
+  files_.shx.write(index);
+  EXPECT_NE(refusal().find("of city.shx"), std::string::npos) << refusal();
+}
+
+TEST_F(Shapefile, IsRefusedWhereARecordIsAnother) {
+  change(files_.shx, 100 + 8 + 3, 50);
+  EXPECT_NE(refusal().find("expected record 2 at byte"), std::string::npos) << refusal();
+}
+
+TEST_F(Shapefile, IsRefusedWhereTheShapesAreCut) {
+  files_.shp.write(files_.shp.read().substr(0, files_.shp.read().size() - 100));
+  EXPECT_NE(refusal(), "");
+}
+
+TEST_F(Shapefile, IsNamedWhereItsIndexIsMissing) {
+  VSIUnlink(files_.shx.path().c_str());
+  EXPECT_NE(refusal().find("its index city.shx is not beside it"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("SHAPE_RESTORE_SHX"), std::string::npos);
+}
+
+TEST_F(Shapefile, IsRefusedWithoutItsTable) {
+  VSIUnlink(files_.dbf.path().c_str());
+  EXPECT_NE(refusal().find("the .dbf (their attributes) is not there"), std::string::npos)
+      << refusal();
+}
+
+}  // namespace
+}  // namespace geom::gis

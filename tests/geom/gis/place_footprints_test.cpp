@@ -1,0 +1,187 @@
+#include "geom/gis/place_footprints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "geom/base/error.h"
+#include "support/cover_oracle.h"
+#include "support/exact_cover.h"
+#include "support/random_city.h"
+#include "support/temporary_folder.h"
+
+namespace geom::gis {
+namespace {
+
+// Rectangles of cells of a height model, `cell` units wide, far from the middle of its zone, where
+// its rows lean by a degree and more.
+Source grid_of(const std::string& crs, const geom::Vec2& corner, double cell) {
+  Source out;
+  out.crs = crs;
+  out.grid = CellGrid{{corner.x(), cell, 0, corner.y(), 0, -cell}, {}};
+  for (const CellGrid::Cells& cells : {CellGrid::Cells{0, 1, 0, 1},
+                                       {1, 2, 0, 1},
+                                       {0, 40, 1, 2},
+                                       {0, 1, 2, 60},
+                                       {1, 30, 2, 60},
+                                       {30, 130, 2, 3}}) {
+    geom::Footprint f;
+    f.id = out.footprints.size();
+    f.top = 10;
+    for (const auto& [column, row] : {std::pair{cells.first_column, cells.first_row},
+                                      {cells.last_column, cells.first_row},
+                                      {cells.last_column, cells.last_row},
+                                      {cells.first_column, cells.last_row}}) {
+      f.polygon.outer.push_back(out.grid->corner(column, row));
+    }
+    out.footprints.push_back(f);
+    out.grid->of.push_back(cells);
+  }
+  return out;
+}
+
+Source projected(Source source, double slack) {
+  const Projector projector(source, "t.tif", std::nullopt, false);
+  project(source, projector, slack);
+  return source;
+}
+
+// Boxes hold the rectangle with all corners of cells along its sides, and keep the slack outside
+// it.
+void expect_boxes_within_slack(const Source& grid, double slack, const std::string& what) {
+  const Source exact = projected(grid, 0);
+  const geom::BoxTable table = geom::boxes_of(projected(grid, slack).footprints, slack, {});
+  for (const geom::Footprint& f : exact.footprints) {
+    std::vector<geom::Rectangle> rectangles;
+    for (std::size_t i = 0; i < table.boxes.size(); ++i) {
+      const geom::Aabb& box = table.boxes[i];
+      if (table.ids[i] == f.id) rectangles.push_back({box.min.head<2>(), box.max.head<2>()});
+    }
+    EXPECT_TRUE(oracle::exactly_covered(f.polygon, rectangles)) << what << ", rectangle " << f.id;
+    for (const geom::Rectangle& r : rectangles) {
+      EXPECT_LE(oracle::furthest_outside(f.polygon, r, 1e-3 * slack, slack), slack * 1.001)
+          << what << ", rectangle " << f.id;
+    }
+  }
+}
+
+TEST(Project, CellsOfAHeightModelAreHeldWithinTheSlack) {
+  for (const double cell : {1.0, 10.0}) {
+    for (const double slack : {0.5, 2.0}) {
+      expect_boxes_within_slack(grid_of("EPSG:32633", {600000, 5340000}, cell), slack,
+                                std::to_string(cell) + " m, " + std::to_string(slack));
+    }
+  }
+  expect_boxes_within_slack(grid_of("EPSG:4326", {24, 60}, 1.0 / 36000), 0.5, "degrees");
+}
+
+// A height model of 10 x 10 cells as a text grid, with trees on a slope.
+std::string write_heights(const support::TemporaryFolder& folder, double cell) {
+  support::Random random(4);
+  std::ofstream out(folder / "h.asc");
+  out << "ncols 10\nnrows 10\nxllcorner 600000\nyllcorner 5340000\ncellsize " << cell
+      << "\nNODATA_value -9999\n";
+  for (int row = 0; row < 10; ++row) {
+    for (int column = 0; column < 10; ++column) {
+      const int tree = random.below(4) == 0 ? random.below(6) : 0;
+      const int height = random.below(20) == 0 ? -9999 : 100 + (row + column) / 4 + tree;
+      out << height << (column < 9 ? ' ' : '\n');
+    }
+  }
+  std::ofstream(folder / "h.prj") << "PROJCS[\"UTM 33N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\","
+                                     "SPHEROID[\"WGS 84\",6378137,298.257223563]],"
+                                     "PRIMEM[\"Greenwich\",0],UNIT[\"degree\","
+                                     "0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],"
+                                     "PARAMETER[\"latitude_of_origin\",0],"
+                                     "PARAMETER[\"central_meridian\",15],"
+                                     "PARAMETER[\"scale_factor\",0.9996],"
+                                     "PARAMETER[\"false_easting\",500000],"
+                                     "PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]";
+  return folder / "h.asc";
+}
+
+// Of each cell, how high its rectangles are; 0 for none.
+std::vector<double> tops_of(const Source& source) {
+  std::vector<double> tops(100);
+  for (const geom::Footprint& f : source.footprints) {
+    const CellGrid::Cells& cells = source.grid->of[f.id];
+    for (int row = cells.first_row; row < cells.last_row; ++row) {
+      for (int column = cells.first_column; column < cells.last_column; ++column) {
+        double& top = tops[static_cast<std::size_t>(10 * row + column)];
+        top = std::max(top, f.top);
+      }
+    }
+  }
+  return tops;
+}
+
+// Rows that lean little, by much of the slack, and by more than it.
+TEST(ReadRaster, RectanglesAreAsHighAsTheirCellsAndBoxesKeepTheSlack) {
+  std::vector<double> expected;
+  for (const double cell : {1.0, 10.0, 100.0}) {
+    const support::TemporaryFolder folder;
+    const Source source = read_raster(write_heights(folder, cell), "h.asc", {});
+    if (expected.empty()) {
+      std::ifstream in(folder / "h.asc");
+      for (std::string line; std::getline(in, line);) {
+        if (line.starts_with("NODATA")) break;
+      }
+      for (double height = 0; in >> height;) expected.push_back(std::max(height, 0.0));
+      ASSERT_EQ(expected.size(), 100u);
+    }
+    EXPECT_EQ(tops_of(source), expected) << cell;
+    expect_boxes_within_slack(source, 0.5, std::to_string(cell) + " m");
+  }
+}
+
+TEST(LeanOf, IsThatOfTheRowsOnTheMap) {
+  const CellGrid utm{{600000, 10, 0, 5340000, 0, -10}, {}};
+  const CellLean lean = lean_of(utm, 100, 100, "EPSG:32633", "t.tif", std::nullopt);
+  EXPECT_NEAR(lean.column, 0.175, 0.003);  // a degree of convergence
+  EXPECT_NEAR(lean.row, 0.175, 0.003);
+  const CellLean none = lean_of(utm, 100, 100, "", "t.tif", std::nullopt);
+  EXPECT_EQ(none.column, 0);
+  EXPECT_EQ(none.row, 0);
+  const CellGrid nowhere{{1e30, 10, 0, 1e30, 0, -10}, {}};
+  EXPECT_TRUE(std::isinf(lean_of(nowhere, 100, 100, "EPSG:32633", "t.tif", std::nullopt).column));
+}
+
+// Four corners are enough of most rectangles, and never where their sides bend by more than a
+// hundredth of the slack.
+TEST(Project, SidesOfManyCellsStayStraightOnlyWhereTheyAre) {
+  const Source small = projected(grid_of("EPSG:32633", {600000, 5340000}, 1), 0.5);
+  for (const geom::Footprint& f : small.footprints) {
+    EXPECT_EQ(f.polygon.outer.size(), 4u);
+    EXPECT_LE(f.bulge, 0.005);
+  }
+  const Source large = projected(grid_of("EPSG:32633", {600000, 5340000}, 3000), 0.5);
+  EXPECT_EQ(large.footprints[0].polygon.outer.size(), 4u);
+  EXPECT_EQ(large.footprints[2].polygon.outer.size(), 82u);
+  EXPECT_EQ(large.footprints[2].bulge, 0);
+}
+
+// The same bits come out whether a point is converted alone or among others.
+TEST(Projector, ConvertsEachPointAsIfItWereAlone) {
+  Source source = grid_of("EPSG:32633", {600000, 5340000}, 10);
+  const Projector projector(source, "t.tif", std::nullopt, false);
+  std::vector<geom::Vec2> together;
+  for (int i = 0; i < 3000; ++i) together.push_back({600000.0 + i % 50 * 10, 5340000.0 + i % 70});
+  const std::vector<geom::Vec2> before = together;
+  projector.convert(together);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    std::vector<geom::Vec2> alone{before[i]};
+    projector.convert(alone);
+    EXPECT_EQ(alone.front(), together[i]);
+  }
+}
+
+TEST(Projector, RefusesAPointThatCannotBeConverted) {
+  Source source = grid_of("EPSG:32633", {600000, 5340000}, 10);
+  const Projector projector(source, "t.tif", std::nullopt, false);
+  std::vector<geom::Vec2> points{{600000, 5340000}, {1e30, 1e30}, {600000, 5340000}};
+  EXPECT_THROW(projector.convert(points), geom::InputError);
+}
+
+}  // namespace
+}  // namespace geom::gis

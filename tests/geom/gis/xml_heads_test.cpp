@@ -1,0 +1,59 @@
+#include "gis/xml_heads.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <fstream>
+
+#include "support/refusal.h"
+#include "support/temporary_folder.h"
+
+namespace geom::gis {
+namespace {
+
+constexpr const char* kHidden =
+    "<?xml version='1.0'?>\n<!DOCTYPE osm SYSTEM 'rest.dtd'>\n<osm>&rest;</osm>";
+constexpr const char* kPlain = "<?xml version='1.0'?>\n<osm><!-- <!DOCTYPE --></osm>";
+
+class XmlHeads : public testing::Test {
+ protected:
+  std::string plain(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+  std::string packed(const std::string& name, const std::string& text) const {
+    const std::string path = folder_ / name;
+    const gzFile file = gzopen(path.c_str(), "wb");
+    gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+    gzclose(file);
+    return path;
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(XmlHeads, OfOpenStreetMapAreLookedIntoAlsoWherePacked) {
+  const auto refusal = [](const std::string& path) {
+    return support::refusal_of([&] { require_plain_osm(path, "f"); });
+  };
+  EXPECT_NE(refusal(plain("a.osm", kHidden)).find("f:2: expected no document type"),
+            std::string::npos);
+  EXPECT_NE(refusal(packed("b.osm.gz", kHidden)).find("f:2: expected no document type"),
+            std::string::npos);
+  EXPECT_EQ(refusal(plain("c.osm", kPlain)), "");
+  EXPECT_EQ(refusal(packed("d.osm.gz", kPlain)), "");
+}
+
+TEST_F(XmlHeads, OfFilesForGdalAreLookedIntoAlsoWherePacked) {
+  const auto refusal = [](const std::string& path) {
+    return support::refusal_of([&] { require_plain_vector(path, "f"); });
+  };
+  EXPECT_NE(refusal(plain("a.kml", kHidden)).find("expected no document type"), std::string::npos);
+  EXPECT_NE(refusal(packed("b.gml.gz", kHidden)).find("expected no document type"),
+            std::string::npos);
+  EXPECT_EQ(refusal(plain("c.gml", kPlain)), "");
+  EXPECT_EQ(refusal(plain("d.geojson", "{\"a\":\"<!DOCTYPE\"}")), "");
+}
+
+}  // namespace
+}  // namespace geom::gis
