@@ -191,7 +191,7 @@ void set_texts(CLI::App& app, const std::shared_ptr<HelpFormatter>& formatter) {
 
 }  // namespace
 
-std::string manual_options(const CLI::App& app) { return manual_options(app, "##"); }
+std::string manual_options(const CLI::App& app) { return "\n" + manual_options(app, "##"); }
 
 void add_help(CLI::App& app) {
   set_texts(app, std::make_shared<HelpFormatter>());

@@ -11,7 +11,7 @@ namespace cli {
 // For an app with all its options and verbs.
 void add_help(CLI::App& app);
 
-// The section OPTIONS in pandoc's Markdown, without its heading.
+// The section OPTIONS in pandoc's Markdown, without its heading and after a blank line.
 std::string manual_options(const CLI::App& app);
 
 }  // namespace cli
