@@ -47,7 +47,7 @@ Autopilot px4(std::string_view version) {
   out.return_slope = 1;
   out.heeds_item_radius = true;
   out.least_radius = version == "1.11" ? 0 : kLeastLineRadius;
-  out.tracking = {0.45, 0.45, 0.35};
+  out.tracking = {0.45, 0.45, 0.45};
   out.rest_settling = 20;
   out.rest_settling_time = 2.5;
   out.settling = 80;
