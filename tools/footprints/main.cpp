@@ -204,7 +204,7 @@ int main(int argc, char** argv) {
     const std::string format = options.format == "auto"
                                    ? footprints::detect(hashed.head(), options.input)
                                    : options.format;
-    cli::require_used(app, kFormatOptions, format, file.name());
+    cli::require_used(app, kFormatOptions, format, cli::read_as(file.name(), format));
     const City city =
         city_of(footprints::read(format, options.input, file.name(), hashed.stream(), options.read),
                 options, origin, file.name(), sharding);

@@ -37,7 +37,8 @@ const render::Motion* flown(const std::vector<render::Motion>& motions,
   if (!best && (options.has_eye() || options.at || options.is_moving())) {
     if (options.inputs.empty()) {
       throw cli::UsageError(
-          "nothing to fly along: give a trajectory or a flight log, or draw the map (--view plan or "
+          "nothing to fly along: give a trajectory or a flight log, or draw the map (--view plan "
+          "or "
           "overview)");
     }
     throw geom::InputError(options.inputs[0],
@@ -88,7 +89,7 @@ int main(int argc, char** argv) {
           fmt::format("--ids: expected a map of at most {} boxes, found {}", kMostIds, map.size()));
     }
     cli::Contents contents = cli::read_contents(options.inputs);
-    cli::require_same_map(contents, &map);
+    cli::require_same_map(contents, &map, options.metres);
     if (const std::size_t failed = cli::drop_failed(contents)) {
       cli::tell(common, "skyway-render",
                 fmt::format("{} no path or trajectory",
