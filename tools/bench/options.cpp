@@ -19,6 +19,8 @@ const std::map<std::string, Ends> kSets = {
 
 void add_queries(CLI::App& app, Files& files, Options& options) {
   auto* queries = app.add_option("--queries", files.queries, "JSON Lines or CSV; - for stdin");
+  files.metres.add_to(app);
+  app.get_option("--metres")->needs(queries);
   app.add_option("--reference", files.reference,
                  "CSV of the best lengths known, with columns id and length")
       ->needs(queries);
@@ -129,6 +131,9 @@ std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::BoxMap
   cli::InputFile file(files.queries);
   const geom::Locator locator(map);
   auto queries = geom::read_plan_queries(file.stream(), file.name(), &locator);
+  for (const geom::PlanQuery& query : queries) {
+    files.metres.check_input(map.spec().frame, cli::ends_in_metres(query), file.name(), query.line);
+  }
   if (files.reference.empty()) return queries;
   cli::InputFile reference(files.reference);
   const auto lengths = geom::read_reference_lengths(reference.stream(), reference.name());

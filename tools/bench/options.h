@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/content/artefacts.h"
+#include "cli/option/degrees.h"
 #include "measure.h"
 #include "method.h"
 #include "query_set.h"
@@ -20,6 +21,7 @@ struct Files {
   std::string queries;
   std::string reference;
   std::string output = "-";
+  cli::MetresOption metres{true};
 };
 
 struct Options {
@@ -44,7 +46,8 @@ std::vector<Options> parts_of(const Options& options);
 // Once parsed: what follows from several of them, and from the map. Throws cli::UsageError.
 void complete(Options& options, const geom::BoxMap& map);
 
-// The queries of a file, with the lengths of --reference.
+// The queries of a file, with the lengths of --reference. Throws InputError for ends that look like
+// degrees.
 std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::BoxMap& map);
 
 }  // namespace bench

@@ -25,20 +25,17 @@ void FlightLogs::add_to(CLI::App& app) {
 void FlightLogs::refuse_idle(const CLI::App& app, bool asked) const {
   cli::only_for(app, asked, {"--plan", "--tube"}, "flight logs (--file-format flight-log)");
   if (!asked) return;
-  cli::only_for(app, false, {"--exact",        "--certificate", "--profile", "--override",
-                             "--no-clearance", "--spare",       "--junit",   "--start",
-                             "--origin",       "--geoid",       "--ground",  "--takeoff-height",
-                             "--heading",      "--acceptance",  "--braking", "--return-height",
-                             "--terrain",      "--vmax",        "--amax",    "--jmax",
-                             "--vmax-h",       "--vmax-v",      "--tilt",    "--thrust",
-                             "--body-rate",    "--yaw-rate"},
+  cli::only_for(app, false,
+                {"--exact", "--certificate", "--profile", "--override", "--no-clearance", "--spare",
+                 "--junit", "--vmax", "--amax", "--jmax", "--vmax-h", "--vmax-v", "--tilt",
+                 "--thrust", "--body-rate", "--yaw-rate"},
                 "records and drone files");
   if (!tube_.empty() && plan_.empty()) throw cli::UsageError("--tube needs --plan");
 }
 
-void FlightLogs::read_plan(const geom::BoxMap& map) {
+void FlightLogs::read_plan(const geom::BoxMap& map, const cli::MetresOption& metres) {
   cli::Contents contents = cli::read_contents({plan_});
-  cli::require_same_map(contents, &map);
+  cli::require_same_map(contents, &map, metres);
   for (auto& read : contents.trajectories) {
     if (read.record.status != traj::TrajectoryStatus::solved) continue;
     plans_.push_back({std::move(read.record), {}});
@@ -104,9 +101,9 @@ traj::SampledReport FlightLogs::report_of(const traj::FlightLog& log, cli::Scene
 }
 
 cli::Exit FlightLogs::check(const cli::Common& common, const std::string& input,
-                            cli::Scenes& scenes, const cli::Sharding& sharding,
-                            const std::string& output) {
-  if (!plan_.empty()) read_plan(scenes.map());
+                            cli::Scenes& scenes, const cli::MetresOption& metres,
+                            const cli::Sharding& sharding, const std::string& output) {
+  if (!plan_.empty()) read_plan(scenes.map(), metres);
   if (!tube_.empty()) read_tubes();
   cli::InputFile file(input);
   const auto logs = traj::read_flight_log(file.stream(), file.name());
@@ -117,6 +114,7 @@ cli::Exit FlightLogs::check(const cli::Common& common, const std::string& input,
   for (const traj::FlightLog& log : logs) {
     if (!sharding.shard().takes(at++)) continue;
     const std::string id = geom::excerpt(log.id);
+    metres.check_input(scenes.map().spec().frame, log, file.name() + ": " + id, 0);
     if (log.map.empty()) {
       common.warn(
           fmt::format("{}: the log does not say its map: it is taken to be of this one", id));

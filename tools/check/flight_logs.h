@@ -23,7 +23,8 @@ class FlightLogs {
 
   // A report a flight. Never Exit::yes.
   cli::Exit check(const cli::Common& common, const std::string& input, cli::Scenes& scenes,
-                  const cli::Sharding& sharding, const std::string& output);
+                  const cli::MetresOption& metres, const cli::Sharding& sharding,
+                  const std::string& output);
 
  private:
   struct Plan {
@@ -31,7 +32,7 @@ class FlightLogs {
     std::optional<traj::TubeRecord> tube;
   };
 
-  void read_plan(const geom::BoxMap& map);
+  void read_plan(const geom::BoxMap& map, const cli::MetresOption& metres);
   void read_tubes();
   const Plan* plan_of(const std::string& id) const;
   traj::SampledReport report_of(const traj::FlightLog& log, cli::Scenes& scenes,

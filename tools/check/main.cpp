@@ -77,11 +77,10 @@ void Options::refuse_idle(const CLI::App& app) const {
   flights.refuse_idle(app, flight_log());
   together.refuse_idle(app, !drone_file.format.empty());
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
-  cli::only_for(app, !drone_file.format.empty(),
-                {"--start", "--origin", "--geoid", "--ground", "--takeoff-height", "--heading",
-                 "--acceptance", "--braking", "--return-height", "--terrain", "--autopilot",
-                 "--params", "--navigation", "--tracking"},
-                "drone files (--file-format)");
+  if (drone_file.format.empty()) {
+    drone_file.require_used("records", "without --file-format, FILE is read as records");
+  }
+  if (flight_log()) drone_file.require_used("flight-log", "--file-format is flight-log");
 }
 
 // Writes what each record came to, and counts.
@@ -196,10 +195,10 @@ void check_together(const cli::Common& common, checking::Together& together, boo
                         result.pairs, traj::in_words(*nearest, together.task())));
 }
 
-void read_moving(cli::Moving& moving, const geom::BoxMap& map) {
+void read_moving(cli::Moving& moving, const geom::BoxMap& map, const cli::MetresOption& metres) {
   moving.read();
   cli::NamedMap named(map);
-  moving.require_of(named);
+  moving.require_of(named, metres);
 }
 
 void check_moving(const cli::Common& common, checking::Together& together, bool exact,
@@ -264,9 +263,12 @@ int main(int argc, char** argv) {
         map, options.vehicle,
         options.override_record ? Differences::allowed : Differences::stricter_allowed);
     if (options.flight_log()) {
-      return options.flights.check(common, options.input, scenes, sharding, options.output);
+      return options.flights.check(common, options.input, scenes, options.metres, sharding,
+                                   options.output);
     }
-    if (options.together.moving().asked()) read_moving(options.together.moving(), scenes.map());
+    if (options.together.moving().asked()) {
+      read_moving(options.together.moving(), scenes.map(), options.metres);
+    }
     if (!options.drone_file.format.empty()) {
       options.drone_file.autopilot.settle(options.vehicle.profile());
     }

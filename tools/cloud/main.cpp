@@ -44,6 +44,7 @@ geom::ColumnGrid stream(PointSource& points, const Options& options, const geom:
     if (options.ground_by != "class") points.for_each([&](const CloudPoint& p) { ground.add(p); });
     ground.finish();
     made.ground_by = ground.by();
+    options.require_used_ground(made.ground_by);
   }
   geom::ColumnGrid columns(options.columns);
   std::size_t kept = 0;
@@ -68,6 +69,7 @@ Points without_ground(const Points& points, const Options& options, Made& made) 
   for (const CloudPoint& p : points) ground.add(p);
   ground.finish();
   made.ground_by = ground.by();
+  options.require_used_ground(made.ground_by);
   Points out;
   for (const CloudPoint& p : points) {
     if (!ground.is_ground(p)) out.push_back(p);

@@ -1,11 +1,19 @@
 #include "options.h"
 
+#include <array>
+
+#include "cli/option/format_options.h"
+#include "cli/option/option_check.h"
 #include "cli/run.h"
 #include "geom/cloud/las_class.h"
 #include "geom/text/text_table.h"
 
 namespace cloud {
 namespace {
+
+const std::array kFormatOptions{
+    cli::FormatOption{"--classes", {"las"}}, cli::FormatOption{"--noise", {"las"}},
+    cli::FormatOption{"--resolution", {"las"}}, cli::FormatOption{"--ground-by", {"las"}}};
 
 // A class by number or name, or a group of classes.
 void add_class(const std::string& word, std::bitset<256>& classes) {
@@ -72,6 +80,7 @@ void add_columns(CLI::App& app, Options& options) {
 }  // namespace
 
 void Options::add_to(CLI::App& app) {
+  app_ = &app;
   app.add_option("--format", format, "what the file is (default: auto)")
       ->check(CLI::IsMember({"auto", "pcd", "ply", "las", "xyz"}));
   app.add_option("--mode", mode, "boxes per column (default) or per object")
@@ -108,15 +117,30 @@ void Options::add_to(CLI::App& app) {
 void Options::settle() {
   placement = geom::CloudPlace(place.options());
   columns.unknown_blocked = unknown == "blocked";
-  if (columns.unknown_blocked && mode == "objects") {
-    throw cli::UsageError("--unknown blocked goes with --mode columns");
-  }
+  cli::only_for(*app_, mode == "columns", {"--cell", "--step", "--gap", "--unknown"},
+                "--mode columns");
+  cli::only_for(*app_, mode == "objects", {"--tolerance", "--min-points"}, "--mode objects");
+  cli::only_for(*app_, drops_ground(), {"--ground-by"}, "--ground drop");
+  if (!drops_ground() || ground_by == "class") require_used_ground("");
   if (resolution > 0 && !each_point_alone()) {
     throw cli::UsageError(
         "--resolution leaves points out, so it does not go with what looks at all of them: "
         "--outliers, --voxel, --mode objects, --unknown blocked, --scale, --bloat-percent, and "
         "--ground drop unless by class");
   }
+}
+
+void Options::settle_format(const std::string& known, const std::string& name) {
+  format = known;
+  cli::require_used(*app_, kFormatOptions, format, cli::read_as(name, format));
+}
+
+void Options::require_used_ground(const std::string& told_by) const {
+  cli::only_for(
+      *app_, told_by == "shape",
+      {"--ground-cell", "--ground-slope", "--ground-height", "--ground-step", "--ground-widest"},
+      "--ground drop by shape (--ground-by shape; auto takes the file's class where a point has "
+      "that of ground)");
 }
 
 bool Options::each_point_alone() const {

@@ -38,6 +38,11 @@ struct Options {
   void add_to(CLI::App& app);
   void settle();  // once parsed; throws cli::UsageError
 
+  // Once it is known what the file is, and what told its ground ("shape", "class"): throws
+  // cli::UsageError for options that change nothing then.
+  void settle_format(const std::string& known, const std::string& name);
+  void require_used_ground(const std::string& told_by) const;
+
   // Whether what lies outside the bounds, or is finer than the resolution, changes nothing of how
   // the rest is made into boxes: then it need not be read.
   bool each_point_alone() const;
@@ -45,6 +50,9 @@ struct Options {
   bool drops_ground() const { return ground == "drop"; }
   // The steps that look at all points together.
   bool in_memory() const { return !outliers.empty() || voxel > 0 || mode == "objects"; }
+
+ private:
+  const CLI::App* app_ = nullptr;
 };
 
 // The step of the map's history; `input` says which it was, `ground_by` how ground was told.

@@ -82,7 +82,8 @@ void PointSource::for_each(const std::function<void(const CloudPoint&)>& f) {
 void PointSource::read_whole(const geom::PointSink& sink, const std::string& name) {
   cli::InputFile file(path_);
   cli::HashedInput hashed(file);
-  if (options_.format == "auto") options_.format = detect(hashed.head(), name);
+  options_.settle_format(options_.format == "auto" ? detect(hashed.head(), name) : options_.format,
+                         name);
   if (reads_part(hashed.head())) return read_part(sink, name);
   if (options_.resolution > 0) {
     throw geom::InputError(name,

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cli/file/files.h"
+#include "cli/option/format_options.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/spacing_options.h"
@@ -17,27 +19,40 @@
 namespace exporting {
 namespace {
 
+using cli::FormatOption;
+
+const std::array kFormatOptions{
+    FormatOption{"--rate", {"setpoints"}},
+    FormatOption{"--axes", {"setpoints"}},
+    FormatOption{"--tolerance", {"tello", "wpl", "qgc-plan", "dji-wpml", "kml", "geojson", "gltf"}},
+    FormatOption{"--speed", {"tello", "wpl", "qgc-plan", "dji-wpml"}},
+    FormatOption{"--hover", {"tello", "wpl", "qgc-plan", "dji-wpml"}},
+    FormatOption{"--ground", {"tello", "wpl", "qgc-plan", "dji-wpml"}},
+    FormatOption{"--origin", {"wpl", "qgc-plan", "dji-wpml", "kml", "geojson", "volume4d"}},
+    FormatOption{"--geoid", {"wpl", "qgc-plan", "kml"}},
+    FormatOption{"--takeoff-height", {"tello"}},
+    FormatOption{"--heading", {"tello"}},
+    FormatOption{"--python", {"tello"}},
+    FormatOption{"--table", {"tello"}},
+    FormatOption{"--wpml-version", {"dji-wpml"}},
+    FormatOption{"--aircraft", {"dji-wpml"}},
+    FormatOption{"--turns", {"dji-wpml"}},
+    FormatOption{"--show", {"crazyflie"}},
+    FormatOption{"--autopilot", {"wpl", "qgc-plan"}},
+    FormatOption{"--params", {"wpl", "qgc-plan"}},
+    FormatOption{"--drag", {"wpl", "qgc-plan"}},
+    FormatOption{"--navigation",
+                 {"tello", "crazyflie", "wpl", "qgc-plan", "dji-wpml", "setpoints", "kml",
+                  "geojson", "gltf"}},
+    FormatOption{"--tracking",
+                 {"tello", "crazyflie", "dji-wpml", "setpoints", "kml", "geojson", "gltf"}},
+    FormatOption{"--volumes", {"volume4d"}},
+    FormatOption{"--buffer", {"volume4d"}}};
+
 void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked) {
-  const bool tello = format == "tello";
-  const bool mission = format == "wpl" || format == "qgc-plan" || format == "dji-wpml";
-  const bool line = format == "kml" || format == "geojson";
-  const bool legs = tello || mission || line || format == "gltf";
-  cli::only_for(app, format == "setpoints", {"--rate", "--axes"}, "--format setpoints");
-  cli::only_for(app, legs, {"--tolerance"}, "formats of straight legs");
-  cli::only_for(app, tello || mission, {"--speed", "--hover", "--ground"},
-                "missions and Tello scripts");
-  // --origin and --geoid say where the map is: that is true whatever the format needs of it.
-  cli::only_for(app, tello, {"--takeoff-height", "--heading", "--python", "--table"},
-                "--format tello");
-  cli::only_for(app, format == "dji-wpml", {"--wpml-version", "--aircraft", "--turns"},
-                "--format dji-wpml");
-  cli::only_for(app, format == "crazyflie", {"--show"}, "--format crazyflie");
-  cli::only_for(app, format == "wpl" || format == "qgc-plan", {"--autopilot", "--params"},
-                "--format qgc-plan and wpl");
-  cli::only_for(app, !unchecked && format != "volume4d", {"--navigation", "--tracking"},
-                "drone files that are checked");
-  cli::only_for(app, format == "volume4d", {"--volumes", "--buffer"}, "--format volume4d");
-  cli::only_for(app, !unchecked, {"--margin", "--spare"}, "an export that is checked");
+  cli::require_used(app, kFormatOptions, format, "--format is " + format);
+  cli::only_for(app, !unchecked, {"--margin", "--spare", "--metres", "--navigation", "--tracking"},
+                "an export that is checked");
 }
 
 // A Tello's go and DJI's missions have no other speeds, so one that is asked for is not changed in

@@ -29,6 +29,7 @@ struct Options {
   std::string map;
   cli::VehicleOptions vehicle;
   cli::Moving moving;
+  cli::MetresOption metres;
   std::vector<std::string> alternatives;
   std::string others;
   traj::Spacing spacing;
@@ -50,6 +51,7 @@ void Options::add_to(CLI::App& app) {
       "box map, whose boxes with times flights keep clear of; the flights must be proved "
       "on it but for these");
   vehicle.add_to(app);
+  metres.add_to(app);
   moving.add_to(app, "flights keep clear of each at every instant, too");
   cli::add_spacing(app, spacing, parked);
   app.add_option("--max-delay", max_delay,
@@ -72,6 +74,7 @@ void Options::add_to(CLI::App& app) {
 void Options::refuse_idle(const CLI::App& app, bool shard) const {
   cli::only_for(app, !map.empty() || moving.asked(), {"--vehicle", "--margin"},
                 "--map or --moving");
+  cli::only_for(app, !map.empty(), {"--metres"}, "--map");
   cli::only_for(app, departures.improve > 0, {"--seed"}, "--improve");
   std::vector<std::string> beside = alternatives;
   for (const std::string& file : {map, others, moving.file()}) {
@@ -118,7 +121,7 @@ fleet::Stream read_stream(const Options& options, const cli::Common& common) {
 
 fleet::Obstacles read_obstacles(const Options& options, const fleet::Stream& stream,
                                 const cli::Common& common) {
-  fleet::Obstacles obstacles(common, stream, options.parked);
+  fleet::Obstacles obstacles(common, stream, options.parked, options.metres);
   if (!options.map.empty()) obstacles.add_map(options.map, options.vehicle);
   if (options.moving.asked()) obstacles.add_moving(options.moving);
   return obstacles;

@@ -21,14 +21,14 @@ bool bars(std::span<const traj::DepartureSpan> spans, const traj::FleetFlight& f
 }  // namespace
 
 void Obstacles::add_map(const std::string& file, const cli::VehicleOptions& vehicle) {
-  map_.emplace(file, vehicle, common_);
+  map_.emplace(file, vehicle, metres_, common_);
 }
 
 void Obstacles::add_moving(cli::Moving moving) {
   moving.read();
   if (map_) {
     cli::NamedMap named(map_->map());
-    moving.require_of(named);
+    moving.require_of(named, metres_);
   }
   if (stream_.own() > 0) {
     if (!map_) moving.require_of(stream_.provenance());

@@ -22,9 +22,10 @@ struct Barred {
 
 class Obstacles {
  public:
-  // Both must outlive this.
-  Obstacles(const cli::Common& common, const Stream& stream, traj::Parked parked)
-      : common_(common), stream_(stream), parked_(parked) {}
+  // `common` and `stream` must outlive this. `metres`: whether what is over a map may be degrees.
+  Obstacles(const cli::Common& common, const Stream& stream, traj::Parked parked,
+            const cli::MetresOption& metres)
+      : common_(common), stream_(stream), parked_(parked), metres_(metres) {}
 
   // TimedMap's. Before add_moving().
   void add_map(const std::string& file, const cli::VehicleOptions& vehicle);
@@ -52,6 +53,7 @@ class Obstacles {
   const cli::Common& common_;
   const Stream& stream_;
   traj::Parked parked_;
+  cli::MetresOption metres_;
   std::optional<TimedMap> map_;
   std::optional<cli::Moving> moving_;
   std::vector<Barred> barred_;  // by way

@@ -47,9 +47,11 @@ bool comes_before(const geom::Provenance& a, const geom::Provenance& b) {
 
 }  // namespace
 
-TimedMap::TimedMap(const std::string& file, cli::VehicleOptions vehicle, const cli::Common& common)
+TimedMap::TimedMap(const std::string& file, cli::VehicleOptions vehicle,
+                   const cli::MetresOption& metres, const cli::Common& common)
     : file_(file),
       vehicle_(std::move(vehicle)),
+      metres_(metres),
       common_(common),
       map_(cli::open_map(file, geom::Verified::contents, common.execution("verify"))) {}
 
@@ -84,6 +86,7 @@ void TimedMap::close(const Stream& stream, traj::Parked parked,
   for (std::size_t i = 0; i < flights.size(); ++i) {
     const traj::TrajectoryRecord& record = stream.record(i);
     named.require(record.provenance, record.id, 0);
+    metres_.check_input(map_.spec().frame, record.trajectory, record.id, 0);
     geom::start_on(map_, {record.time.epoch, 0.0, {}, {}, {}}, record.id, 0);
     if (!flights[i].settled) ways.push_back(i);
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/option/degrees.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "geom/map/box_map.h"
@@ -19,10 +20,12 @@ class TimedMap {
  public:
   // Opens and verifies the map. `vehicle` is that of records which name none. `common` must outlive
   // this.
-  TimedMap(const std::string& file, cli::VehicleOptions vehicle, const cli::Common& common);
+  TimedMap(const std::string& file, cli::VehicleOptions vehicle, const cli::MetresOption& metres,
+           const cli::Common& common);
 
   // Says of each flight that is not settled when it must not depart. Throws InputError where a
-  // record is of another map or epoch, and UsageError where it names no vehicle.
+  // record is of another map or epoch or looks like degrees, and UsageError where it names no
+  // vehicle.
   void close(const Stream& stream, traj::Parked parked,
              std::vector<traj::FleetFlight>& flights) const;
 
@@ -41,6 +44,7 @@ class TimedMap {
 
   std::string file_;
   cli::VehicleOptions vehicle_;
+  cli::MetresOption metres_;
   const cli::Common& common_;
   geom::BoxMap map_;
 };

@@ -130,6 +130,7 @@ int main(int argc, char** argv) {
     const Inputs inputs = inputs_of(files);
     check_usage(options, inputs, sharding, report);
     cli::only_for(app, options.tune, {"--cost"}, "--tune");
+    cli::only_for(app, !inputs.map.empty(), {"--metres"}, "flights over a map");
     if (vehicle.word.empty())
       throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");
     sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},

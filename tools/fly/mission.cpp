@@ -95,7 +95,11 @@ std::size_t Mission::read(cli::InputFile& file, const geom::Shard& shard) {
           fmt::format("duration must be at most {} s to be flown, found {}", kLongest, length));
     }
     require_vehicle(entry);
-    if (scenes_) scene_for(entry);
+    if (scenes_) {
+      const geom::CollisionScene& scene = scene_for(entry);
+      options_.metres.check_input(scene.map().spec().frame, entry.record.trajectory, source_,
+                                  number);
+    }
     entries_.push_back(std::move(entry));
   });
   return total;

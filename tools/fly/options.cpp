@@ -105,6 +105,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--cost", cost,
                  "what --tune makes small: mean, rms, p99, max, final, saturated, each with a "
                  "weight, as mean:1,max:0.5 (default: rms)");
+  metres.add_to(app);
 }
 
 traj::FlightOptions Options::flight(const traj::VehicleProfile& profile) const {

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/option/degrees.h"
 #include "cli/option/vehicle_option.h"
 #include "traj/flight/monte_carlo.h"
 #include "traj/flight/tune.h"
@@ -29,6 +30,7 @@ struct Options {
   int runs = 0;
   bool tube = false;
   bool tune = false;
+  cli::MetresOption metres;
 
   void add_to(CLI::App& app);
 

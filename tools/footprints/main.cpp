@@ -203,7 +203,7 @@ int main(int argc, char** argv) {
     if (hashed.head().empty()) throw geom::InputError(file.name(), "the file is empty");
     const std::string format =
         options.format == "auto" ? geom::gis::detect(hashed.head(), options.input) : options.format;
-    cli::require_used(app, kFormatOptions, format, file.name());
+    cli::require_used(app, kFormatOptions, format, cli::read_as(file.name(), format));
     const City city =
         city_of(geom::gis::read(format, options.input, file.name(), hashed.stream(), options.read),
                 options, origin, file.name(), sharding);

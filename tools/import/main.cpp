@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "cli/file/files.h"
 #include "cli/file/hashed_input.h"
+#include "cli/option/format_options.h"
 #include "cli/option/map_output.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
@@ -21,6 +24,11 @@
 #endif
 
 namespace {
+
+const std::array kFormatOptions{
+    cli::FormatOption{"--unknown", {"octomap", "jps3d"}},
+    cli::FormatOption{"--model-path", {"sdf"}}, cli::FormatOption{"--slack", {"sdf"}},
+    cli::FormatOption{"--collisions-only", {"sdf"}}, cli::FormatOption{"--without", {"sdf"}}};
 
 struct Options {
   std::string format = "auto";
@@ -109,14 +117,6 @@ void add_format_options(CLI::App& app, Options& options) {
                  "itself; again for more");
 }
 
-void require_fitting(const CLI::App& app, geom::BoxFormat format) {
-  using geom::BoxFormat;
-  cli::only_for(app, format == BoxFormat::octomap || format == BoxFormat::jps3d, {"--unknown"},
-                "OctoMaps and jps3d maps");
-  cli::only_for(app, format == BoxFormat::sdf,
-                {"--model-path", "--slack", "--collisions-only", "--without"}, "SDF worlds");
-}
-
 geom::ImportedBoxes imported(Options& options, geom::BoxFormat format, std::istream& in,
                              const std::string& name, import::ModelFiles& models) {
   options.sdf.visuals = !options.collisions_only;
@@ -173,11 +173,15 @@ int main(int argc, char** argv) {
                                        ? geom::box_format_of(hashed.head(), file.name())
                                        : *geom::value_of(geom::kBoxFormatWords, options.format);
     options.format = name(format);
-    require_fitting(app, format);
+    cli::require_used(app, kFormatOptions, options.format,
+                      cli::read_as(file.name(), options.format));
     import::ModelFiles models(options.model_path);
     geom::ImportedBoxes boxes = imported(options, format, hashed.stream(), file.name(), models);
     if (!options.frame.empty()) boxes.frame.axes = *geom::axes_from_name(options.frame);
     warn(boxes, options.unknown == "blocked", file.name(), common);
+    cli::only_for(
+        app, !boxes.bounds, {"--pad"},
+        "files without bounds of their own (--floor, --ceiling and --bounds change them)");
     const geom::MakeMapOptions map = map_options(options, boxes);
     nlohmann::ordered_json step = step_of(hashed.hash(), options, map);
     if (!models.hashes().empty()) step["includes"] = models.hashes();

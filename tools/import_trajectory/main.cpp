@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Read a drone file as a trajectory or a path.", "skyway-import-trajectory"};
   cli::Common common(app);
   cli::DroneFileOptions options{"auto", {}, {}};
+  options.app = &app;
   cli::VehicleOptions vehicle;
   std::string input;
   std::string output = "-";

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 #include <span>
+#include <vector>
 
 #include "cli/file/files.h"
 #include "cli/option/degrees.h"
@@ -171,6 +172,16 @@ void set_epoch(geom::BoxMapSpec& spec, const std::string& word, const std::strin
   step["epoch"] = *epoch;
 }
 
+// All lower and upper corners.
+std::vector<geom::Vec3> corners_of(const BoxTable& table) {
+  std::vector<geom::Vec3> out;
+  for (const Aabb& box : table.boxes) {
+    out.push_back(box.min);
+    out.push_back(box.max);
+  }
+  return out;
+}
+
 void run_patch(const Files& files, const Changes& changes, const cli::Common& common) {
   if (changes.add.empty() && changes.remove.empty() && changes.keep_out.empty() &&
       changes.fence.empty() && changes.epoch.empty()) {
@@ -192,7 +203,9 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   };
   if (!changes.add.empty()) {
     cli::InputFile file(changes.add);
-    add("added", geom::read_box_csv(file.stream(), file.name()));
+    BoxTable fresh = geom::read_box_csv(file.stream(), file.name());
+    changes.metres.check_input(map.spec().frame, corners_of(fresh), file.name(), 0);
+    add("added", std::move(fresh));
   }
   geom::BoxMapSpec spec = map.spec();
   if (!changes.epoch.empty()) set_epoch(spec, changes.epoch, files.map, step);

@@ -124,6 +124,7 @@ Verb mesh_verb(CLI::App& app, const cli::Common& common, const char* name, const
   struct More {
     std::vector<std::string> inputs;
     double radius = 0.3;
+    cli::MetresOption metres;
   };
   auto files = std::make_shared<Files>();
   auto more = std::make_shared<More>();
@@ -133,11 +134,12 @@ Verb mesh_verb(CLI::App& app, const cli::Common& common, const char* name, const
   verb->add_option("--radius", more->radius, "of their lines, metres")
       ->check(CLI::Range(1e-6, 1e6))
       ->capture_default_str();
+  more->metres.add_to(*verb);
   return {verb, [=, &common] {
             cli::at_most_one_stdin(files->map, more->inputs);
             const geom::BoxMap map = open(files->map, common);
             cli::Contents contents = cli::read_contents(more->inputs, kKinds);
-            cli::require_same_map(contents, &map);
+            cli::require_same_map(contents, &map, more->metres);
             cli::drop_failed(contents);
             const auto parts = parts_of(map, contents, more->radius);
             cli::OutputFile out(files->output, cli::OutputKind::artefact);

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "cli/file/files.h"
+#include "cli/option/format_options.h"
 #include "cli/option/map_output.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
@@ -20,6 +22,11 @@
 namespace {
 
 constexpr const char* kTool = "skyway-mesh";
+
+// COLLADA, and 3D Tiles on Earth, say their own axes and units.
+const std::array kFormatOptions{
+    cli::FormatOption{"--up", {"obj", "ply", "stl", "gltf", "3ds", "tiles"}},
+    cli::FormatOption{"--units", {"obj", "ply", "stl", "gltf", "3ds", "tiles"}}};
 
 struct Options {
   std::string input;
@@ -80,11 +87,6 @@ struct Place {
 };
 
 Place earth_place(geom::ModelSource& source, const Options& options, const std::string& name) {
-  if (!options.up.empty() || !options.units.empty()) {
-    throw cli::UsageError(
-        "--up and --units are not for 3D Tiles on Earth, whose axes and metres "
-        "are given");
-  }
   const geom::PlacedModel placed = geom::place_on_map(source.model, options.origin, name);
   return {placed.frame, 1, placed.bend + 2 * source.model.blur};
 }
@@ -93,9 +95,6 @@ Place earth_place(geom::ModelSource& source, const Options& options, const std::
 Place local_place(geom::ModelSource& source, const Options& options, const std::string& name,
                   const cli::Common& common) {
   geom::Model& model = source.model;
-  if (source.format == "collada" && (!options.up.empty() || !options.units.empty())) {
-    throw cli::UsageError("a COLLADA file says its own axes and units: no --up and --units");
-  }
   Place place;
   place.frame.origin = options.origin;
   place.unit = options.units.empty() ? model.unit.value_or(1) : cli::kMetres.at(options.units);
@@ -227,6 +226,8 @@ int main(int argc, char** argv) {
     geom::ModelSource source =
         geom::read_model(options.input, options.format,
                          [](const std::string& path) { return cli::InputFile(path).read_all(); });
+    const std::string format = source.on_earth ? "tiles on Earth" : source.format;
+    cli::require_used(app, kFormatOptions, format, cli::read_as(name, format));
     const bool none = source.model.mesh.triangles.empty();
     if (none) {
       const std::string skipped = source.model.skipped.text();

@@ -8,13 +8,6 @@
 namespace planning {
 namespace {
 
-std::vector<geom::Vec3> ends_in_metres(const geom::PlanQuery& query) {
-  std::vector<geom::Vec3> ends;
-  if (!query.from_on_earth) ends.push_back(query.from);
-  if (!query.to_on_earth) ends.push_back(query.to);
-  return ends;
-}
-
 bool on_earth(const geom::Place& place) { return std::holds_alternative<geom::EarthPlace>(place); }
 
 }  // namespace
@@ -47,13 +40,13 @@ std::vector<geom::PlanQuery> QueriesOption::read(const geom::BoxMap& map) const 
                                 0,
                                 on_earth(*from_),
                                 on_earth(*to_)};
-    metres_.check_option(frame, ends_in_metres(query), "--from and --to");
+    metres_.check_option(frame, cli::ends_in_metres(query), "--from and --to");
     return {query};
   }
   cli::InputFile input(file_);
   auto queries = geom::read_plan_queries(input.stream(), input.name(), &locator);
   for (const geom::PlanQuery& query : queries) {
-    metres_.check_input(frame, ends_in_metres(query), input.name(), query.line);
+    metres_.check_input(frame, cli::ends_in_metres(query), input.name(), query.line);
   }
   return queries;
 }

@@ -38,6 +38,7 @@ struct Options {
   std::string id;
   double within = 0;  // metres; 0: as far as some pairs are
   cli::VehicleOptions vehicle;
+  cli::MetresOption metres;
 };
 
 constexpr double kFarthest = 200;  // metres: pairs that are farther apart are not looked for
@@ -45,7 +46,7 @@ constexpr double kFarthest = 200;  // metres: pairs that are farther apart are n
 // What there is to draw of the inputs, all made for `map` where one is given.
 cli::Contents read(const Options& options, const geom::BoxMap* map) {
   cli::Contents contents = cli::read_contents(options.inputs);
-  if (map) cli::require_same_map(contents, map);
+  if (map) cli::require_same_map(contents, map, options.metres);
   if (const std::size_t failed = cli::drop_failed(contents)) {
     cli::tell(options.common, "skyway-plot",
               fmt::format("{} no path or trajectory",
@@ -245,6 +246,7 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
   for (CLI::App* verb : {plan_verb, profile_verb, tracking_verb, clearance_verb}) {
     verb->add_option("--id", options.id, "only this one");
   }
+  for (CLI::App* verb : {plan_verb, clearance_verb}) options.metres.add_to(*verb);
   options.vehicle.add_to(*clearance_verb);
   options.vehicle.add_memory_to(*clearance_verb);
   return {{plan_verb, plan},           {profile_verb, profile}, {tracking_verb, tracking},

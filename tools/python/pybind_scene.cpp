@@ -5,7 +5,6 @@
 #include <string>
 #include <variant>
 
-#include "cli/option/degrees.h"
 #include "geom/base/parallel.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
@@ -23,6 +22,11 @@ void in_batches(std::size_t n, unsigned threads, const F& f) {
   geom::parallel_for((n + kBatch - 1) / kBatch, on_threads(threads), [&](std::size_t batch) {
     f(batch * kBatch, std::min(n, (batch + 1) * kBatch));
   });
+}
+
+// One point alone may look like degrees by chance.
+void require_metres_of(const geom::Frame& frame, std::span<const Vec3> points) {
+  if (points.size() > 1) require_metres(frame, points, "queries");
 }
 
 // Segments, (n, 6), or points, (n, 3), where they are.
@@ -43,16 +47,8 @@ struct Queries {
     binding::require_coordinates(values.subspan(begin * columns, (end - begin) * columns), columns,
                                  columns == 3 ? "points" : "segments", begin);
   }
-  // One point alone may look like degrees by chance.
   void require_metres(const geom::Frame& frame) const {
-    if (columns == 3 && size() < 2) return;
-    const auto looks = [&](std::size_t i) {
-      return cli::look_like_degrees(frame, std::array{from(i), to(i)});
-    };
-    for (std::size_t i = 0; i < size(); ++i) {
-      if (!looks(i)) return;
-    }
-    if (size() > 0) binding::require_metres(frame, std::array{from(0), to(0)}, "queries");
+    require_metres_of(frame, {reinterpret_cast<const Vec3*>(values.data()), values.size() / 3});
   }
   Vec3 from(std::size_t i) const { return Vec3(values.data() + i * columns); }
   Vec3 to(std::size_t i) const { return Vec3(values.data() + i * columns + columns - 3); }
@@ -96,6 +92,7 @@ py::array sweep_hits(const Scene& self, const py::object& object, const py::obje
 py::tuple nearest(const Scene& self, const py::object& object, double radius, unsigned threads) {
   const std::span<const Vec3> at = points(object, "points");
   if (!(radius >= 0)) throw py::value_error("radius: must be >= 0");
+  require_metres_of(self.scene.map().spec().frame, at);
   std::vector<double> distance(at.size(), std::numeric_limits<double>::infinity());
   std::vector<std::int64_t> box(at.size(), -1);
   {
@@ -117,6 +114,7 @@ py::array boxes_meeting(const Scene& self, const py::object& min, const py::obje
   if ((region.min.array() > region.max.array()).any()) {
     throw py::value_error("boxes_meeting: min must be <= max on every axis");
   }
+  require_metres_of(self.scene.map().spec().frame, std::array{region.min, region.max});
   return owning(self.scene.boxes_meeting(region));
 }
 

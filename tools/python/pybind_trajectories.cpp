@@ -73,6 +73,7 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
                              const std::string& solver, const std::optional<std::string>& times,
                              const std::string& corridor, double rho, const py::object& yaw_words) {
   const geom::PathRecord record = path_from(path);
+  require_metres(self.scene.map().spec().frame, record.points, record.id);
   const geom::Vehicle vehicle =
       agreed_vehicle(record.provenance, self.scene, cli::Differences::refused, record.id);
   const traj::Limits asked = limits_from(limits);

@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
           fmt::format("--ids: expected a map of at most {} boxes, found {}", kMostIds, map.size()));
     }
     cli::Contents contents = cli::read_contents(options.inputs);
-    cli::require_same_map(contents, &map);
+    cli::require_same_map(contents, &map, options.metres);
     if (const std::size_t failed = cli::drop_failed(contents)) {
       cli::tell(common, "skyway-render",
                 fmt::format("{} no path or trajectory",

@@ -66,6 +66,7 @@ void Options::add_to(CLI::App& app) {
             "overview: look this way, degrees from north clockwise (default: 34)");
   add_angle(app, "--elevation", film.overview.elevation, 1, 89,
             "overview: look down by so many degrees (default: 34)");
+  metres.add_to(app);
   app.add_flag("--shadows", film.light.shadows, "the sun casts soft shadows");
   app.add_option("--samples", samples,
                  "rays a side of each pixel (default: 1 through the camera, else 3)")

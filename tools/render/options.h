@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/option/degrees.h"
 #include "film.h"
 
 namespace render {
@@ -27,6 +28,7 @@ struct Options {
   std::optional<int> samples;
   std::string size;
   FilmOptions film;
+  cli::MetresOption metres;
 
   void add_to(CLI::App& app);
   // After parsing: fills in what depends on other options. Throws UsageError, or InputError for a

@@ -22,7 +22,8 @@ void require_one_stdin(const std::vector<std::string>& files, const std::string&
   }
 }
 
-cli::Contents read(const std::vector<std::string>& files, const cli::DroneFileOptions& options) {
+cli::Contents read(const std::vector<std::string>& files, const cli::DroneFileOptions& options,
+                   const cli::MetresOption& metres) {
   const cli::ContentKinds kinds{
       .archives = true,
       .corridors = true,
@@ -30,7 +31,7 @@ cli::Contents read(const std::vector<std::string>& files, const cli::DroneFileOp
       .drone_files = &options,
       .refusal = "expected a path, a trajectory, a tree, a corridor or a report, found a {}"};
   cli::Contents contents = cli::read_contents(files, kinds);
-  cli::require_same_map(contents, contents.map ? &contents.map->record : nullptr);
+  cli::require_same_map(contents, contents.map ? &contents.map->record : nullptr, metres);
   return contents;
 }
 
@@ -60,6 +61,7 @@ int main(int argc, char** argv) {
   std::string output = "-";
   view::FrameFiles pictures;
   cli::DroneFileOptions drone_files{"auto", {}, {}};
+  cli::MetresOption metres;
   app.add_option(
          "files", files,
          "box map, lattices, records (JSON Lines), flight logs (CSV) and drone files (missions, "
@@ -80,9 +82,10 @@ int main(int argc, char** argv) {
                  "where a Tello stands before it takes off, along the map's axes");
   drone_files.placement.add_to(app);
   drone_files.add_mission_to(app);
+  metres.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     require_one_stdin(files, pictures.poses);
-    const cli::Contents contents = read(files, drone_files);
+    const cli::Contents contents = read(files, drone_files, metres);
     std::optional<view::Frames> frames;
     if (!pictures.names.empty()) frames = view::read_frames(pictures);
     view::Bundle bundle;

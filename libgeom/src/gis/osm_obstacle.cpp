@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 
 #include "geom/import/written_height.h"
 #include "geom/text/text_table.h"
@@ -12,9 +13,14 @@
 namespace geom::gis {
 namespace {
 
-struct Word {
+// Values of a key.
+struct Words {
   std::string_view key;
-  std::string_view value;
+  std::array<std::string_view, 16> values;  // the last ones may be empty
+
+  bool has(std::string_view value) const {
+    return !value.empty() && std::find(values.begin(), values.end(), value) != values.end();
+  }
 };
 
 // Of these keys every value is an obstacle but what is flat.
@@ -22,55 +28,37 @@ constexpr std::array<std::string_view, 9> kObstacles{"man_made", "power",      "
                                                      "bridge",   "tower:type", "telecom",
                                                      "historic", "attraction", "electrified"};
 
-constexpr std::array kFlat{Word{"man_made", "clearcut"},
-                           Word{"man_made", "courtyard"},
-                           Word{"man_made", "cutline"},
-                           Word{"man_made", "geoglyph"},
-                           Word{"man_made", "manhole"},
-                           Word{"man_made", "pier"},
-                           Word{"man_made", "pipeline"},
-                           Word{"man_made", "quay"},
-                           Word{"man_made", "survey_point"},
-                           Word{"power", "cable"},
-                           Word{"telecom", "cable"},
-                           Word{"historic", "battlefield"},
-                           Word{"historic", "district"},
-                           Word{"historic", "event"},
-                           Word{"attraction", "boat_ride"},
-                           Word{"attraction", "river_rafting"},
-                           Word{"electrified", "rail"},
-                           Word{"electrified", "4th_rail"},
-                           Word{"electrified", "ground-level_power_supply"}};
+constexpr std::array kFlat{Words{"man_made",
+                                 {"clearcut", "courtyard", "cutline", "geoglyph", "manhole", "pier",
+                                  "pipeline", "quay", "survey_point"}},
+                           Words{"power", {"cable"}},
+                           Words{"telecom", {"cable"}},
+                           Words{"historic", {"battlefield", "district", "event"}},
+                           Words{"attraction", {"boat_ride", "river_rafting"}},
+                           Words{"electrified", {"rail", "4th_rail", "ground-level_power_supply"}}};
 
 // Obstacles by keys of which most values are none.
 constexpr std::array kOthers{
-    Word{"natural", "tree"},           Word{"natural", "tree_row"},
-    Word{"natural", "tree_group"},     Word{"natural", "wood"},
-    Word{"landuse", "forest"},         Word{"landuse", "orchard"},
-    Word{"landcover", "trees"},        Word{"highway", "street_lamp"},
-    Word{"barrier", "wall"},           Word{"barrier", "city_wall"},
-    Word{"barrier", "fence"},          Word{"barrier", "hedge"},
-    Word{"barrier", "retaining_wall"}, Word{"barrier", "height_restrictor"},
-    Word{"barrier", "toll_booth"},     Word{"barrier", "lift_gate"},
-    Word{"tourism", "artwork"},        Word{"advertising", "billboard"},
-    Word{"advertising", "column"},     Word{"advertising", "screen"},
-    Word{"advertising", "totem"},      Word{"advertising", "sculpture"},
-    Word{"generator:source", "wind"}};
+    Words{"natural", {"tree", "tree_row", "tree_group", "wood"}},
+    Words{"landuse", {"forest", "orchard"}},
+    Words{"landcover", {"trees"}},
+    Words{"highway", {"street_lamp"}},
+    Words{"barrier",
+          {"wall", "city_wall", "fence", "hedge", "retaining_wall", "height_restrictor",
+           "toll_booth", "lift_gate"}},
+    Words{"tourism", {"artwork"}},
+    Words{"advertising", {"billboard", "column", "screen", "totem", "sculpture"}},
+    Words{"generator:source", {"wind"}}};
 
 // What stands on an area, beside buildings.
-constexpr std::array kBuilt{
-    Word{"man_made", "tower"},         Word{"man_made", "mast"},
-    Word{"man_made", "water_tower"},   Word{"man_made", "communications_tower"},
-    Word{"man_made", "cooling_tower"}, Word{"man_made", "chimney"},
-    Word{"man_made", "crane"},         Word{"man_made", "silo"},
-    Word{"man_made", "storage_tank"},  Word{"man_made", "gasometer"},
-    Word{"man_made", "lighthouse"},    Word{"man_made", "windmill"},
-    Word{"man_made", "antenna"},       Word{"man_made", "obelisk"}};
+constexpr std::array kBuilt{Words{
+    "man_made",
+    {"tower", "mast", "water_tower", "communications_tower", "cooling_tower", "chimney", "crane",
+     "silo", "storage_tank", "gasometer", "lighthouse", "windmill", "antenna", "obelisk"}}};
 
-constexpr std::array kHighLines{Word{"power", "tower"},          Word{"power", "pole"},
-                                Word{"power", "line"},           Word{"power", "minor_line"},
-                                Word{"power", "portal"},         Word{"power", "catenary_mast"},
-                                Word{"generator:source", "wind"}};
+constexpr std::array kHighLines{
+    Words{"power", {"tower", "pole", "line", "minor_line", "portal", "catenary_mast"}},
+    Words{"generator:source", {"wind"}}};
 
 constexpr std::array kHeights{"height",          "est_height",      "min_height",
                               "building:height", "building:levels", "building:min_level",
@@ -85,10 +73,13 @@ std::string lower(std::string_view text) {
 
 bool is_none(std::string_view value) { return value.empty() || value == "no" || value == "none"; }
 
-template <class Words>
-std::optional<std::string> first_of(const OsmTags& tags, const Words& words) {
-  for (const Word& word : words) {
-    if (tags.has(word.key, word.value)) return fmt::format("{}={}", word.key, word.value);
+std::optional<std::string> first_of(const OsmTags& tags, std::span<const Words> table) {
+  for (const Words& words : table) {
+    for (const std::string_view value : words.values) {
+      if (!value.empty() && tags.has(words.key, value)) {
+        return fmt::format("{}={}", words.key, value);
+      }
+    }
   }
   return std::nullopt;
 }
@@ -98,7 +89,7 @@ bool is_flat(const OsmTags& tags, std::string_view key, std::string_view value) 
   if (tags.has("location", "overhead") || tags.has("location", "overground")) return false;
   if (key == "power" && value == "generator") return tags.has("generator:source", "solar");
   return std::any_of(kFlat.begin(), kFlat.end(),
-                     [&](const Word& word) { return word.key == key && word.value == value; });
+                     [&](const Words& words) { return words.key == key && words.has(value); });
 }
 
 // The first value of the key that is not flat.

@@ -5,6 +5,7 @@
 // that people use or get wrong.
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -54,6 +55,27 @@ inline bool holds(const geom::Footprint& f, const Obstacle& obstacle) {
     if (((low - p).array() > kNear).any() || ((p - high).array() > kNear).any()) return false;
   }
   return f.bottom <= *obstacle.bottom + kNear && (!obstacle.top || f.top >= *obstacle.top - kNear);
+}
+
+struct Told {
+  bool told = false;
+  std::string file = {};  // its text, for who reads the failure
+};
+
+// Expects that each of so many files is told; `look` makes the i-th of its chance and asks
+// is_told(): one of `things` obstacles, of which `marked` is the one to look for. Ends after five
+// failures.
+template <class Look>
+void expect_told(int files, const Look& look) {
+  int silent = 0;
+  for (int i = 0; i < files && silent < 5; ++i) {
+    geom::SplitMix64 random(static_cast<std::uint64_t>(i));
+    const int things = random.whole(2, 7);
+    const int marked = random.whole(0, things - 1);
+    const Told told = look(things, marked, random);
+    if (!told.told) ++silent;
+    EXPECT_TRUE(told.told) << "file " << i << ": " << told.file;
+  }
 }
 
 // Whether the obstacle is in what `read` gives, or something was said of it. All else in the file

@@ -137,11 +137,7 @@ std::string collection_json(std::vector<std::string> features, std::size_t marke
 }
 
 TEST(NothingSilent, GeoJson) {
-  int silent = 0;
-  for (int i = 0; i < kFiles && silent < 5; ++i) {
-    geom::SplitMix64 random(static_cast<std::uint64_t>(i));
-    const int things = random.whole(2, 7);
-    const int marked = random.whole(0, things - 1);
+  expect_told(kFiles, [](int things, int marked, geom::SplitMix64& random) {
     Obstacle obstacle;
     std::vector<std::string> features;
     for (int k = 0; k < things; ++k) {
@@ -155,10 +151,8 @@ TEST(NothingSilent, GeoJson) {
       }
     }
     const std::string text = collection_json(features, static_cast<std::size_t>(marked), random);
-    const bool told = is_told(obstacle, [&] { return read_geojson(text, {}); });
-    if (!told) ++silent;
-    EXPECT_TRUE(told) << "file " << i << ": " << text;
-  }
+    return Told{is_told(obstacle, [&] { return read_geojson(text, {}); }), text};
+  });
 }
 
 // ---- Shapefile and GeoPackage ----
@@ -225,35 +219,23 @@ void damage(const ShapeFiles& files, int marked, geom::SplitMix64& random) {
 }
 
 TEST(NothingSilent, Shapefile) {
-  int silent = 0;
-  for (int i = 0; i < kFiles && silent < 5; ++i) {
-    geom::SplitMix64 random(static_cast<std::uint64_t>(i));
-    const int things = random.whole(2, 7);
-    const int marked = random.whole(0, things - 1);
+  expect_told(kFiles, [](int things, int marked, geom::SplitMix64& random) {
     Obstacle obstacle;
     const ShapeFiles files;
     write_layer("ESRI Shapefile", files.shp.path(), prisms(things, marked, obstacle, random));
     damage(files, marked, random);
-    const bool told =
-        is_told(obstacle, [&] { return read_vector(files.shp.path(), "city.shp", {}); });
-    if (!told) ++silent;
-    EXPECT_TRUE(told) << "file " << i;
-  }
+    return Told{is_told(obstacle, [&] { return read_vector(files.shp.path(), "city.shp", {}); })};
+  });
 }
 
 // A tenth of the files: SQLite takes milliseconds to make one.
 TEST(NothingSilent, GeoPackage) {
-  int silent = 0;
-  for (int i = 0; i < kFiles / 10 && silent < 5; ++i) {
-    geom::SplitMix64 random(static_cast<std::uint64_t>(i));
-    const int things = random.whole(2, 7);
+  expect_told(kFiles / 10, [](int things, int marked, geom::SplitMix64& random) {
     Obstacle obstacle;
     const MemoryFile file("city.gpkg");
-    write_layer("GPKG", file.path(), prisms(things, random.whole(0, things - 1), obstacle, random));
-    const bool told = is_told(obstacle, [&] { return read_vector(file.path(), "city.gpkg", {}); });
-    if (!told) ++silent;
-    EXPECT_TRUE(told) << "file " << i;
-  }
+    write_layer("GPKG", file.path(), prisms(things, marked, obstacle, random));
+    return Told{is_told(obstacle, [&] { return read_vector(file.path(), "city.gpkg", {}); })};
+  });
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ with tempfile.TemporaryDirectory() as folder:
                           ["skyway-info", "--json", file("r.jsonl")],
                           ["skyway-export", box_map, file("r.jsonl"), "--format", "setpoints", "-o", file("e.csv")],
                           ["skyway-export", box_map, file("r.jsonl"), "--format", "crazyflie", "-o", file("e.csv")],
-                          ["skyway-export", box_map, file("r.jsonl"), "--format", "gltf", "--origin", "60,24,0", "-o", file("e.glb")],
+                          ["skyway-export", box_map, file("r.jsonl"), "--format", "gltf", "-o", file("e.glb")],
                           ["skyway-fly", file("r.jsonl"), "--vehicle", os.path.join(source_dir, "data/vehicles/quad2kg.json"),
                            "--report", file("f.jsonl"), "-o", file("f.csv")]):
             done = tool(*arguments)

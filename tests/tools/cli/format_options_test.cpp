@@ -19,7 +19,7 @@ std::string refusal(std::vector<std::string> options, const char* format) {
   for (const char* name : {"--where", "--units", "--terrain"}) app.add_option(name, text);
   app.parse(options);
   try {
-    require_used(app, kTable, format, "city.osm");
+    require_used(app, kTable, format, read_as("city.osm", format));
   } catch (const UsageError& error) {
     return error.what();
   }
@@ -39,6 +39,12 @@ TEST(RequireUsed, LetsAnotherOptionUseIt) {
             "--units is only for vector, raster files or with --terrain (city.osm is read as osm): "
             "it would change nothing here, so leave it out");
   EXPECT_EQ(refusal({"--units=m", "--terrain=t"}, "osm"), "");
+}
+
+TEST(RequireUsed, PassesOverAnOptionThatTheToolDoesNotHave) {
+  CLI::App app;
+  app.parse(std::vector<std::string>{});
+  EXPECT_NO_THROW(require_used(app, kTable, "osm", ""));
 }
 
 }  // namespace

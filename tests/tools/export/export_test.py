@@ -64,7 +64,8 @@ def make_flights():
 
 def export(form, frame, *options):
     out = folder / f"{form}.{frame}"
-    extra = ("--origin", f"{LAT},{LON},0") if frame == "enu" else ()
+    on_earth = form not in ("crazyflie", "gltf", "setpoints", "tello")
+    extra = ("--origin", f"{LAT},{LON},0") if frame == "enu" and on_earth else ()
     run("skyway-export", folder / frame, folder / f"flight.{frame}", "--format", form, *extra, *options,
         "-o", out)
     return out
@@ -259,7 +260,8 @@ def check_tello(record, heading):
 def check_round_trips():
     """What was exported is imported and checked again."""
     for form in ("crazyflie", "wpl", "qgc-plan", "gltf"):
-        record = run("skyway-import-trajectory", "-q", folder / f"{form}.neu", "--map", folder / "neu", "--ground", "0")
+        ground = ("--ground", "0") if form in ("wpl", "qgc-plan") else ()
+        record = run("skyway-import-trajectory", "-q", folder / f"{form}.neu", "--map", folder / "neu", *ground)
         (folder / "again").write_bytes(record)
         run("skyway-check", folder / "neu", folder / "again", *VEHICLE)
 

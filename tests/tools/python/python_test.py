@@ -182,7 +182,9 @@ def test_degrees_are_no_metres(out):
     ends = numpy.array([[37.7925, -122.3973, 5.], [37.7926, -122.3972, 5.]])
     for function, what in ((skyway.Planner(village).plan, ends), (skyway.check, (village, ends)),
                            (skyway.Planner(village).plan_batch, (ends.reshape(1, 6),)),
-                           (village.hits, (ends.reshape(1, 6),)), (village.free, (ends,))):
+                           (village.hits, (ends.reshape(1, 6),)), (village.free, (ends,)),
+                           (village.sweep_hits, (ends.reshape(1, 6), [1, 1, 1])), (village.nearest, (ends,)),
+                           (village.boxes_meeting, ends), (skyway.solve, (village, ends))):
         assert "look like degrees" in raises(skyway.InputError, function, *what), function
 
 

@@ -199,6 +199,19 @@ class SameMap {
   geom::Provenance first_;  // its map and, where there is a map, its frame
 };
 
+void require_metres(const Contents& contents, const geom::Frame& frame,
+                    const MetresOption& metres) {
+  for (const auto& [path, source, line] : contents.paths) {
+    metres.check_input(frame, path.points, source, line);
+  }
+  for (const auto& [record, source, line] : contents.trajectories) {
+    metres.check_input(frame, record.trajectory, source, line);
+  }
+  for (const auto& [flight, source, line] : contents.flights) {
+    metres.check_input(frame, flight, source, line);
+  }
+}
+
 }  // namespace
 
 Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds) {
@@ -215,8 +228,10 @@ Contents read_contents(const std::vector<std::string>& inputs, const ContentKind
   return out;
 }
 
-void require_same_map(const Contents& contents, const geom::BoxMap* map) {
+void require_same_map(const Contents& contents, const geom::BoxMap* map,
+                      const MetresOption& metres) {
   SameMap same(map);
+  if (map) require_metres(contents, map->spec().frame, metres);
   for (const auto& [lattice, source, line] : contents.lattices) {
     same.require_exactly(lattice.made_for(), source, line);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/content/drone_file.h"
+#include "cli/option/degrees.h"
 #include "cli/option/scenes.h"
 #include "geom/map/box_map.h"
 #include "geom/record/record.h"
@@ -62,8 +63,10 @@ Contents read_contents(const std::vector<std::string>& inputs, const ContentKind
 // Throws geom::InputError where something was made for another map than `map` or, without one, than
 // the first that names its map; and where it is in another frame than `map`. Paths, trajectories
 // and flight logs may be of `map` before boxes that are there for a time were added (named_map.h);
-// what says that something is free or clear, as reports do, may not.
-void require_same_map(const Contents& contents, const geom::BoxMap* map);
+// what says that something is free or clear, as reports do, may not. `metres` refuses paths,
+// trajectories and flight logs whose coordinates look like degrees on `map`.
+void require_same_map(const Contents& contents, const geom::BoxMap* map,
+                      const MetresOption& metres = MetresOption());
 
 // Leaves out paths that were not found and trajectories that were not solved; returns how many.
 std::size_t drop_failed(Contents& contents);

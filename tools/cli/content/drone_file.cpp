@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <numbers>
 #include <sstream>
 
 #include "cli/answer/exit.h"
 #include "cli/content/dji_file.h"
+#include "cli/option/format_options.h"
 #include "cli/option/numbers_option.h"
 #include "geom/base/error.h"
 #include "geom/import/volume_keep_out.h"
@@ -26,6 +28,29 @@ namespace cli {
 namespace {
 
 constexpr double kGeodesy = 1e-8;  // m: what a projection may be off by
+
+// What skyway-check and skyway-import-trajectory read.
+const std::array kFormatOptions{
+    FormatOption{"--start", {"tello"}},
+    FormatOption{"--takeoff-height", {"tello"}},
+    FormatOption{"--heading", {"tello"}},
+    FormatOption{"--origin", {"wpl", "qgc-plan", "dji-wpml", "kml", "geojson"}},
+    FormatOption{"--geoid", {"wpl", "qgc-plan", "kml"}},
+    FormatOption{"--ground", {"wpl", "qgc-plan", "dji-wpml"}},
+    FormatOption{"--return-height", {"wpl", "qgc-plan", "dji-wpml"}},
+    FormatOption{"--terrain", {"wpl", "qgc-plan"}},
+    FormatOption{"--acceptance", {"wpl", "qgc-plan"}},
+    FormatOption{"--braking", {"wpl", "qgc-plan"}},
+    FormatOption{"--autopilot", {"wpl", "qgc-plan"}},
+    FormatOption{"--params", {"wpl", "qgc-plan"}},
+    FormatOption{"--drag", {"wpl", "qgc-plan"}},
+    FormatOption{"--navigation",
+                 {"crazyflie", "setpoints", "tello", "wpl", "qgc-plan", "dji-wpml", "kml",
+                  "geojson", "gltf"}},
+    FormatOption{"--tracking",
+                 {"crazyflie", "setpoints", "tello", "dji-wpml", "kml", "geojson", "gltf"}},
+    FormatOption{"--gap", {"crazyflie"}},
+    FormatOption{"--metres", {"records", "flight-log", "paths-csv"}}};
 
 // What a text is, by how it begins.
 std::string detected(std::string_view text) {
@@ -315,21 +340,27 @@ traj::TelloStart Placement::tello_start(const geom::Vec3& enu_ground) const {
   return {enu_ground, heading.value_or(0) * std::numbers::pi / 180, takeoff_height};
 }
 
-void DroneFileOptions::add_to(CLI::App& app) {
-  app.add_option("--file-format", format,
-                 "FILE is a drone file, to be checked as it will be flown; auto: found out from "
-                 "its beginning")
+void DroneFileOptions::add_to(CLI::App& parser) {
+  app = &parser;
+  parser
+      .add_option("--file-format", format,
+                  "FILE is a drone file, to be checked as it will be flown; auto: found out from "
+                  "its beginning")
       ->check(CLI::IsMember({"auto", "crazyflie", "setpoints", "tello", "wpl", "qgc-plan",
                              "dji-wpml", "kml", "geojson", "gltf", "paths-csv", "flight-log"}));
-  app.add_flag_callback(
+  parser.add_flag_callback(
       "--paths-csv", [this] { format = "paths-csv"; },
       "FILE is a table of paths with columns id,x,y,z");
-  add_point(app, "--start", start,
+  add_point(parser, "--start", start,
             "where a Tello stands before it takes off, along the map's axes");
-  placement.add_to(app);
-  add_mission_to(app);
-  autopilot.add_to(app);
-  autopilot.add_tracking_to(app);
+  placement.add_to(parser);
+  add_mission_to(parser);
+  autopilot.add_to(parser);
+  autopilot.add_tracking_to(parser);
+}
+
+void DroneFileOptions::require_used(std::string_view of_format, std::string_view because) const {
+  if (app) cli::require_used(*app, kFormatOptions, of_format, because);
 }
 
 void DroneFileOptions::add_mission_to(CLI::App& app) {
@@ -365,6 +396,7 @@ std::vector<DroneFile> read_drone_file(const std::string& text, const std::strin
         source,
         "this is a flight log: skyway-check --file-format flight-log holds it against a map");
   }
+  options.require_used(format, read_as(source, format));
   if (format == "paths-csv") return read_paths(in, source);
   Notes notes;
   auto read = read_flown(in, source, format, options, frame, notes);

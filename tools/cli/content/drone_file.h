@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/option/autopilot_option.h"
@@ -53,11 +54,17 @@ struct DroneFileOptions {
   std::optional<geom::Vec3> start;  // where a Tello stands, in the map's axes
   traj::MissionRules mission = {};  // but for home, which is the placement's ground
   AutopilotOptions autopilot = {};
+  // Where it is set, read_drone_file() refuses what the format of the file does not use.
+  const CLI::App* app = nullptr;
 
-  // --file-format, --paths-csv, --start, those of the placement and all of missions.
-  void add_to(CLI::App& app);
+  // --file-format, --paths-csv, --start, those of the placement and all of missions; sets `app`.
+  void add_to(CLI::App& parser);
   void add_mission_to(CLI::App& app);  // all of missions
   void add_heights_to(CLI::App& app);  // --return-height and --terrain of missions
+
+  // Throws UsageError for an option of the app that this format does not use (format_options.h):
+  // one of drone files, "records" or "flight-log".
+  void require_used(std::string_view of_format, std::string_view because) const;
 };
 
 // All that is in a file of this text: one flight, or of lines (KML, GeoJSON, glTF) and tables of

@@ -29,44 +29,44 @@ bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r") == std::string::npos;
 }
 
-// Reads a file descriptor, and throws std::system_error with the reason when that fails: an input
-// that breaks off never looks like one that ends.
-class DescriptorInput : public std::streambuf {
- public:
-  DescriptorInput(int descriptor, std::string name)
-      : descriptor_(descriptor), name_(std::move(name)), buffer_(1 << 16) {}
-
- private:
-  int_type underflow() override {
-    if (gptr() < egptr()) return traits_type::to_int_type(*gptr());
-    ssize_t n = -1;
-    do {
-      n = ::read(descriptor_, buffer_.data(), buffer_.size());
-    } while (n < 0 && errno == EINTR);
-    if (n < 0) cannot_read(name_, errno);
-    setg(buffer_.data(), buffer_.data(), buffer_.data() + n);
-    if (n == 0) return traits_type::eof();
-    note_head();
-    return traits_type::to_int_type(*gptr());
-  }
-
-  void note_head() {
-    RunFiles* const files = RunFiles::current();
-    if (!first_ || descriptor_ != STDIN_FILENO || !files) return;
-    first_ = false;
-    files->note_stdin({eback(), std::min<std::size_t>(4096, egptr() - eback())});
-  }
-
-  int descriptor_;
-  std::string name_;
-  std::vector<char> buffer_;
-  bool first_ = true;
-};
-
 }  // namespace
 
 struct InputFile::Source {
-  DescriptorInput buffer;
+  // Reads a file descriptor, and throws std::system_error with the reason when that fails: an input
+  // that breaks off never looks like one that ends.
+  class Buffer : public std::streambuf {
+   public:
+    Buffer(int descriptor, std::string name)
+        : descriptor_(descriptor), name_(std::move(name)), buffer_(1 << 16) {}
+
+   private:
+    int_type underflow() override {
+      if (gptr() < egptr()) return traits_type::to_int_type(*gptr());
+      ssize_t n = -1;
+      do {
+        n = ::read(descriptor_, buffer_.data(), buffer_.size());
+      } while (n < 0 && errno == EINTR);
+      if (n < 0) cannot_read(name_, errno);
+      setg(buffer_.data(), buffer_.data(), buffer_.data() + n);
+      if (n == 0) return traits_type::eof();
+      note_head();
+      return traits_type::to_int_type(*gptr());
+    }
+
+    void note_head() {
+      RunFiles* const files = RunFiles::current();
+      if (!first_ || descriptor_ != STDIN_FILENO || !files) return;
+      first_ = false;
+      files->note_stdin({eback(), std::min<std::size_t>(4096, egptr() - eback())});
+    }
+
+    int descriptor_;
+    std::string name_;
+    std::vector<char> buffer_;
+    bool first_ = true;
+  };
+
+  Buffer buffer;
   std::istream stream{&buffer};
 
   Source(int descriptor, const std::string& name) : buffer(descriptor, name) {

@@ -24,45 +24,6 @@
 namespace cli {
 namespace {
 
-// Writes to a file descriptor, and throws std::system_error with the reason when that fails.
-class DescriptorBuffer : public std::streambuf {
- public:
-  DescriptorBuffer(int descriptor, std::string name, bool is_stdout)
-      : descriptor_(descriptor), name_(std::move(name)), is_stdout_(is_stdout), buffer_(1 << 16) {
-    rewind();
-  }
-
- private:
-  void rewind() { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
-
-  int sync() override {
-    const char* const begin = pbase();
-    const char* const end = pptr();
-    rewind();
-    for (const char* at = begin; at < end;) {
-      const ssize_t written = ::write(descriptor_, at, static_cast<std::size_t>(end - at));
-      if (written < 0 && errno == EPIPE && is_stdout_) end_as_by_sigpipe();
-      if (written < 0 && errno != EINTR) cannot_write(name_);
-      at += std::max<ssize_t>(written, 0);
-    }
-    return 0;
-  }
-
-  int_type overflow(int_type c) override {
-    sync();
-    if (!traits_type::eq_int_type(c, traits_type::eof())) {
-      *pptr() = traits_type::to_char_type(c);
-      pbump(1);
-    }
-    return traits_type::not_eof(c);
-  }
-
-  int descriptor_;
-  std::string name_;
-  bool is_stdout_;
-  std::vector<char> buffer_;
-};
-
 std::string host() {
   char name[256] = "";
   gethostname(name, sizeof name - 1);
@@ -190,7 +151,46 @@ void require_writable(int descriptor, const std::string& name) {
 }  // namespace
 
 struct OutputFile::Sink {
-  DescriptorBuffer buffer;
+  // Writes to a file descriptor, and throws std::system_error with the reason when that fails.
+  class Buffer : public std::streambuf {
+   public:
+    Buffer(int descriptor, std::string name, bool is_stdout)
+        : descriptor_(descriptor), name_(std::move(name)), is_stdout_(is_stdout), buffer_(1 << 16) {
+      rewind();
+    }
+
+   private:
+    void rewind() { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
+
+    int sync() override {
+      const char* const begin = pbase();
+      const char* const end = pptr();
+      rewind();
+      for (const char* at = begin; at < end;) {
+        const ssize_t written = ::write(descriptor_, at, static_cast<std::size_t>(end - at));
+        if (written < 0 && errno == EPIPE && is_stdout_) end_as_by_sigpipe();
+        if (written < 0 && errno != EINTR) cannot_write(name_);
+        at += std::max<ssize_t>(written, 0);
+      }
+      return 0;
+    }
+
+    int_type overflow(int_type c) override {
+      sync();
+      if (!traits_type::eq_int_type(c, traits_type::eof())) {
+        *pptr() = traits_type::to_char_type(c);
+        pbump(1);
+      }
+      return traits_type::not_eof(c);
+    }
+
+    int descriptor_;
+    std::string name_;
+    bool is_stdout_;
+    std::vector<char> buffer_;
+  };
+
+  Buffer buffer;
   std::ostream stream{&buffer};
 
   Sink(int descriptor, std::string name, bool is_stdout)

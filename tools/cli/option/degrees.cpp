@@ -25,13 +25,19 @@ bool fractional(double v) { return v != std::floor(v); }
 bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> points) {
   if (!frame.origin || points.empty()) return false;
   const geom::GeodeticOrigin& at = *frame.origin;
-  const auto all = [&](const auto& read) {
-    return std::all_of(points.begin(), points.end(), read);
+  const auto all = [&](int latitude, int longitude) {
+    return std::all_of(points.begin(), points.end(), [&](const geom::Vec3& p) {
+      return near_place(p[latitude], p[longitude], at) && fractional(p.x()) && fractional(p.y());
+    });
   };
-  if (!all([](const geom::Vec3& p) { return fractional(p.x()) && fractional(p.y()); }))
-    return false;
-  return all([&](const geom::Vec3& p) { return near_place(p.x(), p.y(), at); }) ||
-         all([&](const geom::Vec3& p) { return near_place(p.y(), p.x(), at); });
+  return all(0, 1) || all(1, 0);
+}
+
+std::vector<geom::Vec3> ends_in_metres(const geom::PlanQuery& query) {
+  std::vector<geom::Vec3> ends;
+  if (!query.from_on_earth) ends.push_back(query.from);
+  if (!query.to_on_earth) ends.push_back(query.to);
+  return ends;
 }
 
 std::string MetresOption::what_stood_there(const geom::Frame& frame, const geom::Vec3& p) const {
@@ -68,6 +74,13 @@ void MetresOption::check_input(const geom::Frame& frame, const traj::Trajectory&
   if (!trajectory.segments.empty()) {
     check_input(frame, std::span(trajectory.segments[0].point), source, line);
   }
+}
+
+void MetresOption::check_input(const geom::Frame& frame, const traj::FlightLog& flight,
+                               const std::string& source, std::size_t line) const {
+  std::vector<geom::Vec3> points;
+  for (const traj::FlightSample& sample : flight.samples) points.push_back(sample.position);
+  check_input(frame, points, source, line);
 }
 
 void MetresOption::check_outline(const geom::Frame& frame, std::span<const geom::Vec3> corners,

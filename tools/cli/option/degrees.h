@@ -5,9 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geom/map/frame.h"
+#include "geom/record/query_record.h"
 #include "traj/curve/trajectory.h"
+#include "traj/record/flight_log.h"
 
 namespace cli {
 
@@ -15,6 +18,9 @@ namespace cli {
 // order) of places within half a degree of the frame's origin, and none of these numbers is whole.
 // Of points that are metres, spread over a square kilometre, one in a million reads so.
 bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> points);
+
+// The ends of a query that were given in metres, not in degrees.
+std::vector<geom::Vec3> ends_in_metres(const geom::PlanQuery& query);
 
 class MetresOption {
  public:
@@ -30,6 +36,8 @@ class MetresOption {
                    const std::string& source, std::size_t line) const;
 
   void check_input(const geom::Frame& frame, const traj::Trajectory& trajectory,
+                   const std::string& source, std::size_t line) const;
+  void check_input(const geom::Frame& frame, const traj::FlightLog& flight,
                    const std::string& source, std::size_t line) const;
 
   // Of one volume, whose corners may also be degrees where nobody knows the frame's origin: those

@@ -10,15 +10,20 @@
 namespace cli {
 
 void require_used(const CLI::App& app, std::span<const FormatOption> table, std::string_view format,
-                  const std::string& file) {
+                  std::string_view because) {
   for (const FormatOption& row : table) {
+    if (!app.get_option_no_throw(row.option)) continue;
     const bool read =
         std::find(row.formats.begin(), row.formats.end(), format) != row.formats.end();
     const bool used = read || (row.with && app.get_option(row.with)->count() > 0);
     only_for(app, used, {row.option},
-             fmt::format("{} files{}{} ({} is read as {})", fmt::join(row.formats, ", "),
-                         row.with ? " or with " : "", row.with ? row.with : "", file, format));
+             fmt::format("{} files{}{} ({})", fmt::join(row.formats, ", "),
+                         row.with ? " or with " : "", row.with ? row.with : "", because));
   }
+}
+
+std::string read_as(std::string_view file, std::string_view format) {
+  return fmt::format("{} is read as {}", file, format);
 }
 
 }  // namespace cli

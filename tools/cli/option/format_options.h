@@ -18,9 +18,13 @@ struct FormatOption {
   const char* with = nullptr;             // an option beside which every format uses it
 };
 
-// Throws UsageError where the command line has an option of the table that a file of this format
-// does not use. `file` is its name for the message.
+// Throws UsageError where the command line has an option of the table that this format does not
+// use. `because` tells the format: "city.osm is read as osm". An option of the table that the tool
+// does not have is passed over, so that tools may share a table.
 void require_used(const CLI::App& app, std::span<const FormatOption> table, std::string_view format,
-                  const std::string& file);
+                  std::string_view because);
+
+// "city.osm is read as osm".
+std::string read_as(std::string_view file, std::string_view format);
 
 }  // namespace cli

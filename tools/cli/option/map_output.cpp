@@ -30,7 +30,8 @@ void MapOptions::add_to(CLI::App& app, const std::string& seal_default) {
   app.add_option("--inflate", map.inflate, "grow each box by this on every side, metres")
       ->check(CLI::Range(0.0, 1e4));
   add_box(app, "--bounds", map.bounds,
-          "the bounds along the map's axes, in place of --floor, --ceiling and --pad");
+          "the bounds along the map's axes, in place of --floor, --ceiling and --pad")
+      ->excludes("--floor", "--ceiling", "--pad");
   app.add_option("--tile", map.tile_size, "tile size, metres (default 100)")
       ->check(CLI::Range(1.0, 1e6));
 }

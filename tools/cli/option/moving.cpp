@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <set>
 
 #include "cli/file/files.h"
@@ -40,9 +41,11 @@ void Moving::read() {
   });
 }
 
-void Moving::require_of(NamedMap& map) const {
+void Moving::require_of(NamedMap& map, const MetresOption& metres) const {
   for (std::size_t i = 0; i < count(); ++i) {
+    const geom::Aabb& box = obstacles_[i].box.box;
     map.require(provenance_of(obstacles_[i]), name_, lines_[i]);
+    metres.check_input(map.map().spec().frame, std::array{box.min, box.max}, name_, lines_[i]);
   }
 }
 

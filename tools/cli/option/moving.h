@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "degrees.h"
 #include "geom/base/execution.h"
 #include "named_map.h"
 #include "traj/record/moving_record.h"
@@ -27,8 +28,9 @@ class Moving {
   // again, and epochs that differ.
   void read();
   // Once they are read, each throws geom::InputError for one of another frame, map or epoch than
-  // the map has, or flights have `said`. Where these say none, obstacles still must agree.
-  void require_of(NamedMap& map) const;
+  // the map has, or flights have `said`. Where these say none, obstacles still must agree. `metres`
+  // refuses those whose coordinates look like degrees on the map.
+  void require_of(NamedMap& map, const MetresOption& metres) const;
   void require_of(geom::Provenance said) const;
   void require_epoch(const std::optional<std::string>& flights) const;
 

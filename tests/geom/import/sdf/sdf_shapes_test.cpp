@@ -48,29 +48,24 @@ TEST(SdfShapes, RoundBodiesAreCovered) {
   }
 }
 
+constexpr const char* kOutline =
+    "<polyline><point>0 0</point><point>9 0</point><point>9 9</point><point>0 9</point>"
+    "<height>2</height></polyline>";
+constexpr const char* kHole =
+    "<polyline><point>3 3</point><point>6 3</point><point>6 6</point><point>3 6</point>"
+    "<height>2</height></polyline>";
+
 TEST(SdfShapes, PolylinesStandOnTheirPlaceAndHaveHoles) {
-  const std::string outline =
-      "<polyline><point>0 0</point><point>9 0</point><point>9 9</point><point>0 9</point>"
-      "<height>2</height></polyline>";
-  const std::string hole =
-      "<polyline><point>3 3</point><point>6 3</point><point>6 6</point><point>3 6</point>"
-      "<height>2</height></polyline>";
-  EXPECT_NEAR(around(made(outline, "0 0 5 0 0 0")).min.z(), 5, 1e-8);
-  EXPECT_NEAR(around(made(outline, "0 0 5 0 0 0")).max.z(), 7, 1e-8);
-  EXPECT_NEAR(around(made(outline, "0 0 5 180 0 0")).min.z(), 3, 1e-8);
-  const Made open = made(outline + hole);
+  EXPECT_NEAR(around(made(kOutline, "0 0 5 0 0 0")).min.z(), 5, 1e-8);
+  EXPECT_NEAR(around(made(kOutline, "0 0 5 0 0 0")).max.z(), 7, 1e-8);
+  EXPECT_NEAR(around(made(kOutline, "0 0 5 180 0 0")).min.z(), 3, 1e-8);
+  const Made open = made(std::string(kOutline) + kHole);
   for (const Aabb& b : open.out.boxes) EXPECT_FALSE(contains(b, {4.5, 4.5, 1}));
 }
 
 // On its side: what was up is along -y, and the hole goes through.
 TEST(SdfShapes, PolylinesMayBeTilted) {
-  const std::string outline =
-      "<polyline><point>0 0</point><point>9 0</point><point>9 9</point><point>0 9</point>"
-      "<height>2</height></polyline>";
-  const std::string hole =
-      "<polyline><point>3 3</point><point>6 3</point><point>6 6</point><point>3 6</point>"
-      "<height>2</height></polyline>";
-  const Made side = made(outline + hole, "0 0 5 90 0 0");
+  const Made side = made(std::string(kOutline) + kHole, "0 0 5 90 0 0");
   EXPECT_TRUE(side.skipped.empty());
   const auto held = [&](const Vec3& p) {
     return std::any_of(side.out.boxes.begin(), side.out.boxes.end(),
