@@ -36,9 +36,11 @@ enum MavCommand {
   kLoiterToHeight = 31,
   kSplineWaypoint = 82,
   kDelay = 93,
+  kPayloadPlace = 94,
   kJump = 177,
   kSpeed = 178,
-  kLandingStart = 189
+  kLandingStart = 189,
+  kAuxFunction = 218
 };
 
 // An item as it stands in a file. NaN: the file says null.

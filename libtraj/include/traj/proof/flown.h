@@ -33,14 +33,15 @@ struct Flown {
   // m along each axis that the vehicle may be off all this, by what it does not know of its place,
   // and, where there is no drift, by its tracking.
   Vec3 navigation = Vec3::Zero();
-  std::vector<Vec3> rally;         // places in the air from which it may land instead
-  std::vector<Fence> fences;       // that the path and the sweeps keep to
-  std::optional<Vec3> home;        // that was assumed
-  std::size_t idle_items = 0;      // that move nothing
-  std::size_t endless_jumps = 0;   // jumps for ever, taken twice
-  std::size_t corners = 0;         // points of a mission that it passes without a rest
-  double acceptance = 0;           // m around these, the most that was swept
-  bool returns = false;            // it goes on to a return to home, by a way that is not said
+  std::vector<Vec3> rally;        // places in the air from which it may land instead
+  std::vector<Vec3> touches;      // places in the air from which it sinks to the ground on its way
+  std::vector<Fence> fences;      // that the path and the sweeps keep to
+  std::optional<Vec3> home;       // that was assumed
+  std::size_t idle_items = 0;     // that move nothing
+  std::size_t endless_jumps = 0;  // jumps for ever, taken twice
+  std::size_t corners = 0;        // points of a mission that it passes without a rest
+  double acceptance = 0;          // m around these, the most that was swept
+  bool returns = false;           // it goes on to a return to home, by a way that is not said
   std::optional<FlightEnvelope> envelope;
   double airborne = 0;  // s, for the envelope
 };
@@ -62,14 +63,15 @@ CheckOptions file_tolerance(const Limits& limits);
 // found out. A path: check_path of its legs, with the ascent before and the descent after, from 1
 // mm above where the vehicle stands, of its sweeps (check_sweeps), its drift (check_drift), and
 // its fences; below each
-// rally place must be the ground of home, or the way back is not known ("return"); then "speed",
+// rally place must be the ground of home, or the way back is not known ("return"), and below each
+// place that it sinks from ("landing"); then "speed",
 // "horizontal_speed" and "vertical_speed" of its legs where the speed is known, "ceiling", "range",
 // "endurance", and "return" where it ends by a way that is not said. How a vehicle speeds up and
 // slows down along legs is its own affair, and not measured. Times of a path count legs from 0, the
 // ascent being one.
 //
-// Then the same for a vehicle that is larger by `navigation`, without the margin, which is there for
-// such (a mission's drift has it already): `strayed` says what was refused there.
+// Then the same for a vehicle that is larger by `navigation`, without the margin, which is there
+// for such (a mission's drift has it already): `strayed` says what was refused there.
 CheckResult check_flown(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,
                         Clearance clearance = Clearance::measured);
 
