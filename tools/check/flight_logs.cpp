@@ -43,6 +43,18 @@ void FlightLogs::read_plan(const geom::BoxMap& map, const cli::MetresOption& met
   if (plans_.empty()) throw geom::InputError(plan_, "expected a solved trajectory, found none");
 }
 
+// A tube of a shorter flight says nothing of the rest.
+void FlightLogs::require_whole(const traj::TubeRecord& tube, const Plan& plan,
+                               const geom::JsonFields& fields) {
+  constexpr double kHair = 1e-6;  // of a period, for rounding
+  const double periods = traj::duration(plan.record.trajectory) / tube.period;
+  if (static_cast<double>(tube.radius.size()) >= periods - kHair) return;
+  fields.refuse(fmt::format(
+      "expected a tube for the {:.6g} s of its plan, found one for {:.6g} s: fly this plan again "
+      "(skyway-fly --runs)",
+      periods * tube.period, static_cast<double>(tube.radius.size()) * tube.period));
+}
+
 void FlightLogs::read_tubes() {
   cli::InputFile file(tube_);
   bool found = false;
@@ -53,6 +65,7 @@ void FlightLogs::read_tubes() {
     const std::string id = fields.text("id");
     for (Plan& plan : plans_) {
       if (!tube || plan.record.id != id) continue;
+      require_whole(*tube, plan, fields);
       plan.tube = tube;
       found = true;
     }

@@ -33,6 +33,8 @@ class FlightLogs {
   };
 
   void read_plan(const geom::BoxMap& map, const cli::MetresOption& metres);
+  static void require_whole(const traj::TubeRecord& tube, const Plan& plan,
+                            const geom::JsonFields& fields);
   void read_tubes();
   const Plan* plan_of(const std::string& id) const;
   traj::SampledReport report_of(const traj::FlightLog& log, cli::Scenes& scenes,

@@ -113,6 +113,15 @@ Whole attoseconds_down(double seconds) {
   return whole * kSecond + ((parts - (whole << 60)) * kSecond >> 60);
 }
 
+// Attoseconds since 1970, rounded down and up, of what is some seconds after an epoch.
+Whole sum_down(std::string_view epoch, double seconds) {
+  return attoseconds_of(epoch).count + attoseconds_down(seconds);
+}
+Whole sum_up(std::string_view epoch, double seconds) {
+  const Attoseconds from = attoseconds_of(epoch);
+  return from.count + (from.more ? 1 : 0) - attoseconds_down(-seconds);
+}
+
 std::optional<std::string> text_of(Whole milliseconds) {
   using namespace std::chrono;
   const auto floor_of = [](Whole a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); };
@@ -160,14 +169,22 @@ SecondsBetween seconds_between(std::string_view epoch, std::string_view instant)
 }
 
 std::optional<std::string> instant_not_after(std::string_view epoch, double seconds) {
-  const Whole at = attoseconds_of(epoch).count + attoseconds_down(seconds);
+  const Whole at = sum_down(epoch, seconds);
   return text_of(at / kMillisecond - (at % kMillisecond < 0 ? 1 : 0));
 }
 
 std::optional<std::string> instant_not_before(std::string_view epoch, double seconds) {
-  const Attoseconds from = attoseconds_of(epoch);
-  const Whole at = from.count + (from.more ? 1 : 0) - attoseconds_down(-seconds);
+  const Whole at = sum_up(epoch, seconds);
   return text_of(at / kMillisecond + (at % kMillisecond > 0 ? 1 : 0));
+}
+
+bool is_not_after(std::string_view instant, std::string_view epoch, double seconds) {
+  const Attoseconds at = attoseconds_of(instant);
+  return at.count + (at.more ? 1 : 0) <= sum_down(epoch, seconds);
+}
+
+bool is_not_before(std::string_view instant, std::string_view epoch, double seconds) {
+  return attoseconds_of(instant).count >= sum_up(epoch, seconds);
 }
 
 }  // namespace geom

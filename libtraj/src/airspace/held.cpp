@@ -112,7 +112,7 @@ std::optional<std::string> why_no_cover(const FlightOnEarth& flight, Ticks end,
     }
   }
   if (volumes.empty()) return "there is no volume";
-  if (geom::seconds_between(flight.epoch, *volumes.front().start).most > flight.flight.start) {
+  if (!geom::is_not_after(*volumes.front().start, flight.epoch, flight.flight.start)) {
     return fmt::format("the first volume begins after the departure, at {}",
                        *volumes.front().start);
   }
@@ -121,8 +121,7 @@ std::optional<std::string> why_no_cover(const FlightOnEarth& flight, Ticks end,
       return fmt::format("no volume holds from {} to {}", *volumes[i - 1].end, *volumes[i].start);
     }
   }
-  const double last = geom::seconds_between(flight.epoch, *volumes.back().end).least;
-  if (ticks_of(whole_time_below(std::clamp(last, -kLatest, kLatest))) < end) {
+  if (!geom::is_not_before(*volumes.back().end, flight.epoch, seconds_not_below(end))) {
     return fmt::format("the last volume ends before the arrival, at {}", *volumes.back().end);
   }
   return std::nullopt;

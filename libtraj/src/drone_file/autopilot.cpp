@@ -29,8 +29,8 @@ bool knows(std::string_view version, const std::string_view (&versions)[N]) {
 }  // namespace
 
 // FlightTaskAuto::_getCurrentState compares the distance from the leg with the item's radius since
-// 1.12 (1.11: with the cruise speed); Mission and MissionBlock::is_mission_item_reached_or_completed
-// have the rest.
+// 1.12 (1.11: with the cruise speed); Mission and
+// MissionBlock::is_mission_item_reached_or_completed have the rest.
 Autopilot px4(std::string_view version) {
   Autopilot out;
   out.firmware = Firmware::px4;
@@ -48,10 +48,8 @@ Autopilot px4(std::string_view version) {
   out.heeds_item_radius = true;
   out.least_radius = version == "1.11" ? 0 : kLeastLineRadius;
   out.tracking = {0.45, 0.45, 0.45};
-  out.rest_settling = 20;
-  out.rest_settling_time = 2.5;
-  out.settling = 80;
-  out.settling_time = 7;
+  out.from_stop = {20, 2.5};
+  out.from_corner = {80, 7};
   out.bulge = 0.013;
   out.run_on = 0.3;
   set_drag(out, kUsualDrag);
@@ -76,8 +74,7 @@ Autopilot ardupilot(std::string_view version) {
   out.turns_by_s_curve = true;
   out.tracking = {0.25, 0.25, 0.25};
   out.overshoot = 0.1;
-  out.rest_settling = out.settling = 15;
-  out.rest_settling_time = out.settling_time = 2.5;
+  out.from_stop = out.from_corner = {15, 2.5};
   out.fall = 10;
   set_drag(out, kUsualDrag);
   return out;

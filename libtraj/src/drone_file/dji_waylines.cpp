@@ -15,6 +15,11 @@ namespace {
 
 constexpr std::string_view kKml = "http://www.opengis.net/kml/2.2";
 constexpr std::string_view kWpmz = "http://www.dji.com/wpmz/";
+// Of http://www.dji.com/wpmz/. They differ in the elements that they have; one that is read means
+// the same in each, and others are refused.
+constexpr std::array<std::string_view, 6> kVersions = {"1.0.0", "1.0.2", "1.0.3",
+                                                       "1.0.4", "1.0.5", "1.0.6"};
+constexpr std::string_view kVersionWords = "1.0.0 or 1.0.2 to 1.0.6";
 constexpr double kFastest = 100;         // m/s
 constexpr double kFarthestHeight = 1e5;  // m
 
@@ -299,13 +304,13 @@ std::string wpml_version(const XmlElement& root, const std::string& source) {
   const std::string version = wpml.starts_with(kWpmz) ? wpml.substr(kWpmz.size()) : "";
   if (version.empty()) {
     refuse(source, root.line,
-           fmt::format("expected the namespace {}1.0.2 or 1.0.6, found \"{}\"", kWpmz,
+           fmt::format("expected the namespace {}{}, found \"{}\"", kWpmz, kVersionWords,
                        geom::excerpt(wpml)));
   }
-  if (version != "1.0.2" && version != "1.0.6") {
-    refuse(
-        source, root.line,
-        fmt::format("expected WPML of version 1.0.2 or 1.0.6, found {}", geom::excerpt(version)));
+  if (std::find(kVersions.begin(), kVersions.end(), version) == kVersions.end()) {
+    refuse(source, root.line,
+           fmt::format("expected WPML of version {}, found {}", kVersionWords,
+                       geom::excerpt(version)));
   }
   require_no_namespaces(root, source);
   return version;

@@ -14,7 +14,7 @@ const char* name_of(DjiTurn turn);
 
 // The version that the root's namespaces say ("1.0.6" of http://www.dji.com/wpmz/1.0.6). Throws
 // geom::InputError(source, line, …) for another root, for namespaces that are not those of WPML
-// 1.0.2 or 1.0.6 and KML 2.2, and for namespaces declared anywhere else.
+// 1.0.0 or 1.0.2 to 1.0.6 and KML 2.2, and for namespaces declared anywhere else.
 std::string wpml_version(const XmlElement& root, const std::string& source);
 
 // The take-off that a <wpml:missionConfig> was planned with, where it says one.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "flown_regions.h"
+#include "mission_autopilots.h"
 
 namespace traj {
 namespace {
@@ -30,6 +31,7 @@ Turn turn_at(const MissionItem& item, double hold, const MissionRules& rules) {
   const double said = item.command == kWaypoint && item.param[1] > 0 ? item.param[1] : 0;
   const double usual = rules.acceptance.value_or(said > 0 ? kLeastAcceptance : kAcceptance);
   const double held = said > 0 ? said : rules.acceptance.value_or(kAcceptance);
+  if (hold >= 1 && flown_by(Firmware::ardupilot, rules)) return {.said = said};
   if (hold >= 1 && hold >= 2 * std::sqrt(2 * held / rules.braking)) return {.said = said};
   return {Turn::pass, std::max(usual, said), said > 0 ? std::min(usual, said) : usual, said};
 }

@@ -21,7 +21,8 @@ struct Turn {
 };
 
 // At an item with a place where it waits `hold` seconds: a rest where that lasts until it has
-// surely come to the place, since PX4 counts it from where it comes within the radius.
+// surely come to the place, since PX4 counts it from where it comes within the radius; ArduPilot
+// rests for each whole second.
 Turn turn_at(const MissionItem& item, double hold, const MissionRules& rules);
 
 struct Corners {

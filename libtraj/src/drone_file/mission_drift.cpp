@@ -26,7 +26,9 @@ class DriftMaker {
   std::vector<Sweep> make() {
     for (const Sweep& sweep : task_.sweeps) {
       const bool bends = sweep.part.manoeuvre == Manoeuvre::spline;
-      add(bends ? around(sweep.hull, furthest_overshoot()) : sweep.hull, sweep.part);
+      out_.push_back({bends ? around(sweep.hull, furthest_overshoot()) : sweep.hull, sweep.part,
+                      sweep.stands_on});
+      if (sweep.stands_on) set_down(sweep);
     }
     if (task_.ends.takeoff_from) take_off();
     for (std::size_t i = 0; i < task_.path.size(); ++i) {
@@ -91,16 +93,9 @@ class DriftMaker {
     return pilot_.overshoot_time * fastest + pilot_.overshoot;
   }
 
-  // A point of the next leg where a corner has decayed.
-  Vec3 settled(std::size_t i, double speed) const {
-    const double most = pilot_.settling + pilot_.settling_time * speed;
-    return before_corner(at(i + 1), at(i), most);
-  }
-
-  // The same of a stop that was overshot.
-  Vec3 settled_from_rest(std::size_t i, double speed) const {
-    const double most = pilot_.rest_settling + pilot_.rest_settling_time * speed;
-    return before_corner(at(i + 1), at(i), most);
+  // A point of the next leg where a corner, or a stop that was overshot, has decayed.
+  Vec3 settled(std::size_t i, double speed, const Settling& settling) const {
+    return before_corner(at(i + 1), at(i), settling.distance + settling.time * speed);
   }
 
   double radius(std::size_t i) const {
@@ -158,7 +153,7 @@ class DriftMaker {
         hull.push_back(p - by);
       }
     }
-    if (i + 1 < task_.path.size()) hull.push_back(settled(i, speed(i + 1)));
+    if (i + 1 < task_.path.size()) hull.push_back(settled(i, speed(i + 1), pilot_.from_corner));
     add(std::move(hull), task_.legs[i]);
   }
 
@@ -182,10 +177,11 @@ class DriftMaker {
         std::min(pilot_.height_acceptance, std::max(0.0, (top.z() - ground.z()) / 2));
     const Vec3 up(0, 0, 1.25 * pilot_.height_acceptance);
     const Vec3 down(0, 0, low);
-    Hull hull{top - down, Vec3(top.x(), top.y(), high) + up, settled(0, speed(1))};
+    Hull hull{top - down, Vec3(top.x(), top.y(), high) + up,
+              settled(0, speed(1), pilot_.from_corner)};
     // Away from home: some go on from above home.
     if (task_.path.size() > 2 && task_.legs[1].manoeuvre == Manoeuvre::takeoff) {
-      hull.insert(hull.end(), {at(1) - down, at(1) + up, settled(1, speed(2))});
+      hull.insert(hull.end(), {at(1) - down, at(1) + up, settled(1, speed(2), pilot_.from_corner)});
     }
     add(std::move(hull), task_.legs[0]);
   }
@@ -195,7 +191,7 @@ class DriftMaker {
     const Vec3 beyond = overshoot(i);
     if (beyond.isZero(0)) return;
     const double fast = speed(i);
-    add({at(i), at(i) + beyond, settled_from_rest(i, fast)},
+    add({at(i), at(i) + beyond, settled(i, fast, pilot_.from_stop)},
         {task_.legs[i].item, Manoeuvre::overshoot});
   }
 
@@ -206,14 +202,14 @@ class DriftMaker {
     cut_short_leg(i, part);
     if (pilot_.turns_by_s_curve) return pass_by_s_curve(i, fast, part);
     const double begin = std::hypot(radius(i), pilot_.height_acceptance);
-    Hull hull{before_corner(at(i - 1), p, begin), p, settled(i, fast)};
+    Hull hull{before_corner(at(i - 1), p, begin), p, settled(i, fast, pilot_.from_corner)};
     for (const Vec3& from : task_.turns[i].from) hull.push_back(before_corner(from, p, begin));
     add(std::move(hull), part);
     swing(i, fast, part);
     bulge(i, part);
     if (task_.hold[i] > 0) {
       add({before_corner(at(i - 1), p, begin), p + direction(i) * (pilot_.run_on * speed(i)),
-           settled(i, fast)},
+           settled(i, fast, pilot_.from_corner)},
           part);
     }
   }
@@ -224,7 +220,8 @@ class DriftMaker {
     constexpr double kShort = 12;  // m
     if (i + 2 >= task_.path.size() || length(i + 1) > kShort || stops(i + 1)) return;
     const double begin = std::hypot(radius(i), pilot_.height_acceptance);
-    add({before_corner(at(i - 1), at(i), begin), at(i), at(i + 1), settled(i + 1, speed(i + 2))},
+    add({before_corner(at(i - 1), at(i), begin), at(i), at(i + 1),
+         settled(i + 1, speed(i + 2), pilot_.from_corner)},
         part);
   }
 
@@ -241,7 +238,7 @@ class DriftMaker {
     const Vec3 aside = Vec3(-out.y(), out.x(), 0) * (gentle * pilot_.bulge * fast * fast);
     const Vec3 begin = p + out * std::min(kBegin, long_leg);
     const Vec3 end = p + out * std::min(kEnd, long_leg);
-    Hull hull{p, settled(i, fast)};
+    Hull hull{p, settled(i, fast, pilot_.from_corner)};
     for (const Vec3& at : {begin, end}) {
       for (const Vec3& by : {aside, Vec3(0, 0, aside.norm() / 2)}) {
         hull.push_back(at + by);
@@ -260,7 +257,7 @@ class DriftMaker {
     const Vec3 out = direction(i + 1);
     const double blend = s_curve_length(pilot_, fast);
     const Vec3 begin = before_corner(at(i - 1), p, blend);
-    const Vec3 end = before_corner(at(i + 1), p, std::max(blend, pilot_.settling));
+    const Vec3 end = before_corner(at(i + 1), p, std::max(blend, pilot_.from_corner.distance));
     const Vec3 inward = out - in;
     const double turn = inward.norm();
     const Vec3 nearest = turn > 0 ? Vec3(p + inward * (pilot_.acceptance / turn)) : p;
@@ -277,13 +274,30 @@ class DriftMaker {
     const double far = pilot_.overshoot_time * fast + pilot_.overshoot;
     const Vec3 across = in - out * in.dot(out);
     const double turned = across.norm();
-    Hull hull{p, p + in * far, settled_from_rest(i, fast)};
+    Hull hull{p, p + in * far, settled(i, fast, pilot_.from_stop)};
     if (turned > 0) {
       const Vec3 outward = across * (std::min(1.0, turned * 2) * far / turned);
       hull.push_back(p + outward);
       hull.push_back(hull[2] + outward);
     }
     add(std::move(hull), part);
+  }
+
+  // A payload's place: it sinks at once, off by what its stop was overshot.
+  void set_down(const Sweep& column) {
+    for (std::size_t i = 1; i < task_.path.size(); ++i) {
+      if (task_.legs[i] != column.part) continue;
+      const double ground = *column.stands_on;
+      Hull cone = sinking(at(i), at(i), 0, ground);
+      add_overshoot(i, ground, cone);
+      add_to_ground(std::move(cone), column.part, ground);
+    }
+  }
+
+  void add_overshoot(std::size_t i, double ground, Hull& cone) const {
+    const Vec3 beyond = at(i) + overshoot(i);
+    cone.push_back(beyond);
+    cone.push_back({beyond.x(), beyond.y(), std::max(ground, at(i).z() - pilot_.fall / 3)});
   }
 
   // Sinking begins when the place is within the radius, and goes on while it still comes nearer.
@@ -296,9 +310,7 @@ class DriftMaker {
     const bool moves = task_.legs[last].manoeuvre == Manoeuvre::landing || returns(last);
     const bool rests = !moves && task_.turns[last].kind == Turn::rest;
     Hull cone = sinking(above, rests ? above : at(last - 1), radius(last), ground);
-    const Vec3 beyond = above + overshoot(last);
-    cone.push_back(beyond);
-    cone.push_back({beyond.x(), beyond.y(), std::max(ground, above.z() - pilot_.fall / 3)});
+    add_overshoot(last, ground, cone);
     add_to_ground(std::move(cone), task_.landing, ground);
     if (!returns(last) || last < 2 || at(last - 2).z() >= above.z()) return;
     // Within the cone of returns it comes back as low as it was.
@@ -344,8 +356,8 @@ class DriftMaker {
       const Vec3 way = level(above - top);
       const double length = way.norm();
       if (length > 0) {
-        cone.push_back(above + way * ((pilot_.overshoot_time * speed_home + pilot_.overshoot) /
-                                      length));
+        cone.push_back(above +
+                       way * ((pilot_.overshoot_time * speed_home + pilot_.overshoot) / length));
       }
       add_to_ground(std::move(cone), part, ground);
       add_to_ground({above, {above.x(), above.y(), ground}}, part, ground);

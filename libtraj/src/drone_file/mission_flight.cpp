@@ -1,6 +1,7 @@
 #include "traj/drone_file/mission_flight.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "flown_regions.h"
 #include "geom/base/error.h"
+#include "mission_autopilots.h"
 #include "mission_jumps.h"
 #include "mission_places.h"
 #include "mission_track.h"
@@ -16,6 +18,15 @@ namespace traj {
 namespace {
 
 constexpr double kSamePlace = 0.5;  // m: home and a take-off that mean the same
+
+// RC_Channel::AUX_FUNC of ArduPilot: cameras, grippers, relays, a sound.
+constexpr int kIdleFunctions[] = {9, 19, 28, 30, 34, 35, 36, 66, 67, 102, 166, 167, 168, 169};
+
+bool moves_nothing(const MissionItem& item) {
+  if (item.command != kAuxFunction) return traj::moves_nothing(item.command);
+  const auto& all = kIdleFunctions;
+  return std::find(std::begin(all), std::end(all), item.param[0]) != std::end(all);
+}
 
 // The path and regions of a flight, while it is being flown.
 class Flight {
@@ -30,6 +41,7 @@ class Flight {
 
   FlownMission fly() {
     order_ = flown_order(mission_, source_, flown_.endless_jumps);
+    if (const MissionItem* item = not_for_px4(mission_)) flown_.not_for_px4 = item->command;
     for (next_ = 0; next_ < order_.size();) {
       item_ = &mission_.items[order_[next_++]];
       take(*item_);
@@ -53,24 +65,32 @@ class Flight {
   // A take-off or landing at 0, 0 or null is where the vehicle is.
   Vec3 place(const MissionItem& item) const {
     const bool may_be_here = item.command == kTakeoff || item.command == kLand;
-    if (!may_be_here || !MissionPlaces::is_here(item)) return places_.place(item);
+    if (!MissionPlaces::is_here(item)) return places_.place(item, here());
+    if (!may_be_here) {
+      require_known_start("an item without a place");
+      return places_.place(item, here());
+    }
     const double z = places_.height(item);
     if (!path().empty()) return {path().back().x(), path().back().y(), z};
     if (!mission_.home) refuse("expected a place of the take-off or of home, found neither");
     return on_map(*mission_.home, z);
   }
 
+  std::optional<Vec3> here() const {
+    return path().empty() ? std::nullopt : std::optional(path().back());
+  }
+
   Vec3 on_map(const geom::GeodeticPlace& at, double z) const {
     return places_.on_map(*item_, at, z);
   }
 
-  // The place of the next item that has one, if there is any.
-  std::optional<Vec3> place_after() const {
+  // The place of the next item that has one, if there is any, after an item at `from`.
+  std::optional<Vec3> place_after(const Vec3& from) const {
     for (std::size_t i = next_; i < order_.size(); ++i) {
       const MissionItem& item = mission_.items[order_[i]];
-      if (moves_nothing(item.command) || item.command == kSpeed) continue;
+      if (moves_nothing(item) || item.command == kSpeed) continue;
       if (!MissionPlaces::is_there(item)) return std::nullopt;
-      Vec3 p = place(item);
+      Vec3 p = places_.place(item, from);
       if (item.command == kLand) p.z() = path().back().z();
       return p;
     }
@@ -115,7 +135,7 @@ class Flight {
   // --- items --------------------------------------------------------------------------------
 
   void take(const MissionItem& item) {
-    if (moves_nothing(item.command)) {
+    if (moves_nothing(item)) {
       ++flown_.idle_items;
       return;
     }
@@ -123,7 +143,8 @@ class Flight {
     if (flown_.ended) {
       refuse(
           fmt::format("expected nothing after the end of the flight (a landing, a return, "
-                      "loitering without end), found command {}",
+                      "loitering without end), found command {}: whether a vehicle goes on is a "
+                      "setting of it; check each flight as a file of its own",
                       item.command));
     }
     switch (item.command) {
@@ -148,11 +169,18 @@ class Flight {
         return take_speed(item);
       case kDelay:
         return wait(item);
+      case kPayloadPlace:
+        return place_payload(item);
+      case kAuxFunction:
+        refuse(
+            fmt::format("expected an auxiliary function that moves nothing ({}), found {}: others "
+                        "change the mode or stop motors",
+                        fmt::join(kIdleFunctions, ", "), item.param[0]));
       default:
         refuse(
             fmt::format("expected waypoints (16, 82), take-offs (22), landings (21), loitering "
-                        "(17, 18, 19, 31), a return (20), delays (93), jumps (177), speeds (178) "
-                        "or what is known to move nothing, found command {}",
+                        "(17, 18, 19, 31), a return (20), delays (93), payload places (94), jumps "
+                        "(177), speeds (178) or what is known to move nothing, found command {}",
                         item.command));
     }
   }
@@ -190,7 +218,7 @@ class Flight {
         const Vec3& before = path()[path().size() - 2];
         leaving = {a - before, b - before};
       }
-      if (const auto after = place_after()) arriving = {*after - a, *after - b};
+      if (const auto after = place_after(b)) arriving = {*after - a, *after - b};
       sweep(spline_hull(a, b, leaving, arriving), Manoeuvre::spline);
     }
     go_and_wait(b, hold, Manoeuvre::spline, item);
@@ -279,11 +307,28 @@ class Flight {
     if (radius > 0) track_.leave_from(Circle{p, radius}.disc());
   }
 
+  // Down until it touches, at home's height, and up again.
+  void place_payload(const MissionItem& item) {
+    if (path().empty()) refuse("expected a waypoint or a take-off before the payload's place");
+    require_known_start("a payload's place");
+    Vec3 above = path().back();
+    if (!MissionPlaces::is_here(item)) {
+      above = on_map({item.latitude, item.longitude, 0}, above.z());
+    }
+    const double ground = places_.above_home(item, 0);
+    go(above, 1, Manoeuvre::landing);
+    track_.sweep({above, {above.x(), above.y(), ground}}, {item.number, Manoeuvre::landing},
+                 ground);
+    flown_.touches.push_back(above);
+  }
+
   // On the ground at the height it says, from the height it comes with.
   void land(const MissionItem& item) {
     const Vec3 ground = place(item);
     if (path().empty()) refuse("expected a waypoint or a take-off before the landing");
-    if (MissionPlaces::is_here(item) && !track_.rests()) {
+    // ArduPilot stops before it lands.
+    const bool stops = flown_by(Firmware::ardupilot, rules_) && track_.starts_at_point();
+    if (MissionPlaces::is_here(item) && !stops && !track_.rests()) {
       refuse(
           "expected the place of the landing, or a waypoint with a hold before it, found neither: "
           "it lands where it is when it takes the waypoint for reached");
@@ -427,7 +472,9 @@ class Flight {
 
 FlownMission flown_mission(const Mission& mission, const MissionFrame& frame,
                            const MissionRules& rules, std::string_view source) {
-  return Flight(mission, frame, rules, source).fly();
+  MissionRules loading = rules;
+  loading.autopilots = autopilots_that_load(mission, rules, source);
+  return Flight(mission, frame, loading, source).fly();
 }
 
 }  // namespace traj

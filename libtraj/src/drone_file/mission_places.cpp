@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "mission_autopilots.h"
 #include "mission_jumps.h"
 
 namespace traj {
@@ -65,8 +66,16 @@ double MissionPlaces::height(const MissionItem& item) const {
 }
 
 bool MissionPlaces::is_here(const MissionItem& item) {
+  constexpr double kUnit = 1e-7;  // degrees
   return std::isnan(item.latitude) || std::isnan(item.longitude) ||
-         (item.latitude == 0 && item.longitude == 0);
+         (std::abs(item.latitude) < kUnit && std::abs(item.longitude) < kUnit);
+}
+
+// A landing goes to the ground whatever it says, and a climb (31) to the height above home.
+bool MissionPlaces::keeps_height(const MissionItem& item) {
+  constexpr double kUnit = 0.01;  // m
+  return item.command != kLand && item.command != kLoiterToHeight &&
+         std::abs(item.altitude) < kUnit;
 }
 
 bool MissionPlaces::is_there(const MissionItem& item) {
@@ -76,19 +85,37 @@ bool MissionPlaces::is_there(const MissionItem& item) {
          (item.command == kLand && !is_here(item));
 }
 
-Vec3 MissionPlaces::place(const MissionItem& item) const {
+Vec3 MissionPlaces::place(const MissionItem& item, const std::optional<Vec3>& here) const {
   if (!(std::abs(item.latitude) <= 90) || !(std::abs(item.longitude) <= 180)) {
     refuse_item(source_, item,
                 fmt::format("latitude and longitude must be within 90 and 180 degrees, found {} {}",
                             item.latitude, item.longitude));
   }
-  if (item.command != kLand && item.altitude == 0) {
-    refuse_item(
-        source_, item,
-        "expected an altitude, found 0: some autopilots then keep their height, others fly at "
-        "that of home");
+  if (!is_here(item) || flown_by(Firmware::px4, rules_)) {
+    return on_map(item, {item.latitude, item.longitude, 0}, height_or(item, here));
   }
-  return on_map(item, {item.latitude, item.longitude, 0}, height(item));
+  if (!flown_by(Firmware::ardupilot, rules_)) {
+    refuse_item(source_, item,
+                "expected a place, found latitude 0, longitude 0: ArduPilot then stays where it "
+                "is, and PX4 flies there: say which of them flies it (--autopilot)");
+  }
+  if (!here) {
+    refuse_item(source_, item,
+                "expected a place, found latitude 0, longitude 0, and no place before it");
+  }
+  return {here->x(), here->y(), height_or(item, here)};
+}
+
+double MissionPlaces::height_or(const MissionItem& item, const std::optional<Vec3>& here) const {
+  if (!keeps_height(item)) return height(item);
+  if (item.command == kTakeoff) {
+    refuse_item(source_, item, "expected the height of the take-off, found 0");
+  }
+  if (flown_by(Firmware::px4, rules_)) return height(item);
+  if (here && flown_by(Firmware::ardupilot, rules_)) return here->z();
+  refuse_item(source_, item,
+              "expected an altitude, found 0: ArduPilot then keeps its height, and PX4 flies at "
+              "that of home: say which of them flies it (--autopilot)");
 }
 
 Vec3 MissionPlaces::on_map(const MissionItem& item, const geom::GeodeticPlace& at, double z) const {

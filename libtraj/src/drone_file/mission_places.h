@@ -21,13 +21,18 @@ class MissionPlaces {
   double above_home(const MissionItem& item, double height) const;
   double height(const MissionItem& item) const;  // its z
 
-  // Whether its place is 0, 0 or null: where the vehicle is.
+  // Whether its place is 0, 0 or null: where the vehicle is. An altitude of 0 likewise. Both as
+  // autopilots keep them: whole 1e-7 degrees and centimetres, cut.
   static bool is_here(const MissionItem& item);
   static bool is_there(const MissionItem& item);  // whether it is flown to a place that it says
-  Vec3 place(const MissionItem& item) const;      // that is said
+  static bool keeps_height(const MissionItem& item);
+  // The place that it says; `here` is the one before it, which ArduPilot takes what is 0 from.
+  Vec3 place(const MissionItem& item, const std::optional<Vec3>& here) const;
   Vec3 on_map(const MissionItem& item, const geom::GeodeticPlace& at, double z) const;
 
  private:
+  double height_or(const MissionItem& item, const std::optional<Vec3>& here) const;
+
   const Mission& mission_;
   const MissionFrame& frame_;
   const MissionRules& rules_;

@@ -21,8 +21,8 @@ void FlownTrack::go(const Vec3& p, double hold, const FlightPart& part, Turn tur
   speeds_.push_back(now_);
 }
 
-void FlownTrack::sweep(Hull hull, const FlightPart& part) {
-  sweeps_.push_back({std::move(hull), part});
+void FlownTrack::sweep(Hull hull, const FlightPart& part, std::optional<double> stands_on) {
+  sweeps_.push_back({std::move(hull), part, stands_on});
 }
 
 Hull FlownTrack::reached() const {
@@ -79,8 +79,8 @@ std::vector<Drift> FlownTrack::drift(std::span<const Autopilot> autopilots,
                                      const FlightPart& landing, const FlownMission& out) const {
   std::vector<Drift> all;
   for (const Autopilot& autopilot : autopilots) {
-    const DriftTask task{path_,   hold_, legs_,   turns_,
-                         speeds_, sweeps_, landing, out.ends, out.rally};
+    const DriftTask task{path_,   hold_,   legs_,    turns_,   speeds_,
+                         sweeps_, landing, out.ends, out.rally};
     all.push_back({autopilot.name, drift_sweeps(autopilot, task), autopilot.tracking});
   }
   return all;

@@ -2,6 +2,7 @@
 
 // A mission's path while it is being flown, and where the vehicle may be instead.
 
+#include <optional>
 #include <vector>
 
 #include "flown_regions.h"
@@ -18,7 +19,7 @@ class FlownTrack {
   // Appends a point, and sweeps the way there where it does not begin at the last point. Where it
   // passes, it may turn from wherever it comes within the radius.
   void go(const Vec3& p, double hold, const FlightPart& part, Turn turn);
-  void sweep(Hull hull, const FlightPart& part);
+  void sweep(Hull hull, const FlightPart& part, std::optional<double> stands_on = {});
   void stay(double seconds) { hold_.back() += seconds; }
 
   // Where it may be when the last point counts as reached, as points of a hull: within the radius,
@@ -40,7 +41,8 @@ class FlownTrack {
   double most_speed(double unsaid) const;
 
   std::size_t tight_radii(const Autopilot& autopilot) const;  // items whose leg is not followed
-  // Where each of the autopilots may be, from take-off to landing. `out` has the ends of the flight.
+  // Where each of the autopilots may be, from take-off to landing. `out` has the ends of the
+  // flight.
   std::vector<Drift> drift(std::span<const Autopilot> autopilots, const FlightPart& landing,
                            const FlownMission& out) const;
 
@@ -59,7 +61,7 @@ class FlownTrack {
   Hull leaving_;  // from where the next leg may begin, where that is not the last point
   std::optional<double> speed_;  // the largest that was said
   std::optional<double> now_;    // the last
-  bool unsaid_speed_ = false;  // a leg, the ascent aside, was flown before any speed was said
+  bool unsaid_speed_ = false;    // a leg, the ascent aside, was flown before any speed was said
 };
 
 }  // namespace traj

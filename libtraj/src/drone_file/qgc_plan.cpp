@@ -29,6 +29,8 @@ constexpr int kAboveTerrain = 4;  // the vehicle follows the terrain
 // MAV_TYPE of what flies straight legs and rests in the air: rotors of all kinds.
 constexpr int kRotorcraft[] = {kGeneric, kQuadrotor, 3, 4, 13, 14, 15, 29, 35};
 constexpr double kUnsaidSpeed = 5;  // m/s
+const std::initializer_list<std::string_view> kPlanKeys = {
+    "fileType", "geoFence", "groundStation", "mission", "rallyPoints", "version"};
 
 Json item_json(const MissionItem& item, std::size_t number) {
   Json json;
@@ -270,15 +272,24 @@ struct PlanReader {
     }
   }
 
+  // The members that may hold places, or the unknown ones that hold none (one word or number, such
+  // as a UUID).
+  static Json pick(const Json& plan, bool places) {
+    Json out = Json::object();
+    for (const auto& [key, value] : plan.items()) {
+      const bool known = std::find(kPlanKeys.begin(), kPlanKeys.end(), key) != kPlanKeys.end();
+      if ((known || value.is_structured()) == places) out[key] = value;
+    }
+    return out;
+  }
+
   Json plan(std::istream& in) const {
     const std::string text(std::istreambuf_iterator<char>(in), {});
     Json plan = geom::parse_ordered_json(text, source);
     if (!plan.is_object()) refuse("expected a JSON object, found " + shown(plan));
     require(plan, "fileType", "Plan", "plan");
     require(plan, "version", 1, "plan");
-    require_known(plan,
-                  {"fileType", "geoFence", "groundStation", "mission", "rallyPoints", "version"},
-                  "plan");
+    require_known(pick(plan, true), kPlanKeys, "plan");
     return plan;
   }
 
@@ -287,6 +298,11 @@ struct PlanReader {
     require(json, "version", 2, "mission");
     require_rotorcraft(json);
     Mission mission;
+    const Json passed_over = pick(plan, false);
+    for (const auto& [key, value] : passed_over.items()) {
+      mission.notes.push_back(fmt::format("its member \"{}\" is not known here, and is passed over",
+                                          key.substr(0, 40)));
+    }
     mission.home =
         place(member(json, "plannedHomePosition", "mission"), "mission.plannedHomePosition", 3);
     mission.fences = fences(plan);

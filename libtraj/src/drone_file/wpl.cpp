@@ -146,7 +146,7 @@ class WplReader {
     skips_ = skips_ || item.number != next_;
     next_ = item.number + 1;
     if (first && has_home_ && item.frame == kGlobal && item.command == kWaypoint) {
-      mission_.home = {item.latitude, item.longitude, item.altitude};
+      take_home(item);
     } else if (item.command == kRallyPoint) {
       beside_ = true;
       mission_.rally.push_back({item.latitude, item.longitude, item.altitude});
@@ -156,6 +156,17 @@ class WplReader {
       // A ground station uploads fences and rally points apart, and counts the items without them.
       skips_ = skips_ || beside_;
       mission_.items.push_back(item);
+    }
+  }
+
+  // A file that was saved without a vehicle has zeros there.
+  void take_home(const MissionItem& item) {
+    if (item.latitude != 0 || item.longitude != 0) {
+      mission_.home = {item.latitude, item.longitude, item.altitude};
+    } else {
+      mission_.notes.emplace_back(
+          "its home is latitude 0, longitude 0, which is taken for none: home is below the first "
+          "point");
     }
   }
 

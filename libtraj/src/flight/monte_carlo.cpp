@@ -11,18 +11,19 @@
 namespace traj {
 namespace {
 
-// The largest error of each period of the tube.
+// The largest error of each period of the tube, the last of which goes on until the flight ends.
 std::vector<double> largest_by_period(const Flight& flight, double duration) {
   const double samples = kTubePeriod / kSamplePeriod;
   const std::size_t bins = tube_periods(duration);
   std::vector<double> out(bins, 0);
+  if (bins == 0) return out;
   for (std::size_t k = 0; k < flight.error.size(); ++k) {
     // A sample on the border of two periods belongs to both.
     const double at = static_cast<double>(k) / samples;
     const auto bin = static_cast<std::size_t>(at);
-    if (bin < bins) out[bin] = std::max(out[bin], flight.error[k]);
-    if (bin > 0 && bin <= bins && at == std::floor(at)) {
-      out[bin - 1] = std::max(out[bin - 1], flight.error[k]);
+    for (const std::size_t i : {at == std::floor(at) && bin > 0 ? bin - 1 : bin, bin}) {
+      double& largest = out[std::min(i, bins - 1)];
+      largest = std::max(largest, flight.error[k]);
     }
   }
   return out;
@@ -61,6 +62,11 @@ std::vector<RunOutcome> fly_runs(const ReferenceTrack& track, const FlightOption
     out[i].largest = largest_by_period(flight, track.duration());
   });
   return out;
+}
+
+double tube_share(std::size_t runs) {
+  const auto all = static_cast<double>(runs);
+  return std::min(kTubeShare, std::ceil(kTubeShare * all) / (all + 1));
 }
 
 TrackingTube tube_of(std::span<const RunOutcome> outcomes) {

@@ -242,7 +242,7 @@ Vec3 beside(const Flown& flown) {
 // It lands where home's ground is, not on what stands there or hangs below: that it would land on
 // that is in no file.
 void require_home_ground(const geom::CollisionScene& scene, const Flown& flown, const Vec3& rally,
-                         CheckResult& result) {
+                         Reason reason, CheckResult& result) {
   const LandingGround ground = landing_ground(scene, rally, beside(flown), kLevel);
   const double home = flown.home ? flown.home->z() : ground.height;
   const Vec3 foot(rally.x(), rally.y(), ground.height);
@@ -250,8 +250,7 @@ void require_home_ground(const geom::CollisionScene& scene, const Flown& flown, 
   const Vec3 low(rally.x(), rally.y(), ground.height + half.z() + kStanding);
   const bool clear = low.z() > rally.z() || !scene.hits(rally, low);
   if (clear && ground.whole && std::abs(ground.height - home) <= kLevel) return;
-  refuse(result, Reason::return_home, static_cast<double>(flown.legs.size()) - 1, foot,
-         ground.height - home);
+  refuse(result, reason, static_cast<double>(flown.legs.size()) - 1, foot, ground.height - home);
 }
 
 // A vehicle that lands sinks until it touches, whatever height its file says: there must be ground
@@ -281,7 +280,12 @@ void check_regions(const geom::CollisionScene& scene, const Flown& flown, const 
     check_fences(scene, flown.drift, flown.fences, flown.path_stray, flown.navigation, result);
   }
   if (result.part) result.time = leg_of(flown, result.part->item);
-  for (const Vec3& rally : flown.rally) require_home_ground(scene, flown, rally, result);
+  for (const Vec3& rally : flown.rally) {
+    require_home_ground(scene, flown, rally, Reason::return_home, result);
+  }
+  for (const Vec3& place : flown.touches) {
+    require_home_ground(scene, flown, place, Reason::landing, result);
+  }
 }
 
 CheckResult check_way(const geom::CollisionScene& scene, const Flown& flown, const Limits& limits,

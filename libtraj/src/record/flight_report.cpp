@@ -50,7 +50,7 @@ JsonLine spread(std::span<const Tracking> runs, double Tracking::*figure) {
 JsonLine tube(const FlightReport& r, const geom::BoxMap* map) {
   const std::vector<double>& radius = r.tube.radius;
   JsonLine line;
-  line.add("share", kTubeShare).add("period", kTubePeriod);
+  line.add("share", tube_share(r.tube.tracking.size())).add("period", kTubePeriod);
   line.add("largest", *std::max_element(radius.begin(), radius.end()));
   if (r.tube_check) {
     line.add("clear", r.tube_check->clear);

@@ -108,5 +108,18 @@ TEST(Instant, StaysOnItsSide) {
   }
 }
 
+TEST(Instant, IsNeverInDoubtOfItsOwnMillisecond) {
+  std::mt19937_64 random(34);
+  for (int i = 0; i < 20000; ++i) {
+    const double seconds = static_cast<double>(random() % 4'000'000) / 1000;
+    const std::string before = *instant_not_after(kEpoch, seconds);
+    const std::string after = *instant_not_before(kEpoch, seconds);
+    ASSERT_TRUE(is_not_after(before, kEpoch, seconds)) << seconds;
+    ASSERT_TRUE(is_not_before(after, kEpoch, seconds)) << seconds;
+    ASSERT_FALSE(is_not_before(before, kEpoch, seconds + 1e-6)) << seconds;
+    ASSERT_FALSE(is_not_after(after, kEpoch, seconds - 1e-6)) << seconds;
+  }
+}
+
 }  // namespace
 }  // namespace geom

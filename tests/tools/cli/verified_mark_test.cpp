@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -50,6 +52,19 @@ class VerifiedMark : public testing::Test {
   std::string path_ = folder_ / "city.boxmap";
   FileState file_;
 };
+
+// Nothing there tells when somebody writes through a mapping.
+TEST_F(VerifiedMark, IsNotMadeOfAFileInMemory) {
+  struct statfs info {};
+  const bool there = statfs("/dev/shm", &info) == 0 && info.f_type == TMPFS_MAGIC;
+  if (!there) return;
+  const std::string path = fmt::format("/dev/shm/skyway-mark-{}", getpid());
+  std::ofstream(path) << "some map";
+  const FileState file = geom::state_of(path);
+  mark_later(path, file, Verified::contents);
+  fs::remove(path);
+  EXPECT_EQ(marked(file), Verified::nothing);
+}
 
 TEST_F(VerifiedMark, HoldsForTheStateOfTheFileThatItWasMadeOf) {
   EXPECT_EQ(marked(file_), Verified::nothing);

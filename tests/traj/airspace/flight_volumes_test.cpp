@@ -174,6 +174,20 @@ TEST(FlightVolumes, HoldEveryCornerAsOthersSeeIt) {
   }
 }
 
+// Departures as skyway-fleet gives them: at tenths, thirds and thousandths of seconds.
+TEST(FlightVolumes, HoldFlightsThatBeginAtFractionsOfSeconds) {
+  for (int i = 0; i < 300; ++i) {
+    Flight flight;
+    make_flight(5, 300, flight);
+    flight.on_earth.epoch = "2026-05-04T06:30:00Z";
+    flight.on_earth.flight.start = i / (i % 2 ? 10.0 : 1000.0) + 12;
+    for (Segment& s : flight.trajectory.segments) s.duration = std::round(s.duration * 10) / 10;
+    const auto volumes = flight_volumes(flight.on_earth, 2, "f");
+    ASSERT_EQ(why_not_held(flight.on_earth, volumes, "f"), std::nullopt)
+        << flight.on_earth.flight.start;
+  }
+}
+
 TEST(FlightVolumes, AreTight) {
   Flight flight;
   make_flight(7, 800, flight);

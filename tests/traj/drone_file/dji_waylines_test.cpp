@@ -108,9 +108,11 @@ TEST(DjiWaylines, CountActionsAndAddTheirRests) {
 
 TEST(DjiWaylines, OtherVersionsAndNamespacesAreRefused) {
   const std::string inside = dji_config() + dji_folder(dji_leg());
-  EXPECT_EQ(refusal(in_kml(inside, "1.0.2")), "");
+  for (const char* version : {"1.0.0", "1.0.2", "1.0.3", "1.0.4", "1.0.5"}) {
+    EXPECT_EQ(refusal(in_kml(inside, version)), "") << version;
+  }
   EXPECT_EQ(refusal(in_kml(inside, "1.0.7")),
-            ": expected WPML of version 1.0.2 or 1.0.6, found 1.0.7");
+            ": expected WPML of version 1.0.0 or 1.0.2 to 1.0.6, found 1.0.7");
   const auto root = [&](const std::string& attributes) {
     return refusal("<kml " + attributes + "><Document>" + inside + "</Document></kml>");
   };
@@ -118,7 +120,7 @@ TEST(DjiWaylines, OtherVersionsAndNamespacesAreRefused) {
   const std::string wpml = "xmlns:wpml=\"http://www.dji.com/wpmz/1.0.6\"";
   EXPECT_EQ(root(kml + " " + wpml), "");
   EXPECT_EQ(root(kml + " xmlns:wpml=\"http://www.uav.com/wpmz/1.0.2\""),
-            ": expected the namespace http://www.dji.com/wpmz/1.0.2 or 1.0.6, found "
+            ": expected the namespace http://www.dji.com/wpmz/1.0.0 or 1.0.2 to 1.0.6, found "
             "\"http://www.uav.com/wpmz/1.0.2\"");
   EXPECT_EQ(root(wpml), ": expected xmlns in <kml>, found none");
   EXPECT_EQ(root(kml + " " + wpml + " " + wpml), ": expected one xmlns:wpml in <kml>, found two");

@@ -101,8 +101,9 @@ TEST(DjiKmz, WhatIsNoKmzOfDjiIsRefused) {
   EXPECT_EQ(refusal(zipped({{"wpmz/template.kml", waylines}})),
             "m.kmz: expected wpmz/waylines.wpml, which a DJI aircraft flies, found none");
   EXPECT_EQ(refusal(zipped({{"wpmz/waylines.wpml", waylines}})), "") << "without a template";
-  EXPECT_EQ(refusal(zipped({{"wpmz/waylines.wpml", in_kml("", "2")}})),
-            "m.kmz/wpmz/waylines.wpml:2: expected WPML of version 1.0.2 or 1.0.6, found 2");
+  EXPECT_EQ(
+      refusal(zipped({{"wpmz/waylines.wpml", in_kml("", "2")}})),
+      "m.kmz/wpmz/waylines.wpml:2: expected WPML of version 1.0.0 or 1.0.2 to 1.0.6, found 2");
   EXPECT_EQ(refusal(zipped({{"wpmz/waylines.wpml", waylines}, {"wpmz/template.kml", "<kml>"}})),
             "m.kmz/wpmz/template.kml:1: the element of line 1 is not ended: the file may be cut");
   EXPECT_EQ(refusal(zipped({{"wpmz/waylines.wpml", waylines.substr(0, 400)}}))

@@ -395,5 +395,91 @@ TEST(FlownMission, RefusesATakeOffFromAGroundThatNobodyGave) {
   EXPECT_EQ(maker.fly({.home = 12}).ends.takeoff_from, 12);
 }
 
+const MissionRules kArduPilot{.autopilots = {ardupilot()}};
+const MissionRules kPx4{.autopilots = {px4()}};
+
+TEST(FlownMission, TakesZerosAsTheAutopilotDoes) {
+  Maker height;
+  height.add(kWaypoint, {100, 0, 40}).add(kWaypoint, {100, 80, 10});
+  expect_near(height.fly(kArduPilot).path.back(), {100, 80, 40});
+  expect_near(height.fly(kPx4).path.back(), {100, 80, 10});
+  EXPECT_EQ(height.refusal(),
+            "m: item 3: expected an altitude, found 0: ArduPilot then keeps its height, and PX4 "
+            "flies at that of home: say which of them flies it (--autopilot)");
+  height.mission().items.back().altitude = 0.0099;
+  expect_near(height.fly(kArduPilot).path.back(), {100, 80, 40});
+  Maker place;
+  place.add(kWaypoint, {100, 0, 40}).add(kLoiterTime, {0, 0, 50}, {5, 0, 0, 0});
+  place.mission().items.back().latitude = place.mission().items.back().longitude = 0;
+  expect_near(place.fly(kArduPilot).path.back(), {100, 0, 50});
+  EXPECT_EQ(place.refusal(),
+            "m: item 3: expected a place, found latitude 0, longitude 0: ArduPilot then stays "
+            "where it is, and PX4 flies there: say which of them flies it (--autopilot)");
+  EXPECT_EQ(place.refusal(kPx4), "m: item 3: expected a place near the origin 47 8, found 0 0");
+}
+
+TEST(FlownMission, ClimbsToTheHeightOfHomeWhereThatIsSaid) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 40}).add(kLoiterToHeight, {100, 80, 10});
+  expect_near(maker.fly(kArduPilot).path.back(), {100, 80, 10});
+}
+
+TEST(FlownMission, IsArduPilotsAloneWherePx4DoesNotLoadIt) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 40}, {1, 0, 0, 0}).add(kSplineWaypoint, {100, 90, 10});
+  const FlownMission flown = maker.fly();
+  EXPECT_EQ(flown.not_for_px4, kSplineWaypoint);
+  ASSERT_EQ(flown.drift.size(), 1u);
+  EXPECT_EQ(flown.drift[0].autopilot, "ardupilot:4.3-4.7");
+  expect_near(flown.path.back(), {100, 90, 40});
+  EXPECT_EQ(maker.refusal(kPx4),
+            "m: item 3: expected what PX4 flies, found command 82: PX4 loads no mission with it, "
+            "and no other autopilot is asked for (--autopilot)");
+}
+
+TEST(FlownMission, SetsAPayloadDownAndGoesOnFromAbove) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 40}).add(kPayloadPlace, {100, 80, 70});
+  maker.add(kWaypoint, {0, 80, 40});
+  const FlownMission flown = maker.fly();
+  ASSERT_EQ(flown.path.size(), 4u);
+  expect_near(flown.path[2], {100, 80, 40});
+  EXPECT_TRUE(swept(flown, Manoeuvre::landing, {100, 80, 11}));
+  ASSERT_EQ(flown.touches.size(), 1u);
+  expect_near(flown.touches[0], {100, 80, 40});
+  bool off = false;
+  for (const Sweep& sweep : flown.drift[0].sweeps) {
+    off = off || (sweep.stands_on == 10.0 && holds(sweep.hull, {100, 80.9, 38}));
+  }
+  EXPECT_TRUE(off) << "it sinks before what it overshot has decayed";
+}
+
+TEST(FlownMission, TakesAuxiliaryFunctionsThatMoveNothing) {
+  EXPECT_EQ(Maker().add(kWaypoint, {100, 0, 40}).just(kAuxFunction, {9, 2, 0, 0}).fly().idle_items,
+            1u);
+  EXPECT_EQ(Maker().add(kWaypoint, {100, 0, 40}).just(kAuxFunction, {70, 2, 0, 0}).refusal(),
+            "m: item 3: expected an auxiliary function that moves nothing (9, 19, 28, 30, 34, 35, "
+            "36, 66, 67, 102, 166, 167, 168, 169), found 70: others change the mode or stop "
+            "motors");
+}
+
+TEST(FlownMission, LandsWhereArduPilotStops) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).just(kLand);
+  maker.mission().items.back().frame = kGlobalRelative;
+  EXPECT_EQ(maker.fly(kArduPilot).ends.landing_on, 10);
+}
+
+TEST(FlownMission, FliesWhatIsRepeatedForEverTwice) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30}).add(kWaypoint, {0, 80, 30});
+  maker.just(kJump, {2, -1, 0, 0});
+  const FlownMission flown = maker.fly();
+  EXPECT_EQ(flown.endless_jumps, 1u);
+  ASSERT_EQ(flown.path.size(), 1u + 3u * 3u) << "once, and twice again";
+  EXPECT_TRUE(swept(flown, Manoeuvre::corner, {5, 78, 30}))
+      << "the turn that each round begins with";
+}
+
 }  // namespace
 }  // namespace traj

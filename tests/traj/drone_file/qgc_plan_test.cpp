@@ -153,5 +153,17 @@ TEST(QgcPlan, ComesBackItemByItem) {
   expect_same(back, mission);
 }
 
+TEST(QgcPlan, PassesOverWordsAndNumbersThatItDoesNotKnow) {
+  const std::string one = item(R"("frame":3)");
+  const Mission mission = read(plan(one, R"(,"UUID":"ab-12","saved":17)"));
+  EXPECT_EQ(mission.items.size(), 1u);
+  EXPECT_EQ(mission.notes, (std::vector<std::string>{
+                               "its member \"UUID\" is not known here, and is passed over",
+                               "its member \"saved\" is not known here, and is passed over"}));
+  EXPECT_EQ(refusal(plan(one, R"(,"zones":[])")),
+            "m.plan: expected no other keys in plan than fileType, geoFence, groundStation, "
+            "mission, rallyPoints, version, found \"zones\"");
+}
+
 }  // namespace
 }  // namespace traj

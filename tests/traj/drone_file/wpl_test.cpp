@@ -56,9 +56,8 @@ TEST(Wpl, BadFilesAreRefused) {
   EXPECT_EQ(
       refusal(home + "1\t0\t3\t84\t0\t0\t0\t0\t47\t8\t15\t1\n"),
       "m.wpl:3: expected waypoints (16, 82), take-offs (22), landings (21), loitering (17, 18, 19, "
-      "31), a return (20), delays (93), jumps (177), speeds (178) or what is known to move "
-      "nothing, "
-      "found command 84");
+      "31), a return (20), delays (93), payload places (94), jumps (177), speeds (178) or what is "
+      "known to move nothing, found command 84");
   EXPECT_EQ(refusal(home + "1\t0\t10\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
             "m.wpl:3: expected heights above sea level or home, found one above terrain: where the "
             "ground is flat, give its height");
@@ -67,8 +66,8 @@ TEST(Wpl, BadFilesAreRefused) {
             "8");
   EXPECT_EQ(
       refusal(home + "1\t0\t3\t16\t0\t0\t0\t0\t47\t8\t0\t1\n"),
-      "m.wpl:3: expected an altitude, found 0: some autopilots then keep their height, others "
-      "fly at that of home");
+      "m.wpl:3: expected an altitude, found 0: ArduPilot then keeps its height, and PX4 flies at "
+      "that of home: say which of them flies it (--autopilot)");
   EXPECT_EQ(refusal(home + "1\t0\t3\t16\t0\t0\t0\t0\t97\t8\t15\t1\n"),
             "m.wpl:3: latitude and longitude must be within 90 and 180 degrees, found 97 8");
   EXPECT_EQ(refusal(home + "1\t0\t3\t16\t0\t0\t0\t0\t-33\t151\t15\t1\n"),
@@ -182,9 +181,9 @@ TEST(Wpl, WhatIsNotKnownToMoveNothingIsRefused) {
         takeoff + "2\t0\t3\t" + std::to_string(command) + "\t1\t0\t0\t0\t47.001\t8\t15\t1\n";
     if (refusal(items).empty()) ++passed;
   }
-  EXPECT_EQ(passed, 32u + 10u + 4u)
-      << "what is listed, and 16, 17, 19, 20, 21, 31, 82, 93, 177, 178, and of fences and rally "
-         "points";
+  EXPECT_EQ(passed, 32u + 11u + 4u) << "what is listed, and 16, 17, 19, 20, 21, 31, 82, 93, 94, "
+                                       "177, 178, and of fences and rally "
+                                       "points";
 }
 
 TEST(Wpl, ComesBackItemByItem) {
@@ -193,6 +192,17 @@ TEST(Wpl, ComesBackItemByItem) {
   write_wpl(file, mission);
   const Mission back = read_wpl(file, "m.wpl");
   expect_same(back, mission);
+}
+
+TEST(Wpl, TakesZerosForNoHome) {
+  const Mission mission = read(
+      "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t0\t0\t0\t1\n"
+      "1\t0\t3\t22\t0\t0\t0\t0\t47\t8\t15\t1\n");
+  EXPECT_FALSE(mission.home);
+  ASSERT_EQ(mission.notes.size(), 1u);
+  EXPECT_EQ(mission.notes[0],
+            "its home is latitude 0, longitude 0, which is taken for none: home is below the first "
+            "point");
 }
 
 }  // namespace

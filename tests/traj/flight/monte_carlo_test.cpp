@@ -45,6 +45,29 @@ TEST(TubePeriods, CoverTheDuration) {
   EXPECT_EQ(tube_periods(1.01), 11u);
 }
 
+TEST(TrackingTube, SaysTheShareThatItsRunsCanShow) {
+  EXPECT_DOUBLE_EQ(tube_share(12), 12.0 / 13);
+  EXPECT_DOUBLE_EQ(tube_share(1), 0.5);
+  EXPECT_DOUBLE_EQ(tube_share(999), 0.999);
+  EXPECT_LE(tube_share(1000), 0.999);
+  EXPECT_DOUBLE_EQ(tube_share(1'000'000), 0.999 * 1e6 / (1e6 + 1));
+}
+
+TEST(TrackingTube, HoldsTheHoverAtTheEnd) {
+  FlightOptions base = testing::example_flight();
+  base.wind = {Vec3(6, 0, 0), 6};
+  const ReferenceTrack track(testing::line({5, 0, 0}, 4));
+  const auto runs = fly_runs(track, base, {5, 0.1}, {}, {});
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Flight flight = simulate(track, drawn(base, {5, 0.1}, i), {});
+    double hover = 0;
+    for (std::size_t k = 390; k < flight.error.size(); ++k) {
+      hover = std::max(hover, flight.error[k]);
+    }
+    EXPECT_EQ(runs[i].largest.back(), hover) << i;
+  }
+}
+
 TEST(TrackingTube, IsTheLargestErrorButForOneInAThousand) {
   std::vector<RunOutcome> outcomes(2000);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {

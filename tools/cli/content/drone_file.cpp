@@ -119,6 +119,11 @@ Notes notes_of(const traj::FlownMission& read) {
         geom::counted(read.tight_radii, "item has", "items have"), traj::kLeastLineRadius,
         traj::kLeastLineRadius));
   }
+  if (read.not_for_px4 > 0) {
+    notes.push_back(
+        fmt::format("PX4 loads no mission with command {}: it was looked at as ArduPilot flies it",
+                    read.not_for_px4));
+  }
   if (!read.ended) {
     notes.emplace_back("the flight ends without landing: the vehicle hovers, or the file was cut");
   }
@@ -149,6 +154,7 @@ traj::Flown flown_mission(const traj::Mission& mission, const std::string& sourc
   flown.fences = std::move(read.fences);
   flown.home = read.home;
   flown.rally = std::move(read.rally);
+  flown.touches = std::move(read.touches);
   flown.idle_items = read.idle_items;
   flown.corners = read.corners;
   flown.acceptance = read.acceptance;
@@ -246,6 +252,7 @@ traj::Flown in_map_axes(traj::Flown flown, geom::Axes axes) {
   }
   if (flown.home) flown.home = geom::to_enu(axes, *flown.home);
   for (geom::Vec3& p : flown.rally) p = geom::to_enu(axes, p);
+  for (geom::Vec3& p : flown.touches) p = geom::to_enu(axes, p);
   for (traj::Stray& stray : flown.stray) stray.position = geom::to_enu(axes, stray.position);
   for (traj::Setpoint& s : flown.setpoints) {
     s.yaw = geom::yaw_to_enu(axes, s.yaw);

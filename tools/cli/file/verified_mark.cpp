@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -84,6 +86,15 @@ bool is_settled(const FileState& file, std::int64_t now) {
   return std::max(file.changed, file.modified) < now - kSettled;
 }
 
+// Whether the file lies where each change of what it holds changes its times. Those that live in
+// memory alone do not see what is written through a mapping.
+bool keeps_times(const std::string& path) {
+  struct statfs info {};
+  if (statfs(path.c_str(), &info) != 0) return false;
+  const auto kind = static_cast<std::uint32_t>(info.f_type);
+  return kind != TMPFS_MAGIC && kind != RAMFS_MAGIC && kind != HUGETLBFS_MAGIC;
+}
+
 bool is_still(const std::string& path, const FileState& file) {
   try {
     return geom::state_of(path) == file;
@@ -139,7 +150,7 @@ std::int64_t clock_now() {
 
 void mark(const std::string& path, const FileState& file, Verified level, std::int64_t now) {
   const fs::path base = cache();
-  if (base.empty() || !is_settled(file, now) || !is_still(path, file)) return;
+  if (base.empty() || !is_settled(file, now) || !is_still(path, file) || !keeps_times(path)) return;
   const fs::path folder = folder_in(base);
   for (const fs::path& part : {base, folder.parent_path(), folder}) {
     static_cast<void>(mkdir(part.c_str(), 0700));

@@ -16,9 +16,9 @@ namespace cli {
 geom::Verified marked(const geom::FileState& file);
 
 // Leaves a mark, in place of an older one of that file. Quietly not where there is no cache to
-// write to, where `path` is no longer in this state, or where it changed so recently that it could
-// change again without a difference in its times. At most some hundred marks are kept. `now` is in
-// nanoseconds since 1970.
+// write to, where `path` is no longer in this state, or where it could change again without a
+// difference in its times: it changed so recently, or lies in memory (tmpfs). At most some hundred
+// marks are kept. `now` is in nanoseconds since 1970.
 void mark(const std::string& path, const geom::FileState& file, geom::Verified level,
           std::int64_t now);
 

@@ -5,7 +5,7 @@
 # What stands in FOLDER already is left as it is, so that a run that was stopped goes on. The tools
 # must be in PATH.
 #   SLACK   how far boxes may reach outside a footprint, metres (1)
-#   REACH   the longest edge of the roadmap, metres (60); 0: no roadmap
+#   REACH   the longest edge of a roadmap, metres (0: none); with 60 it takes gigabytes and minutes
 #   SHARDS  in how many shares paths and trajectories are made (8)
 #   JOBS    how many at once (all cores)
 #   DELAY   the longest wait, seconds, before a flight takes another way (120)
@@ -19,7 +19,7 @@ flights=$(realpath "$2")
 folder=$3
 count=${4:-}
 here=$(dirname "$(realpath "$0")")
-slack=${SLACK:-1} reach=${REACH:-60} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-120} patience=${PATIENCE:-600} improve=${IMPROVE:-20}
+slack=${SLACK:-1} reach=${REACH:-0} shards=${SHARDS:-8} jobs=${JOBS:-$(nproc)} delay=${DELAY:-120} patience=${PATIENCE:-600} improve=${IMPROVE:-20}
 layers=${LAYERS:-70,7.8,6}
 export EPOCH=${EPOCH:-2026-01-01T00:00:00Z}
 mkdir -p "$folder"

@@ -32,4 +32,9 @@ SecondsBetween seconds_between(std::string_view epoch, std::string_view instant)
 std::optional<std::string> instant_not_after(std::string_view epoch, double seconds);
 std::optional<std::string> instant_not_before(std::string_view epoch, double seconds);
 
+// Whether an instant is not after, or not before, `seconds` after the epoch. In doubt false; what
+// instant_not_after() and instant_not_before() give for the same two is never in doubt.
+bool is_not_after(std::string_view instant, std::string_view epoch, double seconds);
+bool is_not_before(std::string_view instant, std::string_view epoch, double seconds);
+
 }  // namespace geom

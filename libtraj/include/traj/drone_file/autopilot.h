@@ -23,6 +23,13 @@ inline constexpr double kUsualDrag = 0.6;
 
 enum class Firmware { px4, ardupilot };
 
+// How much of the next leg it takes until a deviation has decayed: metres, and seconds at its
+// speed.
+struct Settling {
+  double distance = 0;
+  double time = 0;
+};
+
 // One firmware with its parameters. The defaults are those of the firmware's own code; the numbers
 // under "measured" come from flights of the firmware (docs/firmware.md says which hold which).
 struct Autopilot {
@@ -54,19 +61,17 @@ struct Autopilot {
   double drag = 0;
 
   // Measured.
-  Vec3 tracking = Vec3::Zero();   // m from the way along each axis, navigation at its quietest
-  double overshoot_time = 0;      // s: a stop is overshot by this times the speed,
-  double overshoot = 0;           // m: and by this
-  double rest_settling = 0;       // m of the next leg until that has decayed,
-  double rest_settling_time = 0;  // s: and this times the speed
-  double settling = 0;            // m of the next leg until a corner has decayed,
-  double settling_time = 0;       // s: and this times the speed
-  double bulge = 0;               // s2/m: while it speeds up behind a corner it leaves the leg to
-                                  // either side by this times the square of the speed
-  bool climbs_ahead = false;      // on a sloping leg from a rest the height is ahead of the place
-  double run_on = 0;              // s: where it waits at a point that it would have passed, it runs
-                                  // on by this times the speed
-  double fall = 0;                // m that it sinks in a landing until it is above its place
+  Vec3 tracking = Vec3::Zero();  // m from the way along each axis, navigation at its quietest
+  double overshoot_time = 0;     // s: a stop is overshot by this times the speed,
+  double overshoot = 0;          // m: and by this
+  Settling from_stop;            // until that has decayed
+  Settling from_corner;          // until a corner has decayed
+  double bulge = 0;              // s2/m: while it speeds up behind a corner it leaves the leg to
+                                 // either side by this times the square of the speed
+  bool climbs_ahead = false;     // on a sloping leg from a rest the height is ahead of the place
+  double run_on = 0;             // s: where it waits at a point that it would have passed, it runs
+                                 // on by this times the speed
+  double fall = 0;               // m that it sinks in a landing until it is above its place
 };
 
 // The autopilot on an airframe of that drag over mass, 1/s: the more drag, the further its

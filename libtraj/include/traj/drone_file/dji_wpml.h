@@ -1,7 +1,7 @@
 #pragma once
 
-// Missions of DJI as files: WPML 1.0.2 and 1.0.6, `wpmz/template.kml` and `wpmz/waylines.wpml` in a
-// ZIP archive (.kmz). Format: DJI's cloud API documentation, "DJI WPML".
+// Missions of DJI as files: WPML 1.0.0 and 1.0.2 to 1.0.6, `wpmz/template.kml` and
+// `wpmz/waylines.wpml` in a ZIP archive (.kmz). Format: DJI's cloud API documentation, "DJI WPML".
 
 #include <iosfwd>
 #include <string_view>

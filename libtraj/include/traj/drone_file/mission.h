@@ -38,6 +38,7 @@ enum MavCommand {
   kLoiterToHeight = 31,
   kSplineWaypoint = 82,
   kDelay = 93,
+  kPayloadPlace = 94,
   kJump = 177,
   kSpeed = 178,
   // Of missions: what changes no place and no height (moves_nothing).
@@ -62,6 +63,7 @@ enum MavCommand {
   kEnableFence = 207,
   kGripper = 211,
   kTriggerByTime = 214,
+  kAuxFunction = 218,  // of ArduPilot; some functions move nothing
   kCameraMode = 530,
   kCameraZoom = 531,
   kCameraFocus = 532,

@@ -39,6 +39,8 @@ struct FlownMission {
   bool takes_off = false;       // else how it comes to its first point is not known
   bool returns = false;         // ends with a return to home, by a way that is not known
   std::vector<Vec3> rally;      // where it may return to instead: from there it lands
+  std::vector<Vec3> touches;    // places in the air from which it sinks to the ground on its way
+  int not_for_px4 = 0;          // a command that PX4 loads no mission with; 0: it has none
   bool ended = false;           // by a landing, a return or loitering; else it may have been cut
   std::size_t corners = 0;      // points between two legs without a rest
   double acceptance = 0;        // m, the largest with which these were swept
@@ -82,6 +84,8 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 //   from there; arcs are swept between chord and tangents. Whole turns, from outside of half the
 //   radius. Loitering for a time or for ever: on the spot, or on the circle of the radius that is
 //   given, or anywhere in it.
+// - A payload's place (ArduPilot): to above it at the present height, down until it touches, up
+//   again to that height. Home's ground must be there (check_flown).
 // - Jumps are unrolled, a jump for ever twice. A mission of more than kMostItems items with all
 //   jumps taken is refused.
 // - A return climbs to `return_height` above home, where it is lower, goes straight above home, and
@@ -90,11 +94,14 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 //   of the file, down to its height; it must find home's ground below (check_flown). Without that
 //   height, or with the mark of a landing (189) that it may go to: `returns`.
 // Commands that are known to move nothing (cameras, gimbals, servos, yaw) are counted.
+// - PX4 loads no mission with a spline, turns on a circle, a payload's place or an auxiliary
+//   function: such a mission is ArduPilot's alone, which rests at each hold of 1 s.
+// - ArduPilot takes an altitude of 0 for the present one, and latitude 0, longitude 0 for the
+//   present place; PX4 takes both as they stand. So these are refused where both may fly it.
 //
 // Throws geom::InputError(source, line, …) for all others (changes of mode, unknown ones), for
-// items after the end of the flight, a second take-off, heights above terrain without `ground`, an
-// altitude of 0 (to some autopilots the present one), places that are not near the origin, and a
-// height above home without home.
+// items after the end of the flight, a second take-off, heights above terrain without `ground`,
+// places that are not near the origin, and a height above home without home.
 FlownMission flown_mission(const Mission& mission, const MissionFrame& frame,
                            const MissionRules& rules, std::string_view source);
 

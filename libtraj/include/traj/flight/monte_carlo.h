@@ -23,6 +23,10 @@ FlightOptions drawn(const FlightOptions& base, const MonteCarloOptions& options,
 inline constexpr double kTubePeriod = 0.1;  // s
 inline constexpr double kTubeShare = 0.999;
 
+// The share of further flights that stay within a tube of so many: of the largest of n errors drawn
+// alike, n / (n + 1) of further ones are smaller, in the mean. At most kTubeShare.
+double tube_share(std::size_t runs);
+
 // How a run went.
 struct RunOutcome {
   bool lost = false;  // then the rest is empty
@@ -42,7 +46,8 @@ std::vector<RunOutcome> fly_runs(const ReferenceTrack& track, const FlightOption
 struct TrackingTube {
   std::size_t lost = 0;            // flights; with any, the rest is empty
   std::vector<double> radius;      // m: the 99.9th percentile of the flights' largest errors in
-                                   // each kTubePeriod, up to the trajectory's end
+                                   // each kTubePeriod; the last holds until the flights end,
+                                   // which hover behind the trajectory
   std::vector<Tracking> tracking;  // of each run
   double saturated = 0;            // mean share
 };

@@ -34,6 +34,7 @@ struct Flown {
   // if there is no drift, how far it strays in tracking.
   Vec3 navigation = Vec3::Zero();
   std::vector<Vec3> rally;        // places in the air from which it may land instead
+  std::vector<Vec3> touches;      // places in the air from which it sinks to the ground on its way
   std::vector<Fence> fences;      // that the path and the sweeps keep to
   std::optional<Vec3> home;       // that was assumed
   std::size_t idle_items = 0;     // that move nothing
@@ -62,7 +63,8 @@ CheckOptions file_tolerance(const Limits& limits);
 // refused. A path: check_path of its legs, with the ascent before and the descent after, from 1
 // mm above where the vehicle stands, of its sweeps (check_sweeps), its drift (check_drift), and
 // its fences; below each
-// rally place must be the ground of home, or the way back is not known ("return"); then "speed",
+// rally place must be the ground of home, or the way back is not known ("return"), and below each
+// place that it sinks from ("landing"); then "speed",
 // "horizontal_speed" and "vertical_speed" of its legs where the speed is known, "ceiling", "range",
 // "endurance", and "return" where it ends by a way that is not said. How a vehicle speeds up and
 // slows down along legs is not measured. Times of a path count legs from 0, the

@@ -1,0 +1,47 @@
+#include "mission_autopilots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "mission_jumps.h"
+
+namespace traj {
+namespace {
+
+// MavlinkMissionManager::parse_mavlink_mission_item answers these with MAV_MISSION_UNSUPPORTED,
+// which ends the transfer.
+constexpr int kNotForPx4[] = {kLoiterTurns, kSplineWaypoint, kPayloadPlace, kAuxFunction};
+
+}  // namespace
+
+const MissionItem* not_for_px4(const Mission& mission) {
+  const auto found =
+      std::find_if(mission.items.begin(), mission.items.end(), [](const MissionItem& item) {
+        return std::find(std::begin(kNotForPx4), std::end(kNotForPx4), item.command) !=
+               std::end(kNotForPx4);
+      });
+  return found == mission.items.end() ? nullptr : &*found;
+}
+
+std::vector<Autopilot> autopilots_that_load(const Mission& mission, const MissionRules& rules,
+                                            std::string_view source) {
+  std::vector<Autopilot> out = rules.autopilots;
+  const MissionItem* const item = not_for_px4(mission);
+  if (!item || out.empty()) return out;
+  std::erase_if(out, [](const Autopilot& one) { return one.firmware == Firmware::px4; });
+  if (!out.empty()) return out;
+  refuse_item(source, *item,
+              fmt::format("expected what PX4 flies, found command {}: PX4 loads no mission with "
+                          "it, and no other autopilot is asked for (--autopilot)",
+                          item->command));
+}
+
+bool flown_by(Firmware firmware, const MissionRules& rules) {
+  return !rules.autopilots.empty() &&
+         std::all_of(rules.autopilots.begin(), rules.autopilots.end(),
+                     [&](const Autopilot& one) { return one.firmware == firmware; });
+}
+
+}  // namespace traj

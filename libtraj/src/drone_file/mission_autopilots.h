@@ -1,0 +1,24 @@
+#pragma once
+
+// Which autopilots a mission is for.
+
+#include <string_view>
+#include <vector>
+
+#include "traj/drone_file/mission_flight.h"
+
+namespace traj {
+
+// The item that PX4 loads no mission with, since ArduPilot alone knows it: turns on a circle,
+// splines, payload places, auxiliary functions. Null: there is none.
+const MissionItem* not_for_px4(const Mission& mission);
+
+// Those of the rules' autopilots that load the mission. Throws geom::InputError(source, line, …)
+// where that is none of them.
+std::vector<Autopilot> autopilots_that_load(const Mission& mission, const MissionRules& rules,
+                                            std::string_view source);
+
+// Whether all autopilots of the rules are of that firmware.
+bool flown_by(Firmware firmware, const MissionRules& rules);
+
+}  // namespace traj
