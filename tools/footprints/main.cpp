@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 
 #include "cli/file/hashed_input.h"
 #include "cli/option/format_options.h"
@@ -102,14 +103,31 @@ std::optional<geom::Vec2> Options::place() const {
   return geom::Vec2((*numbers)[0], (*numbers)[1]);
 }
 
+std::string hash_of(const std::string& path) {
+  cli::InputFile file(path);
+  return cli::HashedInput(file).hash();
+}
+
+// By their names alone, which are the same in any folder.
+nlohmann::ordered_json hashes_of(const std::vector<std::string>& paths) {
+  nlohmann::ordered_json out;
+  for (const std::string& path : paths) {
+    out[std::filesystem::path(path).filename().string()] = hash_of(path);
+  }
+  return out;
+}
+
 nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
-                               const std::string& format, const geom::MakeMapOptions& map) {
+                               const footprints::Source& source, const std::string& format,
+                               const geom::MakeMapOptions& map) {
   nlohmann::ordered_json step = {{"tool", "skyway-footprints"},
                                  {"input", hash},
                                  {"format", format},
                                  {"slack", options.slack},
                                  {"storey", options.read.height.storey},
                                  {"default_height", options.read.height.default_height}};
+  if (!source.beside.empty()) step["beside"] = hashes_of(source.beside);
+  if (!options.terrain.empty()) step["terrain"] = hash_of(options.terrain);
   if (options.read.height_unit) step["height_units_m"] = *options.read.height_unit;
   step.update(cli::history_of(map));
   return step;
@@ -210,7 +228,7 @@ int main(int argc, char** argv) {
     const geom::MakeMapOptions map = options.map.make();
     nlohmann::ordered_json stats =
         counts_of(city.source, format, file.name(), options.read.height.default_height, common);
-    nlohmann::ordered_json step = step_of(hashed.hash(), options, format, map);
+    nlohmann::ordered_json step = step_of(hashed.hash(), options, city.source, format, map);
     options.skipped.settle(city.source.skipped, file.name(), common, step);
     if (options.default_height->count() == 0) {
       geom::gis::require_heights(city.source, file.name());

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "gdal_reference.h"
+#include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
 #include "geom/shape/row_merge.h"
 #include "geom/shape/skyline_merge.h"
@@ -231,7 +232,9 @@ bool is_raster(const std::string& path) {
 
 Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options) {
   const Raster raster = open_raster(path, name, options);
-  return SurfaceReader(raster, name, options).read();
+  Source source = SurfaceReader(raster, name, options).read();
+  source.beside = files_beside(*raster.dataset, path);
+  return source;
 }
 
 Terrain::Terrain(const std::string& path, const std::string& name, const ReadOptions& options)

@@ -259,6 +259,7 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
     throw InputError(name, unopened(path));
   }
   Source source = VectorReader(name, options).read(*dataset, path);
+  source.beside = files_beside(*dataset, path);
   if (dataset->GetDriver() && EQUAL(dataset->GetDriver()->GetDescription(), "GML")) {
     std::istringstream packed(unpacked(path));
     std::ifstream plain(path, std::ios::binary);

@@ -173,6 +173,15 @@ std::size_t require_kml(const std::string& path, const std::string& name) {
 
 }  // namespace
 
+std::vector<std::string> files_beside(GDALDataset& dataset, const std::string& path) {
+  const std::unique_ptr<char*, decltype(&CSLDestroy)> files(dataset.GetFileList(), CSLDestroy);
+  std::vector<std::string> out;
+  for (char** file = files.get(); file && *file; ++file) {
+    if (path != *file && !STARTS_WITH(*file, "/vsi")) out.emplace_back(*file);
+  }
+  return out;
+}
+
 std::size_t require_whole(GDALDataset& dataset, const std::string& path, const std::string& name) {
   const std::string_view driver = GDALGetDriverShortName(dataset.GetDriver());
   if (driver == "OSM") {

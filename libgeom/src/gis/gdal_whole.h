@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace geom::gis {
 
@@ -17,6 +18,10 @@ std::size_t require_whole(GDALDataset& dataset, const std::string& path, const s
 
 // The same of a shapefile: `path` is its .shp.
 void require_whole_shapefile(GDALDataset& dataset, const std::string& name);
+
+// Paths of the files beside `path` that `dataset` is read from: of a shapefile its index, table and
+// reference system.
+std::vector<std::string> files_beside(GDALDataset& dataset, const std::string& path);
 
 // What to say of a file that GDAL did not open.
 std::string unopened(const std::string& path);

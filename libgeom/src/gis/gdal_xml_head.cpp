@@ -11,15 +11,23 @@
 namespace geom::gis {
 namespace {
 
-std::string head_of(const std::string& path) {
-  struct Close {
-    void operator()(VSILFILE* file) const { VSIFCloseL(file); }
-  };
-  const std::unique_ptr<VSILFILE, Close> file(VSIFOpenL(path.c_str(), "rb"));
-  if (!file) return "";
-  std::string head(kXmlHead, '\0');
-  head.resize(VSIFReadL(head.data(), 1, head.size(), file.get()));
-  return head;
+struct Close {
+  void operator()(VSILFILE* file) const { VSIFCloseL(file); }
+};
+using File = std::unique_ptr<VSILFILE, Close>;
+
+File open_file(const std::string& path) { return File(VSIFOpenL(path.c_str(), "rb")); }
+
+std::string next_part(VSILFILE* file) {
+  std::string part(kXmlHead, '\0');
+  part.resize(VSIFReadL(part.data(), 1, part.size(), file));
+  return part;
+}
+
+void require_plain(const std::string& path, const std::string& name) {
+  const File file = open_file(path);
+  XmlWatch watch(name);
+  for (std::string part; file && !(part = next_part(file.get())).empty();) watch.look(part);
 }
 
 bool is_markup(const std::string& entry) {
@@ -32,18 +40,19 @@ bool is_markup(const std::string& entry) {
 }  // namespace
 
 void require_plain_vector(const std::string& path, const std::string& name) {
-  const std::string head = head_of(path);
+  const File file = open_file(path);
+  const std::string head = file ? next_part(file.get()) : "";
   if (head.starts_with("\x1f\x8b")) {
-    require_plain_xml(head_of("/vsigzip/" + path), name);
+    require_plain("/vsigzip/" + path, name);
   } else if (head.starts_with("PK\x03\x04")) {
     const CPLStringList entries(VSIReadDirRecursive(("/vsizip/" + path).c_str()));
     for (int i = 0; i < entries.size(); ++i) {
       if (!is_markup(entries[i])) continue;
-      require_plain_xml(head_of("/vsizip/" + path + "/" + entries[i]), name);
+      require_plain("/vsizip/" + path + "/" + entries[i], name);
     }
   } else if (const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
              (first != head.npos && head[first] == '<') || is_markup(path)) {
-    require_plain_xml(head, name);
+    require_plain(path, name);
   }
 }
 

@@ -10,31 +10,33 @@
 namespace geom::gis {
 namespace {
 
-// What a reader will be given, from its first byte; less where the file cannot be read, which the
-// reader says better.
-std::string head_of(const osmium::io::File& file) {
-  std::string head;
-  try {
-    const int descriptor = ::open(file.filename().c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) return head;
-    const auto unpacked = osmium::io::CompressionFactory::instance().create_decompressor(
-        file.compression(), descriptor);
-    while (head.size() < kXmlHead) {
-      const std::string part = unpacked->read();
-      if (part.empty()) break;
-      head += part;
+// Looks through what a reader will be given. What cannot be read ends the look: the reader says
+// better why.
+void look_through(const osmium::io::File& file, XmlWatch& watch) {
+  const int descriptor = ::open(file.filename().c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  const auto unpacked = osmium::io::CompressionFactory::instance().create_decompressor(
+      file.compression(), descriptor);
+  const auto next = [&]() -> std::string {
+    try {
+      return unpacked->read();
+    } catch (const std::exception&) {
+      return {};
     }
-    unpacked->close();
-  } catch (const std::exception&) {
-  }
-  return head;
+  };
+  std::string head;
+  for (std::string part; head.size() < kXmlHead && !(part = next()).empty();) head += part;
+  watch.look(head);
+  for (std::string part; !(part = next()).empty();) watch.look(part);
 }
 
 }  // namespace
 
 void require_plain_osm(const std::string& path, const std::string& name) {
   const osmium::io::File file(path);
-  if (file.format() == osmium::io::file_format::xml) require_plain_xml(head_of(file), name);
+  if (file.format() != osmium::io::file_format::xml) return;
+  XmlWatch watch(name);
+  look_through(file, watch);
 }
 
 }  // namespace geom::gis

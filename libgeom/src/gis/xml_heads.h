@@ -1,6 +1,7 @@
 #pragma once
 
-// The rule of geom/text/xml_head.h for files that libraries read by themselves.
+// The rules of geom/text/xml_head.h for files that libraries read by themselves: they are looked
+// through from the first byte to the last.
 
 #include <string>
 

@@ -57,19 +57,37 @@ std::size_t end_of_tag(std::string_view text, std::size_t at) {
   return std::string_view::npos;
 }
 
+// The numbers of a text; nothing of one where a word is none.
+std::vector<double> numbers_of(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  std::vector<double> out;
+  for (std::size_t at = 0; (at = text.find_first_not_of(kSpace, at)) != text.npos;) {
+    const std::size_t end = std::min(text.find_first_of(kSpace, at), text.size());
+    const auto number = parse_number(text.substr(at, end - at));
+    if (!number) return {};
+    out.push_back(*number);
+    at = end;
+  }
+  return out;
+}
+
 class Links {
  public:
   Links(const std::string& source, Skipped& skipped) : source_(source), skipped_(skipped) {}
 
   void read(std::string_view text) {
-    require_plain_xml(text.substr(0, kXmlHead), source_);
+    XmlWatch(source_).look(text);
     std::size_t last = 0;
     for (std::size_t at = 0; (at = text.find('<', at)) != std::string_view::npos;) {
       const std::size_t end = end_of_tag(text, at);
       if (end == std::string_view::npos) refuse("a tag is not ended: the file may be cut");
-      require_no_entity(text.substr(last, at - last));
-      if (text[at + 1] != '!' && text[at + 1] != '?') take(text.substr(at + 1, end - at - 1));
-      last = at = end;
+      before_ = text.substr(last, at - last);
+      require_no_entity(before_);
+      const bool aside = text[at + 1] == '!' || text[at + 1] == '?';
+      require_one_text(aside);
+      if (!aside) take(text.substr(at + 1, end - at - 1));
+      at = end;
+      last = end + 1;
     }
     for (const Accessor& accessor : accessors_) require_within(accessor);
     for (const std::string& geometry : placed_) {
@@ -111,6 +129,18 @@ class Links {
     }
   }
 
+  // Of the text of an element assimp reads what stands before a comment in it.
+  void require_one_text(bool aside) {
+    const bool blank = before_.find_first_not_of(" \t\r\n") == before_.npos;
+    if (text_before_aside_ && !blank) {
+      refuse(
+          fmt::format("expected no comment within numbers, found one before \"{}\": write the "
+                      "file without comments, for example with `xmllint --c14n`",
+                      excerpt(before_, 40)));
+    }
+    text_before_aside_ = aside && (text_before_aside_ || !blank);
+  }
+
   // assimp passes over elements of other names, also of the same behind a prefix.
   void require_no_prefix(std::string_view name) const {
     const std::size_t colon = name.find(':');
@@ -140,7 +170,10 @@ class Links {
     require_no_prefix(name);
     require_no_entity(tag);
     std::string id(attribute(tag, "id"));
-    if (name == "skew") refuse("it has a <skew>, which is not read: write its nodes with matrices");
+    if (name == "skew" || name == "lookat") {
+      refuse(fmt::format("it has a <{}>, which is not read: write its nodes with matrices", name));
+    }
+    if (name == "/rotate") require_axis();
     if (name == "instance_controller") {
       refuse("bones or morphs move its meshes (<instance_controller>): write one state of it");
     }
@@ -148,6 +181,9 @@ class Links {
       skipped_.add("geometry that is no mesh", fmt::format("<{}>", name));
     }
     if (name == "unit") require_unit(attribute(tag, "meter"));
+    if (name == "up_axis" && tag.ends_with('/')) refuse_up_axis("");
+    if (name == "/up_axis") take_up_axis(before_);
+    in_library_ = in_library_ || name.starts_with("library_");
     take_numbers(name, tag, id);
     scenes_ += name == "visual_scene";
     if (name == "geometry") geometries_.insert(id);
@@ -207,12 +243,41 @@ class Links {
                     accessor.stride));
   }
 
-  // Of others assimp makes 0, and all triangles are one point.
-  void require_unit(std::string_view metres) const {
-    const auto value = parse_number(metres);
-    if (metres.empty() || (value && std::isfinite(*value) && *value > 0)) return;
+  // Of others assimp makes 0, and all triangles are one point. It takes the unit of the file for
+  // parts that name their own.
+  void require_unit(std::string_view metres) {
+    const auto value = metres.empty() ? 1 : parse_number(metres);
+    if (!value || !std::isfinite(*value) || *value <= 0) {
+      refuse(fmt::format("expected <unit meter> to be a number above 0, found \"{}\"",
+                         excerpt(metres)));
+    }
+    if (in_library_ && *value != unit_) {
+      refuse(
+          fmt::format("expected one unit in the whole file, found {} m and {} m", unit_, *value));
+    }
+    unit_ = *value;
+  }
+
+  [[noreturn]] void refuse_up_axis(std::string_view found) const {
     refuse(
-        fmt::format("expected <unit meter> to be a number above 0, found \"{}\"", excerpt(metres)));
+        fmt::format("expected <up_axis> to be X_UP, Y_UP or Z_UP, without blanks and once for "
+                    "the whole file, found \"{}\"",
+                    excerpt(found)));
+  }
+
+  // Any other word is Y_UP to assimp, and so are these between blanks.
+  void take_up_axis(std::string_view up) {
+    if (up != "X_UP" && up != "Y_UP" && up != "Z_UP") refuse_up_axis(up);
+    if (in_library_ && up != up_) refuse_up_axis(up);
+    up_ = up;
+  }
+
+  // About other axes programs turn in different ways, or shear.
+  void require_axis() const {
+    const std::vector<double> v = numbers_of(before_);
+    if (v.size() == 4 && (v[3] == 0 || std::abs(std::hypot(v[0], v[1], v[2]) - 1) < 1e-3)) return;
+    refuse(fmt::format("expected <rotate> to have an axis of length 1 and an angle, found \"{}\"",
+                       excerpt(before_)));
   }
 
   void place_node(const std::string& id) {
@@ -243,6 +308,11 @@ class Links {
   std::vector<std::string> open_;         // nodes
   std::map<std::string, double> arrays_;  // by id: how many numbers
   std::vector<Accessor> accessors_;
+  std::string_view before_;  // the text between the last tag and this one
+  std::string_view up_ = "Y_UP";
+  double unit_ = 1;  // metres
+  bool text_before_aside_ = false;
+  bool in_library_ = false;
   bool in_accessor_ = false;
   int scenes_ = 0;
 };

@@ -6,6 +6,7 @@
 #include "geom/model/model.h"
 #include "geom/model/model_polygons.h"
 #include "geom/shape/aabb.h"
+#include "geom/shape/convex_outline.h"
 
 namespace geom {
 namespace {
@@ -26,6 +27,10 @@ Vec3 newell_normal(std::span<const Vec3> corners) {
                    a.x() * b.y() - a.y() * b.x());
   }
   return normal;
+}
+
+void add_fan(const std::vector<std::uint32_t>& left, Triangles& out) {
+  for (std::size_t i = 1; i + 1 < left.size(); ++i) out.push_back({left[0], left[i], left[i + 1]});
 }
 
 // The polygon seen along one axis, counterclockwise.
@@ -53,6 +58,20 @@ class Flat {
       if (turn(i, (i + 1) % n, (i + 2) % n) < 0) return false;
     }
     return true;
+  }
+
+  // Its convex hull, seen so.
+  Triangles hull() const {
+    std::vector<Vec2> seen;
+    for (const Vec3& p : corners_) seen.emplace_back(p[x_], p[y_]);
+    std::vector<std::uint32_t> around;
+    for (const Vec2& p : convex_outline(seen)) {
+      around.push_back(
+          static_cast<std::uint32_t>(std::find(seen.begin(), seen.end(), p) - seen.begin()));
+    }
+    Triangles out;
+    if (around.size() >= 3) add_fan(around, out);
+    return out;
   }
 
   double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
@@ -86,10 +105,6 @@ bool is_ear(const Flat& flat, const std::vector<std::uint32_t>& left, std::size_
   return std::none_of(left.begin(), left.end(), [&](std::uint32_t p) {
     return p != a && p != b && p != c && flat.holds(a, b, c, p);
   });
-}
-
-void add_fan(const std::vector<std::uint32_t>& left, Triangles& out) {
-  for (std::size_t i = 1; i + 1 < left.size(); ++i) out.push_back({left[0], left[i], left[i + 1]});
 }
 
 }  // namespace
@@ -137,7 +152,8 @@ void ModelPolygons::add(Model& model, std::span<const std::uint32_t> corners, st
   ++bent_;
   const double more =
       1e-9 * size + 1e-14 * around.max.cwiseAbs().cwiseMax(around.min.cwiseAbs()).maxCoeff();
-  for (const auto& triangle : triangles) {
+  const bool crooked = high - low > kCrooked * size;
+  for (const auto& triangle : crooked && !flat.convex() ? flat.hull() : triangles) {
     std::array<Vec3, 3> bottom;
     std::array<Vec3, 3> top;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -55,6 +55,22 @@ void require_plain_xml(std::string_view head, std::string_view source) {
   }
 }
 
+void XmlWatch::look(std::string_view part) {
+  if (!begun_) require_plain_xml(part, source_);
+  begun_ = true;
+  last_ += part;
+  const auto lines_to = [&](std::size_t at) {
+    const auto lines =
+        std::count(last_.begin(), last_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    return line_ + static_cast<std::size_t>(lines);
+  };
+  const std::size_t named = last_.find(kXInclude);
+  if (named != last_.npos) refuse_inclusion(source_, lines_to(named));
+  const std::size_t passed = last_.size() - std::min(last_.size(), kXInclude.size() - 1);
+  line_ = lines_to(passed);
+  last_.erase(0, passed);
+}
+
 void refuse_document_type(std::string_view source, std::size_t line) {
   throw InputError(source, line,
                    "expected no document type, found one: its entities may stand for parts that "

@@ -1,5 +1,5 @@
-// clouds [FILES]: random point clouds in the spellings of their formats. No marked point is left
-// out in silence (support/left_out.h).
+// clouds [FILES]: random point clouds in the spellings of their formats, but for scans.cpp's. No
+// marked point is left out in silence (support/left_out.h).
 
 #include <liblzf/lzf.h>
 
@@ -8,42 +8,22 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "geom/cloud/point_cloud.h"
-#include "support/las_file.h"
-#include "support/left_out.h"
+#include "marked_points.h"
 
 namespace {
 
 using geom::Vec3;
+using left_out::random_places;
 using support::chance;
 using support::MarkedFile;
 using support::one_of;
-using support::Outcome;
 using support::Random;
 
-std::vector<Vec3> random_places(Random& random) {
-  std::vector<Vec3> out(static_cast<std::size_t>(1 + random.below(6)));
-  for (Vec3& p : out) p = support::random_place(random);
-  return out;
-}
-
-// Whether the mark is among the points that the reader gave, to the precision that it was written
-// in.
+// Marks are written with all their digits.
 template <class Read>
-auto reader_of(const Read& read_cloud, double precision) {
-  return [read_cloud, precision](std::istream& in, const MarkedFile& file) {
-    std::vector<Vec3> points;
-    const geom::CloudCounts counts =
-        read_cloud(in, "random", [&](std::span<const geom::CloudPoint> chunk) {
-          for (const geom::CloudPoint& p : chunk) points.push_back(p.position);
-        });
-    bool all = true;
-    for (const Vec3& mark : file.marks) {
-      bool found = false;
-      for (const Vec3& p : points) found = found || (p - mark).cwiseAbs().maxCoeff() <= precision;
-      all = all && found;
-    }
-    return support::outcome_of(all, counts.skipped);
+auto reader_of(const Read& read_cloud) {
+  return [read_cloud](std::istream& in, const MarkedFile& file) {
+    return left_out::read_points(read_cloud, in, file, 0);
   };
 }
 
@@ -294,31 +274,12 @@ MarkedFile ply(Random& random) {
   return out;
 }
 
-// Points that the header does not count are told, too.
-MarkedFile las(Random& random) {
-  MarkedFile out;
-  out.marks = random_places(random);
-  support::LasFile file;
-  file.points = out.marks;
-  file.scale = 1e-6;
-  out.bytes = file.bytes();
-  if (chance(random, 5)) {
-    const auto fewer = static_cast<std::uint32_t>(out.marks.size() - 1);
-    std::memcpy(out.bytes.data() + 107, &fewer, 4);
-  }
-  return out;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   const auto n = static_cast<std::size_t>(argc > 1 ? std::atof(argv[1]) : 1e4);
-  const auto read_las = [](std::istream& in, std::string_view name, const geom::PointSink& sink) {
-    return geom::read_las(in, name, sink);
-  };
-  std::size_t lost = support::left_out("XYZ", n, xyz, reader_of(geom::read_xyz, 0));
-  lost += support::left_out("PCD", n, pcd, reader_of(geom::read_pcd, 0));
-  lost += support::left_out("PLY cloud", n, ply, reader_of(geom::read_ply, 0));
-  lost += support::left_out("LAS", n, las, reader_of(read_las, 1e-6));
+  std::size_t lost = support::left_out("XYZ", n, xyz, reader_of(geom::read_xyz));
+  lost += support::left_out("PCD", n, pcd, reader_of(geom::read_pcd));
+  lost += support::left_out("PLY cloud", n, ply, reader_of(geom::read_ply));
   return lost != 0;
 }

@@ -167,6 +167,58 @@ MarkedFile jps3d(Random& random) {
   return out;
 }
 
+// Children of a node as two bits each, and then the nodes of those that have children: a way down
+// to some level, with any leaves beside it.
+std::string octree_node(Random& random, const Vec3& low, double side, int level, int last,
+                        MarkedFile& out) {
+  const int inner = level < last ? random.below(8) : -1;
+  unsigned bits = 0;
+  std::string below;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner = low + side / 2 * Vec3(i & 1, i >> 1 & 1, i >> 2 & 1);
+    const int seen = i == inner ? 3 : chance(random, 2) ? 0 : 1 + random.below(2);
+    bits |= static_cast<unsigned>(seen) << (2 * i);
+    if (seen == 3) below = octree_node(random, corner, side / 2, level + 1, last, out);
+    if (seen != 2) continue;
+    const Vec3 share(random.uniform(0.01, 0.99), random.uniform(0.01, 0.99),
+                     random.uniform(0.01, 0.99));
+    out.marks.push_back(corner + side / 2 * share);
+  }
+  if (bits == 0) bits = 1;
+  return std::string{static_cast<char>(bits & 255), static_cast<char>(bits >> 8)} + below;
+}
+
+// Heads in any order; trees of other kinds, cut ones, and bytes behind them.
+MarkedFile octomap(Random& random) {
+  MarkedFile out;
+  const double resolution = one_of(random, std::vector<double>{0.05, 0.1, 0.25, 1.0 / 3, 2});
+  const double side = 65536 * resolution;
+  const std::string tree = octree_node(random, Vec3::Constant(-side / 2), side, 1,
+                                       1 + random.below(chance(random, 20) ? 18 : 16), out);
+  const std::string kind = chance(random, 20) ? "OcTree file" : "OcTree binary file";
+  std::vector<std::string> head = {
+      "id " + one_of(random, {"OcTree", "OcTree", "OcTree", "OcTree", "ColorOcTree"}),
+      fmt::format("size {}", random.below(100)), fmt::format("res {}", resolution)};
+  std::swap(head[0], head[static_cast<std::size_t>(random.below(3))]);
+  out.bytes = "# Octomap " + kind + "\n" + (chance(random, 2) ? "# made by chance\n" : "");
+  for (const std::string& line : head) out.bytes += line + '\n';
+  out.bytes += "data\n" + tree;
+  out.must_tell = kind == "OcTree file";
+  switch (random.below(10)) {
+    case 0:
+      out.bytes.pop_back();
+      out.must_tell = true;
+      break;
+    case 1:
+      out.bytes += "more";
+      out.must_tell = true;
+      break;
+    default:
+      break;
+  }
+  return out;
+}
+
 // A body, and where it stands in its own frame.
 struct Body {
   std::string text;
@@ -258,6 +310,7 @@ int main(int argc, char** argv) {
   lost += support::left_out("block text", n, block_text, reader_of(BoxFormat::block_text));
   lost += support::left_out("RotorPy JSON", n, world_json, reader_of(BoxFormat::world_json));
   lost += support::left_out("3dmap", n, voxels, reader_of(BoxFormat::voxel_3dmap));
+  lost += support::left_out("OctoMap", n, octomap, reader_of(BoxFormat::octomap));
   lost += support::left_out("jps3d", n, jps3d, reader_of(BoxFormat::jps3d));
   lost += support::left_out("SDF", n, sdf, reader_of(BoxFormat::sdf, options));
   return lost != 0;

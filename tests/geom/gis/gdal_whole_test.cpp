@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geom/base/error.h"
+#include "geom/gis/footprint_source.h"
 #include "support/shape_files.h"
+#include "support/temporary_folder.h"
 
 namespace geom::gis {
 namespace {
@@ -40,6 +44,16 @@ TEST(RequireWhole, RefusesGeoJsonThatItsServerCut) {
         R"("numberMatched":"unknown",)", R"("links":[{"rel":"self"}],"totalFeatures":1,)"}) {
     EXPECT_EQ(refusal("a.geojson", collection(members)), "") << members;
   }
+}
+
+TEST(FilesBeside, AreTheOtherPartsOfAShapefile) {
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "city.shp";
+  write_layer("ESRI Shapefile", path, {{{{0, 0}, {9, 0}, {9, 9}}, {0, 0, 0}, 5}});
+  const std::vector<std::string> beside = read_vector(path, path, {}).beside;
+  EXPECT_EQ(std::count(beside.begin(), beside.end(), folder / "city.dbf"), 1);
+  EXPECT_EQ(std::count(beside.begin(), beside.end(), folder / "city.shx"), 1);
+  EXPECT_EQ(std::count(beside.begin(), beside.end(), path), 0);
 }
 
 TEST(RequireWhole, RefusesAKeyThatComesTwice) {

@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* kHidden =
     "<?xml version='1.0'?>\n<!DOCTYPE osm SYSTEM 'rest.dtd'>\n<osm>&rest;</osm>";
+constexpr const char* kIncludes =
+    "<osm>\n<i:include xmlns:i='http://www.w3.org/2001/XInclude' href='rest.osm'/></osm>";
 constexpr const char* kPlain = "<?xml version='1.0'?>\n<osm><!-- <!DOCTYPE --></osm>";
 
 class XmlHeads : public testing::Test {
@@ -40,6 +42,9 @@ TEST_F(XmlHeads, OfOpenStreetMapAreLookedIntoAlsoWherePacked) {
             std::string::npos);
   EXPECT_NE(refusal(packed("b.osm.gz", kHidden)).find("f:2: expected no document type"),
             std::string::npos);
+  for (const std::string& path : {plain("e.osm", kIncludes), packed("f.osm.gz", kIncludes)}) {
+    EXPECT_NE(refusal(path).find("f:2: expected the whole file"), std::string::npos) << path;
+  }
   EXPECT_EQ(refusal(plain("c.osm", kPlain)), "");
   EXPECT_EQ(refusal(packed("d.osm.gz", kPlain)), "");
 }
@@ -51,6 +56,9 @@ TEST_F(XmlHeads, OfFilesForGdalAreLookedIntoAlsoWherePacked) {
   EXPECT_NE(refusal(plain("a.kml", kHidden)).find("expected no document type"), std::string::npos);
   EXPECT_NE(refusal(packed("b.gml.gz", kHidden)).find("expected no document type"),
             std::string::npos);
+  for (const std::string& path : {plain("e.kml", kIncludes), packed("f.gml.gz", kIncludes)}) {
+    EXPECT_NE(refusal(path).find("f:2: expected the whole file"), std::string::npos) << path;
+  }
   EXPECT_EQ(refusal(plain("c.gml", kPlain)), "");
   EXPECT_EQ(refusal(plain("d.geojson", "{\"a\":\"<!DOCTYPE\"}")), "");
 }

@@ -59,6 +59,12 @@ TEST(ModelPolygons, ABentPentagonIsAllBetweenItsHeights) {
   }
 }
 
+// From the side it has no notch, and there programs cut it.
+TEST(ModelPolygons, ACrookedPentagonIsHeldWithItsNotch) {
+  const std::vector<Vec3> corners = {{0, 0, 0}, {4, 0, 1}, {5, 3, 0}, {2, 2.9, 1}, {-1, 3, 0}};
+  EXPECT_TRUE(holds(model_of(corners), (corners[2] + corners[4]) / 2));
+}
+
 TEST(ModelPolygons, ANotchStaysFreeWhereThePolygonIsBentALittle) {
   const Model model = model_of({{0, 0, 0}, {4, 0, 0.01}, {1, 1, 0}, {0, 4, 0.02}});
   EXPECT_FALSE(holds(model, {1.9, 1.9, 0.01}));

@@ -35,5 +35,25 @@ TEST(XmlHead, RefusesWhatItCannotLookInto) {
   EXPECT_NE(refusal("<!-- " + std::string(kXmlHead, 'x')).find("first MiB"), std::string::npos);
 }
 
+TEST(XmlWatch, FindsAnInclusionWhereverPartsAreCut) {
+  const std::string text =
+      "<osm>\n<a/>\n<i:include xmlns:i=\"http://www.w3.org/2001/XInclude\" href=\"b\"/></osm>";
+  for (std::size_t cut = 1; cut < text.size(); ++cut) {
+    const std::string found = support::refusal_of([&] {
+      XmlWatch watch("f");
+      watch.look(std::string_view(text).substr(0, cut));
+      watch.look(std::string_view(text).substr(cut));
+    });
+    EXPECT_TRUE(found.starts_with("f:3: expected the whole file")) << cut << ' ' << found;
+  }
+}
+
+TEST(XmlWatch, PassesPartsWithoutOneAndRefusesADocumentTypeInTheFirst) {
+  XmlWatch watch("f");
+  for (const char* part : {"<osm>", "http://www.w3.org/2001/", "", "<XInclude/>"}) watch.look(part);
+  EXPECT_NE(support::refusal_of([] { XmlWatch("f").look("<!DOCTYPE a><a/>"); }).find("f:1:"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace geom

@@ -53,6 +53,7 @@ struct Source {
   bool has_height_attribute = false;          // that of the options was there
   std::map<std::string, NumericAttribute> numeric;  // of the features without a height
   Warnings warnings;
+  std::vector<std::string> beside;  // paths of files that were read with that which was named
 };
 
 struct ReadOptions {

@@ -16,7 +16,8 @@ namespace geom {
 // (polygon_triangles), wherever it is cut. One that is bent by more than a millionth of its size is
 // another surface for each way to cut it, and files do not say which is meant. So a solid is added
 // that holds all of them: the tetrahedron of a quadrangle; of more corners all between the lowest
-// and the highest of them, over the polygon as it is seen along one axis.
+// and the highest of them, over the polygon as it is seen along one axis. Where it is bent by more
+// than a tenth of its size, another axis may show no notch: then it is over the convex hull.
 class ModelPolygons {
  public:
   // The polygon of these vertices, at least three.
