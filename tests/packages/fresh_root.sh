@@ -49,6 +49,9 @@ for tool in "$root"/usr/bin/skyway*; do
   in_root man --pager=cat "$name" 2> /dev/null | grep -q "^NAME" || { echo "no manual page of $name"; exit 1; }
   [ -s "$root/usr/share/zsh/vendor-completions/_$name" ] || { echo "no zsh completion of $name"; exit 1; }
 done
+for page in "$here"/docs/man/*.7.md; do
+  in_root man --pager=cat 7 "$(basename "$page" .7.md)" 2> /dev/null | grep -q "^NAME" || { echo "no manual page of $page"; exit 1; }
+done
 offered=$(in_root bash -c 'source /usr/share/bash-completion/bash_completion; _completion_loader skyway-plan
   COMP_WORDS=(skyway-plan --sn) COMP_CWORD=1; _skyway_plan; echo "${COMPREPLY[@]}"')
 [ "$offered" = --snap-ends ] || { echo "bash offers \"$offered\" after skyway-plan --sn"; exit 1; }

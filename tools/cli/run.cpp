@@ -12,6 +12,7 @@
 #include "cli/file/run_files.h"
 #include "cli/file/standard_streams.h"
 #include "cli/file/wrong_file.h"
+#include "cli/help/help_page.h"
 #include "cli/option/completion.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
@@ -83,8 +84,9 @@ int run_tool(CLI::App& app, int argc, char** argv, const std::function<Exit()>& 
   prepare_standard_streams();
   static const std::string name = app.get_name();
   end_where_a_file_is_cut(name.c_str());
-  app.set_version_flag("--version", app.get_name() + " " SKYWAY_VERSION);
+  app.set_version_flag("--version", app.get_name() + " " SKYWAY_VERSION, "print the version");
   add_completion(app);
+  add_help(app);
   RunFiles files;
   return guarded(app, [&] {
     try {

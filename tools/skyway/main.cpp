@@ -46,10 +46,17 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"info", "say what is in a file"},
 };
 
+constexpr const char* kTopics =
+    "certificates cities clouds exact maps missions models motion pictures running search sources "
+    "together";
+
 std::string usage() {
   std::string text = "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n";
   for (const auto& [verb, what] : kVerbs) text += fmt::format("  {:<17} {}\n", verb, what);
-  return text;
+  return text + fmt::format(
+                    "\nTopics (man skyway-TOPIC):\n  {}\n\nExample:\n  skyway import "
+                    "data/downtown.csv -o downtown.boxmap\n",
+                    kTopics);
 }
 
 int answer(std::string_view text) {

@@ -1,10 +1,12 @@
-"""options_test.py BIN_DIR SOURCE_DIR: manual pages and completions name exactly the options that --help does, and
-manual pages explain them in the same words."""
+"""options_test.py BIN_DIR SOURCE_DIR: help texts, manual pages and completions name the same options, a help text fits a
+screen and speaks no parser's language, and a manual page is short before its options."""
 
+import gzip
 import os
 import pathlib
 import re
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -12,54 +14,42 @@ import tempfile
 bin_dir, source_dir = map(pathlib.Path, sys.argv[1:3])
 wrong = []
 
+FREE_WORDS = {"--autopilot", "--yaw", "--gains"}  # any of very many, or a number or file instead
+
 
 def run(*command, **options):
     return subprocess.run([str(c) for c in command], check=True, capture_output=True, text=True, **options).stdout
 
 
-def flags_and_words(tool, *verb):
-    """The flags that --help lists, and of those with a fixed set of words, the words."""
-    flags, words = set(), {}
-    for line in run(bin_dir / tool, *verb, "--help").splitlines():
-        named = re.match(r"  (-\S*)(.*)", line)
-        if not named:
-            continue
-        listed = named[1].replace("{false}", "")
-        spelled = [flag for flag in re.split("[,:]", listed) if flag.startswith("-")]
-        flags.update(spelled)
-        choice = re.search(r"\{([^}]*)\}", named[2])
-        for flag in spelled if choice else []:
-            words[flag] = set(choice[1].split(","))
-    return flags, words
-
-
-def meanings(tool):
-    """What --help says of each option and argument, by how it is written there."""
-    said, name = {}, None
-    for line in run(bin_dir / tool, "--help").splitlines():
-        begun = re.match(r"  (\S.*?)(?:  +(\S.*))?$", line)
+def meanings(tool, *verb):
+    """What the full help says of each option: by its flags, the word for its value and the text."""
+    text = run(bin_dir / tool, *verb, "--help-all").partition("\nVerbs:\n")[0]
+    said, flags = {}, None
+    for line in text.splitlines():
+        begun = re.match(r"  (-[^\s,]+(?:, -[^\s,]+)*)(?: (\S.*?))?(?:  +(\S.*))?$", line)
         if begun:
-            name = begun[1]
-            said[name] = begun[2] or ""
-        elif name and line.startswith("   "):
-            said[name] = f"{said[name]} {line.strip()}".strip()
+            flags = tuple(begun[1].split(", "))
+            said[flags] = [begun[2] or "", begun[3] or ""]
+        elif flags and line.startswith(" " * 30):
+            said[flags][1] = f"{said[flags][1]} {line.strip()}".strip()
         else:
-            name = None
+            flags = None
     return said
 
 
-def check_meanings(tool):
-    """The page may say more, after the words of --help."""
-    page = (source_dir / "docs/man" / f"{tool}.1.md").read_text()
-    explained = {head: " ".join(text.split()) for head, text in re.findall(r"^`([^`]*)`\n:((?:.|\n(?!\n))*)", page, re.M)}
-    for name, text in meanings(tool).items():
-        if name in explained and not explained[name].startswith(text):
-            wrong.append(f"{tool} {name}: --help says \"{text}\", the page \"{explained[name]}\"")
+def flags_and_words(tool, *verb):
+    """The flags of the help, and those that take one of some words, with their texts."""
+    flags, words = set(), {}
+    for spelled, (value, text) in meanings(tool, *verb).items():
+        flags.update(spelled)
+        if value.split("|")[0] == "WORD":
+            words.update({flag: text for flag in spelled})
+    return flags, words
 
 
 def verbs_of(tool):
     help_text = run(bin_dir / tool, "--help")
-    section = help_text.partition("Subcommands:\n")[2]
+    section = help_text.partition("\nVerbs:\n")[2].partition("\n\n")[0]
     return re.findall(r"^  (\S+)", section, re.M)
 
 
@@ -78,21 +68,67 @@ def expect(what, found, expected):
         wrong.append(f"{what}: missing {sorted(expected - found)}, too many {sorted(found - expected)}")
 
 
+def plain(markdown):
+    return re.sub(r"\\(.)", r"\1", markdown)
+
+
 def check_manual(tool, flags):
-    page = (source_dir / "docs/man" / f"{tool}.1.md").read_text()
-    section = page.partition("\n# OPTIONS\n")[2].partition("\n# ")[0]
-    heads = re.findall(r"^(`.*|\*\*.*)\n:", section, re.M)
-    # In "-o,--output TEXT:{a,b}" the flags are what stands before the first blank.
-    named = {flag for head in heads for part in re.findall(r"[`*]([^`*]+)[`*]", head)
-             for flag in part.split()[0].split(",") if flag.startswith("-")}
-    expect(f"docs/man/{tool}.1.md", {f for f in named if f.startswith("--")}, {f for f in flags if f.startswith("--")})
+    """The options are the tool's own words, and the page leaves a place for them."""
+    printed = run(bin_dir / tool, "--help-man")
+    heads = re.findall(r"^(\*\*.*)\n:", printed, re.M)
+    named = {plain(flag) for head in heads for flag in re.findall(r"\*\*(-.*?)\*\*", head)}
+    expect(f"{tool} --help-man", named, flags)
+    section = (source_dir / "docs/man" / f"{tool}.1.md").read_text().partition("\n# OPTIONS\n")[2].partition("\n# ")[0]
+    if "\n**--help** shows " not in section or "\n:" in section:
+        wrong.append(f"docs/man/{tool}.1.md: OPTIONS is made from the tool, after the line \"**--help** shows ...\"")
+    page = bin_dir.parent / "man" / f"{tool}.1.gz"
+    if page.exists():
+        text = gzip.open(page, "rt").read().replace("\\-", "-").replace("\\f[R]", "").replace("\\f[B]", "")
+        missing = [flag for flag in flags if flag not in text]
+        if missing:
+            wrong.append(f"{page.name} leaves out {missing}")
+
+
+def check_help(tool):
+    """--help fits a screen, ends with an example, and every option has a group and a word that people know."""
+    shown, everything = run(bin_dir / tool, "--help"), run(bin_dir / tool, "--help-all")
+    if len(shown.splitlines()) > 32:
+        wrong.append(f"{tool} --help: {len(shown.splitlines())} lines, expected at most 32 (tools/cli/help/tool_page.cpp)")
+    if "\nExample:\n  " not in shown:
+        wrong.append(f"{tool} --help: no example (tools/cli/help/tool_page.cpp)")
+    if "\nOther:\n" in everything:
+        lost = everything.partition("\nOther:\n")[2]
+        wrong.append(f"{tool}: an option without a group (tools/cli/help/option_groups.cpp):\n{lost}")
+    for word in re.findall(r"\b(?:FLOAT|UINT|INT|TEXT|POSITIVE)\b", everything):
+        wrong.append(f"{tool} --help-all: {word}")
+
+
+def check_lengths():
+    """Words of a manual page before its options."""
+    counts = {}
+    for page in sorted((source_dir / "docs/man").glob("*.1.md")):
+        counts[page.name] = len(re.split(r"^# (?:OPTIONS|EXIT STATUS)$", page.read_text(), flags=re.M)[0].split())
+    print(f"words before OPTIONS: median {statistics.median(counts.values())}, most {max(counts.values())}")
+    wrong.extend(f"docs/man/{name}: {count} words before OPTIONS" for name, count in counts.items() if count > 250)
+    if statistics.median(counts.values()) > 120:
+        wrong.append("docs/man: more than 120 words before OPTIONS in the median: longer texts belong to a page of section 7")
+
+
+def check_words(what, offered, text):
+    """The words that completion offers are those that the help names."""
+    if not offered or any(word not in text for word in offered):
+        wrong.append(f"{what}: completion offers {sorted(offered)}, the help says: {text}")
 
 
 def check_bash(script, tool, verb, flags, words):
     expect(f"bash, {tool} {verb}", completed(script, tool, *verb, "-"), flags)
-    for flag, choice in words.items():
-        expect(f"bash, {tool} {verb} {flag}", completed(script, tool, *verb, flag, ""), choice)
-        expect(f"bash, {tool} {verb} {flag}=", completed(script, tool, *verb, flag, "=", ""), choice)
+    for flag, text in words.items():
+        offered = completed(script, tool, *verb, flag, "")
+        if not offered and flag not in FREE_WORDS:
+            wrong.append(f"bash, {tool} {verb} {flag}: no words are offered")
+        if offered:
+            check_words(f"bash, {tool} {verb} {flag}", offered, text)
+            expect(f"bash, {tool} {verb} {flag}=", completed(script, tool, *verb, flag, "=", ""), offered)
 
 
 def check_zsh(script, tool, verbs, flags):
@@ -121,14 +157,17 @@ def check_tool(tool, folder):
         check_bash(bash, tool, [verb], of_verb, of_words)
         flags |= of_verb
     check_manual(tool, flags)
-    check_meanings(tool)
+    check_help(tool)
     check_zsh(zsh, tool, verbs, flags)
 
 
 def check_front(folder):
     script = folder / "skyway"
     script.write_text(run(bin_dir / "skyway", "--completion", "bash"))
-    listed = set(re.findall(r"^  (\S+) ", run(bin_dir / "skyway", "help"), re.M))
+    listed = set(re.findall(r"^  (\S+) ", run(bin_dir / "skyway", "help").partition("\n\nTopics")[0], re.M))
+    topics = run(bin_dir / "skyway", "help").partition("Topics (man skyway-TOPIC):\n")[2].splitlines()[0].split()
+    pages = {p.name.removeprefix("skyway-").removesuffix(".7.md") for p in (source_dir / "docs/man").glob("*.7.md")}
+    expect("topics of skyway help", set(topics), pages)
     expect("bash, verbs of skyway", completed(script, "skyway", ""), listed | {"help"})
     expect("bash, skyway info -", completed(script, "skyway", "info", "-"), flags_and_words("skyway-info")[0])
     zsh = run(bin_dir / "skyway", "--completion", "zsh")
@@ -143,5 +182,6 @@ with tempfile.TemporaryDirectory() as name:
     for one in tools:
         check_tool(one, pathlib.Path(name))
     check_front(pathlib.Path(name))
+check_lengths()
 print("\n".join(wrong) or f"manual pages and completions of {len(tools)} tools agree with --help")
 sys.exit(bool(wrong))

@@ -273,8 +273,8 @@ def numbers(tool, folder):
     """Numbers that are none, units behind them, and values that are empty."""
     arguments = TOOLS[tool]
     verb = arguments[:1] if tool in ("skyway-map", "skyway-plot") else []
-    text = subprocess.run([bin_dir / tool, *verb, "--help"], capture_output=True, text=True, check=True).stdout
-    options = re.findall(r"^  (?:-\w,)?(--[\w-]+)[^\n]*? (?:FLOAT|X,Y,Z|X0|LAT|P,V)", text, re.M)
+    text = subprocess.run([bin_dir / tool, *verb, "--help" if verb else "--help-all"], capture_output=True, text=True, check=True).stdout
+    options = re.findall(r"^  (?:-\w, )?(--[\w-]+) (?:METRES|SECONDS|DEGREES|PERCENT|SHARE|FACTOR|HERTZ|NUMBER|PER-SECOND|LENGTH|X,Y,Z|X0|LAT|P,V)", text, re.M)
     for option in options:
         at = arguments.index(option) if option in arguments else len(arguments)
         rest = arguments[:at] + arguments[at + 2:]

@@ -1,0 +1,114 @@
+#include "tool_page.h"
+
+#include <sstream>
+
+namespace cli {
+namespace {
+
+struct Page {
+  const char* tool;
+  const char* example;
+  const char* common;  // empty: --help shows all options
+};
+
+constexpr Page kPages[] = {
+    {"skyway-bench",
+     "skyway-import data/downtown.csv | skyway-bench - --vehicle tello --queries "
+     "data/samples/queries.jsonl --method auto,astar -o report.json",
+     "--queries --length --roadmap --lattice --output --vehicle --margin --method "
+     "--planner-cmd --quality --within --trials --seed --threads"},
+    {"skyway-check",
+     "skyway-import data/downtown.csv | skyway-check - data/samples/trajectories.jsonl",
+     "--file-format --output --certificate --vehicle --margin --vmax --amax --ground "
+     "--autopilot --together --separation --moving --exact"},
+    {"skyway-cloud", "skyway-cloud data/samples/scan.xyz --cell 1 -o scan.boxmap",
+     "--format --crs --origin --unknown --allow-skipped --output --mode --cell --gap --ground "
+     "--floor --ceiling --bounds --threads"},
+    {"skyway-export",
+     "skyway-import data/downtown.csv | skyway-export - data/samples/trajectories.jsonl --id north "
+     "--format crazyflie -o north.csv",
+     "--format --id --output --speed --show --unchecked --vehicle --margin --spare --origin "
+     "--ground --heading --autopilot --separation"},
+    {"skyway-fleet",
+     "skyway-fleet data/samples/trajectories.jsonl --separation 20,8 -o fleet.jsonl --report "
+     "delays.json",
+     "--map --moving --others --alternatives --output --report --vehicle --separation --downwash "
+     "--parked --max-delay --improve --threads"},
+    {"skyway-fly",
+     "skyway-import data/downtown.csv | skyway-fly - data/samples/trajectories.jsonl --vehicle "
+     "quad2kg --wind 2,0,0 -o flight.csv",
+     "--output --report --tube --vehicle --margin --wind --gusts --noise --controller --gains "
+     "--runs --tune --seed --threads"},
+    {"skyway-footprints", "skyway-footprints data/samples/blocks.geojson -o blocks.boxmap",
+     "--format --origin --terrain --height-attribute --default-height --allow-skipped --output "
+     "--slack --seal --floor --ceiling --bounds --threads"},
+    {"skyway-import", "skyway-import data/downtown.csv -o downtown.boxmap",
+     "--format --units --frame --allow-skipped --model-path --output --seal --floor --ceiling "
+     "--pad --bounds"},
+    {"skyway-import-flight", "skyway-import-flight data/samples/hop.ulg -o flight.csv", ""},
+    {"skyway-import-trajectory",
+     "skyway-import-trajectory data/samples/mission.plan --origin 37,-122,0 --ground 0 --vehicle "
+     "quad2kg -o mission.jsonl",
+     "--format --map --id --origin --geoid --ground --return-height --terrain --gap --output "
+     "--vehicle --margin --start --heading"},
+    {"skyway-info", "skyway-info data/downtown.csv", ""},
+    {"skyway-join",
+     "skyway-cloud data/samples/scan.xyz --shard 1/1 -o s.1 && skyway-join s.1 -o scan.boxmap", ""},
+    {"skyway-lattice",
+     "skyway-import data/downtown.csv | skyway-lattice - --spacing 10 --connect 26 --vehicle tello "
+     "-o city.lattice",
+     "--patch --old-map --output --vehicle --margin --memory --spacing --connect --origin "
+     "--threads --shard"},
+    {"skyway-map", "skyway-import data/downtown.csv | skyway-map info -", "--threads --quiet"},
+    {"skyway-mesh", "skyway-mesh data/samples/house.obj --solid --slack 0.5 -o house.boxmap",
+     "--format --units --up --origin --allow-skipped --output --slack --solid --seal --floor "
+     "--ceiling --bounds --threads"},
+    {"skyway-plan",
+     "skyway-import data/downtown.csv | skyway-plan - --vehicle tello --from=-372,-149,12 "
+     "--to=-205,-292,40 -o path.jsonl",
+     "--from --to --queries --roadmap --lattice --output --certificate --vehicle --margin --method "
+     "--quality --snap-ends --bound --seed --threads"},
+    {"skyway-plot", "skyway-plot profile data/samples/trajectories.jsonl --id north -o profile.svg",
+     ""},
+    {"skyway-query",
+     "skyway-import data/downtown.csv -o city.boxmap && echo '{\"point\":[-372,-149,12]}' | "
+     "skyway-query city.boxmap --vehicle tello",
+     "--metres --output --degrees --vehicle --margin --memory --threads --quiet"},
+    {"skyway-render",
+     "skyway-import data/downtown.csv | skyway-render - --view overview -o overview.png",
+     "--output --depth --vehicle --id --view --camera --rate --at --size --azimuth --elevation "
+     "--shadows --threads"},
+    {"skyway-replan",
+     "skyway-import data/downtown.csv | skyway-replan - data/samples/paths.jsonl -o paths.jsonl",
+     "--paths --lattice --roadmap --output --vehicle --margin --quality --metres --threads --stats "
+     "--quiet"},
+    {"skyway-roadmap",
+     "skyway-import data/downtown.csv | skyway-roadmap - --vehicle tello --reach 30 -o "
+     "city.roadmap",
+     "--patch --old-map --output --vehicle --margin --reach --part --region --shard --threads"},
+    {"skyway-synth", "skyway-synth --seed 7 --size 400 -o town.csv", ""},
+    {"skyway-traj",
+     "skyway-import data/downtown.csv | skyway-traj - data/samples/paths.jsonl --vmax 8 --amax 6 "
+     "-o trajectories.jsonl",
+     "--output --corridor-file --vehicle --margin --vmax --amax --jmax --tilt --yaw-rate --solver "
+     "--times --yaw --rho --threads"},
+    {"skyway-view",
+     "skyway-import data/downtown.csv | skyway-view - data/samples/trajectories.jsonl -o page.html",
+     "--frames --poses --output --title --vehicle --margin --origin --ground --start --heading "
+     "--return-height"},
+};
+
+}  // namespace
+
+ToolPage page_of_tool(std::string_view tool) {
+  for (const Page& page : kPages) {
+    if (page.tool != tool) continue;
+    ToolPage out{page.example, {}};
+    std::istringstream names(page.common);
+    for (std::string name; names >> name;) out.common.insert(name);
+    return out;
+  }
+  return {};
+}
+
+}  // namespace cli
