@@ -118,7 +118,7 @@ nlohmann::ordered_json hashes_of(const std::vector<std::string>& paths) {
 }
 
 nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
-                               const footprints::Source& source, const std::string& format,
+                               const geom::gis::Source& source, const std::string& format,
                                const geom::MakeMapOptions& map) {
   nlohmann::ordered_json step = {{"tool", "skyway-footprints"},
                                  {"input", hash},
