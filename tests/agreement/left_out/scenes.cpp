@@ -6,7 +6,7 @@
 #include "geom/archive/bytes.h"
 #include "geom/import/import_boxes.h"
 #include "marked_polygon.h"
-#include "mesh/assimp_scene.h"
+#include "geom/model/assimp_scene.h"
 #include "support/sdf_text.h"
 
 namespace {
@@ -268,7 +268,7 @@ MarkedFile collada(Random& random) { return collada_of(random, Spelling::any); }
 
 auto reader_of(const char* format) {
   return [format](std::istream&, const MarkedFile& file) {
-    return outcome(mesh::read_scene(file.bytes, "random", format), file);
+    return outcome(geom::read_scene(file.bytes, "random", format), file);
   };
 }
 
@@ -298,7 +298,7 @@ Outcome read_world(std::istream& in, const MarkedFile& file) {
   options.sdf.slack = 5;
   options.sdf.open_mesh = [](const std::string&, const std::string&) { return &mesh_file; };
   options.sdf.read_collada = [](const geom::SdfFile& dae) {
-    return mesh::read_scene(dae.text, dae.name, "collada");
+    return geom::read_scene(dae.text, dae.name, "collada");
   };
   geom::ImportedBoxes made = geom::import_boxes(in, geom::BoxFormat::sdf, "random", options);
   for (geom::Aabb& box : made.table.boxes) box = geom::grow(box, Vec3::Constant(1e-6));

@@ -10,7 +10,7 @@
 #include "geom/map/frame.h"
 #include "geom/record/query_record.h"
 #include "traj/curve/trajectory.h"
-#include "traj/record/flight_log.h"
+#include "traj/flight/flight_log.h"
 
 namespace cli {
 
