@@ -59,6 +59,8 @@ TEST(Recognise, NamesMissionsTracksAndLogs) {
   EXPECT_EQ(what("<kml xmlns=\"http://www.opengis.net/kml/2.2\">"), "a KML file");
   EXPECT_EQ(what(zip("wpmz/template.kml", "")), "a DJI mission (KMZ with WPML)");
   EXPECT_EQ(what(zip("doc.kml", "")), "a KMZ file");
+  EXPECT_EQ(what(zip("streets.shp", "")), "a Shapefile in a ZIP archive (.shz)");
+  EXPECT_EQ(what(zip("streets.dbf", "")), "a Shapefile in a ZIP archive (.shz)");
   EXPECT_EQ(what("QGC WPL 110\n0\t1\t0\t16\t"), "a mission (WPL)");
   EXPECT_EQ(what("QGC WPL 110\n0\t1\t0\t16\t0\n1\t0\t3\t5001\t4\t"),
             "a fence or rally points without a mission");

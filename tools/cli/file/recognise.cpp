@@ -24,6 +24,9 @@ constexpr std::string_view kDroneToolsAndMesh = "skyway-check skyway-import-traj
 constexpr std::string_view kDroneToolsAndFootprints =
     "skyway-check skyway-import-trajectory skyway-footprints";
 constexpr std::string_view kUnpack = "unpack it first";
+constexpr std::string_view kZippedShapes = "a Shapefile in a ZIP archive (.shz)";
+constexpr std::string_view kUnpackShapes =
+    "unpack it, and give skyway-footprints the .shp beside its other files";
 constexpr std::string_view kToTrajectory =
     "convert its positions to a table id,x,y,z in metres, which skyway-check --paths-csv reads";
 constexpr std::string_view kToKmz =
@@ -168,6 +171,11 @@ constexpr std::array kZip = {
     Word{"wpmz/", "a DJI mission (KMZ with WPML)", kDroneTools, ""},
     Word{".wpml", "a DJI mission (KMZ with WPML)", kDroneTools, ""},
     Word{".kml", "a KMZ file", "skyway-footprints", ""},
+    Word{".shp", kZippedShapes, "", kUnpackShapes},
+    Word{".shx", kZippedShapes, "", kUnpackShapes},
+    Word{".dbf", kZippedShapes, "", kUnpackShapes},
+    Word{".prj", kZippedShapes, "", kUnpackShapes},
+    Word{".cpg", kZippedShapes, "", kUnpackShapes},
     Word{"[Content_Types].xml", "an office document", "", "write its table as CSV"},
     Word{"mimetype", "an office document", "", "write its table as CSV"},
     Word{".npy", "NumPy arrays (.npz)", "", ""},

@@ -16,6 +16,7 @@ constexpr std::string_view kMap = "a box map";
 constexpr std::string_view kPaths = "a stream of paths";
 constexpr std::string_view kTrajectories = "a stream of trajectories";
 constexpr std::string_view kQueries = "a stream of queries";
+constexpr std::string_view kZones = "a GeoJSON file";
 constexpr std::string_view kMoving = "a stream of obstacles that move";
 
 // What an option or argument takes, by how recognise() calls it.
@@ -43,6 +44,12 @@ const std::array kPlaces = {
     Place{"skyway-fleet", "--alternatives", {kTrajectories}},
     Place{"skyway-fleet", "--others", {kTrajectories}},
     Place{"skyway-join", "shards", {"a shard"}},
+    Place{"skyway-map", "--add", {"a table of boxes (box CSV)"}},
+    Place{"skyway-map", "--keep-out", {kZones, "a GeoJSON feature"}},
+    Place{
+        "skyway-map",
+        "--fence",
+        {"a QGroundControl plan", "a mission (WPL)", "a fence or rally points without a mission"}},
 };
 
 // Of two files that one argument takes, a map and what flies.
@@ -80,6 +87,7 @@ constexpr std::array kSteps = {
     Step{kMoving, "",
          R"(an obstacle is a line such as {"type":"moving","id":"a","from":0,"until":60,)"
          R"("min":[0,0,9],"max":[4,4,13],"velocity":[1,0,0],"growth":[0,0,0]})"},
+    Step{kZones, "a KML file", "ogr2ogr -f GeoJSON zones.geojson zones.kml makes GeoJSON of it"},
     Step{"a shard", "", "a run with --shard K/N writes shards"},
     Step{"a vehicle profile", "", "data/vehicles has some to begin with"},
 };
@@ -204,6 +212,7 @@ std::string made_of(const Place& place, const FileKind& kind) {
       if (std::find(tools.begin(), tools.end(), maker) == tools.end()) continue;
       return fmt::format("{} makes a box map of it", maker);
     }
+    if (kind.tools.empty() && !kind.otherwise.empty()) return std::string(kind.otherwise);
     return "skyway-import, skyway-footprints and skyway-cloud make box maps";
   }
   const bool drone_file = kind.tools.starts_with(kDroneTools);
@@ -234,6 +243,10 @@ std::string refusal_here(const CLI::App& app, const Place& place, const std::str
   }
   std::string advice = swapped(app, place, path, kind);
   if (advice.empty()) advice = made_of(place, kind);
+  if (advice.empty() && !kind.tools.empty()) {
+    const auto tools = words_of(kind.tools);
+    advice = fmt::format("{} {} it", listed(tools), tools.size() == 1 ? "reads" : "read");
+  }
   return fmt::format("{}: expected {}, found {}{}{}", path, expected, kind.what,
                      advice.empty() ? "" : "; ", advice);
 }
