@@ -243,6 +243,10 @@ std::string refusal_here(const CLI::App& app, const Place& place, const std::str
   }
   std::string advice = swapped(app, place, path, kind);
   if (advice.empty()) advice = made_of(place, kind);
+  if (advice.empty() && !kind.tools.empty()) {
+    const auto tools = words_of(kind.tools);
+    advice = fmt::format("{} {} it", listed(tools), tools.size() == 1 ? "reads" : "read");
+  }
   return fmt::format("{}: expected {}, found {}{}{}", path, expected, kind.what,
                      advice.empty() ? "" : "; ", advice);
 }
