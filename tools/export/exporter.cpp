@@ -61,15 +61,17 @@ void warn_of_what_is_left_out(const cli::Common& common, const Task& task, const
   }
 }
 
-// Which heights of a file are those of a place on Earth, where only the map's z is known; empty:
-// none.
-std::string_view guessed_heights(const Task& task) {
+// What a file says of heights on Earth where only the map's z is known; empty: nothing.
+std::string guessed_heights(const Task& task) {
   if (knows_height(task)) return "";
   if (task.format == "kml" || task.format == "geojson" || task.format == "dji-wpml") {
-    return "heights";
+    return fmt::format("heights in a {} file take 0 m for it", task.format);
   }
-  const bool from_home = task.format == "wpl" || task.format == "qgc-plan";
-  return from_home ? "the height of home above the sea, which all others count from," : "";
+  if (task.format != "wpl" && task.format != "qgc-plan") return "";
+  return fmt::format(
+      "home's height above the sea in a {} file takes 0 m for it, and the other heights count from "
+      "home",
+      task.format);
 }
 
 void set_ground(const geom::CollisionScene& scene, const Flight& flight, Task& task) {
@@ -141,13 +143,12 @@ Exporter::Export Exporter::make(const Flight& flight) {
                                     : write_checked(flight, made.task);
   if (!made.written) return made;
   if (made.task.format == "crazyflie") warn_of_memory(common_, made.task);
-  const std::string_view guessed = guessed_heights(made.task);
+  const std::string guessed = guessed_heights(made.task);
   if (!guessed.empty() && !std::exchange(told_of_heights_, true)) {
     common_.warn(
-        fmt::format("the map does not say how high above the ellipsoid its z = 0 is: {} in a {} "
-                    "file take{} 0 m "
-                    "for it (--origin latitude,longitude,height says otherwise)",
-                    guessed, made.task.format, guessed == "heights" ? "" : "s"));
+        fmt::format("the map does not say how high above the ellipsoid its z = 0 is: {} (--origin "
+                    "latitude,longitude,height says otherwise)",
+                    guessed));
   }
   const bool says_when = !options_.show.empty() || made.task.format == "volume4d";
   if (made.task.format == "setpoints" && !made.task.autopilot.tracking) {
