@@ -1,11 +1,14 @@
 // skyway: runs skyway-VERB, and lists the verbs.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -46,17 +49,17 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"info", "say what is in a file"},
 };
 
-constexpr const char* kTopics =
-    "certificates cities clouds exact maps missions models motion pictures running search sources "
-    "together";
+constexpr const char* kTopics[] = {"certificates", "cities",  "clouds",  "exact",    "maps",
+                                   "missions",     "models",  "motion",  "pictures", "running",
+                                   "search",       "sources", "together"};
 
 std::string usage() {
   std::string text = "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n";
   for (const auto& [verb, what] : kVerbs) text += fmt::format("  {:<17} {}\n", verb, what);
   return text + fmt::format(
-                    "\nTopics (man skyway-TOPIC):\n  {}\n\nExample:\n  skyway import "
+                    "\nTopics (skyway help TOPIC):\n  {}\n\nExample:\n  skyway import "
                     "data/downtown.csv -o downtown.boxmap\n",
-                    kTopics);
+                    fmt::join(kTopics, " "));
 }
 
 int answer(std::string_view text) {
@@ -69,44 +72,71 @@ int answer(std::string_view text) {
   }
 }
 
+// Only returns where the program cannot be run.
+int cannot_run(const std::string& program) {
+  cli::complain("skyway", fmt::format("cannot run {}: {}", program, std::strerror(errno)));
+  return 4;
+}
+
+int unknown(const std::string& word, const char* what, std::vector<std::string> words) {
+  cli::complain("skyway",
+                fmt::format("unknown {} \"{}\"{}", what, word, cli::did_you_mean(word, words)));
+  cli::say("Try 'skyway help', which lists the verbs.\n");
+  return 2;
+}
+
+std::vector<std::string> verbs() {
+  std::vector<std::string> out;
+  for (const auto& [verb, what] : kVerbs) out.emplace_back(verb);
+  return out;
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Opens the manual page of a verb or topic.
+int open_page(const std::string& word) {
+  const std::vector<std::string> topics(std::begin(kTopics), std::end(kTopics));
+  const bool is_topic = contains(topics, word);
+  std::vector<std::string> known = verbs();
+  if (!is_topic && !contains(known, word)) {
+    known.insert(known.end(), topics.begin(), topics.end());
+    return unknown(word, "verb or topic", std::move(known));
+  }
+  execlp("man", "man", is_topic ? "7" : "1", ("skyway-" + word).c_str(), nullptr);
+  return cannot_run("man");
+}
+
+// Runs the tool beside this program, else the one on the PATH.
+int run_verb(const std::string& verb, int argc, char** argv) {
+  std::string tool = "skyway-" + verb;
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::string beside = (self.parent_path() / tool).string();
+  std::vector<char*> arguments(argv + 1, argv + argc);
+  arguments[0] = tool.data();
+  arguments.push_back(nullptr);
+  if (!error) execv(beside.c_str(), arguments.data());
+  execvp(tool.c_str(), arguments.data());
+  return cannot_run(tool);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   cli::prepare_standard_streams();
   const std::string verb = argc > 1 ? argv[1] : "";
-  if (verb == "help" || verb == "--help" || verb == "-h") {
-    return answer(usage());
-  }
-  if (verb == "--version") {
-    return answer("skyway " SKYWAY_VERSION "\n");
-  }
+  if (verb == "help" && argc == 3) return open_page(argv[2]);
+  if (verb == "help" || verb == "--help" || verb == "-h") return answer(usage());
+  if (verb == "--version") return answer("skyway " SKYWAY_VERSION "\n");
   if (const auto shell =
           verb == "--completion" && argc == 3 ? cli::shell_from(argv[2]) : std::nullopt) {
     return answer(cli::completion("skyway", kVerbs, *shell));
-  }
-  for (const auto& [known, what] : kVerbs) {
-    if (verb != known) continue;
-    const std::string tool = "skyway-" + verb;
-    std::error_code error;
-    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::string beside = (self.parent_path() / tool).string();
-    std::vector<char*> arguments(argv + 1, argv + argc);
-    std::string name = tool;
-    arguments[0] = name.data();
-    arguments.push_back(nullptr);
-    if (!error) execv(beside.c_str(), arguments.data());
-    execvp(tool.c_str(), arguments.data());
-    cli::complain("skyway", fmt::format("cannot run {}: {}", tool, std::strerror(errno)));
-    return 4;
   }
   if (verb.empty()) {
     cli::say(usage());
     return 2;
   }
-  std::vector<std::string> verbs;
-  for (const auto& [known, what] : kVerbs) verbs.emplace_back(known);
-  cli::complain("skyway",
-                fmt::format("unknown verb \"{}\"{}", verb, cli::did_you_mean(verb, verbs)));
-  cli::say("Try 'skyway help', which lists the verbs.\n");
-  return 2;
+  return contains(verbs(), verb) ? run_verb(verb, argc, argv) : unknown(verb, "verb", verbs());
 }

@@ -165,7 +165,7 @@ def check_front(folder):
     script = folder / "skyway"
     script.write_text(run(bin_dir / "skyway", "--completion", "bash"))
     listed = set(re.findall(r"^  (\S+) ", run(bin_dir / "skyway", "help").partition("\n\nTopics")[0], re.M))
-    topics = run(bin_dir / "skyway", "help").partition("Topics (man skyway-TOPIC):\n")[2].splitlines()[0].split()
+    topics = run(bin_dir / "skyway", "help").partition("Topics (skyway help TOPIC):\n")[2].splitlines()[0].split()
     pages = {p.name.removeprefix("skyway-").removesuffix(".7.md") for p in (source_dir / "docs/man").glob("*.7.md")}
     expect("topics of skyway help", set(topics), pages)
     expect("bash, verbs of skyway", completed(script, "skyway", ""), listed | {"help"})

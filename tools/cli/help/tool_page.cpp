@@ -28,7 +28,7 @@ constexpr Page kPages[] = {
      "skyway-import data/downtown.csv | skyway-export - data/samples/trajectories.jsonl --id north "
      "--format crazyflie -o north.csv",
      "--format --id --output --speed --show --unchecked --vehicle --margin --spare --origin "
-     "--ground --heading --autopilot --separation"},
+     "--ground --autopilot --separation"},
     {"skyway-fleet",
      "skyway-fleet data/samples/trajectories.jsonl --separation 20,8 -o fleet.jsonl --report "
      "delays.json",
