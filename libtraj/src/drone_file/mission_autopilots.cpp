@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "mission_jumps.h"
+#include "mission_places.h"
 
 namespace traj {
 namespace {
@@ -14,14 +16,22 @@ namespace {
 // which ends the transfer.
 constexpr int kNotForPx4[] = {kLoiterTurns, kSplineWaypoint, kPayloadPlace, kAuxFunction};
 
+// Mission::handleTakeoff of PX4 climbs on the spot and then goes to the item's place, be it 0, 0.
+// ArduPilot takes no heed of the place.
+bool leads_away(const MissionItem& item) {
+  return item.command == kTakeoff && !std::isnan(item.latitude) && !std::isnan(item.longitude) &&
+         MissionPlaces::is_here(item);
+}
+
+bool is_not_for_px4(const MissionItem& item) {
+  return leads_away(item) || std::find(std::begin(kNotForPx4), std::end(kNotForPx4),
+                                       item.command) != std::end(kNotForPx4);
+}
+
 }  // namespace
 
 const MissionItem* not_for_px4(const Mission& mission) {
-  const auto found =
-      std::find_if(mission.items.begin(), mission.items.end(), [](const MissionItem& item) {
-        return std::find(std::begin(kNotForPx4), std::end(kNotForPx4), item.command) !=
-               std::end(kNotForPx4);
-      });
+  const auto found = std::find_if(mission.items.begin(), mission.items.end(), is_not_for_px4);
   return found == mission.items.end() ? nullptr : &*found;
 }
 
@@ -32,6 +42,11 @@ std::vector<Autopilot> autopilots_that_load(const Mission& mission, const Missio
   if (!item || out.empty()) return out;
   std::erase_if(out, [](const Autopilot& one) { return one.firmware == Firmware::px4; });
   if (!out.empty()) return out;
+  if (leads_away(*item)) {
+    refuse_item(source, *item,
+                "expected a place, found a take-off at latitude 0, longitude 0: PX4 flies there "
+                "when it has climbed");
+  }
   refuse_item(source, *item,
               fmt::format("expected what PX4 flies, found command {}: PX4 loads no mission with "
                           "it, and no other autopilot is asked for (--autopilot)",

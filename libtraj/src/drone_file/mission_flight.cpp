@@ -62,12 +62,15 @@ class Flight {
 
   // --- places -------------------------------------------------------------------------------
 
-  // A take-off or landing at 0, 0 or null is where the vehicle is.
+  // A take-off or landing at null is where the vehicle is; a take-off at 0, 0 likewise. PX4 moves
+  // to a landing's place, be it 0, 0 (MissionBase::handleLanding).
   Vec3 place(const MissionItem& item) const {
-    const bool may_be_here = item.command == kTakeoff || item.command == kLand;
+    const bool null = std::isnan(item.latitude) || std::isnan(item.longitude);
+    const bool lands_here = null || flown_by(Firmware::ardupilot, rules_);
+    const bool may_be_here = item.command == kTakeoff || (item.command == kLand && lands_here);
     if (!MissionPlaces::is_here(item)) return places_.place(item, here());
     if (!may_be_here) {
-      require_known_start("an item without a place");
+      if (item.command != kLand) require_known_start("an item without a place");
       return places_.place(item, here());
     }
     const double z = places_.height(item);

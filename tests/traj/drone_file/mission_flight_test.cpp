@@ -41,6 +41,15 @@ class Maker {
     return *this;
   }
 
+  // A landing where it is, which the file says by null.
+  Maker& land_here() {
+    just(kLand);
+    MissionItem& item = mission_.items.back();
+    item.latitude = item.longitude = std::numeric_limits<double>::quiet_NaN();
+    item.frame = kGlobalRelative;
+    return *this;
+  }
+
   FlownMission fly(const MissionRules& rules = {}, const MissionFrame& frame = kFrame) const {
     return flown_mission(mission_, frame, rules, "m");
   }
@@ -121,7 +130,7 @@ TEST(FlownMission, AShortHoldIsNoRest) {
   longer.add(kWaypoint, {100, 0, 30}, {4.1, 6, 0, 0}).add(kWaypoint, {100, 80, 30});
   EXPECT_TRUE(longer.fly().sweeps.empty()) << "twice the 2 s that it brakes from 6 m at 3 m/s2";
   Maker here;
-  here.add(kWaypoint, {100, 0, 30}, {0.1, 30, 0, 0}).just(kLand);
+  here.add(kWaypoint, {100, 0, 30}, {0.1, 30, 0, 0}).land_here();
   here.mission().items.back().frame = kGlobalRelative;
   EXPECT_NE(here.refusal(), "");
 }
@@ -319,15 +328,13 @@ TEST(FlownMission, MayReturnToRallyPointsAboveTheReturnHeight) {
 
 TEST(FlownMission, LandsWhereItsPlaceIsKnown) {
   Maker unsaid;
-  unsaid.add(kWaypoint, {100, 0, 30}).just(kLand);
-  unsaid.mission().items.back().frame = kGlobalRelative;
+  unsaid.add(kWaypoint, {100, 0, 30}).land_here();
   EXPECT_EQ(unsaid.refusal(),
             "m: item 3: expected the place of the landing, or a waypoint with a hold before it, "
             "found neither: it lands where it is when it takes the waypoint for reached");
   EXPECT_EQ(unsaid.refusal({.acceptance = 0}), "");
   Maker rested;
-  rested.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kLand);
-  rested.mission().items.back().frame = kGlobalRelative;
+  rested.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).land_here();
   EXPECT_EQ(rested.fly().ends.landing_on, 10);
 }
 
@@ -468,6 +475,9 @@ TEST(FlownMission, LandsWhereArduPilotStops) {
   maker.add(kWaypoint, {100, 0, 30}).just(kLand);
   maker.mission().items.back().frame = kGlobalRelative;
   EXPECT_EQ(maker.fly(kArduPilot).ends.landing_on, 10);
+  EXPECT_EQ(maker.refusal(),
+            "m: item 3: expected a place, found latitude 0, longitude 0: ArduPilot then stays "
+            "where it is, and PX4 flies there: say which of them flies it (--autopilot)");
 }
 
 TEST(FlownMission, FliesWhatIsRepeatedForEverTwice) {

@@ -121,8 +121,12 @@ Notes notes_of(const traj::FlownMission& read) {
   }
   if (read.not_for_px4 > 0) {
     notes.push_back(
-        fmt::format("PX4 loads no mission with command {}: it was looked at as ArduPilot flies it",
-                    read.not_for_px4));
+        read.not_for_px4 == traj::kTakeoff
+            ? "the take-off is at latitude 0, longitude 0, where PX4 would fly to: the mission was "
+              "looked at as ArduPilot flies it, which climbs on the spot"
+            : fmt::format(
+                  "PX4 loads no mission with command {}: it was looked at as ArduPilot flies it",
+                  read.not_for_px4));
   }
   if (!read.ended) {
     notes.emplace_back("the flight ends without landing: the vehicle hovers, or the file was cut");

@@ -40,7 +40,7 @@ struct FlownMission {
   bool returns = false;         // ends with a return to home, by a way that is not known
   std::vector<Vec3> rally;      // where it may return to instead: from there it lands
   std::vector<Vec3> touches;    // places in the air from which it sinks to the ground on its way
-  int not_for_px4 = 0;          // a command that PX4 loads no mission with; 0: it has none
+  int not_for_px4 = 0;          // the command of the first item that PX4 does not fly; 0: none
   bool ended = false;           // by a landing, a return or loitering; else it may have been cut
   std::size_t corners = 0;      // points between two legs without a rest
   double acceptance = 0;        // m, the largest with which these were swept
@@ -95,7 +95,8 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 //   height, or with the mark of a landing (189) that it may go to: `returns`.
 // Commands that are known to move nothing (cameras, gimbals, servos, yaw) are counted.
 // - PX4 loads no mission with a spline, turns on a circle, a payload's place or an auxiliary
-//   function: such a mission is ArduPilot's alone, which rests at each hold of 1 s.
+//   function, and flies to a take-off at latitude 0, longitude 0: such a mission is ArduPilot's
+//   alone, which rests at each hold of 1 s.
 // - ArduPilot takes an altitude of 0 for the present one, and latitude 0, longitude 0 for the
 //   present place; PX4 takes both as they stand. So these are refused where both may fly it.
 //
