@@ -9,13 +9,13 @@
 
 namespace traj {
 
-// The first item that PX4 does not fly as ArduPilot does: turns on a circle, splines, payload places
-// and auxiliary functions, with which PX4 loads no mission, and a take-off at latitude 0, longitude
-// 0, to which PX4 flies. Null: there is none.
+// The first item that PX4 does not fly as ArduPilot does: turns on a circle, splines, payload
+// places and auxiliary functions, with which PX4 loads no mission, and a take-off at latitude 0,
+// longitude 0, to which PX4 flies. Null: there is none.
 const MissionItem* not_for_px4(const Mission& mission);
 
-// Those of the rules' autopilots that fly the mission as it is read here. Throws geom::InputError(source, line, …)
-// where that is none of them.
+// Those of the rules' autopilots that fly the mission as it is read here. Throws
+// geom::InputError(source, line, …) where that is none of them.
 std::vector<Autopilot> autopilots_that_load(const Mission& mission, const MissionRules& rules,
                                             std::string_view source);
 

@@ -62,7 +62,8 @@ class Flight {
 
   // --- places -------------------------------------------------------------------------------
 
-  // A take-off or landing at null is where the vehicle is; a take-off at 0, 0 likewise. PX4 moves
+  // A take-off or landing at null is where the vehicle is; so is a take-off at 0, 0, which is
+  // ArduPilot's (not_for_px4). PX4 moves
   // to a landing's place, be it 0, 0 (MissionBase::handleLanding).
   Vec3 place(const MissionItem& item) const {
     const bool null = std::isnan(item.latitude) || std::isnan(item.longitude);

@@ -444,6 +444,22 @@ TEST(FlownMission, IsArduPilotsAloneWherePx4DoesNotLoadIt) {
             "and no other autopilot is asked for (--autopilot)");
 }
 
+TEST(FlownMission, IsArduPilotsAloneWhereItsTakeOffIsAtZero) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 40});
+  MissionItem& takeoff = maker.mission().items.front();
+  takeoff.latitude = takeoff.longitude = 0;
+  const FlownMission flown = maker.fly();
+  EXPECT_EQ(flown.not_for_px4, kTakeoff);
+  ASSERT_EQ(flown.drift.size(), 1u);
+  EXPECT_EQ(flown.drift[0].autopilot, "ardupilot:4.3-4.7");
+  EXPECT_EQ(maker.refusal(kPx4),
+            "m: item 1: expected a place, found a take-off at latitude 0, longitude 0: PX4 flies "
+            "there when it has climbed");
+  takeoff.latitude = takeoff.longitude = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(maker.fly().not_for_px4, 0);
+}
+
 TEST(FlownMission, SetsAPayloadDownAndGoesOnFromAbove) {
   Maker maker;
   maker.add(kWaypoint, {100, 0, 40}).add(kPayloadPlace, {100, 80, 70});
