@@ -109,10 +109,12 @@ std::string brief_text(const CLI::Option& option) {
   std::string text = option.get_description();
   text.resize(std::min(text.size(), text.find("; ")));
   text = without_remark(text);
-  for (const char* const mark : {": ", " for ", ", which "}) {
+  const auto cut = [&](const char* mark, std::size_t room) {
     const std::size_t at = text.find(mark, kShortest);
-    if (text.size() > kLine && at != std::string::npos) text.resize(at);
-  }
+    if (text.size() > room && at != std::string::npos) text.resize(at);
+  };
+  cut(": ", 2 * kLine);
+  cut(", which ", kLine);
   const std::string words = words_left_out(option.get_type_name(), text);
   if (text.size() + words.size() <= 2 * kLine) text += words;
   if (option.get_required() && !option.get_positional()) text += "; must be given";

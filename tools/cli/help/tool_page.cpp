@@ -20,20 +20,20 @@ constexpr Page kPages[] = {
     {"skyway-check",
      "skyway-import data/downtown.csv | skyway-check - data/samples/trajectories.jsonl",
      "--file-format --output --certificate --vehicle --margin --vmax --amax --ground "
-     "--autopilot --together --separation --moving --exact"},
+     "--autopilot --together --separation --exact"},
     {"skyway-cloud", "skyway-cloud data/samples/scan.xyz --cell 1 -o scan.boxmap",
-     "--format --crs --origin --unknown --allow-skipped --output --mode --cell --gap --ground "
+     "--format --crs --origin --unknown --allow-skipped --output --mode --cell --ground "
      "--floor --ceiling --bounds --threads"},
     {"skyway-export",
      "skyway-import data/downtown.csv | skyway-export - data/samples/trajectories.jsonl --id north "
      "--format crazyflie -o north.csv",
-     "--format --id --output --speed --show --unchecked --vehicle --margin --spare --origin "
-     "--ground --autopilot --separation"},
+     "--format --id --output --speed --show --unchecked --vehicle --margin --origin "
+     "--ground --separation"},
     {"skyway-fleet",
      "skyway-fleet data/samples/trajectories.jsonl --separation 20,8 -o fleet.jsonl --report "
      "delays.json",
-     "--map --moving --others --alternatives --output --report --vehicle --separation --downwash "
-     "--parked --max-delay --improve --threads"},
+     "--map --moving --others --alternatives --output --report --vehicle --separation "
+     "--parked --max-delay --threads"},
     {"skyway-fly",
      "skyway-import data/downtown.csv | skyway-fly - data/samples/trajectories.jsonl --vehicle "
      "quad2kg --wind 2,0,0 -o flight.csv",
@@ -41,7 +41,7 @@ constexpr Page kPages[] = {
      "--runs --tune --seed --threads"},
     {"skyway-footprints", "skyway-footprints data/samples/blocks.geojson -o blocks.boxmap",
      "--format --origin --terrain --height-attribute --default-height --allow-skipped --output "
-     "--slack --seal --floor --ceiling --bounds --threads"},
+     "--slack --floor --ceiling --bounds --threads"},
     {"skyway-import", "skyway-import data/downtown.csv -o downtown.boxmap",
      "--format --units --frame --allow-skipped --model-path --output --seal --floor --ceiling "
      "--pad --bounds"},
@@ -62,7 +62,7 @@ constexpr Page kPages[] = {
     {"skyway-map", "skyway-import data/downtown.csv | skyway-map info -", "--threads --quiet"},
     {"skyway-mesh", "skyway-mesh data/samples/house.obj --solid --slack 0.5 -o house.boxmap",
      "--format --units --up --origin --allow-skipped --output --slack --solid --seal --floor "
-     "--ceiling --bounds --threads"},
+     "--bounds --threads"},
     {"skyway-plan",
      "skyway-import data/downtown.csv | skyway-plan - --vehicle tello --from=-372,-149,12 "
      "--to=-205,-292,40 -o path.jsonl",
@@ -90,7 +90,7 @@ constexpr Page kPages[] = {
     {"skyway-traj",
      "skyway-import data/downtown.csv | skyway-traj - data/samples/paths.jsonl --vmax 8 --amax 6 "
      "-o trajectories.jsonl",
-     "--output --corridor-file --vehicle --margin --vmax --amax --jmax --tilt --yaw-rate --solver "
+     "--output --vehicle --margin --vmax --amax --jmax --tilt --yaw-rate --solver "
      "--times --yaw --rho --threads"},
     {"skyway-view",
      "skyway-import data/downtown.csv | skyway-view - data/samples/trajectories.jsonl -o page.html",
