@@ -7,19 +7,15 @@
 
 #include "geom/base/error.h"
 #include "geom/text/text_table.h"
-#include "gml_drawn.h"
+#include "gml_drawing.h"
 #include "gml_frame.h"
-#include "gml_geometry.h"
 #include "gml_height.h"
-#include "gml_objects.h"
 #include "gml_polygon.h"
 #include "gml_words.h"
 #include "xml.h"
 
 namespace geom::gis {
 namespace {
-
-constexpr std::size_t kMostSurfaces = 50'000'000;
 
 class Reader : public XmlHandler {
  public:
@@ -43,7 +39,7 @@ class Reader : public XmlHandler {
                          element.name.substr(0, 40)));
     }
     text_.clear();
-    if (!polygon_ && !is_shape(element.name)) ids_.emplace(element.attribute("id"));
+    if (!polygon_ && !is_shape(element.name)) drawing_.add_id(element.attribute("id"));
     take(element, frame);
     take_link(element, frame);
     frames_.push_back(std::move(frame));
@@ -68,9 +64,7 @@ class Reader : public XmlHandler {
   }
 
   CityGml finish() {
-    for (const GmlLink& link : links_) follow(link);
-    for (const GmlDrawn& drawn : drawn_) place(drawn);
-    out_.model.objects = objects_.settle();
+    drawing_.settle(out_.model, name_);
     return std::move(out_);
   }
 
@@ -236,27 +230,7 @@ class Reader : public XmlHandler {
         from = objects_.innermost();
         objects_.use();
       }
-      links_.push_back({from, element.name, target(link), element.line});
-    }
-  }
-
-  // A link from an object to what is a part of it, or bounds it. What stands elsewhere in the file
-  // is built there.
-  void follow(const GmlLink& link) {
-    const auto bounding = drawn_of_.find(link.target);
-    if (const auto part = objects_.find(link.target)) {
-      if (link.from && *link.from != *part) objects_.join(*link.from, *part);
-    } else if (link.from && bounding != drawn_of_.end()) {
-      for (const std::size_t i : bounding->second) {
-        GmlDrawn drawn = drawn_[i];
-        drawn.object = *link.from;
-        drawn_.push_back(std::move(drawn));
-      }
-    } else if (!ids_.contains(link.target) && !shapes_.has(link.target)) {
-      const std::string name = link.from ? objects_[*link.from].name : "the model";
-      out_.model.skipped.add("object that a link does not lead to",
-                             fmt::format("line {}: {} of {}", link.line, link.target.substr(0, 60),
-                                         name.substr(0, 60)));
+      drawing_.add_link({from, element.name, target(link), element.line});
     }
   }
 
@@ -274,10 +248,9 @@ class Reader : public XmlHandler {
     drawn.geometry.roofs_only = !bounds_.empty() && bounds_.back().name == "RoofSurface";
     drawn.geometry.roof_edge = roof_edge_ || (lod == 0 && drawn.geometry.roofs_only);
     drawn.shape = shapes_.add_shape("");
-    for (const Boundary& b : bounds_) {
-      if (!b.id.empty()) drawn_of_[b.id].push_back(drawn_.size());
-    }
-    drawn_.push_back(drawn);
+    std::vector<std::string> boundaries;
+    for (const Boundary& b : bounds_) boundaries.push_back(b.id);
+    drawing_.add(drawn, boundaries);
     return drawn.shape;
   }
 
@@ -375,7 +348,7 @@ class Reader : public XmlHandler {
     }
     const GmlShapes::Index shape = begin_drawn(lod_here());
     shapes_.add_part(shape, implicit.shape);
-    drawn_.back().place = matrix;
+    drawing_.place_last(matrix);
     out_.placed = true;
   }
 
@@ -418,46 +391,12 @@ class Reader : public XmlHandler {
     (frame.name == "transformationMatrix" ? implicit_->matrix : implicit_->at) = *numbers;
   }
 
-  // A solid and the surfaces that bound an object are often the same polygons.
-  void drop_known(const GmlDrawn& drawn, GmlShapes::Surfaces& found) {
-    auto& known = known_[{drawn.object, drawn.geometry.lod}];
-    std::vector<CitySurface> fresh;
-    for (std::size_t i = 0; i < found.surfaces.size(); ++i) {
-      if (known.insert(found.polygons[i]).second) fresh.push_back(std::move(found.surfaces[i]));
-    }
-    found.surfaces = std::move(fresh);
-  }
-
-  void place(const GmlDrawn& drawn) {
-    CityObject& object = objects_[drawn.object];
-    GmlShapes::Surfaces found = shapes_.surfaces_of(drawn.shape, drawn.place);
-    if (!found.lost.empty()) {
-      out_.model.skipped.add(
-          "surface that a link does not lead to",
-          fmt::format("{} of {}", found.lost.substr(0, 60), object.name.substr(0, 60)));
-    }
-    if (!found.within_reach()) {
-      throw InputError(name_, fmt::format("object \"{}\": expected coordinates within 1e8, "
-                                          "found a shape that is placed beyond",
-                                          object.name.substr(0, 60)));
-    }
-    if (!drawn.place) drop_known(drawn, found);
-    taken_ += found.surfaces.size();
-    if (taken_ > kMostSurfaces) {
-      throw InputError(name_, fmt::format("expected at most {} surfaces, links followed, found "
-                                          "more: cut the file",
-                                          kMostSurfaces));
-    }
-    if (found.surfaces.empty()) return;
-    CityGeometry geometry = drawn.geometry;
-    geometry.surfaces = std::move(found.surfaces);
-    object.geometries.push_back(std::move(geometry));
-  }
-
   const std::string& name_;
   const std::string& height_attribute_;
   std::vector<GmlFrame> frames_;
-  GmlObjects objects_;
+  GmlDrawing drawing_;
+  GmlObjects& objects_ = drawing_.objects;
+  GmlShapes& shapes_ = drawing_.shapes;
   std::vector<Boundary> bounds_;  // that are open
   std::vector<GmlShapes::Index> shapes_open_;
   std::optional<GmlPolygon> polygon_;
@@ -466,13 +405,6 @@ class Reader : public XmlHandler {
   std::string text_;
   std::size_t line_ = 0;
   GmlHeight height_;  // that is open
-  GmlShapes shapes_;
-  std::vector<GmlDrawn> drawn_;
-  std::map<std::string, std::vector<std::size_t>> drawn_of_;  // boundaries, by their ids
-  std::vector<GmlLink> links_;                                // to objects and boundaries
-  std::set<std::string, std::less<>> ids_;                    // of what is no shape
-  std::size_t taken_ = 0;                                     // surfaces of objects
-  std::map<std::pair<std::size_t, double>, std::set<GmlShapes::Index>> known_;
   CityGml out_;
 };
 
