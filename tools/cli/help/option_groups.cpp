@@ -21,7 +21,7 @@ constexpr Group kGroups[] = {
      "--departure=SECONDS --id=NAME footprints--terrain --where=SQL --height-attribute=NAME "
      "--model-path=FOLDER --without=NAME --fence --keep-out --keep-out-local --add "
      "--remove=IDS|FILE --far --metres --crs --units --vertical-units --height-units "
-     "--default-height=METRES --storey=METRES --classes cloud--origin footprints--origin "
+     "--default-height=METRES --storey=METRES --classes cloud--origin footprints--origin=LAT,LON "
      "mesh--origin import--origin --zero-height=METRES --up footprints--axes --frame --begin "
      "cloud--noise --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
      "--resolution=METRES --scale=FACTOR --all --verify --join"},
