@@ -45,9 +45,10 @@ Autopilot px4(std::string_view version) {
   out.takeoff_height = 2.5;
   out.return_height = 60;
   out.return_slope = 1;
+  out.rally_adds = true;
   out.heeds_item_radius = true;
   out.least_radius = version == "1.11" ? 0 : kLeastLineRadius;
-  out.tracking = {0.45, 0.45, 0.45};
+  out.tracking = {0.47, 0.47, 0.47};
   out.from_stop = {20, 2.5};
   out.from_corner = {80, 7};
   out.bulge = 0.013;

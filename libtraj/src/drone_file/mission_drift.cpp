@@ -336,33 +336,62 @@ class DriftMaker {
   // point it sinks as it does at home.
   void return_home() {
     const std::size_t last = task_.path.size() - 1;
-    if (last < 2 || !returns(last) || !returns(last - 1)) return;
+    if (last < 1 || !returns(last)) return;
+    const bool climbs = last > 1 && returns(last - 1);  // else it is as high as home asks for
+    const std::size_t stop = climbs ? last - 2 : last - 1;
     const Vec3& top = at(last - 1);
-    const Vec3& low = at(last - 2);
-    const Vec3 beyond = overshoot(last - 2);
+    const Vec3 beyond = overshoot(stop);
+    if (climbs) climb_home(at(stop), top, beyond);
+    for (const Vec3& rally : task_.rally) return_to(rally, at(stop), top, beyond);
+  }
+
+  void climb_home(const Vec3& low, const Vec3& top, const Vec3& beyond) {
+    const std::size_t last = task_.path.size() - 1;
     const FlightPart part = task_.legs[last];
     if (!beyond.isZero(0)) {
       add({low, low + beyond, top, top + beyond}, part);
       add({top, top + beyond, at(last)}, part);
     }
-    // It goes home as soon as the height counts as reached.
-    const Vec3 under(0, 0, pilot_.height_acceptance);
-    add({top - under, top + beyond - under, top + beyond, at(last)}, part);
-    const double speed_home = speed(last);
-    for (const Vec3& rally : task_.rally) {
-      const Vec3 above(rally.x(), rally.y(), std::max(top.z(), rally.z()));
-      const double ground = task_.ends.landing_on.value_or(rally.z());
-      Hull cone = sinking(above, top, pilot_.acceptance, ground);
-      const Vec3 way = level(above - top);
-      const double length = way.norm();
-      if (length > 0) {
-        cone.push_back(above +
-                       way * ((pilot_.overshoot_time * speed_home + pilot_.overshoot) / length));
-      }
-      add_to_ground(std::move(cone), part, ground);
-      add_to_ground({above, {above.x(), above.y(), ground}}, part, ground);
-      if (!beyond.isZero(0)) add({top, top + beyond, above}, part);
+    go_across(top, beyond, low, at(last), part);
+  }
+
+  // It goes across as soon as the height counts as reached, or by an S-curve.
+  void go_across(const Vec3& top, const Vec3& beyond, const Vec3& low, const Vec3& to,
+                 const FlightPart& part) {
+    const double before =
+        pilot_.turns_by_s_curve ? s_curve_length(pilot_, pilot_.climb) : pilot_.height_acceptance;
+    const Vec3 under(0, 0, std::min(before, std::max(top.z() - low.z(), pilot_.height_acceptance)));
+    add({top - under, top + beyond - under, top, top + beyond, to}, part);
+  }
+
+  // `top`: where it would return home from, above `low`, where it stopped and may be `beyond`.
+  void return_to(const Vec3& rally, const Vec3& low, const Vec3& top, const Vec3& beyond) {
+    const std::size_t last = task_.path.size() - 1;
+    const FlightPart part = task_.legs[last];
+    const double height = pilot_.rally_adds ? std::max(low.z(), rally.z() + task_.return_height)
+                                            : std::max(top.z(), rally.z());
+    const Vec3 from(top.x(), top.y(), height);
+    const Vec3 above(rally.x(), rally.y(), height);
+    add({low, low + beyond, from, from + beyond}, part);
+    go_across(from, beyond, low, above, part);
+    sink_to(rally, above, from, part);
+    // Within the cone of returns it comes back as low as it was.
+    if (low.z() >= height) return;
+    const Vec3 flat(rally.x(), rally.y(), std::max(low.z(), rally.z()));
+    sink_to(rally, flat, {low.x(), low.y(), flat.z()}, part);
+  }
+
+  void sink_to(const Vec3& rally, const Vec3& above, const Vec3& from, const FlightPart& part) {
+    const double ground = task_.ends.landing_on.value_or(rally.z());
+    Hull cone = sinking(above, from, pilot_.acceptance, ground);
+    const Vec3 way = level(above - from);
+    const double length = way.norm();
+    if (length > 0) {
+      const double past = pilot_.overshoot_time * speed(task_.path.size() - 1) + pilot_.overshoot;
+      cone.push_back(above + way * (past / length));
     }
+    add_to_ground(std::move(cone), part, ground);
+    add_to_ground({above, {above.x(), above.y(), ground}}, part, ground);
   }
 
   void end() {

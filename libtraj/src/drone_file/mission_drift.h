@@ -25,6 +25,7 @@ struct DriftTask {
   FlightPart landing;
   VerticalEnds ends;
   std::span<const Vec3> rally;  // places in the air to which a return may go instead
+  double return_height = 0;     // m above home, where it returns
 };
 
 // From the ground to the ground: the legs; beyond each stop, as far as it is overshot, and from

@@ -366,9 +366,13 @@ class Flight {
     flown_.ends.landing_on = ground;
     for (const geom::GeodeticPlace& rally : mission_.rally) {
       const double to = ground + rally.height;
-      const Vec3 above = on_map(rally, std::max(z, to));
-      sweep_return(low, above, ground);
-      sweep({above, on_map(rally, to)}, Manoeuvre::return_home);
+      for (const Autopilot& one : rules_.autopilots) {
+        const double height =
+            one.rally_adds ? std::max(end.z(), to + *rules_.return_height) : std::max(z, to);
+        const Vec3 above = on_map(rally, height);
+        sweep_return(low, above, ground);
+        sweep({above, on_map(rally, to)}, Manoeuvre::return_home);
+      }
       flown_.rally.push_back(on_map(rally, to));
     }
   }
@@ -428,7 +432,8 @@ class Flight {
       flown_.descent = std::max(flown_.descent, one.descent);
       flown_.tight_radii = std::max(flown_.tight_radii, track_.tight_radii(one));
     }
-    flown_.drift = track_.drift(autopilots, {last_, Manoeuvre::landing}, flown_);
+    flown_.drift = track_.drift(autopilots, {last_, Manoeuvre::landing},
+                                rules_.return_height.value_or(0), flown_);
     track_.finish({last_, Manoeuvre::landing}, speed * speed / (2 * rules_.braking), flown_);
   }
 

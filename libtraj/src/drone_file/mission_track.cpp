@@ -76,11 +76,12 @@ std::size_t FlownTrack::tight_radii(const Autopilot& autopilot) const {
 }
 
 std::vector<Drift> FlownTrack::drift(std::span<const Autopilot> autopilots,
-                                     const FlightPart& landing, const FlownMission& out) const {
+                                     const FlightPart& landing, double return_height,
+                                     const FlownMission& out) const {
   std::vector<Drift> all;
   for (const Autopilot& autopilot : autopilots) {
-    const DriftTask task{path_,   hold_,   legs_,    turns_,   speeds_,
-                         sweeps_, landing, out.ends, out.rally};
+    const DriftTask task{path_,   hold_,   legs_,    turns_,    speeds_,
+                         sweeps_, landing, out.ends, out.rally, return_height};
     all.push_back({autopilot.name, drift_sweeps(autopilot, task), autopilot.tracking});
   }
   return all;

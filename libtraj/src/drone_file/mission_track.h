@@ -44,7 +44,7 @@ class FlownTrack {
   // Where each of the autopilots may be, from take-off to landing. `out` has the ends of the
   // flight.
   std::vector<Drift> drift(std::span<const Autopilot> autopilots, const FlightPart& landing,
-                           const FlownMission& out) const;
+                           double return_height, const FlownMission& out) const;
 
   // Gives `out` the path and all that belongs to it, corners swept. Call last.
   void finish(const FlightPart& landing, double braking_way, FlownMission& out);

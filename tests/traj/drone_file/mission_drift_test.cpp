@@ -16,6 +16,7 @@ struct Way {
   std::vector<std::optional<double>> speeds;
   VerticalEnds ends;
   std::vector<Vec3> rally;
+  double return_height = 0;
   std::vector<Sweep> sweeps;
 
   Way& go(const Vec3& p, const Turn& turn, double seconds = 0, double speed = 8,
@@ -30,7 +31,7 @@ struct Way {
 
   std::vector<Sweep> drift(const Autopilot& autopilot) const {
     const DriftTask task{path, hold, legs, turns, speeds, sweeps, {path.size() + 1, Manoeuvre::landing},
-                         ends, rally};
+                         ends, rally, return_height};
     return drift_sweeps(autopilot, task);
   }
 };
@@ -203,18 +204,43 @@ TEST(Drift, ReturnsFromWhereItStopped) {
   EXPECT_TRUE(holds(sweeps, {101, 0, 49})) << "beyond its last stop all the way up";
   EXPECT_TRUE(holds(sweeps, {-1, 0, 50})) << "and beyond home";
   EXPECT_FALSE(holds(sweeps, {101.1, 0, 49}));
+  EXPECT_TRUE(holds(sweeps, {99, 0, 49})) << "it turns from the climb by an S-curve";
+  EXPECT_TRUE(holds(sweeps, {99.5, 0, 49.8})) << "and up to the top, beside what it overshot";
+  EXPECT_FALSE(holds(sweeps, {90, 0, 45}));
 }
 
 TEST(Drift, SinksBeforeItIsAboveHomeAndAboveARallyPoint) {
   Way way = homeward();
   way.rally = {{50, 80, 30}};
+  way.return_height = 50;
   Autopilot near = px4();
   near.acceptance = 2;
   const auto sweeps = way.drift(near);
   EXPECT_TRUE(holds(sweeps, {1.5, 0, 48}));
-  const Vec3 from = (Vec3(100, 0, 50) - Vec3(50, 80, 50)).normalized();
-  EXPECT_TRUE(holds(sweeps, Vec3(50, 80, 49) + 1.5 * from));
-  EXPECT_FALSE(holds(sweeps, Vec3(50, 80, 35) + 1.5 * from));
+  const Vec3 from = (Vec3(100, 0, 80) - Vec3(50, 80, 80)).normalized();
+  EXPECT_TRUE(holds(sweeps, Vec3(50, 80, 79) + 1.5 * from)) << "as high above the rally point";
+  EXPECT_FALSE(holds(sweeps, Vec3(50, 80, 65) + 1.5 * from));
+}
+
+TEST(Drift, ClimbsToARallyPointFromWhereHomeAsksForNoClimb) {
+  Way way;
+  way.go({0, 0, 20}, {}, 0, 8, Manoeuvre::takeoff).go({100, 0, 20}, kRest, 5);
+  way.go({0, 0, 20}, {}, 0, 8, Manoeuvre::return_home);
+  way.rally = {{50, 80, 30}};
+  EXPECT_TRUE(holds(way.drift(ardupilot()), {101, 0, 29}));
+  EXPECT_TRUE(holds(way.drift(ardupilot()), {50, 80, 30}));
+}
+
+TEST(Drift, ClimbsToTheHeightOfItsWayToARallyPoint) {
+  Way way = homeward();
+  way.return_height = 50;
+  way.rally = {{50, 80, 30}};
+  EXPECT_TRUE(holds(way.drift(px4()), {100, 0, 80})) << "PX4: 50 m above the rally point";
+  EXPECT_TRUE(holds(way.drift(px4()), {50, 80, 80}));
+  EXPECT_FALSE(holds(way.drift(px4()), {50, 80, 81}));
+  EXPECT_FALSE(holds(way.drift(ardupilot()), {50, 80, 52}));
+  way.rally = {{50, 80, 70}};
+  EXPECT_TRUE(holds(way.drift(ardupilot()), {101, 0, 69})) << "ArduPilot: the higher of both";
 }
 
 TEST(Drift, StandsOnTheGround) {

@@ -313,6 +313,11 @@ TEST(FlownMission, MayReturnToRallyPoints) {
   EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {0, 200, 25}));
   ASSERT_EQ(flown.rally.size(), 1u);
   expect_near(flown.rally[0], {0, 200, 25});
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {50, 100, 85})) << "PX4 adds the return height";
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {100, 0, 85}));
+  MissionRules rules{.return_height = 60};
+  rules.autopilots = {ardupilot()};
+  EXPECT_FALSE(swept(maker.fly(rules), Manoeuvre::return_home, {50, 100, 75}));
 }
 
 TEST(FlownMission, MayReturnToRallyPointsAboveTheReturnHeight) {

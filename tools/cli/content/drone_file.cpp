@@ -374,25 +374,25 @@ void DroneFileOptions::require_used(std::string_view of_format, std::string_view
   if (app) cli::require_used(*app, kFormatOptions, of_format, because);
 }
 
-void DroneFileOptions::add_mission_to(CLI::App& app) {
-  app.add_option("--acceptance", mission.acceptance,
+void DroneFileOptions::add_mission_to(CLI::App& parser) {
+  parser.add_option("--acceptance", mission.acceptance,
                  "a mission's vehicle may turn so many metres before a waypoint where it does not "
                  "rest, 0: not at all (default: 2, or 10 where the item says nothing); never less "
                  "than the item says")
       ->check(CLI::Range(0.0, 1e4));
-  app.add_option("--braking", mission.braking,
+  parser.add_option("--braking", mission.braking,
                  "how hard it brakes, m/s2: what it needs more than that distance is looked at "
                  "beyond the waypoint (default 3)")
       ->check(CLI::Range(0.1, 100.0));
-  add_heights_to(app);
+  add_heights_to(parser);
 }
 
-void DroneFileOptions::add_heights_to(CLI::App& app) {
-  app.add_option("--return-height", mission.return_height,
+void DroneFileOptions::add_heights_to(CLI::App& parser) {
+  parser.add_option("--return-height", mission.return_height,
                  "metres above home at which a mission's return is flown; without it, a mission "
                  "with a return fails the check")
       ->check(CLI::Range(0.0, 1e4));
-  app.add_option("--terrain", mission.ground,
+  parser.add_option("--terrain", mission.ground,
                  "height of flat ground in the map's z, from which a mission's heights above "
                  "terrain count")
       ->check(CLI::Range(-1e6, 1e6));

@@ -48,6 +48,7 @@ struct Autopilot {
   double return_height = 0;      // m above home: RTL_RETURN_ALT, RTL_ALT
   double return_climb = 0;       // m that a return climbs at least: RTL_CLIMB_MIN
   double return_slope = 0;       // height over distance of the cone; 0: none. RTL_CONE_*
+  bool rally_adds = false;       // to a rally point it returns so high above that point
   bool returns_home = true;      // false: a return may go to a landing of the mission (RTL_TYPE)
 
   // Whether an item's own radius counts, or the parameter alone.
