@@ -164,7 +164,9 @@ void Checker::say_allowance(const cli::DroneFile& file, traj::ReportRecord& repo
     report.tracking = said(autopilot.allowance(true) - navigation);
     return;
   }
-  report.autopilot = traj::names_of(autopilot.pilots);
+  for (const traj::Drift& one : file.flown.drift) {
+    report.autopilot += (report.autopilot.empty() ? "" : ", ") + one.autopilot;
+  }
   report.assumed = autopilot.assumed;
   report.drag = autopilot.pilots.front().drag;
 }
