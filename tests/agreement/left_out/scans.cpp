@@ -142,7 +142,8 @@ void spoil(Random& random, Entries& entries) {
       ++one.points;
       break;
     case 2:
-      one.key[1 + static_cast<std::size_t>(random.below(3))] ^= 1;
+      // Of a cube that is not read nothing tells that its points lie elsewhere.
+      if (!part.region) one.key[1 + static_cast<std::size_t>(random.below(3))] ^= 1;
       break;
     case 3:
       one.place += 8;
