@@ -1,6 +1,15 @@
 #pragma once
 
-// An uncompressed ZIP (Zip64 where needed) of NumPy arrays and one meta.json, made to be mapped.
+// Archives of NumPy arrays: uncompressed ZIPs with one meta.json, made to be mapped.
+//
+// Example:
+//   const std::vector<double> heights = {1, 2, 3};
+//   const std::vector arrays = {geom::named_array<double>("heights", heights)};
+//   std::ostringstream out;
+//   geom::write_array_archive(out, R"({"unit":"m"})", arrays);
+//   const std::string bytes = out.str();
+//   const auto archive = geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "a.zip");
+//   assert(archive.array<double>("heights")[2] == 3);
 
 #include <cstddef>
 #include <cstdint>

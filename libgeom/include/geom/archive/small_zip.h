@@ -1,6 +1,13 @@
 #pragma once
 
 // Small ZIP archives, as other programs make and read them: a few files, whole in memory.
+//
+// Example:
+//   const std::vector<geom::SmallFile> files = {{"wpmz/waylines.wpml", "<kml/>"}};
+//   std::ostringstream out;
+//   geom::write_small_zip(out, files);
+//   const geom::SmallZip asked{.what = "a DJI mission (.kmz)", .wanted = {"wpmz/waylines.wpml"}};
+//   assert(geom::files_of_zip(out.str(), "mission.kmz", asked)[0].content == "<kml/>");
 
 #include <cstdint>
 #include <iosfwd>
@@ -25,7 +32,6 @@ struct SmallZip {
 };
 
 // Those of the wanted files that are there, in the order of `zip.wanted`; stored or deflated.
-// Example: files_of_zip(text, "mission.kmz", {"a mission of DJI (.kmz)", {"wpmz/waylines.wpml"}}).
 // InputError where `archive` is no whole ZIP or has more than 1000 entries, for encryption, names
 // that come twice or differ in case alone, names that lead out of the archive's folder, bytes that
 // belong to no entry, others with an ending of `alone`, and for a wanted file that is too large

@@ -1,8 +1,16 @@
 #pragma once
 
-// Files mapped into memory, and how much of it they take. The one place where this library opens
-// files, and keeps something for the whole process: a list of what is mapped now, so that a signal
-// handler can name a file that was cut. No answer depends on it.
+// Files mapped into memory, and how much of it they take.
+//
+// Example:
+//   const geom::MappedFile file("city.boxmap");
+//   const std::span<const std::byte> bytes = file.bytes();
+//   assert(bytes.size() == file.state().size);
+//   assert(geom::mapped_file_at(bytes.data()) == std::string("city.boxmap"));
+//
+// This is the one place where the library opens files, and where it keeps something for the whole
+// process: a list of what is mapped now, so that a signal handler can name a file that was cut. No
+// answer depends on it.
 
 #include <cstddef>
 #include <cstdint>

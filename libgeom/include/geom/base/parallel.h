@@ -1,6 +1,12 @@
 #pragma once
 
 // Ordered loops: item i writes slot i, whatever the number of threads.
+//
+// Example:
+//   std::vector<double> squares(100);
+//   geom::parallel_for(squares.size(), {.threads = 2},
+//                      [&](std::size_t i) { squares[i] = static_cast<double>(i * i); });
+//   assert(squares[9] == 81);
 
 #include <cstddef>
 #include <functional>

@@ -1,6 +1,11 @@
 #pragma once
 
-// Checks of arguments that public functions make.
+// Checks of the arguments of public functions.
+//
+// Example:
+//   const geom::Vec3 p(1, 2, 3);
+//   geom::require_point("the start", p);        // InputError for NaN, or beyond kFarthest
+//   geom::require_length("radius", 2.5, 1000);  // InputError below 0 or above 1000
 
 #include <cmath>
 #include <string_view>

@@ -1,6 +1,11 @@
 #pragma once
 
 // One of several equal shares of some work, for processes that know nothing of each other.
+//
+// Example:
+//   const geom::Shard second{.index = 1, .count = 3};
+//   assert((second.items(8) == std::vector<std::size_t>{1, 4, 7}));  // spread
+//   assert(second.begin(9) == 3 && second.end(9) == 6);              // or a run of neighbours
 
 #include <cstddef>
 #include <vector>

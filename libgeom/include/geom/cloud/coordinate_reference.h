@@ -1,6 +1,11 @@
 #pragma once
 
 // The reference system of a file's coordinates, and the length of its units.
+//
+// Example:
+//   const geom::CoordinateReference told =
+//       geom::reference_of_wkt(R"(LOCAL_CS["site",UNIT["foot",0.3048]])");
+//   if (told.plane) std::cout << "a unit is " << *told.plane << " m long\n";
 
 #include <cstdint>
 #include <optional>

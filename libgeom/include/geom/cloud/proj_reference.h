@@ -1,7 +1,13 @@
 #pragma once
 
-// What PROJ and its data base know of reference systems, and the way from one to metres about a
-// place.
+// Reference systems as PROJ knows them, and the way from one to metres about a place.
+//
+// Example:
+//   const auto utm = geom::ProjReference::of("EPSG:25832");
+//   const geom::GeodeticOrigin origin = geom::origin_near(*utm, {500000, 5300000, 0}, "scan.laz");
+//   std::vector<geom::CloudPoint> points = {{geom::Vec3(500000, 5300000, 120)}};
+//   geom::way_to_plane(*utm, origin, "scan.laz").project(points);
+//   assert(points[0].position.head<2>().norm() < 200);  // metres from the origin
 
 #include <memory>
 #include <optional>

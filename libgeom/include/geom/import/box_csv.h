@@ -1,6 +1,15 @@
 #pragma once
 
-// Box CSV: `min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label`, bit for bit both ways.
+// Boxes as CSV: six coordinates and a label a line, bit for bit both ways.
+//
+// Example:
+//   geom::BoxTable table;
+//   table.add({{0, 0, 0}, {10, 10, 8}}, 1, table.label_of("house"));
+//   std::stringstream file;
+//   geom::write_box_csv(file, table);
+//   assert(geom::read_box_csv(file, "boxes.csv").boxes == table.boxes);
+//
+// The header is `min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label`.
 
 #include <iosfwd>
 #include <string_view>

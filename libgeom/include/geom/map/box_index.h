@@ -1,6 +1,13 @@
 #pragma once
 
 // Which boxes are near: hashes of square cells in plan, for algorithms on tables of boxes.
+//
+// Example:
+//   const std::vector<geom::Aabb> boxes = {{{0, 0, 0}, {1, 1, 1}}, {{50, 0, 0}, {51, 1, 1}}};
+//   geom::BoxIndex index(geom::index_cell(boxes));
+//   for (std::size_t i = 0; i < boxes.size(); ++i) index.add(i, boxes[i]);
+//   const auto near = index.near({{0, 0, 0}, {0.5, 0.5, 2}});  // all that meet it, perhaps more
+//   assert(near == std::vector<std::size_t>{0});
 
 #include <cstdint>
 #include <map>

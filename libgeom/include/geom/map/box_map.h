@@ -1,6 +1,13 @@
 #pragma once
 
 // A city as boxes: what every later stage starts from.
+//
+// Example:
+//   geom::BoxTable table;
+//   table.add({{4, 0, 0}, {5, 8, 8}}, 1);
+//   const geom::BoxMap city({.bounds = {{0, 0, 0}, {10, 10, 10}}, .bounds_from = "source"}, table);
+//   assert(city.size() == 1 && city.box(0).max.z() == 8);
+//   std::cout << city.hash() << '\n';  // "sha256:…"
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,12 @@
 #pragma once
 
-// `.boxmap`: a box map as a ZIP of NumPy arrays (docs/formats.md).
+// Box map files (`.boxmap`): ZIPs of NumPy arrays, described in docs/formats.md.
+//
+// Example:
+//   const geom::BoxMap city = geom::open_map("city.boxmap");  // mapped, neither read nor copied
+//   city.require(geom::Verified::contents);                   // looks at every byte
+//   std::ostringstream out;
+//   geom::write_box_map(out, city);
 
 #include <iosfwd>
 #include <string>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Box maps as Gazebo worlds.
+//
+// Example:
+//   std::ofstream out("city.sdf");
+//   const std::size_t larger = geom::write_box_sdf(out, map);
+//   assert(larger == 0);  // all boxes come back bit for bit
 
 #include <cstddef>
 #include <iosfwd>

@@ -1,6 +1,13 @@
 #pragma once
 
 // Points as columns: the boxes of a laser scan.
+//
+// Example:
+//   geom::ColumnGrid grid({.cell = 1, .step = 0.5, .gap = 2});
+//   grid.add({0.2, 0.3, 0.1});
+//   grid.add({0.7, 0.8, 1.4});
+//   const geom::BoxTable boxes = grid.boxes("scan.xyz");
+//   assert(boxes.boxes[0] == (geom::Aabb{{0, 0, 0}, {1, 1, 1.5}}));
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,11 @@
 #pragma once
 
 // One map of several.
+//
+// Example:
+//   geom::BoxTable both = geom::table_of(map);
+//   geom::append(both, geom::in_frame(map.spec().frame, map, "other.boxmap"));
+//   assert(both.boxes.size() == 2 * map.size());
 
 #include <span>
 #include <string_view>

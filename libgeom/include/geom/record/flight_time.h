@@ -1,6 +1,10 @@
 #pragma once
 
 // When a flight begins: seconds after an instant that all flights of a stream share.
+//
+// Example:
+//   const geom::FlightTime time{.epoch = "2026-05-04T06:30:00Z", .earliest = 60, .latest = 300};
+//   assert(time.starts() == 60 && !geom::time_fault(time));
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,11 @@
 #pragma once
 
 // From places on Earth to the metres of a map.
+//
+// Example:
+//   const geom::Locator locator(map);
+//   assert(locator.at(geom::Vec3(1, 2, 3), "queries.jsonl", 1) == geom::Vec3(1, 2, 3));
+//   // A place such as "47.4N,8.5E,30" needs a map with an origin.
 
 #include <cstddef>
 #include <optional>

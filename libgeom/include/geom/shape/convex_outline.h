@@ -1,6 +1,10 @@
 #pragma once
 
 // Convex hulls of points in plan.
+//
+// Example:
+//   const auto hull = geom::convex_outline({{0, 0}, {4, 0}, {2, 1}, {4, 3}, {0, 3}});
+//   assert(hull.size() == 4);  // (2, 1) lies inside
 
 #include <vector>
 

@@ -1,6 +1,12 @@
 #pragma once
 
 // Polygons as few axis-aligned rectangles.
+//
+// Example:
+//   const geom::Polygon house{.outer = {{0, 0}, {8, 0}, {8, 6}, {0, 6}}};
+//   assert(geom::cover(house, 0.5).size() == 1);  // a rectangle is covered by itself
+//   const geom::Polygon wedge{.outer = {{0, 0}, {8, 0}, {0, 6}}};
+//   assert(geom::cover(wedge, 0.5).size() > 4);  // slabs, none further than 0.5 m outside
 
 #include <vector>
 

@@ -1,6 +1,10 @@
 #pragma once
 
 // A text as one field of a CSV line.
+//
+// Example:
+//   assert(geom::csv_field("tower, north") == "\"tower, north\"");
+//   assert(geom::csv_field("tower") == "tower");
 
 #include <string>
 #include <string_view>

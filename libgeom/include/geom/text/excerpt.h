@@ -1,6 +1,10 @@
 #pragma once
 
 // Text of a file as a message may show it: nothing that steers a terminal, and not too much.
+//
+// Example:
+//   assert(geom::printable("a\tb\x1b[0m") == "a\\tb\\x1b[0m");
+//   assert(geom::excerpt(std::string(100, 'x'), 10).ends_with("..."));
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Instants of RFC 3339: read, the seconds between two, and those some seconds after another.
+//
+// Example:
+//   assert(*geom::epoch_from("2026-05-04T06:30:00.500Z") == "2026-05-04T06:30:00.5Z");
+//   assert(geom::seconds_between("2026-05-04T06:30:00Z", "2026-05-04T07:00:00Z").least == 1800);
+//   assert(*geom::instant_not_after("2026-05-04T06:30:00Z", 90) == "2026-05-04T06:31:30Z");
 
 #include <optional>
 #include <string>

@@ -2,10 +2,11 @@
 
 // JSON objects as text on one line: what all our records are written with.
 //
-//   JsonLine line;
-//   line.add("type", "path").add("id", record.id).add("points", record.points);
-//   line.add("vehicle", JsonLine().add("name", "quad").add("half", half));
-//   return line.line();
+// Example:
+//   geom::JsonLine line;
+//   line.add("type", "path").add("id", "q1").add("points", path.front());
+//   line.add("vehicle", geom::JsonLine().add("name", "quad").add("half", vehicle.half));
+//   std::cout << line.line();  // {"type":"path","id":"q1","points":[1,1,1],"vehicle":{…}}
 
 #include <concepts>
 #include <cstddef>

@@ -1,6 +1,9 @@
 #pragma once
 
 // Words inside HTML, SVG and KML.
+//
+// Example:
+//   assert(geom::escaped_markup("Tom & <Ann>") == "Tom &amp; &lt;Ann&gt;");
 
 #include <string>
 #include <string_view>

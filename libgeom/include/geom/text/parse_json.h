@@ -2,6 +2,12 @@
 
 // JSON text to values: the one place that parses it.
 //
+// Example:
+//   #include <nlohmann/json.hpp>
+//   const nlohmann::json city = geom::parse_json(R"({"name":"Zurich","boxes":3})", "city.json");
+//   assert(city["boxes"] == 3 && geom::shown(city["name"]) == "\"Zurich\"");
+//   // A key that comes twice is refused: parse_json(R"({"a":1,"a":2})", "city.json") throws.
+//
 // What others' files may hold is refused here, before anybody looks at it: values nested deeper
 // than kDeepestJson (reading, copying and writing them takes stack), a key that comes twice in an
 // object (the later would silently win), numbers beyond what a double holds, anything after the

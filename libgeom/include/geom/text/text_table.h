@@ -1,6 +1,15 @@
 #pragma once
 
 // Lines and fields of delimited text: BOM, CRLF, comma or semicolon, no locale.
+//
+// Example:
+//   std::istringstream in("x,y\n1.5,2\n");
+//   geom::TextLines lines(in, "points.csv");
+//   lines.next();  // the header
+//   while (lines.next()) {
+//     const std::vector<std::string> fields = geom::split_fields(lines.line());
+//     assert(geom::coordinate(lines, "x", fields[0]) == 1.5);
+//   }
 
 #include <istream>
 #include <optional>

@@ -1,7 +1,15 @@
 #pragma once
 
-// The words by which records and options name the values of an enumeration: one table for both
-// ways.
+// The words by which records and options name the values of an enumeration.
+//
+// Example:
+//   enum class Speed { slow, fast };
+//   constexpr geom::Words<Speed, 2> words{{{Speed::slow, "slow"}, {Speed::fast, "fast"}}};
+//   assert(geom::word_of(words, Speed::fast) == "fast");
+//   assert(geom::value_of(words, "slow") == Speed::slow && !geom::value_of(words, "warp"));
+//   assert(geom::listed(words) == "slow fast");  // for a message
+//
+// One table serves both ways.
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,14 @@
 #pragma once
 
-// The limits of a vehicle: bounds on velocity, acceleration and jerk, and on thrust, tilt and body
-// rates by differential flatness (the thrust of a quadrotor is along a + g). And which limit holds
-// if several are given.
+// The limits of a vehicle: speeds, acceleration, jerk, tilt, thrust and rates.
+//
+// Example:
+//   const geom::Limits slow{{geom::Limit::speed, 5}, {geom::Limit::acceleration, 3}};
+//   const geom::Limits held = geom::stricter(slow, {{geom::Limit::speed, 8}});
+//   assert(*held[geom::Limit::speed] == 5 && !held[geom::Limit::jerk]);  // jerk: not limited
+//
+// Thrust, tilt and body rates follow by differential flatness (the thrust of a quadrotor is along
+// a + g). This is also the place that says which limit holds if several are given.
 
 #include <array>
 #include <cstddef>

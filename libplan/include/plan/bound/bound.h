@@ -2,6 +2,12 @@
 
 // A proved lower bound on the length of every path between two places.
 //
+// Example:
+//   plan::Bounder bounder(scene);
+//   const plan::LengthBound bound = bounder.ask({1, 1, 1}, {9, 1, 1}, geom::length(path));
+//   assert(bound.closed);  // no path is more than 1 % shorter than this one
+//   assert(bound.bound <= geom::length(path) && bound.bound > 0.98 * geom::length(path));
+//
 // A shortest path that may touch obstacles bends only on convex edges of the union of the grown
 // boxes (docs/bound.md). These are cut into parts; a path is covered by a chain of parts, and what
 // lines below its length say of every chain is below its length. Parts that no path shorter than

@@ -1,6 +1,10 @@
 #pragma once
 
-// Why no path is shorter than a bound, in numbers that anyone can follow: docs/certificates.md.
+// Why no path is shorter than a bound, in numbers that anyone can follow.
+//
+// No example: LengthBound::proof (plan/bound/bound.h) has one, and BoundRecord writes it.
+//
+// docs/certificates.md has the conditions.
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,13 @@
 #pragma once
 
-// `.lattice`: a lattice as a ZIP of NumPy arrays in sparse 8x8x8 blocks (docs/formats.md).
+// Lattice files (`.lattice`): ZIPs of NumPy arrays in sparse 8x8x8 blocks (docs/formats.md).
+//
+// Example:
+//   std::ostringstream out;
+//   plan::write_lattice(out, plan::build_lattice(scene, {.spacing = 1}));
+//   const std::string bytes = out.str();
+//   const plan::Lattice lattice = plan::read_lattice(
+//       geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "city.lattice"));
 
 #include <iosfwd>
 #include <span>

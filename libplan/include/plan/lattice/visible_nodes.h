@@ -1,6 +1,13 @@
 #pragma once
 
 // Joining the end of a query to a lattice.
+//
+// Example:
+//   const plan::Lattice lattice = plan::build_lattice(scene, {.spacing = 1});
+//   plan::AstarSearch search(lattice);
+//   const auto start =
+//       plan::visible_nodes(scene, lattice, search, {1.3, 1.2, 1.1}, plan::Rings::nearest);
+//   assert(!start.empty() && start[0].cost < 1);
 
 #include <vector>
 

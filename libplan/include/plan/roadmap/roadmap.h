@@ -1,6 +1,12 @@
 #pragma once
 
 // Taut visibility roadmaps: bends at box edges, joined where a taut string may run.
+//
+// Example:
+//   const plan::Roadmap roadmap = plan::build_roadmap(scene, {.part = 2});
+//   plan::RoadmapSearch search(scene, roadmap);
+//   const plan::RoadmapResult result = search.search({1, 1, 1}, {9, 1, 1}, {});
+//   assert(!result.paths.empty());
 
 #include <array>
 #include <cstdint>

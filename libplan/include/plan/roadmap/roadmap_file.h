@@ -1,6 +1,13 @@
 #pragma once
 
-// `.roadmap`: a roadmap as a ZIP of NumPy arrays (docs/formats.md).
+// Roadmap files (`.roadmap`): ZIPs of NumPy arrays (docs/formats.md).
+//
+// Example:
+//   std::ostringstream out;
+//   plan::write_roadmap(out, plan::build_roadmap(scene, {}));
+//   const std::string bytes = out.str();
+//   const plan::Roadmap roadmap = plan::read_roadmap(
+//       geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "city.roadmap"));
 
 #include <iosfwd>
 #include <span>

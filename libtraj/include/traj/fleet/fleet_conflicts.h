@@ -1,6 +1,15 @@
 #pragma once
 
 // The differences of departure that are forbidden, for all pairs of a fleet at once.
+//
+// Example:
+//   const traj::FleetFlight first{.trajectory = &trajectory, .room = scene.half(), .latest = 600};
+//   traj::FleetFlight second = first;
+//   second.number = 1;
+//   const std::vector fleet = {first, second};
+//   const traj::FleetConflicts conflicts =
+//       traj::fleet_conflicts(fleet, traj::Spacing{}, traj::Parked::gone);
+//   assert(conflicts.pairs.size() == 1 && conflicts.of(0)[0].holds(0));  // not at once
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,10 @@
 #pragma once
 
 // When a flight must not depart, whatever others do: the map's boxes that are there for a time.
+//
+// Example:
+//   const auto spans = traj::forbidden_by_map(scene, trajectory, traj::Parked::gone);
+//   assert(spans.empty());  // this map has no timed boxes
 
 #include <vector>
 

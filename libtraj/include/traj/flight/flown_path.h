@@ -1,6 +1,11 @@
 #pragma once
 
 // Whether a flown path is clear of a map.
+//
+// Example:
+//   const std::vector<double> radius = {0.05};  // m that the vehicle may stray from the trajectory
+//   const traj::FlightPathCheck check = traj::check_tube(scene, trajectory, radius, 0.1);
+//   if (!check.clear) std::cout << traj::name(check.reason) << " at " << check.time << " s\n";
 
 #include <functional>
 #include <optional>

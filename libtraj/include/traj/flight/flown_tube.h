@@ -1,6 +1,12 @@
 #pragma once
 
 // How far a flight was from its plan, and how much of it stayed within the tracking tube.
+//
+// Example:
+//   const std::vector<geom::Vec3> points = {traj::evaluate(trajectory, 1).position};
+//   const std::vector<double> times = {1.2};  // late, but on its way
+//   const traj::FlownTube tube = traj::flown_tube(trajectory, {{0.1}}, 100, points, times);
+//   assert(tube.inside == 1 && tube.furthest.value < 1e-3);
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,14 @@
 #pragma once
 
 // Many flights with wind and mass drawn by chance, and how far they stray: statistics, not proof.
+//
+// Example:
+//   const auto tello = traj::vehicle_named("tello");
+//   traj::FlightOptions base{.quadrotor = *traj::quadrotor_of(tello->airframe)};
+//   base.gains = *tello->airframe.gains;
+//   base.wind.mean = {2, 0, 0};
+//   const auto runs = traj::fly_runs(traj::ReferenceTrack(trajectory), base, {.runs = 2}, {}, {});
+//   const traj::TrackingTube tube = traj::tube_of(runs);
 
 #include <span>
 #include <vector>

@@ -1,6 +1,11 @@
 #pragma once
 
 // A lower bound on the time of a flight, from the distance between its ends and its limits.
+//
+// Example:
+//   const traj::Stretch stretch{.from = {0, 0, 50}, .to = {100, 0, 50}, .length = 100};
+//   const traj::Limits fast{{traj::Limit::speed, 8}, {traj::Limit::acceleration, 6}};
+//   assert(std::abs(*traj::least_duration(stretch, fast) - 13.83) < 0.01);  // seconds
 
 #include <optional>
 
@@ -22,8 +27,6 @@ struct Stretch {
 // speeds, acceleration, thrust and tilt; jerk, body rate and yaw rate could only make it longer.
 // Nothing where there is nothing to bridge, where these limit nothing, and where a limit cannot be
 // judged (domain.h). docs/bound.md has the proof.
-//
-//   least_duration({from, to, 100}, {{Limit::speed, 8}, {Limit::acceleration, 6}});  // 13.83 s
 std::optional<double> least_duration(const Stretch& stretch, const Limits& limits);
 
 }  // namespace traj

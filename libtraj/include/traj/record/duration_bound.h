@@ -1,7 +1,15 @@
 #pragma once
 
-// How much faster than a trajectory record any other flight could be. All of it rests on the bound
-// on length in the record, which this library cannot verify.
+// How much faster than a trajectory record any other flight could be.
+//
+// Example:
+//   traj::TrajectoryRecord record{.id = "q1", .trajectory = trajectory, .limits = limits};
+//   record.bound = 8;  // metres: no path between its ends is shorter
+//   const auto least = traj::duration_bound(record, limits);
+//   assert(*least < traj::duration(trajectory));
+//   std::cout << traj::slower_words(*traj::duration_gap(record)) << '\n';
+//
+// All of it rests on the bound on length in the record, which this library cannot verify.
 
 #include <optional>
 #include <string>

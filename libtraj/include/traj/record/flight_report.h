@@ -1,6 +1,12 @@
 #pragma once
 
-// What a flight came to, as a JSON Lines record.
+// Reports of simulated flights, as JSON Lines records.
+//
+// Example:
+//   traj::FlightReport report{.id = "q1", .duration = traj::duration(trajectory)};
+//   report.tracking = traj::Tracking{};
+//   report.provenance = geom::provenance_of(scene);
+//   if (traj::accepted(report)) std::cout << to_json_line(report, traj::Airframe{}, &map);
 
 #include <optional>
 #include <string>

@@ -1,6 +1,15 @@
 #pragma once
 
 // What the check of flights against one another found, as JSON Lines records.
+//
+// Example:
+//   const traj::TimedFlight first{.trajectory = &trajectory, .room = scene.half()};
+//   const traj::TimedFlight second{.trajectory = &trajectory, .start = 1, .room = scene.half()};
+//   const std::vector flights = {first, second};
+//   const traj::TogetherTask task{.ids = {"a", "b"}};
+//   const traj::TogetherResult result = traj::check_together(flights, task.rule);
+//   for (const traj::RefusedPair& pair : result.refused) std::cout << traj::in_words(pair, task);
+//   std::cout << traj::to_json_line(result, task, 0);
 
 #include <span>
 #include <string>

@@ -1,6 +1,14 @@
 #pragma once
 
-// What the check found, as a JSON Lines record.
+// Reports of the check, as JSON Lines records.
+//
+// Example:
+//   traj::ReportRecord report{.id = "q1", .checked = "trajectory"};
+//   report.result = traj::check(scene, trajectory, limits);
+//   report.provenance = geom::provenance_of(scene);
+//   report.limits = limits;
+//   const std::string line = traj::to_json_line(report, map);
+//   assert(traj::parse_report_record(line, "report.jsonl", 1).ok);
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,11 @@
 #pragma once
 
-// Least snap through waypoints with leg times from the limits: no optimiser, not yet proved.
+// Least snap through waypoints, with leg times from the limits: no optimiser, not yet proved.
+//
+// Example:
+//   const std::vector<traj::Waypoint> waypoints = traj::waypoints_at(path);
+//   const auto flight = traj::closed_form(scene, waypoints, limits, traj::Times::stops);
+//   assert(flight && traj::check(scene, *flight, limits).ok);  // the check decides
 
 #include <optional>
 #include <span>

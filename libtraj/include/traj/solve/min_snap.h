@@ -1,6 +1,11 @@
 #pragma once
 
 // The trajectory of least snap through waypoints at given times.
+//
+// Example:
+//   const std::vector<geom::Vec3> points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}};
+//   const traj::Trajectory curve = traj::min_snap(points, std::vector<double>{2, 2});
+//   assert((traj::evaluate(curve, 2).position - points[1]).norm() < 1e-12);
 
 #include <optional>
 #include <span>

@@ -1,6 +1,12 @@
 #pragma once
 
 // Which of many flights may come near each other: by boxes in space and time.
+//
+// Example:
+//   const traj::TimedFlight first{.trajectory = &trajectory, .room = scene.half()};
+//   const traj::TimedFlight second{.trajectory = &trajectory, .start = 1e6, .room = scene.half()};
+//   const std::vector flights = {first, second};
+//   assert(traj::near_pairs(flights, {}, traj::Parked::gone).empty());  // days apart
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,15 @@
 #pragma once
 
-// How near flights come to each other: for pictures and tables, never for a verdict.
+// How near flights come to each other, for pictures and tables.
+//
+// Example:
+//   const std::vector<traj::TimedFlight> flights = {{.trajectory = &trajectory},
+//                                                   {.trajectory = &trajectory, .start = 1}};
+//   for (const traj::Approach& near : traj::nearest_approaches(flights, 50.0)) {
+//     std::cout << near.distance << " m apart at " << near.time << " s\n";
+//   }
+//
+// Never for a verdict.
 
 #include <optional>
 #include <span>

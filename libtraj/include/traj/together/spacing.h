@@ -1,6 +1,11 @@
 #pragma once
 
 // How far apart two flights must be.
+//
+// Example:
+//   const traj::Zone zone = traj::cylinder(5, 3);  // 5 m aside, 3 m up and down
+//   assert(traj::share_of(zone, {10, 0, 0}) == 2 && traj::depth_in(zone, {4, 0, 0}) == 1);
+//   const auto zones = traj::zones_between({.zone = zone}, scene.half(), scene.half());
 
 #include <optional>
 #include <string>
