@@ -15,9 +15,9 @@
 
 namespace geom {
 
-// Calls f(i) for i in [0, n), in any order, each once, on run.threads threads. Returns when all
-// are done. The first exception (by lowest i of those thrown, by f or the progress report) is
-// rethrown here, and no more items are begun. Where the system gives fewer threads, those do.
+// Calls f(i) for i in [0, n), in any order, each once, on run.threads threads. Returns when all are
+// done. The first exception (by lowest i of those thrown, by f or the progress report) is rethrown
+// here, and no more items are begun. If the system gives fewer threads, the loop runs on those.
 void parallel_for(std::size_t n, const Execution& run, const std::function<void(std::size_t)>& f);
 
 }  // namespace geom

@@ -23,8 +23,8 @@ namespace geom {
 
 class ProjReference {
  public:
-  // Of whatever PROJ reads: "EPSG:25832", "EPSG:2994+6360" (with heights), well-known text, a PROJ
-  // string. Nothing where it does not know it as a reference system.
+  // The reference system that a text names to PROJ: "EPSG:25832", "EPSG:2994+6360" (with heights),
+  // well-known text, a PROJ string. Nothing if PROJ knows none of that name.
   static std::optional<ProjReference> of(const std::string& text);
   ~ProjReference();
   ProjReference(ProjReference&&) noexcept;

@@ -23,8 +23,9 @@ namespace geom {
 // bytes. ids are the numbers of the lines on which records begin.
 BoxTable read_box_csv(std::istream& in, std::string_view source);
 
-// With the columns from_s and until_s, seconds after the map's epoch, where a box is not always
-// there; empty: no such end. What has them is not read back, for it does not say the epoch.
+// If a box is there for a time only, the table has the columns from_s and until_s: seconds after
+// the map's epoch, empty for no such end. A table with these columns is not read back, because it
+// does not say the epoch.
 void write_box_csv(std::ostream& out, const BoxTable& table);
 
 }  // namespace geom

@@ -12,9 +12,9 @@
 
 namespace geom {
 
-// The corners of the convex hull, counterclockwise, each once; fewer than three where it is a point
-// or a line. In double precision: a corner that is within rounding of a side may be left out, which
-// moves the side by a few ulp of the coordinates at most. O(n log n).
+// The corners of the convex hull, counterclockwise, each once. They are fewer than three if the
+// hull is a point or a line. In double precision: a corner that is within rounding of a side may be
+// left out, which moves the side by a few ulp of the coordinates at most. O(n log n).
 std::vector<Vec2> convex_outline(std::vector<Vec2> points);
 
 }  // namespace geom

@@ -18,8 +18,8 @@
 
 namespace geom {
 
-// An object whose members are added one by one, in the order in which they will stand. Nobody looks
-// whether a key comes twice.
+// An object whose members are added one by one, in the order in which they will stand. A key that
+// comes twice is not noticed.
 //
 // Values are doubles (as append_number of number.h writes them), whole numbers, bool, nullptr,
 // text, other lines, and lists: ranges of values, such as a Vec3, and tuples of values of several

@@ -29,7 +29,7 @@ inline constexpr std::size_t kDeepestJson = 100;
 // whole source.
 nlohmann::json parse_json(std::string_view text, std::string_view source, std::size_t line = 0);
 
-// Of all that is left of `in`. Throws std::system_error too, where reading fails.
+// Parses all that is left of `in`. Throws std::system_error, too, if reading fails.
 nlohmann::json parse_json(std::istream& in, std::string_view source);
 
 // With the keys in the order of the text.

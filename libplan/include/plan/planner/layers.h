@@ -43,8 +43,8 @@ class LayerPlanner {
   LayerPlanner(const geom::CollisionScene& scene, Planner& whole, const Layers& layers);
   ~LayerPlanner();
 
-  // `options` are of the method auto, without a bound or resampling. Where a part is not found, its
-  // status, and which it is as the message.
+  // `options` have the method auto, and neither a bound nor resampling. If a part of the way is not
+  // found, the result has the status of that part, and its message says which part it was.
   PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options = {});
 
  private:

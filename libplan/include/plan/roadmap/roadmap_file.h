@@ -19,9 +19,9 @@ namespace plan {
 
 void write_roadmap(std::ostream& out, const Roadmap& roadmap);
 
-// All tiles of the parts of a roadmap, which follow each other: bit for bit what one run writes. No
-// part is held in memory beyond its table of tiles. Throws geom::InputError where they are not of
-// one roadmap, or their tiles do not ascend. There is at least one part.
+// Writes the tiles of several parts of a roadmap, one part after the other: bit for bit what one
+// run writes. No part is held in memory beyond its table of tiles. Throws geom::InputError where
+// they are not of one roadmap, or their tiles do not ascend. There is at least one part.
 void write_roadmap(std::ostream& out, std::span<const Roadmap> parts);
 
 bool is_roadmap(const geom::ArrayArchive& archive);

@@ -29,7 +29,7 @@ struct DepartureOptions {
   std::uint64_t seed = 0;  // of their order
 };
 
-// Of one number.
+// The departure of one number.
 struct Departure {
   std::optional<double> start;  // seconds after the epoch; nothing: refused
   std::uint32_t flight = 0;     // which way, an index of the fleet; of a refused one the first

@@ -18,8 +18,8 @@ namespace traj {
 
 struct FlightPathCheck {
   bool clear = false;
-  // The first of these along the way: bounds, collision, or undecided: the polyline is clear, the
-  // path around it perhaps not.
+  // The first of bounds, collision and undecided along the way. Undecided: the polyline is clear,
+  // but the path around it perhaps not.
   Reason reason = Reason::none;
   double time = 0;                 // s
   Vec3 place = Vec3::Zero();       // m, in the map's axes

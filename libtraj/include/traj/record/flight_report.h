@@ -38,7 +38,7 @@ struct FlightReport {
   geom::FlightTime time;
 };
 
-// Flown, not lost, and clear as far as that was asked.
+// Whether it was flown, was not lost, and is clear as far as that was asked.
 bool accepted(const FlightReport& report);
 
 // Why it is not accepted, in the report's word. Precondition: it is not.

@@ -30,11 +30,11 @@ struct TogetherTask {
   bool overridden = false;         // a vehicle or margin is smaller than its record says
 };
 
-// Of a pair that is refused; ends with a newline.
+// The record of a pair that is refused; ends with a newline.
 std::string to_json_line(const RefusedPair& pair, const TogetherTask& task);
 
-// Of all of them; ends with a newline. `left_out`: flights that could not be looked at, which
-// refuses the whole.
+// The record of all pairs; ends with a newline. `left_out`: flights that could not be looked at;
+// any refuses the whole.
 std::string to_json_line(const TogetherResult& result, const TogetherTask& task,
                          std::size_t left_out);
 

@@ -65,7 +65,7 @@ void add_bounds(const geom::PathRecord& record, ReportRecord& report);
 // Refuses an accepted record if a limit was asked for and not measured; the place is its first.
 void refuse_unmeasured(const Limits& asked, const Vec3& place, ReportRecord& report);
 
-// Whether every check that was made accepts it.
+// Whether every check that was made accepts the record.
 bool accepted(const ReportRecord& record);
 
 // Ends with a newline. `map` gives the source id of the obstacle that was hit.

@@ -37,7 +37,7 @@ struct TrajectoryRecord {
   geom::FlightTime time;
 };
 
-// What holds for it: its own limits and its vehicle's.
+// The limits that hold for the record: the stricter of its own and its vehicle's.
 Limits limits_of(const TrajectoryRecord& record);
 
 std::string to_json_line(const TrajectoryRecord& record);  // ends with a newline

@@ -24,9 +24,9 @@ using FlightPair = std::pair<std::uint32_t, std::uint32_t>;  // indices of fligh
 // Segments are halved until the box around one is at most so large, metres.
 inline constexpr double kNearStep = 100;
 
-// Every pair that is not named is apart at every instant: no box around a piece of the one, with
-// its time and grown by reach_of(), meets one of the other. Rounded outward. In order, each once.
-// A tree of boxes in four dimensions: the cost grows with flights and pairs.
+// Pairs that may come near. Every other pair is apart at every instant: no box around a piece of
+// the one, with its time and grown by reach_of(), meets one of the other. Rounded outward. In
+// order, each once. A tree of boxes in four dimensions: the cost grows with flights and pairs.
 std::vector<FlightPair> near_pairs(std::span<const TimedFlight> flights, const Spacing& spacing,
                                    Parked parked, const geom::Execution& run = {},
                                    double step = kNearStep);

@@ -21,7 +21,7 @@
 
 namespace traj {
 
-// Of two flights while both fly, between their reference points.
+// The nearest approach of the reference points of two flights while both fly.
 struct Approach {
   FlightPair flights;
   double distance = 0;        // metres, to 1 mm
@@ -36,8 +36,8 @@ struct Approach {
 std::vector<Approach> nearest_approaches(std::span<const TimedFlight> flights, double within,
                                          const geom::Execution& run = {});
 
-// The same for as small a distance as lets about `wanted` pairs come near: 1, 2, 5, 10, … metres,
-// at most `most`. What it was is `within`.
+// The same for the smallest of the distances 1, 2, 5, 10, … metres, at most `most`, within which
+// about `wanted` pairs come. The result says which distance that was.
 struct Approaches {
   double within = 0;
   std::vector<Approach> list;
