@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "proof/least_duration.h"
 #include "solve/stop_and_go.h"
-#include "traj/proof/least_duration.h"
 #include "traj/record/report_record.h"
 #include "traj/scenes.h"
 

@@ -1,11 +1,6 @@
 #pragma once
 
 // A lower bound on the time of a flight, from the distance between its ends and its limits.
-//
-// Example:
-//   const traj::Stretch stretch{.from = {0, 0, 50}, .to = {100, 0, 50}, .length = 100};
-//   const traj::Limits fast{{traj::Limit::speed, 8}, {traj::Limit::acceleration, 6}};
-//   assert(std::abs(*traj::least_duration(stretch, fast) - 13.83) < 0.01);  // seconds
 
 #include <optional>
 
