@@ -8,11 +8,11 @@
 #include "plan/lattice/astar.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/plan.h"
+#include "solve/stop_and_go.h"
 #include "support/bench_scene.h"
 #include "traj/proof/check.h"
 #include "traj/solve/min_snap.h"
 #include "traj/solve/solve.h"
-#include "traj/solve/stop_and_go.h"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <Eigen/SparseLU>
 #include <vector>
 
+#include "curve/bernstein.h"
 #include "support/bench_scene.h"
 #include "support/min_snap_equations.h"
-#include "traj/curve/bernstein.h"
 #include "traj/solve/min_snap.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "geom/base/error.h"
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 #include "xml.h"
 
 namespace geom::gis {

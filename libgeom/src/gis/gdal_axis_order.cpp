@@ -5,7 +5,7 @@
 
 #include "gdal_reference.h"
 #include "geom/gis/axis_order.h"
-#include "geom/import/city_footprints.h"
+#include "import/city_footprints.h"
 
 namespace geom::gis {
 namespace {

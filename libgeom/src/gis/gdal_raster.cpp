@@ -7,8 +7,8 @@
 #include "gdal_reference.h"
 #include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
-#include "geom/shape/row_merge.h"
-#include "geom/shape/skyline_merge.h"
+#include "shape/row_merge.h"
+#include "shape/skyline_merge.h"
 
 namespace geom::gis {
 namespace {

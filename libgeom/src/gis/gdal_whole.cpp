@@ -13,8 +13,8 @@
 
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
-#include "geom/text/json_outline.h"
 #include "geom/text/parse_json.h"
+#include "text/json_outline.h"
 #include "xml.h"
 
 namespace geom::gis {

@@ -6,8 +6,8 @@
 #include "city_gml.h"
 #include "geom/base/error.h"
 #include "geom/gis/axis_order.h"
-#include "geom/import/city_footprints.h"
-#include "geom/import/city_json.h"
+#include "import/city_footprints.h"
+#include "import/city_json.h"
 
 namespace geom::gis {
 namespace {

@@ -8,9 +8,9 @@
 #include <ostream>
 
 #include "geom/text/csv_field.h"
-#include "geom/text/csv_records.h"
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
+#include "text/csv_records.h"
 
 namespace geom {
 namespace {

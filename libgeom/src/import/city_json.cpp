@@ -1,4 +1,4 @@
-#include "geom/import/city_json.h"
+#include "import/city_json.h"
 
 #include <fmt/format.h>
 

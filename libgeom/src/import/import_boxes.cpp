@@ -6,16 +6,16 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "geom/import/block_text.h"
 #include "geom/import/box_csv.h"
 #include "geom/import/fcnd_csv.h"
-#include "geom/import/jps3d_map.h"
-#include "geom/import/octomap.h"
 #include "geom/import/sdf_world.h"
-#include "geom/import/voxel_3dmap.h"
-#include "geom/import/world_json.h"
 #include "geom/text/counted.h"
 #include "geom/text/json_line.h"
+#include "import/block_text.h"
+#include "import/jps3d_map.h"
+#include "import/octomap.h"
+#include "import/voxel_3dmap.h"
+#include "import/world_json.h"
 
 namespace geom {
 namespace {

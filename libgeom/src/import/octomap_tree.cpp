@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "geom/import/octomap.h"
 #include "geom/text/counted.h"
 #include "geom/text/text_table.h"
+#include "import/octomap.h"
 
 namespace geom {
 namespace {

@@ -13,7 +13,7 @@
 #include "cell_tiles.h"
 #include "geom/base/error.h"
 #include "geom/base/precondition.h"
-#include "geom/shape/row_merge.h"
+#include "shape/row_merge.h"
 
 namespace geom {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "geom/base/error.h"
-#include "geom/shape/simple_ring.h"
+#include "shape/simple_ring.h"
 
 namespace geom {
 namespace {

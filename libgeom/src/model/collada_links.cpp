@@ -11,7 +11,7 @@
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 
 namespace geom {
 namespace {

@@ -1,4 +1,4 @@
-#include "geom/model/draco_decoder.h"
+#include "model/draco_decoder.h"
 
 #include <draco/compression/decode.h>
 #include <fmt/format.h>

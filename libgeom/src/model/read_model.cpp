@@ -11,10 +11,10 @@
 #include "geom/base/error.h"
 #include "geom/base/sha256.h"
 #include "geom/model/assimp_scene.h"
-#include "geom/model/draco_decoder.h"
 #include "geom/model/gltf_model.h"
 #include "geom/model/tileset.h"
 #include "geom/text/parse_json.h"
+#include "model/draco_decoder.h"
 
 namespace geom {
 namespace {

@@ -11,7 +11,7 @@
 #include "geom/base/rounding.h"
 #include "geom/shape/convex_outline.h"
 #include "geom/shape/cover.h"
-#include "geom/shape/ring_stack.h"
+#include "shape/ring_stack.h"
 
 namespace geom {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
-#include "geom/text/json_outline.h"
 #include "geom/text/parse_json.h"
+#include "text/json_outline.h"
 
 namespace geom {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "geom/base/error.h"
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 
 namespace geom {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "geom/base/error.h"
-#include "plan/path/shortcut.h"
-#include "plan/path/taut.h"
+#include "path/shortcut.h"
+#include "path/taut.h"
 #include "shown_point.h"
 
 namespace plan {

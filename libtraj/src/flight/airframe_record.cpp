@@ -1,4 +1,4 @@
-#include "traj/flight/airframe_record.h"
+#include "flight/airframe_record.h"
 
 #include <fmt/format.h>
 

@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "built_in_vehicles.h"
+#include "flight/airframe_record.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
-#include "traj/flight/airframe_record.h"
 #include "traj/proof/limits.h"
 
 namespace traj {

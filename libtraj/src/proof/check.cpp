@@ -9,11 +9,11 @@
 
 #include "check_limits.h"
 #include "check_place.h"
+#include "curve/continuity.h"
 #include "curve/curve_piece.h"
 #include "geom/base/error.h"
 #include "geom/record/flight_time.h"
 #include "least_clearance.h"
-#include "traj/curve/continuity.h"
 #include "traj/proof/domain.h"
 
 namespace traj {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/archive/bytes.h"
-#include "geom/import/city_json.h"
 #include "geom/model/gltf_model.h"
 #include "geom/model/tileset.h"
+#include "import/city_json.h"
 #include "marked_polygon.h"
 #include "support/glb_file.h"
 

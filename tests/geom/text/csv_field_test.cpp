@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "geom/text/csv_records.h"
 #include "support/random_city.h"
+#include "text/csv_records.h"
 
 namespace geom {
 namespace {

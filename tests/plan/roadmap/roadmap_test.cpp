@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "plan/path/taut.h"
+#include "path/taut.h"
 #include "plan/planner/plan.h"
 #include "plan/roadmap/roadmap_file.h"
 #include "roadmap/tiled.h"

@@ -1,7 +1,10 @@
 #pragma once
 
-// The one exception for "the world is wrong": a bad file, a bad record, artefacts that do not
-// belong together.
+// The one exception for bad input: a bad file, a bad record, artefacts that do not belong together.
+//
+// Example:
+//   const geom::InputError error("city.csv", 17, "half size y must be >= 0, found \"-2\"");
+//   assert(std::string(error.what()) == "city.csv:17: half size y must be >= 0, found \"-2\"");
 
 #include <cstddef>
 #include <stdexcept>

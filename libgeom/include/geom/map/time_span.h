@@ -1,6 +1,11 @@
 #pragma once
 
 // The time during which an obstacle is there.
+//
+// Example:
+//   const geom::TimeSpan half_an_hour{.from = 3600, .until = 5400};
+//   assert(half_an_hour.meets({.from = 5400, .until = 6000}));  // closed at both ends
+//   assert(geom::TimeSpan{}.always());
 
 #include <compare>
 #include <limits>
@@ -11,8 +16,6 @@ namespace geom {
 
 // Closed, in seconds after the map's epoch: the obstacle is there at both ends. `from` may be
 // -infinity and `until` infinity; both together are an obstacle that is always there.
-//
-//   const TimeSpan half_an_hour{3600, 5400};
 struct TimeSpan {
   double from = -std::numeric_limits<double>::infinity();
   double until = std::numeric_limits<double>::infinity();

@@ -1,6 +1,11 @@
 #pragma once
 
 // The coordinate reference system that a GeoJSON file names.
+//
+// Example:
+//   const nlohmann::json file = {{"type", "FeatureCollection"},
+//                                {"crs", {{"properties", {{"name", "EPSG:25832"}}}}}};
+//   if (geom::has_foreign_crs(file)) std::cerr << geom::kForeignCrs << '\n';
 
 #include <nlohmann/json.hpp>
 #include <string_view>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Typed access to one JSON record, with errors that name source, line, key and what stood there.
+//
+// Example:
+//   const geom::JsonFields fields(R"({"id":"q1","from":[1,2,3],"margin":0.5})", "q.jsonl", 7);
+//   assert(fields.text("id") == "q1" && fields.point("from") == geom::Vec3(1, 2, 3));
+//   assert(*fields.number("margin") == 0.5 && !fields.has("to"));
 
 #include <cstddef>
 #include <memory>

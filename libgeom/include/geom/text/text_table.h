@@ -1,6 +1,15 @@
 #pragma once
 
 // Lines and fields of delimited text: BOM, CRLF, comma or semicolon, no locale.
+//
+// Example:
+//   std::istringstream in("x,y\n1.5,2\n");
+//   geom::TextLines lines(in, "points.csv");
+//   lines.next();  // the header
+//   while (lines.next()) {
+//     const std::vector<std::string> fields = geom::split_fields(lines.line());
+//     assert(geom::coordinate(lines, "x", fields[0]) == 1.5);
+//   }
 
 #include <istream>
 #include <optional>
@@ -11,15 +20,15 @@
 namespace geom {
 
 // The lines of a stream, trimmed of a leading BOM and of white space at both ends. Lines that begin
-// with `#` before the first other one that is not blank are comments, and passed over, unless
-// `comments_too`; after it, they are lines like all others, as an id may begin so.
+// with `#` are passed over as comments, unless `comments_too`, until the first line that is neither
+// a comment nor blank. After it they are lines like all others, because an id may begin with `#`.
 class TextLines {
  public:
   TextLines(std::istream& in, std::string_view source, bool comments_too = false)
       : in_(in), source_(source), begun_(comments_too) {}
 
-  // False at the end. Throws std::system_error when reading fails, and InputError where a carriage
-  // return stands within a line: what another program takes for two lines must not become one.
+  // False at the end. Throws std::system_error if reading fails, and InputError for a carriage
+  // return within a line: what another program takes for two lines must not become one.
   bool next();
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }  // from 1

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "geom/base/error.h"
-#include "geom/shape/convex_parts.h"
 #include "geom/shape/cover.h"
-#include "geom/shape/ring_stack.h"
 #include "sdf_loader.h"
+#include "shape/convex_parts.h"
+#include "shape/ring_stack.h"
 
 namespace geom {
 namespace {

@@ -1,7 +1,13 @@
 #pragma once
 
-// A lattice of an older map brought up to a newer one: worked out anew only where boxes changed,
-// and the same to the last bit as if built anew.
+// Lattices brought up to a newer map, worked out anew only where boxes changed.
+//
+// Example:
+//   const plan::Lattice old = plan::build_lattice(scene, {.spacing = 1});
+//   const geom::CollisionScene newer(map, vehicle, 0.2);  // of the map that has changed
+//   const plan::Lattice patched = plan::patch_lattice(old, newer, plan::change_since(map, newer));
+//
+// The result is the same to the last bit as a lattice that is built anew.
 
 #include <optional>
 

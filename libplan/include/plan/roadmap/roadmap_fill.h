@@ -1,6 +1,15 @@
 #pragma once
 
 // A roadmap that is built where searches come to it, and kept.
+//
+// Example:
+//   plan::RoadmapFill fill(scene, {});
+//   plan::Planner planner(scene, nullptr, fill);
+//   const plan::PlanResult result = planner.plan({1, 1, 1}, {9, 1, 1});
+//   if (fill.grew()) {
+//     std::ostringstream out;  // keeps what this search built
+//     plan::write_roadmap(out, fill.known());
+//   }
 
 #include <memory>
 #include <optional>

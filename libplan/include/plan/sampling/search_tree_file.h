@@ -1,6 +1,15 @@
 #pragma once
 
-// Search trees for viewers, the nodes in the order of their insertion. All take an empty tree.
+// Search trees as files for viewers: JSON Lines, PLY and glTF.
+//
+// Example:
+//   const plan::SearchTree tree = plan::sample_path(scene, {1, 1, 1}, {9, 1, 1},
+//                                                   plan::SamplingMethod::rrt).tree;
+//   std::ostringstream out;
+//   plan::write_jsonl(out, tree, "q1", geom::provenance_of(scene));
+//   plan::write_ply(out, tree, geom::Axes::enu);
+//
+// The nodes stand in the order of their insertion. All take an empty tree.
 
 #include <cstddef>
 #include <iosfwd>

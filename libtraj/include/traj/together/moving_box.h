@@ -1,6 +1,12 @@
 #pragma once
 
 // Obstacles that move, and the proof that a flight keeps clear of them at every instant.
+//
+// Example:
+//   const traj::TimedFlight flight{.trajectory = &trajectory, .room = scene.half()};
+//   const traj::MovingBox drone{.box = {{1, 1, 5}, {2, 2, 6}}, .velocity = {1, 0, 0}, .until = 5};
+//   assert(!traj::moving_box_fault(drone));
+//   assert(traj::check_moving(flight, drone, traj::Parked::pad).clear);  // it passes 4 m above
 
 #include <cstddef>
 #include <optional>
