@@ -242,7 +242,7 @@ class GeoJsonReader {
   }
 
   void require_wgs84(const Json& object) const {
-    if (geom::has_foreign_crs(object)) refuse(std::string(geom::kForeignCrs));
+    if (geom::has_foreign_crs(object)) refuse(sentence(geom::foreign_crs()));
   }
 
   GeoPoints points(const Json& line, const std::string& where) const {

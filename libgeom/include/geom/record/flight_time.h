@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "geom/base/error.h"
 #include "geom/text/instant.h"
 
 namespace geom {
@@ -32,9 +33,9 @@ struct FlightTime {
 // Whether it is a whole number within kLargestPriority.
 bool is_priority(double value);
 
-// Why these times cannot be, in words: one that is no number within kLargestTime, or smaller than
+// Why these times cannot be: one that is no number within kLargestTime, or smaller than
 // kLeastTime and not 0, a start that is not within earliest and latest. Nothing where they can.
-std::optional<std::string> time_fault(const FlightTime& time);
+std::optional<Fault> time_fault(const FlightTime& time);
 
 class JsonFields;
 class JsonLine;
