@@ -41,9 +41,6 @@ class InputError : public std::runtime_error {
  public:
   InputError(std::string_view source, std::size_t line, Fault fault);
   InputError(std::string_view source, Fault fault) : InputError(source, 0, std::move(fault)) {}
-  InputError(std::string_view source, std::size_t line, std::string_view message)
-      : InputError(source, line, Fault{.says = std::string(message)}) {}
-  InputError(std::string_view source, std::string_view message) : InputError(source, 0, message) {}
 
   const std::string& source() const noexcept { return fields_->source; }
   std::size_t line() const noexcept { return fields_->line; }
