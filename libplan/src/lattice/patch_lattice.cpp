@@ -55,10 +55,11 @@ Lattice patch_lattice(const Lattice& old, const geom::CollisionScene& scene,
   const Lattice anew = lazy_lattice(scene, old.spec(), within);
   if (anew.first() != old.first() || anew.dims() != old.dims()) {
     throw geom::InputError(
-        "lattice", fmt::format("expected the nodes that the bounds of the new map hold, {} x {} "
-                               "x {}, found {} x {} x {}: build it anew, without --patch",
-                               anew.dims()[0], anew.dims()[1], anew.dims()[2], old.dims()[0],
-                               old.dims()[1], old.dims()[2]));
+        "lattice",
+        {.expected = fmt::format("the nodes that the bounds of the new map hold, {} x {} x {}",
+                                 anew.dims()[0], anew.dims()[1], anew.dims()[2]),
+         .found = fmt::format("{} x {} x {}", old.dims()[0], old.dims()[1], old.dims()[2]),
+         .advice = "build it anew, without --patch"});
   }
   OldBlocks kept{*store, std::vector<char>(old.grid().block_count())};
   for (const auto* boxes : {&change.removed, &change.added}) {

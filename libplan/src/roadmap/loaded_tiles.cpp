@@ -79,7 +79,8 @@ void LoadedTiles::split(std::uint32_t at, const Range& range) {
       code(middle) >> quarter == own ? low = middle + 1 : high = middle;
     }
     if (low - begin == range.end - range.begin || children.size() == 4) {
-      throw geom::InputError(source_->name(), "tiles are out of order: the file is damaged");
+      throw geom::InputError(source_->name(),
+                             {.says = "tiles are out of order", .advice = "the file is damaged"});
     }
     children.push_back(unopened({begin, low}));
     begin = low;
@@ -113,7 +114,7 @@ std::uint32_t LoadedTiles::load(std::size_t number) {
   if (const auto at = loaded_.find(number); at != loaded_.end()) return at->second;
   const std::vector<Bend> bends = source_->bends(number);
   if (bends_.size() + bends.size() > std::numeric_limits<std::uint32_t>::max() - 1) {
-    throw geom::InputError(source_->name(), "a search touches more than 2^32 bends");
+    throw geom::InputError(source_->name(), {.says = "a search touches more than 2^32 bends"});
   }
   const auto tile = static_cast<std::uint32_t>(tiles_.size());
   tiles_.push_back(
@@ -132,8 +133,8 @@ std::uint32_t LoadedTiles::load_target(std::uint32_t from, std::uint32_t edge) {
   if (local >= run.count) {
     throw geom::InputError(
         source_->name(),
-        fmt::format("an edge leads to bend {} of {} in a tile: the file is damaged", local,
-                    run.count));
+        {.says = fmt::format("an edge leads to bend {} of {} in a tile", local, run.count),
+         .advice = "the file is damaged"});
   }
   near_[std::size_t{from} << 8 | edge >> Squares::kLocalBits] = run;
   return run.first + local;

@@ -10,7 +10,8 @@
 namespace plan {
 
 void TileReader::refuse(std::string_view what) const {
-  throw geom::InputError(roadmap_->source, fmt::format("{}: the file is damaged", what));
+  throw geom::InputError(roadmap_->source,
+                         {.says = std::string(what), .advice = "the file is damaged"});
 }
 
 std::optional<std::size_t> TileReader::find(const Square& wanted) const {
@@ -93,7 +94,8 @@ TileReader::Target TileReader::target(std::size_t tile, std::uint32_t edge) cons
   if (local >= there) {
     throw geom::InputError(
         roadmap_->source,
-        fmt::format("an edge leads to bend {} of {} in a tile: the file is damaged", local, there));
+        {.says = fmt::format("an edge leads to bend {} of {} in a tile", local, there),
+         .advice = "the file is damaged"});
   }
   return {*found, local};
 }

@@ -60,7 +60,8 @@ std::size_t TileSource::target(std::size_t tile, std::uint32_t edge) const {
   if (slot < squares().slots()) {
     if (const auto found = find(squares().beside(square(tile), slot))) return *found;
   }
-  throw geom::InputError(name(), "an edge leads to a tile that is not there: the file is damaged");
+  throw geom::InputError(name(), {.says = "an edge leads to a tile that is not there",
+                                  .advice = "the file is damaged"});
 }
 
 std::unique_ptr<TileSource> tiles_of(const Roadmap& roadmap) {

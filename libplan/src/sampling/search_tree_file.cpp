@@ -52,8 +52,8 @@ void write_jsonl(std::ostream& out, const SearchTree& tree, std::string_view id,
 void write_ply(std::ostream& out, const SearchTree& tree, geom::Axes axes) {
   const std::size_t nodes = tree.points.size();
   if (nodes > 0x7fffffff) {
-    throw geom::InputError("PLY",
-                           fmt::format("expected at most 2147483647 nodes, found {}", nodes));
+    throw geom::InputError(
+        "PLY", {.expected = "at most 2147483647 nodes", .found = fmt::to_string(nodes)});
   }
   std::string edges;
   std::size_t count = 0;

@@ -10,7 +10,8 @@
 #include <compare>
 #include <limits>
 #include <optional>
-#include <string>
+
+#include "geom/base/error.h"
 
 namespace geom {
 
@@ -29,8 +30,8 @@ struct TimeSpan {
   friend auto operator<=>(const TimeSpan&, const TimeSpan&) = default;
 };
 
-// Why the span is not valid, in words: an end that is NaN, or beyond kLargestTime and not infinite;
+// Why the span is not valid: an end that is NaN, or beyond kLargestTime and not infinite;
 // a `from` after `until`. Nothing if it is valid.
-std::optional<std::string> span_fault(const TimeSpan& span);
+std::optional<Fault> span_fault(const TimeSpan& span);
 
 }  // namespace geom

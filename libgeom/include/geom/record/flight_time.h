@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "geom/base/error.h"
 #include "geom/text/instant.h"
 
 namespace geom {
@@ -36,10 +37,10 @@ struct FlightTime {
 // Whether it is a whole number within kLargestPriority.
 bool is_priority(double value);
 
-// Why the times are not valid, in words: one that is no number within kLargestTime, or smaller than
+// What is wrong with the times: one that is no number within kLargestTime, or smaller than
 // kLeastTime and not 0, or a start that is not within earliest and latest. Nothing if they are
 // valid.
-std::optional<std::string> time_fault(const FlightTime& time);
+std::optional<Fault> time_fault(const FlightTime& time);
 
 class JsonFields;
 class JsonLine;

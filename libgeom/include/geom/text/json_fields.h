@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "geom/base/vec3.h"
 #include "geom/text/words.h"
 
@@ -49,7 +50,7 @@ class JsonFields {
 
   double number(const nlohmann::json& value, std::string_view what) const;
   Vec3 point(const nlohmann::json& value, std::string_view what) const;
-  [[noreturn]] void refuse(std::string_view message) const;
+  [[noreturn]] void refuse(Fault fault) const;
 
  private:
   [[noreturn]] void refuse_word(const char* key, const std::string& expected) const;

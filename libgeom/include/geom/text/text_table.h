@@ -17,6 +17,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
+
 namespace geom {
 
 // The lines of a stream, trimmed of a leading BOM and of white space at both ends. Lines that begin
@@ -33,7 +35,7 @@ class TextLines {
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }  // from 1
   std::string_view source() const { return source_; }
-  [[noreturn]] void refuse(std::string_view message) const;
+  [[noreturn]] void refuse(Fault fault) const;
 
  private:
   std::istream& in_;
@@ -47,9 +49,7 @@ class TextLines {
 std::string_view trimmed(std::string_view text);
 
 // What readers of text say of a carriage return that stands alone.
-inline constexpr std::string_view kLoneReturn =
-    "expected lines that end in LF or CRLF, found a carriage return alone: convert the line ends, "
-    "for example with `tr '\\r' '\\n'`";
+Fault lone_return();
 
 // Fields between commas, or between semicolons where the line has one; trimmed. With `quoted`,
 // a field may stand in double quotes, in which a doubled quote is one.

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "geom/base/error.h"
 #include "geom/shape/aabb.h"
 #include "traj/together/timed_flight.h"
 
@@ -30,10 +31,10 @@ struct MovingBox {
   double until = 0;              // > from
 };
 
-// Why the obstacle cannot be judged, in words: a number that is not finite or too large, a box
+// Why the obstacle cannot be judged: a number that is not finite or too large, a box
 // whose min is above its max, growth below 0, invalid times, or a place on its way beyond
 // geom::kLargestCoordinate. Nothing if it can be judged.
-std::optional<std::string> moving_box_fault(const MovingBox& box);
+std::optional<geom::Fault> moving_box_fault(const MovingBox& box);
 
 struct MovingResult {
   bool clear = false;

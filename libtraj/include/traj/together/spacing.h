@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "geom/base/vec3.h"
 
 namespace traj {
@@ -42,9 +43,9 @@ std::vector<Zone> zones_between(const Spacing& spacing, const Vec3& room, const 
 // rounded up. If two flights, each grown by its reach, are apart, no zone holds their difference.
 Vec3 reach_of(const Spacing& spacing, const Vec3& room);
 
-// Why the spacing is not valid, in words: a reach that is not > 0 or beyond 1e8 m. Nothing if it is
+// Why the spacing is not valid: a reach that is not > 0 or beyond 1e8 m. Nothing if it is
 // valid.
-std::optional<std::string> spacing_fault(const Zone& zone);
+std::optional<geom::Fault> spacing_fault(const Zone& zone);
 
 // The nearness of a difference of position in a zone's own norm: below 1 inside, 1 on its surface.
 // Rounded.
