@@ -1,7 +1,7 @@
 #pragma once
 
-// The boxes that went and those that came from an older map to a newer one. Patches of lattices
-// (plan/lattice/patch_lattice.h) and roadmaps (plan/roadmap/patch_roadmap.h) go by them.
+// The boxes that went and those that came from an older map to a newer one. Patches of roadmaps
+// (plan/roadmap/patch_roadmap.h) go by them.
 
 #include <vector>
 
