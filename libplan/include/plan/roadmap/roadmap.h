@@ -20,8 +20,6 @@ namespace plan {
 
 using geom::Vec3;
 
-class RoadmapFill;  // plan/roadmap/roadmap_fill.h
-
 // A place where a path may bend around a box edge: the middle of a part of it, just outside.
 struct Bend {
   Vec3 position;
@@ -57,7 +55,6 @@ struct Roadmap {
   std::span<const std::uint32_t> edge_to;
   std::shared_ptr<const void> keep_alive;  // of all these
   std::string source = "roadmap";          // for messages
-  bool filled = false;  // as it is used: tiles and edges may not be there yet (RoadmapFill)
 
   std::size_t tiles() const { return tile_index.size() / 2; }
   std::size_t bends() const { return bend_axis.size(); }
@@ -105,9 +102,6 @@ class RoadmapSearch {
  public:
   // Throws geom::InputError where a search comes upon what no roadmap says.
   RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap);
-
-  // Of a roadmap that is worked out where searches come to it, and kept.
-  RoadmapSearch(const geom::CollisionScene& scene, RoadmapFill& fill);
 
   // Of bends without edges: a search works out those that it needs.
   RoadmapSearch(const geom::CollisionScene& scene, std::vector<Bend> bends, double reach);
