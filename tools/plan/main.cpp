@@ -144,16 +144,9 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
 }
 
 void write_tree(const std::string& path, const plan::SearchTree& tree,
-                const geom::PathRecord& record, geom::Axes axes) {
-  const bool is_text = !path.ends_with(".ply") && !path.ends_with(".glb");
-  cli::OutputFile out(path, is_text ? cli::OutputKind::text : cli::OutputKind::artefact);
-  if (path.ends_with(".ply")) {
-    plan::write_ply(out.stream(), tree, axes);
-  } else if (path.ends_with(".glb")) {
-    plan::write_glb(out.stream(), tree, axes);
-  } else {
-    plan::write_jsonl(out.stream(), tree, record.id, record.provenance);
-  }
+                const geom::PathRecord& record) {
+  cli::OutputFile out(path, cli::OutputKind::text);
+  plan::write_jsonl(out.stream(), tree, record.id, record.provenance);
   out.commit();
 }
 
@@ -226,7 +219,7 @@ int main(int argc, char** argv) {
     const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;
     out.commit(queries.size(), exit);
     if (!search.tree_file.empty()) {
-      write_tree(search.tree_file, planned.tree, planned.last, scene.map().spec().frame.axes);
+      write_tree(search.tree_file, planned.tree, planned.last);
     }
     common.write_stats(
         {{"queries", planned.records}, {"found", planned.found}, {"collision", scenes.stats()}});

@@ -112,8 +112,7 @@ void SearchOptions::add_to(CLI::App& app) {
                   "(docs/certificates.md)");
   add_layers(app, layers);
   cli::add_output(app, "--tree", tree_file,
-                  "sampling methods: write the search tree, of one query only: as .ply or .glb by "
-                  "the name, else as JSON Lines");
+                  "sampling methods: write the search tree, of one query only");
 }
 
 void SearchOptions::refuse_idle(const CLI::App& app, const cli::ArtefactFiles& files) const {
