@@ -23,7 +23,6 @@ class TileReader {
     std::size_t size() const { return end - begin; }
   };
 
-  std::size_t tiles() const { return roadmap_->tiles(); }
   const Squares& squares() const { return squares_; }
   Square square(std::size_t tile) const {
     return {roadmap_->tile_index[2 * tile], roadmap_->tile_index[2 * tile + 1]};
