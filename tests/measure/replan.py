@@ -1,6 +1,6 @@
 """replan.py BIN_DIR MAP [MOVED [SEED]]: patching and replanning after MOVED random boxes (10) moved by up to 15 m.
 
-Times patched lattices and roadmaps against rebuilt ones, which must be the same bytes, and 1,000 replanned paths
+Times a patched roadmap against a rebuilt one, which must be the same bytes, and 1,000 replanned paths
 against planning them anew; one thread, whole processes. The vehicle is box:1,1,1.
 """
 
@@ -48,14 +48,14 @@ def move_boxes():
             print(json.dumps({"id": f"q{i}", "from": ends[0], "to": ends[1]}), file=out)
 
 
-def compare(name, kind, *options):
+def compare_roadmaps(*options):
     one = ["--threads", "1"]
-    tool(kind, box_map, *options, *one, "-o", "old")
-    rebuilt = min(tool(kind, "new.boxmap", *options, *one, "-o", "rebuilt")[1] for _ in range(5))
+    tool("skyway-roadmap", box_map, *options, *one, "-o", "old")
+    rebuilt = min(tool("skyway-roadmap", "new.boxmap", *options, *one, "-o", "rebuilt")[1] for _ in range(5))
     patch = ["--patch", "old", "--old-map", box_map]
-    patched = min(tool(kind, "new.boxmap", *patch, *one, "-o", "patched")[1] for _ in range(5))
+    patched = min(tool("skyway-roadmap", "new.boxmap", *patch, *one, "-o", "patched")[1] for _ in range(5))
     same = open("rebuilt", "rb").read() == open("patched", "rb").read()
-    print(f"{name}: rebuilt {rebuilt * 1e3:.0f} ms, patched {patched * 1e3:.0f} ms, {'same' if same else 'OTHER'} bytes")
+    print(f"roadmap: rebuilt {rebuilt * 1e3:.0f} ms, patched {patched * 1e3:.0f} ms, {'same' if same else 'OTHER'} bytes")
 
 
 def lengths(file):
@@ -66,9 +66,7 @@ with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     move_boxes()
     vehicle = ["--vehicle", "box:1,1,1"]
-    compare("lattice 5 m, 6 neighbours", "skyway-lattice", "--spacing", "5", *vehicle)
-    compare("lattice 5 m, 26 neighbours", "skyway-lattice", "--spacing", "5", "--connect", "26", *vehicle)
-    compare("roadmap", "skyway-roadmap", *vehicle)
+    compare_roadmaps(*vehicle)
     plan = ["--queries", "queries.jsonl", *vehicle, "--threads", "1"]
     tool("skyway-plan", box_map, *plan, "-o", "paths")
     _, replanning = tool("skyway-replan", "new.boxmap", "paths", "--threads", "1", "--stats", "stats", "-o", "replanned")

@@ -104,25 +104,25 @@ bool sound(const bench::Run& run) {
   return bench::count(run, bench::Verdict::invalid) == 0 && !run.missing && !run.extra;
 }
 
-struct Part {
+struct Compared {
   Json report;
   Json counts;
   bool sound = true;
 };
 
-Part run_part(const geom::CollisionScene& scene, const bench::Files& files, bench::Options& part,
-              const cli::Common& common) {
-  bench::complete(part, scene.map());
-  part.method.build = common.execution("layers");
+Compared compare_all(const geom::CollisionScene& scene, const bench::Files& files,
+                     bench::Options& options, const cli::Common& common) {
+  bench::complete(options, scene.map());
+  options.method.build = common.execution("layers");
   bench::QuerySet queries = files.queries.empty()
-                                ? bench::QuerySet(scene, part.random)
+                                ? bench::QuerySet(scene, options.random)
                                 : bench::QuerySet(bench::read_queries(files, scene.map()));
-  std::vector<bench::Run> runs = run_all(scene, queries, part, common);
-  if (part.bound) {
-    bench::add_bounds(runs, scene, queries, *part.bound, common.execution("bounds"));
+  std::vector<bench::Run> runs = run_all(scene, queries, options, common);
+  if (options.bound) {
+    bench::add_bounds(runs, scene, queries, *options.bound, common.execution("bounds"));
   }
-  const Json set = describe(queries, files, part);
-  Part done{{{"set", set}}, {{"set", set}}};
+  const Json set = describe(queries, files, options);
+  Compared done{{{"set", set}}, {{"set", set}}};
   for (const bench::Run& run : runs) {
     done.report["methods"].push_back(bench::report(run, runs.front()));
     done.counts["methods"].push_back(bench::counts(run));
@@ -155,24 +155,13 @@ int main(int argc, char** argv) {
     artefacts.require_made_for(scene);
     options.method.lattice = artefacts.lattice();
     options.method.roadmap = artefacts.roadmap();
-    bool all_sound = true;
     Json report = describe(scene);
-    Json stats;
-    for (bench::Options& part : bench::parts_of(options)) {
-      const Part done = run_part(scene, files, part, common);
-      all_sound = all_sound && done.sound;
-      if (options.older_protocol) {
-        report["parts"].push_back(done.report);
-        stats["parts"].push_back(done.counts);
-      } else {
-        report.update(done.report);
-        stats = done.counts;
-      }
-    }
+    const Compared done = compare_all(scene, files, options, common);
+    report.update(done.report);
     cli::OutputFile out(files.output, cli::OutputKind::text);
     out.stream() << report.dump(2) << '\n';
     out.commit();
-    common.write_stats(stats);
-    return all_sound ? cli::Exit::yes : cli::Exit::no;
+    common.write_stats(done.counts);
+    return done.sound ? cli::Exit::yes : cli::Exit::no;
   });
 }

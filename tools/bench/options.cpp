@@ -86,28 +86,11 @@ void add_options(CLI::App& app, Files& files, Options& options) {
   app.add_option("map", files.map, "box map; - for stdin")->required();
   add_queries(app, files, options);
   add_methods(app, files, options);
-  app.add_flag("--older-protocol", options.older_protocol,
-               "repeat the measurement of a well-known older planner: 50 A* searches of 600-700 m "
-               "(25 m, 6 neighbours), then rrt, rrt-connect and auto on 45-50 m until the mean "
-               "time is known to 1 %")
-      ->excludes("--queries", "--set", "--length", "--method", "--trials", "--within");
   app.add_option("--bound", options.bound,
                  "prove how short the paths of each query can be at all, to within this share of "
                  "the shortest that was found, and compare all with that")
       ->check(CLI::Range(1e-6, 1.0));
   cli::add_output(app, "-o,--output", files.output, "report, JSON (default: stdout)");
-}
-
-std::vector<Options> parts_of(const Options& options) {
-  if (!options.older_protocol) return {options};
-  Options searches = options;
-  searches.methods = {"astar"};
-  searches.length = {600, 700};
-  searches.rule.least = searches.rule.most = 50;
-  Options sampling = options;
-  sampling.methods = {"rrt", "rrt-connect", "auto"};
-  sampling.length = {45, 50};
-  return {searches, sampling};
 }
 
 void complete(Options& options, const geom::BoxMap& map) {

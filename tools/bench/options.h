@@ -34,14 +34,10 @@ struct Options {
   std::vector<std::string> commands;  // for the shell
   double within = 1;                  // percent
   int connect = 6;                    // neighbours of a node
-  bool older_protocol = false;
-  std::optional<double> bound;  // the gap wanted between the shortest path and a proved bound
+  std::optional<double> bound;        // the gap wanted between the shortest path and a proved bound
 };
 
 void add_options(CLI::App& app, Files& files, Options& options);
-
-// What is to be run, one after the other: the options themselves, or the parts of a protocol.
-std::vector<Options> parts_of(const Options& options);
 
 // Once parsed: what follows from several of them, and from the map. Throws cli::UsageError.
 void complete(Options& options, const geom::BoxMap& map);

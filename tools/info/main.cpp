@@ -35,7 +35,7 @@ Json describe_lattice(const geom::ArrayArchive& archive, bool verify) {
 }
 
 Json describe_roadmap(const geom::ArrayArchive& archive, bool verify) {
-  const plan::Roadmap roadmap = plan::read_roadmap(archive, plan::Filled::allowed);
+  const plan::Roadmap roadmap = plan::read_roadmap(archive);
   if (verify) plan::verify_roadmap(roadmap);
   Json out = geom::parse_ordered_json(archive.meta(), archive.name());
   out.erase("format");

@@ -5,7 +5,6 @@
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
-#include "cli/option/patch_option.h"
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
@@ -14,41 +13,31 @@
 #include "plan/lattice/fitting_length.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
-#include "plan/lattice/patch_lattice.h"
 
 namespace {
 
-plan::Lattice built(const geom::CollisionScene& scene, plan::LatticeSpec spec,
-                    const std::optional<geom::Vec3>& origin, const geom::Execution& run) {
-  spec.origin = origin.value_or(scene.map().spec().bounds.min);
-  return plan::build_lattice(scene, spec, run);
-}
-
 plan::LatticeCounts write_shard(const cli::Sharding& sharding, const std::string& output,
-                                const geom::CollisionScene& scene, plan::LatticeSpec spec,
-                                const std::optional<geom::Vec3>& origin,
+                                const geom::CollisionScene& scene, const plan::LatticeSpec& spec,
                                 const geom::Execution& run) {
-  spec.origin = origin.value_or(scene.map().spec().bounds.min);
   const plan::LatticePart part = plan::build_lattice_part(scene, spec, sharding.shard(), run);
   const plan::PartArrays written = plan::arrays_of(part);
   sharding.write(output, "output", "lattice", written.meta, written.arrays, cli::Exit::yes);
   return part.blocks.counts;
 }
 
-plan::Lattice patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
-                      const geom::Execution& run) {
-  const plan::Lattice old = plan::read_lattice(patch.open(run));
-  const geom::CollisionScene& scene = patch.scene(scenes, old.made_for());
-  return plan::patch_lattice(old, scene, patch.change(old.made_for(), scene), run);
-}
+struct Asked {
+  std::optional<double> spacing;
+  int connect = 6;
+  std::optional<geom::Vec3> origin;
+};
 
 // A spacing that nobody asked for fits the map.
-plan::LatticeSpec spec_for(const geom::CollisionScene& scene, std::optional<double> spacing,
-                           plan::Connectivity connectivity) {
+plan::LatticeSpec spec_for(const geom::CollisionScene& scene, const Asked& asked) {
   plan::LatticeSpec spec;
-  spec.connectivity = connectivity;
-  if (spacing) {
-    spec.spacing = *spacing;
+  spec.connectivity = static_cast<plan::Connectivity>(asked.connect);
+  spec.origin = asked.origin.value_or(scene.map().spec().bounds.min);
+  if (asked.spacing) {
+    spec.spacing = *asked.spacing;
   } else if (scene.free_bounds()) {
     spec.spacing = plan::fitting_length(*scene.free_bounds(), spec.spacing);
   }
@@ -63,46 +52,34 @@ int main(int argc, char** argv) {
   cli::VehicleOptions vehicle;
   std::string map_file;
   std::string output = "-";
-  std::optional<double> spacing_asked;
-  int connect = 6;
-  std::optional<geom::Vec3> origin;
-  cli::PatchOptions patch;
+  Asked asked;
   cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   cli::add_output(app, "-o,--output", output, "lattice to write (default: stdout)");
-  auto* spacing =
-      app.add_option(
-             "--spacing", spacing_asked,
-             "distance of neighbouring nodes, metres (default 25, less on maps under 300 m)")
-          ->check(CLI::Range(1e-3, 1e6));
-  auto* connectivity =
-      app.add_option("--connect", connect, "neighbours of a node: 6, 18 or 26 (default 6)")
-          ->check(CLI::IsMember({6, 18, 26}));
-  auto* node =
-      cli::add_point(app, "--origin", origin,
-                     "a node, along the map's axes (default: the lower corner of the bounds)");
-  patch.add_to(app, "a lattice", {spacing, connectivity, node});
+  app.add_option("--spacing", asked.spacing,
+                 "distance of neighbouring nodes, metres (default 25, less on maps under 300 m)")
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--connect", asked.connect, "neighbours of a node: 6, 18 or 26 (default 6)")
+      ->check(CLI::IsMember({6, 18, 26}));
+  cli::add_point(app, "--origin", asked.origin,
+                 "a node, along the map's axes (default: the lower corner of the bounds)");
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
-  sharding.add_to(app)->excludes("--patch");
+  sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin({map_file, patch.artefact, patch.old_map});
     sharding.begin(app, {{"map", map_file}}, {{"output", output}});
     if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
                        vehicle, cli::Scenes::Differences::refused);
-    const auto spec = [&] {
-      return spec_for(scenes.scene(), spacing_asked, static_cast<plan::Connectivity>(connect));
-    };
+    const plan::LatticeSpec spec = spec_for(scenes.scene(), asked);
     const geom::Execution run = common.execution("layers");
     if (sharding.asked()) {
-      const auto counts = write_shard(sharding, output, scenes.scene(), spec(), origin, run);
+      const auto counts = write_shard(sharding, output, scenes.scene(), spec, run);
       common.write_stats({{"nodes", counts.nodes}, {"edges", counts.edges}});
       return cli::Exit::yes;
     }
-    const plan::Lattice lattice =
-        patch.asked() ? patched(scenes, patch, run) : built(scenes.scene(), spec(), origin, run);
-    cli::OutputFile out(output, cli::OutputKind::artefact, patch.artefact);
+    const plan::Lattice lattice = plan::build_lattice(scenes.scene(), spec, run);
+    cli::OutputFile out(output, cli::OutputKind::artefact);
     plan::write_lattice(out.stream(), lattice);
     out.commit();
     const plan::LatticeCounts counts = plan::stored_counts(lattice);

@@ -8,7 +8,6 @@
 
 #include "cli/batch.h"
 #include "cli/content/artefacts.h"
-#include "cli/content/filled_roadmap.h"
 #include "cli/file/files.h"
 #include "cli/option/output_option.h"
 #include "cli/option/quality_option.h"
@@ -40,35 +39,6 @@ struct Planned {
   planning::SnappedEnds snapped;
   geom::PathRecord last;
   plan::SearchTree tree;  // of the last query, where it is to be written
-};
-
-// The lattice and the roadmap that were named.
-class Prepared {
- public:
-  Prepared(const cli::ArtefactFiles& files, bool fill, const geom::CollisionScene& scene)
-      : artefacts_(fill ? cli::ArtefactFiles{files.lattice, ""} : files) {
-    artefacts_.require_made_for(scene);
-    if (fill) filled_.emplace(files.roadmap, scene);
-  }
-
-  const plan::Lattice* lattice() const { return artefacts_.lattice(); }
-
-  std::unique_ptr<plan::Planner> planner(const geom::CollisionScene& scene,
-                                         const plan::Lattice* lattice) {
-    if (filled_ && filled_->fill()) {
-      return std::make_unique<plan::Planner>(scene, lattice, *filled_->fill());
-    }
-    const plan::Roadmap* whole = filled_ ? filled_->whole() : artefacts_.roadmap();
-    return std::make_unique<plan::Planner>(scene, lattice, whole);
-  }
-
-  void save() const {
-    if (filled_) filled_->save();
-  }
-
- private:
-  cli::Artefacts artefacts_;
-  std::optional<cli::FilledRoadmap> filled_;
 };
 
 // Paths and, where asked for, why there is none.
@@ -174,16 +144,9 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
 }
 
 void write_tree(const std::string& path, const plan::SearchTree& tree,
-                const geom::PathRecord& record, geom::Axes axes) {
-  const bool is_text = !path.ends_with(".ply") && !path.ends_with(".glb");
-  cli::OutputFile out(path, is_text ? cli::OutputKind::text : cli::OutputKind::artefact);
-  if (path.ends_with(".ply")) {
-    plan::write_ply(out.stream(), tree, axes);
-  } else if (path.ends_with(".glb")) {
-    plan::write_glb(out.stream(), tree, axes);
-  } else {
-    plan::write_jsonl(out.stream(), tree, record.id, record.provenance);
-  }
+                const geom::PathRecord& record) {
+  cli::OutputFile out(path, cli::OutputKind::text);
+  plan::write_jsonl(out.stream(), tree, record.id, record.provenance);
   out.commit();
 }
 
@@ -225,7 +188,7 @@ int main(int argc, char** argv) {
   search.add_to(app);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
-  sharding.add_to(app)->needs(queries_option)->excludes("--tree")->excludes("--fill");
+  sharding.add_to(app)->needs(queries_option)->excludes("--tree");
   return cli::run_tool(app, argc, argv, [&] {
     asked.require_some();
     search.refuse_idle(app, prepared);
@@ -243,20 +206,20 @@ int main(int argc, char** argv) {
     cli::Scenes scenes(cli::open_map(map_file, trust, common.execution("verify")), vehicle,
                        cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
-    Prepared given(prepared, search.fill, scene);
+    const cli::Artefacts given(prepared);
+    given.require_made_for(scene);
     const auto named = given.lattice() ? std::nullopt : search.named_lattice(scene);
     const std::vector<geom::PlanQuery> queries = asked.read(scene.map());
     search.check(queries.size());
-    const auto planner = given.planner(scene, named ? &*named : given.lattice());
+    plan::Planner planner(scene, named ? &*named : given.lattice(), given.roadmap());
     Outputs out(output, search.certificate, sharding);
-    Planned planned = plan_each(*planner, scene, queries, sharding.shard(), search,
+    Planned planned = plan_each(planner, scene, queries, sharding.shard(), search,
                                 common.execution("paths"), out);
     planned.timed = scene.map().timed().size();
     const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;
-    given.save();
     out.commit(queries.size(), exit);
     if (!search.tree_file.empty()) {
-      write_tree(search.tree_file, planned.tree, planned.last, scene.map().spec().frame.axes);
+      write_tree(search.tree_file, planned.tree, planned.last);
     }
     common.write_stats(
         {{"queries", planned.records}, {"found", planned.found}, {"collision", scenes.stats()}});

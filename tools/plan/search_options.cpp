@@ -111,14 +111,8 @@ void SearchOptions::add_to(CLI::App& app) {
                   "write for each unreachable goal (auto) and each bound what shows it "
                   "(docs/certificates.md)");
   add_layers(app, layers);
-  app.add_flag(
-         "--fill", fill,
-         "--roadmap is worked out where queries come to it, and kept: made where there is none, "
-         "with edges of up to 60 m")
-      ->needs("--roadmap");
   cli::add_output(app, "--tree", tree_file,
-                  "sampling methods: write the search tree, of one query only: as .ply or .glb by "
-                  "the name, else as JSON Lines");
+                  "sampling methods: write the search tree, of one query only");
 }
 
 void SearchOptions::refuse_idle(const CLI::App& app, const cli::ArtefactFiles& files) const {
@@ -134,10 +128,7 @@ void SearchOptions::refuse_idle(const CLI::App& app, const cli::ArtefactFiles& f
   cli::only_for(app, plan.method == Method::automatic || plan.gap > 0, {"--certificate"},
                 "the method auto, and for --bound");
   cli::only_for(app, !sampling, {"--lattice", "--roadmap"}, "the methods auto and astar");
-  cli::only_for(app, plan.method == Method::automatic, {"--fill", "--layers"}, "the method auto");
-  if (fill && files.roadmap == "-") {
-    throw cli::UsageError("--fill needs a file, which it writes anew, found stdin as --roadmap");
-  }
+  cli::only_for(app, plan.method == Method::automatic, {"--layers"}, "the method auto");
 }
 
 void SearchOptions::check(std::size_t queries) const {

@@ -19,7 +19,6 @@ struct SearchOptions {
   std::optional<double> spacing;       // metres, of astar's lattice where no file gives one
   int connect = 26;                    // its neighbours of a node
   double seconds = 0;                  // a search; 0: no end
-  bool fill = false;                   // the roadmap, as it is used
   std::string tree_file;               // empty: none
   std::string certificate;             // file of enclosures; empty: none
 

@@ -73,8 +73,7 @@ void add(LatticeCounts& counts, const LatticeCounts& more) {
 struct Tile {
   std::vector<std::uint32_t> record;  // of its blocks
   std::vector<std::byte> records;
-  LatticeCounts counts;   // of blocks that were read
-  LatticeCounts instead;  // what the old store had in their place
+  LatticeCounts counts;
 };
 
 // How tiles lie on the grid.
@@ -106,23 +105,12 @@ class TileOrder {
   std::int64_t across_;
 };
 
-Tile read_tile(const LatticeGrid& grid, const MaskSource& source, const OldBlocks* old,
-               std::size_t number) {
+Tile read_tile(const LatticeGrid& grid, const MaskSource& source, std::size_t number) {
   Tile tile;
   Lattice::Block masks;
   std::uint32_t records = 0;
-  TileOrder(grid).for_each_block(number, [&](std::size_t block, const Index3& place) {
-    if (old && !old->changed[block]) {
-      const auto bytes = old->store.bytes_of(block);
-      tile.records.insert(tile.records.end(), bytes.begin(), bytes.end());
-      tile.record.push_back(bytes.empty() ? old->store.blocks().record[block] : records++);
-      return;
-    }
+  TileOrder(grid).for_each_block(number, [&](std::size_t, const Index3& place) {
     const Index3 low = {place[0] * kSide, place[1] * kSide, place[2] * kSide};
-    if (old) {
-      old->store.read(low, {kSide, kSide, kSide}, masks.data());
-      add(tile.instead, count(masks));
-    }
     source.read(low, {kSide, kSide, kSide}, masks.data());
     add(tile.counts, count(masks));
     std::uint32_t record = classify(grid, low, masks);
@@ -248,12 +236,6 @@ void BlockStore::read(const Index3& low, const Index3& count, std::uint32_t* mas
   }
 }
 
-std::span<const std::byte> BlockStore::bytes_of(std::size_t block) const {
-  if (blocks_.record[block] >= kFree) return {};
-  const std::size_t size = record_bytes(grid_.spec.connectivity);
-  return blocks_.records.subspan(blocks_.record[block] * size, size);
-}
-
 void BlockStore::check() const {
   for (std::size_t b = 0; b < blocks_.record.size(); ++b) {
     if (blocks_.record[b] >= kFree) continue;
@@ -271,13 +253,11 @@ void BlockStore::check() const {
 }
 
 StoredBlocks store_tiles(const LatticeGrid& grid, const MaskSource& source,
-                         const geom::Execution& run, const geom::Shard& shard,
-                         const OldBlocks* old) {
+                         const geom::Execution& run, const geom::Shard& shard) {
   const std::size_t first = shard.begin(TileOrder(grid).count());
   const std::size_t total = shard.end(TileOrder(grid).count()) - first;
   const auto owned = std::make_shared<Owned>();
   LatticeCounts counts;
-  if (old) counts = old->store.blocks().counts;
   std::size_t stored = 0;
   // Tile by tile, so that records need no second pass.
   constexpr std::size_t kSome = 64;
@@ -285,7 +265,7 @@ StoredBlocks store_tiles(const LatticeGrid& grid, const MaskSource& source,
     const std::size_t some = std::min(kSome, total - begin);
     std::vector<Tile> tiles(some);
     geom::parallel_for(some, {run.threads, {}}, [&](std::size_t t) {
-      tiles[t] = read_tile(grid, source, old, first + begin + t);
+      tiles[t] = read_tile(grid, source, first + begin + t);
     });
     for (const Tile& tile : tiles) {
       for (const std::uint32_t record : tile.record) {
@@ -296,8 +276,6 @@ StoredBlocks store_tiles(const LatticeGrid& grid, const MaskSource& source,
       stored = owned->records.view().size() / BlockStore::record_bytes(grid.spec.connectivity);
       require_numbers(stored);
       add(counts, tile.counts);
-      counts.nodes -= tile.instead.nodes;
-      counts.edges -= tile.instead.edges;
     }
     if (run.progress) run.progress(begin + some, total);
   }
@@ -372,12 +350,6 @@ std::shared_ptr<const BlockStore> store_joined(const LatticeGrid& grid,
   }
   const StoredBlocks blocks{kept->tiles.counts, kept->tiles.record, records, kept};
   return std::make_shared<const BlockStore>(grid, blocks, "lattice");
-}
-
-std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
-                                               const geom::Execution& run, const OldBlocks* old) {
-  const StoredBlocks all = store_tiles(grid, source, run, {}, old);
-  return store_joined(grid, {&all, 1});
 }
 
 std::vector<geom::NamedArray> block_arrays(const LatticeGrid& grid,

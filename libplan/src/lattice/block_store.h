@@ -37,9 +37,6 @@ class BlockStore final : public MaskSource {
   // Throws InputError where a record has a bit that cannot be.
   void read(const Index3& low, const Index3& count, std::uint32_t* masks) const override;
 
-  // The bytes of the record of a block; none where it is all free or all blocked.
-  std::span<const std::byte> bytes_of(std::size_t block) const;
-
   std::string_view name() const override { return name_; }
 
   void check() const;  // what read() does not see: bits beyond the lattice
@@ -55,19 +52,11 @@ class BlockStore final : public MaskSource {
   std::string name_;
 };
 
-// What need not be read: blocks of an older store of the same grid that did not change.
-struct OldBlocks {
-  const BlockStore& store;
-  std::vector<char> changed;  // of each block
-};
-
 // Of the shard's tiles, which are columns of 4 x 4 blocks, numbered x fastest: for each of their
 // blocks, tile after tile and in a tile x fastest, the number of its record among the records, or
-// kFree or kBlocked. Records are numbered in that order. Masks are read block by block; those of
-// `old` that did not change are copied.
+// kFree or kBlocked. Records are numbered in that order. Masks are read block by block.
 StoredBlocks store_tiles(const LatticeGrid& grid, const MaskSource& source,
-                         const geom::Execution& run, const geom::Shard& shard,
-                         const OldBlocks* old = nullptr);
+                         const geom::Execution& run, const geom::Shard& shard);
 
 // Of each part, which are of one lattice or InputError("lattice", …) is thrown.
 std::vector<StoredBlocks> tiles_of(std::span<const LatticePart> parts);
@@ -86,11 +75,6 @@ JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredBlocks> sh
 // One alone is not copied.
 std::shared_ptr<const BlockStore> store_joined(const LatticeGrid& grid,
                                                std::span<const StoredBlocks> shards);
-
-// All masks of a source.
-std::shared_ptr<const BlockStore> store_blocks(const LatticeGrid& grid, const MaskSource& source,
-                                               const geom::Execution& run,
-                                               const OldBlocks* old = nullptr);
 
 // As arrays of an archive, and back. `records` are those of one store or of shards in their order.
 std::vector<geom::NamedArray> block_arrays(const LatticeGrid& grid,

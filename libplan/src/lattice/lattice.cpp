@@ -121,11 +121,6 @@ std::int64_t Lattice::offset(int direction) const {
   return dx + grid_.dims[0] * (dy + grid_.dims[1] * dz);
 }
 
-double Lattice::edge_length(int direction) const {
-  const auto& [dx, dy, dz] = kDirection[direction];
-  return grid_.spec.spacing * std::sqrt(static_cast<double>(dx * dx + dy * dy + dz * dz));
-}
-
 Index3 Lattice::index(std::size_t node) const {
   const auto n = static_cast<std::int64_t>(node);
   const Index3& dims = grid_.dims;

@@ -83,8 +83,7 @@ std::unique_ptr<RoadmapSearch> BendSteps::take() {
       return search;
     }
   }
-  return fill_ ? std::make_unique<RoadmapSearch>(scene_, *fill_)
-               : std::make_unique<RoadmapSearch>(scene_, *roadmap_);
+  return std::make_unique<RoadmapSearch>(scene_, *roadmap_);
 }
 
 std::optional<Found> BendSteps::by_roadmap(const Task& task, RoadmapLimits limits,

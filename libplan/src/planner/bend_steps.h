@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "plan/roadmap/roadmap.h"
-#include "plan/roadmap/roadmap_fill.h"
 #include "step.h"
 
 namespace plan {
@@ -16,11 +15,11 @@ namespace plan {
 // May be asked from several threads.
 class BendSteps {
  public:
-  // All must outlive it; at most one of roadmap and fill is given.
-  BendSteps(const geom::CollisionScene& scene, const Roadmap* roadmap, RoadmapFill* fill)
-      : scene_(scene), roadmap_(roadmap), fill_(fill) {}
+  // Both must outlive it.
+  BendSteps(const geom::CollisionScene& scene, const Roadmap* roadmap)
+      : scene_(scene), roadmap_(roadmap) {}
 
-  bool has_roadmap() const { return roadmap_ || fill_; }
+  bool has_roadmap() const { return roadmap_; }
 
   // By the roadmap, giving up early; and however many bends it takes.
   std::optional<Found> at_once(const Task& task);
@@ -47,7 +46,6 @@ class BendSteps {
 
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;
-  RoadmapFill* fill_;
   std::mutex mutex_;  // guards what follows
   std::vector<std::unique_ptr<RoadmapSearch>> idle_;
 };

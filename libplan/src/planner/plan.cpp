@@ -14,7 +14,6 @@
 #include "path/shortcut.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/snap_end.h"
-#include "plan/roadmap/roadmap_fill.h"
 #include "refused_end.h"
 #include "shown_point.h"
 #include "step.h"
@@ -84,8 +83,7 @@ const Sampler& sampler(Method method) {
 }  // namespace
 
 struct Planner::Impl {
-  Impl(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap,
-       RoadmapFill* fill);
+  Impl(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap);
 
   PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options);
 
@@ -105,8 +103,8 @@ struct Planner::Impl {
 };
 
 Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
-                    const Roadmap* roadmap, RoadmapFill* fill)
-    : scene_(scene), bends_(scene, roadmap, fill), reach_(scene), bounder_(scene) {
+                    const Roadmap* roadmap)
+    : scene_(scene), bends_(scene, roadmap), reach_(scene), bounder_(scene) {
   const auto lazy = [&](double spacing) {
     const LatticeSpec spec{spacing, Connectivity::twenty_six, scene.free_bounds()->min};
     return std::make_unique<LatticeLevel>(lazy_lattice(scene, spec), false);
@@ -296,9 +294,7 @@ PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptio
 }
 
 Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, const Roadmap* roadmap)
-    : impl_(std::make_unique<Impl>(scene, lattice, roadmap, nullptr)) {}
-Planner::Planner(const geom::CollisionScene& scene, const Lattice* lattice, RoadmapFill& fill)
-    : impl_(std::make_unique<Impl>(scene, lattice, nullptr, &fill)) {}
+    : impl_(std::make_unique<Impl>(scene, lattice, roadmap)) {}
 Planner::~Planner() = default;
 
 PlanResult Planner::plan(const Vec3& from, const Vec3& to, const PlanOptions& options) {

@@ -50,14 +50,6 @@ class BendTree {
     if (!empty()) for_leaves_near(root(), p, radius * radius, skip, f);
   }
 
-  // The same, bend by bend.
-  template <class Skip, class F>
-  void for_near(const Vec3& p, double radius, const Skip& skip, const F& f) const {
-    for_leaves_near(p, radius, skip, [&](std::uint32_t first, std::uint32_t count) {
-      for (std::uint32_t k = first; k < first + count; ++k) f(k);
-    });
-  }
-
  private:
   static double squared_distance(const Node& node, const Vec3& p);
 

@@ -24,8 +24,8 @@ BendTree::Node node_of(const geom::Aabb& box) {
 
 }  // namespace
 
-LoadedTiles::LoadedTiles(TileSource& source) : source_(&source) {
-  if (source.tiles() > 0) nodes_.push_back(unopened({0, source.tiles()}));
+LoadedTiles::LoadedTiles(const Roadmap& roadmap) : reader_(roadmap) {
+  if (roadmap.tiles() > 0) nodes_.push_back(unopened({0, roadmap.tiles()}));
 }
 
 LoadedTiles::LoadedTiles(std::vector<Bend> bends, const BendTree& tree) : bends_(std::move(bends)) {
@@ -66,7 +66,7 @@ void LoadedTiles::open_tile(std::uint32_t at, std::size_t tile) {
 
 // Into the quarters of the smallest square on the curve that holds all of them.
 void LoadedTiles::split(std::uint32_t at, const Range& range) {
-  const auto code = [&](std::size_t tile) { return code_of(source_->square(tile)); };
+  const auto code = [&](std::size_t tile) { return code_of(reader_->square(tile)); };
   const std::uint64_t differing = code(range.begin) ^ code(range.end - 1);
   const int quarter = differing ? (std::bit_width(differing) - 1) & ~1 : 0;
   std::vector<Node> children;
@@ -79,8 +79,7 @@ void LoadedTiles::split(std::uint32_t at, const Range& range) {
       code(middle) >> quarter == own ? low = middle + 1 : high = middle;
     }
     if (low - begin == range.end - range.begin || children.size() == 4) {
-      throw geom::InputError(source_->name(),
-                             {.says = "tiles are out of order", .advice = "the file is damaged"});
+      reader_->refuse("tiles are out of order");
     }
     children.push_back(unopened({begin, low}));
     begin = low;
@@ -96,14 +95,14 @@ void LoadedTiles::split(std::uint32_t at, const Range& range) {
 LoadedTiles::Node LoadedTiles::unopened(const Range& range) {
   Node node{{}, false};
   if (range.end - range.begin == 1) {
-    node.tree = node_of(source_->extent(range.begin));
+    node.tree = node_of(reader_->extent(range.begin));
   } else {
-    const std::uint64_t first = code_of(source_->square(range.begin));
-    const std::uint64_t last = code_of(source_->square(range.end - 1));
+    const std::uint64_t first = code_of(reader_->square(range.begin));
+    const std::uint64_t last = code_of(reader_->square(range.end - 1));
     const int bits = (std::bit_width(first ^ last) + 1) & ~1;
     const std::uint64_t below = bits < 64 ? (std::uint64_t{1} << bits) - 1 : ~std::uint64_t{0};
     node.tree =
-        node_of(source_->squares().box(square_at(first & ~below), square_at(first | below), kPad));
+        node_of(reader_->squares().box(square_at(first & ~below), square_at(first | below), kPad));
   }
   node.tree.first = static_cast<std::uint32_t>(ranges_.size());
   ranges_.push_back(range);
@@ -112,14 +111,20 @@ LoadedTiles::Node LoadedTiles::unopened(const Range& range) {
 
 std::uint32_t LoadedTiles::load(std::size_t number) {
   if (const auto at = loaded_.find(number); at != loaded_.end()) return at->second;
-  const std::vector<Bend> bends = source_->bends(number);
-  if (bends_.size() + bends.size() > std::numeric_limits<std::uint32_t>::max() - 1) {
-    throw geom::InputError(source_->name(), {.says = "a search touches more than 2^32 bends"});
+  const TileReader::Range range = reader_->bends(number);
+  if (bends_.size() + range.size() > std::numeric_limits<std::uint32_t>::max() - 1) {
+    throw geom::InputError("roadmap", {.says = "a search touches more than 2^32 bends"});
   }
   const auto tile = static_cast<std::uint32_t>(tiles_.size());
-  tiles_.push_back(
-      {number,
-       {static_cast<std::uint32_t>(bends_.size()), static_cast<std::uint32_t>(bends.size())}});
+  const Run run = {static_cast<std::uint32_t>(bends_.size()),
+                   static_cast<std::uint32_t>(range.size())};
+  std::vector<Bend> bends;
+  bends.reserve(range.size());
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    reader_->split_of(number, i);
+    bends.push_back(reader_->bend(i));
+  }
+  tiles_.push_back({number, run});
   bends_.insert(bends_.end(), bends.begin(), bends.end());
   tile_of_.resize(bends_.size(), tile);
   near_.resize(tiles_.size() << 8);
@@ -128,22 +133,18 @@ std::uint32_t LoadedTiles::load(std::size_t number) {
 }
 
 std::uint32_t LoadedTiles::load_target(std::uint32_t from, std::uint32_t edge) {
-  const Run run = tiles_[load(source_->target(tiles_[from].number, edge))].run;
-  const std::uint32_t local = edge & Squares::kLocalMask;
-  if (local >= run.count) {
-    throw geom::InputError(
-        source_->name(),
-        {.says = fmt::format("an edge leads to bend {} of {} in a tile", local, run.count),
-         .advice = "the file is damaged"});
-  }
+  const TileReader::Target target = reader_->target(tiles_[from].number, edge);
+  const Run run = tiles_[load(target.tile)].run;
   near_[std::size_t{from} << 8 | edge >> Squares::kLocalBits] = run;
-  return run.first + local;
+  return run.first + target.local;
 }
 
 LoadedTiles::Edges LoadedTiles::edges_of(std::uint32_t bend) {
   const Tile& tile = tiles_[tile_of_[bend]];
-  const TileSource::Edges edges = source_->edges(tile.number, bend - tile.run.first);
-  return {tile_of_[bend], edges.first, edges.second};
+  const std::size_t i = reader_->bends(tile.number).begin + (bend - tile.run.first);
+  const auto all = reader_->edges_of(tile.number, i);
+  const std::size_t split = reader_->split_of(tile.number, i);
+  return {tile_of_[bend], all.first(split), all.subspan(split)};
 }
 
 }  // namespace plan

@@ -11,12 +11,12 @@
 
 #include "bend_tree.h"
 #include "plan/roadmap/roadmap.h"
-#include "tile_source.h"
+#include "tile_reader.h"
 
 namespace plan {
 
 // Bends are numbered here as they are loaded, which says nothing about their order. Nothing is read
-// before it is asked for, and what is read is verified. The source must outlive this.
+// before it is asked for, and what is read is verified. The roadmap must outlive this.
 class LoadedTiles {
  public:
   // A box, and what is in it: bends or other nodes, once it is open.
@@ -25,7 +25,7 @@ class LoadedTiles {
     bool open = true;
   };
 
-  explicit LoadedTiles(TileSource& source);
+  explicit LoadedTiles(const Roadmap& roadmap);
   LoadedTiles(std::vector<Bend> bends, const BendTree& tree);  // one tile without edges
 
   const std::vector<Bend>& bends() const { return bends_; }
@@ -69,10 +69,10 @@ class LoadedTiles {
     std::uint32_t count = 0;
   };
   struct Tile {
-    std::size_t number;  // in the source
+    std::size_t number;  // in the roadmap
     Run run;
   };
-  struct Range {  // of the source's tiles
+  struct Range {  // of the roadmap's tiles
     std::size_t begin;
     std::size_t end;
   };
@@ -85,12 +85,12 @@ class LoadedTiles {
   std::uint32_t load(std::size_t tile);
   std::uint32_t load_target(std::uint32_t tile, std::uint32_t edge);
 
-  TileSource* source_ = nullptr;
+  std::optional<TileReader> reader_;  // none where there are no edges
   std::vector<Bend> bends_;
   std::vector<std::uint32_t> tile_of_;  // each bend
   std::vector<Tile> tiles_;
   std::vector<Run> near_;  // of each tile, by the high bits of an edge; none where it is not known
-  std::unordered_map<std::size_t, std::uint32_t> loaded_;  // of the source's tiles
+  std::unordered_map<std::size_t, std::uint32_t> loaded_;  // of the roadmap's tiles
   std::vector<Node> nodes_;
   std::vector<Range> ranges_;  // of nodes that are not open: `first` is a place in this
   std::uint32_t root_ = 0;

@@ -24,7 +24,6 @@ geom::JsonLine roadmap_meta(const Roadmap& roadmap) {
   add(meta, roadmap.made_for);
   meta.add("part", spec.part).add("reach", spec.reach);
   if (spec.region) meta.add("region", std::tuple(spec.region->min, spec.region->max));
-  if (roadmap.filled) meta.add("filled", true);
   return meta;
 }
 
@@ -73,18 +72,12 @@ RoadmapSpec read_roadmap_spec(const geom::JsonFields& fields) {
   return spec;
 }
 
-Roadmap read_roadmap(const geom::ArrayArchive& archive, Filled filled) {
+Roadmap read_roadmap(const geom::ArrayArchive& archive) {
   const geom::JsonFields fields(archive.meta(), archive.name(), 0);
   const RoadmapSpec spec = read_roadmap_spec(fields);
   Roadmap out = open_tiles(archive);
   out.spec = spec;
   out.made_for = geom::read_provenance(fields);
-  out.filled = fields.has("filled");
-  if (out.filled && filled == Filled::refused) {
-    fields.refuse(
-        {.says = "this roadmap is filled as it is used, and has only what was asked for so far: "
-                 "skyway-plan --fill reads it, or make a whole one with skyway-roadmap"});
-  }
   return out;
 }
 

@@ -16,7 +16,6 @@
 #include "onward.h"
 #include "path/last_blockers.h"
 #include "plan/roadmap/roadmap.h"
-#include "plan/roadmap/roadmap_fill.h"
 #include "shadows.h"
 
 namespace plan {
@@ -54,12 +53,8 @@ struct LowestPlace {
 }  // namespace
 
 struct RoadmapSearch::Impl {
-  Impl(const geom::CollisionScene& scene, TileSource& source)
-      : scene_(&scene), source_(&source), tiles_(source) {}
-  Impl(const geom::CollisionScene& scene, std::unique_ptr<TileSource> source)
-      : Impl(scene, *source) {
-    own_ = std::move(source);
-  }
+  Impl(const geom::CollisionScene& scene, const Roadmap& roadmap)
+      : scene_(&scene), roadmap_(&roadmap), tiles_(roadmap) {}
   Impl(const geom::CollisionScene& scene, std::vector<Bend> bends, double reach)
       : scene_(&scene),
         tree_(std::in_place, bends),
@@ -94,10 +89,9 @@ struct RoadmapSearch::Impl {
   geom::Polyline trace(std::uint32_t bend) const;
 
   const geom::CollisionScene* scene_;
-  std::unique_ptr<TileSource> own_;
-  TileSource* source_ = nullptr;    // none where there are no edges
-  std::optional<BendTree> tree_;    // where there are no edges
-  std::optional<BendLanes> lanes_;  // likewise
+  const Roadmap* roadmap_ = nullptr;  // none where there are no edges
+  std::optional<BendTree> tree_;      // where there are no edges
+  std::optional<BendLanes> lanes_;    // likewise
   LoadedTiles tiles_;
   double reach_ = 0;
   std::vector<Visit> visits_;
@@ -125,8 +119,8 @@ void RoadmapSearch::Impl::begin(const Vec3& from, const Vec3& to, const RoadmapL
   unseen_ = 0;
   hidden_from_start_.reset();
   hidden_from_goal_.reset();
-  if (source_ && (tiles_.bends().size() > kKept || tiles_.tiles() > kKeptTiles)) {
-    tiles_ = LoadedTiles(*source_);
+  if (roadmap_ && (tiles_.bends().size() > kKept || tiles_.tiles() > kKeptTiles)) {
+    tiles_ = LoadedTiles(*roadmap_);
     visits_.clear();
   }
   if (++stamp_ == 0) {
@@ -301,7 +295,7 @@ RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,
                                           const RoadmapLimits& limits) {
   RoadmapResult result;
   begin(from, to, limits);
-  const bool has_edges = source_ != nullptr;
+  const bool has_edges = roadmap_ != nullptr;
   double longest = std::numeric_limits<double>::infinity();
   while (!open_.empty() && open_.first().bound <= longest) {
     const Open top = open_.pop();
@@ -332,9 +326,7 @@ RoadmapResult RoadmapSearch::Impl::search(const Vec3& from, const Vec3& to,
 }
 
 RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap)
-    : impl_(std::make_unique<Impl>(scene, tiles_of(roadmap))) {}
-RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, RoadmapFill& fill)
-    : impl_(std::make_unique<Impl>(scene, fill.source())) {}
+    : impl_(std::make_unique<Impl>(scene, roadmap)) {}
 RoadmapSearch::RoadmapSearch(const geom::CollisionScene& scene, std::vector<Bend> bends,
                              double reach)
     : impl_(std::make_unique<Impl>(scene, std::move(bends), reach)) {}

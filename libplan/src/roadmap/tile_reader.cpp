@@ -78,7 +78,6 @@ std::span<const std::uint32_t> TileReader::edges_of(std::size_t tile, std::size_
 std::uint32_t TileReader::split_of(std::size_t tile, std::size_t bend) const {
   const std::uint32_t split = roadmap_->edge_split[bend];
   const std::size_t edges = edges_of(tile, bend).size();
-  if (roadmap_->filled && split == kUnknownEdges && edges == 0) return 0;
   if (split > edges) {
     refuse(fmt::format("bend {} has a range of edges that is impossible", bend));
   }
@@ -92,10 +91,7 @@ TileReader::Target TileReader::target(std::size_t tile, std::uint32_t edge) cons
       slot < squares_.slots() ? find(squares_.beside(square(tile), slot)) : std::nullopt;
   const std::size_t there = found ? bends(*found).size() : 0;
   if (local >= there) {
-    throw geom::InputError(
-        roadmap_->source,
-        {.says = fmt::format("an edge leads to bend {} of {} in a tile", local, there),
-         .advice = "the file is damaged"});
+    refuse(fmt::format("an edge leads to bend {} of {} in a tile", local, there));
   }
   return {*found, local};
 }

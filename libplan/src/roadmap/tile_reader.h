@@ -12,10 +12,6 @@
 
 namespace plan {
 
-// What edge_split says, in a roadmap that is filled as it is used, of a bend whose edges were not
-// found yet.
-inline constexpr std::uint32_t kUnknownEdges = 0xffffffff;
-
 // All throw geom::InputError, with the roadmap's source, for what cannot be.
 class TileReader {
  public:
@@ -48,9 +44,10 @@ class TileReader {
   };
   Target target(std::size_t tile, std::uint32_t edge) const;
 
- private:
+  // Throws the InputError.
   [[noreturn]] void refuse(std::string_view what) const;
 
+ private:
   const Roadmap* roadmap_;
   Squares squares_;
 };

@@ -322,23 +322,6 @@ TEST(Collision, GivingScenesUpChangesNoAnswer) {
   EXPECT_EQ(whole.hits(segments, {1, {}}), tight.hits(segments, {7, {}}));
 }
 
-TEST(Collision, AnswersTheSameWhateverTheThreads) {
-  const BoxMap map = support::random_city(4, 300, 600);
-  std::vector<Segment> segments;
-  support::Random random(14);
-  for (int i = 0; i < 4000; ++i) segments.push_back(random_segment(random, 350, Vec3::Zero()));
-  std::vector<std::vector<char>> answers;
-  for (const unsigned threads : {1u, 2u, 7u}) {
-    const CollisionScene scene(map, {"box", {1, 1, 1}}, 0);
-    std::vector<char> hit(segments.size());
-    parallel_for(segments.size(), {threads, {}},
-                 [&](std::size_t i) { hit[i] = scene.hits(segments[i].a, segments[i].b); });
-    answers.push_back(hit);
-  }
-  EXPECT_EQ(answers[0], answers[1]);
-  EXPECT_EQ(answers[0], answers[2]);
-}
-
 // A group that two threads built at once would be kept, and counted, twice.
 TEST(Collision, BuildsEachGroupOnceWhateverTheThreads) {
   const BoxMap map = support::random_city(4, 300, 600);

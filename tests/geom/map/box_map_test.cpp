@@ -60,17 +60,5 @@ TEST(BoxMap, TheHashIsOfTheTimesToo) {
   EXPECT_THROW(timed(0, {std::nan(""), 9}), InputError);
 }
 
-TEST(BoxMap, TheHashIsOfTheContentAndNotOfItsOrderOrTiles) {
-  BoxTable table = support::table_of({{{0, 0, 0}, {1, 1, 1}}, {{5, 5, 0}, {6, 6, 9}}});
-  BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {10, 10, 10}};
-  const BoxMap one(spec, table);
-  std::swap(table.boxes[0], table.boxes[1]);
-  spec.tile_size = 3;
-  EXPECT_EQ(one.hash(), BoxMap(spec, table).hash());
-  spec.bounds.max.z() = 11;
-  EXPECT_NE(one.hash(), BoxMap(spec, table).hash());
-}
-
 }  // namespace
 }  // namespace geom

@@ -18,13 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-TEST(JsonLine, PutsCommasBetweenMembersOnly) {
-  EXPECT_EQ(JsonLine().object(), "{}");
-  EXPECT_EQ(JsonLine().line(), "{}\n");
-  EXPECT_EQ(JsonLine().add("a", 1).object(), R"({"a":1})");
-  EXPECT_EQ(JsonLine().add("a", 1).add("b", 2).add("c", 3).line(), "{\"a\":1,\"b\":2,\"c\":3}\n");
-}
-
 TEST(JsonLine, IsEmptyUntilAMemberIsAdded) {
   JsonLine line;
   EXPECT_TRUE(line.empty());
@@ -61,16 +54,6 @@ TEST(JsonLine, LeavesOutAbsentMembersButNotAbsentItems) {
             R"({"a":[null,2]})");
 }
 
-TEST(JsonLine, NestsObjectsAndLists) {
-  EXPECT_EQ(JsonLine().add("a", JsonLine()).add("b", JsonLine().add("c", JsonLine())).object(),
-            R"({"a":{},"b":{"c":{}}})");
-  const std::vector<std::vector<int>> lists{{}, {1}, {}, {2, 3}};
-  EXPECT_EQ(JsonLine().add("a", std::vector<int>()).add("b", lists).object(),
-            R"({"a":[],"b":[[],[1],[],[2,3]]})");
-  const std::vector<JsonLine> lines{JsonLine(), JsonLine().add("a", 1), JsonLine()};
-  EXPECT_EQ(JsonLine().add("a", lines).add("b", 1).object(), R"({"a":[{},{"a":1},{}],"b":1})");
-}
-
 TEST(JsonLine, WritesTuplesAsLists) {
   EXPECT_EQ(JsonLine().add("a", std::tuple(1, "x", Vec3(0, 0, 1), JsonLine())).object(),
             R"({"a":[1,"x",[0,0,1],{}]})");
@@ -97,11 +80,6 @@ TEST(JsonLine, EscapesTextsAndKeys) {
   EXPECT_EQ(JsonLine().add("a\"b", "\"\\/\n\t\x01\x7f").object(),
             "{\"a\\\"b\":\"\\\"\\\\/\\n\\t\\u0001\x7f\"}");
   EXPECT_EQ(JsonLine().add("a", "Zürich").object(), R"({"a":"Zürich"})");
-}
-
-TEST(JsonLine, IsNotConfusedByBracketsInTexts) {
-  EXPECT_EQ(JsonLine().add("{", "[").add("[", "{").add(":", ",").object(),
-            R"({"{":"[","[":"{",":":","})");
 }
 
 TEST(JsonLine, ReplacesWhatIsNotUtf8) {

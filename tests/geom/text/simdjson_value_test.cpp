@@ -184,15 +184,6 @@ TEST(SimdjsonValue, IsNothingForLongTexts) {
   EXPECT_EQ(parse_json("12" + longest, "f"), 12u);
 }
 
-TEST(SimdjsonValue, HasIntegersAsTheWordedReader) {
-  EXPECT_EQ(simdjson_value("-0"), std::nullopt);
-  EXPECT_TRUE(parse_json("-0", "f").is_number_integer());
-  EXPECT_FALSE(parse_json("-0", "f").is_number_unsigned());
-  EXPECT_TRUE(simdjson_value("0")->is_number_unsigned());
-  EXPECT_TRUE(simdjson_value("7")->is_number_unsigned());
-  EXPECT_FALSE(simdjson_value("-7")->is_number_unsigned());
-}
-
 // One change: a byte, a part lost, moved or repeated, an end.
 std::string changed(std::string text, std::mt19937_64& random) {
   static constexpr std::string_view kLikely =

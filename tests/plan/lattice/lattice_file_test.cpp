@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <sstream>
 
 #include "geom/base/error.h"
@@ -233,49 +232,6 @@ TEST(LatticeFileContent, SurvivesFlippedBytesAnywhere) {
     }
   }
   EXPECT_GT(refused, 500u);
-}
-
-TEST(LatticeFile, ReadsBackEveryMask) {
-  const geom::CollisionScene scene(support::random_city(23, 100, 200), {"box", {1, 1, 1}}, 0);
-  const Lattice lattice = build_lattice(scene, {6, Connectivity::twenty_six, Vec3(1, 2, 3)});
-  std::ostringstream out;
-  write_lattice(out, lattice);
-  const std::string text = out.str();
-  const Lattice back =
-      read_lattice(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "l"));
-  ASSERT_EQ(back.size(), lattice.size());
-  for (std::size_t n = 0; n < lattice.size(); ++n) ASSERT_EQ(back.mask(n), lattice.mask(n));
-  EXPECT_EQ(back.made_for().map, lattice.made_for().map);
-}
-
-TEST(LatticeFile, HostileBytesAreRefusedOrLoadAsSoundLattices) {
-  const geom::CollisionScene scene(support::random_city(24, 10, 40), {"box", {1, 1, 1}}, 0);
-  std::ostringstream out;
-  write_lattice(out, build_lattice(scene, {10, Connectivity::twenty_six, Vec3::Zero()}));
-  const std::string good = out.str();
-  support::Random random(5);
-  int refused = 0;
-  for (int i = 0; i < 3000; ++i) {
-    std::string text = good;
-    for (int k = 0; k < 3; ++k)
-      text[random.below(static_cast<int>(text.size()))] = static_cast<char>(random.below(256));
-    if (i % 4 == 0) text.resize(random.below(static_cast<int>(text.size())));
-    try {
-      const Lattice lattice =
-          read_lattice(geom::ArrayArchive::from_bytes(std::as_bytes(std::span(text)), "l"));
-      verify_lattice(lattice);
-      for (std::size_t n = 0; n < lattice.size(); ++n) {
-        for (std::uint32_t m = lattice.mask(n) & ~Lattice::kNode; m; m &= m - 1) {
-          const auto other = static_cast<std::size_t>(n + lattice.offset(std::countr_zero(m)));
-          ASSERT_LT(other, lattice.size());
-          ASSERT_TRUE(lattice.free(other));
-        }
-      }
-    } catch (const geom::InputError&) {
-      ++refused;
-    }
-  }
-  EXPECT_GT(refused, 700);
 }
 
 }  // namespace

@@ -4,9 +4,6 @@
 
 #include "geom/base/error.h"
 #include "plan/file_bytes.h"
-#include "plan/lattice/build_lattice.h"
-#include "plan/lattice/lattice_file.h"
-#include "plan/lattice/patch_lattice.h"
 #include "plan/roadmap/patch_roadmap.h"
 #include "plan/scenes.h"
 
@@ -63,27 +60,6 @@ class PatchProperty : public testing::TestWithParam<std::uint64_t> {
   }();
 };
 
-TEST_P(PatchProperty, LatticeEqualsTheRebuiltOne) {
-  for (const auto connectivity :
-       {Connectivity::six, Connectivity::eighteen, Connectivity::twenty_six}) {
-    const LatticeSpec spec{random_.below(2) ? 1.0 : 0.7,
-                           connectivity,
-                           {random_.uniform(-3, 3), random_.stepped(-3, 3, 1), 0}};
-    auto boxes = was_;
-    auto before = scene_of(boxes, kBounds, kHalf, 0.1);
-    Lattice lattice = build_lattice(before, spec);
-    for (int step = 0; step < 3; ++step) {  // patches of patches
-      boxes = changed(random_, boxes, 1 + random_.below(5));
-      auto after = scene_of(boxes, kBounds, kHalf, 0.1);
-      lattice = patch_lattice(lattice, after, change_since(before.map(), after), {2, {}});
-      ASSERT_EQ(bytes(lattice), bytes(build_lattice(after, spec)))
-          << "seed " << GetParam() << ", step " << step;
-      verify_lattice(lattice);
-      before = std::move(after);
-    }
-  }
-}
-
 TEST_P(PatchProperty, RoadmapEqualsTheRebuiltOne) {
   for (const bool part : {false, true}) {
     RoadmapSpec spec{4, part ? 500.0 : 25.0, {}};
@@ -91,7 +67,7 @@ TEST_P(PatchProperty, RoadmapEqualsTheRebuiltOne) {
     auto boxes = was_;
     auto before = scene_of(boxes, kBounds, kHalf, 0.1);
     Roadmap roadmap = build_roadmap(before, spec);
-    for (int step = 0; step < 3; ++step) {
+    for (int step = 0; step < 3; ++step) {  // patches of patches
       boxes = changed(random_, boxes, 1 + random_.below(5));
       auto after = scene_of(boxes, kBounds, kHalf, 0.1);
       roadmap = patch_roadmap(roadmap, after, change_since(before.map(), after),
@@ -142,21 +118,6 @@ TEST(MapChange, ListsEveryBoxAsOftenAsItChanged) {
   const MapChange change = change_since(before.map(), after);
   EXPECT_EQ(change.removed, std::vector<Aabb>{geom::grow(a, after.half())});
   EXPECT_EQ(change.added, std::vector<Aabb>{geom::grow(b, after.half())});
-}
-
-TEST(PatchLattice, NothingChangedIsACopyForTheNewMap) {
-  const auto scene = scene_of({{{5, 5, 0}, {9, 9, 9}}}, kBounds, kHalf);
-  const Lattice lattice = build_lattice(scene, {1, Connectivity::six, {0, 0, 0}});
-  EXPECT_EQ(bytes(patch_lattice(lattice, scene, {})), bytes(lattice));
-}
-
-TEST(PatchLattice, RefusesOtherBoundsAndVehicles) {
-  const std::vector<Aabb> boxes = {{{5, 5, 0}, {9, 9, 9}}};
-  const Lattice lattice = build_lattice(scene_of(boxes, kBounds, kHalf), {2, {}, {0, 0, 0}});
-  const auto wider = scene_of(boxes, {{0, 0, 0}, {70, 60, 30}}, kHalf);
-  EXPECT_THROW(patch_lattice(lattice, wider, {}), geom::InputError);
-  EXPECT_THROW(patch_lattice(lattice, scene_of(boxes, kBounds, {1, 1, 1}), {}), geom::InputError);
-  EXPECT_THROW(patch_lattice(lattice, scene_of(boxes, kBounds, kHalf, 1), {}), geom::InputError);
 }
 
 TEST(PatchRoadmap, RefusesOtherVehicles) {

@@ -83,25 +83,5 @@ TEST(ResampleFree, LeavesNoPartInTouch) {
   }
 }
 
-TEST(Shortcut, NeverLengthensAndKeepsTheEnds) {
-  const geom::CollisionScene scene(support::random_city(43, 80, 120), {"box", {1, 1, 1}}, 0);
-  Planner planner(scene, nullptr);
-  support::Random random(44);
-  int shortened = 0;
-  for (int i = 0; i < 60; ++i) {
-    const Vec3 a(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(2, 30));
-    const Vec3 b(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(2, 30));
-    const PlanResult raw = planner.plan(a, b, {.raw = true});
-    if (raw.status != PathStatus::found || raw.route == Route::straight) continue;
-    const geom::Polyline path = shortcut(scene, raw.path);
-    EXPECT_LE(geom::length(path), geom::length(raw.path));
-    EXPECT_EQ(path.front(), a);
-    EXPECT_EQ(path.back(), b);
-    for (std::size_t k = 1; k < path.size(); ++k) ASSERT_TRUE(scene.free(path[k - 1], path[k]));
-    ++shortened;
-  }
-  EXPECT_GT(shortened, 5);
-}
-
 }  // namespace
 }  // namespace plan

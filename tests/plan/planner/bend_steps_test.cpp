@@ -32,7 +32,7 @@ void expect_free_and_shorter(const geom::CollisionScene& scene, const std::optio
 
 TEST(BendSteps, FindAShorterWayThanALatticesWithoutARoadmap) {
   const auto scene = tower();
-  BendSteps steps(scene, nullptr, nullptr);
+  BendSteps steps(scene, nullptr);
   const PlanOptions options;
   EXPECT_FALSE(steps.has_roadmap());
   expect_free_and_shorter(scene, steps.better({kFrom, kTo, options}, kDetour));
@@ -41,7 +41,7 @@ TEST(BendSteps, FindAShorterWayThanALatticesWithoutARoadmap) {
 TEST(BendSteps, FindAWayInARoadmapFromSeveralThreads) {
   const auto scene = tower();
   const Roadmap roadmap = build_roadmap(scene, RoadmapSpec{});
-  BendSteps steps(scene, &roadmap, nullptr);
+  BendSteps steps(scene, &roadmap);
   const PlanOptions options;
   const Task task{kFrom, kTo, options};
   const auto first = steps.at_once(task);
@@ -56,7 +56,7 @@ TEST(BendSteps, FindAWayInARoadmapFromSeveralThreads) {
 
 TEST(BendSteps, GiveNothingThatIsNotShorter) {
   const auto scene = tower();
-  BendSteps steps(scene, nullptr, nullptr);
+  BendSteps steps(scene, nullptr);
   const PlanOptions options;
   const Task task{kFrom, kTo, options};
   const auto best = steps.better(task, kDetour);
@@ -80,7 +80,7 @@ TEST(BendSteps, ImproveALongPathAllAlong) {
     long_way.insert(long_way.end(), {{x - 7, 8, 20}, {x + 7, 8, 20}, {gate, 40, 20}});
   }
   const auto scene = scene_of(boxes, {{0, 0, 0}, {(kTowers + 1) * kApart, 80, 40}}, {1, 1, 1});
-  BendSteps steps(scene, nullptr, nullptr);
+  BendSteps steps(scene, nullptr);
   const PlanOptions options;
   const auto found = steps.better({long_way.front(), long_way.back(), options}, long_way);
   ASSERT_TRUE(found);
@@ -106,7 +106,7 @@ TEST(BendSteps, ImproveALongPathAllAlong) {
 TEST(BendSteps, CutShortAStretchWhoseEndsSeeEachOther) {
   const auto scene =
       scene_of({{{7000, 20, -1}, {7010, 46, 41}}}, {{0, 0, 0}, {9000, 80, 40}}, {1, 1, 1});
-  BendSteps steps(scene, nullptr, nullptr);
+  BendSteps steps(scene, nullptr);
   const PlanOptions options;
   const geom::Polyline needless = {{10, 40, 20},   {500, 10, 20},  {1000, 70, 20}, {2500, 40, 20},
                                    {5000, 40, 20}, {6990, 48, 20}, {7020, 48, 20}, {8990, 40, 20}};
@@ -122,7 +122,7 @@ TEST(BendSteps, CutShortAStretchWhoseEndsSeeEachOther) {
 TEST(BendSteps, GiveUpWhereAWallHasNoGap) {
   const auto scene = scene_of({{{19, -1, -1}, {21, 41, 41}}}, kCube, {1, 1, 1});
   const Roadmap roadmap = build_roadmap(scene, RoadmapSpec{});
-  BendSteps steps(scene, &roadmap, nullptr);
+  BendSteps steps(scene, &roadmap);
   const PlanOptions options;
   const Task task{kFrom, kTo, options};
   EXPECT_FALSE(steps.at_once(task));
@@ -131,7 +131,7 @@ TEST(BendSteps, GiveUpWhereAWallHasNoGap) {
 
 TEST(BendSteps, SeekCloserBendsOnlyWhereTheBestIsAskedAndEndsAreNear) {
   const auto scene = tower();
-  BendSteps steps(scene, nullptr, nullptr);
+  BendSteps steps(scene, nullptr);
   PlanOptions options;
   options.quality = Quality::normal;
   EXPECT_FALSE(steps.closer({kFrom, kTo, options}, kDetour));

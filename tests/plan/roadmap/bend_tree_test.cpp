@@ -23,6 +23,17 @@ std::vector<Bend> random_bends(support::Random& random, std::size_t count) {
   return bends;
 }
 
+// How often each bend of the leaves near `p` is met.
+template <class Skip>
+std::vector<int> met_near(const BendTree& tree, std::size_t bends, const Vec3& p, double radius,
+                          const Skip& skip) {
+  std::vector<int> met(bends);
+  tree.for_leaves_near(p, radius, skip, [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t i = first; i < first + count; ++i) ++met[i];
+  });
+  return met;
+}
+
 Vec3 random_place(support::Random& random) {
   return {random.uniform(-50, 350), 4e5 + random.uniform(-50, 350), 8e5 + random.uniform(-50, 350)};
 }
@@ -65,8 +76,7 @@ TEST(BendTree, FindsAllBendsWithinADistance) {
   for (int n = 0; n < 200; ++n) {
     const Vec3 p = random_place(random);
     const double radius = random.uniform(0, 150);
-    std::vector<int> met(bends.size());
-    tree.for_near(p, radius, kAll, [&](std::uint32_t i) { ++met[i]; });
+    const auto met = met_near(tree, bends.size(), p, radius, kAll);
     for (std::size_t i = 0; i < bends.size(); ++i) {
       ASSERT_LE(met[i], 1);
       if ((bends[i].position - p).norm() <= radius) {
@@ -82,8 +92,7 @@ TEST(BendTree, SkipsWhatIsBelowANode) {
   const BendTree tree(bends);
   const Vec3 p = random_place(random);
   const auto west = [&](const BendTree::Node& node) { return node.max[0] < p.x(); };
-  std::vector<int> met(bends.size());
-  tree.for_near(p, 1e9, west, [&](std::uint32_t i) { ++met[i]; });
+  const auto met = met_near(tree, bends.size(), p, 1e9, west);
   for (std::size_t i = 0; i < bends.size(); ++i) {
     if (bends[i].position.x() >= p.x()) {
       ASSERT_EQ(met[i], 1) << i;
@@ -95,7 +104,7 @@ TEST(BendTree, SkipsWhatIsBelowANode) {
 TEST(BendTree, OfNoBendsIsEmpty) {
   const BendTree tree({});
   EXPECT_TRUE(tree.empty());
-  tree.for_near({0, 0, 0}, 1e9, kAll, [](std::uint32_t) { FAIL(); });
+  tree.for_leaves_near({0, 0, 0}, 1e9, kAll, [](std::uint32_t, std::uint32_t) { FAIL(); });
 }
 
 }  // namespace

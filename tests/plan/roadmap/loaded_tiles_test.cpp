@@ -37,8 +37,7 @@ TEST(LoadedTiles, HaveEachBendBelowTheRootOnce) {
   const auto scene = wide_scene();
   const Roadmap roadmap = build_roadmap(scene, {10, 60, {}});
   ASSERT_GT(roadmap.tiles(), 16u);
-  const auto source = tiles_of(roadmap);
-  LoadedTiles tiles(*source);
+  LoadedTiles tiles(roadmap);
   EXPECT_TRUE(tiles.bends().empty());
   std::vector<Vec3> met;
   open_all(tiles, tiles.root(), {120, 340, 5}, 0, met);
@@ -54,8 +53,7 @@ TEST(LoadedTiles, EdgesLeadWhereTheRoadmapSays) {
   const auto scene = wide_scene();
   const Roadmap roadmap = build_roadmap(scene, {10, 60, {}});
   const auto [flat, edges] = flattened(roadmap);
-  const auto source = tiles_of(roadmap);
-  LoadedTiles tiles(*source);
+  LoadedTiles tiles(roadmap);
   std::vector<Vec3> met;
   open_all(tiles, tiles.root(), {0, 0, 0}, 0, met);
   for (std::uint32_t i = 0; i < tiles.bends().size(); i += 3) {
@@ -86,8 +84,7 @@ TEST(LoadedTiles, RefuseWhatCannotBe) {
     spoil(roadmap);
     EXPECT_THROW(
         {
-          const auto source = tiles_of(roadmap);
-          LoadedTiles tiles(*source);
+          LoadedTiles tiles(roadmap);
           std::vector<Vec3> met;
           open_all(tiles, tiles.root(), {0, 0, 0}, 0, met);
         },

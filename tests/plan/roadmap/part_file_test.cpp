@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "geom/base/error.h"
 #include "plan/roadmap/roadmap_part.h"
 #include "plan/scenes.h"
@@ -11,23 +9,6 @@
 
 namespace plan {
 namespace {
-
-TEST(RoadmapPartFile, ComesBack) {
-  const auto scene = random_scene(2, 60, 400, {0.5, 0.5, 0.25});
-  RoadmapSpec spec;
-  spec.reach = 40;
-  const Roadmap part = build_roadmap_part(scene, spec, {0, 2});
-  ASSERT_GT(part.tiles(), 1u);
-  const Roadmap back = through_file(part);
-  EXPECT_EQ(back.spec.reach, 40);
-  EXPECT_EQ(back.made_for.map, scene.map().hash());
-  EXPECT_TRUE(std::ranges::equal(back.tile_index, part.tile_index));
-  EXPECT_TRUE(std::ranges::equal(back.tile_extent, part.tile_extent));
-  EXPECT_TRUE(std::ranges::equal(back.tile_first, part.tile_first));
-  EXPECT_TRUE(std::ranges::equal(back.bend_position, part.bend_position));
-  EXPECT_TRUE(std::ranges::equal(back.edge_to, part.edge_to));
-  EXPECT_EQ(arrays_and_meta(arrays_of(back)), arrays_and_meta(arrays_of(part)));
-}
 
 TEST(RoadmapPartFile, WhoseArraysDoNotFitIsRefused) {
   const auto scene = random_scene(2, 60, 400, {0.5, 0.5, 0.25});

@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "path/taut.h"
 #include "plan/planner/plan.h"
-#include "plan/roadmap/roadmap_file.h"
 #include "roadmap/tiled.h"
 #include "support/random_city.h"
 
@@ -117,17 +115,6 @@ TEST_P(RoadmapProperty, AnswersDoNotDependOnEarlierSearches) {
     const RoadmapResult b = RoadmapSearch(scene, roadmap).search(from, to, {20000, 4, 0.1});
     ASSERT_EQ(a.settled, b.settled);
     ASSERT_EQ(a.paths, b.paths);
-  }
-}
-
-TEST_P(RoadmapProperty, IsTheSameForAnyThreads) {
-  const auto scene = city(GetParam());
-  std::string bytes;
-  for (const unsigned threads : {1u, 2u, 7u}) {
-    std::ostringstream out;
-    write_roadmap(out, build_roadmap(scene, {}, {threads, {}}));
-    if (bytes.empty()) bytes = out.str();
-    ASSERT_EQ(out.str(), bytes);
   }
 }
 

@@ -277,14 +277,14 @@ def artefacts(folder, city, small):
     code, out, error = run("skyway-bench", small, *VEHICLE, "--lattice", lies["lattice"], "--roadmap", lies["edges"],
                            "--trials", 20, "--seed", 1)
     expect("lying lattice", code != 0 or b'"invalid": 0' in out, f"bench: {code} {error}")
-    data = bytearray(lattice.read_bytes())
-    with zipfile.ZipFile(lattice) as archive:
-        entry = archive.getinfo("records.npy")
+    data = bytearray(roadmap.read_bytes())
+    with zipfile.ZipFile(roadmap) as archive:
+        entry = archive.getinfo("edge_to.npy")
     data[entry.header_offset + 400] ^= 1
-    lies["lattice"].write_bytes(data)
-    code, out, error = run("skyway-lattice", small, *VEHICLE, "--patch", lies["lattice"], "--old-map", small, "-o",
+    lies["edges"].write_bytes(data)
+    code, out, error = run("skyway-roadmap", small, *VEHICLE, "--patch", lies["edges"], "--old-map", small, "-o",
                            folder / "out")
-    expect("a damaged lattice to patch", code == 3 and "CRC" in error, f"{code} {error}")
+    expect("a damaged roadmap to patch", code == 3 and "CRC" in error, f"{code} {error}")
 
 
 def directory(folder):

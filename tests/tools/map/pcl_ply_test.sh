@@ -9,7 +9,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 . "$here/meshes.sh" "$2"
-for name in map all tree; do
+for name in map all; do
   vertices=$(grep -a -m 1 '^element vertex' $name.ply | cut -d' ' -f3)
   faces=$(grep -a -m 1 '^element face' $name.ply | cut -d' ' -f3 || true)
   [ "$("$pcl_ply" $name.ply | tail -n 1)" = "$vertices vertices, ${faces:-0} triangles" ]

@@ -262,29 +262,6 @@ TEST(Check, FreeFallBreaksOnlyALimitOfBodyRate) {
   }
 }
 
-// The known touch: a point of the curve is put on a face of a grown box, or up to 1 cm inside.
-TEST(Check, RejectsEveryCurveMovedIntoTouch) {
-  const CollisionScene scene(support::random_city(51, 80, 150), {"box", {0.7, 0.7, 0.3}}, 0.2);
-  support::Random random(52);
-  int accepted = 0;
-  for (int i = 0; accepted < 1000; ++i) {
-    const Vec3 middle(random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(60, 100));
-    const Trajectory t =
-        arc(middle, {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-2, 2)});
-    if (!check(scene, t, Limits{}).ok) continue;
-    ++accepted;
-    const double time = random.uniform(0, duration(t));
-    const Vec3 p = evaluate(t, time).position;
-    const auto box = scene.map().boxes()[random.below(80)];  // the truth, not the grown box
-    const int axis = random.below(3);
-    const double depth = i % 3 ? random.uniform(0, 0.01) : 0;
-    Vec3 target = 0.5 * (box.min + box.max);
-    target[axis] = box.max[axis] + scene.half()[axis] - depth;
-    const CheckResult result = check(scene, moved(t, target - p), Limits{});
-    ASSERT_FALSE(result.ok) << "case " << i << ", depth " << depth;
-  }
-}
-
 TEST(Check, AStraightSegmentOneNanometreClearIsDecidedExactly) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const double face = scene.grown(0).max.y();

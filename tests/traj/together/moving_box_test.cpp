@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace traj {
 namespace {
@@ -92,47 +91,6 @@ TEST(MovingBox, CatchesUpWithAFlight) {
   EXPECT_FALSE(check_of(flight, box).clear);  // 12 + 88 = 20 + 80
   box.until = 7.999999;
   EXPECT_TRUE(check_of(flight, box).clear);
-}
-
-// A face that reaches the flight, curved, exactly at the last instant, in doubles that are exact.
-TEST(MovingBox, IsNeverClearWhereItTouches) {
-  std::mt19937_64 random(4);
-  const auto eighths = [&](int low, int high) {
-    return std::uniform_int_distribution<>(8 * low, 8 * high)(random) / 8.0;
-  };
-  for (int i = 0; i < 100000; ++i) {
-    const int axis = static_cast<int>(random() % 3);
-    const double side = random() % 2 ? 1 : -1;
-    const double seconds = std::ldexp(1.0, static_cast<int>(random() % 5));  // 1 to 16
-    const double start = eighths(-20, 20);
-    const Vec3 room(eighths(0, 2), eighths(0, 2), eighths(0, 2));
-    Segment s;
-    s.duration = seconds;
-    const Vec3 end(eighths(-50, 50), eighths(-50, 50), eighths(-50, 50));
-    for (Vec3& p : s.point) {
-      p = end + Vec3(eighths(-9, 9), eighths(-9, 9), eighths(-9, 9));
-      p[axis] = end[axis] + side * (1 + eighths(0, 9));  // beyond, until the last
-    }
-    s.point.back() = end;
-    const Trajectory flight{{s}};
-    MovingBox box;
-    box.from = start;
-    box.until = start + seconds;
-    box.velocity = Vec3(eighths(-4, 4), eighths(-4, 4), eighths(-4, 4));
-    box.growth = Vec3(eighths(0, 2), eighths(0, 2), eighths(0, 2));
-    // Wide along the others; along the axis its face comes up to the flight at the end, and goes
-    // there at no more than the curve leaves room for.
-    box.box = {end - Vec3::Constant(400), end + Vec3::Constant(400)};
-    box.velocity[axis] = side * (eighths(0, 4) + box.growth[axis]);
-    const double speed = box.velocity[axis] + side * box.growth[axis];
-    const double face = end[axis] - side * room[axis] - speed * seconds;
-    (side > 0 ? box.box.max : box.box.min)[axis] = face;
-    (side > 0 ? box.box.min : box.box.max)[axis] = face - side * 1000;
-    const MovingResult touching = check_moving({&flight, start, room}, box, Parked::gone);
-    ASSERT_FALSE(touching.clear) << i;
-    (side > 0 ? box.box.max : box.box.min)[axis] -= side * 1e-6;
-    ASSERT_TRUE(check_moving({&flight, start, room}, box, Parked::gone).clear) << i;
-  }
 }
 
 TEST(MovingBox, RefusesWhatIsNone) {

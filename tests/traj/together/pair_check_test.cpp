@@ -22,23 +22,6 @@ Trajectory straight(const Vec3& from, const Vec3& to, double seconds) {
   return {{s}};
 }
 
-TEST(PairCheck, CallsNoTouchApart) {
-  support::Random random(1);
-  for (int i = 0; i < 6000; ++i) {
-    const auto how = static_cast<Meeting>(random.below(support::kMeetings));
-    const double depth = random.below(2) ? 0 : random.stepped(0, 0.0625, 0x1p-31);
-    EXPECT_FALSE(check(support::meeting(random, how, depth)).apart) << i;
-  }
-}
-
-TEST(PairCheck, AcceptsWhatIsAMicrometreBeyond) {
-  support::Random random(2);
-  for (int i = 0; i < 3000; ++i) {
-    const auto how = static_cast<Meeting>(random.below(support::kMeetings));
-    EXPECT_TRUE(check(support::meeting(random, how, -1e-6)).apart) << i;
-  }
-}
-
 TEST(PairCheck, IsTheSameTheOtherWayRound) {
   support::Random random(3);
   for (int i = 0; i < 1000; ++i) {

@@ -54,10 +54,10 @@ constexpr Group kGroups[] = {
     {"Search and solver",
      "--method --quality --spacing=METRES --connect --connectivity lattice--origin "
      "plan--step=METRES --goal-bias=SHARE --iterations --radius=METRES --patience "
-     "plan--seconds=SECONDS --raw --snap-ends=METRES --bound=SHARE --layers --fill --reach=METRES "
+     "plan--seconds=SECONDS --raw --snap-ends=METRES --bound=SHARE --layers --reach=METRES "
      "--part=METRES --region --exact --solver --times --corridor --rho=SECONDS --yaw=WORD "
      "--until-converged --within=PERCENT --min-trials --trials --repeat "
-     "--ompl-seconds=SECONDS --older-protocol"},
+     "--ompl-seconds=SECONDS"},
     {"Simulated flight",
      "--wind --gusts=METRES/S --noise --controller --gains=WORD|FILE --feed-forward "
      "--delay=SECONDS fly--hover=SECONDS --settle=SECONDS fly--step=SECONDS --mass-error=SHARE "

@@ -57,8 +57,7 @@ constexpr Page kPages[] = {
     {"skyway-lattice",
      "skyway-import data/downtown.csv | skyway-lattice - --spacing 10 --connect 26 --vehicle tello "
      "-o city.lattice",
-     "--patch --old-map --output --vehicle --margin --memory --spacing --connect --origin "
-     "--threads --shard"},
+     "--output --vehicle --margin --memory --spacing --connect --origin --threads --shard"},
     {"skyway-map", "skyway-import data/downtown.csv | skyway-map info -", "--threads --quiet"},
     {"skyway-mesh", "skyway-mesh data/samples/house.obj --solid --slack 0.5 -o house.boxmap",
      "--format --units --up --origin --allow-skipped --output --slack --solid --seal --floor "

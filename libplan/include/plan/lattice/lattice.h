@@ -109,7 +109,6 @@ class Lattice {
   std::uint32_t mask(std::size_t node) const;
   bool free(std::size_t node) const { return (mask(node) & kNode) != 0; }
   std::int64_t offset(int direction) const;  // to that neighbour
-  double edge_length(int direction) const;   // metres
 
   Index3 index(std::size_t node) const;
   std::optional<std::size_t> node(const Index3& index) const;  // nothing outside

@@ -6,8 +6,7 @@
 //   const plan::MapChange change = plan::change_since(map, scene);
 //   assert(change.removed.empty() && change.added.empty());  // the scene is of the same map
 //
-// Patches of lattices (plan/lattice/patch_lattice.h) and roadmaps (plan/roadmap/patch_roadmap.h) go
-// by them.
+// Patches of roadmaps (plan/roadmap/patch_roadmap.h) go by them.
 
 #include <vector>
 

@@ -121,8 +121,6 @@ class Planner {
  public:
   explicit Planner(const geom::CollisionScene& scene, const Lattice* lattice = nullptr,
                    const Roadmap* roadmap = nullptr);
-  // With a roadmap that is filled as it is used, which must outlive it.
-  Planner(const geom::CollisionScene& scene, const Lattice* lattice, RoadmapFill& fill);
   ~Planner();
 
   PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options = {});

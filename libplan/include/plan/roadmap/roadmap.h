@@ -26,8 +26,6 @@ namespace plan {
 
 using geom::Vec3;
 
-class RoadmapFill;  // plan/roadmap/roadmap_fill.h
-
 // A place where a path may bend around a box edge: the middle of a part of it, just outside.
 struct Bend {
   Vec3 position;
@@ -63,7 +61,6 @@ struct Roadmap {
   std::span<const std::uint32_t> edge_to;
   std::shared_ptr<const void> keep_alive;  // of all these
   std::string source = "roadmap";          // for messages
-  bool filled = false;  // as it is used: tiles and edges may not be there yet (RoadmapFill)
 
   std::size_t tiles() const { return tile_index.size() / 2; }
   std::size_t bends() const { return bend_axis.size(); }
@@ -111,9 +108,6 @@ class RoadmapSearch {
  public:
   // A search throws geom::InputError if it meets numbers that no roadmap has.
   RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap);
-
-  // On a roadmap that is built where searches come to it, and kept.
-  RoadmapSearch(const geom::CollisionScene& scene, RoadmapFill& fill);
 
   // On bends without edges: a search works out the edges that it needs.
   RoadmapSearch(const geom::CollisionScene& scene, std::vector<Bend> bends, double reach);

@@ -26,12 +26,9 @@ void write_roadmap(std::ostream& out, std::span<const Roadmap> parts);
 
 bool is_roadmap(const geom::ArrayArchive& archive);
 
-// Whether a roadmap may be one that is filled as it is used (RoadmapFill).
-enum class Filled { refused, allowed };
-
 // Throws geom::InputError for another kind of file and arrays of other lengths. Other errors
 // are refused when a search meets them.
-Roadmap read_roadmap(const geom::ArrayArchive& archive, Filled filled = Filled::refused);
+Roadmap read_roadmap(const geom::ArrayArchive& archive);
 
 void verify_roadmap(const Roadmap& roadmap);  // every tile, bend and edge; InputError
 

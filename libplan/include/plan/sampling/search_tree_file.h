@@ -1,22 +1,18 @@
 #pragma once
 
-// Search trees as files for viewers: JSON Lines, PLY and glTF.
+// Search trees as JSON Lines, the nodes in the order of their insertion.
 //
 // Example:
 //   const plan::SearchTree tree = plan::sample_path(scene, {1, 1, 1}, {9, 1, 1},
 //                                                   plan::SamplingMethod::rrt).tree;
 //   std::ostringstream out;
 //   plan::write_jsonl(out, tree, "q1", geom::provenance_of(scene));
-//   plan::write_ply(out, tree, geom::Axes::enu);
-//
-// The nodes stand in the order of their insertion. All take an empty tree.
 
 #include <cstddef>
 #include <iosfwd>
 #include <string>
 #include <string_view>
 
-#include "geom/map/frame.h"
 #include "geom/record/record.h"
 #include "plan/sampling/search_tree.h"
 
@@ -26,16 +22,6 @@ namespace plan {
 // `{"index":0,"parent":0,"first_parent":0,"tree":0,"cost":0,"point":[x,y,z]}`.
 void write_jsonl(std::ostream& out, const SearchTree& tree, std::string_view id,
                  const geom::Provenance& provenance);
-
-// Binary little-endian PLY: a vertex a node (double, in east-north-up axes, with a colour a tree
-// and `first_parent`), an edge a node that is no root, from its parent to it. `axes` are the map's.
-// Throws geom::InputError for more than 2^31 - 1 nodes.
-void write_ply(std::ostream& out, const SearchTree& tree, geom::Axes axes);
-
-// Binary glTF 2.0 (`.glb`): a mesh of lines from parents to nodes, a primitive and colour a tree,
-// in single precision relative to the middle of the nodes (the glTF node's translation), y up as
-// glTF wants: x east, z south. A tree without edges is an empty scene.
-void write_glb(std::ostream& out, const SearchTree& tree, geom::Axes axes);
 
 struct SearchTreeRecord {
   std::string id;

@@ -5,7 +5,6 @@
 #include "proof/exact/gmp_bernstein.h"
 #include "solve/stop_and_go.h"
 #include "support/random_city.h"
-#include "support/touch_case.h"
 #include "traj/proof/check.h"
 #include "traj/record/certificate_record.h"
 
@@ -74,39 +73,6 @@ TEST(ExactCheck, CoversEverySegmentOnce) {
     EXPECT_EQ(length_of(proof.limits[Limit::acceleration]), 1);
     EXPECT_TRUE(proof.limits[Limit::jerk].empty());
     EXPECT_FALSE(proof.gap);
-  }
-}
-
-TEST(ExactCheck, RefusesWhatTouches) {
-  support::Random random(61);
-  for (int i = 0; i < 600; ++i) {
-    const double depth = i % 4 ? std::ldexp(1, -random.below(31)) : 0;
-    const auto c = i % 3 == 0   ? support::touching(random, depth)
-                   : i % 3 == 1 ? support::under(random, -depth)
-                                : support::past_edge(random, -depth);
-    const CollisionScene scene = c.scene();
-    EXPECT_FALSE(check(scene, c.trajectory, Limits{}).ok) << "case " << i;
-    const ExactResult result = exactly(scene, c.trajectory);
-    EXPECT_EQ(result.reason, Reason::collision) << "case " << i << ", depth " << depth;
-    EXPECT_EQ(result.box, 0u);
-  }
-}
-
-TEST(ExactCheck, AcceptsWhatIsClearByTheSmallestGap) {
-  support::Random random(62);
-  for (int i = 0; i < 300; ++i) {
-    const double gap = std::ldexp(1, -random.below(41));
-    const auto c = i % 2 ? support::under(random, gap) : support::past_edge(random, gap);
-    const CollisionScene scene = c.scene();
-    const ExactResult result = exactly(scene, c.trajectory);
-    EXPECT_TRUE(result.ok) << "case " << i << ", gap " << gap << ": " << name(result.reason);
-    const bool fast = check(scene, c.trajectory, Limits{}).ok;
-    if (gap >= 1e-6) {
-      EXPECT_TRUE(fast) << "case " << i << ", gap " << gap;
-    }
-    if (gap < 5e-10) {
-      EXPECT_FALSE(fast) << "case " << i << ", gap " << gap;
-    }
   }
 }
 

@@ -40,16 +40,6 @@ TEST(ExactMoving, AcceptsWhatIsAnyLengthBeyond) {
   }
 }
 
-TEST(ExactMoving, AcceptsWhatTheFastCheckAccepts) {
-  support::Random random(3);
-  for (int i = 0; i < 400; ++i) {
-    const double depth = random.stepped(-0x1p-20, 0, 0x1p-31);
-    const MovingCase c = support::contact(random, any_contact(random), depth);
-    if (!check_moving(c.flight(), c.box, c.parked).clear) continue;
-    EXPECT_TRUE(check(c).clear) << i;
-  }
-}
-
 TEST(ExactMoving, HasASideForEachPieceAndPiecesForAllOfAStretch) {
   support::Random random(4);
   for (int i = 0; i < 200; ++i) {

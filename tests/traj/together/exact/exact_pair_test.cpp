@@ -35,16 +35,6 @@ TEST(ExactPair, AcceptsWhatIsAnyLengthBeyond) {
   }
 }
 
-TEST(ExactPair, AcceptsWhatTheFastCheckAccepts) {
-  support::Random random(3);
-  for (int i = 0; i < 300; ++i) {
-    const auto how = static_cast<Meeting>(random.below(support::kMeetings));
-    const PairCase c = support::meeting(random, how, random.stepped(-0.0625, 0, 0x1p-31));
-    if (!check_pair(c.first(), c.second(), std::array{c.zone}, c.parked).apart) continue;
-    EXPECT_TRUE(check(c).apart) << i;
-  }
-}
-
 TEST(ExactPair, HasASideForEachPieceAndPiecesForAllOfAStretch) {
   support::Random random(4);
   for (int i = 0; i < 200; ++i) {
