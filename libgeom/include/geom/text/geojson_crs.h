@@ -2,7 +2,7 @@
 
 // The coordinate reference system that a GeoJSON file names.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
 namespace geom {
@@ -13,16 +13,7 @@ inline constexpr std::string_view kForeignCrs =
 
 // Whether an object of the file says that its coordinates are not WGS 84 longitudes and latitudes.
 // RFC 7946 knows no "crs"; the older GeoJSON of 2008 did, and some programs say the usual one.
-template <class Json>
-bool has_foreign_crs(const Json& object) {
-  if (!object.is_object()) return false;
-  const auto crs = object.find("crs");
-  if (crs == object.end()) return false;
-  for (const char* name : {"urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:OGC::CRS84",
-                           "urn:ogc:def:crs:OGC::CRS84h"}) {
-    if (*crs == Json{{"type", "name"}, {"properties", {{"name", name}}}}) return false;
-  }
-  return true;
-}
+bool has_foreign_crs(const nlohmann::json& object);
+bool has_foreign_crs(const nlohmann::ordered_json& object);
 
 }  // namespace geom
