@@ -55,10 +55,10 @@ collision queries, path planning, trajectories and their proof. A CMake package
 is included: find_package(skyway), then link skyway::plan or skyway::traj.")
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   libeigen3-dev libfmt-dev nlohmann-json3-dev libsimdjson-dev libembree-dev liboctomap-dev
-  liblzf-dev libgeographiclib-dev libgmp-dev libmpfr-dev libssl-dev zlib1g-dev coinor-libipopt-dev
+  liblzf-dev libgeographiclib-dev libgmp-dev libmpfr-dev libssl-dev libexpat1-dev zlib1g-dev coinor-libipopt-dev
   libblas-dev liblapack-dev pkg-config)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
-  "libgdal-dev, libexpat1-dev, libbz2-dev, libpcl-dev, libproj-dev, libassimp-dev, libdraco-dev")
+  "libgdal-dev, libbz2-dev, libpcl-dev, libproj-dev, libassimp-dev, libdraco-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
 if(SKYWAY_FOOTPRINTS)

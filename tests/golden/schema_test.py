@@ -10,17 +10,37 @@ import sys
 import jsonschema
 
 source = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(source / "tests/support"))
+import schemas  # noqa: E402
 WRITTEN = {"moving"}  # which no tool prints
 PLACEHOLDER = re.compile(r'"map":"[A-Z]+"')  # of a session that hides the hash
 
 
-def validators():
-    out = {}
-    for path in sorted((source / "docs/schema").glob("*.schema.json")):
-        schema = json.loads(path.read_text(encoding="utf-8"))
-        jsonschema.Draft202012Validator.check_schema(schema)
-        out[path.name.split(".")[0]] = jsonschema.Draft202012Validator(schema)
-    return out
+def within(node):
+    """The node and all that it holds."""
+    yield node
+    for inner in node.values() if type(node) is dict else node if type(node) is list else ():
+        yield from within(inner)
+
+
+def require_one_definition_each():
+    """Each reference leads to a definition, each definition is used, and none is written out a second time."""
+    defined = schemas.definitions(source)
+    plain = lambda node: {key: value for key, value in node.items() if key != "description"}
+    used = {node["$ref"].removeprefix("#/$defs/") for node in within(defined) if type(node) is dict and "$ref" in node}
+    for kind, schema in schemas.written(source).items():
+        assert not set(defined) & set(schema.get("$defs", ())), f"{kind}.schema.json has a name of {schemas.SHARED}"
+        for node in within(schema):
+            if type(node) is not dict:
+                continue
+            if "$ref" in node:
+                file, _, name = node["$ref"].partition("#/$defs/")
+                assert file or name in schema["$defs"], node
+                used |= {name} if file else set()
+                continue
+            copied = [name for name, one in defined.items() if plain(one) == plain(node) and len(str(plain(node))) > 50]
+            assert not copied, f"{kind}.schema.json writes out what {schemas.SHARED} calls {copied[0]}"
+    assert used == set(defined), used ^ set(defined)
 
 
 def records():
@@ -36,7 +56,8 @@ def records():
                 yield f"{path.name}:{row}", printed, record
 
 
-known = validators()
+require_one_definition_each()
+known = schemas.validators(source)
 count = {}
 for place, printed, record in records():
     kind = record.get("type")
@@ -55,4 +76,11 @@ for key in known["moving"].schema["required"]:
     assert not known["moving"].is_valid(wrong), key
 for change in ({"speed": 3}, {"growth": [0, -1, 0]}, {"velocity": [0, 0, 2e4]}, {"min": [0, 0]}, {"until": None}, {"frame": "ned"}, {"from": "10"}):
     assert not known["moving"].is_valid(balloon | change), change
+# What several records share is as strict through a reference: one wrong limit refuses each of them.
+for kind in ("report", "trajectory", "path", "certificate"):
+    for record in (record for _, _, record in records() if record.get("type") == kind and "limits" in record.get("vehicle", ())):
+        limits = record["vehicle"]["limits"]
+        for wrong in ({"vmax": 0}, {"tilt": 1.6}, {"tilt": "35 deg"}, {"vmin": 1}):
+            changed = record | {"vehicle": record["vehicle"] | {"limits": limits | wrong}}
+            assert not known[kind].is_valid(changed), (kind, wrong)
 print({kind: len(some) for kind, some in count.items()})

@@ -32,7 +32,7 @@ Json describe(const geom::CollisionScene& scene) {
 Json describe(const bench::QuerySet& queries, const bench::Files& files,
               const bench::Options& options) {
   if (queries.size()) return {{"queries", files.queries}, {"count", *queries.size()}};
-  Json out = {{"name", options.set}};
+  Json out = {{"name", geom::word_of(bench::kEndsWords, options.random.ends)}};
   if (options.random.length) out["length"] = options.length;
   out["seed"] = options.random.seed;
   out["rejected"] = {{"outside", queries.rejected().outside},

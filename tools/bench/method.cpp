@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 
 #include "plan/lattice/fitting_length.h"
@@ -79,8 +80,8 @@ Method astar(const CollisionScene& scene, const MethodOptions& options) {
 }
 
 // Shortened and pulled taut, as skyway-plan does.
-template <plan::Method method>
-Method sampling(const CollisionScene& scene, const MethodOptions& options) {
+Method sampling(plan::SamplingMethod method, const CollisionScene& scene,
+                const MethodOptions& options) {
   const auto planner = std::make_shared<plan::Planner>(scene, nullptr);
   plan::PlanOptions plan_options;
   plan_options.method = method;
@@ -101,21 +102,23 @@ Method ompl(const CollisionScene& scene, const MethodOptions& options) {
 }
 #endif
 
-constexpr KnownMethod kMethods[] = {
-    {"auto", automatic},
-    {"astar", astar},
-    {"rrt", sampling<plan::Method::rrt>},
-    {"rrt-connect", sampling<plan::Method::rrt_connect>},
-    {"rrt-star", sampling<plan::Method::rrt_star>},
-    {"informed-rrt-star", sampling<plan::Method::informed_rrt_star>},
+std::vector<KnownMethod> all_methods() {
+  std::vector<KnownMethod> out = {{name(plan::kAutomatic), automatic}, {name(plan::kAstar), astar}};
+  for (const auto& [method, word] : plan::kSamplingWords) {
+    out.push_back({word, std::bind_front(sampling, method)});
+  }
 #ifdef SKYWAY_OMPL
-    {"rrt-connect-ompl", ompl<OmplPlanner::rrt_connect>},
-    {"informed-rrt-star-ompl", ompl<OmplPlanner::informed_rrt_star>},
+  out.push_back({"rrt-connect-ompl", ompl<OmplPlanner::rrt_connect>});
+  out.push_back({"informed-rrt-star-ompl", ompl<OmplPlanner::informed_rrt_star>});
 #endif
-};
+  return out;
+}
 
 }  // namespace
 
-std::span<const KnownMethod> known_methods() { return kMethods; }
+const std::vector<KnownMethod>& known_methods() {
+  static const std::vector<KnownMethod> kMethods = all_methods();
+  return kMethods;
+}
 
 }  // namespace bench

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
-#include <string>
+#include <string_view>
+#include <vector>
 
 #include "geom/base/execution.h"
 #include "plan/lattice/build_lattice.h"
@@ -33,11 +33,11 @@ struct Method {
 };
 
 struct KnownMethod {
-  const char* name;
-  Method (*make)(const geom::CollisionScene& scene, const MethodOptions& options);
+  std::string_view name;
+  std::function<Method(const geom::CollisionScene& scene, const MethodOptions& options)> make;
 };
 
-// A new planner is a line in this table.
-std::span<const KnownMethod> known_methods();
+// Those of plan::kMethodWords, and planners of others.
+const std::vector<KnownMethod>& known_methods();
 
 }  // namespace bench

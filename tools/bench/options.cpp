@@ -3,19 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <map>
-
 #include "cli/file/files.h"
 #include "cli/option/output_option.h"
 #include "cli/option/quality_option.h"
+#include "cli/option/word_for.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
 
 namespace bench {
 namespace {
-
-const std::map<std::string, Ends> kSets = {
-    {"uniform", Ends::uniform}, {"street", Ends::street}, {"street-blocked", Ends::street_blocked}};
 
 void add_queries(CLI::App& app, Files& files, Options& options) {
   auto* queries = app.add_option("--queries", files.queries, "JSON Lines or CSV; - for stdin");
@@ -24,10 +20,9 @@ void add_queries(CLI::App& app, Files& files, Options& options) {
   app.add_option("--reference", files.reference,
                  "CSV of the best lengths known, with columns id and length")
       ->needs(queries);
-  app.add_option("--set", options.set,
-                 "random queries: uniform in free space (default); street: within 30 m of the "
-                 "floor; street-blocked: as street, and the straight line is blocked")
-      ->check(CLI::IsMember({"uniform", "street", "street-blocked"}))
+  cli::add_word(app, "--set", options.random.ends, kEndsWords,
+                "random queries: uniform in free space (default); street: within 30 m of the "
+                "floor; street-blocked: as street, and the straight line is blocked")
       ->excludes(queries);
   app.add_option("--length", options.length, "distance between the ends of random queries, metres")
       ->expected(2)
@@ -54,8 +49,8 @@ void add_queries(CLI::App& app, Files& files, Options& options) {
 }
 
 void add_methods(CLI::App& app, Files& files, Options& options) {
-  std::vector<std::string> names;
-  for (const auto& known : known_methods()) names.emplace_back(known.name);
+  std::vector<std::string_view> names;
+  for (const KnownMethod& known : known_methods()) names.push_back(known.name);
   app.add_option("--method", options.methods,
                  fmt::format("what to compare, by commas; the others are compared with the first: "
                              "{} (default auto)",
@@ -94,7 +89,6 @@ void add_options(CLI::App& app, Files& files, Options& options) {
 }
 
 void complete(Options& options, const geom::BoxMap& map) {
-  options.random.ends = kSets.at(options.set);
   if (!options.length.empty()) {
     if (!(options.length[0] <= options.length[1]) || options.length[1] == 0) {
       throw cli::UsageError(

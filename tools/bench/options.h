@@ -28,7 +28,6 @@ struct Options {
   RandomSpec random;
   TrialRule rule;
   MethodOptions method;
-  std::string set = "uniform";        // a name of random.ends
   std::vector<double> length;         // metres, least and most; or empty
   std::vector<std::string> methods;   // names in known_methods()
   std::vector<std::string> commands;  // for the shell

@@ -10,6 +10,7 @@
 
 #include "geom/collision/collision.h"
 #include "geom/record/query_record.h"
+#include "geom/text/words.h"
 
 namespace bench {
 
@@ -18,6 +19,12 @@ enum class Ends {
   street,         // both within 30 m of the floor
   street_blocked  // and the straight line between them blocked
 };
+
+inline constexpr geom::Words<Ends, 3> kEndsWords{{
+    {Ends::uniform, "uniform"},
+    {Ends::street, "street"},
+    {Ends::street_blocked, "street-blocked"},
+}};
 
 struct RandomSpec {
   Ends ends = Ends::uniform;

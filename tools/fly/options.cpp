@@ -7,6 +7,7 @@
 
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
+#include "cli/option/word_for.h"
 #include "cli/run.h"
 #include "geom/text/json_fields.h"
 #include "traj/flight/gains_record.h"
@@ -69,8 +70,8 @@ void Options::add_to(CLI::App& app) {
                  "stack-a, stack-b, or FILE.json with \"gains\" (default: the vehicle's)");
   app.add_option("--feed-forward", feed_forward, "none, velocity or full, whatever the gains say")
       ->check(CLI::IsMember({"none", "velocity", "full"}));
-  app.add_option("--controller", controller, "cascade (PX4's structure) or geometric (Lee 2010)")
-      ->check(CLI::IsMember({"cascade", "geometric"}));
+  cli::add_word(app, "--controller", controller, traj::kControlLawWords,
+                "cascade (PX4's structure) or geometric (Lee 2010)");
   app.add_option("--step", step,
                  "period of the position, velocity and attitude loops, s (default: 0.01 and 0.004)")
       ->check(CLI::Range(0.001, 0.1));
@@ -122,7 +123,7 @@ traj::FlightOptions Options::flight(const traj::VehicleProfile& profile) const {
     const double full = feed_forward == "full";
     out.gains.feed_forward = {feed_forward == "none" ? 0.0 : 1.0, full, full};
   }
-  out.law = controller == "cascade" ? traj::ControlLaw::cascade : traj::ControlLaw::geometric;
+  out.law = controller;
   if (step > 0) {
     const int period = milliseconds("--step", step);
     out.periods = {period, period};

@@ -15,7 +15,7 @@ namespace fly {
 struct Options {
   std::string gains;         // "", a preset or a file
   std::string feed_forward;  // "", none, velocity or full
-  std::string controller = "cascade";
+  traj::ControlLaw controller = traj::ControlLaw::cascade;
   std::string wind;
   std::string noise;
   std::string cost = "rms";

@@ -176,7 +176,7 @@ int main(int argc, char** argv) {
                       cli::read_as(file.name(), options.format));
     import::ModelFiles models(options.model_path);
     geom::ImportedBoxes boxes = imported(options, format, hashed.stream(), file.name(), models);
-    if (!options.frame.empty()) boxes.frame.axes = *geom::axes_from_name(options.frame);
+    if (!options.frame.empty()) boxes.frame.axes = *geom::value_of(geom::kAxesWords, options.frame);
     warn(boxes, options.unknown == "blocked", file.name(), common);
     cli::only_for(
         app, !boxes.bounds, {"--pad"},

@@ -72,7 +72,7 @@ geom::Frame frame_of(const std::string& map, const std::string& axes,
     frame = opened.spec().frame;
     provenance.map = opened.hash();
   } else if (!axes.empty()) {
-    frame.axes = *geom::axes_from_name(axes);
+    frame.axes = *geom::value_of(geom::kAxesWords, axes);
   }
   provenance.frame = frame.axes;
   return frame;

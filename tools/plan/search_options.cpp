@@ -1,10 +1,13 @@
 #include "search_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <cmath>
-#include <map>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 #include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
@@ -19,11 +22,25 @@ namespace {
 constexpr double kSpacing = 10;  // metres, in a city
 constexpr int kMostLayers = 360;
 
-const std::map<std::string, plan::Method> kMethod = [] {
-  std::map<std::string, plan::Method> out;
-  for (const auto& [method, word] : plan::kMethodWords) out.emplace(word, method);
+// The sampling methods of one sort.
+std::vector<std::string_view> sampling_words(bool star) {
+  std::vector<std::string_view> out;
+  for (const auto& [method, word] : plan::kSamplingWords) {
+    if (plan::is_star(method) == star) out.push_back(word);
+  }
   return out;
-}();
+}
+
+// "auto (default), astar, rrt or rrt-star".
+std::string method_list() {
+  std::string out;
+  for (const auto& [method, word] : plan::kMethodWords) {
+    if (!out.empty()) out += word == plan::kMethodWords.back().word ? " or " : ", ";
+    out += word;
+    if (method == plan::kAutomatic) out += " (default)";
+  }
+  return out;
+}
 
 void add_path_options(CLI::App& app, plan::PlanOptions& options) {
   app.add_flag("--raw", options.raw, "the search's own path, not shortened");
@@ -69,26 +86,26 @@ void add_sampling_options(CLI::App& app, plan::SamplingOptions& sampling) {
       ->check(CLI::Range(0.0, 1.0));
   app.add_option(
          "--iterations", sampling.iterations,
-         "sampling methods: at most this many (default 20000; 100000 of rrt and rrt-connect on "
-         "maps under 300 m)")
+         fmt::format("sampling methods: at most this many (default 20000; 100000 of {} on maps "
+                     "under 300 m)",
+                     fmt::join(sampling_words(false), " and ")))
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}));
   app.add_option("--radius", sampling.radius,
-                 "rrt-star, informed-rrt-star: largest neighbourhood, metres (default 30, less on "
-                 "maps under 300 m)")
+                 fmt::format("{}: largest neighbourhood, metres (default 30, less on maps under "
+                             "300 m)",
+                             fmt::join(sampling_words(true), ", ")))
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--patience", sampling.patience,
-                 "rrt-star, informed-rrt-star: end after this many iterations that together "
-                 "shorten the path by less than 0.1 % (default: use all)");
+                 fmt::format("{}: end after this many iterations that together shorten the path "
+                             "by less than 0.1 % (default: use all)",
+                             fmt::join(sampling_words(true), ", ")));
 }
 
 }  // namespace
 
 void SearchOptions::add_to(CLI::App& app) {
   add_path_options(app, plan);
-  app.add_option("--method", plan.method,
-                 "auto (default), astar, rrt, rrt-connect, rrt-star or informed-rrt-star")
-      ->transform(cli::word_for(kMethod))
-      ->type_name("TEXT");
+  cli::add_word(app, "--method", plan.method, plan::kMethodWords, method_list());
   app.add_option("--spacing", spacing,
                  "astar without --lattice: distance of neighbouring nodes, metres (default 10, "
                  "less on maps under 300 m)")
@@ -116,24 +133,25 @@ void SearchOptions::add_to(CLI::App& app) {
 }
 
 void SearchOptions::refuse_idle(const CLI::App& app, const cli::ArtefactFiles& files) const {
-  using plan::Method;
-  const bool star = plan.method == Method::rrt_star || plan.method == Method::informed_rrt_star;
-  const bool astar = plan.method == Method::astar;
-  const bool sampling = !astar && plan.method != Method::automatic;
+  const auto* sampling = std::get_if<plan::SamplingMethod>(&plan.method);
+  const bool star = sampling && plan::is_star(*sampling);
+  const bool automatic = plan.method == plan::kAutomatic;
+  const bool astar = plan.method == plan::kAstar;
   cli::only_for(app, sampling, {"--step", "--goal-bias", "--iterations", "--seconds", "--seed"},
                 "the rrt methods");
-  cli::only_for(app, star, {"--radius", "--patience"}, "rrt-star and informed-rrt-star");
+  cli::only_for(app, star, {"--radius", "--patience"},
+                fmt::format("{}", fmt::join(sampling_words(true), " and ")));
   cli::only_for(app, astar && files.lattice.empty(), {"--spacing", "--connect"},
                 "--method astar without --lattice");
-  cli::only_for(app, plan.method == Method::automatic || plan.gap > 0, {"--certificate"},
+  cli::only_for(app, automatic || plan.gap > 0, {"--certificate"},
                 "the method auto, and for --bound");
   cli::only_for(app, !sampling, {"--lattice", "--roadmap"}, "the methods auto and astar");
-  cli::only_for(app, plan.method == Method::automatic, {"--layers"}, "the method auto");
+  cli::only_for(app, automatic, {"--layers"}, "the method auto");
 }
 
 void SearchOptions::check(std::size_t queries) const {
   if (tree_file.empty()) return;
-  if (plan.method == plan::Method::automatic || plan.method == plan::Method::astar) {
+  if (!std::holds_alternative<plan::SamplingMethod>(plan.method)) {
     throw cli::UsageError("--tree needs one of the rrt methods: the others grow no tree");
   }
   if (queries != 1) {
@@ -154,7 +172,7 @@ plan::PlanOptions SearchOptions::started() const {
 }
 
 std::optional<plan::Lattice> SearchOptions::named_lattice(const geom::CollisionScene& scene) const {
-  if (plan.method != plan::Method::astar || !scene.free_bounds()) return std::nullopt;
+  if (plan.method != plan::kAstar || !scene.free_bounds()) return std::nullopt;
   const geom::Aabb& inner = *scene.free_bounds();
   const double between = spacing ? *spacing : plan::fitting_length(inner, kSpacing);
   return plan::lazy_lattice(scene, {between, static_cast<plan::Connectivity>(connect), inner.min});

@@ -22,9 +22,7 @@ plan::Method method_from(const std::string& word) {
 }
 
 plan::Quality quality_from(const std::string& word) {
-  if (word == "fast") return plan::Quality::fast;
-  if (word == "normal") return plan::Quality::normal;
-  if (word == "best") return plan::Quality::best;
+  if (const auto quality = geom::value_of(plan::kQualityWords, word)) return *quality;
   throw py::value_error("quality: expected fast, normal or best, found \"" + word + "\"");
 }
 

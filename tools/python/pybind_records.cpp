@@ -5,6 +5,7 @@
 
 #include "cli/file/files.h"
 #include "geom/record/query_record.h"
+#include "geom/text/json_line.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 #include "traj/record/trajectory_record.h"
@@ -75,8 +76,9 @@ void bind_path(py::module_& module) {
                                return owning(std::vector<double>(self.hold));
                              })
       .def_property_readonly("velocity", &velocities)
-      .def_property_readonly("search",
-                             [](const PathRecord& self) { return from_json(self.search); });
+      .def_property_readonly("search", [](const PathRecord& self) {
+        return from_json(self.search ? json_of(*self.search).object() : "");
+      });
   module.def(
       "read_paths",
       [](const std::string& file) {

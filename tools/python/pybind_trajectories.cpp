@@ -80,11 +80,11 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   traj::SolveOptions options;
   cli::choose_solver(solver, times.value_or(""), options);
   options.limits = cli::limits_to_solve(asked, vehicle);
-  const auto kind = cli::kCorridors.find(corridor);
-  if (kind == cli::kCorridors.end()) {
+  const auto kind = geom::value_of(traj::kCorridorWords, corridor);
+  if (!kind) {
     throw py::value_error("corridor: expected planes or boxes, found \"" + corridor + "\"");
   }
-  options.corridor = kind->second;
+  options.corridor = *kind;
   if (!(rho >= 0 && rho <= 1e3)) throw py::value_error("rho: must be within 0 to 1000");
   options.rho = rho;
   const auto yaw = yaw_from(yaw_words, asked[traj::Limit::yaw_rate].has_value(), options.limits);

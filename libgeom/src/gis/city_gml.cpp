@@ -12,7 +12,7 @@
 #include "gml_height.h"
 #include "gml_polygon.h"
 #include "gml_words.h"
-#include "xml.h"
+#include "text/xml_events.h"
 
 namespace geom::gis {
 namespace {
@@ -22,26 +22,26 @@ class Reader : public XmlHandler {
   Reader(const std::string& name, const std::string& height_attribute)
       : name_(name), height_attribute_(height_attribute) {}
 
-  void begin(XmlElement element) override {
-    line_ = element.line;
+  void begin(const XmlTag& tag) override {
+    line_ = tag.line;
     GmlFrame frame;
-    frame.name = element.name;
+    frame.name = tag.name;
     if (frames_.empty()) {
-      require_city_model(element);
+      require_city_model(tag);
     } else {
       frame.dimension = frames_.back().dimension;
-      frame.data = frames_.back().data || kData.contains(element.name);
+      frame.data = frames_.back().data || kData.contains(tag.name);
     }
-    note_dimension(element, frame);
-    if (!frame.data || is_shape(element.name)) note_srs(element);  // an address may have its own
+    note_dimension(tag, frame);
+    if (!frame.data || is_shape(tag.name)) note_srs(tag);  // an address may have its own
     if (!trimmed(text_).empty()) {
       refuse({.expected = fmt::format("text alone in <{}>", frames_.back().name),
-              .found = fmt::format("<{}> in it", element.name.substr(0, 40))});
+              .found = fmt::format("<{}> in it", tag.name.substr(0, 40))});
     }
     text_.clear();
-    if (!polygon_ && !is_shape(element.name)) drawing_.add_id(element.attribute("id"));
-    take(element, frame);
-    take_link(element, frame);
+    if (!polygon_ && !is_shape(tag.name)) drawing_.add_id(tag.attribute("id"));
+    take(tag, frame);
+    take_link(tag, frame);
     frames_.push_back(std::move(frame));
   }
 
@@ -80,21 +80,21 @@ class Reader : public XmlHandler {
     out_.model.skipped.add(kind, fmt::format("line {}", line_));
   }
 
-  void require_city_model(const XmlElement& element) const {
+  void require_city_model(const XmlTag& tag) const {
     const bool version =
-        element.space.ends_with("/citygml/1.0") || element.space.ends_with("/citygml/2.0") ||
-        element.space.ends_with("/citygml/3.0") || element.space.ends_with("/citygml/1/0/0");
-    if (element.name == "CityModel" && version) return;
-    refuse({.expected = "a CityModel of CityGML 1.0 to 3.0",
-            .found = fmt::format("\"{}\" of \"{}\"", element.name.substr(0, 40),
-                                 element.space.substr(0, 80)),
-            .advice = "convert it, for example with citygml-tools"});
+        tag.space.ends_with("/citygml/1.0") || tag.space.ends_with("/citygml/2.0") ||
+        tag.space.ends_with("/citygml/3.0") || tag.space.ends_with("/citygml/1/0/0");
+    if (tag.name == "CityModel" && version) return;
+    refuse(
+        {.expected = "a CityModel of CityGML 1.0 to 3.0",
+         .found = fmt::format("\"{}\" of \"{}\"", tag.name.substr(0, 40), tag.space.substr(0, 80)),
+         .advice = "convert it, for example with citygml-tools"});
   }
 
-  void note_dimension(const XmlElement& element, GmlFrame& frame) const {
+  void note_dimension(const XmlTag& tag, GmlFrame& frame) const {
     for (const char* key : {"srsDimension", "dimension"}) {  // the latter in GML 3.0
-      const std::string_view said = trimmed(element.attribute(key));
-      if (said.empty() || (key[0] == 'd' && !is_gml_numbers(element.name))) continue;
+      const std::string_view said = trimmed(tag.attribute(key));
+      if (said.empty() || (key[0] == 'd' && !is_gml_numbers(tag.name))) continue;
       if (said != "2" && said != "3") {
         refuse({.expected = fmt::format("{} to be 2 or 3", key),
                 .found = in_quotes(said.substr(0, 20))});
@@ -103,8 +103,8 @@ class Reader : public XmlHandler {
     }
   }
 
-  void note_srs(const XmlElement& element) {
-    const std::string_view srs = trimmed(element.attribute("srsName"));
+  void note_srs(const XmlTag& tag) {
+    const std::string_view srs = trimmed(tag.attribute("srsName"));
     if (srs.empty() || implicit_) return;
     if (out_.model.crs.empty()) out_.model.crs = srs;
     if (out_.model.crs != srs) {
@@ -115,10 +115,10 @@ class Reader : public XmlHandler {
   }
 
   // What an element begins.
-  void take(const XmlElement& element, GmlFrame& frame) {
-    const std::string& name = element.name;
+  void take(const XmlTag& tag, GmlFrame& frame) {
+    const std::string_view name = tag.name;
     if (polygon_) {
-      take_in_polygon(element, frame);
+      take_in_polygon(tag, frame);
     } else if (name.starts_with("lod") && name.size() > 4 && name[3] >= '0' && name[3] <= '4') {
       frame.lod = name[3] - '0';
       roof_edge_ = name == "lod0RoofEdge";
@@ -126,16 +126,16 @@ class Reader : public XmlHandler {
       frame.lod = 1;
     } else if (name == "ImplicitGeometry") {
       begin_implicit(frame);
-    } else if (implicit_ && take_in_implicit(element, frame)) {
+    } else if (implicit_ && take_in_implicit(tag, frame)) {
       return;
     } else if (is_shape(name)) {
-      begin_shape(element, frame);
+      begin_shape(tag, frame);
     } else if (kLines.contains(name) || name == "controlPoint") {
       note_lines();
     } else if (is_type(name)) {
-      take_type(element, frame);
+      take_type(tag, frame);
     } else {
-      take_property(element, frame);
+      take_property(tag, frame);
     }
   }
 
@@ -162,13 +162,13 @@ class Reader : public XmlHandler {
                        [&](const GmlFrame& frame) { return frame.name == name; });
   }
 
-  void take_type(const XmlElement& element, GmlFrame& frame) {
-    const std::string& name = element.name;
+  void take_type(const XmlTag& tag, GmlFrame& frame) {
+    const std::string_view name = tag.name;
     if (frames_.empty() || name.ends_with("Attribute") || name.ends_with("AttributeSet")) return;
     const GmlFrame& parent = frames_.back();
     if (!shapes_open_.empty() || parent.lod >= 0) {
       const bool beside = name == "LineStringSegment" || parent.data;
-      if (!beside) out_.model.skipped.add("shape of an unknown kind", said(element));
+      if (!beside) out_.model.skipped.add("shape of an unknown kind", said(tag));
       return;
     }
     const bool member = kMembers.contains(parent.name);
@@ -178,22 +178,21 @@ class Reader : public XmlHandler {
     } else if (name == "PointCloud" && objects_.any_open() && !member) {
       ++objects_.use().others;  // of what surfaces show, or else it is missed
     } else if (objects_.any_open() && !member && is_boundary(name)) {
-      bounds_.push_back({name, std::string(element.attribute("id"))});
+      bounds_.push_back({std::string(name), std::string(tag.attribute("id"))});
       frame.bounds = true;
     } else {
-      objects_.begin(element, member,
-                     (member && !kRecords.contains(name)) || kNested.contains(name));
+      objects_.begin(tag, member, (member && !kRecords.contains(name)) || kNested.contains(name));
       frame.object = true;
     }
   }
 
-  static std::string said(const XmlElement& element) {
-    return fmt::format("line {}: {}", element.line, element.name.substr(0, 40));
+  static std::string said(const XmlTag& tag) {
+    return fmt::format("line {}: {}", tag.line, tag.name.substr(0, 40));
   }
 
-  void take_property(const XmlElement& element, GmlFrame& frame) {
+  void take_property(const XmlTag& tag, GmlFrame& frame) {
     if (!objects_.any_open()) return;
-    const std::string& name = element.name;
+    const std::string_view name = tag.name;
     const GmlFrame& parent = frames_.back();
     const bool attribute = parent.name.ends_with("Attribute");
     if (parent.height) {
@@ -201,7 +200,7 @@ class Reader : public XmlHandler {
     } else if (parent.object && kHeights.contains(name)) {
       frame.reads = true;
     } else if (name.ends_with("Attribute")) {
-      frame.generic = element.attribute("name");
+      frame.generic = tag.attribute("name");
     } else if (attribute && name == "name") {  // as CityGML 3.0 names it
       frame.reads = true;
     } else if (attribute && name == "value" && !parent.generic.empty() &&
@@ -209,14 +208,14 @@ class Reader : public XmlHandler {
       frame.reads = true;
       frame.generic = parent.generic;
     }
-    if (frame.reads) frame.unit = unit_of(element.attribute("uom"));
+    if (frame.reads) frame.unit = unit_of(tag.attribute("uom"));
   }
 
   CityObject& object() { return objects_[objects_.innermost()]; }
 
   // A link in a property, in place of what would stand there.
-  void take_link(const XmlElement& element, const GmlFrame& frame) {
-    const std::string_view link = element.attribute("href");
+  void take_link(const XmlTag& tag, const GmlFrame& frame) {
+    const std::string_view link = tag.attribute("href");
     if (polygon_ || link.empty() || frame.placed) return;
     const bool surfaces = frame.lod >= 0 || !shapes_open_.empty();
     if (surfaces && objects_.any_open()) {
@@ -224,13 +223,13 @@ class Reader : public XmlHandler {
       const GmlShapes::Index to =
           shapes_open_.empty() ? begin_drawn(frame.lod) : shapes_open_.back();
       shapes_.add_link(to, target(link));
-    } else if (!frame.data && !kRelations.contains(element.name)) {
+    } else if (!frame.data && !kRelations.contains(tag.name)) {
       std::optional<std::size_t> from;
       if (objects_.any_open()) {
         from = objects_.innermost();
         objects_.use();
       }
-      drawing_.add_link({from, element.name, target(link), element.line});
+      drawing_.add_link({from, std::string(tag.name), target(link), tag.line});
     }
   }
 
@@ -261,11 +260,11 @@ class Reader : public XmlHandler {
     return -1;
   }
 
-  void begin_shape(const XmlElement& element, GmlFrame& frame) {
+  void begin_shape(const XmlTag& tag, GmlFrame& frame) {
     if (!objects_.any_open()) {
       skip("surface of no object");
     }
-    const GmlShapes::Index shape = shapes_.add_shape(std::string(element.attribute("id")));
+    const GmlShapes::Index shape = shapes_.add_shape(std::string(tag.attribute("id")));
     const bool extent =
         objects_.any_open() && object().type.ends_with("Relief") && within("extent");
     if (!shapes_open_.empty()) {
@@ -278,14 +277,14 @@ class Reader : public XmlHandler {
     }
     shapes_open_.push_back(shape);
     frame.shape = true;
-    if (kPolygons.contains(element.name)) {
+    if (kPolygons.contains(tag.name)) {
       polygon_.emplace();
       frame.polygon = true;
     }
   }
 
-  void take_in_polygon(const XmlElement& element, GmlFrame& frame) {
-    const auto form = polygon_->take(element, frame.dimension, name_);
+  void take_in_polygon(const XmlTag& tag, GmlFrame& frame) {
+    const auto form = polygon_->take(tag, frame.dimension, name_);
     frame.reads = form.has_value();
     if (form) frame.numbers = *form;
   }
@@ -313,8 +312,8 @@ class Reader : public XmlHandler {
   }
 
   // True where the element is settled.
-  bool take_in_implicit(const XmlElement& element, GmlFrame& frame) {
-    const std::string& name = element.name;
+  bool take_in_implicit(const XmlTag& tag, GmlFrame& frame) {
+    const std::string_view name = tag.name;
     if (name == "transformationMatrix" || (is_gml_numbers(name) && within("referencePoint"))) {
       frame.reads = true;
       frame.numbers.dimension = name == "transformationMatrix" ? 16 : 3;
@@ -325,7 +324,7 @@ class Reader : public XmlHandler {
       implicit_->elsewhere = true;
       return true;
     }
-    const std::string_view link = element.attribute("href");
+    const std::string_view link = tag.attribute("href");
     if (link.empty() || !shapes_open_.empty()) return false;
     shapes_.add_link(implicit_->shape, target(link));
     implicit_->drawn = true;

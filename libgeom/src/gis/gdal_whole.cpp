@@ -15,7 +15,7 @@
 #include "geom/text/counted.h"
 #include "geom/text/parse_json.h"
 #include "text/json_outline.h"
-#include "xml.h"
+#include "text/xml_events.h"
 
 namespace geom::gis {
 namespace {
@@ -134,14 +134,14 @@ class KmlHandler : public XmlHandler {
  public:
   explicit KmlHandler(const std::string& name) : name_(name) {}
 
-  void begin(XmlElement element) override {
-    if (element.name == "Placemark") ++placemarks;
-    if (element.name != "NetworkLink" && element.name != "Model") return;
+  void begin(const XmlTag& tag) override {
+    if (tag.name == "Placemark") ++placemarks;
+    if (tag.name != "NetworkLink" && tag.name != "Model") return;
     throw InputError(
-        name_, element.line,
+        name_, tag.line,
         {.expected = "all places in this file",
-         .found = fmt::format("a {}, which leads to another file: {}", element.name,
-                              element.name == "Model"
+         .found = fmt::format("a {}, which leads to another file: {}", tag.name,
+                              tag.name == "Model"
                                   ? "give the model itself to skyway-mesh, and take it out here"
                                   : "get that file too, and put both into one without the link")});
   }

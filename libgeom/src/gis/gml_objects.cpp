@@ -8,14 +8,14 @@
 
 namespace geom::gis {
 
-GmlObjects::Index GmlObjects::begin(const XmlElement& element, bool member, bool kept) {
+GmlObjects::Index GmlObjects::begin(const XmlTag& tag, bool member, bool kept) {
   Entry entry;
   entry.kept = kept;
-  entry.object.type = element.name;
-  entry.object.name = element.attribute("id");
+  entry.object.type = tag.name;
+  entry.object.name = tag.attribute("id");
   const Index made = entries_.size();
   if (entry.object.name.empty()) {
-    entry.object.name = fmt::format("{} of line {}", element.name, element.line);
+    entry.object.name = fmt::format("{} of line {}", tag.name, tag.line);
   } else if (!by_id_.emplace(entry.object.name, made).second) {
     twice_.insert(entry.object.name);
   }

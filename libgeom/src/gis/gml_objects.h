@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geom/import/city_model.h"
-#include "xml.h"
+#include "text/xml_events.h"
 
 namespace geom::gis {
 
@@ -29,7 +29,7 @@ class GmlObjects {
 
   // Opens an object within the innermost open one. `member`: it stands by itself, though it is
   // written in a group. `kept`: it counts as an object even if it has no surfaces.
-  Index begin(const XmlElement& element, bool member, bool kept);
+  Index begin(const XmlTag& tag, bool member, bool kept);
   void end();  // the innermost
 
   bool any_open() const { return !open_.empty(); }

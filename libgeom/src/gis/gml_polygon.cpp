@@ -20,21 +20,20 @@ const Words kNumbers = {"pos", "posList", "coordinates", "coord"};
 
 bool is_gml_numbers(std::string_view name) { return kNumbers.contains(name); }
 
-std::optional<GmlNumbers> GmlPolygon::take(const XmlElement& element, int dimension,
+std::optional<GmlNumbers> GmlPolygon::take(const XmlTag& tag, int dimension,
                                            const std::string& name) {
-  if (kSurfaceSides.contains(element.name)) rings.emplace_back();
-  curved |= is_type(element.name) && !kStraight.contains(element.name);
-  curved |= !element.attribute("href").empty();
-  if (!is_gml_numbers(element.name)) return std::nullopt;
-  if (element.name == "coord") {
-    throw InputError(name, element.line,
-                     {.expected = "pos, posList or coordinates", .found = "coord"});
+  if (kSurfaceSides.contains(tag.name)) rings.emplace_back();
+  curved |= is_type(tag.name) && !kStraight.contains(tag.name);
+  curved |= !tag.attribute("href").empty();
+  if (!is_gml_numbers(tag.name)) return std::nullopt;
+  if (tag.name == "coord") {
+    throw InputError(name, tag.line, {.expected = "pos, posList or coordinates", .found = "coord"});
   }
   GmlNumbers form;
   form.dimension = dimension;
-  if (element.name != "coordinates") return form;
+  if (tag.name != "coordinates") return form;
   const auto mark = [&](const char* key, const char* usual) {
-    const std::string_view value = element.attribute(key);
+    const std::string_view value = tag.attribute(key);
     return std::string(value.empty() ? usual : value);
   };
   form.between_numbers = mark("cs", ",");

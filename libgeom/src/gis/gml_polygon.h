@@ -8,7 +8,7 @@
 
 #include "geom/import/city_model.h"
 #include "gml_geometry.h"
-#include "xml.h"
+#include "text/xml_events.h"
 
 namespace geom::gis {
 
@@ -21,7 +21,7 @@ struct GmlPolygon {
   bool flat = false;  // without heights
 
   // An element within the polygon; how its text is to be read where that is coordinates.
-  std::optional<GmlNumbers> take(const XmlElement& element, int dimension, const std::string& name);
+  std::optional<GmlNumbers> take(const XmlTag& tag, int dimension, const std::string& name);
 
   // The points of a text. A pos is one point, of as many numbers as it has. Throws
   // InputError(name, line, …) where it is none.

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "gml_words.h"
-#include "xml.h"
+#include "text/xml_events.h"
 
 namespace geom::gis {
 namespace {
@@ -16,13 +16,16 @@ class Links : public XmlHandler {
  public:
   explicit Links(Skipped& skipped) : skipped_(skipped) {}
 
-  void begin(XmlElement element) override {
-    const bool holds = element.name.ends_with("Member") || kHolders.contains(element.name);
-    if (!holds || !element.space.starts_with("http://www.opengis.net/gml")) return;
-    const std::string_view link = element.attribute("href");
+  void begin(const XmlTag& tag) override {
+    const bool holds = tag.name.ends_with("Member") || kHolders.contains(tag.name);
+    // GDAL reads a prefix that is not declared, too.
+    const bool gml =
+        tag.has_unknown_prefix() || tag.space.starts_with("http://www.opengis.net/gml");
+    if (!holds || !gml) return;
+    const std::string_view link = tag.attribute("href");
     if (link.empty()) return;
     skipped_.add("link that is not followed in this format",
-                 fmt::format("line {}: {}", element.line, link.substr(0, 60)));
+                 fmt::format("line {}: {}", tag.line, link.substr(0, 60)));
   }
   void text(std::string_view) override {}
   void end(std::size_t) override {}

@@ -1,6 +1,6 @@
 #pragma once
 
-// The rules of geom/text/xml_head.h for files that libraries read by themselves: they are looked
+// The rules of text/xml_head.h for files that libraries read by themselves: they are looked
 // through from the first byte to the last.
 
 #include <string>

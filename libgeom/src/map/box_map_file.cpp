@@ -80,7 +80,7 @@ std::vector<std::string> labels_of(const JsonFields& meta) {
 
 BoxMapSpec spec_of(const JsonFields& meta) {
   BoxMapSpec spec;
-  const auto axes = axes_from_name(meta.text("frame"));
+  const auto axes = value_of(kAxesWords, meta.text("frame"));
   if (!axes) {
     meta.refuse(
         {.key = "frame", .expected = "\"enu\" or \"neu\"", .found = shown(meta.value("frame"))});

@@ -111,7 +111,7 @@ std::string to_json_line(const PathRecord& record) {
   add(line, record.time);
   if (record.closed_times) line.add("timed_boxes", "always_there");
   if (!record.message.empty()) line.add("message", record.message);
-  if (!record.search.empty()) line.add_json("search", record.search);
+  if (record.search) line.add("search", json_of(*record.search));
   if (record.origin) add_origin(line, *record.origin);
   if (!record.points.empty()) line.add("length", length(record.points));
   add_bound(line, record);
@@ -134,7 +134,7 @@ PathRecord read_path_record(const JsonFields& fields) {
   record.time = read_flight_time(fields);
   record.closed_times = fields.text("timed_boxes", "") == "always_there";
   record.message = fields.text("message", "");
-  if (fields.has("search")) record.search = fields.value("search").dump();
+  record.search = read_search_report(fields);
   if (fields.has("points")) record.points = fields.points("points");
   if (record.status == PathStatus::found && record.points.empty()) {
     fields.refuse(
@@ -183,7 +183,7 @@ Provenance read_provenance(const JsonFields& fields) {
   Provenance p;
   if (fields.has("map")) p.map = fields.text("map");
   if (fields.has("frame")) {
-    p.frame = axes_from_name(fields.text("frame"));
+    p.frame = value_of(kAxesWords, fields.text("frame"));
     if (!p.frame)
       fields.refuse({.key = "frame",
                      .expected = "\"enu\" or \"neu\"",

@@ -35,7 +35,7 @@ void LatticeLevel::give_back(std::unique_ptr<AstarSearch> search) {
 PlanResult LatticeLevel::search(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
                                 double weight) {
   PlanResult result;
-  result.route = Route::lattice;
+  result.route = OwnRoute::lattice;
   result.resolution = lattice_.spec().spacing;
   auto search = take();
   SearchResult found;

@@ -1,22 +1,18 @@
 #include "plan/planner/path_record.h"
 
-#include "geom/text/json_line.h"
-
 namespace plan {
 namespace {
 
-std::string search_report(const PlanResult& result) {
-  geom::JsonLine report;
-  report.add("method", name(*result.route)).add("expanded", result.expanded);
-  if (result.resolution > 0) report.add("resolution", result.resolution);
-  if (result.steps.size() > 1) {
-    report.add("steps", result.steps, [](const PathStep& s) {
-      return geom::JsonLine().add("step", s.name).add("points", s.points).add("length", s.length);
-    });
-  }
-  report.add("layer", result.layer);
-  report.add("snapped_start", result.snapped_start).add("snapped_goal", result.snapped_goal);
-  return report.object();
+geom::SearchReport search_report(const PlanResult& result) {
+  geom::SearchReport report;
+  report.method = name(*result.route);
+  report.expanded = result.expanded;
+  if (result.resolution > 0) report.resolution = result.resolution;
+  if (result.steps.size() > 1) report.steps = result.steps;
+  report.layer = result.layer;
+  report.snapped_start = result.snapped_start;
+  report.snapped_goal = result.snapped_goal;
+  return report;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
 
 #include "bend_steps.h"
@@ -63,23 +62,6 @@ std::string why_not(const PlanResult& result) {
   return fmt::format("no path on a lattice with nodes every {} m", result.resolution);
 }
 
-// A method that is one of the sampling planners.
-struct Sampler {
-  Method method;
-  SamplingMethod sampling;
-  Route route;
-};
-constexpr Sampler kSamplers[] = {
-    {Method::rrt, SamplingMethod::rrt, Route::rrt},
-    {Method::rrt_connect, SamplingMethod::rrt_connect, Route::rrt_connect},
-    {Method::rrt_star, SamplingMethod::rrt_star, Route::rrt_star},
-    {Method::informed_rrt_star, SamplingMethod::informed_rrt_star, Route::informed_rrt_star}};
-
-const Sampler& sampler(Method method) {
-  return *std::find_if(std::begin(kSamplers), std::end(kSamplers),
-                       [method](const Sampler& s) { return s.method == method; });
-}
-
 }  // namespace
 
 struct Planner::Impl {
@@ -89,7 +71,7 @@ struct Planner::Impl {
 
   PlanResult by_recipe(const Task& task);
   PlanResult by_method(const Task& task);
-  PlanResult by_sampling(const Task& task);
+  PlanResult by_sampling(const Task& task, SamplingMethod method);
   PlanResult by_lattices(const Task& task, std::optional<ReachResult> reached);
   PlanResult by_cells(const Task& task, ReachResult reached, PlanResult tried) const;
   PlanResult by_level(LatticeLevel& level, const Task& task);
@@ -119,7 +101,7 @@ Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
 
 // As the search gave it, not shortened.
 PlanResult Planner::Impl::by_level(LatticeLevel& level, const Task& task) {
-  const bool guides = task.options.method == Method::automatic && polished(task.options);
+  const bool guides = task.options.method == kAutomatic && polished(task.options);
   PlanResult result = level.search(scene_, task.from, task.to, guides ? kHaste : 1);
   if (level.given()) require_free(scene_, result.path, "lattice");
   return result;
@@ -130,10 +112,10 @@ PlanResult Planner::Impl::by_lattices(const Task& task, std::optional<ReachResul
     if (result.path.empty()) return result;
     Found found = refined(scene_, result.path, task.options, true);
     found.expanded = result.expanded;
-    return with(std::move(found), Route::lattice, std::move(result));
+    return with(std::move(found), OwnRoute::lattice, std::move(result));
   };
   PlanResult result;
-  result.route = Route::lattice;
+  result.route = OwnRoute::lattice;
   for (const auto& level : levels_) {
     PlanResult tried = shortened(by_level(*level, task));
     if (!result.path.empty()) {  // a second opinion on a detour
@@ -169,7 +151,7 @@ PlanResult Planner::Impl::by_cells(const Task& task, ReachResult reached, PlanRe
     return tried;
   }
   PlanResult result;
-  result.route = Route::cells;
+  result.route = OwnRoute::cells;
   result.expanded = reached.looked_at;
   if (reached.answer == Reachable::no) {
     result.message = fmt::format("there is no way: obstacles enclose the {}",
@@ -189,15 +171,14 @@ PlanResult Planner::Impl::by_cells(const Task& task, ReachResult reached, PlanRe
   }
   Found found = refined(scene_, way, task.options);
   found.expanded = reached.looked_at;
-  return with(std::move(found), Route::cells, {});
+  return with(std::move(found), OwnRoute::cells, {});
 }
 
-PlanResult Planner::Impl::by_sampling(const Task& task) {
+PlanResult Planner::Impl::by_sampling(const Task& task, SamplingMethod method) {
   const PlanOptions& options = task.options;
-  const Sampler& by = sampler(options.method);
-  SamplingResult sampled = sample_path(scene_, task.from, task.to, by.sampling, options.sampling);
+  SamplingResult sampled = sample_path(scene_, task.from, task.to, method, options.sampling);
   PlanResult result;
-  result.route = by.route;
+  result.route = method;
   result.expanded = sampled.iterations;
   if (options.keep_tree) result.tree = std::move(sampled.tree);
   if (sampled.found) {
@@ -215,10 +196,10 @@ PlanResult Planner::Impl::by_sampling(const Task& task) {
 // By one method alone.
 PlanResult Planner::Impl::by_method(const Task& task) {
   PlanResult result;
-  if (task.options.method != Method::astar) {
-    result = by_sampling(task);
+  if (const auto* sampling = std::get_if<SamplingMethod>(&task.options.method)) {
+    result = by_sampling(task, *sampling);
   } else {
-    result.route = Route::lattice;
+    result.route = OwnRoute::lattice;
     if (levels_.empty()) return result;
     result = by_level(*levels_[0], task);
     if (result.path.empty()) result.message = why_not(result);
@@ -233,7 +214,7 @@ PlanResult Planner::Impl::by_method(const Task& task) {
 PlanResult Planner::Impl::by_recipe(const Task& task) {
   if (scene_.free(task.from, task.to)) {
     const Polyline straight = {task.from, task.to};
-    return with({straight, {step_of("search", straight)}}, Route::straight, {});
+    return with({straight, {step_of("search", straight)}}, OwnRoute::straight, {});
   }
   std::optional<ReachResult> reached;
   if (bends_.has_roadmap()) {
@@ -245,14 +226,14 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
     }
     if (found) {
       if (auto closer = bends_.closer(task, found->path)) found = std::move(closer);
-      return with(std::move(*found), Route::roadmap, {});
+      return with(std::move(*found), OwnRoute::roadmap, {});
     }
   }
   PlanResult result = by_lattices(task, std::move(reached));
   if (result.path.empty() || !polished(task.options)) return result;
   auto better = bends_.better(task, result.path);
   if (!better) return result;
-  return with(std::move(*better), bends_.has_roadmap() ? Route::roadmap : Route::corridor,
+  return with(std::move(*better), bends_.has_roadmap() ? OwnRoute::roadmap : OwnRoute::corridor,
               std::move(result));
 }
 
@@ -271,7 +252,7 @@ PlanResult Planner::Impl::plan(const Vec3& from, const Vec3& to, const PlanOptio
     snapped[i] = ends[i] = *free;
   }
   const Task task{ends[0], ends[1], options};
-  PlanResult result = options.method == Method::automatic ? by_recipe(task) : by_method(task);
+  PlanResult result = options.method == kAutomatic ? by_recipe(task) : by_method(task);
   if (options.gap != 0 && !result.path.empty()) {
     BoundOptions bound;
     bound.gap = options.gap;

@@ -12,7 +12,7 @@ namespace plan {
 using geom::Polyline;
 
 PathStep step_of(std::string_view name, const Polyline& path) {
-  return {name, path.size(), geom::length(path)};
+  return {.name = std::string(name), .points = path.size(), .length = geom::length(path)};
 }
 
 bool shorter(const Polyline& path, const Polyline& than) {

@@ -135,9 +135,8 @@ SamplingOptions fitted(const SamplingOptions& options, const geom::Aabb& free_bo
   SamplingOptions out = options;
   if (!out.step) out.step = fitting_length(free_bounds, kStep);
   if (!out.radius) out.radius = fitting_length(free_bounds, kRadius);
-  const bool ends_early = method == SamplingMethod::rrt || method == SamplingMethod::rrt_connect;
   const bool small = (free_bounds.max - free_bounds.min).maxCoeff() < kCity;
-  if (!out.iterations) out.iterations = ends_early && small ? kSmallIterations : kIterations;
+  if (!out.iterations) out.iterations = !is_star(method) && small ? kSmallIterations : kIterations;
   return out;
 }
 

@@ -81,7 +81,7 @@ void add_energy(JsonLine& line, const FlightReport& r, const Airframe& airframe)
 }
 
 void add_conditions(JsonLine& line, const FlightOptions& o) {
-  line.add("controller", o.law == ControlLaw::cascade ? "cascade" : "geometric");
+  line.add("controller", geom::word_of(kControlLawWords, o.law));
   line.add("wind", o.wind.mean).add("gusts", o.wind.gusts);
   line.add("mass_error", o.mass_error).add("seed", o.seed);
 }

@@ -63,7 +63,7 @@ MovingRecord parse_moving_record(std::string_view json, std::string_view source,
     }
   }
   if (fields.has("frame")) {
-    out.frame = geom::axes_from_name(fields.text("frame"));
+    out.frame = geom::value_of(geom::kAxesWords, fields.text("frame"));
     if (!out.frame) {
       fields.refuse(
           {.key = "frame", .expected = "enu or neu", .found = geom::shown(fields.value("frame"))});

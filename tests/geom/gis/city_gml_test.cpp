@@ -203,8 +203,7 @@ TEST(CityGml, RefusesWhatWouldMislead) {
   EXPECT_NE(refusal_of(document("", "4.0")).find("CityGML 1.0 to 3.0"), std::string::npos);
   EXPECT_NE(refusal_of("<gpx/>").find("CityGML 1.0 to 3.0"), std::string::npos);
   const std::string whole = document(member(building(lod(2, surfaces(polygon(kRoof))))));
-  EXPECT_NE(refusal_of(whole.substr(0, whole.size() / 2)).find("damaged or cut"),
-            std::string::npos);
+  EXPECT_NE(refusal_of(whole.substr(0, whole.size() / 2)).find("may be cut"), std::string::npos);
   EXPECT_NE(refusal_of(document("<a srsName='EPSG:1'/><a srsName='EPSG:2'/>")).find("expected one"),
             std::string::npos);
 }
@@ -269,7 +268,7 @@ TEST(CityGml, RefusesADocumentTypeAndAnInclusion) {
                                   "<!DOCTYPE c [" + laughs + "<!ENTITY rest '&b;&b;'>]>"}) {
     EXPECT_NE(refusal_of(type + city).find("expected no document type"), std::string::npos);
   }
-  EXPECT_NE(refusal_of(city).find("well-formed"), std::string::npos);
+  EXPECT_NE(refusal_of(city).find("only entities of XML itself"), std::string::npos);
   EXPECT_NE(refusal_of(document("<i:include xmlns:i='http://www.w3.org/2001/XInclude' "
                                 "href='rest.xml'/>"))
                 .find("XInclude"),

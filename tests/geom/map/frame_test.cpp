@@ -10,10 +10,10 @@ namespace {
 TEST(Axes, NamesGoBothWays) {
   EXPECT_EQ(name(Axes::enu), "enu");
   EXPECT_EQ(name(Axes::neu), "neu");
-  EXPECT_EQ(axes_from_name("enu"), Axes::enu);
-  EXPECT_EQ(axes_from_name("neu"), Axes::neu);
-  EXPECT_EQ(axes_from_name("ned"), std::nullopt);
-  EXPECT_EQ(axes_from_name(""), std::nullopt);
+  EXPECT_EQ(value_of(kAxesWords, "enu"), Axes::enu);
+  EXPECT_EQ(value_of(kAxesWords, "neu"), Axes::neu);
+  EXPECT_EQ(value_of(kAxesWords, "ned"), std::nullopt);
+  EXPECT_EQ(value_of(kAxesWords, ""), std::nullopt);
 }
 
 TEST(ToEnu, SwapsEastAndNorthWhereNorthComesFirst) {

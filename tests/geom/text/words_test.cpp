@@ -27,15 +27,30 @@ void expect_one_to_one(const Words<Enum, N>& words) {
   EXPECT_EQ(value_of(words, "no such word"), std::nullopt);
 }
 
+template <class Either, std::size_t N>
+void expect_one_word_each(const Words<Either, N>& words) {
+  for (std::size_t i = 0; i < N; ++i) {
+    EXPECT_EQ(word_of(words, words[i].value), words[i].word);
+    EXPECT_TRUE(value_of(words, words[i].word) == words[i].value) << words[i].word;
+  }
+  EXPECT_FALSE(value_of(words, "no such word"));
+}
+
 TEST(Words, GoBothWays) {
   expect_one_to_one(kPathStatusWords);
   expect_one_to_one(kBoxFormatWords);
-  expect_one_to_one(plan::kRouteWords);
-  expect_one_to_one(plan::kMethodWords);
+  expect_one_to_one(plan::kQualityWords);
   expect_one_to_one(plan::kSamplingWords);
   expect_one_to_one(traj::kTrajectoryStatusWords);
   expect_one_to_one(traj::kRungWords);
   expect_one_to_one(traj::kReasonWords);
+}
+
+TEST(Words, OfTwoEnumerationsAreOneTable) {
+  static_assert(plan::kMethodWords.size() == 2 + plan::kSamplingWords.size());
+  expect_one_word_each(plan::kMethodWords);
+  expect_one_word_each(plan::kRouteWords);
+  EXPECT_EQ(listed(plan::kMethodWords), "auto astar " + listed(plan::kSamplingWords));
 }
 
 TEST(Words, OfAValueThatTheTableForgotIsAnError) {

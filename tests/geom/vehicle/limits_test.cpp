@@ -56,7 +56,10 @@ PathRecord through_a_line(const PathRecord& record) {
 }
 
 TEST(Limits, TravelWithTheVehicleOfARecord) {
-  PathRecord record{"q1", PathStatus::found, {{0, 0, 0}}, {}, {}, {}, {}, {}, {}};
+  PathRecord record;
+  record.id = "q1";
+  record.status = PathStatus::found;
+  record.points = {{0, 0, 0}};
   record.provenance.vehicle = {"quad", {1, 1, 1}, with(12, 4, 0.6)};
   EXPECT_EQ(through_a_line(record).provenance.vehicle, record.provenance.vehicle);
   record.provenance.vehicle->limits = {};
@@ -134,7 +137,10 @@ TEST(Limits, HoldWhateverSaysThem) {
   constexpr std::uint64_t kSeed = 15;
   RandomLimits random(kSeed);
   for (int i = 0; i < support::cases(20000); ++i) {
-    PathRecord record{"q1", PathStatus::found, {{0, 0, 0}}, {}, {}, {}, {}, {}, {}};
+    PathRecord record;
+    record.id = "q1";
+    record.status = PathStatus::found;
+    record.points = {{0, 0, 0}};
     record.provenance.vehicle = {"v", {1, 1, 1}, random.next()};
     const LimitSources sources{random.next(), random.next(),
                                through_a_line(record).provenance.vehicle->limits, random.coin()};

@@ -19,7 +19,7 @@ PlanResult found() {
   PlanResult result;
   result.status = PathStatus::found;
   result.path = {{1, 2, 3}, {4, 5, 6}};
-  result.route = Route::lattice;
+  result.route = OwnRoute::lattice;
   result.expanded = 42;
   return result;
 }
@@ -33,7 +33,10 @@ TEST(PathRecordOf, SaysWhatWasFoundAndForWhat) {
   EXPECT_EQ(record.provenance.map, scene.map().hash());
   EXPECT_EQ(record.provenance.margin, 0.1);
   EXPECT_EQ(record.provenance.vehicle->half, Vec3(0.5, 0.5, 0.25));
-  EXPECT_EQ(Json::parse(record.search), (Json{{"method", "lattice"}, {"expanded", 42}}));
+  geom::SearchReport search;
+  search.method = "lattice";
+  search.expanded = 42;
+  EXPECT_EQ(record.search, search);
 }
 
 TEST(PathRecordOf, SaysWhatNoPathIsShorterThan) {
@@ -53,14 +56,13 @@ TEST(PathRecordOf, ReportsResolutionStepsAndMovedEnds) {
   result.resolution = 2.5;
   result.steps = {{"search", 9, 12.5}, {"taut", 2, 10}};
   result.snapped_goal = Vec3(4, 5, 6);
-  const Json search = Json::parse(path_record(yard(), "q", result).search);
-  EXPECT_EQ(search["resolution"], 2.5);
-  EXPECT_EQ(search["steps"], Json::parse(R"([{"step":"search","points":9,"length":12.5},)"
-                                         R"({"step":"taut","points":2,"length":10}])"));
-  EXPECT_EQ(search["snapped_goal"], Json::parse("[4,5,6]"));
-  EXPECT_FALSE(search.contains("snapped_start"));
+  const geom::SearchReport search = *path_record(yard(), "q", result).search;
+  EXPECT_EQ(search.resolution, 2.5);
+  EXPECT_EQ(search.steps, result.steps);
+  EXPECT_EQ(search.snapped_goal, Vec3(4, 5, 6));
+  EXPECT_EQ(search.snapped_start, std::nullopt);
   result.steps.resize(1);
-  EXPECT_FALSE(Json::parse(path_record(yard(), "q", result).search).contains("steps"));
+  EXPECT_TRUE(path_record(yard(), "q", result).search->steps.empty());
 }
 
 TEST(PathRecordOf, HasNoReportWhereNothingWasSearched) {
@@ -68,7 +70,7 @@ TEST(PathRecordOf, HasNoReportWhereNothingWasSearched) {
   blocked.status = PathStatus::start_blocked;
   blocked.message = "the start is within box 0";
   const geom::PathRecord record = path_record(yard(), "q", blocked);
-  EXPECT_EQ(record.search, "");
+  EXPECT_EQ(record.search, std::nullopt);
   EXPECT_EQ(record.message, blocked.message);
   EXPECT_TRUE(record.points.empty());
 }
@@ -77,7 +79,7 @@ TEST(PathRecordOf, ComesBackFromItsLine) {
   const geom::PathRecord record = path_record(yard(), "q7", found());
   const geom::PathRecord back = geom::parse_path_record(to_json_line(record), "line", 1);
   EXPECT_EQ(back.points, record.points);
-  EXPECT_EQ(Json::parse(back.search), Json::parse(record.search));
+  EXPECT_EQ(back.search, record.search);
   EXPECT_EQ(geom::mismatch(back.provenance, record.provenance), std::nullopt);
 }
 

@@ -39,7 +39,7 @@ TEST(Planner, IsTheStraightLineWhereThatIsFree) {
   const auto scene = tower();
   const PlanResult result = planned(scene, {2, 2, 2}, {38, 2, 2});
   EXPECT_EQ(result.status, PathStatus::found);
-  EXPECT_EQ(result.route, Route::straight);
+  EXPECT_EQ(result.route, Route(OwnRoute::straight));
   EXPECT_EQ(result.resolution, 0);
   EXPECT_EQ(result.path, (geom::Polyline{{2, 2, 2}, {38, 2, 2}}));
 }
@@ -68,7 +68,7 @@ TEST(Planner, GoesRoundAnObstacle) {
   const auto scene = tower();
   const PlanResult result = planned(scene, {2, 20, 5}, {38, 20, 5});
   ASSERT_EQ(result.status, PathStatus::found);
-  EXPECT_EQ(result.route, Route::corridor);
+  EXPECT_EQ(result.route, Route(OwnRoute::corridor));
   EXPECT_GT(result.resolution, 0);
   EXPECT_EQ(result.path.front(), Vec3(2, 20, 5));
   EXPECT_EQ(result.path.back(), Vec3(38, 20, 5));
@@ -110,7 +110,7 @@ TEST(Planner, IsUnreachableThroughASealedWallAtAnyResolution) {
   EXPECT_EQ(result.status, PathStatus::unreachable);
   EXPECT_TRUE(result.path.empty());
   EXPECT_EQ(result.resolution, 0);
-  EXPECT_EQ(result.route, Route::cells);
+  EXPECT_EQ(result.route, Route(OwnRoute::cells));
   EXPECT_EQ(result.message.rfind("there is no way: obstacles enclose the ", 0), 0u);
   ASSERT_TRUE(result.enclosure);
   EXPECT_FALSE(result.enclosure->cells.empty());
@@ -308,7 +308,7 @@ TEST(Planner, AGivenLatticeHelpsAndIsNoLimitButOfAstar) {
   Planner planner(scene, &lattice);
   const Vec3 from(2, 20, 5);
   const Vec3 to(38, 20, 5);
-  EXPECT_EQ(planner.plan(from, to, {.method = Method::astar}).status, PathStatus::unreachable);
+  EXPECT_EQ(planner.plan(from, to, {.method = kAstar}).status, PathStatus::unreachable);
   const PlanResult result = planner.plan(from, to);
   ASSERT_EQ(result.status, PathStatus::found);
   expect_free(scene, result.path);
@@ -341,7 +341,7 @@ TEST(Planner, LooksFromTheGoalWhereThereIsTooMuchOnTheWayToIt) {
   EXPECT_FALSE(back.gave_up) << back.settled;
   const PlanResult result = planner.plan(from, to);
   ASSERT_EQ(result.status, PathStatus::found);
-  EXPECT_EQ(result.route, Route::roadmap);
+  EXPECT_EQ(result.route, Route(OwnRoute::roadmap));
   EXPECT_EQ(result.path.front(), from);
   EXPECT_EQ(result.path.back(), to);
   expect_free(scene, result.path);

@@ -17,6 +17,8 @@ import types
 import numpy
 
 bin_dir, source = (pathlib.Path(a) for a in sys.argv[1:3])
+sys.path.insert(0, str(source / "tests/support"))
+import schemas  # noqa: E402
 data = source / "tests/golden/data"
 scratch = tempfile.TemporaryDirectory()
 folder = pathlib.Path(scratch.name)
@@ -174,10 +176,7 @@ def check_missions(record):
         items.append([int(fields[2]), int(fields[3]), *map(float, fields[4:11])])
     assert items[0][:2] == [0, 16] and items[1][:2] == [3, 22] and items[-1][:2] == [3, 21]
 
-    import jsonschema
-    schema = json.loads((source / "docs/schema/plan.schema.json").read_text())
-    jsonschema.Draft202012Validator.check_schema(schema)
-    validator = jsonschema.Draft202012Validator(schema)
+    validator = schemas.validators(source)["plan"]
     plan = json.loads((folder / "qgc-plan.enu").read_text())
     validator.validate(plan)
     for key, wrong in (("version", 2), ("fileType", "plan")):

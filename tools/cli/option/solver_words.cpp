@@ -5,37 +5,19 @@
 #include "cli/answer/exit.h"
 
 namespace cli {
-namespace {
-
-const std::map<std::string, traj::Solver> kSolvers{{"auto", traj::Solver::automatic},
-                                                   {"closed", traj::Solver::closed},
-                                                   {"banded", traj::Solver::banded},
-                                                   {"ipopt", traj::Solver::ipopt},
-                                                   {"stop-and-go", traj::Solver::stop_and_go}};
-
-// Those of the closed form; "optimised" is the solver's own.
-const std::map<std::string, traj::Times> kTimes{{"stops", traj::Times::stops},
-                                                {"distance", traj::Times::distance},
-                                                {"cautious", traj::Times::cautious},
-                                                {"trapezoid", traj::Times::trapezoid}};
-
-}  // namespace
-
-const std::map<std::string, traj::CorridorKind> kCorridors{{"planes", traj::CorridorKind::planes},
-                                                           {"boxes", traj::CorridorKind::boxes}};
-
 void choose_solver(const std::string& solver, const std::string& times,
                    traj::SolveOptions& options) {
-  const auto named = kSolvers.find(solver);
-  if (named == kSolvers.end()) {
+  const auto named = geom::value_of(traj::kSolverWords, solver);
+  if (!named) {
     throw UsageError(fmt::format(
         "--solver: expected auto, closed, banded, ipopt or stop-and-go, found \"{}\"", solver));
   }
-  options.solver = named->second;
+  options.solver = *named;
   if (times.empty()) return;
-  const auto allocation = kTimes.find(times);
-  const bool optimised = times == "optimised";
-  if (allocation == kTimes.end() && !optimised) {
+  const auto allocation = geom::value_of(traj::kTimesWords, times);
+  const bool optimised =
+      times == "optimised";  // the solver's own; the others are the closed form's
+  if (!allocation && !optimised) {
     throw UsageError(fmt::format(
         "--times: expected stops, distance, cautious, trapezoid or optimised, found \"{}\"",
         times));
@@ -45,7 +27,7 @@ void choose_solver(const std::string& solver, const std::string& times,
     throw UsageError(fmt::format("--times {} needs --solver {} or auto, found {}", times,
                                  optimised ? "banded, ipopt" : "closed", solver));
   }
-  if (!optimised) options.times = allocation->second;
+  if (!optimised) options.times = allocation;
   if (optimised && solver == "auto") options.solver = traj::Solver::ipopt;
 }
 

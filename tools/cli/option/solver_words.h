@@ -2,14 +2,11 @@
 
 // The words that name how a trajectory is solved.
 
-#include <map>
 #include <string>
 
 #include "traj/solve/solve.h"
 
 namespace cli {
-
-extern const std::map<std::string, traj::CorridorKind> kCorridors;
 
 // Sets what --solver (auto, closed, banded, ipopt, stop-and-go) and --times (stops, distance,
 // cautious, trapezoid, optimised; empty: not given) say together; UsageError for another word, and

@@ -3,26 +3,24 @@
 // Options whose words stand for the values of an enumeration.
 
 #include <CLI/CLI.hpp>
-#include <map>
+#include <set>
 #include <string>
+
+#include "geom/text/words.h"
 
 namespace cli {
 
-// Takes one of `words`, for `->transform`. Unlike CLI::CheckedTransformer, --help lists the words
-// alone, and the numbers behind them are no words.
-template <class Enum>
-CLI::Validator word_for(const std::map<std::string, Enum>& words) {
-  std::string list;
-  for (const auto& [word, value] : words) list += (list.empty() ? "" : ",") + word;
-  list = "{" + list + "}";
-  return CLI::Validator(
-      [words, list](std::string& word) {
-        const auto at = words.find(word);
-        if (at == words.end()) return word + " not in " + list;
-        word = std::to_string(static_cast<int>(at->second));
-        return std::string();
-      },
-      list);
+// Takes one of `words`, which also stand in --help.
+template <class Value, std::size_t N>
+CLI::Option* add_word(CLI::App& app, const std::string& option, Value& value,
+                      const geom::Words<Value, N>& words, const std::string& description) {
+  std::set<std::string> known;
+  for (const geom::Word<Value>& w : words) known.emplace(w.word);
+  const auto take = [&value, words](const std::string& word) {
+    value = *geom::value_of(words, word);
+  };
+  return app.add_option_function<std::string>(option, take, description)
+      ->check(CLI::IsMember(known));
 }
 
 }  // namespace cli

@@ -42,7 +42,7 @@ double number_of(const geom::JsonFields& fields, const char* key) {
 
 MapMaking read_making(const geom::JsonFields& fields) {
   MapMaking out;
-  const auto axes = geom::axes_from_name(fields.text("axes"));
+  const auto axes = geom::value_of(geom::kAxesWords, fields.text("axes"));
   if (!axes) fields.refuse({.key = "axes", .expected = "\"enu\" or \"neu\""});
   out.frame = {*axes, std::nullopt, fields.text("crs")};
   if (fields.has("origin")) {

@@ -12,11 +12,14 @@
 
 #include "geom/base/vec3.h"
 #include "geom/shape/aabb.h"
+#include "geom/text/words.h"
 
 namespace geom {
 
 // enu: x east, y north, z up. neu: x north, y east, z up (left-handed), as in FCND tables.
 enum class Axes { enu, neu };
+inline constexpr Words<Axes, 2> kAxesWords{{{Axes::enu, "enu"}, {Axes::neu, "neu"}}};
+constexpr std::string_view name(Axes axes) { return word_of(kAxesWords, axes); }
 
 // A yaw of the axes (from x towards y) as one of ENU axes, or back: radians.
 inline double yaw_to_enu(Axes axes, double yaw) {
@@ -38,9 +41,6 @@ struct Frame {
 
   friend bool operator==(const Frame&, const Frame&) = default;
 };
-
-std::string_view name(Axes axes);                      // "enu" or "neu"
-std::optional<Axes> axes_from_name(std::string_view);  // the inverse; nothing for another word
 
 // A vector or box of the map in east-north-up axes; each its own inverse.
 Vec3 to_enu(Axes axes, const Vec3& v);

@@ -18,6 +18,7 @@
 #include "geom/map/frame.h"
 #include "geom/record/flight_time.h"
 #include "geom/record/path_status.h"
+#include "geom/record/search_report.h"
 #include "geom/shape/polyline.h"
 #include "geom/vehicle/vehicle.h"
 
@@ -62,11 +63,11 @@ struct PathRecord {
   PathStatus status = PathStatus::unreachable;
   Polyline points;  // empty unless found
   Provenance provenance;
-  std::string message;               // why there is no path, in words; may be empty
-  std::string search;                // the planner's own report: a JSON object, or empty
-  std::optional<PathOrigin> origin;  // of a replanned path
-  std::optional<double> bound;       // metres: no path between its ends is shorter
-  std::vector<double> hold;          // seconds to stand still at each point, >= 0; empty: nowhere
+  std::string message;                 // why there is no path, in words; may be empty
+  std::optional<SearchReport> search;  // what its planner tells
+  std::optional<PathOrigin> origin;    // of a replanned path
+  std::optional<double> bound;         // metres: no path between its ends is shorter
+  std::vector<double> hold;            // seconds to stand still at each point, >= 0; empty: nowhere
   std::vector<std::optional<Vec3>> velocity;  // m/s at each point where given; empty: nowhere
   FlightTime time;
   // Some boxes of the map are there for a time only, and counted as always there. So status and

@@ -5,9 +5,9 @@
 // Example:
 //   const nlohmann::json file = {{"type", "FeatureCollection"},
 //                                {"crs", {{"properties", {{"name", "EPSG:25832"}}}}}};
-//   if (geom::has_foreign_crs(file)) std::cerr << geom::kForeignCrs << '\n';
+//   if (geom::has_foreign_crs(file)) throw geom::InputError("zones.geojson", geom::foreign_crs());
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "geom/base/error.h"
 
@@ -23,16 +23,7 @@ inline Fault foreign_crs() {
 
 // Whether an object of the file says that its coordinates are not WGS 84 longitudes and latitudes.
 // RFC 7946 knows no "crs"; the older GeoJSON of 2008 did, and some programs say the usual one.
-template <class Json>
-bool has_foreign_crs(const Json& object) {
-  if (!object.is_object()) return false;
-  const auto crs = object.find("crs");
-  if (crs == object.end()) return false;
-  for (const char* name : {"urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:OGC::CRS84",
-                           "urn:ogc:def:crs:OGC::CRS84h"}) {
-    if (*crs == Json{{"type", "name"}, {"properties", {{"name", name}}}}) return false;
-  }
-  return true;
-}
+bool has_foreign_crs(const nlohmann::json& object);
+bool has_foreign_crs(const nlohmann::ordered_json& object);
 
 }  // namespace geom

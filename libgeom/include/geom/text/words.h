@@ -45,6 +45,16 @@ constexpr std::optional<Enum> value_of(const Words<Enum, N>& words, std::string_
   return std::nullopt;
 }
 
+// The words of two enumerations as those of a type that holds a value of either, such as their
+// std::variant.
+template <class Either, class A, std::size_t M, class B, std::size_t N>
+constexpr Words<Either, M + N> joined(const Words<A, M>& first, const Words<B, N>& second) {
+  Words<Either, M + N> out;
+  for (std::size_t i = 0; i < M; ++i) out[i] = {first[i].value, first[i].word};
+  for (std::size_t i = 0; i < N; ++i) out[M + i] = {second[i].value, second[i].word};
+  return out;
+}
+
 // All words with blanks between them, for a message that says what was expected.
 template <class Enum, std::size_t N>
 std::string listed(const Words<Enum, N>& words) {

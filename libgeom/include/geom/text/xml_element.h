@@ -23,10 +23,11 @@ struct XmlElement {
   std::vector<XmlElement> children;
 };
 
-// The root element. Comments and processing instructions are left out. Throws InputError
-// (source, line, …) for text that is not well-formed XML 1.0 in UTF-8 from its first byte to its
-// last, for a document type or an inclusion
-// (xml_head.h), and for elements nested deeper than 100.
+// The root element. Texts become UTF-8; comments and processing instructions are left out. Throws
+// InputError(source, line, …) for text that is not well-formed XML 1.0 from its first byte to its
+// last, for a document type or an inclusion (xml_head.h), for an encoding other than UTF-8, UTF-16,
+// ISO-8859-1, US-ASCII and windows-1252, and for elements nested deeper than 200. A prefix that is
+// not declared is no error.
 XmlElement parse_xml(std::string_view text, std::string_view source);
 
 }  // namespace geom

@@ -12,10 +12,12 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "geom/collision/collision.h"
 #include "geom/record/path_status.h"
+#include "geom/record/search_report.h"
 #include "geom/text/words.h"
 #include "plan/bound/bound.h"
 #include "plan/lattice/astar.h"
@@ -28,6 +30,7 @@
 namespace plan {
 
 using geom::PathStatus;
+using geom::PathStep;
 
 enum class Quality {
   fast,    // not pulled taut
@@ -35,27 +38,32 @@ enum class Quality {
   best     // the best of up to 4 paths of a roadmap, each pulled taut, and bends closer together
 };
 
-enum class Method {
-  automatic,  // as Planner says
-  astar,      // A* on the first lattice alone
-  rrt,        // this and the next three: the sampling planners of plan/sampling/rrt.h
-  rrt_connect,
-  rrt_star,
-  informed_rrt_star
-};
-// As on a command line; sampling planners have their own names.
-inline constexpr geom::Words<Method, 6> kMethodWords{{
-    {Method::automatic, "auto"},
-    {Method::astar, "astar"},
-    {Method::rrt, name(SamplingMethod::rrt)},
-    {Method::rrt_connect, name(SamplingMethod::rrt_connect)},
-    {Method::rrt_star, name(SamplingMethod::rrt_star)},
-    {Method::informed_rrt_star, name(SamplingMethod::informed_rrt_star)},
+inline constexpr geom::Words<Quality, 3> kQualityWords{{
+    {Quality::fast, "fast"},
+    {Quality::normal, "normal"},
+    {Quality::best, "best"},
 }};
+
+enum class OwnMethod {
+  automatic,  // as Planner says
+  astar       // A* on the first lattice alone
+};
+inline constexpr geom::Words<OwnMethod, 2> kOwnMethodWords{{
+    {OwnMethod::automatic, "auto"},
+    {OwnMethod::astar, "astar"},
+}};
+
+// How a path is searched for: also by each of the sampling planners (plan/sampling/rrt.h), without
+// a line here.
+using Method = std::variant<OwnMethod, SamplingMethod>;
+inline constexpr Method kAutomatic = OwnMethod::automatic;
+inline constexpr Method kAstar = OwnMethod::astar;
+// As on a command line.
+inline constexpr auto kMethodWords = geom::joined<Method>(kOwnMethodWords, kSamplingWords);
 constexpr std::string_view name(Method method) { return geom::word_of(kMethodWords, method); }
 
 struct PlanOptions {
-  Method method = Method::automatic;
+  Method method = kAutomatic;
   SamplingOptions sampling;
   bool keep_tree = false;   // of a sampling planner
   bool keep_cells = false;  // that show that there is no way
@@ -65,13 +73,6 @@ struct PlanOptions {
   double resample = 0;  // metres; 0: not
   double gap = 0;  // of a proved lower bound: wanted at length / (1 + gap), 0 < gap <= 1; 0: none
   double snap_ends = 0;  // metres a blocked or outside end may move (nearest_free()); 0: not
-};
-
-// What is left of a path after a step: "search", "shortcut", "taut", "bound", "resample", "layer".
-struct PathStep {
-  std::string_view name;
-  std::size_t points = 0;
-  double length = 0;  // metres
 };
 
 struct PlanResult {
@@ -92,7 +93,7 @@ struct PlanResult {
   std::optional<std::pair<double, double>> layer;  // heights it goes in between its ends (layers.h)
 };
 
-// The recipe of Method::automatic, in this order:
+// The recipe of kAutomatic, in this order:
 // 1. The straight line.
 // 2. The roadmap, where one is given: up to 8,000 bends from the start on, then 4,000 from the
 //    goal on, then, unless Reach says that there is no way, 20,000 from the start on. With a weight

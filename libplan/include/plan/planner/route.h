@@ -6,33 +6,31 @@
 //   assert(plan::name(plan::Route::lattice) == "lattice");
 
 #include <string_view>
+#include <variant>
 
 #include "geom/text/words.h"
+#include "plan/sampling/rrt.h"
 
 namespace plan {
 
-enum class Route {
+// A step of the recipe of kAutomatic (plan.h), or A* alone.
+enum class OwnRoute {
   straight,  // the line between both ends
   roadmap,
   corridor,  // the bends near a lattice's path
   lattice,
-  cells,  // the chain of free cells that shows that there is a way, or that there is none
-  rrt,
-  rrt_connect,
-  rrt_star,
-  informed_rrt_star
+  cells  // the chain of free cells that shows that there is a way, or that there is none
 };
-inline constexpr geom::Words<Route, 9> kRouteWords{{
-    {Route::straight, "straight"},
-    {Route::roadmap, "roadmap"},
-    {Route::corridor, "corridor"},
-    {Route::lattice, "lattice"},
-    {Route::cells, "cells"},
-    {Route::rrt, "rrt"},
-    {Route::rrt_connect, "rrt-connect"},
-    {Route::rrt_star, "rrt-star"},
-    {Route::informed_rrt_star, "informed-rrt-star"},
+inline constexpr geom::Words<OwnRoute, 5> kOwnRouteWords{{
+    {OwnRoute::straight, "straight"},
+    {OwnRoute::roadmap, "roadmap"},
+    {OwnRoute::corridor, "corridor"},
+    {OwnRoute::lattice, "lattice"},
+    {OwnRoute::cells, "cells"},
 }};
+
+using Route = std::variant<OwnRoute, SamplingMethod>;
+inline constexpr auto kRouteWords = geom::joined<Route>(kOwnRouteWords, kSamplingWords);
 constexpr std::string_view name(Route route) { return geom::word_of(kRouteWords, route); }
 
 }  // namespace plan

@@ -42,6 +42,11 @@ constexpr std::string_view name(SamplingMethod method) {
   return geom::word_of(kSamplingWords, method);
 }
 
+// Whether it goes on to shorten the path that it has found: the "star methods".
+constexpr bool is_star(SamplingMethod method) {
+  return method == SamplingMethod::rrt_star || method == SamplingMethod::informed_rrt_star;
+}
+
 struct SamplingOptions {
   // Metres, > 0: the longest edge grown towards a sample. Absent: fitting_length() of 15 m.
   std::optional<double> step;

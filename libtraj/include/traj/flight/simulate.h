@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "geom/text/words.h"
 #include "traj/flight/controller.h"
 #include "traj/flight/flight_log.h"
 #include "traj/flight/reference.h"
@@ -24,6 +25,10 @@ inline constexpr int kStepsPerSample = 10;     // errors are taken, and gusts ch
 inline constexpr double kSamplePeriod = 0.01;  // s
 
 enum class ControlLaw { cascade, geometric };
+inline constexpr geom::Words<ControlLaw, 2> kControlLawWords{{
+    {ControlLaw::cascade, "cascade"},
+    {ControlLaw::geometric, "geometric"},
+}};
 
 struct FlightOptions {
   Quadrotor quadrotor;  // what the controller believes

@@ -31,7 +31,17 @@ constexpr std::string_view name(TrajectoryStatus status) {
 
 // Why there is nothing to check in a record of this status.
 constexpr Reason reason_of(TrajectoryStatus status) {
-  return geom::value_of(kReasonWords, name(status)).value_or(Reason::none);
+  switch (status) {
+    case TrajectoryStatus::solved:
+      return Reason::none;
+    case TrajectoryStatus::no_path:
+      return Reason::no_path;
+    case TrajectoryStatus::infeasible:
+      return Reason::infeasible;
+    case TrajectoryStatus::stopped:
+      return Reason::stopped;
+  }
+  return Reason::none;
 }
 
 }  // namespace traj

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geom/collision/collision.h"
+#include "geom/text/words.h"
 #include "traj/proof/limits.h"
 #include "traj/solve/min_snap.h"
 
@@ -22,6 +23,12 @@ namespace traj {
 // v, slower near turns, obstacles and bounds (cautious_times, comfortable where v can be braked to
 // nothing, never below a quarter). trapezoid: rolling at a / 2 through turns that are cut by 0.5 m.
 enum class Times { stops, distance, cautious, trapezoid };
+inline constexpr geom::Words<Times, 4> kTimesWords{{
+    {Times::stops, "stops"},
+    {Times::distance, "distance"},
+    {Times::cautious, "cautious"},
+    {Times::trapezoid, "trapezoid"},
+}};
 
 // Seconds a leg, one fewer than points; 0 for a leg of no length.
 std::vector<double> leg_times(const geom::CollisionScene& scene, std::span<const Vec3> points,

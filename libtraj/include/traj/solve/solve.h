@@ -14,6 +14,7 @@
 
 #include "geom/collision/collision.h"
 #include "geom/shape/polyline.h"
+#include "geom/text/words.h"
 #include "traj/curve/trajectory.h"
 #include "traj/proof/limits.h"
 #include "traj/solve/closed_form.h"
@@ -28,10 +29,21 @@ namespace traj {
 // slower than stop-and-go, else whichever of closed form and stop-and-go is proved and faster. The
 // others try that one alone.
 enum class Solver { automatic, closed, banded, ipopt, stop_and_go };
+inline constexpr geom::Words<Solver, 5> kSolverWords{{
+    {Solver::automatic, "auto"},
+    {Solver::closed, "closed"},
+    {Solver::banded, "banded"},
+    {Solver::ipopt, "ipopt"},
+    {Solver::stop_and_go, "stop-and-go"},
+}};
 
 // What keeps the optimiser off the obstacles first: a plane for each near a piece, or the faces of
 // empty boxes along the path. Where one ends in no proof, the other is tried.
 enum class CorridorKind { planes, boxes };
+inline constexpr geom::Words<CorridorKind, 2> kCorridorWords{{
+    {CorridorKind::planes, "planes"},
+    {CorridorKind::boxes, "boxes"},
+}};
 
 struct SolveOptions {
   Limits limits;
