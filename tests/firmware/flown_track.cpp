@@ -58,7 +58,7 @@ std::vector<Flight> read_flights(const std::string& table) {
   geom::TextLines lines(in, table);
   for (lines.next(); lines.next();) {
     const std::vector<std::string> f = geom::split_fields(lines.line());
-    if (f.size() != 8) lines.refuse("expected 8 fields");
+    if (f.size() != 8) lines.refuse({.expected = "8 fields"});
     out.push_back({std::filesystem::path(f[0]).stem().string(), (folder / f[0]).string(),
                    (folder / f[1]).string(), f[2], number(f[3]), number(f[4]),
                    number(f[5]).value_or(0), number(f[6]).value_or(0), number(f[7])});
@@ -84,7 +84,7 @@ Replay replay(const Flight& flight) {
   geom::TextLines lines(in, flight.track);
   for (lines.next(); lines.next();) {
     const std::vector<std::string> f = geom::split_fields(lines.line());
-    if (f.size() != 4) lines.refuse("expected seconds, latitude, longitude, altitude");
+    if (f.size() != 4) lines.refuse({.expected = "seconds, latitude, longitude, altitude"});
     const auto value = [&](std::size_t i) { return geom::parse_number(f[i]).value(); };
     Vec3 p = earth.enu({value(1), value(2), frame.origin.height});
     p.z() = value(3) - mission.home->height;

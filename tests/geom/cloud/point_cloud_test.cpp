@@ -238,7 +238,7 @@ TEST(Xyz, TakesOneSeparatorAFile) {
 }
 
 TEST(Xyz, RefusesCarriageReturnsThatEndLines) {
-  EXPECT_EQ(xyz_refusal("1 2 3\r4 5 6\r"), "test.xyz:1: " + std::string(kLoneReturn));
+  EXPECT_EQ(xyz_refusal("1 2 3\r4 5 6\r"), "test.xyz:1: " + sentence(lone_return()));
 }
 
 TEST(Xyz, NamesPtxAndTheWayOut) {

@@ -39,7 +39,7 @@ TEST(TextLines, ShowCommentsToWhoAsksForThem) {
 TEST(TextLines, RefuseACarriageReturnAloneInAComment) {
   std::istringstream in("# made by hand\rblock 0 0 0 1 1 1\n");
   TextLines lines(in, "t.txt");
-  EXPECT_EQ(support::refusal_of([&] { lines.next(); }), "t.txt:1: " + std::string(kLoneReturn));
+  EXPECT_EQ(support::refusal_of([&] { lines.next(); }), "t.txt:1: " + sentence(lone_return()));
 }
 
 TEST(TextLines, RefuseWithSourceAndLine) {
@@ -47,7 +47,7 @@ TEST(TextLines, RefuseWithSourceAndLine) {
   TextLines lines(in, "t.csv");
   lines.next();
   lines.next();
-  EXPECT_EQ(support::refusal_of([&] { lines.refuse("no good"); }), "t.csv:2: no good");
+  EXPECT_EQ(support::refusal_of([&] { lines.refuse({.says = "no good"}); }), "t.csv:2: no good");
 }
 
 TEST(TextLines, ThrowWhereReadingFailsRatherThanEnd) {

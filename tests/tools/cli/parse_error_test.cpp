@@ -16,6 +16,7 @@ std::string said(std::vector<std::string> arguments) {
   std::string map, word, place;
   std::vector<double> pair;
   double size = 0, scale = 0;
+  int number = 1;
   unsigned seed = 0;
   Colour colour = Colour::red;
   app.add_option("map", map)->required();
@@ -23,6 +24,7 @@ std::string said(std::vector<std::string> arguments) {
   app.add_option("--size", size, "metres")->check(CLI::Range(1e-9, 2.0));
   app.add_option("--scale", scale)->check(CLI::PositiveNumber);
   app.add_option("--pair", pair)->expected(2);
+  app.add_option("--number", number)->check(CLI::IsMember({1, 2}));
   app.add_option("--place", place)->check([](const std::string&) { return "no place"; });
   app.add_option("--seed", seed)->needs("--scale")->excludes("--size");
   app.add_option("--colour", colour)
@@ -58,6 +60,11 @@ TEST(ParseError, FindsTheOptionAtWhichTheParserStopped) {
             "--word: expected a value, found more: give it once");
   EXPECT_EQ(said({"--word", "a", "--scale", "1", "--word", "b", "--scale"}),
             "--scale: expected a value, found none");
+  EXPECT_EQ(said({"m", "--word", "a", "--word=--size"}),
+            "--word: expected a, b or c, found \"--size\"");
+  EXPECT_EQ(said({"m", "--pair", "1", "--pair=2", "--pair=3"}),
+            "--pair: expected 2 values, found more: give it once");
+  EXPECT_EQ(said({"m", "--number", "d"}), "--number: expected 1 or 2, found \"d\"");
   EXPECT_EQ(said({"--place", "x"}), "--place: no place");
 }
 

@@ -98,7 +98,9 @@ bool refuses(CLI::Option& option, std::string value) {
     try {
       const CLI::Validator& validator = *option.get_validator(i);
       if (!validator.get_description().empty() && !validator(value).empty()) return true;
-    } catch (const CLI::OptionNotFound&) {  // there are no more
+    } catch (const CLI::ValidationError&) {  // a word where the validator looks for a number
+      return true;
+    } catch (const CLI::OptionNotFound&) {  // there are no more validators
       return false;
     }
   }
@@ -150,13 +152,11 @@ std::string too_few(const CLI::Option& option) {
                      least == 1 ? "none" : "fewer");
 }
 
-// The option whose value should have followed the last word.
-const CLI::Option* without_value(CLI::App& app, std::string_view last_word) {
-  const CLI::Option* const taker = first_option(app, [&](const CLI::Option& option) {
-    return option.count() > 0 && option.results().back() == last_word;
-  });
-  if (taker) return nullptr;  // it is a value itself
-  const std::string_view name = last_word.substr(0, last_word.find('='));
+// The option that a last word of the command line names, if a value must follow.
+const CLI::Option* named_last(CLI::App& app, std::string_view last_word) {
+  const std::size_t equals = std::min(last_word.find('='), last_word.size());
+  if (equals + 1 < last_word.size()) return nullptr;
+  const std::string_view name = last_word.substr(0, equals);
   return first_option(app, [&](const CLI::Option& option) {
     const bool named = name.starts_with("--") ? option.check_lname(std::string(name.substr(2)))
                                               : name.size() > 1 && name.front() == '-' &&
@@ -165,19 +165,30 @@ const CLI::Option* without_value(CLI::App& app, std::string_view last_word) {
   });
 }
 
-// Of too few or too many values.
-std::optional<std::string> wrong_count(CLI::App& app, std::string_view last_word) {
-  if (auto unknown = unknown_option(app)) return unknown;  // its value was taken for an argument
-  if (const CLI::Option* const option = without_value(app, last_word)) return too_few(*option);
+bool is_value(CLI::App& app, std::string_view word) {
+  return first_option(app, [&](const CLI::Option& option) {
+    return option.count() > 0 && option.results().back() == word;
+  });
+}
+
+// Of the option at which the parser stopped.
+std::optional<std::string> miscounted(CLI::App& app) {
   const CLI::Option* const option = stopped_at(app);
   if (!option) return std::nullopt;
   const int count = static_cast<int>(option->count());
+  const int most = option->get_items_expected_max();
   if (count < option->get_items_expected_min()) return too_few(*option);
-  if (count > option->get_items_expected_max()) {
-    return fmt::format("{}: expected {}, found more: give it once", option->get_name(),
-                       values(option->get_items_expected_max()));
-  }
-  return std::nullopt;
+  if (most == 0 || count <= most) return std::nullopt;  // 0: a flag
+  return fmt::format("{}: expected {}, found more: give it once", option->get_name(), values(most));
+}
+
+// Of too few or too many values.
+std::optional<std::string> wrong_count(CLI::App& app, std::string_view last_word) {
+  if (auto unknown = unknown_option(app)) return unknown;  // its value was taken for an argument
+  const CLI::Option* const named = named_last(app, last_word);
+  if (named && !is_value(app, last_word)) return too_few(*named);
+  if (auto fault = miscounted(app)) return fault;
+  return named ? std::optional(too_few(*named)) : std::nullopt;
 }
 
 // The first argument that no option or place takes; options before others.
