@@ -121,7 +121,7 @@ class Planner {
  public:
   explicit Planner(const geom::CollisionScene& scene, const Lattice* lattice = nullptr,
                    const Roadmap* roadmap = nullptr);
-  // With a roadmap that is filled as it is used, which must outlive it.
+  // Plans with a roadmap that is filled as it is used. `fill` must outlive the planner.
   Planner(const geom::CollisionScene& scene, const Lattice* lattice, RoadmapFill& fill);
   ~Planner();
 
