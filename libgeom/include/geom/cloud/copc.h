@@ -45,11 +45,11 @@ struct CopcCounts {
 // Whether a file that begins with these bytes (589 or more) is COPC.
 bool is_copc(std::string_view head);
 
-// COPC 1.0 (H. Butler, A. Bell, C. Manning, 2021; copc.io), point formats 6 to 8. Of the hierarchy
-// all pages are read, and they must account for each point and each byte of points; of the points,
-// the chunks of the cubes that meet the region. Points must lie in their cube: then nothing of the
-// region is missing, as far as the file says the truth of the cubes that are not read. Throws
-// InputError(source, …) where a claim is found wrong, and as read_las() does.
+// COPC 1.0 (H. Butler, A. Bell, C. Manning, 2021; copc.io), point formats 6 to 8. All pages of the
+// hierarchy are read, and they must account for each point and each byte of points. Of the points,
+// the chunks of the cubes that meet the region are read. Points must lie in their cube: then
+// nothing of the region is missing, as far as the file says the truth of the cubes that are not
+// read. Throws InputError(source, …) where a claim is found wrong, and as read_las() does.
 //
 // A coarse level need not show what finer levels hold. So with a resolution, some
 // obstacles of the region are read only in part, or not at all; then `counts.finer` is not 0.

@@ -78,8 +78,8 @@ class CollisionScene {
   bool hits(const Vec3& a, const Vec3& b) const;
   bool hits(const Vec3& p) const { return hits(p, p); }
 
-  // A grown box that the closed segment meets, or nothing: see hits(). Of several boxes any may be
-  // given, and another one in the next run.
+  // A grown box that the closed segment meets, or nothing: see hits(). If there are several, it may
+  // be any of them, and another one in the next run.
   std::optional<Aabb> blocker(const Vec3& a, const Vec3& b) const;
 
   // Inside the bounds at both ends and free of every grown box. False for points outside, at any
@@ -104,7 +104,7 @@ class CollisionScene {
   // The same into memory of the caller's: as many as there is room for. Returns how many.
   std::size_t nearest(const Vec3& p, double radius, std::span<Nearest> room) const;
 
-  // Indices, ascending, of the boxes that once grown meet the closed region.
+  // Indices, ascending, of the boxes whose grown boxes meet the closed region.
   std::vector<std::size_t> boxes_meeting(const Aabb& region) const;
 
   // The same, or nothing where there are more than `most`; costs no more than finding those.

@@ -27,8 +27,8 @@ struct Footprint {
   std::uint64_t id = 0;         // of the feature; footprints of one feature follow each other
   bool likely_covered = false;  // a wall or floor that others of its feature probably hold already
   bool ground = false;          // of the Earth: solid however far down the map reaches
-  // Of the corners, those of `outer` first, then those of each hole: the top is the surface that
-  // they span, no corner above `top`. Empty: the top is flat.
+  // The height of each corner, those of `outer` first, then those of each hole: the top is the
+  // surface that they span. No corner is above `top`. Empty: the top is flat.
   std::vector<double> heights;
   // The true sides may lie up to this many metres beside those of the polygon. Boxes hold the
   // polygon grown by it, and reach no further than the slack outside the polygon shrunk by it. For

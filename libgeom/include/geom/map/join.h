@@ -21,7 +21,7 @@ namespace geom {
 // says what differs.
 BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view source);
 
-// A table of the map's boxes; with `region`, of those that meet it.
+// A table of the map's boxes. If `region` is given, a table of the boxes that meet it.
 BoxTable table_of(const BoxMap& map, const Aabb* region = nullptr);
 
 }  // namespace geom

@@ -42,10 +42,10 @@ struct TriangleCover {
   std::size_t open = 0;             // and connected surfaces that are a shell only
 };
 
-// Boxes that contain every point of the closed triangles and of what is solid besides, in real
-// arithmetic, and none of which reaches further than the slack (Euclidean) outside both. Boxes do
-// not reach outside the bounding box of their part either (with `inside`: of their surface), so a
-// cuboid that is filled is one box, its own.
+// Boxes that contain, in real arithmetic, every point of the closed triangles and of the solid
+// besides. None of them reaches further than the slack (Euclidean) outside both. Boxes do not reach
+// outside the bounding box of their part either (with `inside`: of their surface), so a cuboid that
+// is filled is one box, its own.
 //
 // With `inside`, surfaces are what is connected by edges, in one part; vertices of equal
 // coordinates are one. A surface is closed where each edge is gone along as often in one direction

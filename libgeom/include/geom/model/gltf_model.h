@@ -1,6 +1,6 @@
 #pragma once
 
-// Readers of glTF 2.0 (Khronos, ISO/IEC 12113:2022): models as triangles.
+// A reader of glTF 2.0 (Khronos, ISO/IEC 12113:2022): models as triangles.
 //
 // Example, not run:
 //   std::ifstream file("house.glb", std::ios::binary);
@@ -16,7 +16,7 @@
 namespace geom {
 
 struct GltfModel : Model {
-  // Of each triangle the feature that its vertices name (_BATCHID, _FEATURE_ID_0), or -1.
+  // For each triangle the feature that its vertices name (_BATCHID, _FEATURE_ID_0), or -1.
   std::vector<std::int64_t> feature;
 };
 
@@ -32,7 +32,7 @@ struct GltfModel : Model {
 // vertices, views beyond their buffers, buffers shorter than they say, nodes within themselves.
 //
 // What Draco has compressed is read where `draco` is given, and counts must be those that the
-// accessors say. Where a file has the same data uncompressed too, these are read, with or without.
+// accessors say. If a file has the same data uncompressed, too, these are read in any case.
 GltfModel read_gltf(std::string_view bytes, std::string_view source, const ModelFiles& files,
                     std::string_view path = {}, const DracoDecoder& draco = {});
 

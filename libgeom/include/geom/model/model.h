@@ -44,7 +44,7 @@ using ModelFiles = std::function<std::string(const std::string& path)>;
 // At least three corners.
 std::vector<std::array<std::uint32_t, 3>> polygon_triangles(std::span<const Vec3> corners);
 
-// As y-up files mean it, in z-up axes: x, -z, y. Exact.
+// A point of a y-up file in z-up axes: x, -z, y. Exact.
 inline Vec3 z_up_of_y_up(const Vec3& v) { return {v.x(), -v.z(), v.y()}; }
 
 // Wavefront OBJ: faces of vertices; a part for each object or group. Points, lines, free-form

@@ -1,6 +1,6 @@
 #pragma once
 
-// 3D Tiles 1.0 and 1.1 (OGC 22-025r4) as triangles.
+// A reader of 3D Tiles 1.0 and 1.1 (OGC 22-025r4): cities as triangles.
 //
 // Example, not run:
 //   const auto files = [](const std::string& name) {
@@ -24,10 +24,10 @@ struct TilesModel {
 };
 
 // The `tileset.json` at `path` and all that it names, by `files` (paths relative to the folder of
-// `path`). Content is b3dm, glb, glTF, or another tileset, by its bytes and not by its name. Of
-// tiles that replace each other the finest are taken: a tile's own content is left out only where
-// each of its children has some. Bounding volumes are ignored, so no tile is left out because of
-// them. Implicit tiles exist if their subtrees say so.
+// `path`). Content is b3dm, glb, glTF, or another tileset, by its bytes and not by its name. If
+// tiles replace each other, the finest are taken: a tile's own content is left out only if each of
+// its children has content. Bounding volumes are ignored, so no tile is left out because of them.
+// Implicit tiles exist if their subtrees say so.
 //
 // Skipped and counted: content of other kinds (i3dm, pnts, cmpt and unknown ones). Refused
 // (InputError): a tileset within itself, subtrees whose bits contradict each other or the tileset,

@@ -16,9 +16,9 @@
 namespace geom {
 
 // The `start` that the times of the map's boxes are held against, in seconds after the map's epoch.
-// Nothing where the record says none, since `earliest` is only a wish, or where no box of the map
-// has times: then all of them count as always there. Throws InputError(source, line, …) where both
-// have an epoch and these differ, and where there would be a start but the record has no epoch.
+// Nothing if the record says no start (`earliest` is only a wish), or if no box of the map has
+// times. All boxes then count as always there. Throws InputError(source, line, …) where both have
+// an epoch and these differ, and where there would be a start but the record has no epoch.
 std::optional<double> start_on(const BoxMap& map, const FlightTime& time, std::string_view source,
                                std::size_t line);
 

@@ -32,7 +32,7 @@ nlohmann::json parse_json(std::string_view text, std::string_view source, std::s
 // Parses all that is left of `in`. Throws std::system_error, too, if reading fails.
 nlohmann::json parse_json(std::istream& in, std::string_view source);
 
-// With the keys in the order of the text.
+// The same, with the keys in the order of the text.
 nlohmann::ordered_json parse_ordered_json(std::string_view text, std::string_view source);
 
 // What stood there, for a message: the beginning of its JSON, printable.

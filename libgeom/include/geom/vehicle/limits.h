@@ -98,7 +98,7 @@ struct Limits : PerLimit<std::optional<double>> {
   }
 };
 
-// Of each limit the smaller, or the only one.
+// The smaller of each limit, or the only one.
 Limits stricter(const Limits& a, const Limits& b);
 
 // The first limit that `a` sets above `b`'s, if any. What `a` does not set is not asked.

@@ -4,7 +4,7 @@
 //
 // Example:
 //   const plan::LatticePart part = plan::build_lattice_part(scene, {.spacing = 1}, {0, 3});
-//   const plan::PartArrays arrays = plan::arrays_of(part);
+//   const auto arrays = plan::arrays_of(part);
 //   std::ostringstream out;
 //   geom::write_array_archive(out, arrays.meta, arrays.arrays);
 

@@ -15,7 +15,7 @@
 
 namespace plan {
 
-// With a search report where the planner searched.
+// The record has a search report if the planner searched.
 geom::PathRecord path_record(const geom::CollisionScene& scene, std::string id,
                              const PlanResult& result);
 

@@ -18,7 +18,8 @@ namespace plan {
 // it, so that what is exported from there is not refused by millimetres.
 inline constexpr double kSnapRoom = 0.03;
 
-// Where there is no such place, as in a narrow gap: room for the rounding of a number in a text.
+// If there is no such place, as in a narrow gap, this room is enough: for the rounding of a number
+// in a text.
 inline constexpr double kTightRoom = 1e-3;
 
 // Whether the vehicle, with margin and `room` metres more on every side, is inside the bounds and
@@ -27,7 +28,7 @@ bool has_room(const geom::CollisionScene& scene, const geom::Vec3& p, double roo
 
 // The nearest point within `radius` metres of `p` (closed) that has kSnapRoom, where it is no more
 // than 1 m further than the nearest that has kTightRoom; else the latter; nothing when there is
-// none. `p` itself when it is free. To a micrometre. Where more than 40 faces an axis lie within
+// none. `p` itself when it is free. To a micrometre. If more than 40 faces on an axis lie within
 // the distance, the furthest of them are left out.
 std::optional<geom::Vec3> nearest_free(const geom::CollisionScene& scene, const geom::Vec3& p,
                                        double radius);

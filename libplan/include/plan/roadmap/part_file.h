@@ -4,7 +4,7 @@
 //
 // Example:
 //   const plan::Roadmap part = plan::build_roadmap_part(scene, {}, {.index = 0, .count = 3});
-//   const plan::PartArrays arrays = plan::arrays_of(part);
+//   const auto arrays = plan::arrays_of(part);
 //   std::ostringstream out;
 //   geom::write_array_archive(out, arrays.meta, arrays.arrays);
 

@@ -28,9 +28,9 @@ struct FlatState {
 // The attitude whose z axis is along `force` (not zero) and whose x axis has the heading `yaw` seen
 // from above (Faessler, Franchi and Scaramuzza 2018, equations 20 to 22 without drag). Tilted by
 // more than a right angle the body looks back over its heading, so that attitudes go on smoothly;
-// PX4 agrees up to there and then turns the nose to the front. Where the force
-// points to the left or right of the heading in the plane of the ground, no x axis has it: it is
-// along the heading on the ground then.
+// PX4 agrees up to there and then turns the nose to the front. If the force points left or right of
+// the heading in the plane of the ground, no x axis has that heading. The x axis is then along the
+// heading on the ground.
 Eigen::Matrix3d attitude_along(const Vec3& force, double yaw);
 
 // The body rates (rad/s) of attitude_along() for a force over mass (m/s2, not zero) that changes by

@@ -7,7 +7,7 @@
 //   const std::vector<geom::Vec3> points = {{0, 0, 30}, {80, 0, 30}};
 //   const traj::Mission mission = traj::make_mission(points, frame, {.landing_on = 0});
 //   const traj::FlownMission flown = traj::flown_mission(mission, frame, {}, "mission.plan");
-//   assert(flown.takes_off && flown.drift.size() == 2);  // where PX4 and ArduPilot may be
+//   assert(flown.drift.size() == 2);  // where PX4 and ArduPilot may be
 
 #include <optional>
 #include <string_view>

@@ -42,10 +42,10 @@ struct Departures {
   std::size_t moved = 0;      // flights that rounds moved forward
 };
 
-// Settled flights go first, each at its own time. Then come the others, by
-// priority, then by number, each at the earliest time at which it is too near no flight
-// that has a departure already. Where a wait is needed, in whole milliseconds after the epoch,
-// rounded up. By the first of its ways that can depart by its latest.
+// Settled flights go first, each at its own time. Then come the others, by priority, then by
+// number, each at the earliest time at which it is too near no flight that has a departure already.
+// A departure that had to wait is in whole milliseconds after the epoch, rounded up. It takes the
+// first of its ways that can depart by its latest.
 //
 // A round of improvement tries each waiting flight, in an order drawn from the seed. It lets this
 // flight go first, then others that wait for the flights in its way, then the flights in its way;

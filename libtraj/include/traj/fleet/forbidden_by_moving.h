@@ -18,9 +18,9 @@
 
 namespace traj {
 
-// Of each box all departures, in seconds after its epoch, with which there is an instant at which
-// the flight's room, closed, touches the box while that is there; as intervals that do not touch,
-// in order.
+// For each box all departures, in seconds after its epoch, with which the flight's room, closed,
+// touches the box at an instant at which the box is there; as intervals that do not touch, in
+// order.
 //
 // The instants t after the departure and T after the epoch at which the two touch are a set in the
 // plane of (t, T), and the departure is T - t. As the flight is cut into straight pieces, and a box

@@ -27,7 +27,7 @@ struct Reference {
 // A trajectory made ready to be asked often. Immutable: threads may share it.
 class ReferenceTrack {
  public:
-  // Of a trajectory in ENU axes with at least one segment. Yaw is 0 where it has none.
+  // The trajectory is in ENU axes and has at least one segment. Yaw is 0 where it has none.
   explicit ReferenceTrack(const Trajectory& trajectory);
 
   double duration() const { return duration_; }

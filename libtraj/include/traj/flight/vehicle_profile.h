@@ -32,7 +32,7 @@ struct VehicleProfile {
 // nobody reads would not hold.
 VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view source);
 
-// Those of data/vehicles, which every program carries, by the file's name without ".json":
+// A profile of data/vehicles, which every program carries, by the file's name without ".json":
 // "tello". Nothing for another name.
 std::optional<VehicleProfile> vehicle_named(std::string_view name);
 std::vector<std::string_view> vehicle_names();  // in alphabetical order

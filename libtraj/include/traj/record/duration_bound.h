@@ -32,7 +32,7 @@ void add_bounds(const geom::PathRecord& path, TrajectoryRecord& record);
 // time follows that it undercuts itself. Call it for a free trajectory within its limits.
 bool claims_too_much(const TrajectoryRecord& record);
 
-// The same of a record that keeps these limits, too.
+// The same for a record that keeps these limits, too.
 bool claims_too_much(const TrajectoryRecord& record, const Limits& limits);
 
 // Whether the path is shorter than its own bound on length. Call it for a free path.

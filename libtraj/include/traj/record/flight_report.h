@@ -44,8 +44,8 @@ bool accepted(const FlightReport& report);
 // Why it is not accepted, in the report's word. Precondition: it is not.
 std::string_view reason(const FlightReport& report);
 
-// Ends with a newline. `map`, where there is one, gives obstacles' ids in their source. Of the
-// airframe: battery and endurance, where known, for energy and its share of the battery.
+// Ends with a newline. `map`, where there is one, gives obstacles' ids in their source. The
+// airframe's battery and endurance, if known, give the energy and its share of the battery.
 std::string to_json_line(const FlightReport& report, const Airframe& airframe,
                          const geom::BoxMap* map);
 

@@ -26,7 +26,7 @@ struct PairSummary {
   double up = 0;
 };
 
-// Of all flights.
+// The summary of all flights.
 struct TogetherSummary {
   bool ok = false;
   std::size_t flights = 0;

@@ -17,7 +17,7 @@
 
 namespace traj {
 
-// With the solver's report where it is solved. `limits` are those it was solved for.
+// The record has the solver's report if it is solved. `limits` are those it was solved for.
 TrajectoryRecord trajectory_record(const geom::CollisionScene& scene, std::string id,
                                    const SolveResult& result, const Limits& limits);
 

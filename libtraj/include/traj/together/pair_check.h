@@ -32,7 +32,7 @@ struct PairResult {
   bool undecided = false;
   std::size_t pieces = 0;  // that were looked at
 
-  // Where they are not apart. At all other times they are proved to be.
+  // When they are not apart. At all other times they are proved to be.
   std::vector<TimeSpan> when;  // in order, to 1 ms
   double time = 0;             // of the nearest approach, in the norm of the zone
   std::size_t zone = 0;        // which
