@@ -10,7 +10,7 @@
 
 #include "geom/collision/collision.h"
 #include "geom/shape/polyline.h"
-#include "plan/path/taut.h"
+#include "path/taut.h"
 
 namespace oracle {
 

@@ -52,7 +52,8 @@ class ExactMotion : public ob::MotionValidator {
 
 ob::StateSpacePtr space_of(const geom::CollisionScene& scene) {
   if (!scene.free_bounds()) {
-    throw geom::InputError("map", "the vehicle does not fit between the bounds of the map");
+    throw geom::InputError("map",
+                           {.says = "the vehicle does not fit between the bounds of the map"});
   }
   auto space = std::make_shared<Space>(3);
   ob::RealVectorBounds bounds(3);

@@ -130,7 +130,7 @@ std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::BoxMap
   if (!known)
     throw geom::InputError(
         reference.name(),
-        "expected the length of at least one of the queries, found other ids only");
+        {.expected = "the length of at least one of the queries", .found = "other ids only"});
   return queries;
 }
 

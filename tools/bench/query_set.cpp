@@ -17,16 +17,17 @@ constexpr std::size_t kDraws = 1000000;  // in a row, then it gives up
 QuerySet::QuerySet(const geom::CollisionScene& scene, const RandomSpec& spec)
     : scene_(&scene), spec_(spec), generator_(spec.seed) {
   if (!scene.free_bounds()) {
-    throw geom::InputError("map", "the vehicle does not fit between the bounds of the map");
+    throw geom::InputError("map",
+                           {.says = "the vehicle does not fit between the bounds of the map"});
   }
   region_ = *scene.free_bounds();
   if (spec.ends == Ends::uniform) return;
   const double roof = scene.map().spec().bounds.min.z() + kStreet;
   if (region_.min.z() > roof) {
-    throw geom::InputError(
-        "map", fmt::format("the vehicle cannot be within {} m of the floor, as --set street and "
-                           "street-blocked ask",
-                           kStreet));
+    throw geom::InputError("map",
+                           {.says = fmt::format("the vehicle cannot be within {} m of the floor, "
+                                                "as --set street and street-blocked ask",
+                                                kStreet)});
   }
   region_.max.z() = std::min(region_.max.z(), roof);
 }
@@ -85,12 +86,12 @@ const geom::PlanQuery& QuerySet::at(std::size_t i) {
     while (!draw(query)) {
       if (++draws < kDraws) continue;
       throw geom::InputError(
-          "map",
-          fmt::format("no random query was found in {} tries: {} times the goal was outside the "
+          "map", {.says = fmt::format(
+                      "no random query was found in {} tries: {} times the goal was outside the "
                       "bounds or above street level, {} times an end was inside an obstacle, and "
                       "{} times the straight line was free; try another --set or --length",
                       kDraws, rejected_.outside - before.outside,
-                      rejected_.blocked - before.blocked, rejected_.line_free - before.line_free));
+                      rejected_.blocked - before.blocked, rejected_.line_free - before.line_free)});
     }
     queries_.push_back(std::move(query));
   }

@@ -40,7 +40,8 @@ void FlightLogs::read_plan(const geom::BoxMap& map, const cli::MetresOption& met
     if (read.record.status != traj::TrajectoryStatus::solved) continue;
     plans_.push_back({std::move(read.record), {}});
   }
-  if (plans_.empty()) throw geom::InputError(plan_, "expected a solved trajectory, found none");
+  if (plans_.empty())
+    throw geom::InputError(plan_, {.expected = "a solved trajectory", .found = "none"});
 }
 
 // A tube of a shorter flight says nothing of the rest.
@@ -49,10 +50,11 @@ void FlightLogs::require_whole(const traj::TubeRecord& tube, const Plan& plan,
   constexpr double kHair = 1e-6;  // of a period, for rounding
   const double periods = traj::duration(plan.record.trajectory) / tube.period;
   if (static_cast<double>(tube.radius.size()) >= periods - kHair) return;
-  fields.refuse(fmt::format(
-      "expected a tube for the {:.6g} s of its plan, found one for {:.6g} s: fly this plan again "
-      "(skyway-fly --runs)",
-      periods * tube.period, static_cast<double>(tube.radius.size()) * tube.period));
+  fields.refuse(
+      {.expected = fmt::format("a tube for the {:.6g} s of its plan", periods * tube.period),
+       .found =
+           fmt::format("one for {:.6g} s", static_cast<double>(tube.radius.size()) * tube.period),
+       .advice = "fly this plan again (skyway-fly --runs)"});
 }
 
 void FlightLogs::read_tubes() {
@@ -71,9 +73,9 @@ void FlightLogs::read_tubes() {
     }
   });
   if (!found) {
-    throw geom::InputError(
-        tube_,
-        "expected a flight of the plan with a tube, found none: skyway-fly --runs writes it");
+    throw geom::InputError(tube_, {.expected = "a flight of the plan with a tube",
+                                   .found = "none",
+                                   .advice = "skyway-fly --runs writes it"});
   }
 }
 

@@ -36,17 +36,20 @@ void Together::refuse_idle(const CLI::App& app, bool drone_file) const {
 void Together::require_room(const traj::TimedFlight& flight, const std::string& source,
                             std::size_t line) const {
   if (!asked_ || task_.rule.spacing.zone || flight.room.minCoeff() > 0) return;
-  throw geom::InputError(source, line,
-                         "expected a vehicle with a size along each axis, as the distance follows "
-                         "from that, found none: give --separation");
+  throw geom::InputError(
+      source, line,
+      {.expected = "a vehicle with a size along each axis, as the distance follows from that",
+       .found = "none",
+       .advice = "give --separation"});
 }
 
 void Together::add(const traj::TrajectoryRecord& record, const geom::CollisionScene* scene,
                    const std::string& source, std::size_t line) {
   if (!collects()) return;
   if (!ids_.insert(record.id).second) {
-    throw geom::InputError(source, line,
-                           fmt::format("expected each id once, found \"{}\" again", record.id));
+    throw geom::InputError(
+        source, line,
+        {.expected = "each id once", .found = fmt::format("\"{}\" again", record.id)});
   }
   if (!any_) task_.epoch = record.time.epoch;
   geom::require_epoch_agrees(record.time.epoch, task_.epoch, source, line);
@@ -58,9 +61,9 @@ void Together::add(const traj::TrajectoryRecord& record, const geom::CollisionSc
   if (moving_.asked() && !record.time.start) {
     throw geom::InputError(
         source, line,
-        fmt::format("expected \"start\" of \"{}\", seconds after the epoch, found none: where "
-                    "obstacles move, a verdict holds for one departure alone",
-                    record.id));
+        {.expected = fmt::format("\"start\" of \"{}\", seconds after the epoch", record.id),
+         .found = "none",
+         .advice = "where obstacles move, a verdict holds for one departure alone"});
   }
   task_.map = scene->map().hash();
   task_.overridden =
@@ -75,11 +78,10 @@ void Together::add(const traj::TrajectoryRecord& record, const geom::CollisionSc
 
 void Together::refuse_path(const std::string& id, const std::string& source,
                            std::size_t line) const {
-  throw geom::InputError(
-      source, line,
-      fmt::format("expected a trajectory, as {} needs times, found the path \"{}\": skyway-traj "
-                  "makes one of it",
-                  name(), id));
+  throw geom::InputError(source, line,
+                         {.expected = fmt::format("a trajectory, as {} needs times", name()),
+                          .found = fmt::format("the path \"{}\"", id),
+                          .advice = "skyway-traj makes one of it"});
 }
 
 traj::TogetherResult Together::check(bool exact, const geom::Execution& run) {

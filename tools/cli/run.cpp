@@ -5,7 +5,6 @@
 #include <chrono>
 #include <new>
 #include <sstream>
-#include <system_error>
 
 #include "cli/file/cut_file.h"
 #include "cli/file/missing_file.h"
@@ -18,6 +17,7 @@
 #include "cli/option/output_option.h"
 #include "cli/option/parse_error.h"
 #include "geom/base/error.h"
+#include "geom/base/file_error.h"
 #include "geom/base/mapped_file.h"
 
 namespace cli {
@@ -55,19 +55,19 @@ Exit run(const CLI::App& app, const std::function<Exit()>& body) {
   return exit;
 }
 
-// Runs `body`, and says what went wrong.
-int guarded(CLI::App& app, const std::function<int()>& body) {
+// Runs `body`, and says what went wrong. `last_word`: of the command line.
+int guarded(CLI::App& app, std::string_view last_word, const std::function<int()>& body) {
   try {
     return body();
   } catch (const UsageError& error) {
     return usage(app, error.what());
   } catch (const CLI::ParseError& error) {
-    return usage(app, in_words(app, error));
+    return usage(app, in_words(app, error, last_word));
   } catch (const geom::InputError& error) {
-    return fail(app, Exit::bad_input, wrong_file(app, error.what()).value_or(error.what()));
+    return fail(app, Exit::bad_input, wrong_file(app, error.source()).value_or(error.what()));
   } catch (const std::bad_alloc&) {
     return fail(app, Exit::failed, "out of memory");
-  } catch (const std::system_error& error) {
+  } catch (const geom::FileError& error) {
     return fail(app, Exit::failed, error.what() + missing_file_advice(error));
   } catch (const std::exception& error) {
     return fail(app, Exit::failed, error.what());
@@ -88,7 +88,7 @@ int run_tool(CLI::App& app, int argc, char** argv, const std::function<Exit()>& 
   add_completion(app);
   add_help(app);
   RunFiles files;
-  return guarded(app, [&] {
+  return guarded(app, argc > 1 ? argv[argc - 1] : "", [&] {
     try {
       app.parse(argc, argv);
       check_values(app);

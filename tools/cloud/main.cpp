@@ -202,8 +202,8 @@ int main(int argc, char** argv) {
                                                : stream(points, options, {}, made).boxes(name);
     const std::string line = line_of(made.report);
     if (table.boxes.empty()) {
-      throw geom::InputError(
-          name, "expected at least one point to make boxes of, found none (" + line + ")");
+      throw geom::InputError(name, {.expected = "at least one point to make boxes of",
+                                    .found = fmt::format("none ({})", line)});
     }
     cli::tell(common, "skyway-cloud", name + ": " + line);
     const geom::MakeMapOptions map = options.map.make();

@@ -22,9 +22,8 @@ void add_class(const std::string& word, std::bitset<256>& classes) {
   if (!named.empty()) return;
   const auto number = geom::parse_number(word);
   if (!number || !(*number >= 0 && *number <= 255) || *number != static_cast<int>(*number)) {
-    throw CLI::ValidationError("--classes", "expected numbers from 0 to 255 or names (" +
-                                                std::string(geom::las_class_names()) +
-                                                "), found \"" + word + '"');
+    throw cli::UsageError("--classes: expected numbers from 0 to 255 or names (" +
+                          std::string(geom::las_class_names()) + "), found \"" + word + '"');
   }
   classes.set(static_cast<std::size_t>(*number));
 }

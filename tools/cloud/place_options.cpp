@@ -41,11 +41,11 @@ void PlaceOptions::parse_origin(const std::string& text) {
   auto v = cli::parse_numbers(text, 3);
   if (!v && (v = cli::parse_numbers(text, 2))) v->push_back(0);
   if (!v || std::abs((*v)[0]) > 90 || std::abs((*v)[1]) > 180) {
-    throw CLI::ValidationError(
-        "--origin",
-        "expected LATITUDE,LONGITUDE in degrees, and a height in metres where it is known, or "
+    throw cli::UsageError(
+        "--origin: expected LATITUDE,LONGITUDE in degrees, and a height in metres where it is "
+        "known, or "
         "auto; found \"" +
-            text + '"');
+        text + '"');
   }
   options_.origin = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
 }

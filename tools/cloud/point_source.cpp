@@ -21,7 +21,7 @@ std::string detect(std::string_view head, const std::string& name) {
   if (head.starts_with("ply")) return "ply";
   const std::size_t pcd = head.substr(0, 2000).find("FIELDS");
   if (pcd != std::string_view::npos && head.find("DATA") != std::string_view::npos) return "pcd";
-  if (head.empty()) throw geom::InputError(name, "the file is empty");
+  if (head.empty()) throw geom::InputError(name, {.says = "the file is empty"});
   return "xyz";
 }
 
@@ -36,8 +36,9 @@ geom::CloudCounts read(std::istream& in, const std::string& name, const std::str
 void require_in_reach(const geom::Vec3& metres, const std::string& name) {
   if (metres.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate) return;
   throw geom::InputError(
-      name, fmt::format("a point must be within 1e8 m of the origin, found [{}, {}, {}] in metres",
-                        metres.x(), metres.y(), metres.z()));
+      name, {.key = "a point",
+             .expected = "within 1e8 m of the origin",
+             .found = fmt::format("[{}, {}, {}] in metres", metres.x(), metres.y(), metres.z())});
 }
 
 }  // namespace
@@ -86,10 +87,10 @@ void PointSource::read_whole(const geom::PointSink& sink, const std::string& nam
                          name);
   if (reads_part(hashed.head())) return read_part(sink, name);
   if (options_.resolution > 0) {
-    throw geom::InputError(name,
-                           "expected a COPC file for --resolution, found another: leave the option "
-                           "out, or make one, for example with `pdal translate in.laz "
-                           "out.copc.laz`");
+    throw geom::InputError(name, {.expected = "a COPC file for --resolution",
+                                  .found = "another",
+                                  .advice = "leave the option out, or make one, for example with "
+                                            "`pdal translate in.laz out.copc.laz`"});
   }
   if (options_.format == "las") {
     counts_ = read_las(hashed.stream(), name, sink,

@@ -84,18 +84,20 @@ std::vector<Flight> read_flights(const std::string& input, const std::string& id
     Flight flight = parse(line, file.name(), number);
     if (!id.empty() && flight.id != id) return;
     if (!flights.empty() && (!each || !id.empty())) {
-      throw geom::InputError(
-          file.name(), number,
-          id.empty()
-              ? "expected one trajectory or path, found another: choose one with --id, or "
-                "write a file for each with -o '%s.csv'"
-              : fmt::format("expected one trajectory or path of id \"{}\", found another", id));
+      geom::Fault fault{.expected = "one trajectory or path", .found = "another"};
+      if (id.empty()) {
+        fault.advice = "choose one with --id, or write a file for each with -o '%s.csv'";
+      } else {
+        fault.expected += fmt::format(" of id \"{}\"", id);
+      }
+      throw geom::InputError(file.name(), number, std::move(fault));
     }
     flights.push_back(std::move(flight));
   });
   if (flights.empty()) {
     throw geom::InputError(
-        file.name(), fmt::format("expected a trajectory or path of id \"{}\", found none", id));
+        file.name(),
+        {.expected = fmt::format("a trajectory or path of id \"{}\"", id), .found = "none"});
   }
   return flights;
 }

@@ -53,9 +53,9 @@ std::string OutputNames::of(const std::string& id, const std::string& source) {
   const auto [there, is_new] = id_of_.emplace(without_case(name), id);
   if (!is_new) {
     throw geom::InputError(
-        source, fmt::format("expected ids that give different files, found \"{}\" and \"{}\" for "
-                            "{}: change one of them",
-                            there->second, id, name));
+        source, {.expected = "ids that give different files",
+                 .found = fmt::format("\"{}\" and \"{}\" for {}", there->second, id, name),
+                 .advice = "change one of them"});
   }
   return name;
 }

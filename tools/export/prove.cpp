@@ -31,7 +31,7 @@ traj::CheckResult judge(const geom::CollisionScene& scene, const Task& task,
   cli::DroneFileOptions reading = written.reading;
   reading.autopilot = task.autopilot;
   const auto read = cli::read_drone_file(written.text, "what was written", reading, frame);
-  if (read.size() != 1) throw geom::InputError("what was written", "expected one flight");
+  if (read.size() != 1) throw geom::InputError("what was written", {.expected = "one flight"});
   const traj::Flown& flown = read.front().flown;
   traj::CheckResult result =
       traj::check_flown(scene, flown, task.limits, traj::Clearance::left_out);
@@ -222,7 +222,8 @@ std::string remedy(const geom::CollisionScene& scene, const Task& task,
   }
   if (near && !result.strayed.empty()) {
     return fmt::format(
-        "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower (--speed)",
+        "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower "
+        "(--speed)",
         std::ceil(100 * result.worst) / 100);
   }
   if (near) {
@@ -260,10 +261,9 @@ std::string refusal(const geom::CollisionScene& scene, const Task& task,
   const std::string how = result.strayed.empty() ? "as the file says"
                           : result.part ? "by " + result.strayed + ", which may stray from its way"
                                         : "with what is allowed for " + result.strayed;
-  return fmt::format(
-      "{}: refused: flown {}, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", task.id, how,
-      fault(result), when, result.place[0], result.place[1], result.place[2],
-      advice.empty() ? "" : ": ", advice);
+  return fmt::format("{}: refused: flown {}, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", task.id,
+                     how, fault(result), when, result.place[0], result.place[1], result.place[2],
+                     advice.empty() ? "" : ": ", advice);
 }
 
 }  // namespace exporting

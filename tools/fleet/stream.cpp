@@ -55,8 +55,8 @@ void Stream::require_agrees(const TrajectoryRecord& record, const std::string& s
   geom::require_epoch_agrees(record.time.epoch, epoch_, source, line);
   if (traj::outside_domain(record.trajectory, {})) {
     throw InputError(source, line,
-                     "expected durations from 1e-9 to 1e9 s in all and coordinates within 1e8 m: "
-                     "nothing can be proved of this trajectory");
+                     {.expected = "durations from 1e-9 to 1e9 s in all and coordinates within 1e8 "
+                                  "m: nothing can be proved of this trajectory"});
   }
 }
 
@@ -81,14 +81,18 @@ geom::Vec3 Stream::room_of(const TrajectoryRecord& record, const std::string& so
   }
   if (room.minCoeff() > 0) return room;
   if (rules_.by_vehicles) {
-    throw InputError(source, line,
-                     "expected a vehicle with a size along each axis, as the distance follows from "
-                     "that, found none: give --separation");
+    throw InputError(
+        source, line,
+        {.expected = "a vehicle with a size along each axis, as the distance follows from that",
+         .found = "none",
+         .advice = "give --separation"});
   }
   if (rules_.moving) {
     throw InputError(source, line,
-                     "expected a vehicle with a size along each axis, as its box is what keeps "
-                     "clear of obstacles that move, found none: give --vehicle");
+                     {.expected = "a vehicle with a size along each axis, as its box is what keeps "
+                                  "clear of obstacles that move",
+                      .found = "none",
+                      .advice = "give --vehicle"});
   }
   return room;
 }
@@ -102,18 +106,22 @@ geom::Vec3 Stream::room_of_other(const TrajectoryRecord& record, const std::stri
   }
   if (rules_.by_vehicles && !(room.minCoeff() > 0)) {
     throw InputError(source, line,
-                     "expected a record that names its vehicle, with a size along each axis, as "
-                     "the distance follows from that, found none: give --separation");
+                     {.expected = "a record that names its vehicle, with a size along each axis, "
+                                  "as the distance follows from that",
+                      .found = "none",
+                      .advice = "give --separation"});
   }
   return room;
 }
 
 void Stream::add(TrajectoryRecord record, const std::string& source, std::size_t line) {
   if (!entry_of_.emplace(record.id, entries_.size()).second) {
-    throw InputError(source, line,
-                     fmt::format("expected each id once, found \"{}\" again (other ways for a "
-                                 "flight belong in a file of their own: --alternatives)",
-                                 record.id));
+    throw InputError(
+        source, line,
+        {.expected = "each id once",
+         .found = fmt::format(
+             "\"{}\" again (other ways for a flight belong in a file of their own: --alternatives)",
+             record.id)});
   }
   const TrajectoryRecord& kept = records_.emplace_back(std::move(record));
   if (kept.status != traj::TrajectoryStatus::solved) {
@@ -138,9 +146,8 @@ void Stream::add_way(TrajectoryRecord record, const std::string& source, std::si
   const auto found = entry_of_.find(record.id);
   if (found == entry_of_.end()) {
     throw InputError(source, line,
-                     fmt::format("expected another way for a flight of the stream, found \"{}\", "
-                                 "which is none of them",
-                                 record.id));
+                     {.expected = "another way for a flight of the stream",
+                      .found = fmt::format("\"{}\", which is none of them", record.id)});
   }
   require_agrees(record, source, line);
   const Entry& entry = entries_[found->second];
@@ -154,17 +161,17 @@ void Stream::add_way(TrajectoryRecord record, const std::string& source, std::si
 
 void Stream::add_other(TrajectoryRecord record, const std::string& source, std::size_t line) {
   if (entry_of_.contains(record.id) || !others_ids_.insert(record.id).second) {
-    throw InputError(
-        source, line,
-        fmt::format("expected an id that no other flight has, found \"{}\" again", record.id));
+    throw InputError(source, line,
+                     {.expected = "an id that no other flight has",
+                      .found = fmt::format("\"{}\" again", record.id)});
   }
   const bool solved = record.status == traj::TrajectoryStatus::solved;
   if (!solved || !record.time.start) {
     throw InputError(
         source, line,
-        fmt::format("expected a flight that departs, as those of the stream keep apart from it, "
-                    "found \"{}\" without {}",
-                    record.id, solved ? "a start" : "a trajectory"));
+        {.expected = "a flight that departs, as those of the stream keep apart from it",
+         .found =
+             fmt::format("\"{}\" without {}", record.id, solved ? "a start" : "a trajectory")});
   }
   require_agrees(record, source, line);
   const TrajectoryRecord& kept = records_.emplace_back(std::move(record));

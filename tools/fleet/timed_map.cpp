@@ -35,10 +35,9 @@ bool comes_before(const geom::Provenance& a, const geom::Provenance& b) {
   const bool by_time = result.box && !map.time(*result.box).always();
   if (!by_time) {
     throw geom::InputError(
-        id,
-        "expected a flight that is proved on the map of --map but for its boxes with times, "
-        "found " +
-            what + ": skyway-check says more");
+        id, {.expected = "a flight that is proved on the map of --map but for its boxes with times",
+             .found = what,
+             .advice = "skyway-check says more"});
   }
   throw std::runtime_error(
       fmt::format("the departure {} of {} could not be proved on the map: {}; nothing was written",

@@ -48,9 +48,10 @@ Mission::Mission(const Options& options, const cli::VehicleOptions& vehicle,
 void Mission::refuse_size(const geom::Vehicle& made_for, std::size_t line) const {
   const auto another =
       geom::made_for_another({{}, {}, made_for, {}}, {{}, {}, profile_.vehicle, {}});
-  throw geom::InputError(source_, line,
-                         fmt::format("the trajectory was {}: fly that one, or plan anew for this",
-                                     another.value_or("made for another vehicle")));
+  throw geom::InputError(
+      source_, line,
+      {.says = fmt::format("the trajectory was {}", another.value_or("made for another vehicle")),
+       .advice = "fly that one, or plan anew for this"});
 }
 
 // The vehicle that flies must be the one it was made for: in its limits, and over a map in its
@@ -86,13 +87,15 @@ std::size_t Mission::read(cli::InputFile& file, const geom::Shard& shard) {
     Entry entry{traj::parse_trajectory_record(line, source_, number), number};
     if (entry.record.status == traj::TrajectoryStatus::solved &&
         entry.record.trajectory.segments.empty()) {
-      throw geom::InputError(source_, number, "expected at least one segment, found none");
+      throw geom::InputError(source_, number,
+                             {.expected = "at least one segment", .found = "none"});
     }
     const double length = traj::duration(entry.record.trajectory);
     if (length > kLongest) {
-      throw geom::InputError(
-          source_, number,
-          fmt::format("duration must be at most {} s to be flown, found {}", kLongest, length));
+      throw geom::InputError(source_, number,
+                             {.key = "duration",
+                              .expected = fmt::format("at most {} s to be flown", kLongest),
+                              .found = fmt::to_string(length)});
     }
     require_vehicle(entry);
     if (scenes_) {
@@ -170,10 +173,10 @@ void Mission::take(cli::JoinedRuns runs) {
       [](const Entry& entry) { return entry.record.status == traj::TrajectoryStatus::solved; }));
   if (runs.trajectories() != solved) {
     throw geom::InputError(
-        source_,
-        fmt::format("expected the {} of the shards, found {}",
-                    geom::counted(runs.trajectories(), "solved trajectory", "solved trajectories"),
-                    solved));
+        source_, {.expected = fmt::format("the {} of the shards",
+                                          geom::counted(runs.trajectories(), "solved trajectory",
+                                                        "solved trajectories")),
+                  .found = fmt::to_string(solved)});
   }
   joined_.emplace(std::move(runs));
 }
@@ -241,7 +244,8 @@ traj::TuneResult Mission::tune(const geom::Execution& run) const {
     tracks.push_back(track_of(entry));
   }
   if (tracks.empty()) {
-    throw geom::InputError(source_, "expected at least one solved trajectory, found none");
+    throw geom::InputError(source_,
+                           {.expected = "at least one solved trajectory", .found = "none"});
   }
   return traj::tune(tracks, flight_, options_.flight_cost(), {run.threads, {}});
 }

@@ -23,7 +23,7 @@ traj::Gains gains_from(const std::string& word, const traj::Gains& own) {
   }
   cli::InputFile file(word);
   const geom::JsonFields fields(file.read_all(), word, 0);
-  if (!fields.has("gains")) fields.refuse("expected the key \"gains\", found none");
+  if (!fields.has("gains")) fields.refuse({.expected = "the key \"gains\"", .found = "none"});
   return traj::parse_gains(fields, own);
 }
 

@@ -218,7 +218,7 @@ int main(int argc, char** argv) {
     if (const auto done = sharding.finished(common)) return *done;
     cli::InputFile file(options.input);
     cli::HashedInput hashed(file);
-    if (hashed.head().empty()) throw geom::InputError(file.name(), "the file is empty");
+    if (hashed.head().empty()) throw geom::InputError(file.name(), {.says = "the file is empty"});
     const std::string format =
         options.format == "auto" ? geom::gis::detect(hashed.head(), options.input) : options.format;
     cli::require_used(app, kFormatOptions, format, cli::read_as(file.name(), format));

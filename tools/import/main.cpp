@@ -136,9 +136,8 @@ geom::ImportedBoxes imported(Options& options, geom::BoxFormat format, std::istr
       geom::import_boxes(in, format, name, {options.unknown == "blocked", options.sdf});
   for (const std::string& model : options.without) {
     if (!boxes.left_out.contains(model))
-      throw geom::InputError(name, fmt::format("expected a model of the name that --without gives, "
-                                               "found none: \"{}\"",
-                                               model));
+      throw geom::InputError(name, {.expected = "a model of the name that --without gives",
+                                    .found = fmt::format("none: \"{}\"", model)});
   }
   return boxes;
 }
@@ -187,7 +186,7 @@ int main(int argc, char** argv) {
     if (!models.hashes().empty()) step["includes"] = models.hashes();
     options.skipped.settle(boxes.skipped, file.name(), common, step);
     if (boxes.table.boxes.empty())
-      throw geom::InputError(file.name(), "expected at least one obstacle, found none");
+      throw geom::InputError(file.name(), {.expected = "at least one obstacle", .found = "none"});
     const geom::MadeMap made =
         geom::make_map(std::move(boxes.table), boxes.frame,
                        nlohmann::ordered_json::array({step}).dump(), file.name(), map);

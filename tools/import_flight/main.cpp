@@ -84,7 +84,8 @@ double begin_of(const Options& options, const traj::Px4Flight& flight, const std
   if (options.begin == "first") return 0;
   if (options.begin == "takeoff") {
     if (flight.takeoff) return *flight.takeoff;
-    throw geom::InputError(source, "expected a take-off after the first position, found none");
+    throw geom::InputError(source,
+                           {.expected = "a take-off after the first position", .found = "none"});
   }
   const auto seconds = cli::parse_numbers(options.begin, 1);
   if (!seconds || seconds->front() < 0) {
@@ -123,7 +124,8 @@ int main(int argc, char** argv) {
     set_ground(options, common, file.name(), flight);
     traj::begin_at(begin_of(options, flight, file.name()), flight);
     if (flight.log.samples.empty()) {
-      throw geom::InputError(file.name(), "expected a position after --begin, found none");
+      throw geom::InputError(file.name(),
+                             {.expected = "a position after --begin", .found = "none"});
     }
     flight.log.id =
         options.id.empty() ? std::filesystem::path(file.name()).stem().string() : options.id;

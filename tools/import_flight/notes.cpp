@@ -57,21 +57,21 @@ void add_losses(const traj::Px4Flight& flight, std::vector<std::string>& out) {
 void require_positions(const traj::Px4Flight& flight, const std::string& source, bool placed) {
   if (!flight.log.samples.empty()) return;
   if (flight.positions == 0) {
-    throw geom::InputError(
-        source, "expected vehicle_local_position or vehicle_global_position, found neither");
+    throw geom::InputError(source, {.expected = "vehicle_local_position or vehicle_global_position",
+                                    .found = "neither"});
   }
   if (placed && flight.nowhere > 0) {
     throw geom::InputError(
-        source,
-        fmt::format("expected a place on Earth near the map, found none in {} of {}: the vehicle "
-                    "did not know where on Earth it was, or was elsewhere; without --map and "
-                    "--origin its local coordinates are kept",
-                    counted(flight.nowhere, "position"), flight.topic));
+        source, {.expected = "a place on Earth near the map",
+                 .found = fmt::format("none in {} of {}", counted(flight.nowhere, "position"),
+                                      flight.topic),
+                 .advice = "the vehicle did not know where on Earth it was, or was elsewhere; "
+                           "without --map and --origin its local coordinates are kept"});
   }
   throw geom::InputError(
       source,
-      fmt::format("expected a position that the vehicle held for valid, found none in {} of {}",
-                  counted(flight.positions, "row"), flight.topic));
+      {.expected = "a position that the vehicle held for valid",
+       .found = fmt::format("none in {} of {}", counted(flight.positions, "row"), flight.topic)});
 }
 
 std::vector<std::string> warnings(const traj::Px4Flight& flight, std::optional<double> geoid) {

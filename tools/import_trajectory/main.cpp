@@ -87,9 +87,9 @@ void add_time(CLI::App& app, geom::FlightTime& time) {
          [&time](const std::string& text) {
            time.epoch = geom::epoch_from(text);
            if (time.epoch) return;
-           throw CLI::ValidationError(
-               "--epoch",
-               "expected an instant in UTC such as 2026-05-04T06:30:00Z, found \"" + text + '"');
+           throw cli::UsageError(
+               "--epoch: expected an instant in UTC such as 2026-05-04T06:30:00Z, found \"" + text +
+               '"');
          },
          "the instant that --departure counts from, UTC")
       ->type_name("INSTANT");
@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
                   "trajectories or paths, JSON Lines (default: stdout)");
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({input, map});
-    if (const auto fault = geom::time_fault(time)) throw cli::UsageError(*fault);
+    if (const auto fault = geom::time_fault(time)) throw cli::UsageError(sentence(*fault));
     cli::InputFile file(input);
     Importer importer{common, file.name(), gap, {}, time};
     const geom::Frame frame = frame_of(map, axes, importer.provenance);

@@ -76,7 +76,7 @@ Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
   } else {
     throw geom::InputError(
         archive.name(),
-        "expected a box map, a lattice, a roadmap or a shard, found another archive");
+        {.expected = "a box map, a lattice, a roadmap or a shard", .found = "another archive"});
   }
   if (verify) out["verified"] = true;
   return out;
@@ -95,7 +95,8 @@ Json describe_records(const std::string& text, const std::string& name) {
     if (fields.has("ok")) kind += fields.value("ok") == true ? " ok" : " failed";
     ++counts[kind];
   }
-  if (counts.empty()) throw geom::InputError(name, "expected records, found an empty stream");
+  if (counts.empty())
+    throw geom::InputError(name, {.expected = "records", .found = "an empty stream"});
   Json out;
   for (const auto& [kind, count] : counts) out[kind] = count;
   return out;
@@ -119,9 +120,10 @@ Json describe_file(const std::string& input, bool verify) {
   const auto kind = cli::recognise(in.head());
   const bool archive = in.head().starts_with("PK");
   if (verify && !archive) {
-    throw geom::InputError(file.name(),
-                           "expected a map, a lattice, a roadmap or a shard, which "
-                           "alone have checksums to verify, found another file");
+    throw geom::InputError(
+        file.name(),
+        {.expected = "a map, a lattice, a roadmap or a shard, which alone have checksums to verify",
+         .found = "another file"});
   }
   if (kind && !is_ours(*kind) && !verify) return describe_foreign(*kind);
   if (archive && input != "-") return describe_archive(cli::open_archive(input), verify);

@@ -31,8 +31,9 @@ class Records {
   std::string_view next() {
     const std::uint64_t end = ends_[next_++];
     if (end < at_ || end > text_.size()) {
-      throw geom::InputError(
-          name_, fmt::format("record {} ends outside of the text: the file is damaged", next_));
+      throw geom::InputError(name_,
+                             {.says = fmt::format("record {} ends outside of the text", next_),
+                              .advice = "the file is damaged"});
     }
     const auto* const begin = reinterpret_cast<const char*>(text_.data()) + at_;
     const std::size_t size = end - at_;
@@ -53,7 +54,7 @@ void join_records(std::ostream& out, const std::vector<ShardFile>& shards) {
   if (!content.contains("head") || !content["head"].is_string() || !content.contains("total") ||
       !content["total"].is_number_unsigned()) {
     throw geom::InputError(shards.front().archive.name(),
-                           "expected a shard of records, found a damaged one");
+                           {.expected = "a shard of records", .found = "a damaged one"});
   }
   const auto total = content["total"].get<std::size_t>();
   std::vector<Records> records;
@@ -63,8 +64,9 @@ void join_records(std::ostream& out, const std::vector<ShardFile>& shards) {
     if (shard.content != content || records.back().count() != expected) {
       throw geom::InputError(
           shard.archive.name(),
-          fmt::format("expected {}, of {} in all, found {}: the file is damaged",
-                      geom::counted(expected, "record"), total, records.back().count()));
+          {.expected = fmt::format("{}, of {} in all", geom::counted(expected, "record"), total),
+           .found = fmt::to_string(records.back().count()),
+           .advice = "the file is damaged"});
     }
   }
   out << content["head"].get<std::string>();
@@ -114,16 +116,18 @@ int main(int argc, char** argv) {
       join_roadmaps(out.stream(), shards);
     } else if (kind == "runs") {
       throw geom::InputError(shards.front().archive.name(),
-                             "this is a shard of runs: join it with skyway-fly --join, with the "
-                             "trajectories and options that they were flown with");
+                             {.says = "this is a shard of runs",
+                              .advice = "join it with skyway-fly --join, with the trajectories and "
+                                        "options that they were flown with"});
     } else if (kind == "departures") {
       throw geom::InputError(shards.front().archive.name(),
-                             "this is a shard of skyway-fleet: join it with skyway-fleet --join, "
-                             "with the trajectories and options that it was made with");
+                             {.says = "this is a shard of skyway-fleet",
+                              .advice = "join it with skyway-fleet --join, with the trajectories "
+                                        "and options that it was made with"});
     } else {
       throw geom::InputError(
           shards.front().archive.name(),
-          fmt::format("expected a kind of shard that is known, found \"{}\"", kind));
+          {.expected = "a kind of shard that is known", .found = geom::in_quotes(kind)});
     }
     out.commit();
     common.write_stats({{"shards", shards.size()}, {"kind", kind}});

@@ -122,8 +122,9 @@ std::set<std::uint64_t> ids_of(const std::string& word) {
     std::uint64_t id = 0;
     const auto [rest, error] = std::from_chars(text.data() + at, text.data() + text.size(), id);
     if (error != std::errc()) {
-      throw geom::InputError(list ? "--remove" : word, line,
-                             "expected ids (whole numbers), found \"" + text.substr(at, 20) + "\"");
+      throw geom::InputError(
+          list ? "--remove" : word, line,
+          {.expected = "ids (whole numbers)", .found = geom::in_quotes(text.substr(at, 20))});
     }
     ids.insert(id);
     at = static_cast<std::size_t>(rest - text.data());
@@ -142,7 +143,8 @@ std::size_t remove(BoxTable& table, const std::string& word, const std::string& 
   });
   for (const std::uint64_t id : ids) {
     if (!found.contains(id)) {
-      throw geom::InputError(map, fmt::format("no box has the id {} that --remove names", id));
+      throw geom::InputError(map,
+                             {.says = fmt::format("no box has the id {} that --remove names", id)});
     }
   }
   return before - table.boxes.size();
@@ -165,8 +167,8 @@ void set_epoch(geom::BoxMapSpec& spec, const std::string& word, const std::strin
         word + '"');
   }
   if (spec.epoch && *spec.epoch != *epoch) {
-    throw geom::InputError(
-        map, fmt::format("expected the epoch {}, as --epoch says, found {}", *epoch, *spec.epoch));
+    throw geom::InputError(map, {.expected = fmt::format("the epoch {}, as --epoch says", *epoch),
+                                 .found = std::string(*spec.epoch)});
   }
   spec.epoch = epoch;
   step["epoch"] = *epoch;
@@ -217,7 +219,8 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
     add("keep_out", volumes.keep_out(changes.keep_out, changes.local, changes.metres, common));
   }
   if (!changes.fence.empty()) add("fence", volumes.fence(changes.fence));
-  if (table.boxes.empty()) throw geom::InputError(files.map, "the patch leaves no boxes at all");
+  if (table.boxes.empty())
+    throw geom::InputError(files.map, {.says = "the patch leaves no boxes at all"});
   write(files, spec, table, step);
   common.write_stats(stats);
 }

@@ -28,9 +28,8 @@ constexpr Colour kTrees[] = {{86, 140, 196}, {204, 102, 85}};
 constexpr double kStep = 0.1;       // seconds between the points of a curve,
 constexpr double kMostSteps = 1e5;  // but no more of them than that
 
-const cli::ContentKinds kKinds{
-    .corridors = true,
-    .refusal = "expected a record of type path, trajectory, tree or corridor, found \"{}\""};
+const cli::ContentKinds kKinds{.corridors = true,
+                               .expected = "a record of type path, trajectory, tree or corridor"};
 
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 

@@ -43,9 +43,8 @@ void run_crop(const Files& files, const Aabb& region, const cli::MetresOption& m
   geom::BoxMapSpec spec = map.spec();
   spec.bounds = {spec.bounds.min.cwiseMax(region.min), spec.bounds.max.cwiseMin(region.max)};
   if ((spec.bounds.min.array() >= spec.bounds.max.array()).any()) {
-    throw geom::InputError(
-        files.map,
-        "expected --bounds that meet the bounds of the map, found a region apart from them");
+    throw geom::InputError(files.map, {.expected = "--bounds that meet the bounds of the map",
+                                       .found = "a region apart from them"});
   }
   Json step = step_of("crop", map);
   step["bounds"] = numbers(region);
@@ -57,8 +56,9 @@ void join_epoch(geom::BoxMapSpec& spec, const BoxMap& other, const std::string& 
   const auto& epoch = other.spec().epoch;
   if (!epoch || spec.epoch == epoch) return;
   if (spec.epoch) {
-    throw geom::InputError(name, fmt::format("expected the epoch of the maps before, {}, found {}",
-                                             *spec.epoch, *epoch));
+    throw geom::InputError(
+        name, {.expected = fmt::format("the epoch of the maps before, {}", *spec.epoch),
+               .found = std::string(*epoch)});
   }
   spec.epoch = epoch;
 }

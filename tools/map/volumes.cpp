@@ -42,11 +42,12 @@ void refuse_long_stairs(const geom::Polygon& polygon, double slack, const std::s
   std::for_each(polygon.holes.begin(), polygon.holes.end(), look_at);
   if (longest <= kMostPieces * slack) return;
   throw geom::InputError(
-      name,
-      fmt::format("feature {}: expected sloping sides of at most {:.6g} m (1e4 times --slack), "
-                  "found one of {:.6g} m: give --slack {:.3g} or more, or cut the volume to the "
-                  "map",
-                  feature, kMostPieces * slack, longest, std::ceil(longest / kMostPieces)));
+      name, {.item = fmt::format("feature {}", feature),
+             .expected = fmt::format("sloping sides of at most {:.6g} m (1e4 times --slack)",
+                                     kMostPieces * slack),
+             .found = fmt::format("one of {:.6g} m", longest),
+             .advice = fmt::format("give --slack {:.3g} or more, or cut the volume to the map",
+                                   std::ceil(longest / kMostPieces))});
 }
 
 // One JSON value in the form of ASTM F3548, and not of GeoJSON.
@@ -67,7 +68,8 @@ geom::TimeSpan time_of(const geom::Volume4d& volume, const std::optional<std::st
   if (!volume.start && !volume.end) return out;
   if (!epoch) {
     throw geom::InputError(
-        name, "the times of its volumes count from an epoch, and the map has none: give --epoch");
+        name, {.says = "the times of its volumes count from an epoch, and the map has none",
+               .advice = "give --epoch"});
   }
   if (volume.start) out.from = geom::seconds_between(*epoch, *volume.start).least;
   if (volume.end) out.until = geom::seconds_between(*epoch, *volume.end).most;
@@ -129,7 +131,8 @@ void Volumes::require_near(const DrawnRing& outline, std::uint64_t feature,
                            const std::string& name) const {
   if (far) return;
   if (const auto why = why_not_near(spec, outline)) {
-    throw geom::InputError(name, fmt::format("feature {}: {}", feature, *why));
+    throw geom::InputError(name,
+                           {.item = fmt::format("feature {}", feature), .says = std::string(*why)});
   }
 }
 

@@ -64,11 +64,10 @@ void Options::add_to(CLI::App& app) {
            auto v = cli::parse_numbers(text, 3);
            if (!v && (v = cli::parse_numbers(text, 2))) v->push_back(0);
            if (!v || std::abs((*v)[0]) > 90 || std::abs((*v)[1]) > 180) {
-             throw CLI::ValidationError(
-                 "--origin",
-                 "expected LATITUDE,LONGITUDE in degrees, and a height in metres where "
+             throw cli::UsageError(
+                 "--origin: expected LATITUDE,LONGITUDE in degrees, and a height in metres where "
                  "it is known, found \"" +
-                     text + '"');
+                 text + '"');
            }
            origin = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
          },
@@ -129,15 +128,16 @@ geom::TriangleCover covered(const geom::Model& model, const Options& options, co
   cover.slack = (options.slack - grown) / scale;
   if (grown > options.slack / 2) {
     throw geom::InputError(
-        name, fmt::format("its triangles are known to {:.3g} m only, once they are projected on a "
-                          "map and rounded: give a slack of at least {:.3g} m",
-                          place.off, 2.01 * grown));
+        name, {.says = fmt::format("its triangles are known to {:.3g} m only, once they are "
+                                   "projected on a map and rounded",
+                                   place.off),
+               .advice = fmt::format("give a slack of at least {:.3g} m", 2.01 * grown)});
   }
   geom::TriangleCover made;
   try {
     made = geom::cover_model(model, cover, common.execution("triangles"));
   } catch (const geom::InputError& error) {
-    throw geom::InputError(name, error.what());
+    throw geom::InputError(name, error.as_item());
   }
   if (place.off > 0) {
     const geom::Vec3 by = geom::Vec3::Constant(place.off / scale);
@@ -232,7 +232,7 @@ int main(int argc, char** argv) {
     if (none) {
       const std::string skipped = source.model.skipped.text();
       throw geom::InputError(
-          name, "expected triangles, found none" + (skipped.empty() ? "" : ": " + skipped));
+          name, {.expected = "triangles", .found = "none", .advice = source.model.skipped.text()});
     }
     const Place place = source.on_earth ? earth_place(source, options, name)
                                         : local_place(source, options, name, common);

@@ -44,10 +44,10 @@ void add_layers(CLI::App& app, std::optional<plan::Layers>& layers) {
            const bool good = v && (*v)[1] > 0 && (*v)[2] >= 1 && (*v)[2] <= kMostLayers &&
                              (*v)[2] == std::floor((*v)[2]);
            if (!good) {
-             throw CLI::ValidationError(
-                 "--layers", fmt::format("expected LOW,STEP,COUNT: metres, metres above 0, and "
-                                         "1 to {} layers, found \"{}\"",
-                                         kMostLayers, text));
+             throw cli::UsageError(
+                 fmt::format("--layers: expected LOW,STEP,COUNT: metres, metres above 0, and "
+                             "1 to {} layers, found \"{}\"",
+                             kMostLayers, text));
            }
            layers = plan::Layers{(*v)[0], (*v)[1], static_cast<int>((*v)[2])};
          },

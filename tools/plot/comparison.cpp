@@ -24,11 +24,13 @@ constexpr double kMost = 1e12;  // of any figure in a report
 
 double figure_of(const geom::JsonFields& fields, const nlohmann::json& object, const char* key) {
   if (!object.is_object() || !object.contains(key)) {
-    fields.refuse(fmt::format("expected the key \"{}\" in {}", key, object.dump()));
+    fields.refuse({.expected = fmt::format("the key \"{}\" in {}", key, object.dump())});
   }
   const double value = fields.number(object[key], key);
   if (value < 0 || value > kMost) {
-    fields.refuse(fmt::format("{} must be within 0 to {:g}, found {}", key, kMost, value));
+    fields.refuse({.key = std::string(key),
+                   .expected = fmt::format("within 0 to {:g}", kMost),
+                   .found = fmt::to_string(value)});
   }
   return value;
 }
@@ -142,10 +144,10 @@ Comparison parse_comparison(const geom::JsonFields& report, std::string_view nam
   report.require_type("benchmark");
   Comparison out{std::string(name), {}};
   const nlohmann::json& methods = report.value("methods");
-  if (!methods.is_array() || methods.empty()) report.refuse("expected a list of methods");
+  if (!methods.is_array() || methods.empty()) report.refuse({.expected = "a list of methods"});
   for (const nlohmann::json& m : methods) {
     if (!m.is_object() || !m.contains("method") || !m["method"].is_string()) {
-      report.refuse("expected the name of each method");
+      report.refuse({.expected = "the name of each method"});
     }
     MethodFigures figures{m["method"].get<std::string>()};
     figures.trials = static_cast<std::size_t>(figure_of(report, m, "trials"));

@@ -65,7 +65,7 @@ template <class List>
 const auto& first_of(const List& list, const Options& options, const char* what) {
   if (list.empty()) {
     throw geom::InputError(options.inputs[0] == "-" ? "stdin" : options.inputs[0],
-                           fmt::format("expected {}, found none", what));
+                           {.expected = std::string(what), .found = "none"});
   }
   return list.front();
 }
@@ -139,7 +139,7 @@ std::string clearance(const Options& options) {
                      cli::Scenes::Differences::allowed);
   const cli::Contents contents = read(options, &scenes.map());
   if (scenes.map().size() == 0) {
-    throw geom::InputError(options.map, "expected a map with obstacles, found none");
+    throw geom::InputError(options.map, {.expected = "a map with obstacles", .found = "none"});
   }
   if (contents.paths.empty() && contents.trajectories.empty()) {
     first_of(contents.flights, options, "a path, a trajectory or a flight");
@@ -179,8 +179,8 @@ std::string fleet(const Options& options) {
     geom::require_epoch_agrees(record.time.epoch, first.time.epoch, source, line);
     if (traj::outside_domain(record.trajectory, {})) {
       throw geom::InputError(source, line,
-                             "expected a trajectory that can be flown, found one "
-                             "with times or coordinates out of range");
+                             {.expected = "a trajectory that can be flown",
+                              .found = "one with times or coordinates out of range"});
     }
     const double start = record.time.starts();
     flights.push_back({record.id, start, traj::duration(record.trajectory), {}});

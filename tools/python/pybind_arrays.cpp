@@ -37,9 +37,10 @@ void require_coordinates(std::span<const double> values, std::size_t columns, co
                          std::size_t first) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::abs(values[i]) <= geom::kLargestCoordinate) continue;  // false for NaN too
-    throw geom::InputError(
-        fmt::format("{}[{}]", what, first + i / columns),
-        fmt::format("coordinates must be finite and within 1e8, found {}", values[i]));
+    throw geom::InputError(fmt::format("{}[{}]", what, first + i / columns),
+                           {.key = "coordinates",
+                            .expected = "finite and within 1e8",
+                            .found = fmt::to_string(values[i])});
   }
 }
 

@@ -22,11 +22,12 @@ void require_metres(const geom::Frame& frame, std::span<const geom::Vec3> points
                     const std::string& what) {
   if (!cli::look_like_degrees(frame, points)) return;
   const geom::Vec3& p = points.front();
-  throw geom::InputError(
-      what, fmt::format("expected metres, found [{}, {}], which look like degrees: the map's "
-                        "origin is at latitude {}, longitude {}, and its coordinates are metres "
-                        "from there",
-                        p.x(), p.y(), frame.origin->latitude, frame.origin->longitude));
+  throw geom::InputError(what,
+                         {.expected = "metres",
+                          .found = fmt::format("[{}, {}], which look like degrees", p.x(), p.y()),
+                          .advice = fmt::format("the map's origin is at latitude {}, longitude {}, "
+                                                "and its coordinates are metres from there",
+                                                frame.origin->latitude, frame.origin->longitude)});
 }
 
 traj::Limits limits_from(const py::object& object) {
@@ -42,11 +43,13 @@ traj::Limits limits_from(const py::object& object) {
       const double number = value.cast<double>();
       if (!(number > 0 && std::isfinite(number))) {
         throw geom::InputError(
-            "limits", name + " must be > 0 and finite, found " + std::string(py::str(value)));
+            "limits",
+            {.key = name, .expected = "> 0 and finite", .found = std::string(py::str(value))});
       }
       limits[kind.limit] = number;
     }
-    if (!known) throw geom::InputError("limits", "there is no limit \"" + name + "\"");
+    if (!known)
+      throw geom::InputError("limits", {.says = fmt::format("there is no limit \"{}\"", name)});
   }
   return limits;
 }
@@ -59,8 +62,55 @@ py::dict dict_of(const traj::Limits& limits) {
   return out;
 }
 
+// Text of a file need not be UTF-8.
+py::object text_of(std::string_view text) {
+  const auto size = static_cast<Py_ssize_t>(text.size());
+  return py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(text.data(), size, "replace"));
+}
+
+// The fields of an error as attributes: "" and None where it does not say.
+void set_fields(py::object& to, std::string_view source, std::size_t line,
+                const geom::Fault& fault) {
+  to.attr("source") = text_of(source);
+  to.attr("line") = line ? py::object(py::int_(line)) : py::none();
+  to.attr("item") = text_of(fault.item);
+  to.attr("key") = text_of(fault.key);
+  to.attr("expected") = text_of(fault.expected);
+  to.attr("found") = text_of(fault.found);
+  to.attr("advice") = text_of(fault.advice);
+}
+
+void bind_input_error(py::module_& module) {
+  static PyObject* const type = PyErr_NewException("skyway._skyway.InputError", PyExc_ValueError,
+                                                   nullptr);  // lives as long as the process
+  module.add_object("InputError", type);
+  auto shared = py::reinterpret_borrow<py::object>(type);
+  set_fields(shared, "", 0, {});
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const geom::InputError& error) {
+      py::object instance = py::reinterpret_borrow<py::object>(type)(text_of(error.what()));
+      set_fields(instance, error.source(), error.line(), error.fault());
+      PyErr_SetObject(type, instance.ptr());
+    }
+  });
+  module.def(
+      "_refuse",
+      [](const std::string& source, std::size_t line, std::string key, std::string says,
+         std::string expected, std::string found) {
+        throw geom::InputError(source, line,
+                               {.key = std::move(key),
+                                .says = std::move(says),
+                                .expected = std::move(expected),
+                                .found = std::move(found)});
+      },
+      py::kw_only(), py::arg("source"), py::arg("line") = 0, py::arg("key") = "",
+      py::arg("says") = "", py::arg("expected") = "", py::arg("found") = "");
+}
+
 void bind_errors(py::module_& module) {
-  py::register_exception<geom::InputError>(module, "InputError", PyExc_ValueError);
+  bind_input_error(module);
   py::register_exception<cli::UsageError>(module, "UsageError", PyExc_ValueError);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {

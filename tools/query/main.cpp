@@ -36,7 +36,9 @@ std::optional<std::size_t> whole(const JsonFields& fields, const char* key) {
   const auto value = fields.number(key);
   if (!value) return std::nullopt;
   if (!(*value >= 1 && *value <= 1000) || *value != std::floor(*value)) {
-    fields.refuse(fmt::format("{} must be a whole number from 1 to 1000, found {}", key, *value));
+    fields.refuse({.key = std::string(key),
+                   .expected = "a whole number from 1 to 1000",
+                   .found = fmt::to_string(*value)});
   }
   return static_cast<std::size_t>(*value);
 }
@@ -44,7 +46,9 @@ std::optional<std::size_t> whole(const JsonFields& fields, const char* key) {
 std::optional<double> metres(const JsonFields& fields, const char* key) {
   const auto value = fields.number(key);
   if (value && !(*value >= 0 && *value <= 1000)) {
-    fields.refuse(fmt::format("{} must be metres from 0 to 1000, found {}", key, *value));
+    fields.refuse({.key = std::string(key),
+                   .expected = "metres from 0 to 1000",
+                   .found = fmt::to_string(*value)});
   }
   return value;
 }
@@ -52,7 +56,9 @@ std::optional<double> metres(const JsonFields& fields, const char* key) {
 std::pair<Vec3, Vec3> two_points(const JsonFields& fields, const char* key) {
   const auto points = fields.points(key);
   if (points.size() != 2) {
-    fields.refuse(fmt::format("{} must be two points, found {}", key, points.size()));
+    fields.refuse({.key = std::string(key),
+                   .expected = "two points",
+                   .found = fmt::to_string(points.size())});
   }
   return {points[0], points[1]};
 }
@@ -121,9 +127,8 @@ class Answers {
     } else if (fields.has("sweep")) {
       add_sweep(out, fields);
     } else {
-      fields.refuse(
-          "expected one of the keys \"point\", \"segment\", \"box\" and \"sweep\", found "
-          "none");
+      fields.refuse({.expected = "one of the keys \"point\", \"segment\", \"box\" and \"sweep\"",
+                     .found = "none"});
     }
     return out.line();
   }
@@ -137,7 +142,9 @@ class Answers {
     const std::string text = fields.text("point");
     const auto place = geom::parse_place(text);
     if (!place)
-      fields.refuse(fmt::format("point must be {}, found \"{}\"", geom::kPlaceForms, text));
+      fields.refuse({.key = "point",
+                     .expected = std::string(geom::kPlaceForms),
+                     .found = geom::in_quotes(text)});
     return locator_.at(*place, source, line);
   }
 
@@ -186,7 +193,8 @@ class Answers {
 
   void add_box(JsonLine& out, const JsonFields& fields) const {
     const auto [low, high] = two_points(fields, "box");
-    if ((low.array() > high.array()).any()) fields.refuse("box must have min <= max on every axis");
+    if ((low.array() > high.array()).any())
+      fields.refuse({.says = "box must have min <= max on every axis"});
     const auto found = scene_.boxes_meeting({low, high});
     out.add("hit", !found.empty());
     out.add("boxes", found, [&](std::size_t i) { return id(i); });
@@ -195,7 +203,7 @@ class Answers {
   void add_sweep(JsonLine& out, const JsonFields& fields) const {
     const auto [a, b] = two_points(fields, "sweep");
     const Vec3 half = fields.point("half");
-    if (half.minCoeff() < 0) fields.refuse("half must have half sizes >= 0");
+    if (half.minCoeff() < 0) fields.refuse({.says = "half must have half sizes >= 0"});
     out.add("hit", scene_.sweep_hits(a, b, half));
   }
 

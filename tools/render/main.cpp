@@ -41,8 +41,9 @@ const render::Motion* flown(const std::vector<render::Motion>& motions,
           "or "
           "overview)");
     }
-    throw geom::InputError(options.inputs[0],
-                           "expected a solved trajectory or a flight to fly along, found none");
+    throw geom::InputError(
+        options.inputs[0],
+        {.expected = "a solved trajectory or a flight to fly along", .found = "none"});
   }
   return best;
 }

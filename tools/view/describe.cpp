@@ -139,8 +139,8 @@ geom::Axes axes_of(const cli::Contents& contents, const geom::Provenance& proven
 Extent extent_of(const cli::Contents& contents) {
   const Reach reach = reach_of(contents);
   if (reach.empty())
-    throw geom::InputError("inputs",
-                           "expected a map, a path, a trajectory or a flight to show, found none");
+    throw geom::InputError(
+        "inputs", {.expected = "a map, a path, a trajectory or a flight to show", .found = "none"});
   const geom::Aabb box = reach.box();
   const Vec3 middle = 0.5 * (box.min + box.max);
   return {{Vec3(std::round(middle.x()), std::round(middle.y()), 0)}, box};

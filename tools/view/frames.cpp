@@ -24,13 +24,13 @@ std::string read_picture(const std::string& name, Frames& frames) {
     frames.height = picture.height;
   }
   if (picture.width != frames.width || picture.height != frames.height) {
-    throw geom::InputError(
-        name, fmt::format("expected {} x {} pixels, as the first frame has, found {} x {}",
-                          frames.width, frames.height, picture.width, picture.height));
+    throw geom::InputError(name, {.expected = fmt::format("{} x {} pixels, as the first frame has",
+                                                          frames.width, frames.height),
+                                  .found = fmt::format("{} x {}", picture.width, picture.height)});
   }
   if (std::max(picture.width, picture.height) > kMostSide) {
-    throw geom::InputError(name, fmt::format("expected at most {} pixels a side, found {} x {}",
-                                             kMostSide, picture.width, picture.height));
+    throw geom::InputError(name, {.expected = fmt::format("at most {} pixels a side", kMostSide),
+                                  .found = fmt::format("{} x {}", picture.width, picture.height)});
   }
   return webp(picture);
 }
@@ -60,7 +60,8 @@ Frames read_frames(const FrameFiles& files) {
     bytes += out.list.back().webp.size();
     if (bytes > kMostBytes) {
       throw geom::InputError(
-          name, fmt::format("expected at most {} MB of frames, found more", kMostBytes >> 20));
+          name,
+          {.expected = fmt::format("at most {} MB of frames", kMostBytes >> 20), .found = "more"});
     }
   }
   return out;

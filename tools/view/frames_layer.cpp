@@ -55,11 +55,12 @@ Json frames_layer(const Frames& frames, const cli::Contents& contents, Bundle& b
   if (!(least <= kFarthestCamera)) {
     throw geom::InputError(
         frames.source,
-        fmt::format("expected frames along a trajectory or flight of this page, the camera within "
-                    "{} m of it at all times; found {}",
-                    kFarthestCamera,
-                    std::isfinite(least) ? fmt::format("the nearest {:.3g} m away", least)
-                                         : "none that lasts so long"));
+        {.says = fmt::format(
+             "expected frames along a trajectory or flight of this page, the camera within "
+             "{} m of it at all times; found {}",
+             kFarthestCamera,
+             std::isfinite(least) ? fmt::format("the nearest {:.3g} m away", least)
+                                  : "none that lasts so long")});
   }
   std::vector<float> times;
   std::vector<std::uint32_t> ends;

@@ -67,9 +67,10 @@ Json lattice_layer(const cli::Read<Lattice>& read, geom::Axes axes, const LocalF
   const Lattice& lattice = read.record;
   if (lattice.size() > kMostNodes) {
     throw geom::InputError(
-        read.source, fmt::format("expected a lattice of at most {} nodes to show, found {}: build "
-                                 "a coarser one, or one of a part of the map (skyway-map crop)",
-                                 kMostNodes, lattice.size()));
+        read.source,
+        {.expected = fmt::format("a lattice of at most {} nodes to show", kMostNodes),
+         .found = fmt::to_string(lattice.size()),
+         .advice = "build a coarser one, or one of a part of the map (skyway-map crop)"});
   }
   const bool swapped = axes == geom::Axes::neu;
   const Index3& d = lattice.dims();

@@ -57,7 +57,7 @@ ArrayArchive ArrayArchive::open(std::shared_ptr<Data> data) {
       data->arrays.push_back(read_npy(zip, data->name));
     }
   }
-  if (!has_meta) throw InputError(data->name, "expected an entry meta.json, found none");
+  if (!has_meta) throw InputError(data->name, {.expected = "an entry meta.json", .found = "none"});
   return ArrayArchive(std::move(data));
 }
 
@@ -95,13 +95,15 @@ const ArrayArchive::Entry& ArrayArchive::find(std::string_view array, std::strin
     const bool same_shape = columns == 0 ? entry.shape.size() == 1
                                          : entry.shape.size() == 2 && entry.shape[1] == columns;
     if (entry.dtype != dtype || !same_shape) {
-      throw InputError(name(), fmt::format("{}: expected {} in rows of {}, found {} of shape ({})",
-                                           entry.name, dtype, columns ? columns : 1, entry.dtype,
-                                           fmt::join(entry.shape, ", ")));
+      throw InputError(
+          name(),
+          {.item = std::string(entry.name),
+           .expected = fmt::format("{} in rows of {}", dtype, columns ? columns : 1),
+           .found = fmt::format("{} of shape ({})", entry.dtype, fmt::join(entry.shape, ", "))});
     }
     return entry;
   }
-  throw InputError(name(), fmt::format("expected an array {}.npy, found none", array));
+  throw InputError(name(), {.expected = fmt::format("an array {}.npy", array), .found = "none"});
 }
 
 std::optional<FileState> ArrayArchive::file() const {
@@ -134,10 +136,10 @@ class Checksums {
         found = crc32_joined(found, stretches_[i].crc, stretches_[i].bytes.size());
       }
       if (found == entries_[e].expected) continue;
-      throw InputError(archive,
-                       fmt::format("{}: expected CRC {:08x}, found {:08x}: the file is damaged, "
-                                   "get or make it again",
-                                   entries_[e].name, entries_[e].expected, found));
+      throw InputError(archive, {.item = std::string(entries_[e].name),
+                                 .expected = fmt::format("CRC {:08x}", entries_[e].expected),
+                                 .found = fmt::format("{:08x}", found),
+                                 .advice = "the file is damaged, get or make it again"});
     }
   }
 

@@ -72,16 +72,17 @@ std::string npy_header(const NamedArray& array) {
 }
 
 ArrayArchive::Entry read_npy(const ZipEntry& zip, const std::string& archive) {
-  const auto refuse = [&](std::string_view message) {
-    throw InputError(archive, fmt::format("{}: {}", excerpt(zip.name), message));
+  const auto refuse = [&](Fault fault) {
+    throw InputError(archive, within(excerpt(zip.name), std::move(fault)));
   };
   const std::string_view text(reinterpret_cast<const char*>(zip.bytes.data()), zip.bytes.size());
   if (text.size() < kDictAt || !text.starts_with(kNpyMark)) {
-    refuse("expected a NumPy array of format 1.0, found something else");
+    refuse({.expected = "a NumPy array of format 1.0", .found = "something else"});
   }
   std::uint16_t length = 0;
   std::memcpy(&length, text.data() + kNpyMark.size(), sizeof length);
-  if (length > text.size() - kDictAt) refuse("the array's header is longer than the entry");
+  if (length > text.size() - kDictAt)
+    refuse({.says = "the array's header is longer than the entry"});
   const std::string_view dict = text.substr(kDictAt, length);
   ArrayArchive::Entry entry;
   entry.name = zip.name;
@@ -92,16 +93,16 @@ ArrayArchive::Entry read_npy(const ZipEntry& zip, const std::string& archive) {
   const auto shape = parse_shape(between(dict, "'shape': (", ')'));
   const std::size_t item = item_size(entry.dtype);
   if (item == 0 || !shape || dict.find("'fortran_order': False") == std::string_view::npos) {
-    refuse(fmt::format("expected a little-endian array in C order, found {}", excerpt(dict)));
+    refuse({.expected = "a little-endian array in C order", .found = excerpt(dict)});
   }
   entry.shape = *shape;
   if (!fits(entry.shape, item, entry.bytes.size())) {
-    refuse(fmt::format("the shape ({}) does not fit {} bytes of {}",
-                       excerpt(fmt::format("{}", fmt::join(entry.shape, ", "))), entry.bytes.size(),
-                       entry.dtype));
+    refuse({.says = fmt::format("the shape ({}) does not fit {} bytes of {}",
+                                excerpt(fmt::format("{}", fmt::join(entry.shape, ", "))),
+                                entry.bytes.size(), entry.dtype)});
   }
   if (reinterpret_cast<std::uintptr_t>(entry.bytes.data()) % item != 0) {
-    refuse("the data must be aligned in the file, and is not");
+    refuse({.says = "the data must be aligned in the file, and is not"});
   }
   return entry;
 }

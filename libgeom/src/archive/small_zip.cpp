@@ -39,49 +39,50 @@ void check_names(const std::vector<ZipEntry>& entries, const SmallZip& zip,
         std::find(zip.wanted.begin(), zip.wanted.end(), entry.name) != zip.wanted.end();
     for (const std::string_view ending : zip.alone) {
       if (wanted || !lower(entry.name).ends_with(ending)) continue;
-      throw InputError(source,
-                       fmt::format("{}: expected no other file that ends in {} than {}",
-                                   excerpt(entry.name), ending, fmt::join(zip.wanted, " and ")));
+      throw InputError(source, {.item = excerpt(entry.name),
+                                .expected = fmt::format("no other file that ends in {} than {}",
+                                                        ending, fmt::join(zip.wanted, " and "))});
     }
     if (leads_out(entry.name)) {
-      throw InputError(source, fmt::format("{}: expected the name of a file inside the archive",
-                                           excerpt(entry.name)));
+      throw InputError(source, {.item = excerpt(entry.name),
+                                .expected = "the name of a file inside the archive"});
     }
     names.push_back(lower(entry.name));
   }
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
   if (twice == names.end()) return;
-  throw InputError(source, fmt::format("{}: expected each entry once, found it twice in other "
-                                       "letters",
-                                       excerpt(*twice)));
+  throw InputError(source, {.item = excerpt(*twice),
+                            .expected = "each entry once",
+                            .found = "it twice in other letters"});
 }
 
 std::string content_of(const ZipEntry& entry, const SmallZip& zip, const std::string& source) {
-  const auto refuse = [&](const std::string& message) {
-    throw InputError(source, fmt::format("{}: {}", excerpt(entry.name), message));
+  const auto refuse = [&](Fault fault) {
+    throw InputError(source, within(excerpt(entry.name), std::move(fault)));
   };
   if (entry.size > zip.most_content) {
-    refuse(
-        fmt::format("expected at most {} bytes, found {} unpacked", zip.most_content, entry.size));
+    refuse({.expected = fmt::format("at most {} bytes", zip.most_content),
+            .found = fmt::format("{} unpacked", entry.size)});
   }
   if (entry.size > kAnyRatio && entry.size / kMostRatio > entry.bytes.size()) {
-    refuse(fmt::format("expected a file that is packed at most {} to 1, found {} bytes in {}",
-                       kMostRatio, entry.size, entry.bytes.size()));
+    refuse({.expected = fmt::format("a file that is packed at most {} to 1", kMostRatio),
+            .found = fmt::format("{} bytes in {}", entry.size, entry.bytes.size())});
   }
   std::string content;
   if (entry.deflated) {
     auto unpacked = inflated(entry.bytes, entry.size);
     if (!unpacked) {
-      refuse(fmt::format("the file was damaged: it does not unpack to the {} bytes that it says",
-                         entry.size));
+      refuse({.says = fmt::format(
+                  "the file was damaged: it does not unpack to the {} bytes that it says",
+                  entry.size)});
     }
     content = std::move(*unpacked);
   } else {
     content.assign(reinterpret_cast<const char*>(entry.bytes.data()), entry.bytes.size());
   }
   if (crc32_of(std::as_bytes(std::span(content))) != entry.crc) {
-    refuse("the file was damaged: its checksum differs");
+    refuse({.says = "the file was damaged: its checksum differs"});
   }
   return content;
 }

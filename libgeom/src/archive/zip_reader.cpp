@@ -23,13 +23,13 @@ class Bytes {
  public:
   Bytes(std::span<const std::byte> bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
-  [[noreturn]] void refuse(std::string_view message) const { throw InputError(name_, message); }
+  [[noreturn]] void refuse(Fault fault) const { throw InputError(name_, std::move(fault)); }
 
   std::span<const std::byte> part(std::uint64_t at, std::uint64_t size, const char* what) const {
     if (at > bytes_.size() || size > bytes_.size() - at) {
-      refuse(
-          fmt::format("the file was cut or is damaged: {} would end at byte {}, and there are {}",
-                      what, at + size, bytes_.size()));
+      refuse({.says = fmt::format(
+                  "the file was cut or is damaged: {} would end at byte {}, and there are {}", what,
+                  at + size, bytes_.size())});
     }
     return bytes_.subspan(at, size);
   }
@@ -64,14 +64,15 @@ void require_zip(const Bytes& in, const char* what) {
   constexpr std::size_t kShown = 16;
   const std::string head = in.text(0, std::min(in.size(), kShown), "the beginning");
   if (!head.starts_with("PK")) {
-    in.refuse(fmt::format("expected {} (a ZIP archive), found {}", what,
-                          head.empty()
-                              ? "an empty file"
-                              : fmt::format("a file that begins with \"{}\"", excerpt(head))));
+    in.refuse({.expected = fmt::format("{} (a ZIP archive)", what),
+               .found = head.empty()
+                            ? "an empty file"
+                            : fmt::format("a file that begins with \"{}\"", excerpt(head))});
   }
   if (in.size() < kEndSize) {
-    in.refuse(
-        fmt::format("expected a whole ZIP archive, found {} bytes: the file was cut", in.size()));
+    in.refuse({.expected = "a whole ZIP archive",
+               .found = fmt::format("{} bytes", in.size()),
+               .advice = "the file was cut"});
   }
 }
 
@@ -79,9 +80,9 @@ Directory find_directory(const Bytes& in, const char* what) {
   require_zip(in, what);
   const std::uint64_t end = in.size() - kEndSize;
   if (in.get<std::uint32_t>(end, "the end record") != kEndMark) {
-    in.refuse(
-        "expected a whole ZIP archive, found one without its end: the file was cut, get or make it "
-        "again");
+    in.refuse({.expected = "a whole ZIP archive",
+               .found = "one without its end",
+               .advice = "the file was cut, get or make it again"});
   }
   Directory d{in.get<std::uint32_t>(end + 16, "end"), in.get<std::uint32_t>(end + 12, "end"),
               in.get<std::uint16_t>(end + 10, "end")};
@@ -89,18 +90,18 @@ Directory find_directory(const Bytes& in, const char* what) {
   if (d.start == kFull32 || d.size == kFull32 || d.count == kFull16) {
     if (end < kLocatorSize ||
         in.get<std::uint32_t>(end - kLocatorSize, "locator") != kLocatorMark) {
-      in.refuse("expected a Zip64 locator before the end record, found none");
+      in.refuse({.expected = "a Zip64 locator before the end record", .found = "none"});
     }
     const auto at = in.get<std::uint64_t>(end - kLocatorSize + 8, "locator");
     if (in.get<std::uint32_t>(at, "the Zip64 end record") != kEnd64Mark) {
-      in.refuse("expected a Zip64 end record where the locator points, found none");
+      in.refuse({.expected = "a Zip64 end record where the locator points", .found = "none"});
     }
     d = {in.get<std::uint64_t>(at + 48, "Zip64 end"), in.get<std::uint64_t>(at + 40, "Zip64 end"),
          in.get<std::uint64_t>(at + 32, "Zip64 end")};
     limit = at;
   }
   if (d.size > limit || d.start > limit - d.size || d.start + d.size != limit) {
-    in.refuse("the ZIP directory must end where the end record begins, and does not");
+    in.refuse({.says = "the ZIP directory must end where the end record begins, and does not"});
   }
   return d;
 }
@@ -118,13 +119,14 @@ Extent with_zip64(const Bytes& in, std::uint64_t at, std::uint64_t size, Extent 
   for (std::uint64_t i = 0; i + 4 <= size;) {
     const auto id = in.get<std::uint16_t>(at + i, "extra field");
     const auto n = in.get<std::uint16_t>(at + i + 2, "extra field");
-    if (n > size - i - 4) in.refuse("an extra field of the ZIP directory is longer than its place");
+    if (n > size - i - 4)
+      in.refuse({.says = "an extra field of the ZIP directory is longer than its place"});
     if (id == kZip64Extra) {
       std::uint64_t next = at + i + 4;
       const std::uint64_t end = next + n;
       for (std::uint64_t* value : {&extent.size, &extent.stored, &extent.header}) {
         if (*value != kFull32) continue;
-        if (end - next < 8) in.refuse("a Zip64 extra field is too short");
+        if (end - next < 8) in.refuse({.says = "a Zip64 extra field is too short"});
         *value = in.get<std::uint64_t>(next, "Zip64 extra field");
         next += 8;
       }
@@ -146,7 +148,7 @@ void require_alike(const Bytes& in, const ZipEntry& entry, std::uint64_t stored)
   };
   if (method != (entry.deflated ? kDeflated : kStored) || differs(local_stored, stored) ||
       differs(local_size, entry.size)) {
-    in.refuse(fmt::format("{}: the local header and the directory differ", excerpt(entry.name)));
+    in.refuse({.item = excerpt(entry.name), .says = "the local header and the directory differ"});
   }
 }
 
@@ -154,19 +156,20 @@ void require_alike(const Bytes& in, const ZipEntry& entry, std::uint64_t stored)
 std::span<const std::byte> find_data(const Bytes& in, const Directory& d, const ZipEntry& entry,
                                      std::uint64_t size) {
   if (in.get<std::uint32_t>(entry.header, "a local header") != kLocalMark) {
-    in.refuse(fmt::format("{}: expected a local header where the directory points, found none",
-                          excerpt(entry.name)));
+    in.refuse({.item = excerpt(entry.name),
+               .expected = "a local header where the directory points",
+               .found = "none"});
   }
   const auto local_name = in.get<std::uint16_t>(entry.header + 26, "a local header");
   const auto local_extra = in.get<std::uint16_t>(entry.header + 28, "a local header");
   if (in.text(entry.header + kLocalSize, local_name, "a local name") != entry.name) {
-    in.refuse(fmt::format("{}: the local header has another name", excerpt(entry.name)));
+    in.refuse({.item = excerpt(entry.name), .says = "the local header has another name"});
   }
   require_alike(in, entry, size);
   const std::uint64_t start = entry.header + kLocalSize + local_name + local_extra;
   const auto data = in.part(start, size, excerpt(entry.name).c_str());
   if (start + size > d.start) {
-    in.refuse(fmt::format("{}: the entry runs into the directory", excerpt(entry.name)));
+    in.refuse({.item = excerpt(entry.name), .says = "the entry runs into the directory"});
   }
   return data;
 }
@@ -174,7 +177,7 @@ std::span<const std::byte> find_data(const Bytes& in, const Directory& d, const 
 // The entry of the directory at `at`, which then stands at the next.
 ZipEntry read_entry(const Bytes& in, const Directory& d, const ZipRules& rules, std::uint64_t& at) {
   if (in.get<std::uint32_t>(at, "the directory") != kCentralMark) {
-    in.refuse("expected an entry of the ZIP directory, found something else");
+    in.refuse({.expected = "an entry of the ZIP directory", .found = "something else"});
   }
   const auto flags = in.get<std::uint16_t>(at + 8, "directory");
   const auto method = in.get<std::uint16_t>(at + 10, "directory");
@@ -196,11 +199,13 @@ ZipEntry read_entry(const Bytes& in, const Directory& d, const ZipRules& rules, 
   entry.described = (flags & kDescribed) != 0;
   if (flags & kEncrypted) {
     in.refuse(
-        fmt::format("{}: expected a plain entry, found an encrypted one", excerpt(entry.name)));
+        {.item = excerpt(entry.name), .expected = "a plain entry", .found = "an encrypted one"});
   }
   if (!entry.deflated && (method != kStored || extent.stored != extent.size)) {
-    in.refuse(fmt::format("{}: expected an entry stored {}, found method {}", excerpt(entry.name),
-                          rules.foreign ? "or deflated" : "without compression", method));
+    in.refuse({.item = excerpt(entry.name),
+               .expected = fmt::format("an entry stored {}",
+                                       rules.foreign ? "or deflated" : "without compression"),
+               .found = fmt::format("method {}", method)});
   }
   entry.bytes = find_data(in, d, entry, extent.stored);
   return entry;
@@ -213,7 +218,7 @@ void check_names(const Bytes& in, const std::vector<ZipEntry>& entries) {
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
   if (twice == names.end()) return;
-  in.refuse(fmt::format("{}: expected each entry once, found it twice", excerpt(*twice)));
+  in.refuse({.item = excerpt(*twice), .expected = "each entry once", .found = "it twice"});
 }
 
 std::uint64_t end_of(std::span<const std::byte> archive, const ZipEntry& entry) {
@@ -226,7 +231,7 @@ void check_apart(const Bytes& in, std::span<const std::byte> archive,
   std::uint64_t end = 0;
   for (const ZipEntry& entry : entries) {
     if (end > entry.header)
-      in.refuse(fmt::format("{}: overlaps the entry before it", excerpt(entry.name)));
+      in.refuse({.item = excerpt(entry.name), .says = "overlaps the entry before it"});
     end = end_of(archive, entry);
   }
 }
@@ -240,7 +245,7 @@ void check_whole(const Bytes& in, std::span<const std::byte> archive, const Dire
   std::uint64_t most = 0;
   const auto require = [&](std::uint64_t place) {
     if (place < least || place > most) {
-      in.refuse("expected entries one after the other, found bytes that belong to none");
+      in.refuse({.expected = "entries one after the other", .found = "bytes that belong to none"});
     }
   };
   for (const ZipEntry& entry : entries) {
@@ -258,13 +263,14 @@ std::vector<ZipEntry> read_zip(std::span<const std::byte> archive, const std::st
   const Bytes in(archive, name);
   const Directory d = find_directory(in, rules.what);
   if (d.count > rules.most_entries) {
-    in.refuse(
-        fmt::format("expected a ZIP of at most {} entries, found {}", rules.most_entries, d.count));
+    in.refuse({.expected = fmt::format("a ZIP of at most {} entries", rules.most_entries),
+               .found = fmt::to_string(d.count)});
   }
   std::vector<ZipEntry> entries;
   std::uint64_t at = d.start;
   for (std::uint64_t i = 0; i < d.count; ++i) entries.push_back(read_entry(in, d, rules, at));
-  if (at != d.start + d.size) in.refuse("the ZIP directory has another size than it says");
+  if (at != d.start + d.size)
+    in.refuse({.says = "the ZIP directory has another size than it says"});
   std::sort(entries.begin(), entries.end(),
             [](const ZipEntry& a, const ZipEntry& b) { return a.header < b.header; });
   check_names(in, entries);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "geom/base/error.h"
+#include "geom/base/file_error.h"
 
 namespace geom {
 namespace {
@@ -87,11 +88,12 @@ MappedFile::MappedFile(const std::string& path) {
   if (file < 0 || fstat(file, &info) != 0) {
     const int error = errno;
     if (file >= 0) close(file);
-    throw std::system_error(error, std::generic_category(), "cannot read " + path);
+    throw FileError(FileUse::reading, path, error);
   }
   if (!S_ISREG(info.st_mode) || info.st_size == 0) {
     close(file);
-    throw InputError(path, "expected a file with something in it, found an empty or special one");
+    throw InputError(
+        path, {.expected = "a file with something in it", .found = "an empty or special one"});
   }
   const std::lock_guard lock(mappings().mutex);
   Mapping* node = nullptr;
@@ -161,7 +163,7 @@ void trim_mapped_files(std::size_t most) {
 FileState state_of(const std::string& path) {
   struct stat info {};
   if (stat(path.c_str(), &info) != 0) {
-    throw std::system_error(errno, std::generic_category(), "cannot read " + path);
+    throw FileError(FileUse::reading, path, errno);
   }
   return state_of(info);
 }

@@ -84,15 +84,11 @@ std::span<const unsigned char> ByteSource::load() {
   return {at_, end_};
 }
 
-void ByteSource::refuse(std::string_view message) const {
-  throw InputError(source_, std::string(message));
-}
+void ByteSource::refuse(Fault fault) const { throw InputError(source_, std::move(fault)); }
 
 void ByteSource::end_too_early() const {
-  refuse(
-      fmt::format("expected more points at byte {}, where their bytes end: the file is cut "
-                  "short or damaged",
-                  position()));
+  refuse({.expected = fmt::format("more points at byte {}, where their bytes end", position()),
+          .advice = "the file is cut short or damaged"});
 }
 
 }  // namespace geom

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
+
 namespace geom {
 
 // Reads past the end throw InputError. What `bytes` shows and `in` must outlive it. It may have
@@ -49,7 +51,7 @@ class ByteSource {
   std::uint64_t position() const { return behind_ + static_cast<std::uint64_t>(at_ - begin_); }
 
   const std::string& source() const { return source_; }
-  [[noreturn]] void refuse(std::string_view message) const;
+  [[noreturn]] void refuse(Fault fault) const;
 
  private:
   bool fill();

@@ -19,9 +19,10 @@ std::string short_name(const CoordinateReference& told) { return told.name.subst
 [[noreturn]] void contradiction(const std::string& source, const CoordinateReference& told,
                                 double metres, const char* option, const std::string& units) {
   throw InputError(
-      source, fmt::format("its reference system \"{}\" says that a unit is {} m, but {} says {}: "
-                          "leave the option out, or correct the file",
-                          short_name(told), metres, option, units));
+      source,
+      {.says = fmt::format("its reference system \"{}\" says that a unit is {} m, but {} says {}",
+                           short_name(told), metres, option, units),
+       .advice = "leave the option out, or correct the file"});
 }
 
 // Of two that both say it, the file's own; they must not differ.
@@ -29,19 +30,21 @@ std::optional<double> agreed(std::optional<double> file, std::optional<double> p
                              const CoordinateReference& told, const std::string& source) {
   if (file && proj && !same_length(*file, *proj)) {
     throw InputError(
-        source, fmt::format("the file says that a unit is {} m, but in \"{}\", which it names, it "
-                            "is {} m: say which system it is with --crs",
-                            *file, short_name(told), *proj));
+        source, {.says = fmt::format(
+                     "the file says that a unit is {} m, but in \"{}\", which it names, it is {} m",
+                     *file, short_name(told), *proj),
+                 .advice = "say which system it is with --crs"});
   }
   return file ? file : proj;
 }
 
 [[noreturn]] void no_metres(const std::string& source, const CoordinateReference& told) {
   throw InputError(
-      source, fmt::format("its coordinates are not metres on the ground: \"{}\" uses degrees, or "
-                          "metres whose length changes with the place; bring them to metres about "
-                          "a place with --origin LATITUDE,LONGITUDE, or --origin auto",
-                          short_name(told)));
+      source,
+      {.says = fmt::format("its coordinates are not metres on the ground: \"{}\" uses degrees, or "
+                           "metres whose length changes with the place; bring them to metres about "
+                           "a place with --origin LATITUDE,LONGITUDE, or --origin auto",
+                           short_name(told))});
 }
 
 // Further away the plane about the origin means nothing any more.
@@ -49,9 +52,10 @@ void require_near(const Vec3& p, const GeodeticOrigin& origin, const std::string
   constexpr double kFar = 1e6;  // metres
   if (p.head<2>().cwiseAbs().maxCoeff() <= kFar) return;
   throw InputError(
-      source, fmt::format("a point is {:.0f} km from the origin {},{}: give the latitude first, "
-                          "then the longitude, and a place near the cloud, or --origin auto",
-                          p.head<2>().norm() / 1000, origin.latitude, origin.longitude));
+      source, {.says = fmt::format("a point is {:.0f} km from the origin {},{}",
+                                   p.head<2>().norm() / 1000, origin.latitude, origin.longitude),
+               .advice = "give the latitude first, then the longitude, and a place near the cloud, "
+                         "or --origin auto"});
 }
 
 }  // namespace
@@ -68,8 +72,8 @@ CoordinateReference CloudPlace::understood(const CoordinateReference& file,
   reference_.reset();
   if (!options_.crs.empty()) {
     if (!knows_reference(options_.crs)) {
-      throw InputError(source,
-                       "PROJ knows no reference system \"" + options_.crs.substr(0, 80) + '"');
+      throw InputError(source, {.says = fmt::format("PROJ knows no reference system \"{}\"",
+                                                    options_.crs.substr(0, 80))});
     }
     reference_ = ProjReference::of(options_.crs);
     if (file.kind != Kind::none) replaced_ = short_name(file);
@@ -98,10 +102,10 @@ double CloudPlace::plane_unit(const CoordinateReference& told, const std::string
   if (told.kind == Kind::none) return 1;
   if (told.kind == Kind::no_plane) return 1;  // that of heights, where nothing says another
   throw InputError(
-      source,
-      fmt::format("the file names the reference system \"{}\" without the length of its units: "
-                  "give --units m, ft or us-ft, or name it with --crs",
-                  short_name(told)));
+      source, {.says = fmt::format(
+                   "the file names the reference system \"{}\" without the length of its units",
+                   short_name(told)),
+               .advice = "give --units m, ft or us-ft, or name it with --crs"});
 }
 
 double CloudPlace::upward_unit(const CoordinateReference& told, double plane,
@@ -114,11 +118,10 @@ double CloudPlace::upward_unit(const CoordinateReference& told, double plane,
   }
   if (options_.up) return options_.up->metres;
   if (!told.up_unclear) return plane;
-  throw InputError(
-      source,
-      fmt::format("its heights have a reference system of their own, and \"{}\" does not say in "
-                  "which unit: give --vertical-units m, ft or us-ft",
-                  short_name(told)));
+  throw InputError(source, {.says = fmt::format("its heights have a reference system of their own, "
+                                                "and \"{}\" does not say in which unit",
+                                                short_name(told)),
+                            .advice = "give --vertical-units m, ft or us-ft"});
 }
 
 void CloudPlace::settle(const CoordinateReference& file, const std::string& source) {
@@ -140,20 +143,19 @@ void CloudPlace::settle_frame(const CoordinateReference& told, const std::string
   way_.reset();
   if (projects_) {
     if (!reference_) {
-      throw InputError(
-          source,
-          fmt::format("PROJ does not understand its reference system \"{}\", so it cannot be "
-                      "brought to the origin: name the system with --crs",
-                      short_name(told)));
+      throw InputError(source, {.says = fmt::format("PROJ does not understand its reference system "
+                                                    "\"{}\", so it cannot be brought to the origin",
+                                                    short_name(told)),
+                                .advice = "name the system with --crs"});
     }
     if (origin_) lead_to(*origin_);
     return;
   }
   if (options_.origin_near_points) {
-    throw InputError(source,
-                     "its coordinates have no reference system that says where on Earth they "
-                     "are: name it with --crs, or give --origin LATITUDE,LONGITUDE of "
-                     "(0, 0, 0)");
+    throw InputError(
+        source,
+        {.says = "its coordinates have no reference system that says where on Earth they are",
+         .advice = "name it with --crs, or give --origin LATITUDE,LONGITUDE of (0, 0, 0)"});
   }
   frame_.crs = told.crs;
   if (!told.crs.empty() && metres_ != Vec3::Ones()) frame_.crs = "in metres: " + told.crs;

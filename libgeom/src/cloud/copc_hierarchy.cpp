@@ -20,8 +20,8 @@ constexpr std::size_t kEntry = 32;
 constexpr int kDeepest = 30;  // levels, so that a key fits 31 bits
 constexpr std::uint64_t kMostPages = 1 << 22;
 
-[[noreturn]] void refuse(std::string_view source, std::string_view message) {
-  throw InputError(source, message);
+[[noreturn]] void refuse(std::string_view source, Fault fault) {
+  throw InputError(source, std::move(fault));
 }
 
 struct Page {
@@ -50,12 +50,13 @@ class Hierarchy {
  private:
   void read_page(const Page& page) {
     if (page.bytes % kEntry != 0 || page.bytes == 0) {
-      refuse(source_, fmt::format("expected a page of its octree to have entries of {} bytes, "
-                                  "found {} bytes at {}",
-                                  kEntry, page.bytes, page.place));
+      refuse(source_,
+             {.expected = fmt::format("a page of its octree to have entries of {} bytes", kEntry),
+              .found = fmt::format("{} bytes at {}", page.bytes, page.place)});
     }
     if (!seen_.insert(page.place).second || seen_.size() > kMostPages) {
-      refuse(source_, fmt::format("a page of its octree, at byte {}, comes twice", page.place));
+      refuse(source_,
+             {.says = fmt::format("a page of its octree, at byte {}, comes twice", page.place)});
     }
     const std::string bytes = read_whole(read_, page.place, page.bytes, source_);
     for (std::size_t at = 0; at < bytes.size(); at += kEntry) {
@@ -78,9 +79,9 @@ class Hierarchy {
       return;
     }
     if (points < 0 || bytes < 0 || (points > 0) != (bytes > 0)) {
-      refuse(source_, fmt::format("cube {}-{}-{}-{} of its octree is said to have {} points in {} "
-                                  "bytes",
-                                  node.level, node.x, node.y, node.z, points, bytes));
+      refuse(source_, {.says = fmt::format(
+                           "cube {}-{}-{}-{} of its octree is said to have {} points in {} bytes",
+                           node.level, node.x, node.y, node.z, points, bytes)});
     }
     node.bytes = static_cast<std::uint32_t>(bytes);
     node.points = static_cast<std::uint32_t>(points);
@@ -92,8 +93,8 @@ class Hierarchy {
     const std::int32_t side = deep ? 0 : std::int32_t{1} << node.level;
     const auto inside = [&](std::int32_t v) { return v >= 0 && v < side; };
     if (!deep && inside(node.x) && inside(node.y) && inside(node.z)) return;
-    refuse(source_,
-           fmt::format("its octree has no cube {}-{}-{}-{}", node.level, node.x, node.y, node.z));
+    refuse(source_, {.says = fmt::format("its octree has no cube {}-{}-{}-{}", node.level, node.x,
+                                         node.y, node.z)});
   }
 
   void require_keys_once() {
@@ -104,8 +105,8 @@ class Hierarchy {
         std::adjacent_find(nodes_.begin(), nodes_.end(),
                            [&](const CopcNode& a, const CopcNode& b) { return key(a) == key(b); });
     if (twice == nodes_.end()) return;
-    refuse(source_, fmt::format("cube {}-{}-{}-{} of its octree comes twice", twice->level,
-                                twice->x, twice->y, twice->z));
+    refuse(source_, {.says = fmt::format("cube {}-{}-{}-{} of its octree comes twice", twice->level,
+                                         twice->x, twice->y, twice->z)});
   }
 
   const ReadAt& read_;
@@ -118,7 +119,7 @@ class Hierarchy {
 }  // namespace
 
 CopcInfo parse_copc_info(std::string_view data, std::string_view source) {
-  if (data.size() < kInfo) refuse(source, "its record of COPC is cut short");
+  if (data.size() < kInfo) refuse(source, {.says = "its record of COPC is cut short"});
   const auto* bytes = reinterpret_cast<const unsigned char*>(data.data());
   CopcInfo info;
   for (int i = 0; i < 3; ++i) info.centre[i] = number_at<double>(bytes + 8 * i);
@@ -129,9 +130,8 @@ CopcInfo parse_copc_info(std::string_view data, std::string_view source) {
   const auto length = [](double v) { return v > 0 && v <= kLargestCoordinate; };
   if (!(info.centre.cwiseAbs().maxCoeff() <= kLargestCoordinate) || !length(info.half) ||
       !length(info.spacing)) {
-    refuse(source, fmt::format("expected a cube and a spacing of finite lengths > 0 in its record "
-                               "of COPC, found {} and {}",
-                               info.half, info.spacing));
+    refuse(source, {.expected = "a cube and a spacing of finite lengths > 0 in its record of COPC",
+                    .found = fmt::format("{} and {}", info.half, info.spacing)});
   }
   return info;
 }
@@ -157,10 +157,11 @@ std::string read_whole(const ReadAt& read, std::uint64_t at, std::uint64_t bytes
     const std::span<unsigned char> to(reinterpret_cast<unsigned char*>(out.data()) + had,
                                       out.size() - had);
     if (read(at + had, to) < to.size()) {
-      refuse(source,
-             fmt::format("expected {} bytes at byte {}, and the file ends before: it is cut "
-                         "short or damaged",
-                         bytes, at));
+      refuse(
+          source,
+          {.says = fmt::format(
+               "expected {} bytes at byte {}, and the file ends before: it is cut short or damaged",
+               bytes, at)});
     }
   }
   return out;

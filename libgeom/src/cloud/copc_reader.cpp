@@ -4,9 +4,9 @@
 #include <cstring>
 #include <sstream>
 
+#include "base/in_order.h"
 #include "byte_source.h"
 #include "copc_hierarchy.h"
-#include "geom/base/in_order.h"
 #include "geom/cloud/copc.h"
 #include "las_header.h"
 #include "las_records.h"
@@ -20,8 +20,8 @@ constexpr std::size_t kHead = 589;            // the header, and the record of C
 constexpr std::uint64_t kMostHead = 1 << 26;  // records before the points
 constexpr std::size_t kLaterHead = 60;
 
-[[noreturn]] void refuse(std::string_view source, std::string_view message) {
-  throw InputError(source, message);
+[[noreturn]] void refuse(std::string_view source, Fault fault) {
+  throw InputError(source, std::move(fault));
 }
 
 class Reader {
@@ -76,11 +76,11 @@ class Reader {
 
   void read_head() {
     std::string head = read_whole(read_, 0, kHead, source_);
-    if (!is_copc(head)) refuse(source_, "expected a COPC file, found another");
+    if (!is_copc(head)) refuse(source_, {.expected = "a COPC file", .found = "another"});
     const auto points = number_at<std::uint32_t>(reinterpret_cast<unsigned char*>(&head[96]));
     if (points > kMostHead) {
-      refuse(source_, fmt::format("expected points within {} bytes, found them at byte {}",
-                                  kMostHead, points));
+      refuse(source_, {.expected = fmt::format("points within {} bytes", kMostHead),
+                       .found = fmt::format("them at byte {}", points)});
     }
     if (points > kHead) head += read_whole(read_, kHead, points - kHead, source_);
     std::istringstream in(head);
@@ -88,13 +88,16 @@ class Reader {
     LasRecords records = read_las_records(in, header_, source_);
     if (!header_.compressed || header_.format < 6 || header_.format > 8 ||
         records.laz->layout != LazSetup::Layout::layers || !records.laz->chunks_vary()) {
-      refuse(source_, "expected LAZ of point format 6 to 8 in chunks that vary, as COPC has it");
+      refuse(source_,
+             {.expected = "LAZ of point format 6 to 8 in chunks that vary, as COPC has it"});
     }
     reference_ = std::move(records.reference);
     if (reference_.kind == CoordinateReference::Kind::none && described_later()) {
-      refuse(source_,
-             "its reference system stands after its points, where it is not read: write the file "
-             "anew, for example with `pdal translate in.copc.laz out.copc.laz`");
+      refuse(
+          source_,
+          {.says = "its reference system stands after its points, where it is not read",
+           .advice =
+               "write the file anew, for example with `pdal translate in.copc.laz out.copc.laz`"});
     }
     setup_ = std::move(*records.laz);
     info_ = parse_copc_info(records.copc, source_);
@@ -114,7 +117,7 @@ class Reader {
       }
       const auto length = number_at<std::uint64_t>(bytes + 20);
       if (length >= UINT64_MAX - kLaterHead - at) {  // it would lead back, and never end
-        refuse(source_, fmt::format("a record after its points claims {} bytes", length));
+        refuse(source_, {.says = fmt::format("a record after its points claims {} bytes", length)});
       }
       at += kLaterHead + length;
     }
@@ -131,21 +134,23 @@ class Reader {
     std::uint64_t points = 0;
     for (const CopcNode& node : nodes_) {
       if (node.place != at) {
-        refuse(source_, fmt::format("expected the chunk of a cube of its octree at byte {}, found "
-                                    "the next at {}: chunks are missing, or come twice",
-                                    at, node.place));
+        refuse(source_,
+               {.expected = fmt::format("the chunk of a cube of its octree at byte {}", at),
+                .found = fmt::format("the next at {}", node.place),
+                .advice = "chunks are missing, or come twice"});
       }
       at += node.bytes;
       points += node.points;
     }
     if (points != header_.points) {
-      refuse(source_,
-             fmt::format("its header counts {} points, and its octree {}", header_.points, points));
+      refuse(source_, {.says = fmt::format("its header counts {} points, and its octree {}",
+                                           header_.points, points)});
     }
     if (at != table) {
-      refuse(source_, fmt::format("its octree ends at byte {}, and its compressed points at {}: "
-                                  "chunks are missing",
-                                  at, table));
+      refuse(source_,
+             {.says = fmt::format(
+                  "its octree ends at byte {}, and its compressed points at {}: chunks are missing",
+                  at, table)});
     }
   }
 
@@ -179,10 +184,10 @@ class Reader {
                      node.place, source_);
     LazChunk out = LazChunk::of_layers(bytes, setup_, node.points);
     if (out.points() == node.points && out.bytes() == node.bytes) return out;
-    bytes.refuse(fmt::format(
-        "cube {}-{}-{}-{} of its octree is said to have {} points in {} bytes, "
-        "and has {} in {}",
-        node.level, node.x, node.y, node.z, node.points, node.bytes, out.points(), out.bytes()));
+    bytes.refuse({.says = fmt::format("cube {}-{}-{}-{} of its octree is said to have {} points in "
+                                      "{} bytes, and has {} in {}",
+                                      node.level, node.x, node.y, node.z, node.points, node.bytes,
+                                      out.points(), out.bytes())});
   }
 
   void take(const NodeChunk& read, const CopcPart& part, PointChunks& chunks) {
@@ -202,10 +207,10 @@ class Reader {
   }
 
   [[noreturn]] void leaves_cube(const CopcNode& node, const Vec3& p) const {
-    refuse(source_,
-           fmt::format("point [{}, {}, {}] lies outside its cube {}-{}-{}-{} of the octree: "
-                       "read the file whole, without bounds and resolution",
-                       p.x(), p.y(), p.z(), node.level, node.x, node.y, node.z));
+    refuse(source_, {.says = fmt::format(
+                         "point [{}, {}, {}] lies outside its cube {}-{}-{}-{} of the octree",
+                         p.x(), p.y(), p.z(), node.level, node.x, node.y, node.z),
+                     .advice = "read the file whole, without bounds and resolution"});
   }
 
   CopcCounts counts_;

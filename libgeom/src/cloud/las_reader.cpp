@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kLaterHead = 60;
 
-[[noreturn]] void refuse(std::string_view source, std::string_view message) {
-  throw InputError(source, message);
+[[noreturn]] void refuse(std::string_view source, Fault fault) {
+  throw InputError(source, std::move(fault));
 }
 
 // Whether points that the header does not count follow those it does: `room` bytes or more up to
@@ -30,8 +30,8 @@ void require_no_more(ByteSource& rest, const LasHeader& h, std::uint64_t room) {
   if (h.waveforms >= end) next = std::min(next, h.waveforms);
   const bool known_end = next != std::numeric_limits<std::uint64_t>::max();
   if (known_end ? next - end >= room : rest.skip(room) == room) {
-    rest.refuse(
-        fmt::format("expected {} points of {} bytes, and the file holds more", h.points, h.record));
+    rest.refuse({.says = fmt::format("expected {} points of {} bytes, and the file holds more",
+                                     h.points, h.record)});
   }
 }
 
@@ -39,13 +39,15 @@ void require_no_more(ByteSource& rest, const LasHeader& h, std::uint64_t room) {
 bool described_later(ByteSource& rest, const LasHeader& h) {
   if (h.later_count == 0) return false;
   const std::uint64_t end = rest.position();
-  const auto cut_short = [&] { rest.refuse("its records after the points are cut short"); };
+  const auto cut_short = [&] {
+    rest.refuse({.says = "its records after the points are cut short"});
+  };
   const auto skip = [&](std::uint64_t bytes) {
     if (rest.skip(bytes) < bytes) cut_short();
   };
   if (h.later_records < end) {
-    rest.refuse(fmt::format("expected its later records after byte {}, found them at {}", end,
-                            h.later_records));
+    rest.refuse({.expected = fmt::format("its later records after byte {}", end),
+                 .found = fmt::format("them at {}", h.later_records)});
   }
   skip(h.later_records - end);
   for (std::uint32_t i = 0; i < h.later_count; ++i) {
@@ -63,8 +65,8 @@ void read_points(ByteSource& bytes, const LasHeader& h, PointChunks& chunks) {
   std::vector<unsigned char> record(h.record);
   for (std::uint64_t i = 0; i < h.points; ++i) {
     if (bytes.copy(record) < h.record) {
-      bytes.refuse(
-          fmt::format("expected {}, and the file ends after {}", counted(h.points, "point"), i));
+      bytes.refuse({.says = fmt::format("expected {}, and the file ends after {}",
+                                        counted(h.points, "point"), i)});
     }
     const Vec3 raw(number_at<std::int32_t>(&record[0]), number_at<std::int32_t>(&record[4]),
                    number_at<std::int32_t>(&record[8]));
@@ -100,8 +102,8 @@ CloudCounts read_las(std::istream& in, std::string_view source, const PointSink&
   }
   if (described_later(bytes, h) && told.reference.kind == CoordinateReference::Kind::none) {
     refuse(source,
-           "its reference system stands after its points, where it is not read: write the file "
-           "anew, for example with `pdal translate in.las out.las`");
+           {.says = "its reference system stands after its points, where it is not read",
+            .advice = "write the file anew, for example with `pdal translate in.las out.las`"});
   }
   return chunks.finish();
 }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kRecordHead = 54;
 
-[[noreturn]] void refuse(std::string_view source, std::string_view message) {
-  throw InputError(source, message);
+[[noreturn]] void refuse(std::string_view source, Fault fault) {
+  throw InputError(source, std::move(fault));
 }
 
 // What the records say of the coordinates, gathered while they pass.
@@ -56,9 +56,10 @@ class References {
                       same_unit(of_text.up, of_keys.up) &&
                       (!of_text.epsg || !of_keys.epsg || of_text.epsg == of_keys.epsg);
     if (!same) {
-      refuse(source_, fmt::format("its well-known text ({}) and its GeoTIFF keys ({}) contradict "
-                                  "each other",
-                                  of_text.name, of_keys.name));
+      refuse(source_,
+             {.says = fmt::format(
+                  "its well-known text ({}) and its GeoTIFF keys ({}) contradict each other",
+                  of_text.name, of_keys.name)});
     }
     return well_known_text || !of_keys.plane ? of_text : of_keys;
   }
@@ -78,21 +79,24 @@ LasRecords read_las_records(std::istream& in, const LasHeader& h, std::string_vi
   LasRecords out;
   std::uint64_t left = h.data - h.size;
   const auto cut_short = [&] {
-    refuse(source, fmt::format("expected points at byte {}, and the file ends before", h.data));
+    refuse(source,
+           {.says = fmt::format("expected points at byte {}, and the file ends before", h.data)});
   };
   for (std::uint32_t i = 0; i < h.records; ++i) {
     unsigned char head[kRecordHead];
     if (left < kRecordHead) {
-      refuse(source, fmt::format("expected {} records before the points at byte {}, and {} fit",
-                                 h.records, h.data, i));
+      refuse(source,
+             {.says = fmt::format("expected {} records before the points at byte {}, and {} fit",
+                                  h.records, h.data, i)});
     }
     in.read(reinterpret_cast<char*>(head), kRecordHead);
     if (static_cast<std::size_t>(in.gcount()) < kRecordHead) cut_short();
     left -= kRecordHead;
     const std::uint16_t length = number_at<std::uint16_t>(head + 20);
     if (length > left) {
-      refuse(source, fmt::format("record {} of {} bytes reaches beyond the points at byte {}", i,
-                                 length, h.data));
+      refuse(source,
+             {.says = fmt::format("record {} of {} bytes reaches beyond the points at byte {}", i,
+                                  length, h.data)});
     }
     std::string data(length, '\0');
     in.read(data.data(), length);
@@ -110,9 +114,8 @@ LasRecords read_las_records(std::istream& in, const LasHeader& h, std::string_vi
   in.ignore(static_cast<std::streamsize>(left));
   if (static_cast<std::uint64_t>(in.gcount()) < left) cut_short();
   if (h.compressed && !out.laz) {
-    refuse(source,
-           "its points are compressed, and no record \"laszip encoded\" says how: the file is "
-           "damaged");
+    refuse(source, {.says = "its points are compressed, and no record \"laszip encoded\" says how",
+                    .advice = "the file is damaged"});
   }
   out.reference = references.reference(h.well_known_text);
   return out;

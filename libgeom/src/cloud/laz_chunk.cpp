@@ -55,10 +55,9 @@ void LazChunk::for_each(const LazSetup& setup, std::string_view source,
   ByteSource from(std::get<std::vector<unsigned char>>(code_), at_, source);
   read_laz_items(from, setup, points_, sink);
   if (from.position() == end_) return;
-  from.refuse(
-      fmt::format("its table of chunks says that a chunk of {} points at byte {} has {} "
-                  "bytes, and it has {}",
-                  points_, at_, bytes(), from.position() - at_));
+  from.refuse({.says = fmt::format("its table of chunks says that a chunk of {} points at byte {} "
+                                   "has {} bytes, and it has {}",
+                                   points_, at_, bytes(), from.position() - at_)});
 }
 
 void read_laz_items(ByteSource& bytes, const LazSetup& setup, std::uint64_t points,

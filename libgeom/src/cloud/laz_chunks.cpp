@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "base/in_order.h"
 #include "geom/base/error.h"
-#include "geom/base/in_order.h"
 #include "integer_decoder.h"
 #include "laz_chunk.h"
 
@@ -24,12 +24,13 @@ using Layout = LazSetup::Layout;
 std::vector<Chunk> read_table(ByteSource& bytes, bool with_points, std::uint64_t chunks,
                               bool at_most) {
   if (const auto version = bytes.number<std::uint32_t>(); version != 0) {
-    bytes.refuse(fmt::format("expected a table of chunks of version 0, found {}", version));
+    bytes.refuse({.expected = "a table of chunks of version 0", .found = fmt::to_string(version)});
   }
   const std::uint64_t count = bytes.number<std::uint32_t>();
   if (at_most ? count > chunks : count != chunks) {
-    bytes.refuse(fmt::format("its table of chunks has {} entries, and its points take {}{}", count,
-                             at_most ? "at most " : "", chunks));
+    bytes.refuse(
+        {.says = fmt::format("its table of chunks has {} entries, and its points take {}{}", count,
+                             at_most ? "at most " : "", chunks)});
   }
   std::vector<Chunk> table;
   if (count == 0) return table;
@@ -63,10 +64,10 @@ class TablePlace {
     const std::uint64_t here = bytes.position();
     if (!at_end() && place() != here) {
       bytes.refuse(
-          fmt::format("its compressed points end at byte {}, and their table of chunks is "
-                      "said to be at byte {}: the file is damaged, or holds more or fewer "
-                      "points than its header says",
-                      here, place_));
+          {.says = fmt::format("its compressed points end at byte {}, and their table of chunks is "
+                               "said to be at byte {}",
+                               here, place_),
+           .advice = "the file is damaged, or holds more or fewer points than its header says"});
     }
     const std::vector<Chunk> table = read_table(bytes, with_points, found.size(), false);
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -82,14 +83,15 @@ class TablePlace {
  private:
   [[noreturn]] static void differs(ByteSource& bytes, std::size_t chunk, std::uint64_t told,
                                    std::uint64_t found, const char* of) {
-    bytes.refuse(fmt::format("its table of chunks says that chunk {} has {} {}, and it has {}",
-                             chunk, told, of, found));
+    bytes.refuse(
+        {.says = fmt::format("its table of chunks says that chunk {} has {} {}, and it has {}",
+                             chunk, told, of, found)});
   }
 
   static void require_place(ByteSource& bytes, std::uint64_t here) {
     if (const auto told = bytes.number<std::uint64_t>(); told != here) {
-      bytes.refuse(fmt::format("expected the place of the table of chunks, {}, after it, found {}",
-                               here, told));
+      bytes.refuse({.expected = fmt::format("the place of the table of chunks, {}, after it", here),
+                    .found = fmt::to_string(told)});
     }
   }
 
@@ -106,10 +108,10 @@ std::vector<Chunk> table_ahead(ByteSource& bytes, const TablePlace& place, const
     at = ByteSource(last, 0, "").number<std::uint64_t>();
   }
   if (at < start || at - start >= rest.size()) {
-    bytes.refuse(
-        fmt::format("expected its table of chunks between bytes {} and {}, found it at "
-                    "{}: the file is cut short or damaged",
-                    start, start + rest.size(), at));
+    bytes.refuse({.expected = fmt::format("its table of chunks between bytes {} and {}", start,
+                                          start + rest.size()),
+                  .found = fmt::format("it at {}", at),
+                  .advice = "the file is cut short or damaged"});
   }
   ByteSource ahead(rest.subspan(at - start), at, bytes.source());
   return read_table(ahead, true, rest.size() / setup.point_bytes, true);
@@ -195,8 +197,8 @@ class Reader {
     const std::uint64_t most = vary ? left_ : std::min<std::uint64_t>(setup_.chunk_points, left_);
     LazChunk chunk = LazChunk::of_layers(bytes_, setup_, most);
     if (!vary && chunk.points() != most) {
-      bytes_.refuse(
-          fmt::format("expected a chunk of {} points, and it says {}", most, chunk.points()));
+      bytes_.refuse({.says = fmt::format("expected a chunk of {} points, and it says {}", most,
+                                         chunk.points())});
     }
     return chunk;
   }
@@ -205,10 +207,9 @@ class Reader {
     const std::size_t number = found_.size();
     const Chunk told = number < table_.size() ? table_[number] : Chunk();
     if (told.points == 0 || told.points > left_) {
-      bytes_.refuse(
-          fmt::format("its table of chunks says that chunk {} has {} points, and {} are "
-                      "left",
-                      number, told.points, left_));
+      bytes_.refuse({.says = fmt::format(
+                         "its table of chunks says that chunk {} has {} points, and {} are left",
+                         number, told.points, left_)});
     }
     return LazChunk::of_items(bytes_, told.points, told.bytes);
   }

@@ -72,9 +72,9 @@ class Layer {
     if (code_) code_->require_end();
     if (bytes_.position() != end_) {
       bytes_.refuse(
-          fmt::format("its compressed points are damaged: a layer ends at byte {}, and "
-                      "its points at {}",
-                      end_, bytes_.position()));
+          {.says = fmt::format(
+               "its compressed points are damaged: a layer ends at byte {}, and its points at {}",
+               end_, bytes_.position())});
     }
   }
 
@@ -210,10 +210,9 @@ LazLayers read_laz_layers(ByteSource& bytes, const LazSetup& setup, std::uint64_
   bytes.read(setup.point_bytes, out.first);
   out.points = bytes.number<std::uint32_t>();
   if (out.points == 0 || out.points > at_most) {
-    bytes.refuse(
-        fmt::format("a chunk of compressed points says that it holds {}, and 1 to {} are "
-                    "left",
-                    out.points, at_most));
+    bytes.refuse({.says = fmt::format(
+                      "a chunk of compressed points says that it holds {}, and 1 to {} are left",
+                      out.points, at_most)});
   }
   std::vector<std::uint32_t> sizes;
   for (const LazItem& item : setup.items) {
@@ -225,10 +224,10 @@ LazLayers read_laz_layers(ByteSource& bytes, const LazSetup& setup, std::uint64_
     out.layers[i].at = bytes.position();
     bytes.read(sizes[i], out.layers[i].bytes);
   }
-  if (sizes[0] == 0) bytes.refuse("a chunk of compressed points has no layer of places");
+  if (sizes[0] == 0) bytes.refuse({.says = "a chunk of compressed points has no layer of places"});
   for (std::size_t i = out.layers.size(); i < sizes.size(); ++i) {
     if (bytes.skip(sizes[i]) < sizes[i]) {
-      bytes.refuse("a chunk of compressed points is cut short");
+      bytes.refuse({.says = "a chunk of compressed points is cut short"});
     }
   }
   return out;

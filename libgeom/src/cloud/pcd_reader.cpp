@@ -41,15 +41,15 @@ class PcdReader {
     } else if (data == "binary_compressed") {
       read_compressed();
     } else {
-      refuse("expected DATA ascii, binary or binary_compressed, found \"" + data.substr(0, 40) +
-             "\"");
+      refuse({.expected = "DATA ascii, binary or binary_compressed",
+              .found = in_quotes(data.substr(0, 40))});
     }
     return chunks_.finish();
   }
 
  private:
-  [[noreturn]] void refuse(std::string_view message) const {
-    throw InputError(source_, line_, message);
+  [[noreturn]] void refuse(Fault fault) const {
+    throw InputError(source_, line_, std::move(fault));
   }
 
   std::string read_header() {
@@ -62,13 +62,13 @@ class PcdReader {
     while (line_ < 1000 && std::getline(in_, text)) {
       ++line_;
       begin_ += text.size() + 1;
-      if (trimmed(text).find('\r') != std::string_view::npos) refuse(kLoneReturn);
+      if (trimmed(text).find('\r') != std::string_view::npos) refuse(lone_return());
       std::istringstream words(text);
       std::string key;
       words >> key;
       if (key == "COLUMNS") key = "FIELDS";
       if (!key.empty() && key[0] != '#' && !seen.insert(key).second) {
-        refuse(fmt::format("expected {} once, found it again", key.substr(0, 40)));
+        refuse({.expected = fmt::format("{} once", key.substr(0, 40)), .found = "it again"});
       }
       const std::vector<std::string> values{std::istream_iterator<std::string>(words), {}};
       if (key == "FIELDS") names = values;
@@ -82,14 +82,15 @@ class PcdReader {
       make_fields(names, sizes, types, counts);
       return values.empty() ? "" : values[0];
     }
-    refuse("expected a PCD header with FIELDS, SIZE, TYPE and DATA, and it is cut short");
+    refuse({.says = "expected a PCD header with FIELDS, SIZE, TYPE and DATA, and it is cut short"});
   }
 
   std::uint64_t whole(const std::vector<std::string>& values, const std::string& key) const {
     const auto value = values.size() == 1 ? parse_number(values[0]) : std::nullopt;
     if (!value || !(*value >= 0 && *value < 0x1p40) || *value != std::floor(*value)) {
-      refuse(fmt::format("{} must be a whole number, found \"{}\"", key,
-                         values.empty() ? "" : values[0].substr(0, 40)));
+      refuse({.key = key,
+              .expected = "a whole number",
+              .found = in_quotes(values.empty() ? "" : values[0].substr(0, 40))});
     }
     return static_cast<std::uint64_t>(*value);
   }
@@ -98,9 +99,11 @@ class PcdReader {
                    const std::vector<std::string>& types, const std::vector<std::string>& counts) {
     if (names.empty() || sizes.size() != names.size() || types.size() != names.size() ||
         (!counts.empty() && counts.size() != names.size())) {
-      refuse("FIELDS, SIZE, TYPE and COUNT must have the same number of entries, at least one");
+      refuse(
+          {.says =
+               "FIELDS, SIZE, TYPE and COUNT must have the same number of entries, at least one"});
     }
-    if (names.size() > 1000) refuse("expected at most 1000 fields");
+    if (names.size() > 1000) refuse({.expected = "at most 1000 fields"});
     for (std::size_t i = 0; i < names.size(); ++i) {
       Field field;
       field.name = names[i];
@@ -108,39 +111,42 @@ class PcdReader {
       field.count = counts.empty() ? 1 : whole({counts[i]}, "COUNT");
       field.offset = record_;
       if (!field.scalar.valid() || field.count > 1000000) {
-        refuse(fmt::format("field {}: expected TYPE F, I or U of 1, 2, 4 or 8 bytes, found {} {}",
-                           names[i].substr(0, 40), types[i].substr(0, 4), sizes[i].substr(0, 8)));
+        refuse({.item = fmt::format("field {}", names[i].substr(0, 40)),
+                .expected = "TYPE F, I or U of 1, 2, 4 or 8 bytes",
+                .found = fmt::format("{} {}", types[i].substr(0, 4), sizes[i].substr(0, 8))});
       }
       record_ += field.bytes();
       if (record_ > kLargestRecord) {
-        refuse(fmt::format("expected at most {} bytes a point, found {} up to field {}",
-                           kLargestRecord, record_, names[i].substr(0, 40)));
+        refuse({.expected = fmt::format("at most {} bytes a point", kLargestRecord),
+                .found = fmt::format("{} up to field {}", record_, names[i].substr(0, 40))});
       }
       fields_.push_back(std::move(field));
       const std::string& name = fields_.back().name;
       const char letter = static_cast<char>(name[0] | 0x20);  // some write X, Y, Z
       if (name.size() != 1 || letter < 'x' || letter > 'z') continue;
       std::size_t& axis = axis_[letter - 'x'];
-      if (axis != SIZE_MAX) refuse(fmt::format("expected one field {}, found another", letter));
+      if (axis != SIZE_MAX)
+        refuse({.expected = fmt::format("one field {}", letter), .found = "another"});
       axis = i;
     }
     for (int k = 0; k < 3; ++k) {
       if (axis_[k] >= fields_.size() || fields_[axis_[k]].count != 1) {
-        refuse("expected the fields x, y and z, found not all of them");
+        refuse({.expected = "the fields x, y and z", .found = "not all of them"});
       }
     }
     const std::uint64_t grid = width_ * height_;
     if (points_ == 0) points_ = grid;
     if (grid != 0 && grid != points_) {
-      refuse(fmt::format("POINTS must be WIDTH times HEIGHT, found {} and {} x {}", points_, width_,
-                         height_));
+      refuse({.key = "POINTS",
+              .expected = "WIDTH times HEIGHT",
+              .found = fmt::format("{} and {} x {}", points_, width_, height_)});
     }
   }
 
   void ended(std::uint64_t found) const {
     if (found < points_) {
-      refuse(
-          fmt::format("expected {}, and the file ends after {}", counted(points_, "point"), found));
+      refuse({.says = fmt::format("expected {}, and the file ends after {}",
+                                  counted(points_, "point"), found)});
     }
   }
 
@@ -157,7 +163,7 @@ class PcdReader {
         for (std::uint64_t k = 0; k < fields_[i].count; ++k) {
           if (!(words >> word)) {
             if (!any) break;
-            refuse(fmt::format("expected {}, found fewer", numbers_of_point()));
+            refuse({.expected = numbers_of_point(), .found = "fewer"});
           }
           any = true;
           for (int axis = 0; axis < 3; ++axis) {
@@ -168,8 +174,8 @@ class PcdReader {
       }
       if (!any) continue;  // an empty line
       if (words >> word) {
-        refuse(fmt::format("expected {}, found \"{}\" after them", numbers_of_point(),
-                           word.substr(0, 40)));
+        refuse({.expected = numbers_of_point(),
+                .found = fmt::format("\"{}\" after them", word.substr(0, 40))});
       }
       chunks_.add(p);
       ++found;
@@ -185,12 +191,13 @@ class PcdReader {
   }
 
   [[noreturn]] void more() const {
-    refuse(fmt::format("expected {}, and the file holds more", counted(points_, "point")));
+    refuse(
+        {.says = fmt::format("expected {}, and the file holds more", counted(points_, "point"))});
   }
 
   double number(const std::string& word) const {
     const auto value = parse_number(word);
-    if (!value) refuse("expected a number, found \"" + word.substr(0, 40) + "\"");
+    if (!value) refuse({.expected = "a number", .found = in_quotes(word.substr(0, 40))});
     return *value;
   }
 
@@ -225,15 +232,16 @@ class PcdReader {
   void read_compressed() {
     unsigned char sizes[8];
     in_.read(reinterpret_cast<char*>(sizes), 8);
-    if (in_.gcount() < 8) refuse("the compressed data are cut short");
+    if (in_.gcount() < 8) refuse({.says = "the compressed data are cut short"});
     const std::uint64_t packed = number_at<std::uint32_t>(sizes);
     const std::uint64_t unpacked = number_at<std::uint32_t>(sizes + 4);
     if (points_ > kMostUnpacked / record_ || unpacked != points_ * record_) {
-      refuse(fmt::format("expected {} points of {} bytes, found {} bytes", points_, record_,
-                         unpacked));
+      refuse({.expected = fmt::format("{} points of {} bytes", points_, record_),
+              .found = fmt::format("{} bytes", unpacked)});
     }
     // LZF packs to no less than a 1/264th: what promises more lies, before memory is taken.
-    if (unpacked > 264 * packed + 264) refuse("the compressed data are too short for their points");
+    if (unpacked > 264 * packed + 264)
+      refuse({.says = "the compressed data are too short for their points"});
     std::string from;
     constexpr std::uint64_t kStep = 1 << 20;
     while (from.size() < packed) {
@@ -241,14 +249,14 @@ class PcdReader {
       from.resize(std::min(packed, at + kStep));
       in_.read(from.data() + at, static_cast<std::streamsize>(from.size() - at));
       if (static_cast<std::size_t>(in_.gcount()) < from.size() - at) {
-        refuse("the compressed data are cut short");
+        refuse({.says = "the compressed data are cut short"});
       }
     }
     std::vector<unsigned char> to(unpacked);
     if (lzf_decompress(from.data(), static_cast<unsigned>(packed), to.data(),
                        static_cast<unsigned>(unpacked)) != unpacked &&
         unpacked > 0) {
-      refuse("the compressed data are damaged");
+      refuse({.says = "the compressed data are damaged"});
     }
     for (std::uint64_t i = 0; i < points_; ++i) {
       Vec3 p;

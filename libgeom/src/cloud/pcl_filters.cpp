@@ -43,10 +43,9 @@ void refuse_many_voxels(const CloudPoints& points, double side, std::string_view
   }
   const double cells = ((high - low).array() / side + 3).prod();
   if (cells < 0x1p31) return;
-  throw InputError(
-      source, fmt::format("expected less than 2^31 voxels around the points, found {:.3g}: use a "
-                          "larger --voxel, or drop far points first",
-                          cells));
+  throw InputError(source, {.expected = "less than 2^31 voxels around the points",
+                            .found = fmt::format("{:.3g}", cells),
+                            .advice = "use a larger --voxel, or drop far points first"});
 }
 
 }  // namespace

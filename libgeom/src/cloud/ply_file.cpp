@@ -31,14 +31,14 @@ PlyFile::PlyFile(std::istream& in, std::string_view source) : in_(in), source_(s
   read_header();
 }
 
-void PlyFile::refuse(std::string_view message) const { throw InputError(source_, line_, message); }
+void PlyFile::refuse(Fault fault) const { throw InputError(source_, line_, std::move(fault)); }
 
 std::string PlyFile::next_line() {
   std::string line;
-  if (line_ > 10000 || !std::getline(in_, line)) refuse("the header is cut short");
+  if (line_ > 10000 || !std::getline(in_, line)) refuse({.says = "the header is cut short"});
   ++line_;
   const std::string_view text = trimmed(line);
-  if (text.find('\r') != text.npos) refuse(kLoneReturn);
+  if (text.find('\r') != text.npos) refuse(lone_return());
   return std::string(text);
 }
 
@@ -51,7 +51,7 @@ Scalar PlyFile::scalar(const std::string& word) const {
   for (const auto& [name, type] : kTypes) {
     if (word == name) return type;
   }
-  refuse(fmt::format("expected a type of PLY, found \"{}\"", word.substr(0, 40)));
+  refuse({.expected = "a type of PLY", .found = in_quotes(word.substr(0, 40))});
 }
 
 void PlyFile::set_format(const std::string& name) {
@@ -62,15 +62,15 @@ void PlyFile::set_format(const std::string& name) {
   } else if (name == "binary_big_endian") {
     encoding_ = Encoding::big;
   } else {
-    refuse("expected format ascii, binary_little_endian or binary_big_endian, found \"" +
-           name.substr(0, 40) + "\"");
+    refuse({.expected = "format ascii, binary_little_endian or binary_big_endian",
+            .found = in_quotes(name.substr(0, 40))});
   }
 }
 
 void PlyFile::read_header() {
   if (const std::string first = next_line(); first != "ply") {
-    refuse(fmt::format("expected a PLY file, whose first line is ply, found \"{}\"",
-                       first.substr(0, 40)));
+    refuse({.expected = "a PLY file, whose first line is ply",
+            .found = in_quotes(first.substr(0, 40))});
   }
   bool format = false;
   for (std::string line = next_line(); line != "end_header"; line = next_line()) {
@@ -87,23 +87,23 @@ void PlyFile::read_header() {
     } else if (key == "element") {
       PlyElement element;
       if (!(words >> element.name >> element.count)) {
-        refuse(fmt::format("expected \"element NAME COUNT\", found \"{}\"", line.substr(0, 40)));
+        refuse({.expected = "\"element NAME COUNT\"", .found = in_quotes(line.substr(0, 40))});
       }
       elements_.push_back(std::move(element));
     } else if (key == "property") {
-      if (elements_.empty()) refuse("expected an element before its properties, found none");
+      if (elements_.empty())
+        refuse({.expected = "an element before its properties", .found = "none"});
       add_property(words);
     } else {
-      refuse(
-          fmt::format("expected format, element, property, comment, obj_info or end_header, "
-                      "found \"{}\"",
-                      line.substr(0, 40)));
+      refuse({.expected = "format, element, property, comment, obj_info or end_header",
+              .found = in_quotes(line.substr(0, 40))});
     }
     if (std::string more; words >> more) {
-      refuse(fmt::format("expected nothing after \"{} …\", found \"{}\"", key, more.substr(0, 40)));
+      refuse({.expected = fmt::format("nothing after \"{} …\"", key),
+              .found = in_quotes(more.substr(0, 40))});
     }
   }
-  if (!format) refuse("expected a line \"format …\" in the header, found none");
+  if (!format) refuse({.expected = "a line \"format …\" in the header", .found = "none"});
 }
 
 void PlyFile::add_property(std::istream& words) {
@@ -115,15 +115,15 @@ void PlyFile::add_property(std::istream& words) {
     words >> count >> type;
     property.count = scalar(count);
     if (property.count->type == 'F')
-      refuse("the count of a list must be an integer, found a float");
+      refuse({.key = "the count of a list", .expected = "an integer", .found = "a float"});
   }
   property.scalar = scalar(type);
-  if (!(words >> property.name)) refuse("expected the name of the property, found none");
+  if (!(words >> property.name)) refuse({.expected = "the name of the property", .found = "none"});
   std::vector<PlyProperty>& known = elements_.back().properties;
   for (const PlyProperty& other : known) {
     if (other.name == property.name) {
-      refuse(fmt::format("expected one property {} of an element, found another",
-                         property.name.substr(0, 40)));
+      refuse({.expected = fmt::format("one property {} of an element", property.name.substr(0, 40)),
+              .found = "another"});
     }
   }
   known.push_back(std::move(property));
@@ -137,7 +137,7 @@ void PlyFile::read_row(const PlyElement& element, std::uint64_t i) {
     if (property.count) {
       const double listed = next_scalar(element, *property.count, i);
       if (!(listed >= 0 && listed <= 0xffffffff)) {
-        refuse(fmt::format("a list must have 0 to 2^32 - 1 entries, found {}", listed));
+        refuse({.says = "a list must have 0 to 2^32 - 1 entries", .found = fmt::to_string(listed)});
       }
       count = static_cast<std::uint64_t>(listed);
     }
@@ -154,23 +154,25 @@ void PlyFile::require_row_end(const PlyElement& element, std::uint64_t i) {
   std::string rest;
   std::getline(in_, rest);
   if (trimmed(rest).empty()) return;
-  refuse(fmt::format("{} {}: expected the line to end after {}, found \"{}\" after it",
-                     element.name.substr(0, 40), i, counted(row_.values_.size(), "number"),
-                     trimmed(rest).substr(0, 40)));
+  refuse(
+      {.item = fmt::format("{} {}", element.name.substr(0, 40), i),
+       .expected = fmt::format("the line to end after {}", counted(row_.values_.size(), "number")),
+       .found = fmt::format("\"{}\" after it", trimmed(rest).substr(0, 40))});
 }
 
 double PlyFile::next_scalar(const PlyElement& element, const Scalar& scalar, std::uint64_t i) {
   const auto ended = [&] {
-    refuse(fmt::format("expected {} of element \"{}\", and the file ends after {}", element.count,
-                       element.name.substr(0, 40), i));
+    refuse({.says = fmt::format("expected {} of element \"{}\", and the file ends after {}",
+                                element.count, element.name.substr(0, 40), i)});
   };
   if (encoding_ == Encoding::ascii) {
     std::string word;
     if (!(in_ >> word)) ended();
     const auto value = parse_number(word);
     if (!value) {
-      refuse(fmt::format("{} {}: expected a number, found \"{}\"", element.name.substr(0, 40), i,
-                         word.substr(0, 40)));
+      refuse({.item = fmt::format("{} {}", element.name.substr(0, 40), i),
+              .expected = "a number",
+              .found = in_quotes(word.substr(0, 40))});
     }
     return *value;
   }
@@ -182,7 +184,9 @@ double PlyFile::next_scalar(const PlyElement& element, const Scalar& scalar, std
 
 void PlyFile::require_end() {
   if (in_ >> std::ws && in_.peek() != std::char_traits<char>::eof()) {
-    refuse("expected the file to end after the elements that its header names, and it goes on");
+    refuse(
+        {.says =
+             "expected the file to end after the elements that its header names, and it goes on"});
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "point_chunks.h"
 
 namespace geom {
@@ -64,7 +65,7 @@ class PlyFile {
 
   void require_end();  // after the last
 
-  [[noreturn]] void refuse(std::string_view message) const;
+  [[noreturn]] void refuse(Fault fault) const;
 
  private:
   enum class Encoding { ascii, little, big };

@@ -13,7 +13,8 @@ void read_points(PlyFile& file, const PlyElement& element, PointChunks& chunks) 
   const auto y = element.find("y", false);
   const auto z = element.find("z", false);
   if (!x || !y || !z) {
-    file.refuse("expected the properties x, y and z of element \"vertex\", found not all of them");
+    file.refuse({.expected = "the properties x, y and z of element \"vertex\"",
+                 .found = "not all of them"});
   }
   file.for_each_row(element, [&](const PlyRow& row, std::uint64_t) {
     chunks.add({row.of(*x)[0], row.of(*y)[0], row.of(*z)[0]});
@@ -41,7 +42,7 @@ CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink&
     }
   }
   file.require_end();
-  if (!points) file.refuse("expected an element \"vertex\", found none");
+  if (!points) file.refuse({.expected = "an element \"vertex\"", .found = "none"});
   CloudCounts counts = chunks.finish();
   counts.skipped = std::move(skipped);
   return counts;

@@ -26,9 +26,9 @@ class PointChunks {
       return;
     }
     if (p.cwiseAbs().maxCoeff() > kLargestCoordinate) {
-      throw InputError(source_, "point " + std::to_string(counts_.read) +
-                                    " must be within 1e8 m of the origin, found " +
-                                    std::to_string(p.cwiseAbs().maxCoeff()));
+      throw InputError(source_, {.key = "point " + std::to_string(counts_.read),
+                                 .expected = "within 1e8 m of the origin",
+                                 .found = std::to_string(p.cwiseAbs().maxCoeff())});
     }
     chunk_.push_back({p, cls});
     if (chunk_.size() == kChunk) flush();

@@ -172,9 +172,10 @@ Object way_between(PJ_CONTEXT* context, const PJ* from, const std::string& to) {
 
 [[noreturn]] void no_way(const std::string& source, const std::string& name) {
   throw InputError(
-      source, fmt::format("PROJ knows no way from the reference system \"{}\" to places on Earth: "
-                          "say which it is with --crs, for example --crs EPSG:25832",
-                          name.substr(0, 80)));
+      source,
+      {.says = fmt::format("PROJ knows no way from the reference system \"{}\" to places on Earth",
+                           name.substr(0, 80)),
+       .advice = "say which it is with --crs, for example --crs EPSG:25832"});
 }
 
 }  // namespace
@@ -201,9 +202,9 @@ void ProjWay::project(std::span<CloudPoint> points) const {
     if (p.position.allFinite()) continue;
     throw InputError(
         impl_->source,
-        fmt::format("PROJ cannot tell where on Earth a point is: it, or one read with it, is near "
-                    "({}, {}) of \"{}\"; is that the right reference system?",
-                    first.x(), first.y(), impl_->name.substr(0, 80)));
+        {.says = fmt::format("PROJ cannot tell where on Earth a point is: it, or one read with it, "
+                             "is near ({}, {}) of \"{}\"; is that the right reference system?",
+                             first.x(), first.y(), impl_->name.substr(0, 80))});
   }
 }
 

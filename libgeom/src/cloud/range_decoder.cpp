@@ -61,7 +61,8 @@ void BitModel::update() {
 RangeDecoder::RangeDecoder(ByteSource& bytes) : bytes_(bytes) {
   for (int i = 0; i < 4; ++i) value_ = value_ << 8 | bytes_.next();
   if (value_ == length_) {
-    bytes_.refuse("its compressed points are damaged: they begin with bytes that no writer makes");
+    bytes_.refuse(
+        {.says = "its compressed points are damaged: they begin with bytes that no writer makes"});
   }
 }
 
@@ -73,8 +74,8 @@ void RangeDecoder::require_end() const {
   const std::uint32_t lost = one_byte ? kShortest : 1u << 16;
   if (value_ > most || value_ + lost <= most) {
     bytes_.refuse(
-        "its compressed points go on where they should end: the file is damaged, or "
-        "holds more or fewer points than its header says");
+        {.says = "its compressed points go on where they should end",
+         .advice = "the file is damaged, or holds more or fewer points than its header says"});
   }
 }
 
@@ -89,7 +90,8 @@ std::uint32_t RangeDecoder::bits(unsigned count) {
   length_ >>= count;
   const std::uint32_t found = value_ / length_;
   if (found >> count != 0) {
-    bytes_.refuse("its compressed points are damaged: they hold a number beyond its bits");
+    bytes_.refuse(
+        {.says = "its compressed points are damaged: they hold a number beyond its bits"});
   }
   value_ -= found * length_;
   refill();

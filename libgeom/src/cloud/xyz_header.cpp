@@ -105,26 +105,25 @@ std::optional<Meaning> meaning_of(std::string_view field) {
 }
 
 void require_metres_upward(std::string_view name, Way way, const TextPlace& place) {
-  const auto refuse = [&](const std::string& message) {
-    throw InputError(place.source, place.line, message);
+  const auto refuse = [&](Fault fault) {
+    throw InputError(place.source, place.line, std::move(fault));
   };
   const std::string shown = excerpt(trimmed(name), 40);
   if (way == Way::degrees) {
-    refuse(
-        fmt::format("expected columns in metres, found \"{}\", which is in degrees: project the "
-                    "points first, for example with `cs2cs`, and name the columns x, y and z",
-                    shown));
+    refuse({.expected = "columns in metres",
+            .found = fmt::format("\"{}\", which is in degrees", shown),
+            .advice = "project the points first, for example with `cs2cs`, and name the columns x, "
+                      "y and z"});
   }
   if (way == Way::downward) {
-    refuse(
-        fmt::format("expected a column of heights, found \"{}\", which counts downward: write z "
-                    "upward",
-                    shown));
+    refuse({.expected = "a column of heights",
+            .found = fmt::format("\"{}\", which counts downward", shown),
+            .advice = "write z upward"});
   }
   if (way == Way::other_unit) {
-    refuse(fmt::format(
-        "expected columns in metres, found \"{}\": name them x, y and z alone, and give --units",
-        shown));
+    refuse({.expected = "columns in metres",
+            .found = in_quotes(shown),
+            .advice = "name them x, y and z alone, and give --units"});
   }
 }
 
@@ -154,9 +153,10 @@ XyzColumns xyz_columns(std::span<const std::string_view> names, const TextPlace&
     if (found.size() != 1) {
       throw InputError(
           place.source, place.line,
-          fmt::format("expected the names of columns, one of them for {} (as in \"x y z\" or "
-                      "\"id Easting Northing Height\"), found {} in \"{}\"",
-                      "xyz"[axis], found.empty() ? "none" : "more", listed(names)));
+          {.expected = fmt::format("the names of columns, one of them for {} (as in \"x y z\" or "
+                                   "\"id Easting Northing Height\")",
+                                   "xyz"[axis]),
+           .found = fmt::format("{} in \"{}\"", found.empty() ? "none" : "more", listed(names))});
     }
     out.of_axis[axis] = found[0];
   }

@@ -29,8 +29,8 @@ class XyzReader {
       }
     }
     if (promised_ && *promised_ != static_cast<double>(found_)) {
-      lines_.refuse(
-          fmt::format("expected {} points, as the first line says, found {}", *promised_, found_));
+      lines_.refuse({.expected = fmt::format("{} points, as the first line says", *promised_),
+                     .found = fmt::to_string(found_)});
     }
     return chunks_.finish();
   }
@@ -52,14 +52,14 @@ class XyzReader {
     if (begun_) return require_same(xyz_columns(fields_, {lines_.source(), lines_.number()}));
     headers_.push_back({std::string(line), lines_.number(), true});
     if (headers_.size() > kMostHeaders) {
-      lines_.refuse("expected one line that names the columns, found many");
+      lines_.refuse({.expected = "one line that names the columns", .found = "many"});
     }
   }
 
   void require_same(const XyzColumns& columns) const {
     if (columns.of_axis == columns_.value_or(XyzColumns()).of_axis) return;
-    lines_.refuse(fmt::format("expected the same columns throughout the file, found others: \"{}\"",
-                              excerpt(lines_.line())));
+    lines_.refuse({.expected = "the same columns throughout the file",
+                   .found = fmt::format("others: \"{}\"", excerpt(lines_.line()))});
   }
 
   // A number alone, before the first point: how many there are.
@@ -68,9 +68,10 @@ class XyzReader {
     if (!count) return false;
     if (promised_) {
       lines_.refuse(
-          "expected three numbers, found two lines of one number each, as a PTX file begins: its "
-          "scans have places of their own; write them as LAS or PLY, for example with "
-          "`CloudCompare -O scan.ptx -C_EXPORT_FMT LAS -SAVE_CLOUDS`");
+          {.expected = "three numbers",
+           .found = "two lines of one number each, as a PTX file begins",
+           .advice = "its scans have places of their own; write them as LAS or PLY, for example "
+                     "with `CloudCompare -O scan.ptx -C_EXPORT_FMT LAS -SAVE_CLOUDS`"});
     }
     if (!(*count >= 0) || *count != std::floor(*count)) refuse_line();
     promised_ = count;
@@ -102,22 +103,22 @@ class XyzReader {
   // Takes the columns that a header names; in a comment, commas may separate its words as well.
   // The last column of points that end in a separator may have no name.
   void obey(const Header& header, bool empty_end) {
-    const auto refuse = [&](std::string_view message) {
-      throw InputError(lines_.source(), header.line, message);
+    const auto refuse = [&](Fault fault) {
+      throw InputError(lines_.source(), header.line, std::move(fault));
     };
     fields_of(separator_, header.text, fields_);
     if (header.comment && fields_.size() != width_) split_words(header.text);
     if (fields_.back().empty()) fields_.pop_back();
     const XyzColumns columns = xyz_columns(fields_, {lines_.source(), header.line});
     if (columns.count != width_ && !(empty_end && columns.count + 1 == width_)) {
-      refuse(
-          fmt::format("expected a name for each of the {} columns between {} of the first "
-                      "point, found {}: \"{}\"",
-                      width_, name_of_separator(separator_), columns.count, excerpt(header.text)));
+      refuse({.expected =
+                  fmt::format("a name for each of the {} columns between {} of the first point",
+                              width_, name_of_separator(separator_)),
+              .found = fmt::format("{}: \"{}\"", columns.count, excerpt(header.text))});
     }
     if (columns_ && columns != *columns_) {
-      refuse(fmt::format("expected the same columns as above, found others: \"{}\"",
-                         excerpt(header.text)));
+      refuse({.expected = "the same columns as above",
+              .found = fmt::format("others: \"{}\"", excerpt(header.text))});
     }
     columns_ = columns;
     width_ = columns.count;
@@ -149,9 +150,9 @@ class XyzReader {
 
   [[noreturn]] void refuse_line(const std::string& how = "") const {
     const char separator = begun_ ? separator_ : separator_of(lines_.line());
-    lines_.refuse(
-        fmt::format("expected three numbers{} between {}, with points for decimals, found \"{}\"",
-                    how, name_of_separator(separator), excerpt(lines_.line())));
+    lines_.refuse({.expected = fmt::format("three numbers{} between {}, with points for decimals",
+                                           how, name_of_separator(separator)),
+                   .found = in_quotes(excerpt(lines_.line()))});
   }
 
   void split_words(std::string_view text) {

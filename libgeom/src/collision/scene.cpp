@@ -15,9 +15,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 [[noreturn]] void refuse(const Aabb& region) {
-  throw InputError("region", fmt::format("expected min <= max, found [{}, {}, {}] to [{}, {}, {}]",
-                                         region.min[0], region.min[1], region.min[2], region.max[0],
-                                         region.max[1], region.max[2]));
+  throw InputError(
+      "region", {.expected = "min <= max",
+                 .found = fmt::format("[{}, {}, {}] to [{}, {}, {}]", region.min[0], region.min[1],
+                                      region.min[2], region.max[0], region.max[1], region.max[2])});
 }
 
 bool is_near(const Aabb& region) {

@@ -35,8 +35,8 @@ class Reader : public XmlHandler {
     note_dimension(element, frame);
     if (!frame.data || is_shape(element.name)) note_srs(element);  // an address may have its own
     if (!trimmed(text_).empty()) {
-      refuse(fmt::format("expected text alone in <{}>, found <{}> in it", frames_.back().name,
-                         element.name.substr(0, 40)));
+      refuse({.expected = fmt::format("text alone in <{}>", frames_.back().name),
+              .found = fmt::format("<{}> in it", element.name.substr(0, 40))});
     }
     text_.clear();
     if (!polygon_ && !is_shape(element.name)) drawing_.add_id(element.attribute("id"));
@@ -74,9 +74,7 @@ class Reader : public XmlHandler {
     std::string id;
   };
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError(name_, line_, message);
-  }
+  [[noreturn]] void refuse(Fault fault) const { throw InputError(name_, line_, std::move(fault)); }
 
   void skip(const std::string& kind) {
     out_.model.skipped.add(kind, fmt::format("line {}", line_));
@@ -87,10 +85,10 @@ class Reader : public XmlHandler {
         element.space.ends_with("/citygml/1.0") || element.space.ends_with("/citygml/2.0") ||
         element.space.ends_with("/citygml/3.0") || element.space.ends_with("/citygml/1/0/0");
     if (element.name == "CityModel" && version) return;
-    refuse(
-        fmt::format("expected a CityModel of CityGML 1.0 to 3.0, found \"{}\" of \"{}\": convert "
-                    "it, for example with citygml-tools",
-                    element.name.substr(0, 40), element.space.substr(0, 80)));
+    refuse({.expected = "a CityModel of CityGML 1.0 to 3.0",
+            .found = fmt::format("\"{}\" of \"{}\"", element.name.substr(0, 40),
+                                 element.space.substr(0, 80)),
+            .advice = "convert it, for example with citygml-tools"});
   }
 
   void note_dimension(const XmlElement& element, GmlFrame& frame) const {
@@ -98,7 +96,8 @@ class Reader : public XmlHandler {
       const std::string_view said = trimmed(element.attribute(key));
       if (said.empty() || (key[0] == 'd' && !is_gml_numbers(element.name))) continue;
       if (said != "2" && said != "3") {
-        refuse(fmt::format("expected {} to be 2 or 3, found \"{}\"", key, said.substr(0, 20)));
+        refuse({.expected = fmt::format("{} to be 2 or 3", key),
+                .found = in_quotes(said.substr(0, 20))});
       }
       frame.dimension = said == "2" ? 2 : 3;
     }
@@ -109,8 +108,9 @@ class Reader : public XmlHandler {
     if (srs.empty() || implicit_) return;
     if (out_.model.crs.empty()) out_.model.crs = srs;
     if (out_.model.crs != srs) {
-      refuse(fmt::format("expected one coordinate reference system, found \"{}\" after \"{}\"",
-                         srs.substr(0, 80), out_.model.crs.substr(0, 80)));
+      refuse({.expected = "one coordinate reference system",
+              .found = fmt::format("\"{}\" after \"{}\"", srs.substr(0, 80),
+                                   out_.model.crs.substr(0, 80))});
     }
   }
 
@@ -344,7 +344,7 @@ class Reader : public XmlHandler {
     }
     const Eigen::Matrix4d matrix = implicit.place();
     if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
-      refuse("expected a transformationMatrix whose last row is 0 0 0 1, found another");
+      refuse({.expected = "a transformationMatrix whose last row is 0 0 0 1", .found = "another"});
     }
     const GmlShapes::Index shape = begin_drawn(lod_here());
     shapes_.add_part(shape, implicit.shape);
@@ -385,8 +385,8 @@ class Reader : public XmlHandler {
     }
     const auto numbers = gml_numbers(text_, frame.numbers);
     if (!numbers || numbers->size() != static_cast<std::size_t>(frame.numbers.dimension)) {
-      refuse(fmt::format("expected {} numbers, found \"{}\"", frame.numbers.dimension,
-                         std::string(trimmed(text_)).substr(0, 60)));
+      refuse({.expected = fmt::format("{} numbers", frame.numbers.dimension),
+              .found = in_quotes(std::string(trimmed(text_)).substr(0, 60))});
     }
     (frame.name == "transformationMatrix" ? implicit_->matrix : implicit_->at) = *numbers;
   }

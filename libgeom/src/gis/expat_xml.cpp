@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "geom/base/error.h"
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 #include "xml.h"
 
 namespace geom::gis {
@@ -38,11 +38,10 @@ class Bridge {
     if (thrown_) std::rethrow_exception(thrown_);
     const XML_Error error = XML_GetErrorCode(parser_.get());
     if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-    throw InputError(
-        name_, line(),
-        fmt::format("expected well-formed XML to its end, found \"{}\": the file is damaged or "
-                    "cut, get it again",
-                    XML_ErrorString(error)));
+    throw InputError(name_, line(),
+                     {.expected = "well-formed XML to its end",
+                      .found = in_quotes(XML_ErrorString(error)),
+                      .advice = "the file is damaged or cut, get it again"});
   }
 
  private:
@@ -70,8 +69,9 @@ class Bridge {
     Bridge& bridge = *static_cast<Bridge*>(self);
     bridge.guarded([&] {
       if (++bridge.depth_ > kDeepest) {
-        throw InputError(bridge.name_, bridge.line(),
-                         fmt::format("expected elements at most {} deep, found more", kDeepest));
+        throw InputError(
+            bridge.name_, bridge.line(),
+            {.expected = fmt::format("elements at most {} deep", kDeepest), .found = "more"});
       }
       XmlElement element;
       std::tie(element.space, element.name) = split(full);

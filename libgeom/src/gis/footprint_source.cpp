@@ -77,10 +77,12 @@ void count_height(const BuildingHeight& height, const std::string& which, Source
 
 void require_attribute(const Source& source, const ReadOptions& options, const std::string& name) {
   if (options.height.attribute.empty() || source.has_height_attribute) return;
-  throw InputError(name, fmt::format("expected an attribute \"{}\" (--height-attribute) of "
-                                     "what is built by its height, found none: correct the "
-                                     "name, or leave the option out",
-                                     options.height.attribute));
+  throw InputError(name,
+                   {.expected = fmt::format(
+                        "an attribute \"{}\" (--height-attribute) of what is built by its height",
+                        options.height.attribute),
+                    .found = "none",
+                    .advice = "correct the name, or leave the option out"});
 }
 
 void note_attribute(const std::string& name, const std::string& value, Source& source) {
@@ -102,13 +104,14 @@ void require_heights(const Source& source, const std::string& name) {
   if (without * 10 <= all) return;
   const std::string numeric = numeric_attributes(source);
   throw InputError(
-      name, fmt::format("expected heights of at least nine buildings in ten, found none for {} of "
-                        "{}; {}; say how high those without are with --default-height METRES",
-                        without, all,
-                        numeric.empty()
-                            ? "they have no attribute of numbers"
-                            : "attributes of numbers that they have: " + numeric +
-                                  ": where one is the height, name it with --height-attribute"));
+      name,
+      {.expected = "heights of at least nine buildings in ten",
+       .found = fmt::format(
+           "none for {} of {}; {}; say how high those without are with --default-height METRES",
+           without, all,
+           numeric.empty() ? "they have no attribute of numbers"
+                           : "attributes of numbers that they have: " + numeric +
+                                 ": where one is the height, name it with --height-attribute")});
 }
 
 }  // namespace geom::gis

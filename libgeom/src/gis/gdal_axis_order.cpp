@@ -5,7 +5,7 @@
 
 #include "gdal_reference.h"
 #include "geom/gis/axis_order.h"
-#include "geom/import/city_footprints.h"
+#include "import/city_footprints.h"
 
 namespace geom::gis {
 namespace {
@@ -121,9 +121,10 @@ double outwardness(const CityModel& model) {
 [[noreturn]] void refuse_order(const std::string& name, const std::string& system, bool north_first,
                                const std::string& why) {
   throw InputError(
-      name, fmt::format("\"{}\" means coordinates with the {} first, but {}: say which comes first "
-                        "with --axes east-north or --axes north-east",
-                        system.substr(0, 80), north_first ? "north (or latitude)" : "east", why));
+      name,
+      {.says = fmt::format("\"{}\" means coordinates with the {} first, but {}",
+                           system.substr(0, 80), north_first ? "north (or latitude)" : "east", why),
+       .advice = "say which comes first with --axes east-north or --axes north-east"});
 }
 
 // Whether to exchange x and y.
@@ -166,9 +167,9 @@ void orient(CityModel& model, Axes axes, bool city_json, const std::string& name
 void require_metres(const std::string& srs_name, const std::string& name) {
   const OGRSpatialReference system = reference(named(srs_name, false).horizontal, name);
   if (!system.IsGeographic() && std::abs(system.GetLinearUnits() - 1) < 1e-9) return;
-  throw InputError(name,
-                   "expected coordinates in metres where shapes are placed by a matrix, found "
-                   "a coordinate reference system that counts otherwise: convert the file");
+  throw InputError(name, {.expected = "coordinates in metres where shapes are placed by a matrix",
+                          .found = "a coordinate reference system that counts otherwise",
+                          .advice = "convert the file"});
 }
 
 }  // namespace geom::gis

@@ -45,10 +45,11 @@ void require_metres(const Layout& layout, const std::string& name) {
                        layout.high.y() <= 180 && layout.largest < 0.1;
   if (!degrees) return;
   throw InputError(
-      name, fmt::format("the file names no coordinate reference system, and its numbers look like "
-                        "degrees: [{}, {}] to [{}, {}]; name the system, for example with "
-                        "`ogr2ogr -a_srs EPSG:4326`, or say that they are metres with --metres",
-                        layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y()));
+      name,
+      {.says = fmt::format("the file names no coordinate reference system, and its numbers look "
+                           "like degrees: [{}, {}] to [{}, {}]; name the system, for example with "
+                           "`ogr2ogr -a_srs EPSG:4326`, or say that they are metres with --metres",
+                           layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y())});
 }
 
 double kilometres(const Vec2& a, const Vec2& b) {  // longitude, latitude
@@ -67,12 +68,13 @@ void require_near(const Vec2& at, const Vec2& middle, const std::string& name,
   const double away = kilometres(at, middle);
   if (away < kFar) return;
   const bool swapped = std::abs(at.x()) <= 90 && kilometres({at.y(), at.x()}, middle) < kFar;
-  const std::string text =
-      fmt::format("the origin {},{} is {:.0f} km from the data, which lie about {:.4f},{:.4f}{}",
-                  at.y(), at.x(), away, middle.y(), middle.x(),
-                  swapped ? ": give the latitude first, then the longitude" : "");
-  if (swapped || away > kTooFar) throw InputError(name, text);
-  warnings.push_back(text);
+  const Fault fault{
+      .says =
+          fmt::format("the origin {},{} is {:.0f} km from the data, which lie about {:.4f},{:.4f}",
+                      at.y(), at.x(), away, middle.y(), middle.x()),
+      .advice = swapped ? "give the latitude first, then the longitude" : ""};
+  if (swapped || away > kTooFar) throw InputError(name, fault);
+  warnings.push_back(sentence(fault));
 }
 
 // Metres about a place: longitude, latitude.
@@ -145,10 +147,11 @@ Projector::Projector(Source& source, const std::string& name, const std::optiona
   if (!back || !convert_one(*back, middle) || std::abs(middle.y()) > 90) {
     throw InputError(
         name,
-        fmt::format("PROJ cannot tell where on Earth the coordinates [{}, {}] to [{}, {}] are in "
-                    "\"{}\": is that the right coordinate reference system?",
-                    layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y(),
-                    source.crs.substr(0, 60)));
+        {.says = fmt::format(
+             "PROJ cannot tell where on Earth the coordinates [{}, {}] to [{}, {}] are in \"{}\"",
+             layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y(),
+             source.crs.substr(0, 60)),
+         .advice = "is that the right coordinate reference system?"});
   }
   Vec2 at = tidy(middle);
   if (origin) {
@@ -160,8 +163,8 @@ Projector::Projector(Source& source, const std::string& name, const std::optiona
   transformation_->to_local = conversion(from, to);
   if (!transformation_->to_local) {
     throw InputError(name,
-                     "PROJ cannot convert these coordinates to metres about the origin: is their "
-                     "coordinate reference system right?");
+                     {.says = "PROJ cannot convert these coordinates to metres about the origin",
+                      .advice = "is their coordinate reference system right?"});
   }
   frame_.origin = GeodeticOrigin{at.y(), at.x(), 0};
   frame_.crs = local;
@@ -186,9 +189,9 @@ void Projector::convert(std::vector<Vec2>& points) const {
     const Vec2 local(x[k], y[k]);
     if (!done[k] || !local.allFinite()) {
       throw InputError(
-          name_, fmt::format("PROJ cannot convert ({}, {}) to metres about the origin: is the "
-                             "coordinate reference system right?",
-                             points[i].x(), points[i].y()));
+          name_, {.says = fmt::format("PROJ cannot convert ({}, {}) to metres about the origin",
+                                      points[i].x(), points[i].y()),
+                  .advice = "is the coordinate reference system right?"});
     }
     points[i] = local;
   }

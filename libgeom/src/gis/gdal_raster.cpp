@@ -7,8 +7,8 @@
 #include "gdal_reference.h"
 #include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
-#include "geom/shape/row_merge.h"
-#include "geom/shape/skyline_merge.h"
+#include "shape/row_merge.h"
+#include "shape/skyline_merge.h"
 
 namespace geom::gis {
 namespace {
@@ -31,10 +31,9 @@ struct Raster {
   // A row's heights in metres; NaN where there is no data.
   void read_row(int row, const std::string& name, double* out) const {
     if (band->RasterIO(GF_Read, 0, row, width, 1, out, width, 1, GDT_Float64, 0, 0) != CE_None) {
-      throw InputError(
-          name, fmt::format("row {} of heights cannot be read (GDAL: {}): the file is damaged "
-                            "or cut, get it again",
-                            row, CPLGetLastErrorMsg()));
+      throw InputError(name, {.says = fmt::format("row {} of heights cannot be read (GDAL: {})",
+                                                  row, CPLGetLastErrorMsg()),
+                              .advice = "the file is damaged or cut, get it again"});
     }
     int has_nodata = 0;
     double nodata = band->GetNoDataValue(&has_nodata);
@@ -43,12 +42,11 @@ struct Raster {
       const bool missing = (has_nodata && out[i] == nodata) || std::isnan(out[i]);
       out[i] = (out[i] * scale + offset) * metres;
       if (!missing && out[i] > kHighest) {
-        throw InputError(
-            name,
-            fmt::format("row {}, column {}: expected a height of at most {} m, found {}: say "
-                        "which value stands for none (`gdal_translate -a_nodata`), or what the "
-                        "unit is (--height-units)",
-                        row, i, kHighest, out[i]));
+        throw InputError(name, {.item = fmt::format("row {}, column {}", row, i),
+                                .expected = fmt::format("a height of at most {} m", kHighest),
+                                .found = fmt::to_string(out[i]),
+                                .advice = "say which value stands for none (`gdal_translate "
+                                          "-a_nodata`), or what the unit is (--height-units)"});
       }
       // What is said to lie deeper than any place on Earth is a value for none.
       if (missing || out[i] < -kHighest) out[i] = std::numeric_limits<double>::quiet_NaN();
@@ -72,8 +70,8 @@ double metres_per(const std::string& unit, const std::string& name) {
                                                       {"US survey foot", 1200.0 / 3937}};
   const auto at = known.find(unit);
   if (at == known.end()) {
-    throw InputError(
-        name, fmt::format("expected heights in metres or feet, found the unit \"{}\"", unit));
+    throw InputError(name, {.expected = "heights in metres or feet",
+                            .found = fmt::format("the unit \"{}\"", unit)});
   }
   return at->second;
 }
@@ -89,9 +87,10 @@ double metres_per_unit(GDALRasterBand& band, const std::string& crs, const std::
   }
   const double metres = metres_per(unit, name);
   if (options.height_unit && std::abs(*options.height_unit - metres) > 1e-9) {
-    throw InputError(name, fmt::format("its heights are in \"{}\", but --height-units says "
-                                       "otherwise: leave the option out",
-                                       unit));
+    throw InputError(
+        name,
+        {.says = fmt::format("its heights are in \"{}\", but --height-units says otherwise", unit),
+         .advice = "leave the option out"});
   }
   return metres;
 }
@@ -100,26 +99,27 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
   Raster raster;
   raster.dataset = open(path, GDAL_OF_RASTER);
   if (!raster.dataset || raster.dataset->GetRasterCount() < 1) {
-    throw InputError(name,
-                     "expected a raster of heights, as a GeoTIFF, found a file that GDAL cannot "
-                     "open as one");
+    throw InputError(name, {.expected = "a raster of heights, as a GeoTIFF",
+                            .found = "a file that GDAL cannot open as one"});
   }
   if (raster.dataset->GetRasterCount() > 1) {
-    throw InputError(name, fmt::format("expected one band of heights, found {}: choose one, for "
-                                       "example with `gdal_translate -b 1 in.tif out.tif`",
-                                       raster.dataset->GetRasterCount()));
+    throw InputError(
+        name, {.expected = "one band of heights",
+               .found = fmt::to_string(raster.dataset->GetRasterCount()),
+               .advice = "choose one, for example with `gdal_translate -b 1 in.tif out.tif`"});
   }
   raster.band = raster.dataset->GetRasterBand(1);
   raster.width = raster.dataset->GetRasterXSize();
   raster.height = raster.dataset->GetRasterYSize();
   if (static_cast<double>(raster.width) * raster.height > kMostCells) {
-    throw InputError(name, fmt::format("expected at most 2e9 cells, found {} x {}", raster.width,
-                                       raster.height));
+    throw InputError(name, {.expected = "at most 2e9 cells",
+                            .found = fmt::format("{} x {}", raster.width, raster.height)});
   }
   if (raster.dataset->GetGeoTransform(raster.grid.transform) != CE_None) {
     throw InputError(name,
-                     "expected a raster that says where on Earth its cells are, found one that "
-                     "does not: give it a place, for example with `gdal_translate -a_ullr`");
+                     {.expected = "a raster that says where on Earth its cells are",
+                      .found = "one that does not",
+                      .advice = "give it a place, for example with `gdal_translate -a_ullr`"});
   }
   raster.scale = raster.band->GetScale();
   raster.offset = raster.band->GetOffset();
@@ -241,9 +241,9 @@ Terrain::Terrain(const std::string& path, const std::string& name, const ReadOpt
     : name_(name) {
   const Raster raster = open_raster(path, name, options);
   if (static_cast<double>(raster.width) * raster.height > kMostTerrain) {
-    throw InputError(name, fmt::format("expected a terrain of at most {} cells, found {} x {}: "
-                                       "cut it to the city, for example with `gdalwarp -te`",
-                                       kMostTerrain, raster.width, raster.height));
+    throw InputError(name, {.expected = fmt::format("a terrain of at most {} cells", kMostTerrain),
+                            .found = fmt::format("{} x {}", raster.width, raster.height),
+                            .advice = "cut it to the city, for example with `gdalwarp -te`"});
   }
   crs_ = raster.crs;
   std::copy(raster.grid.transform, raster.grid.transform + 6, transform_);
@@ -265,14 +265,15 @@ std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
     if (!to_raster)
       throw InputError(
           name_,
-          "PROJ cannot convert the coordinates of the footprints to those of the terrain: are "
-          "their coordinate reference systems right?");
+          {.says = "PROJ cannot convert the coordinates of the footprints to those of the terrain",
+           .advice = "are their coordinate reference systems right?"});
   }
   double inverse[6];
   double forward[6];
   std::copy(transform_, transform_ + 6, forward);
   if (!GDALInvGeoTransform(forward, inverse)) {
-    throw InputError(name_, "expected cells with an area, found a geotransform that has none");
+    throw InputError(name_,
+                     {.expected = "cells with an area", .found = "a geotransform that has none"});
   }
   double c0 = std::numeric_limits<double>::infinity();
   double c1 = -c0;

@@ -33,9 +33,8 @@ inline OGRSpatialReference reference(const std::string& crs, const std::string& 
   CPLSetErrorHandler(CPLQuietErrorHandler);
   const OGRErr error = out.SetFromUserInput(crs.c_str());
   if (error != OGRERR_NONE) {
-    throw InputError(name, fmt::format("expected a coordinate reference system that PROJ "
-                                       "knows, found \"{}\"",
-                                       crs.substr(0, 80)));
+    throw InputError(name, {.expected = "a coordinate reference system that PROJ knows",
+                            .found = in_quotes(crs.substr(0, 80))});
   }
   out.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   return out;
@@ -47,9 +46,9 @@ inline std::string wkt_of(const OGRSpatialReference* reference, const std::strin
   if (reference->IsLocal()) {
     const double unit = reference->GetLinearUnits();
     if (std::abs(unit - 1) > 1e-9) {
-      throw InputError(name, fmt::format("expected local coordinates in metres, found units "
-                                         "of {} m: convert them first",
-                                         unit));
+      throw InputError(name, {.expected = "local coordinates in metres",
+                              .found = fmt::format("units of {} m", unit),
+                              .advice = "convert them first"});
     }
     return "";
   }

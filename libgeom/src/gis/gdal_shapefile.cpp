@@ -46,10 +46,11 @@ class PartFile {
   }
 
   [[noreturn]] void refuse(const std::string& expected, const std::string& found) const {
-    throw InputError(
-        name_, fmt::format("the files of this shapefile do not belong together: expected {} of {}, "
-                           "found {}: get all of them again, or write it anew where it is whole",
-                           expected, CPLGetFilename(path_.c_str()), found));
+    throw InputError(name_,
+                     {.says = "the files of this shapefile do not belong together",
+                      .expected = fmt::format("{} of {}", expected, CPLGetFilename(path_.c_str())),
+                      .found = found,
+                      .advice = "get all of them again, or write it anew where it is whole"});
   }
 
  private:
@@ -69,7 +70,7 @@ std::uint64_t stated_size(const PartFile& file) { return std::uint64_t{file.big(
 void require_size(const PartFile& file) {
   if (stated_size(file) != file.size()) {
     file.refuse(fmt::format("the {} bytes that its header says", stated_size(file)),
-                fmt::format("{}", file.size()));
+                fmt::to_string(file.size()));
   }
 }
 
@@ -89,7 +90,7 @@ std::uint64_t require_index(const PartFile& shapes, const PartFile& index) {
     const std::uint64_t own = std::uint64_t{shapes.big(at + 4)} * 2;
     if (own != size) {
       index.refuse(fmt::format("record {} to have the {} bytes that it has", i + 1, own),
-                   fmt::format("{}", size));
+                   fmt::to_string(size));
     }
     next = at + 8 + size;
   }
@@ -105,19 +106,19 @@ void require_rows(const PartFile& table, std::uint64_t shapes, const std::string
   const std::uint64_t first = table.little(8, 2);
   const std::uint64_t size = table.little(10, 2);
   if (rows != shapes) {
-    table.refuse(fmt::format("a row for each of the {} shapes", shapes), fmt::format("{}", rows));
+    table.refuse(fmt::format("a row for each of the {} shapes", shapes), fmt::to_string(rows));
   }
   if (table.size() < first + rows * size) {
     table.refuse(fmt::format("at least {} bytes", first + rows * size),
-                 fmt::format("{}", table.size()));
+                 fmt::to_string(table.size()));
   }
   for (std::uint64_t i = 0; i < rows; ++i) {
     if (table.little(first + i * size, 1) != '*') continue;
-    throw InputError(
-        name, fmt::format("row {} of its table is marked as deleted, but its shape is still there: "
-                          "GDAL leaves it out, other programs do not; settle it with `ogrinfo "
-                          "city.shp -sql \"REPACK city\"`, or write the file anew",
-                          i + 1));
+    throw InputError(name, {.says = fmt::format(
+                                "row {} of its table is marked as deleted, but its shape is still "
+                                "there: GDAL leaves it out, other programs do not; settle it with "
+                                "`ogrinfo city.shp -sql \"REPACK city\"`, or write the file anew",
+                                i + 1)});
   }
 }
 
@@ -143,18 +144,18 @@ void require_whole_shapefile(GDALDataset& dataset, const std::string& name) {
   const auto dbf = path_of("dbf");
   CSLDestroy(files);
   if (!shp || !shx || !dbf) {
-    throw InputError(
-        name, fmt::format("a shapefile is three files of one name, and the .{} is not there: copy "
-                          "it beside the others",
-                          !shp   ? "shp (the shapes)"
-                          : !shx ? "shx (their index)"
-                                 : "dbf (their attributes)"));
+    throw InputError(name, {.says = fmt::format(
+                                "a shapefile is three files of one name, and the .{} is not there",
+                                !shp   ? "shp (the shapes)"
+                                : !shx ? "shx (their index)"
+                                       : "dbf (their attributes)"),
+                            .advice = "copy it beside the others"});
   }
   const std::uint64_t shapes = require_index(PartFile(*shp, name), PartFile(*shx, name));
   require_rows(PartFile(*dbf, name), shapes, name);
 }
 
-std::string unopened(const std::string& path) {
+Fault unopened(const std::string& path) {
   if (lower_extension(path) == "shp") {
     const std::string shx = CPLGetBasename(path.c_str()) + std::string(".shx");
     VSIStatBufL about;
@@ -162,15 +163,18 @@ std::string unopened(const std::string& path) {
       return VSIStatL(CPLResetExtension(path.c_str(), end), &about) == 0;
     };
     if (!beside("shx") && !beside("SHX")) {
-      return fmt::format(
-          "this is the .shp of a shapefile, and its index {} is not beside it: copy all its files "
-          "into one folder, or make the index anew with `ogrinfo --config SHAPE_RESTORE_SHX YES "
-          "{}`",
-          shx, CPLGetFilename(path.c_str()));
+      return {
+          .says = fmt::format("this is the .shp of a shapefile, and its index {} is not beside it",
+                              shx),
+          .advice = fmt::format("copy all its files into one folder, or make the index anew with "
+                                "`ogrinfo --config SHAPE_RESTORE_SHX YES {}`",
+                                CPLGetFilename(path.c_str()))};
     }
   }
-  return "expected footprints that GDAL reads (GeoJSON, GeoPackage, Shapefile, FlatGeobuf), "
-         "CityJSON, OSM .pbf or a GeoTIFF, found a file that GDAL cannot open";
+  return {.expected =
+              "footprints that GDAL reads (GeoJSON, GeoPackage, Shapefile, FlatGeobuf), "
+              "CityJSON, OSM .pbf or a GeoTIFF",
+          .found = "a file that GDAL cannot open"};
 }
 
 }  // namespace geom::gis

@@ -28,19 +28,18 @@ class VectorReader {
       OGRLayer& layer = *dataset.GetLayer(i);
       const std::string crs = wkt_of(layer.GetSpatialRef(), name_);
       if (i > 0 && crs != out_.crs) {
-        throw InputError(name_, fmt::format("expected one coordinate reference system in "
-                                            "all layers, found another in layer \"{}\"",
-                                            layer.GetName()));
+        throw InputError(name_, {.expected = "one coordinate reference system in all layers",
+                                 .found = fmt::format("another in layer \"{}\"", layer.GetName())});
       }
       out_.crs = crs;
       unit_ = height_unit(crs, name_, options_);
       read_layer(layer);
     }
     if (options_.where.empty() && features_ < least) {
-      throw InputError(
-          name_, fmt::format("the file has {}, and GDAL reads {}: it is damaged, or not quite of "
-                             "its format; write it anew, for example as GeoPackage",
-                             counted(least, "feature"), features_));
+      throw InputError(name_, {.says = fmt::format(
+                                   "the file has {}, and GDAL reads {}: it is damaged, or not "
+                                   "quite of its format; write it anew, for example as GeoPackage",
+                                   counted(least, "feature"), features_)});
     }
     return std::move(out_);
   }
@@ -54,9 +53,10 @@ class VectorReader {
     if (!options_.where.empty() &&
         layer.SetAttributeFilter(options_.where.c_str()) != OGRERR_NONE) {
       throw InputError(
-          name_, fmt::format("--where: expected a condition on attributes of layer \"{}\", found "
-                             "\"{}\" (GDAL: {})",
-                             layer.GetName(), options_.where, CPLGetLastErrorMsg()));
+          name_,
+          {.item = "--where",
+           .expected = fmt::format("a condition on attributes of layer \"{}\"", layer.GetName()),
+           .found = fmt::format("\"{}\" (GDAL: {})", options_.where, CPLGetLastErrorMsg())});
     }
     layer.ResetReading();
     while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
@@ -64,9 +64,10 @@ class VectorReader {
       read_feature(*feature);
     }
     if (CPLGetLastErrorType() == CE_Failure) {
-      throw InputError(name_, fmt::format("layer \"{}\" cannot be read to its end (GDAL: "
-                                          "{}): the file is damaged or cut, get it again",
-                                          layer.GetName(), CPLGetLastErrorMsg()));
+      throw InputError(name_,
+                       {.says = fmt::format("layer \"{}\" cannot be read to its end (GDAL: {})",
+                                            layer.GetName(), CPLGetLastErrorMsg()),
+                        .advice = "the file is damaged or cut, get it again"});
     }
   }
 
@@ -169,9 +170,9 @@ class VectorReader {
     if (!unit_) refuse_heights(name_, out_.crs);
     const Levels levels{reach.MinZ * *unit_, reach.MaxZ * *unit_};
     if (!(std::abs(levels.low) <= 1e4 && std::abs(levels.high) <= 1e4)) {
-      throw InputError(name_, fmt::format("{}: expected corners within 1e4 m of height 0, "
-                                          "found {} to {}",
-                                          which_, levels.low, levels.high));
+      throw InputError(name_, {.item = std::string(which_),
+                               .expected = "corners within 1e4 m of height 0",
+                               .found = fmt::format("{} to {}", levels.low, levels.high)});
     }
     return levels;
   }
@@ -218,7 +219,8 @@ class VectorReader {
     for (int i = 0; i < ring.getNumPoints(); ++i) {
       points.push_back({ring.getX(i), ring.getY(i)});
       if (!points.back().allFinite()) {
-        throw InputError(name_, fmt::format("feature {}: point {} is not finite", id, i));
+        throw InputError(name_, {.item = fmt::format("feature {}", id),
+                                 .says = fmt::format("point {} is not finite", i)});
       }
     }
     return points;
@@ -283,9 +285,10 @@ void refuse_heights(const std::string& name, const std::string& crs) {
   const double unit = reference(crs, name).GetLinearUnits();
   throw InputError(
       name,
-      fmt::format("the file has coordinates in units of {} m, and does not say the unit of its "
-                  "heights: give --height-units m, ft or us-ft",
-                  unit));
+      {.says = fmt::format(
+           "the file has coordinates in units of {} m, and does not say the unit of its heights",
+           unit),
+       .advice = "give --height-units m, ft or us-ft"});
 }
 
 }  // namespace geom::gis

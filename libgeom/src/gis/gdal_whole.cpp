@@ -13,8 +13,8 @@
 
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
-#include "geom/text/json_outline.h"
 #include "geom/text/parse_json.h"
+#include "text/json_outline.h"
 #include "xml.h"
 
 namespace geom::gis {
@@ -26,16 +26,18 @@ std::string text_of(const std::string& path, const std::string& name) {
   GByte* bytes = nullptr;
   vsi_l_offset size = 0;
   if (!VSIIngestFile(nullptr, path.c_str(), &bytes, &size, -1)) {
-    throw InputError(name, "expected a file that can be read whole, found one that cannot");
+    throw InputError(name,
+                     {.expected = "a file that can be read whole", .found = "one that cannot"});
   }
   const std::unique_ptr<GByte, decltype(&VSIFree)> owner(bytes, VSIFree);
   return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
 }
 
 [[noreturn]] void refuse_part(const std::string& name, const std::string& why) {
-  throw InputError(name, fmt::format("this is a part of what its server has: {}; ask for the "
-                                     "rest and join both, or for fewer features at once",
-                                     why));
+  throw InputError(name,
+                   {.says = fmt::format("this is a part of what its server has: {}; ask for the "
+                                        "rest and join both, or for fewer features at once",
+                                        why)});
 }
 
 bool is_cut(const Json& object) {
@@ -81,9 +83,11 @@ void require_type(const Json& value, std::initializer_list<const char*> types,
                   const std::string& what, const std::string& name) {
   const Json found = value.is_object() ? member(value, "type") : Json();
   if (std::find(types.begin(), types.end(), found) != types.end()) return;
-  throw InputError(name, fmt::format("{}: expected \"type\" to be {} in these letters, found "
-                                     "{}: correct it",
-                                     what, fmt::join(types, ", "), shown(found)));
+  throw InputError(
+      name, {.item = what,
+             .expected = fmt::format("\"type\" to be {} in these letters", fmt::join(types, ", ")),
+             .found = shown(found),
+             .advice = "correct it"});
 }
 
 // The root with its own members and those of its features; a count of the features.
@@ -135,11 +139,11 @@ class KmlHandler : public XmlHandler {
     if (element.name != "NetworkLink" && element.name != "Model") return;
     throw InputError(
         name_, element.line,
-        fmt::format("expected all places in this file, found a {}, which leads to another file: {}",
-                    element.name,
-                    element.name == "Model"
-                        ? "give the model itself to skyway-mesh, and take it out here"
-                        : "get that file too, and put both into one without the link"));
+        {.expected = "all places in this file",
+         .found = fmt::format("a {}, which leads to another file: {}", element.name,
+                              element.name == "Model"
+                                  ? "give the model itself to skyway-mesh, and take it out here"
+                                  : "get that file too, and put both into one without the link")});
   }
   void text(std::string_view) override {}
   void end(std::size_t) override {}
@@ -185,9 +189,8 @@ std::vector<std::string> files_beside(GDALDataset& dataset, const std::string& p
 std::size_t require_whole(GDALDataset& dataset, const std::string& path, const std::string& name) {
   const std::string_view driver = GDALGetDriverShortName(dataset.GetDriver());
   if (driver == "OSM") {
-    throw InputError(name,
-                     "this is OpenStreetMap data, of which GDAL leaves out heights: read it "
-                     "with --format osm");
+    throw InputError(name, {.says = "this is OpenStreetMap data, of which GDAL leaves out heights",
+                            .advice = "read it with --format osm"});
   }
   if (driver == "GeoJSON") return require_json(path, name, false);
   if (driver == "ESRIJSON") return require_json(path, name, true);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "geom/base/error.h"
+
 namespace geom::gis {
 
 // Throws InputError(name, …) where the file at `path`, which `dataset` was opened from, says
@@ -24,6 +26,6 @@ void require_whole_shapefile(GDALDataset& dataset, const std::string& name);
 std::vector<std::string> files_beside(GDALDataset& dataset, const std::string& path);
 
 // What to say of a file that GDAL did not open.
-std::string unopened(const std::string& path);
+Fault unopened(const std::string& path);
 
 }  // namespace geom::gis

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 #include "xml_heads.h"
 
 namespace geom::gis {

@@ -52,16 +52,17 @@ void GmlDrawing::place(const GmlDrawn& drawn, CityModel& model, const std::strin
                       fmt::format("{} of {}", found.lost.substr(0, 60), object.name.substr(0, 60)));
   }
   if (!found.within_reach()) {
-    throw InputError(source, fmt::format("object \"{}\": expected coordinates within 1e8, "
-                                         "found a shape that is placed beyond",
-                                         object.name.substr(0, 60)));
+    throw InputError(source, {.item = fmt::format("object \"{}\"", object.name.substr(0, 60)),
+                              .expected = "coordinates within 1e8",
+                              .found = "a shape that is placed beyond"});
   }
   if (!drawn.place) drop_known(drawn, found);
   taken_ += found.surfaces.size();
   if (taken_ > kMostSurfaces) {
-    throw InputError(source, fmt::format("expected at most {} surfaces, links followed, found "
-                                         "more: cut the file",
-                                         kMostSurfaces));
+    throw InputError(source,
+                     {.expected = fmt::format("at most {} surfaces, links followed", kMostSurfaces),
+                      .found = "more",
+                      .advice = "cut the file"});
   }
   if (found.surfaces.empty()) return;
   CityGeometry geometry = drawn.geometry;

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "geom/import/written_height.h"
 #include "gml_words.h"
+#include "import/written_height.h"
 
 namespace geom::gis {
 namespace {

@@ -27,7 +27,8 @@ std::optional<GmlNumbers> GmlPolygon::take(const XmlElement& element, int dimens
   curved |= !element.attribute("href").empty();
   if (!is_gml_numbers(element.name)) return std::nullopt;
   if (element.name == "coord") {
-    throw InputError(name, element.line, "expected pos, posList or coordinates, found coord");
+    throw InputError(name, element.line,
+                     {.expected = "pos, posList or coordinates", .found = "coord"});
   }
   GmlNumbers form;
   form.dimension = dimension;
@@ -44,7 +45,7 @@ std::optional<GmlNumbers> GmlPolygon::take(const XmlElement& element, int dimens
 
 void GmlPolygon::add(std::string_view text, GmlNumbers form, bool one, const std::string& name,
                      std::size_t line) {
-  const auto refuse = [&](const std::string& message) { throw InputError(name, line, message); };
+  const auto refuse = [&](Fault fault) { throw InputError(name, line, std::move(fault)); };
   if (one) {
     GmlNumbers each = form;
     each.dimension = 1;
@@ -53,15 +54,15 @@ void GmlPolygon::add(std::string_view text, GmlNumbers form, bool one, const std
   }
   const auto numbers = gml_numbers(text, form);
   if (!numbers) {
-    refuse(fmt::format("expected numbers by {}, found \"{}\"", form.dimension,
-                       std::string(trimmed(text)).substr(0, 60)));
+    refuse({.expected = fmt::format("numbers by {}", form.dimension),
+            .found = in_quotes(std::string(trimmed(text)).substr(0, 60))});
   }
-  if (rings.empty()) refuse("expected points in an exterior or interior ring");
+  if (rings.empty()) refuse({.expected = "points in an exterior or interior ring"});
   flat |= form.dimension == 2;
   for (std::size_t i = 0; form.dimension == 3 && i < numbers->size(); i += 3) {
     const Vec3 p((*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]);
     if (!(p.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
-      refuse("expected coordinates within 1e8, found a larger one");
+      refuse({.expected = "coordinates within 1e8", .found = "a larger one"});
     }
     rings.back().push_back(p);
   }

@@ -7,8 +7,8 @@
 #include <cctype>
 #include <span>
 
-#include "geom/import/written_height.h"
 #include "geom/text/text_table.h"
+#include "import/written_height.h"
 
 namespace geom::gis {
 namespace {

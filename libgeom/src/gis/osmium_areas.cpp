@@ -349,9 +349,11 @@ Source read_osm(const std::string& path, const std::string& name, const ReadOpti
     throw;
   } catch (const std::exception& error) {
     throw InputError(
-        name, fmt::format("expected whole OpenStreetMap data, each object once, found other data "
-                          "(libosmium: {}); `osmium sort` and `osmium check-refs` may tell more",
-                          error.what()));
+        name,
+        {.expected = "whole OpenStreetMap data, each object once",
+         .found = fmt::format(
+             "other data (libosmium: {}); `osmium sort` and `osmium check-refs` may tell more",
+             error.what())});
   }
 }
 

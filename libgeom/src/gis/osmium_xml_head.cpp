@@ -4,7 +4,7 @@
 #include <osmium/io/file.hpp>
 #include <osmium/io/gzip_compression.hpp>
 
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 #include "xml_heads.h"
 
 namespace geom::gis {

@@ -159,9 +159,12 @@ void check_sizes(const Source& source, double slack, const std::string& name) {
     const double size = (high - low).maxCoeff();
     if (low.minCoeff() < -reach || high.maxCoeff() > reach || size > kMostSlabs * slack) {
       throw InputError(
-          name, fmt::format("feature {}: expected a footprint within {} m of the origin and no "
-                            "longer than {} m (1e6 times --slack), found [{}, {}] to [{}, {}]",
-                            f.id, reach, kMostSlabs * slack, low.x(), low.y(), high.x(), high.y()));
+          name,
+          {.item = fmt::format("feature {}", f.id),
+           .expected = fmt::format(
+               "a footprint within {} m of the origin and no longer than {} m (1e6 times --slack)",
+               reach, kMostSlabs * slack),
+           .found = fmt::format("[{}, {}] to [{}, {}]", low.x(), low.y(), high.x(), high.y())});
     }
   }
 }

@@ -6,8 +6,8 @@
 #include "city_gml.h"
 #include "geom/base/error.h"
 #include "geom/gis/axis_order.h"
-#include "geom/import/city_footprints.h"
-#include "geom/import/city_json.h"
+#include "import/city_footprints.h"
+#include "import/city_json.h"
 
 namespace geom::gis {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 bool says(const std::string& path, std::string_view word) {
   std::ifstream file(path, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(file), {});
-  if (file.bad()) throw InputError(path, "reading failed");
+  if (file.bad()) throw InputError(path, {.says = "reading failed"});
   return text.find(word) != std::string::npos;
 }
 
@@ -75,9 +75,9 @@ Source read(const std::string& format, const std::string& path, const std::strin
   Source source = read_any(format, path, name, file, options);
   if (format != "raster") require_attribute(source, options, name);
   if (source.footprints.empty()) {
-    const std::string skipped = source.skipped.text();
-    throw InputError(name, "expected at least one footprint, found none" +
-                               (skipped.empty() ? "" : ": " + skipped));
+    throw InputError(
+        name,
+        {.expected = "at least one footprint", .found = "none", .advice = source.skipped.text()});
   }
   return source;
 }

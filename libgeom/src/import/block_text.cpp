@@ -1,4 +1,4 @@
-#include "geom/import/block_text.h"
+#include "import/block_text.h"
 
 #include <fmt/format.h>
 
@@ -24,8 +24,8 @@ std::vector<std::string_view> words(std::string_view line) {
 Aabb parse_box(const TextLines& lines, const std::vector<std::string_view>& fields,
                std::size_t& reversed) {
   if (fields.size() != 7 && fields.size() != 10) {
-    lines.refuse(
-        fmt::format("{} must have 6 or 9 numbers, found {}", fields[0], fields.size() - 1));
+    lines.refuse({.says = fmt::format("{} must have 6 or 9 numbers", fields[0]),
+                  .found = fmt::to_string(fields.size() - 1)});
   }
   double v[6];
   for (int i = 0; i < 6; ++i) {
@@ -57,12 +57,12 @@ BlockText read_block_text(std::istream& in, std::string_view source) {
     const auto fields = words(lines.line());
     if (fields.empty()) continue;
     if (fields[0] == "boundary") {
-      if (boundary) lines.refuse("expected one boundary, found another");
+      if (boundary) lines.refuse({.expected = "one boundary", .found = "another"});
       boundary = parse_box(lines, fields, out.reversed);
     } else if (fields[0] == "block") {
       const Aabb box = parse_box(lines, fields, out.reversed);
       const int zeros = static_cast<int>((box.min.array() == box.max.array()).count());
-      if (zeros == 3) lines.refuse("a block must have some extent, found a point");
+      if (zeros == 3) lines.refuse({.says = "a block must have some extent", .found = "a point"});
       out.flat += zeros > 0;
       const std::string colour = colour_of(lines, fields);
       out.table.add(box, lines.number(), out.table.label_of(colour));
@@ -71,12 +71,12 @@ BlockText read_block_text(std::istream& in, std::string_view source) {
                       fmt::format("line {}: {}", lines.number(), fields[0].substr(0, 40)));
     }
   }
-  if (!boundary) lines.refuse("expected a boundary line, found none");
+  if (!boundary) lines.refuse({.expected = "a boundary line", .found = "none"});
   if (out.table.boxes.empty()) {
     lines.refuse(
-        "expected at least one block, found a boundary alone: a map needs an obstacle; a block "
-        "that "
-        "is the floor, as flat as 0, will do");
+        {.expected = "at least one block",
+         .found = "a boundary alone",
+         .advice = "a map needs an obstacle; a block that is the floor, as flat as 0, will do"});
   }
   out.boundary = *boundary;
   return out;

@@ -8,9 +8,9 @@
 #include <ostream>
 
 #include "geom/text/csv_field.h"
-#include "geom/text/csv_records.h"
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
+#include "text/csv_records.h"
 
 namespace geom {
 namespace {
@@ -27,8 +27,9 @@ std::string joined(const std::vector<std::string>& fields) {
 double coordinate_of(const CsvRecords& records, const char* name, const std::string& field) {
   const auto value = parse_number(field);
   if (!value || !(std::abs(*value) <= kLargestCoordinate)) {
-    records.refuse(fmt::format("{} must be a finite number within 1e8 m, found \"{}\"", name,
-                               field.substr(0, 40)));
+    records.refuse({.key = std::string(name),
+                    .expected = "a finite number within 1e8 m",
+                    .found = in_quotes(field.substr(0, 40))});
   }
   return *value;
 }
@@ -39,27 +40,30 @@ BoxTable read_box_csv(std::istream& in, std::string_view source) {
   CsvRecords records(in, source);
   BoxTable table;
   if (!records.next() || joined(records.fields()) != kHeader) {
-    records.refuse(fmt::format("expected the header {}, found \"{}\"", kHeader,
-                               joined(records.fields()).substr(0, 80)));
+    records.refuse({.expected = fmt::format("the header {}", kHeader),
+                    .found = in_quotes(joined(records.fields()).substr(0, 80))});
   }
   while (records.next()) {
     const std::vector<std::string>& fields = records.fields();
     if (fields.size() != 7) {
-      records.refuse(fmt::format("expected 7 fields, found {}: \"{}\"", fields.size(),
-                                 joined(fields).substr(0, 80)));
+      records.refuse(
+          {.expected = "7 fields",
+           .found = fmt::format("{}: \"{}\"", fields.size(), joined(fields).substr(0, 80))});
     }
     double v[6];
     for (int i = 0; i < 6; ++i) v[i] = coordinate_of(records, kNames[i], fields[i]);
     for (int i = 0; i < 3; ++i) {
       if (v[i] > v[i + 3]) {
-        records.refuse(fmt::format("{} must be <= {}, found \"{}\" and \"{}\"", kNames[i],
-                                   kNames[i + 3], fields[i], fields[i + 3]));
+        records.refuse({.key = std::string(kNames[i]),
+                        .expected = fmt::format("<= {}", kNames[i + 3]),
+                        .found = fmt::format("\"{}\" and \"{}\"", fields[i], fields[i + 3])});
       }
     }
     table.add({{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}, records.number(),
               table.label_of(fields[6]));
   }
-  if (table.boxes.empty()) records.refuse("expected at least one box after the header, found none");
+  if (table.boxes.empty())
+    records.refuse({.expected = "at least one box after the header", .found = "none"});
   return table;
 }
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cctype>
 
-#include "geom/import/written_height.h"
 #include "geom/text/text_table.h"
+#include "import/written_height.h"
 
 namespace geom {
 namespace {

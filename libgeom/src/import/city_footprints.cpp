@@ -1,4 +1,4 @@
-#include "geom/import/city_footprints.h"
+#include "import/city_footprints.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <optional>
 #include <set>
 
-#include "geom/import/written_height.h"
 #include "geom/shape/aabb.h"
+#include "import/written_height.h"
 
 namespace geom {
 namespace {

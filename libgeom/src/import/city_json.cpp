@@ -1,15 +1,16 @@
-#include "geom/import/city_json.h"
+#include "import/city_json.h"
 
 #include <fmt/format.h>
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <istream>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "geom/base/error.h"
+#include "geom/base/file_error.h"
 #include "geom/base/vec3.h"
 #include "geom/text/parse_json.h"
 #include "geom/text/text_table.h"
@@ -47,32 +48,32 @@ class Reader {
       }
     }
     if (in.bad()) {
-      throw std::system_error(std::make_error_code(std::errc::io_error),
-                              fmt::format("cannot read {}", source_));
+      throw FileError(FileUse::reading, std::string(source_), EIO);
     }
     if (!sequence) read_document(parse_json(head, source_));
     line_ = 0;
-    if (!surfaces_found_) refuse("expected at least one object with surfaces, found none");
+    if (!surfaces_found_)
+      refuse({.expected = "at least one object with surfaces", .found = "none"});
     return std::move(out_);
   }
 
  private:
-  [[noreturn]] void refuse(std::string_view message) const {
-    if (line_ > 0) throw InputError(source_, line_, message);
-    throw InputError(source_, message);
+  [[noreturn]] void refuse(Fault fault) const {
+    if (line_ > 0) throw InputError(source_, line_, std::move(fault));
+    throw InputError(source_, std::move(fault));
   }
-  [[noreturn]] void refuse_object(std::string_view message) const {
-    refuse(fmt::format("object \"{}\": {}", object_.substr(0, 60), message));
+  [[noreturn]] void refuse_object(Fault fault) const {
+    refuse(within(fmt::format("object \"{}\"", object_.substr(0, 60)), std::move(fault)));
   }
 
   void read_document(const Json& root) {
     const Json type = root.is_object() ? root.value("type", Json()) : Json();
     if (type == "CityJSONFeature") {
-      refuse(
-          "expected a first line with \"type\":\"CityJSON\" and a transform, found a "
-          "CityJSONFeature: put the line of its sequence or service before it");
+      refuse({.expected = "a first line with \"type\":\"CityJSON\" and a transform",
+              .found = "a CityJSONFeature",
+              .advice = "put the line of its sequence or service before it"});
     }
-    if (type != "CityJSON") refuse("expected a JSON object with \"type\":\"CityJSON\"");
+    if (type != "CityJSON") refuse({.expected = "a JSON object with \"type\":\"CityJSON\""});
     require_version(root.value("version", Json()));
     read_crs(root);
     read_transform(root);
@@ -84,21 +85,22 @@ class Reader {
   void begin_sequence(const Json& root) {
     line_ = 1;
     read_document(root);
-    if (!root.contains("transform")) refuse("expected a \"transform\" for the lines that follow");
+    if (!root.contains("transform"))
+      refuse({.expected = "a \"transform\" for the lines that follow"});
   }
 
   void read_feature(const Json& feature) {
     const Json type = feature.is_object() ? feature.value("type", Json()) : feature;
     if (type != "CityJSONFeature") {
-      refuse(
-          fmt::format("expected \"type\":\"CityJSONFeature\", found {}: one sequence, of one "
-                      "CityJSON and its features, is read",
-                      shown(type)));
+      refuse({.expected = "\"type\":\"CityJSONFeature\"",
+              .found = shown(type),
+              .advice = "one sequence, of one CityJSON and its features, is read"});
     }
     const Json metadata = feature.value("metadata", Json::object());
     for (const char* key : {"transform", "geometry-templates", "referenceSystem"}) {
       if (!feature.contains(key) && !(metadata.is_object() && metadata.contains(key))) continue;
-      refuse(fmt::format("expected \"{}\" in the first line alone, found it in a feature", key));
+      refuse({.expected = fmt::format("\"{}\" in the first line alone", key),
+              .found = "it in a feature"});
     }
     vertices_.clear();
     read_vertices(feature);
@@ -112,7 +114,7 @@ class Reader {
   // `where`: what keeps apart objects of the same name.
   void read_objects(const Json& root, const std::string& where) {
     const Json objects = root.value("CityObjects", Json());
-    if (!objects.is_object()) refuse("expected \"CityObjects\" to be an object");
+    if (!objects.is_object()) refuse({.expected = "\"CityObjects\" to be an object"});
     for (const auto& [name, object] : objects.items()) {
       CityObject made = read_object(name, object);
       const std::string whole = whole_of(objects, name);
@@ -148,7 +150,7 @@ class Reader {
     for (const char* known : {"1.0", "1.1", "2.0"}) {
       if (said == known || said.starts_with(std::string(known) + ".")) return;
     }
-    refuse("expected CityJSON version 1.0, 1.1 or 2.0, found " + shown(version));
+    refuse({.expected = "CityJSON version 1.0, 1.1 or 2.0", .found = shown(version)});
   }
 
   void read_crs(const Json& root) {
@@ -168,14 +170,14 @@ class Reader {
 
   double number(const Json& value, std::string_view what) const {
     if (!value.is_number() || !std::isfinite(value.get<double>())) {
-      refuse(fmt::format("{} must be a finite number, found {}", what, shown(value)));
+      refuse({.key = std::string(what), .expected = "a finite number", .found = shown(value)});
     }
     return value.get<double>();
   }
 
   Vec3 triple(const Json& value, std::string_view what) const {
     if (!value.is_array() || value.size() != 3) {
-      refuse(fmt::format("{} must be 3 numbers, found {}", what, shown(value)));
+      refuse({.key = std::string(what), .expected = "3 numbers", .found = shown(value)});
     }
     return {number(value[0], what), number(value[1], what), number(value[2], what)};
   }
@@ -183,23 +185,24 @@ class Reader {
   void read_transform(const Json& root) {
     if (!root.contains("transform")) return;
     const Json& transform = root["transform"];
-    if (!transform.is_object()) refuse("transform must be an object");
+    if (!transform.is_object()) refuse({.key = "transform", .expected = "an object"});
     scale_ = triple(transform.value("scale", Json()), "transform.scale");
     translate_ = triple(transform.value("translate", Json()), "transform.translate");
     if ((scale_.array() == 0).any()) {
-      refuse(fmt::format("transform.scale must be 3 numbers other than 0, found {}",
-                         shown(transform["scale"])));
+      refuse({.key = "transform.scale",
+              .expected = "3 numbers other than 0",
+              .found = shown(transform["scale"])});
     }
   }
 
   void read_vertices(const Json& root) {
     const Json vertices = root.value("vertices", Json());
-    if (!vertices.is_array()) refuse("expected \"vertices\" to be an array");
+    if (!vertices.is_array()) refuse({.expected = "\"vertices\" to be an array"});
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Vec3 v =
           triple(vertices[i], fmt::format("vertex {}", i)).cwiseProduct(scale_) + translate_;
       if (!(v.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
-        refuse(fmt::format("vertex {} lies beyond 1e8", i));
+        refuse({.says = fmt::format("vertex {} lies beyond 1e8", i)});
       }
       vertices_.push_back(v);
     }
@@ -208,7 +211,7 @@ class Reader {
   CityObject read_object(const std::string& name, const Json& object) {
     object_ = name;
     if (!object.is_object() || !object.value("type", Json()).is_string()) {
-      refuse_object("expected an object with a type");
+      refuse_object({.expected = "an object with a type"});
     }
     CityObject out;
     out.type = object["type"];
@@ -216,9 +219,9 @@ class Reader {
     read_attributes(object.value("attributes", Json()), out);
     if (!object.contains("geometry")) return out;
     const Json& list = object["geometry"];
-    if (!list.is_array()) refuse_object("geometry must be an array");
+    if (!list.is_array()) refuse_object({.key = "geometry", .expected = "an array"});
     for (const Json& geometry : list) {
-      if (!geometry.is_object()) refuse_object("a geometry must be an object");
+      if (!geometry.is_object()) refuse_object({.key = "a geometry", .expected = "an object"});
       read_geometry(geometry, out);
     }
     return out;
@@ -288,10 +291,10 @@ class Reader {
     const Json vertices =
         section.is_object() ? section.value("vertices-templates", Json()) : Json();
     if (!list.is_array() || !vertices.is_array()) {
-      refuse("geometry-templates must have the arrays templates and vertices-templates");
+      refuse({.says = "geometry-templates must have the arrays templates and vertices-templates"});
     }
     for (const Json& geometry : list) {
-      if (!geometry.is_object()) refuse("a geometry template must be an object");
+      if (!geometry.is_object()) refuse({.key = "a geometry template", .expected = "an object"});
       templates_.push_back(geometry);
     }
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -302,8 +305,9 @@ class Reader {
   const Json& template_of(const Json& instance) const {
     const Json index = instance.value("template", Json());
     if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= templates_.size()) {
-      refuse_object(
-          fmt::format("a template must be below {}, found {}", templates_.size(), shown(index)));
+      refuse_object({.key = "a template",
+                     .expected = fmt::format("below {}", templates_.size()),
+                     .found = shown(index)});
     }
     return templates_[index.get<std::size_t>()];
   }
@@ -319,31 +323,33 @@ class Reader {
     }
     const Json at = geometry.value("boundaries", Json());
     if (!at.is_array() || at.size() != 1) {
-      refuse_object("the boundaries of a GeometryInstance must be one vertex index");
+      refuse_object(
+          {.key = "the boundaries of a GeometryInstance", .expected = "one vertex index"});
     }
     const Vec3 reference = vertices_[index_below(at[0], vertices_.size())];
     const Json numbers = geometry.value("transformationMatrix", Json());
     if (!numbers.is_array() || numbers.size() != 16) {
-      refuse_object("a transformationMatrix must be 16 numbers");
+      refuse_object({.key = "a transformationMatrix", .expected = "16 numbers"});
     }
     Eigen::Matrix4d matrix;
     for (int i = 0; i < 16; ++i) {
       matrix(i / 4, i % 4) = number(numbers[static_cast<std::size_t>(i)], "transformationMatrix");
     }
     if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
-      refuse_object(fmt::format("the last row of a transformationMatrix must be 0 0 0 1, found {}",
-                                shown(Json(numbers.begin() + 12, numbers.end()))));
+      refuse_object({.key = "the last row of a transformationMatrix",
+                     .expected = "0 0 0 1",
+                     .found = shown(Json(numbers.begin() + 12, numbers.end()))});
     }
     if (matrix.determinant() == 0) {
-      refuse_object(
-          "expected a transformationMatrix that keeps solids solid, found one of volume 0");
+      refuse_object({.expected = "a transformationMatrix that keeps solids solid",
+                     .found = "one of volume 0"});
     }
     std::vector<Vec3> placed;
     for (const Vec3& v : template_vertices_) {
       const Eigen::Vector4d h = matrix * Eigen::Vector4d(v.x(), v.y(), v.z(), 1);
       placed.push_back(h.head<3>() + reference);
       if (!(placed.back().cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
-        refuse_object("a template's vertex is placed beyond 1e8");
+        refuse_object({.says = "a template's vertex is placed beyond 1e8"});
       }
     }
     std::swap(vertices_, placed);
@@ -353,8 +359,9 @@ class Reader {
 
   // Boundaries nest to a depth that their type gives; a surface is an array of rings of indices.
   void collect(const Json& boundaries, int depth) {
-    if (!boundaries.is_array()) refuse_object("boundaries must be nested arrays of vertex indices");
-    if (depth > 4) refuse_object("boundaries nest too deep");
+    if (!boundaries.is_array())
+      refuse_object({.key = "boundaries", .expected = "nested arrays of vertex indices"});
+    if (depth > 4) refuse_object({.says = "boundaries nest too deep"});
     for (const Json& part : boundaries) {
       const bool surface = part.is_array() && !part.empty() && part[0].is_array() &&
                            !part[0].empty() && !part[0][0].is_array();
@@ -368,7 +375,9 @@ class Reader {
 
   std::size_t index_below(const Json& index, std::size_t count) const {
     if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= count) {
-      refuse_object(fmt::format("a vertex index must be below {}, found {}", count, shown(index)));
+      refuse_object({.key = "a vertex index",
+                     .expected = fmt::format("below {}", count),
+                     .found = shown(index)});
     }
     return index.get<std::size_t>();
   }
@@ -376,7 +385,7 @@ class Reader {
   CitySurface surface_of(const Json& rings) const {
     CitySurface surface;
     for (const Json& ring : rings) {
-      if (!ring.is_array() || ring.empty()) refuse_object("a ring must have vertices");
+      if (!ring.is_array() || ring.empty()) refuse_object({.says = "a ring must have vertices"});
       surface.emplace_back();
       for (const Json& index : ring) {
         surface.back().push_back(vertices_[index_below(index, vertices_.size())]);

@@ -73,10 +73,9 @@ std::optional<GeodeticOrigin> parse_origin(const TextLines& lines) {
   }
   if (!latitude || !longitude) return std::nullopt;
   if (!(std::abs(*latitude) <= 90 && std::abs(*longitude) <= 360)) {
-    lines.refuse(
-        fmt::format("latitude must be within 90 and longitude within 360 degrees, found "
-                    "\"{}\"",
-                    lines.line()));
+    lines.refuse({.key = "latitude",
+                  .expected = "within 90 and longitude within 360 degrees",
+                  .found = in_quotes(lines.line())});
   }
   return GeodeticOrigin{*latitude, *longitude, 0};
 }
@@ -97,11 +96,11 @@ Columns parse_header(const TextLines& lines, FcndTable& out) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto at = std::find(fields.begin(), fields.end(), kColumns[i]);
     if (at == fields.end()) {
-      lines.refuse(fmt::format("expected a column {}, found \"{}\"", kColumns[i],
-                               lines.line().substr(0, 80)));
+      lines.refuse({.expected = fmt::format("a column {}", kColumns[i]),
+                    .found = in_quotes(lines.line().substr(0, 80))});
     }
     if (std::find(at + 1, fields.end(), kColumns[i]) != fields.end()) {
-      lines.refuse(fmt::format("expected one column {}, found another", kColumns[i]));
+      lines.refuse({.expected = fmt::format("one column {}", kColumns[i]), .found = "another"});
     }
     columns[i] = static_cast<std::size_t>(at - fields.begin());
   }
@@ -114,18 +113,17 @@ void require_no_names(const TextLines& lines) {
     return lines.line().find(column) != std::string_view::npos;
   });
   if (!names) return;
-  lines.refuse(
-      fmt::format("expected the names of columns in a line of their own, found them in a "
-                  "comment: remove the # of \"{}\"",
-                  lines.line().substr(0, 80)));
+  lines.refuse({.expected = "the names of columns in a line of their own",
+                .found = "them in a comment",
+                .advice = fmt::format("remove the # of \"{}\"", lines.line().substr(0, 80))});
 }
 
 void add_box(const TextLines& lines, const Columns& columns, std::size_t width, FcndTable& out) {
   const auto fields = split_fields(lines.line());
   const std::size_t needed = *std::max_element(columns.begin(), columns.end()) + 1;
   if (fields.size() < needed) {
-    lines.refuse(fmt::format("expected {} fields, found {}: \"{}\"", needed, fields.size(),
-                             lines.line().substr(0, 80)));
+    lines.refuse({.expected = fmt::format("{} fields", needed),
+                  .found = fmt::format("{}: \"{}\"", fields.size(), lines.line().substr(0, 80))});
   }
   for (std::size_t i = width; i < fields.size(); ++i) {
     if (fields[i].empty()) continue;
@@ -136,15 +134,17 @@ void add_box(const TextLines& lines, const Columns& columns, std::size_t width, 
   for (std::size_t i = 0; i < v.size(); ++i) {
     v[i] = coordinate(lines, kNames[i], fields[columns[i]]);
     if (i >= 3 && v[i] < 0) {
-      lines.refuse(fmt::format("{} must be >= 0, found \"{}\"", kNames[i], fields[columns[i]]));
+      lines.refuse({.key = std::string(kNames[i]),
+                    .expected = ">= 0",
+                    .found = in_quotes(fields[columns[i]])});
     }
   }
   const auto zeros = std::count(v.begin() + 3, v.end(), 0.0);
   if (zeros == 3) {
     lines.refuse(
-        fmt::format("expected a half size > 0, found three zeros (is this a latitude and "
-                    "longitude line?): \"{}\"",
-                    lines.line().substr(0, 80)));
+        {.expected = "a half size > 0",
+         .found = fmt::format("three zeros (is this a latitude and longitude line?): \"{}\"",
+                              lines.line().substr(0, 80))});
   }
   out.flat += zeros > 0;
   Aabb box;
@@ -184,8 +184,8 @@ FcndTable read_fcnd_csv(std::istream& in, std::string_view source) {
     add_box(lines, columns, width, out);
   }
   if (out.table.boxes.empty()) {
-    lines.refuse(lines.number() ? "expected at least one box after the header, found none"
-                                : "expected an FCND table, found an empty file");
+    if (!lines.number()) lines.refuse({.expected = "an FCND table", .found = "an empty file"});
+    lines.refuse({.expected = "at least one box after the header", .found = "none"});
   }
   return out;
 }

@@ -6,16 +6,16 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "geom/import/block_text.h"
 #include "geom/import/box_csv.h"
 #include "geom/import/fcnd_csv.h"
-#include "geom/import/jps3d_map.h"
-#include "geom/import/octomap.h"
 #include "geom/import/sdf_world.h"
-#include "geom/import/voxel_3dmap.h"
-#include "geom/import/world_json.h"
 #include "geom/text/counted.h"
 #include "geom/text/json_line.h"
+#include "import/block_text.h"
+#include "import/jps3d_map.h"
+#include "import/octomap.h"
+#include "import/voxel_3dmap.h"
+#include "import/world_json.h"
 
 namespace geom {
 namespace {
@@ -136,10 +136,11 @@ BoxFormat box_format_of(std::string_view head, std::string_view source) {
   if (const auto format = detect(head)) return *format;
   throw InputError(
       source, 1,
-      fmt::format(
-          "expected an FCND table, box CSV, block text, RotorPy JSON, .3dmap, OctoMap .bt, SDF or "
-          "jps3d YAML, found a file that begins with \"{}\": name its format with --format",
-          head.substr(0, std::min<std::size_t>(60, head.find_first_of("\r\n")))));
+      {.expected = "an FCND table, box CSV, block text, RotorPy JSON, .3dmap, OctoMap .bt, SDF or "
+                   "jps3d YAML",
+       .found = fmt::format("a file that begins with \"{}\"",
+                            head.substr(0, std::min<std::size_t>(60, head.find_first_of("\r\n")))),
+       .advice = "name its format with --format"});
 }
 
 ImportedBoxes import_boxes(std::istream& in, BoxFormat format, std::string_view source,
@@ -165,21 +166,22 @@ ImportedBoxes import_boxes(std::istream& in, BoxFormat format, std::string_view 
     case BoxFormat::jps3d:
       return from_jps3d(in, source, options.unknown_blocked);
   }
-  throw InputError(source, "expected a known format of boxes, found another");
+  throw InputError(source, {.expected = "a known format of boxes", .found = "another"});
 }
 
 MadeMap make_map(ImportedBoxes boxes, std::string_view source, MakeMapOptions options) {
   std::string history = "[]";
   if (!boxes.skipped.empty()) {
     if (!boxes.allow_skipped) {
-      throw InputError(source, fmt::format("{} cannot be built: {}",
-                                           counted(boxes.skipped.count(), "possible obstacle"),
-                                           boxes.skipped.text()));
+      throw InputError(source,
+                       {.says = fmt::format("{} cannot be built: {}",
+                                            counted(boxes.skipped.count(), "possible obstacle"),
+                                            boxes.skipped.text())});
     }
     history = '[' + JsonLine().add("skipped", boxes.skipped.count()).object() + ']';
   }
   if (boxes.table.boxes.empty())
-    throw InputError(source, "expected at least one obstacle, found none");
+    throw InputError(source, {.expected = "at least one obstacle", .found = "none"});
   if (!options.source_bounds) options.source_bounds = boxes.bounds;
   if (!options.floor) options.floor = boxes.floor;
   if (!options.seal) options.seal = boxes.seal;

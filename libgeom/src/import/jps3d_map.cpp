@@ -1,4 +1,4 @@
-#include "geom/import/jps3d_map.h"
+#include "import/jps3d_map.h"
 
 #include <fmt/format.h>
 
@@ -41,14 +41,15 @@ class Reader {
     for (pass(true); !text_.empty(); end_line()) {
       take_dash();
       const std::string key = take_key();
-      if (out.contains(key)) refuse(fmt::format("expected each key once, found {} again", key));
+      if (out.contains(key))
+        refuse({.expected = "each key once", .found = fmt::format("{} again", key)});
       out[key] = take_value();
     }
     return out;
   }
 
-  [[noreturn]] void refuse(std::string_view message, std::size_t line = 0) const {
-    throw InputError(source_, line ? line : line_, message);
+  [[noreturn]] void refuse(Fault fault, std::size_t line = 0) const {
+    throw InputError(source_, line ? line : line_, std::move(fault));
   }
 
  private:
@@ -56,7 +57,7 @@ class Reader {
   void require_line_ends() const {
     for (std::size_t at = 0; (at = text_.find('\r', at)) != text_.npos; ++at) {
       if (at + 1 < text_.size() && text_[at + 1] != '\n' && text_[at + 1] != '\r') {
-        refuse(kLoneReturn);
+        refuse(lone_return());
       }
     }
   }
@@ -81,7 +82,8 @@ class Reader {
   void end_line() {
     pass(false);
     if (!text_.empty() && text_.front() != '\n') {
-      refuse(fmt::format("expected one key in each line, found \"{}\" after its value", word()));
+      refuse({.expected = "one key in each line",
+              .found = fmt::format("\"{}\" after its value", word())});
     }
     pass(true);
   }
@@ -101,14 +103,12 @@ class Reader {
     const std::size_t end = std::min(text_.find_first_of(": \t\r\n"), text_.size());
     const std::string key(text_.substr(0, end));
     if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
-      refuse(
-          fmt::format("expected a key of jps3d (origin, dim, resolution, data, start, goal), "
-                      "found \"{}\"",
-                      word()));
+      refuse({.expected = "a key of jps3d (origin, dim, resolution, data, start, goal)",
+              .found = in_quotes(word())});
     }
     text_.remove_prefix(end);
     pass(false);
-    if (!text_.starts_with(":")) refuse(fmt::format("expected : after {}", key));
+    if (!text_.starts_with(":")) refuse({.expected = fmt::format(": after {}", key)});
     text_.remove_prefix(1);
     pass(false);
     return key;
@@ -129,7 +129,7 @@ class Reader {
       if (text_.starts_with(",")) {
         text_.remove_prefix(1);
       } else if (!text_.starts_with("]")) {
-        refuse(fmt::format("expected , or ] in a list, found \"{}\"", word()));
+        refuse({.expected = ", or ] in a list", .found = in_quotes(word())});
       }
     }
     text_.remove_prefix(1);
@@ -143,7 +143,7 @@ class Reader {
     const bool whole =
         rest == end || std::string_view(" \t\r\n,]#").find(*rest) != std::string_view::npos;
     if (error != std::errc() || !whole || !(std::abs(value) <= kLargestCoordinate)) {
-      refuse(fmt::format("expected a finite number within 1e8, found \"{}\"", word()));
+      refuse({.expected = "a finite number within 1e8", .found = in_quotes(word())});
     }
     text_.remove_prefix(static_cast<std::size_t>(rest - text_.data()));
     return value;
@@ -163,13 +163,14 @@ struct Grid {
 Grid grid_of(const Reader& reader, const std::map<std::string, Value, std::less<>>& values) {
   const auto of = [&](std::string_view key, bool list, std::size_t count) -> const Value& {
     const auto at = values.find(key);
-    if (at == values.end()) reader.refuse(fmt::format("expected the key {}, found none", key));
+    if (at == values.end())
+      reader.refuse({.expected = fmt::format("the key {}", key), .found = "none"});
     if (at->second.list != list || (list && count && at->second.numbers.size() != count)) {
-      reader.refuse(
-          fmt::format("{} must be {}, found {} number{}", key,
-                      list ? fmt::format("a list of {}", count) : "one number",
-                      at->second.numbers.size(), at->second.numbers.size() == 1 ? "" : "s"),
-          at->second.line);
+      reader.refuse({.key = std::string(key),
+                     .expected = list ? fmt::format("a list of {}", count) : "one number",
+                     .found = fmt::format("{} number{}", at->second.numbers.size(),
+                                          at->second.numbers.size() == 1 ? "" : "s")},
+                    at->second.line);
     }
     return at->second;
   };
@@ -181,25 +182,27 @@ Grid grid_of(const Reader& reader, const std::map<std::string, Value, std::less<
   std::copy(origin.numbers.begin(), origin.numbers.end(), grid.origin.begin());
   grid.resolution = resolution.numbers[0];
   if (!(grid.resolution > 1e-6)) {
-    reader.refuse(fmt::format("resolution must be above 1e-6, found {}", grid.resolution),
-                  resolution.line);
+    reader.refuse(
+        {.key = "resolution", .expected = "above 1e-6", .found = fmt::to_string(grid.resolution)},
+        resolution.line);
   }
   double cells = 1;
   for (std::size_t i = 0; i < 3; ++i) {
     const double count = dim.numbers[i];
     if (!(count >= 1 && count <= 1e6 && count == std::floor(count))) {
-      reader.refuse(fmt::format("dim must be whole numbers from 1 to 1e6, found {}", count),
-                    dim.line);
+      reader.refuse(
+          {.key = "dim", .expected = "whole numbers from 1 to 1e6", .found = fmt::to_string(count)},
+          dim.line);
     }
     grid.dim[i] = static_cast<std::size_t>(count);
     cells *= count;
     if (!(std::abs(grid.origin[i]) + count * grid.resolution <= kLargestCoordinate)) {
-      reader.refuse("expected a grid within 1e8 m, found one beyond", dim.line);
+      reader.refuse({.expected = "a grid within 1e8 m", .found = "one beyond"}, dim.line);
     }
   }
   if (cells != static_cast<double>(data.numbers.size())) {
-    reader.refuse(fmt::format("data must have the {} numbers that dim says, found {}", cells,
-                              data.numbers.size()),
+    reader.refuse({.says = fmt::format("data must have the {} numbers that dim says", cells),
+                   .found = fmt::to_string(data.numbers.size())},
                   data.line);
   }
   return grid;
@@ -247,7 +250,8 @@ Jps3dMap read_jps3d_map(std::istream& in, std::string_view source, const Jps3dOp
     out.table.add({{x.low[i], y.low[j], z.low[k]}, {x.high[i + 1], y.high[j + 1], z.high[k + 1]}},
                   at, unknown ? 1 : 0);
   }
-  if (out.table.boxes.empty()) reader.refuse("expected at least one occupied cell, found none");
+  if (out.table.boxes.empty())
+    reader.refuse({.expected = "at least one occupied cell", .found = "none"});
   return out;
 }
 

@@ -30,43 +30,43 @@ class Reader {
   Reader(std::string_view source, const Frame& frame, const KeepOutOptions& options)
       : source_(source), frame_(frame), options_(options) {
     if (!options.local && !counts_from_origin(frame)) {
-      refuse(
-          "the map has no origin on Earth, so longitudes and latitudes have no place on it: give "
-          "coordinates in the map's metres, with --keep-out-local");
+      refuse({.says =
+                  "the map has no origin on Earth, so longitudes and latitudes have no place on it",
+              .advice = "give coordinates in the map's metres, with --keep-out-local"});
     }
     if (!options.local) geographic_ = std::make_unique<GeographicFrame>(*frame.origin);
   }
 
   KeepOut read(std::istream& in) {
     const Json root = parse_json(in, source_);
-    if (!root.is_object()) refuse("expected a GeoJSON object, found another value");
+    if (!root.is_object()) refuse({.expected = "a GeoJSON object", .found = "another value"});
     require_wgs84(root);
     require_epoch(root);
     const std::string type = root.value("type", Json()).dump();
     if (root.contains("features") && type != "\"FeatureCollection\"") {
-      throw InputError(source_, fmt::format("expected \"type\":\"FeatureCollection\" beside "
-                                            "\"features\", found {}: zones of ED-269 have none, "
-                                            "and are not read",
-                                            type.substr(0, 40)));
+      throw InputError(source_, {.expected = "\"type\":\"FeatureCollection\" beside \"features\"",
+                                 .found = std::string(type.substr(0, 40)),
+                                 .advice = "zones of ED-269 have none, and are not read"});
     }
     if (type == "\"FeatureCollection\"") {
       const Json features = root.value("features", Json());
-      if (!features.is_array()) refuse("expected \"features\" to be a list, found another value");
+      if (!features.is_array())
+        refuse({.expected = "\"features\" to be a list", .found = "another value"});
       for (const Json& feature : features) read_feature(feature);
     } else {
       read_feature(type == "\"Feature\"" ? root : Json{{"geometry", root}});
     }
-    if (out_.volumes.empty()) refuse("expected at least one polygon, found none");
+    if (out_.volumes.empty()) refuse({.expected = "at least one polygon", .found = "none"});
     return std::move(out_);
   }
 
  private:
-  [[noreturn]] void refuse(std::string_view message) const {
-    throw InputError(source_, fmt::format("feature {}: {}", feature_, message));
+  [[noreturn]] void refuse(Fault fault) const {
+    throw InputError(source_, within(fmt::format("feature {}", feature_), std::move(fault)));
   }
 
   void require_wgs84(const Json& object) const {
-    if (!options_.local && has_foreign_crs(object)) throw InputError(source_, kForeignCrs);
+    if (!options_.local && has_foreign_crs(object)) throw InputError(source_, foreign_crs());
   }
 
   void require_epoch(const Json& object) const {
@@ -74,9 +74,9 @@ class Reader {
     const Json& value = object["epoch"];
     if (!options_.epoch || !value.is_string() ||
         epoch_from(value.get<std::string>()) != options_.epoch) {
-      throw InputError(source_,
-                       fmt::format("expected the epoch of the map, {}, found {}",
-                                   options_.epoch.value_or("which has none"), shown(value)));
+      throw InputError(source_, {.expected = fmt::format("the epoch of the map, {}",
+                                                         options_.epoch.value_or("which has none")),
+                                 .found = shown(value)});
     }
   }
 
@@ -84,7 +84,7 @@ class Reader {
     const Json properties =
         feature.is_object() ? feature.value("properties", Json::object()) : Json();
     const Json geometry = feature.is_object() ? feature.value("geometry", Json()) : Json();
-    if (!geometry.is_object()) refuse("expected a feature with a geometry, found none");
+    if (!geometry.is_object()) refuse({.expected = "a feature with a geometry", .found = "none"});
     require_wgs84(feature);
     require_wgs84(geometry);
     if (properties.contains("from") || properties.contains("until")) {
@@ -96,8 +96,9 @@ class Reader {
     volume.bottom = altitude(properties, {"lower", "lower_altitude_m"}, options_.floor);
     volume.top = altitude(properties, {"upper", "upper_altitude_m"}, options_.ceiling);
     if (volume.bottom > volume.top) {
-      refuse(fmt::format("the lower altitude must be <= the upper one, found {} and {}",
-                         volume.bottom, volume.top));
+      refuse({.key = "the lower altitude",
+              .expected = "<= the upper one",
+              .found = fmt::format("{} and {}", volume.bottom, volume.top)});
     }
     time_ = {end_of(properties, "from").first, end_of(properties, "until").second};
     if (const auto fault = span_fault(time_)) refuse(*fault);
@@ -110,7 +111,7 @@ class Reader {
     } else if (type == "\"MultiPolygon\"" && coordinates.is_array()) {
       for (const Json& polygon : coordinates) add(polygon, volume);
     } else {
-      refuse("expected a Polygon or a MultiPolygon, found " + type.substr(0, 40));
+      refuse({.expected = "a Polygon or a MultiPolygon", .found = type.substr(0, 40)});
     }
     ++feature_;
   }
@@ -122,16 +123,17 @@ class Reader {
     }
     const Json& value = properties[key];
     if (!options_.epoch) {
-      refuse(fmt::format("{} counts from an epoch, and the map has none: give --epoch", key));
+      refuse({.says = fmt::format("{} counts from an epoch, and the map has none", key),
+              .advice = "give --epoch"});
     }
     if (value.is_number()) return {value.get<double>(), value.get<double>()};
     const auto instant =
         value.is_string() ? epoch_from(value.get<std::string>()) : std::optional<std::string>();
     if (!instant) {
-      refuse(
-          fmt::format("{} must be seconds after the epoch, or an instant in UTC such as "
-                      "\"2026-05-04T06:30:00Z\" (RFC 3339), found {}",
-                      key, shown(value)));
+      refuse({.key = std::string(key),
+              .expected = "seconds after the epoch, or an instant in UTC such as "
+                          "\"2026-05-04T06:30:00Z\" (RFC 3339)",
+              .found = shown(value)});
     }
     const SecondsBetween after = seconds_between(*options_.epoch, *instant);
     return {after.least, after.most};
@@ -145,11 +147,12 @@ class Reader {
         continue;
       const Json& value = properties[key];
       if (!value.is_number() || !(std::abs(value.get<double>()) <= kLargestCoordinate)) {
-        refuse(fmt::format("{} must be metres, found {}", key, shown(value)));
+        refuse({.key = std::string(key), .expected = "metres", .found = shown(value)});
       }
       if (said.value_or(value.get<double>()) != value.get<double>()) {
-        refuse(fmt::format("{} must be {}, as {} is, found {}", key, *said, *keys.begin(),
-                           shown(value)));
+        refuse({.key = std::string(key),
+                .expected = fmt::format("{}, as {} is", *said, *keys.begin()),
+                .found = shown(value)});
       }
       said = value.get<double>();
     }
@@ -165,10 +168,10 @@ class Reader {
                         word == "uomdimensions" || word.ends_with("reference") ||
                         word.ends_with("datum");
       if (!unit || value.is_null()) continue;
-      refuse(
-          fmt::format("lower and upper must be metres in the map's z, found \"{}\" beside them: "
-                      "convert them, and leave it out",
-                      key.substr(0, 40)));
+      refuse({.key = "lower and upper",
+              .expected = "metres in the map's z",
+              .found = fmt::format("\"{}\" beside them", key.substr(0, 40)),
+              .advice = "convert them, and leave it out"});
     }
   }
 
@@ -197,7 +200,7 @@ class Reader {
   }
 
   void add(const Json& rings, Footprint volume) {
-    if (!rings.is_array() || rings.empty()) refuse("a polygon must have rings");
+    if (!rings.is_array() || rings.empty()) refuse({.says = "a polygon must have rings"});
     double bulge = 0;
     volume.polygon.outer = ring(rings[0], bulge);
     for (std::size_t i = 1; i < rings.size(); ++i) {
@@ -211,13 +214,13 @@ class Reader {
 
   std::vector<Vec2> ring(const Json& positions, double& bulge) const {
     if (!positions.is_array() || positions.size() < 4) {
-      refuse("a ring must have at least 4 positions");
+      refuse({.says = "a ring must have at least 4 positions"});
     }
     std::vector<Vec2> given;
     for (const Json& position : positions) {
       if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
           !position[1].is_number()) {
-        refuse("a position must be two numbers, found " + shown(position));
+        refuse({.key = "a position", .expected = "two numbers", .found = shown(position)});
       }
       given.push_back(checked(position[0].get<double>(), position[1].get<double>()));
     }
@@ -243,9 +246,9 @@ class Reader {
   Vec2 checked(double x, double y) const {
     const double most = options_.local ? kLargestCoordinate : 180;
     if (!(std::abs(x) <= most && std::abs(y) <= (options_.local ? most : 90))) {
-      refuse(fmt::format("a position must be {}, found [{}, {}]",
-                         options_.local ? "metres within 1e8" : "degrees [longitude, latitude]", x,
-                         y));
+      refuse({.key = "a position",
+              .expected = options_.local ? "metres within 1e8" : "degrees [longitude, latitude]",
+              .found = fmt::format("[{}, {}]", x, y)});
     }
     return {x, y};
   }

@@ -6,17 +6,17 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "geom/import/octomap.h"
 #include "geom/text/counted.h"
 #include "geom/text/text_table.h"
+#include "import/octomap.h"
 
 namespace geom {
 namespace {
 
 constexpr int kDepth = 16;
 
-[[noreturn]] void refuse(std::string_view source, std::string_view message) {
-  throw InputError(source, message);
+[[noreturn]] void refuse(std::string_view source, Fault fault) {
+  throw InputError(source, std::move(fault));
 }
 
 struct Header {
@@ -26,8 +26,9 @@ struct Header {
 
 Header read_header(const std::string& bytes, std::string_view source) {
   if (!bytes.starts_with("# Octomap OcTree binary file")) {
-    refuse(source, fmt::format("expected \"# Octomap OcTree binary file\", found \"{}\"",
-                               bytes.substr(0, std::min<std::size_t>(40, bytes.find('\n')))));
+    refuse(source,
+           {.expected = "\"# Octomap OcTree binary file\"",
+            .found = in_quotes(bytes.substr(0, std::min<std::size_t>(40, bytes.find('\n'))))});
   }
   Header header;
   std::string id;
@@ -41,8 +42,10 @@ Header read_header(const std::string& bytes, std::string_view source) {
       const auto value = parse_number(trimmed(line.substr(4)));
       // 2^15 cells to each side of the origin must stay within readable coordinates.
       if (!value || !(*value > 1e-6 && *value <= kLargestCoordinate / 32768)) {
-        refuse(source, fmt::format("res must be a number in (1e-6, {}], found \"{}\"",
-                                   kLargestCoordinate / 32768, line.substr(4, 40)));
+        refuse(source,
+               {.key = "res",
+                .expected = fmt::format("a number in (1e-6, {}]", kLargestCoordinate / 32768),
+                .found = in_quotes(line.substr(4, 40))});
       }
       header.resolution = *value;
     }
@@ -52,10 +55,10 @@ Header read_header(const std::string& bytes, std::string_view source) {
     }
   }
   if (id != "OcTree") {
-    refuse(source, fmt::format("expected a tree of id OcTree, found \"{}\"", id.substr(0, 40)));
+    refuse(source, {.expected = "a tree of id OcTree", .found = in_quotes(id.substr(0, 40))});
   }
   if (header.resolution == 0 || header.data == 0) {
-    refuse(source, "expected a header with res and data, and one is missing");
+    refuse(source, {.says = "expected a header with res and data, and one is missing"});
   }
   return header;
 }
@@ -63,13 +66,15 @@ Header read_header(const std::string& bytes, std::string_view source) {
 // liboctomap recurses as deep as the bytes ask it to, so they are walked here first: two bytes an
 // inner node, two bits a child, 11 being an inner node again.
 void walk(const std::string& bytes, std::size_t& at, int level, std::string_view source) {
-  if (level > kDepth) refuse(source, fmt::format("the tree is deeper than {} levels", kDepth));
-  if (bytes.size() - at < 2) refuse(source, "the tree is not complete: the file was cut");
+  if (level > kDepth)
+    refuse(source, {.says = fmt::format("the tree is deeper than {} levels", kDepth)});
+  if (bytes.size() - at < 2)
+    refuse(source, {.says = "the tree is not complete", .advice = "the file was cut"});
   const unsigned bits = static_cast<unsigned char>(bytes[at]) |
                         static_cast<unsigned>(static_cast<unsigned char>(bytes[at + 1])) << 8;
   at += 2;
   if (bits == 0)
-    refuse(source, "expected at least one child of each inner node, found one with none");
+    refuse(source, {.expected = "at least one child of each inner node", .found = "one with none"});
   for (int child = 0; child < 8; ++child) {
     if ((bits >> (2 * child) & 3) == 3) walk(bytes, at, level + 1, source);
   }
@@ -154,20 +159,21 @@ Octomap read_octomap(std::istream& in, std::string_view source, const OctomapOpt
   std::size_t end = header.data;
   walk(bytes, end, 1, source);
   if (end != bytes.size()) {
-    refuse(source, fmt::format("expected the file to end with its tree, at byte {}, found {} more",
-                               end, counted(bytes.size() - end, "byte")));
+    refuse(source, {.expected = fmt::format("the file to end with its tree, at byte {}", end),
+                    .found = fmt::format("{} more", counted(bytes.size() - end, "byte"))});
   }
   octomap::OcTree tree(header.resolution);
   std::istringstream data(bytes.substr(header.data));
   tree.readBinaryData(data);  // readBinary, which reads the header as well, prints
   if (!data || !tree.getRoot())
-    refuse(source, "found a tree that liboctomap cannot read: the file is damaged");
+    refuse(source,
+           {.says = "found a tree that liboctomap cannot read", .advice = "the file is damaged"});
   Octomap out;
   out.resolution = header.resolution;
   Reader(tree, options, out).read();
   if (out.table.boxes.empty()) {
-    refuse(source,
-           fmt::format("expected at least one occupied cell, found none ({} free)", out.free));
+    refuse(source, {.expected = "at least one occupied cell",
+                    .found = fmt::format("none ({} free)", out.free)});
   }
   return out;
 }

@@ -19,9 +19,10 @@ void require_short_edges(const MapOutline& outline, const std::string& what,
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const double length = (ring[(i + 1) % ring.size()] - ring[i]).norm();
     if (length <= kLongest) continue;
-    throw InputError(source, fmt::format("{}: expected edges of at most 100 km, found one of "
-                                         "{:.0f} km: give it more vertices",
-                                         what, length / 1000));
+    throw InputError(source, {.item = what,
+                              .expected = "edges of at most 100 km",
+                              .found = fmt::format("one of {:.0f} km", length / 1000),
+                              .advice = "give it more vertices"});
   }
 }
 
@@ -30,9 +31,10 @@ class Placing {
   Placing(std::string_view source, const Frame& frame, const VolumeKeepOutOptions& options)
       : source_(source), frame_(frame), options_(options) {
     if (counts_from_origin(frame)) return;
-    throw InputError(source,
-                     "the map has no origin on Earth, so latitudes and longitudes have no place on "
-                     "it");
+    throw InputError(
+        source,
+        {.says =
+             "the map has no origin on Earth, so latitudes and longitudes have no place on it"});
   }
 
   void add(const Volume4d& volume, KeepOut& out) const {
@@ -60,10 +62,11 @@ class Placing {
   double zero() const {
     if (options_.height) return *options_.height;
     if (knows_height(frame_)) return frame_.origin->height;
-    throw InputError(source_,
-                     "altitudes of ASTM F3548 are above the ellipsoid, and the map does not say "
-                     "how high above it its z = 0 is (0 m, as maps have whose height nobody gave): "
-                     "say that height");
+    throw InputError(
+        source_,
+        {.says = "altitudes of ASTM F3548 are above the ellipsoid, and the map does not say how "
+                 "high above it its z = 0 is (0 m, as maps have whose height nobody gave)",
+         .advice = "say that height"});
   }
 
   std::string_view source_;

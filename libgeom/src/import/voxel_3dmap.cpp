@@ -1,4 +1,4 @@
-#include "geom/import/voxel_3dmap.h"
+#include "import/voxel_3dmap.h"
 
 #include <fmt/format.h>
 
@@ -17,14 +17,15 @@ Eigen::Vector3i whole_numbers(const TextLines& lines, std::string_view text, int
     text = trimmed(text);
     const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), v[i]);
     if (error != std::errc() || v[i] < low || v[i] > high[i]) {
-      lines.refuse(fmt::format("expected {} as three whole numbers, {} in [{}, {}], found \"{}\"",
-                               what, "xyz"[i], low, high[i], lines.line().substr(0, 60)));
+      lines.refuse({.expected = fmt::format("{} as three whole numbers, {} in [{}, {}]", what,
+                                            "xyz"[i], low, high[i]),
+                    .found = in_quotes(lines.line().substr(0, 60))});
     }
     text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
   }
   if (!trimmed(text).empty()) {
-    lines.refuse(fmt::format("expected {} and nothing after it, found \"{}\"", what,
-                             lines.line().substr(0, 60)));
+    lines.refuse({.expected = fmt::format("{} and nothing after it", what),
+                  .found = in_quotes(lines.line().substr(0, 60))});
   }
   return v;
 }
@@ -34,7 +35,7 @@ Eigen::Vector3i whole_numbers(const TextLines& lines, std::string_view text, int
 VoxelMap read_voxel_3dmap(std::istream& in, std::string_view source) {
   TextLines lines(in, source);
   if (!lines.next() || !lines.line().starts_with("voxel")) {
-    lines.refuse(fmt::format("expected \"voxel X Y Z\", found \"{}\"", lines.line().substr(0, 60)));
+    lines.refuse({.expected = "\"voxel X Y Z\"", .found = in_quotes(lines.line().substr(0, 60))});
   }
   const Eigen::Vector3i size = whole_numbers(lines, lines.line().substr(5), 1,
                                              Eigen::Vector3i::Constant(1000000), "the grid's size");
@@ -46,7 +47,8 @@ VoxelMap read_voxel_3dmap(std::istream& in, std::string_view source) {
         whole_numbers(lines, lines.line(), 0, size.array() - 1, "a voxel").cast<double>();
     out.table.add({low, low + Vec3::Ones()}, lines.number());
   }
-  if (out.table.boxes.empty()) lines.refuse("expected at least one filled voxel, found none");
+  if (out.table.boxes.empty())
+    lines.refuse({.expected = "at least one filled voxel", .found = "none"});
   return out;
 }
 

@@ -1,4 +1,4 @@
-#include "geom/import/world_json.h"
+#include "import/world_json.h"
 
 #include <fmt/format.h>
 
@@ -21,14 +21,14 @@ class World {
  public:
   explicit World(std::string_view source) : source_(source) {}
 
-  [[noreturn]] void refuse(std::string_view message) const { throw InputError(source_, message); }
+  [[noreturn]] void refuse(Fault fault) const { throw InputError(source_, std::move(fault)); }
 
   // `what` says whose extents they are.
   Aabb extents(const Json& owner, std::string_view what, std::size_t& reversed) const {
     const Json found = owner.is_object() ? owner.value("extents", Json()) : Json();
     if (!found.is_array() || found.size() != 6) {
-      refuse(fmt::format("{} must have \"extents\":[xmin,xmax,ymin,ymax,zmin,zmax], found {}", what,
-                         shown(found)));
+      refuse({.says = fmt::format("{} must have \"extents\":[xmin,xmax,ymin,ymax,zmin,zmax]", what),
+              .found = shown(found)});
     }
     Aabb box;
     bool turned = false;
@@ -47,7 +47,10 @@ class World {
     if (!block.contains("color")) return "";
     const Json& found = block["color"];
     if (!found.is_array() || found.size() != 3) {
-      refuse(fmt::format("{}: color must be 3 numbers, found {}", what, shown(found)));
+      refuse({.item = std::string(what),
+              .key = "color",
+              .expected = "3 numbers",
+              .found = shown(found)});
     }
     std::string label;
     for (const Json& part : found) {
@@ -60,7 +63,9 @@ class World {
   double coordinate(const Json& value, std::string_view what) const {
     const double v = value.is_number() ? value.get<double>() : HUGE_VAL;
     if (!(std::abs(v) <= kLargestCoordinate)) {
-      refuse(fmt::format("{}: expected a finite number within 1e8, found {}", what, shown(value)));
+      refuse({.item = std::string(what),
+              .expected = "a finite number within 1e8",
+              .found = shown(value)});
     }
     return v;
   }
@@ -90,12 +95,12 @@ void note_unknown(const Json& object, std::initializer_list<std::string_view> kn
 WorldJson read_world_json(std::istream& in, std::string_view source) {
   const World world(source);
   const Json root = parse_json(in, source);
-  if (!root.is_object()) world.refuse("expected a JSON object with \"bounds\" and \"blocks\"");
+  if (!root.is_object()) world.refuse({.expected = "a JSON object with \"bounds\" and \"blocks\""});
   WorldJson out;
   out.bounds = world.extents(root.value("bounds", Json()), "bounds", out.reversed);
   const Json blocks = root.value("blocks", Json());
   if (!blocks.is_array() || blocks.empty()) {
-    world.refuse("expected at least one block in \"blocks\", found " + shown(blocks));
+    world.refuse({.expected = "at least one block in \"blocks\"", .found = shown(blocks)});
   }
   note_unknown(
       root, {"bounds", "blocks", "start", "goal", "resolution", "margin", "expected_path_length"},
@@ -104,7 +109,8 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
     const std::string what = fmt::format("block {}", i);
     const Aabb box = world.extents(blocks[i], what, out.reversed);
     const auto zeros = (box.min.array() == box.max.array()).count();
-    if (zeros == 3) world.refuse(what + " must have some extent, found a point");
+    if (zeros == 3)
+      world.refuse({.says = fmt::format("{} must have some extent", what), .found = "a point"});
     out.flat += zeros > 0;
     note_unknown(blocks[i], {"extents", "color"}, what + ": ", out);
     const std::string colour = world.colour(blocks[i], what);

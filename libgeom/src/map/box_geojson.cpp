@@ -51,8 +51,8 @@ void write_box_geojson(std::ostream& out, const BoxMap& map, std::string_view so
   const Frame& frame = map.spec().frame;
   if (!counts_from_origin(frame)) {
     throw InputError(source,
-                     "the map does not say where on Earth it is: make it anew with an origin, or "
-                     "write its metres with to-csv");
+                     {.says = "the map does not say where on Earth it is",
+                      .advice = "make it anew with an origin, or write its metres with to-csv"});
   }
   const GeographicFrame earth(*frame.origin);
   out << "{\"type\":\"FeatureCollection\",";

@@ -35,8 +35,9 @@ Cells cells(const Aabb& box, double size) {
 
 BoxIndex::BoxIndex(double cell) : cell_(cell) {
   if (!(cell >= kLeastCell && cell <= kLargestCoordinate)) {
-    throw InputError("box index", fmt::format("expected cells of {} to {} metres, found {}",
-                                              kLeastCell, kLargestCoordinate, cell));
+    throw InputError("box index", {.expected = fmt::format("cells of {} to {} metres", kLeastCell,
+                                                           kLargestCoordinate),
+                                   .found = fmt::to_string(cell)});
   }
 }
 

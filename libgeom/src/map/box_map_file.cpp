@@ -39,8 +39,8 @@ std::string meta_of(const BoxMap& map) {
   return meta.line();
 }
 
-[[noreturn]] void refuse(const ArrayArchive& archive, std::string_view message) {
-  throw InputError(archive.name(), message);
+[[noreturn]] void refuse(const ArrayArchive& archive, Fault fault) {
+  throw InputError(archive.name(), std::move(fault));
 }
 
 JsonFields meta_fields(const ArrayArchive& archive) {
@@ -52,26 +52,28 @@ void require_box_map(const JsonFields& meta) {
     return meta.has(key) ? shown(meta.value(key)) : std::string("none");
   };
   if (found("format") != "\"skyway-boxmap\"") {
-    meta.refuse(fmt::format("expected a box map (format \"skyway-boxmap\"), found format {}",
-                            found("format")));
+    meta.refuse({.expected = "a box map (format \"skyway-boxmap\")",
+                 .found = fmt::format("format {}", found("format"))});
   }
   if (found("version") != std::to_string(kVersion) &&
       found("version") != std::to_string(kTimedVersion)) {
-    meta.refuse(fmt::format("expected box map version {} or {}, found {}", kVersion, kTimedVersion,
-                            found("version")));
+    meta.refuse({.expected = fmt::format("box map version {} or {}", kVersion, kTimedVersion),
+                 .found = std::string(found("version"))});
   }
 }
 
 std::vector<std::string> labels_of(const JsonFields& meta) {
   std::vector<std::string> labels;
   const Json listed = meta.has("labels") ? meta.value("labels") : Json();
-  if (!listed.is_array()) meta.refuse("labels must be a list, found " + shown(listed));
+  if (!listed.is_array())
+    meta.refuse({.key = "labels", .expected = "a list", .found = shown(listed)});
   for (const Json& label : listed) {
-    if (!label.is_string()) meta.refuse("a label must be a string, found " + shown(label));
+    if (!label.is_string())
+      meta.refuse({.key = "a label", .expected = "a string", .found = shown(label)});
     labels.push_back(label.get<std::string>());
   }
   if (labels.empty() || !labels.front().empty()) {
-    meta.refuse("labels[0] must be \"\", the label of boxes without one");
+    meta.refuse({.key = "labels[0]", .expected = "\"\", the label of boxes without one"});
   }
   return labels;
 }
@@ -80,7 +82,8 @@ BoxMapSpec spec_of(const JsonFields& meta) {
   BoxMapSpec spec;
   const auto axes = axes_from_name(meta.text("frame"));
   if (!axes) {
-    meta.refuse("frame must be \"enu\" or \"neu\", found " + shown(meta.value("frame")));
+    meta.refuse(
+        {.key = "frame", .expected = "\"enu\" or \"neu\"", .found = shown(meta.value("frame"))});
   }
   spec.frame.axes = *axes;
   if (meta.has("origin")) {
@@ -91,16 +94,21 @@ BoxMapSpec spec_of(const JsonFields& meta) {
   spec.frame.crs = meta.text("crs");
   const std::vector<Vec3> corners = meta.points("bounds");
   if (corners.size() != 2 || (corners[0].array() > corners[1].array()).any()) {
-    meta.refuse("bounds must be two corners, min <= max, found " + shown(meta.value("bounds")));
+    meta.refuse({.key = "bounds",
+                 .expected = "two corners, min <= max",
+                 .found = shown(meta.value("bounds"))});
   }
   spec.bounds = {corners[0], corners[1]};
   spec.bounds_from = meta.text("bounds_from");
   spec.tile_size = meta.number("tile_size").value_or(0);
   if (!(spec.tile_size >= 1 && spec.tile_size <= kLargestCoordinate)) {
-    meta.refuse(fmt::format("tile_size must be from 1 m to 1e8 m, found {}", spec.tile_size));
+    meta.refuse({.key = "tile_size",
+                 .expected = "from 1 m to 1e8 m",
+                 .found = fmt::to_string(spec.tile_size)});
   }
   const Json steps = meta.has("history") ? meta.value("history") : Json();
-  if (!steps.is_array()) meta.refuse("history must be a list, found " + shown(steps));
+  if (!steps.is_array())
+    meta.refuse({.key = "history", .expected = "a list", .found = shown(steps)});
   spec.history = steps.dump();
   return spec;
 }
@@ -141,16 +149,17 @@ void read_tiles(const ArrayArchive& archive, BoxMap::Data& data) {
   const std::size_t n = columns.large.size();
   if (columns.index.size() != 2 * n || columns.extent.size() != 6 * n ||
       columns.range.size() != 2 * n) {
-    refuse(archive, "the tile arrays must have one row a tile, and their lengths differ");
+    refuse(archive, {.says = "the tile arrays must have one row a tile, and their lengths differ"});
   }
   data.tiles.set(columns);
   if (const auto wrong = wrong_tile(columns, data.boxes.size())) {
-    refuse(archive, fmt::format("tile {} is out of order, empty, or beyond the boxes", *wrong));
+    refuse(archive,
+           {.says = fmt::format("tile {} is out of order, empty, or beyond the boxes", *wrong)});
   }
   const std::size_t next = n == 0 ? 0 : columns.range[2 * n - 2] + columns.range[2 * n - 1];
   if (next != data.boxes.size()) {
-    refuse(archive,
-           fmt::format("the tiles must hold all {} boxes, and hold {}", data.boxes.size(), next));
+    refuse(archive, {.says = fmt::format("the tiles must hold all {} boxes, and hold {}",
+                                         data.boxes.size(), next)});
   }
 }
 
@@ -159,15 +168,21 @@ void read_timed(const ArrayArchive& archive, const JsonFields& meta, BoxMap::Dat
   const bool said = meta.number("version") == kTimedVersion;
   const bool there = archive.has("timed") || archive.has("times");
   if (said != there) {
-    meta.refuse(said ? "a map of version 2 must have the arrays timed and times, found none"
-                     : "a map with the arrays timed and times must be of version 2, found 1");
+    if (there) {
+      meta.refuse({.key = "a map with the arrays timed and times",
+                   .expected = "of version 2",
+                   .found = "1"});
+    }
+    meta.refuse(
+        {.says = "a map of version 2 must have the arrays timed and times", .found = "none"});
   }
   if (there) {
     const auto ends = archive.array<double>("times", 2);
     data.timed = {archive.array<std::uint64_t>("timed"),
                   {reinterpret_cast<const TimeSpan*>(ends.data()), ends.size() / 2}};
     if (data.timed.box.empty() && data.timed.time.empty()) {
-      meta.refuse("a map of version 2 must have boxes that are there for a time, found none");
+      meta.refuse({.says = "a map of version 2 must have boxes that are there for a time",
+                   .found = "none"});
     }
   }
   if (const auto fault = timed_fault(data.timed, data.boxes.size(), data.spec.epoch)) {
@@ -227,12 +242,14 @@ BoxMap read_box_map(const ArrayArchive& archive, Verified known) {
   data->ids = archive.array<std::uint64_t>("ids");
   data->label = archive.array<std::uint32_t>("label");
   if (meta.number("boxes") != static_cast<double>(data->boxes.size())) {
-    meta.refuse(fmt::format("boxes must be {}, the number of rows, found {}", data->boxes.size(),
-                            meta.number("boxes").value_or(0)));
+    meta.refuse({.key = "boxes",
+                 .expected = fmt::format("{}, the number of rows", data->boxes.size()),
+                 .found = fmt::to_string(meta.number("boxes").value_or(0))});
   }
   if (data->ids.size() != data->boxes.size() || data->label.size() != data->boxes.size()) {
-    refuse(archive, fmt::format("ids and label must have {} entries, one a box, and have {} and {}",
-                                data->boxes.size(), data->ids.size(), data->label.size()));
+    refuse(archive,
+           {.says = fmt::format("ids and label must have {} entries, one a box, and have {} and {}",
+                                data->boxes.size(), data->ids.size(), data->label.size())});
   }
   read_tiles(archive, *data);
   read_timed(archive, meta, *data);

@@ -15,15 +15,14 @@ namespace geom {
 inline double checked_index(double v, double size) {
   const double k = v / size;
   if (std::abs(k) < 0x1p31 - 2) return k;
-  throw InputError("column",
-                   fmt::format("expected a coordinate within 2^31 cells or steps of {} m, "
-                               "found {}",
-                               size, v));
+  throw InputError(
+      "column", {.expected = fmt::format("a coordinate within 2^31 cells or steps of {} m", size),
+                 .found = fmt::to_string(v)});
 }
 
 inline void require_size(const char* what, double size) {
   if (size > 0 && std::isfinite(size)) return;
-  throw InputError(what, fmt::format("expected metres > 0, found {}", size));
+  throw InputError(what, {.expected = "metres > 0", .found = fmt::to_string(size)});
 }
 
 // The k with k * size <= v < (k + 1) * size as doubles multiply: division may be one off.

@@ -13,7 +13,7 @@
 #include "cell_tiles.h"
 #include "geom/base/error.h"
 #include "geom/base/precondition.h"
-#include "geom/shape/row_merge.h"
+#include "shape/row_merge.h"
 
 namespace geom {
 
@@ -273,9 +273,9 @@ BoxTable ColumnGrid::Impl::boxes(std::string_view source) {
   const double cells =
       (static_cast<double>(e.x1) - e.x0 + 1) * (static_cast<double>(e.y1) - e.y0 + 1);
   if (spec_.unknown_blocked && cells > 2e8) {
-    throw InputError(source, fmt::format("expected at most 2e8 cells in the rectangle around the "
-                                         "points, found {}: use larger cells",
-                                         cells));
+    throw InputError(source, {.expected = "at most 2e8 cells in the rectangle around the points",
+                              .found = fmt::to_string(cells),
+                              .advice = "use larger cells"});
   }
   const auto emit = [&](const CellRectangle<std::vector<Labelled>>& r) {
     for (const Labelled& l : r.value) {

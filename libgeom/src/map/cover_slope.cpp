@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "geom/shape/convex_parts.h"
 #include "geom/shape/cover.h"
+#include "shape/convex_parts.h"
 
 namespace geom {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "geom/base/error.h"
-#include "geom/shape/simple_ring.h"
+#include "shape/simple_ring.h"
 
 namespace geom {
 namespace {
@@ -55,8 +55,9 @@ class Placing {
     const Vec2 centre = on_map(outline.centre);
     const double radius = outline.radius;
     if (!(radius > 0 && radius <= kLargestRadius)) {
-      refuse(fmt::format("the radius of {} must be above 0 and within 1e5 m, found {}", what_,
-                         radius));
+      refuse({.key = fmt::format("the radius of {}", what_),
+              .expected = "above 0 and within 1e5 m",
+              .found = fmt::to_string(radius)});
     }
     const double beside =
         side == CircleSide::within ? 1 : 1 / std::cos(std::numbers::pi / kCorners);
@@ -73,22 +74,23 @@ class Placing {
     }
     if (out.ring.size() > 1 && out.ring.front() == out.ring.back()) out.ring.pop_back();
     if (!is_simple(out.ring)) {
-      refuse(fmt::format(
-          "{} must be a ring of three places or more whose edges do not cross, "
-          "found {} places{}",
-          what_, outline.ring.size(), out.ring.size() < 3 ? "" : " and edges that cross"));
+      refuse({.key = std::string(what_),
+              .expected = "a ring of three places or more whose edges do not cross",
+              .found = fmt::format("{} places{}", outline.ring.size(),
+                                   out.ring.size() < 3 ? "" : " and edges that cross")});
     }
     out.bulge = bulge_of(out.ring, furthest);
     return out;
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& message) const { throw InputError(source_, message); }
+  [[noreturn]] void refuse(Fault fault) const { throw InputError(source_, std::move(fault)); }
 
   Vec2 on_map(const GeodeticPlace& place) const {
     if (!is_near(origin_, place.latitude, place.longitude)) {
-      refuse(fmt::format("expected {} near the origin {} {}, found {} {}", what_, origin_.latitude,
-                         origin_.longitude, place.latitude, place.longitude));
+      refuse({.expected = fmt::format("{} near the origin {} {}", what_, origin_.latitude,
+                                      origin_.longitude),
+              .found = fmt::format("{} {}", place.latitude, place.longitude)});
     }
     Vec2 p;
     earth_.from_geodetic(place.latitude, place.longitude, p.x(), p.y());

@@ -72,14 +72,16 @@ BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view sour
   const Frame& from = other.spec().frame;
   if (from == frame) return table;
   if (from.axes != frame.axes) {
-    throw InputError(source, "expected axes " + std::string(name(frame.axes)) +
-                                 ", as the first map has, found " + std::string(name(from.axes)));
+    throw InputError(
+        source, {.expected = "axes " + std::string(name(frame.axes)) + ", as the first map has",
+                 .found = std::string(name(from.axes))});
   }
   if (!counts_from_origin(frame) || !counts_from_origin(from)) {
-    throw InputError(source, "expected the coordinate reference system of the first map (\"" +
-                                 frame.crs + "\"), or coordinates of both maps that count from " +
-                                 "an origin on Earth; found \"" + from.crs + "\"" +
-                                 (from.origin ? "" : " and no origin"));
+    throw InputError(source,
+                     {.says = "expected the coordinate reference system of the first map (\"" +
+                              frame.crs + "\"), or coordinates of both maps that count from " +
+                              "an origin on Earth; found \"" + from.crs + "\"" +
+                              (from.origin ? "" : " and no origin")});
   }
   const Mover mover(frame, from);
   for (Aabb& box : table.boxes) box = mover.moved(box);

@@ -32,11 +32,12 @@ void resize(BoxTable& table, std::string_view source, const MakeMapOptions& opti
     if (options.inflate > 0) box = grow(box, Vec3::Constant(options.inflate));
     if (!(box.min.cwiseAbs().maxCoeff() <= kLargestCoordinate &&
           box.max.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
-      throw InputError(source, fmt::format("expected boxes within 1e8 m of the origin, once "
-                                           "scaled and grown; found box {} of the source from "
-                                           "[{}, {}, {}] to [{}, {}, {}]",
-                                           table.ids[i], box.min[0], box.min[1], box.min[2],
-                                           box.max[0], box.max[1], box.max[2]));
+      throw InputError(
+          source, {.says = fmt::format("expected boxes within 1e8 m of the origin, once "
+                                       "scaled and grown; found box {} of the source from "
+                                       "[{}, {}, {}] to [{}, {}, {}]",
+                                       table.ids[i], box.min[0], box.min[1], box.min[2], box.max[0],
+                                       box.max[1], box.max[2])});
     }
   }
 }
@@ -61,10 +62,11 @@ void require_near_origin(const BoxTable& table, const Frame& frame, std::string_
   const double away = nearest.head<2>().norm();
   if (away <= kFurthestFromOrigin) return;
   throw InputError(
-      source, fmt::format("expected coordinates in metres from the origin, latitude {}, longitude "
-                          "{}; found the nearest box {:.0f} km away. They seem to count from "
-                          "another place, as those of a map projection do: convert them first",
-                          frame.origin->latitude, frame.origin->longitude, away / 1000));
+      source,
+      {.says = fmt::format("expected coordinates in metres from the origin, latitude {}, longitude "
+                           "{}; found the nearest box {:.0f} km away. They seem to count from "
+                           "another place, as those of a map projection do: convert them first",
+                           frame.origin->latitude, frame.origin->longitude, away / 1000)});
 }
 
 }  // namespace
@@ -95,12 +97,12 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
       !(spec.bounds.max.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate)) {
     const bool flat = spec.bounds.min.z() == spec.bounds.max.z();
     throw InputError(
-        source,
-        fmt::format("the bounds must be finite and have min < max on every axis, found "
-                    "[{}, {}, {}] to [{}, {}, {}]{}",
-                    spec.bounds.min[0], spec.bounds.min[1], spec.bounds.min[2], spec.bounds.max[0],
-                    spec.bounds.max[1], spec.bounds.max[2],
-                    flat ? ": all is flat, so give --ceiling, up to where flights go" : ""));
+        source, {.key = "the bounds",
+                 .expected = "finite and have min < max on every axis",
+                 .found = fmt::format("[{}, {}, {}] to [{}, {}, {}]", spec.bounds.min[0],
+                                      spec.bounds.min[1], spec.bounds.min[2], spec.bounds.max[0],
+                                      spec.bounds.max[1], spec.bounds.max[2]),
+                 .advice = flat ? "all is flat, so give --ceiling, up to where flights go" : ""});
   }
   const std::size_t sealed = seal_to_floor(table, spec.bounds.min.z(), options.seal.value_or(0));
   std::size_t beyond = 0;

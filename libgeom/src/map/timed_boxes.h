@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "geom/base/error.h"
 #include "geom/map/time_span.h"
 
 namespace geom {
@@ -24,10 +25,10 @@ struct TimedBoxes {
   }
 };
 
-// Why they cannot be those of a map of so many boxes, in words: another number of times than of
+// Why they cannot be those of a map of so many boxes: another number of times than of
 // boxes, indices that do not ascend or are beyond, a time that is none or always, no epoch.
 // Nothing where they can.
-std::optional<std::string> timed_fault(const TimedBoxes& timed, std::size_t boxes,
-                                       const std::optional<std::string>& epoch);
+std::optional<Fault> timed_fault(const TimedBoxes& timed, std::size_t boxes,
+                                 const std::optional<std::string>& epoch);
 
 }  // namespace geom

@@ -23,8 +23,9 @@ std::string shown(const Aabb& box) {
                      box.max[1], box.max[2]);
 }
 
-[[noreturn]] void refuse(const BoxMap::Data& data, std::string_view what) {
-  throw InputError(data.archive->name(), fmt::format("{} ({})", what, kAdvice));
+[[noreturn]] void refuse(const BoxMap::Data& data, Fault fault) {
+  fault.advice = kAdvice;
+  throw InputError(data.archive->name(), std::move(fault));
 }
 
 // Calls f(tile, begin, end) for stretches of boxes of one tile, on all threads.
@@ -63,13 +64,16 @@ void check_extent(const BoxMap::Data& data, std::size_t t, std::size_t begin, st
   const Tile tile = data.tiles[t];
   for (std::size_t i = begin; i < end; ++i) {
     if (!is_ordered_inside(data.boxes[i], tile.extent)) {
-      refuse(data, fmt::format("box {} must be finite, with min <= max, inside the extent of its "
-                               "tile {}, which is {}; found {}",
-                               i, t, shown(tile.extent), shown(data.boxes[i])));
+      refuse(data, {.key = fmt::format("box {}", i),
+                    .expected = fmt::format(
+                        "finite, with min <= max, inside the extent of its tile {}, which is {}", t,
+                        shown(tile.extent)),
+                    .found = shown(data.boxes[i])});
     }
     if (data.label[i] >= data.labels.size()) {
-      refuse(data, fmt::format("label of box {} must be below {}, found {}", i, data.labels.size(),
-                               data.label[i]));
+      refuse(data, {.key = fmt::format("label of box {}", i),
+                    .expected = fmt::format("below {}", data.labels.size()),
+                    .found = fmt::to_string(data.label[i])});
     }
   }
 }
@@ -78,10 +82,10 @@ void check_place(const BoxMap::Data& data, std::size_t t, std::size_t begin, std
   const Tile tile = data.tiles[t];
   for (std::size_t i = begin; i < end; ++i) {
     if (place_of(data.boxes[i], data.spec.tile_size) != place_of(tile)) {
-      refuse(data, fmt::format("box {} must lie in the square of its tile {}, column {}, row {}{}; "
-                               "found {}",
-                               i, t, tile.ix, tile.iy, tile.large ? " (large)" : "",
-                               shown(data.boxes[i])));
+      refuse(data, {.says = fmt::format(
+                        "box {} must lie in the square of its tile {}, column {}, row {}{}", i, t,
+                        tile.ix, tile.iy, tile.large ? " (large)" : ""),
+                    .found = shown(data.boxes[i])});
     }
     if (i == tile.first || comes_before(data.boxes[i - 1], data.boxes[i])) continue;
     if (data.boxes[i - 1] == data.boxes[i] && data.ids[i - 1] < data.ids[i]) continue;
@@ -89,9 +93,9 @@ void check_place(const BoxMap::Data& data, std::size_t t, std::size_t begin, std
         data.timed.of(i - 1) <= data.timed.of(i)) {
       continue;
     }
-    refuse(data, fmt::format("box {} of tile {} must not come before box {}, by min, max, id and "
-                             "time",
-                             i, t, i - 1));
+    refuse(data, {.says = fmt::format(
+                      "box {} of tile {} must not come before box {}, by min, max, id and time", i,
+                      t, i - 1)});
   }
 }
 
@@ -110,7 +114,8 @@ void verify_contents(const BoxMap::Data& data, const Execution& run) {
   });
   const std::string found = hash_of(data.spec, data.tiles.all(), data.boxes, data.timed, run);
   if (found != data.hash) {
-    refuse(data, fmt::format("the map names the hash {}, and its boxes have {}", data.hash, found));
+    refuse(data, {.says = fmt::format("the map names the hash {}, and its boxes have {}", data.hash,
+                                      found)});
   }
 }
 

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "../shape/orientation.h"
-#include "geom/shape/row_merge.h"
+#include "shape/row_merge.h"
 
 namespace geom {
 namespace {

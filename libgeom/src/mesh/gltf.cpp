@@ -42,7 +42,8 @@ JsonLine object_of(const GltfPrimitive& p) {
 }
 
 [[noreturn]] void refuse_size() {
-  throw InputError("glTF", "the mesh takes more than the 4 GB of a .glb: crop the map");
+  throw InputError(
+      "glTF", {.says = "the mesh takes more than the 4 GB of a .glb", .advice = "crop the map"});
 }
 
 // The numbers below `count`.

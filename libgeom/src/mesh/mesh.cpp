@@ -71,8 +71,8 @@ void write_ply(std::ostream& out, std::span<const MeshPart> parts) {
     triangles += part.triangles;
   }
   if (vertices > 0x7fffffff) {
-    throw InputError("PLY",
-                     fmt::format("expected at most 2147483647 vertices, found {}", vertices));
+    throw InputError(
+        "PLY", {.expected = "at most 2147483647 vertices", .found = fmt::to_string(vertices)});
   }
   out << fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment east north up, metres\n"

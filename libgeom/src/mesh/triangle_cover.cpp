@@ -20,15 +20,18 @@ double checked_size(const TriangleMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t i : mesh.triangles[t].corners) {
       if (i >= mesh.vertices.size()) {
-        throw InputError(kSource, fmt::format("triangle {}: expected vertices below {}, found {}",
-                                              t, mesh.vertices.size(), i));
+        throw InputError(kSource,
+                         {.item = fmt::format("triangle {}", t),
+                          .expected = fmt::format("vertices below {}", mesh.vertices.size()),
+                          .found = fmt::to_string(i)});
       }
       const Vec3& v = mesh.vertices[i];
       const double size = v.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
       if (!(size <= kLargestCoordinate)) {
-        throw InputError(kSource, fmt::format("triangle {}: expected coordinates within {} m, "
-                                              "found [{}, {}, {}]",
-                                              t, kLargestCoordinate, v.x(), v.y(), v.z()));
+        throw InputError(kSource,
+                         {.item = fmt::format("triangle {}", t),
+                          .expected = fmt::format("coordinates within {} m", kLargestCoordinate),
+                          .found = fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z())});
       }
       largest = std::max(largest, size);
     }
@@ -39,9 +42,11 @@ double checked_size(const TriangleMesh& mesh) {
 void check_options(const TriangleMesh& mesh, const TriangleCoverOptions& options, double largest) {
   const double least = std::max(1e-6, 1e-9 * largest);
   if (!(options.slack >= least && options.slack <= kLargestCoordinate)) {
-    throw InputError(kSource, fmt::format("expected a slack from {} m (1e-6 m, and 1e-9 of the "
-                                          "largest coordinate) to {} m, found {}",
-                                          least, kLargestCoordinate, options.slack));
+    throw InputError(kSource,
+                     {.expected = fmt::format(
+                          "a slack from {} m (1e-6 m, and 1e-9 of the largest coordinate) to {} m",
+                          least, kLargestCoordinate),
+                      .found = fmt::to_string(options.slack)});
   }
   if (options.fill != SolidFill::down_to) return;
   for (const MeshTriangle& t : mesh.triangles) {
@@ -49,12 +54,12 @@ void check_options(const TriangleMesh& mesh, const TriangleCoverOptions& options
         std::abs(options.down_to[t.part]) <= kLargestCoordinate) {
       continue;
     }
-    throw InputError(kSource, fmt::format("part {}: expected a height within {} m that it is "
-                                          "solid down to, found {}",
-                                          t.part, kLargestCoordinate,
-                                          t.part < options.down_to.size()
-                                              ? fmt::to_string(options.down_to[t.part])
-                                              : "none"));
+    throw InputError(
+        kSource, {.item = fmt::format("part {}", t.part),
+                  .expected = fmt::format("a height within {} m that it is solid down to",
+                                          kLargestCoordinate),
+                  .found = t.part < options.down_to.size() ? fmt::to_string(options.down_to[t.part])
+                                                           : "none"});
   }
 }
 
@@ -75,11 +80,11 @@ void refuse_too_many(const TriangleMesh& mesh, const TriangleCoverOptions& optio
          pieces(mesh, CoverGrid::of(slack, largest)) > options.most_pieces) {
     slack *= 2;
   }
-  throw InputError(
-      kSource,
-      fmt::format("{} triangles would be cut into up to {:.2g} pieces for a slack of {} m, more "
-                  "than {:.2g}: a slack of {} m would do, or fewer triangles at a time",
-                  mesh.triangles.size(), many, options.slack, options.most_pieces, slack));
+  throw InputError(kSource,
+                   {.says = fmt::format(
+                        "{} triangles would be cut into up to {:.2g} pieces for a slack of {} m, "
+                        "more than {:.2g}: a slack of {} m would do, or fewer triangles at a time",
+                        mesh.triangles.size(), many, options.slack, options.most_pieces, slack)});
 }
 
 }  // namespace

@@ -57,24 +57,26 @@ class Scene {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& message) const { throw InputError(source_, message); }
+  [[noreturn]] void refuse(Fault fault) const { throw InputError(source_, std::move(fault)); }
 
   void check() const {
     if (scene_.mNumAnimations > 0) {
-      refuse("it has animations, and obstacles stand still: write one state of it");
+      refuse({.says = "it has animations, and obstacles stand still",
+              .advice = "write one state of it"});
     }
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
       const aiMesh& mesh = *scene_.mMeshes[i];
       if (mesh.HasBones() || mesh.mNumAnimMeshes > 0) {
-        refuse(fmt::format("mesh \"{}\" is moved by bones or morphs: write one state of it",
-                           excerpt(mesh.mName.C_Str())));
+        refuse({.says = fmt::format("mesh \"{}\" is moved by bones or morphs",
+                                    excerpt(mesh.mName.C_Str())),
+                .advice = "write one state of it"});
       }
     }
   }
 
   // `size`: of all numbers that a place is made of, which its rounding follows.
   void visit(const aiNode& node, const Transform& above, const Transform& size_above, int depth) {
-    if (depth > 500) refuse("expected nodes that are less than 500 deep");
+    if (depth > 500) refuse({.expected = "nodes that are less than 500 deep"});
     const Transform local = transform_of(node.mTransformation);
     const Transform place = above * local;
     const Transform size = size_above * local.cwiseAbs();
@@ -91,7 +93,7 @@ class Scene {
 
   void add_mesh(const aiMesh& mesh, const Transform& place, const Transform& size, int depth) {
     const std::size_t first = model_.mesh.vertices.size();
-    if (first + mesh.mNumVertices > kMostVertices) refuse("more than 1e8 vertices");
+    if (first + mesh.mNumVertices > kMostVertices) refuse({.says = "more than 1e8 vertices"});
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
       const aiVector3D& v = mesh.mVertices[i];
       const Eigen::Vector4d p(v.x, v.y, v.z, 1);
@@ -112,7 +114,7 @@ class Scene {
     }
     std::vector<std::uint32_t> index;
     for (unsigned k = 0; k < face.mNumIndices; ++k) {
-      if (face.mIndices[k] >= vertices) refuse("a face names a vertex that is not there");
+      if (face.mIndices[k] >= vertices) refuse({.says = "a face names a vertex that is not there"});
       index.push_back(static_cast<std::uint32_t>(first) + face.mIndices[k]);
     }
     polygons_.add(model_, index, static_cast<std::uint32_t>(model_.parts.size()));
@@ -145,9 +147,9 @@ void require_no_scale(std::string_view chunk, const std::string& source) {
   float scale = 0;
   if (chunk.size() >= sizeof scale) std::memcpy(&scale, chunk.data(), sizeof scale);
   if (scale == 1) return;
-  throw InputError(source, fmt::format("expected a 3DS file whose master scale is 1, found {}: "
-                                       "programs differ in what it means",
-                                       scale));
+  throw InputError(source, {.expected = "a 3DS file whose master scale is 1",
+                            .found = fmt::to_string(scale),
+                            .advice = "programs differ in what it means"});
 }
 
 // The sum of the counts of 3DS chunks of faces (0x4120), which are in others.
@@ -162,9 +164,9 @@ std::size_t faces_of_3ds(std::string_view bytes, const std::string& source, int 
     const std::uint32_t id = word(at, 2);
     const std::size_t length = word(at + 2, 4);
     if (length < 6 || length > bytes.size() - at) {
-      throw InputError(source, fmt::format("a chunk of the 3DS file says {} bytes, where {} "
-                                           "are left",
-                                           length, bytes.size() - at));
+      throw InputError(
+          source, {.says = fmt::format("a chunk of the 3DS file says {} bytes, where {} are left",
+                                       length, bytes.size() - at)});
     }
     std::string_view inner = bytes.substr(at + 6, length - 6);
     if (id == 0x4000) inner = inner.substr(std::min(inner.find('\0'), inner.size() - 1) + 1);
@@ -197,8 +199,8 @@ Model read_scene(const std::string& bytes, const std::string& source, const std:
   const aiScene* const scene = scene_of(importer);
   if (!scene || !scene->mRootNode) {
     throw InputError(
-        source, fmt::format("expected a file of format {}, which assimp could not read: {}", format,
-                            excerpt(importer.GetErrorString(), 120)));
+        source, {.expected = fmt::format("a file of format {}, which assimp could not read: {}",
+                                         format, excerpt(importer.GetErrorString(), 120))});
   }
   Scene read(*scene, source);
   Model model = read.model();

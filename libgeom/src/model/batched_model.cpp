@@ -28,12 +28,13 @@ Vec3 center_of(const nlohmann::json& features, std::string_view binary, const st
   if (features.at("RTC_CENTER").is_object()) {
     const JsonMembers place(features.at("RTC_CENTER"), source, "RTC_CENTER");
     const std::uint64_t at = place.whole("byteOffset");
-    if (at > binary.size() || binary.size() - at < 12) place.refuse("it lies outside the table");
+    if (at > binary.size() || binary.size() - at < 12)
+      place.refuse({.says = "it lies outside the table"});
     Vec3 center;
     for (std::size_t i = 0; i < 3; ++i) {
       center[static_cast<Eigen::Index>(i)] = little_endian<float>(binary, at + 4 * i);
     }
-    if (!center.allFinite()) place.refuse("expected numbers");
+    if (!center.allFinite()) place.refuse({.expected = "numbers"});
     return center;
   }
   const auto c = table.numbers("RTC_CENTER", 3);
@@ -59,10 +60,11 @@ std::vector<std::string> names_of(const nlohmann::json& batch) {
 BatchedModel read_batched_model(std::string_view bytes, std::string_view source) {
   const std::string name(source);
   if (bytes.size() < kHead) {
-    throw InputError(source, fmt::format("a b3dm of {} bytes is cut short", bytes.size()));
+    throw InputError(source,
+                     {.says = fmt::format("a b3dm of {} bytes is cut short", bytes.size())});
   }
   if (const auto version = little_endian<std::uint32_t>(bytes, 4); version != 1) {
-    throw InputError(source, fmt::format("expected a b3dm of version 1, found {}", version));
+    throw InputError(source, {.expected = "a b3dm of version 1", .found = fmt::to_string(version)});
   }
   const std::size_t length = little_endian<std::uint32_t>(bytes, 8);
   std::array<std::size_t, 4> tables{};  // features and batch, each as JSON and binary
@@ -72,9 +74,10 @@ BatchedModel read_batched_model(std::string_view bytes, std::string_view source)
     total += tables[i];
   }
   if (length != bytes.size() || total > length) {
-    throw InputError(source, fmt::format("expected a b3dm of {} bytes, as it says, of which its "
-                                         "tables take {}; found {}",
-                                         length, total, bytes.size()));
+    throw InputError(source,
+                     {.says = fmt::format("expected a b3dm of {} bytes, as it says, of which its "
+                                          "tables take {}; found {}",
+                                          length, total, bytes.size())});
   }
   const std::string_view features = bytes.substr(kHead, tables[0]);
   const std::string_view binary = bytes.substr(kHead + tables[0], tables[1]);

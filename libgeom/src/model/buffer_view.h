@@ -16,8 +16,8 @@ inline std::string_view bytes_of(const JsonMembers& view, std::string_view buffe
   const std::uint64_t offset = view.whole("byteOffset", 0);
   const std::uint64_t length = view.whole("byteLength");
   if (offset > buffer.size() || length > buffer.size() - offset) {
-    view.refuse(fmt::format("expected it within the {} bytes of its buffer, found {} from {} on",
-                            buffer.size(), length, offset));
+    view.refuse({.expected = fmt::format("it within the {} bytes of its buffer", buffer.size()),
+                 .found = fmt::format("{} from {} on", length, offset)});
   }
   return buffer.substr(offset, length);
 }

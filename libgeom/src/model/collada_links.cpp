@@ -11,7 +11,7 @@
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 
 namespace geom {
 namespace {
@@ -80,7 +80,8 @@ class Links {
     std::size_t last = 0;
     for (std::size_t at = 0; (at = text.find('<', at)) != std::string_view::npos;) {
       const std::size_t end = end_of_tag(text, at);
-      if (end == std::string_view::npos) refuse("a tag is not ended: the file may be cut");
+      if (end == std::string_view::npos)
+        refuse({.says = "a tag is not ended", .advice = "the file may be cut"});
       before_ = text.substr(last, at - last);
       require_no_entity(before_);
       const bool aside = text[at + 1] == '!' || text[at + 1] == '?';
@@ -108,7 +109,7 @@ class Links {
     double params = 0;
   };
 
-  [[noreturn]] void refuse(const std::string& message) const { throw InputError(source_, message); }
+  [[noreturn]] void refuse(Fault fault) const { throw InputError(source_, std::move(fault)); }
 
   void lose(std::string_view url, const char* what) {
     skipped_.add(fmt::format("{} that is not in the file", what), excerpt(url, 60));
@@ -122,10 +123,9 @@ class Links {
       const std::string_view name = rest.substr(0, rest.find(';'));
       if (name == "amp" || name == "lt" || name == "gt" || name == "quot" || name == "apos")
         continue;
-      refuse(
-          fmt::format("expected only entities of XML itself, found \"&{}\": write out what it "
-                      "stands for",
-                      excerpt(name, 40)));
+      refuse({.expected = "only entities of XML itself",
+              .found = fmt::format("\"&{}\"", excerpt(name, 40)),
+              .advice = "write out what it stands for"});
     }
   }
 
@@ -133,10 +133,9 @@ class Links {
   void require_one_text(bool aside) {
     const bool blank = before_.find_first_not_of(" \t\r\n") == before_.npos;
     if (text_before_aside_ && !blank) {
-      refuse(
-          fmt::format("expected no comment within numbers, found one before \"{}\": write the "
-                      "file without comments, for example with `xmllint --c14n`",
-                      excerpt(before_, 40)));
+      refuse({.expected = "no comment within numbers",
+              .found = fmt::format("one before \"{}\"", excerpt(before_, 40)),
+              .advice = "write the file without comments, for example with `xmllint --c14n`"});
     }
     text_before_aside_ = aside && (text_before_aside_ || !blank);
   }
@@ -161,8 +160,8 @@ class Links {
                                                      "visual_scene",
                                                      "library_visual_scenes"};
     if (!kRead.contains(name.substr(colon + 1))) return;
-    refuse(fmt::format("expected elements without a prefix, found <{}>, which assimp passes over",
-                       excerpt(name, 40)));
+    refuse({.expected = "elements without a prefix",
+            .found = fmt::format("<{}>, which assimp passes over", excerpt(name, 40))});
   }
 
   void take(std::string_view tag) {
@@ -171,11 +170,13 @@ class Links {
     require_no_entity(tag);
     std::string id(attribute(tag, "id"));
     if (name == "skew" || name == "lookat") {
-      refuse(fmt::format("it has a <{}>, which is not read: write its nodes with matrices", name));
+      refuse({.says = fmt::format("it has a <{}>, which is not read", name),
+              .advice = "write its nodes with matrices"});
     }
     if (name == "/rotate") require_axis();
     if (name == "instance_controller") {
-      refuse("bones or morphs move its meshes (<instance_controller>): write one state of it");
+      refuse({.says = "bones or morphs move its meshes (<instance_controller>)",
+              .advice = "write one state of it"});
     }
     if (name == "convex_mesh" || name == "spline" || name == "brep") {
       skipped_.add("geometry that is no mesh", fmt::format("<{}>", name));
@@ -210,7 +211,8 @@ class Links {
     if (text.empty()) return otherwise;
     const auto value = parse_number(text);
     if (value && *value >= 0 && *value <= 1e12 && *value == std::floor(*value)) return *value;
-    refuse(fmt::format("expected {} to be a whole number, found \"{}\"", key, excerpt(text)));
+    refuse({.expected = fmt::format("{} to be a whole number", key),
+            .found = in_quotes(excerpt(text))});
   }
 
   void take_numbers(std::string_view name, std::string_view tag, const std::string& id) {
@@ -236,11 +238,10 @@ class Links {
     const auto array = arrays_.find(std::string(accessor.source.substr(1)));
     if (array == arrays_.end()) return;
     if (accessor.numbers <= array->second && accessor.params <= accessor.stride) return;
-    refuse(
-        fmt::format("expected an <accessor> within the {} numbers of \"{}\", found one to {}, "
-                    "{} at a time of {}",
-                    array->second, excerpt(accessor.source), accessor.numbers, accessor.params,
-                    accessor.stride));
+    refuse({.expected = fmt::format("an <accessor> within the {} numbers of \"{}\"", array->second,
+                                    excerpt(accessor.source)),
+            .found = fmt::format("one to {}, {} at a time of {}", accessor.numbers, accessor.params,
+                                 accessor.stride)});
   }
 
   // Of others assimp makes 0, and all triangles are one point. It takes the unit of the file for
@@ -248,21 +249,20 @@ class Links {
   void require_unit(std::string_view metres) {
     const auto value = metres.empty() ? 1 : parse_number(metres);
     if (!value || !std::isfinite(*value) || *value <= 0) {
-      refuse(fmt::format("expected <unit meter> to be a number above 0, found \"{}\"",
-                         excerpt(metres)));
+      refuse(
+          {.expected = "<unit meter> to be a number above 0", .found = in_quotes(excerpt(metres))});
     }
     if (in_library_ && *value != unit_) {
-      refuse(
-          fmt::format("expected one unit in the whole file, found {} m and {} m", unit_, *value));
+      refuse({.expected = "one unit in the whole file",
+              .found = fmt::format("{} m and {} m", unit_, *value)});
     }
     unit_ = *value;
   }
 
   [[noreturn]] void refuse_up_axis(std::string_view found) const {
-    refuse(
-        fmt::format("expected <up_axis> to be X_UP, Y_UP or Z_UP, without blanks and once for "
-                    "the whole file, found \"{}\"",
-                    excerpt(found)));
+    refuse({.expected =
+                "<up_axis> to be X_UP, Y_UP or Z_UP, without blanks and once for the whole file",
+            .found = in_quotes(excerpt(found))});
   }
 
   // Any other word is Y_UP to assimp, and so are these between blanks.
@@ -276,8 +276,8 @@ class Links {
   void require_axis() const {
     const std::vector<double> v = numbers_of(before_);
     if (v.size() == 4 && (v[3] == 0 || std::abs(std::hypot(v[0], v[1], v[2]) - 1) < 1e-3)) return;
-    refuse(fmt::format("expected <rotate> to have an axis of length 1 and an angle, found \"{}\"",
-                       excerpt(before_)));
+    refuse({.expected = "<rotate> to have an axis of length 1 and an angle",
+            .found = in_quotes(excerpt(before_))});
   }
 
   void place_node(const std::string& id) {
@@ -292,10 +292,11 @@ class Links {
       return counts_[node] = 0;
     }
     if (depth > kDeepest)
-      refuse("expected nodes that do not place themselves, found one that does");
+      refuse({.expected = "nodes that do not place themselves", .found = "one that does"});
     double sum = 1;
     for (const std::string& inner : nodes_.at(node)) sum += count(inner, depth + 1);
-    if (sum > kMostNodes) refuse("expected nodes that place less than 1e6 others, found more");
+    if (sum > kMostNodes)
+      refuse({.expected = "nodes that place less than 1e6 others", .found = "more"});
     return counts_[node] = sum;
   }
 

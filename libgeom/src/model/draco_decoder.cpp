@@ -1,4 +1,4 @@
-#include "geom/model/draco_decoder.h"
+#include "model/draco_decoder.h"
 
 #include <draco/compression/decode.h>
 #include <fmt/format.h>
@@ -66,11 +66,11 @@ void require_plausible_counts(std::string_view bytes, const std::string& source)
   if (bytes.size() < kHeader || !bytes.starts_with("DRACO")) return;
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   if (at(5) != 2 || at(6) != 2) {
-    throw InputError(
-        source, fmt::format("expected the Draco bitstream 2.2 of glTF, found {}.{}", at(5), at(6)));
+    throw InputError(source, {.expected = "the Draco bitstream 2.2 of glTF",
+                              .found = fmt::format("{}.{}", at(5), at(6))});
   }
   if ((at(10) & 0x80) != 0) {  // it would stand before the counts
-    throw InputError(source, "metadata in what Draco compressed is not read");
+    throw InputError(source, {.says = "metadata in what Draco compressed is not read"});
   }
   const bool edgebreaker = at(8) == 1;  // whose kind of traversal comes first
   std::string_view rest = bytes.substr(std::min(bytes.size(), kHeader + (edgebreaker ? 1 : 0)));
@@ -78,9 +78,10 @@ void require_plausible_counts(std::string_view bytes, const std::string& source)
     const auto count = next_number(rest);
     if (!count) return;
     if (*count > kMostOfAByte * bytes.size()) {
-      throw InputError(source, fmt::format("what Draco compressed says that it has {} triangles or "
-                                           "vertices in {} bytes; more than {} a byte are not read",
-                                           *count, bytes.size(), kMostOfAByte));
+      throw InputError(
+          source, {.says = fmt::format("what Draco compressed says that it has {} triangles or "
+                                       "vertices in {} bytes; more than {} a byte are not read",
+                                       *count, bytes.size(), kMostOfAByte)});
     }
   }
 }
@@ -95,7 +96,8 @@ class Decoded {
     out.corners.reserve(std::size_t{3} * mesh_.num_faces());
     for (std::uint32_t f = 0; f < mesh_.num_faces(); ++f) {
       for (const draco::PointIndex& corner : mesh_.face(draco::FaceIndex(f))) {
-        if (corner.value() >= out.vertices) refuse("a triangle has a vertex that is not there");
+        if (corner.value() >= out.vertices)
+          refuse({.says = "a triangle has a vertex that is not there"});
         out.corners.push_back(corner.value());
       }
     }
@@ -105,14 +107,14 @@ class Decoded {
       if (!component) continue;
       const auto [at, added] =
           out.attributes.try_emplace(attribute.unique_id(), rows(attribute, *component));
-      if (!added) refuse(fmt::format("two attributes have the number {}", at->first));
+      if (!added) refuse({.says = fmt::format("two attributes have the number {}", at->first)});
     }
     return out;
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError(source_, "what Draco compressed: " + message);
+  [[noreturn]] void refuse(Fault fault) const {
+    throw InputError(source_, within("what Draco compressed", std::move(fault)));
   }
 
   DracoMesh::Attribute rows(const draco::PointAttribute& attribute,
@@ -122,14 +124,14 @@ class Decoded {
     const auto row = static_cast<std::int64_t>(out.columns) * width;
     const auto end = static_cast<std::int64_t>(attribute.buffer()->data_size());
     if (!attribute.is_mapping_identity() && attribute.indices_map_size() < mesh_.num_points()) {
-      refuse("a vertex has no value");
+      refuse({.says = "a vertex has no value"});
     }
     out.values.reserve(out.columns * mesh_.num_points());
     for (std::uint32_t p = 0; p < mesh_.num_points(); ++p) {
       const draco::AttributeValueIndex value = attribute.mapped_index(draco::PointIndex(p));
       const std::int64_t at = attribute.GetBytePos(value);
       if (value.value() >= attribute.size() || at < 0 || at > end - row) {
-        refuse("a vertex has a value that is not there");
+        refuse({.says = "a vertex has a value that is not there"});
       }
       for (std::size_t k = 0; k < out.columns; ++k) {
         out.values.push_back(
@@ -151,9 +153,10 @@ DracoMesh decode_draco(std::string_view bytes, const std::string& source) {
   buffer.Init(bytes.data(), bytes.size());
   const auto decoded = draco::Decoder().DecodeMeshFromBuffer(&buffer);
   if (!decoded.ok()) {
-    throw InputError(source, fmt::format("expected triangles that Draco compressed, which libdraco "
-                                         "could not decode: {}",
-                                         excerpt(decoded.status().error_msg_string(), 120)));
+    throw InputError(source,
+                     {.expected = fmt::format(
+                          "triangles that Draco compressed, which libdraco could not decode: {}",
+                          excerpt(decoded.status().error_msg_string(), 120))});
   }
   return Decoded(*decoded.value(), source).mesh();
 }

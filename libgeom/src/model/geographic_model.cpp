@@ -23,9 +23,9 @@ std::vector<GeodeticPlace> places_of(const Model& model, std::string_view source
     GeodeticPlace place;
     earth.Reverse(v.x(), v.y(), v.z(), place.latitude, place.longitude, place.height);
     if (!(std::abs(place.height) <= kHighest)) {
-      throw InputError(source, fmt::format("expected earth-centred coordinates within 100 km of "
-                                           "the ellipsoid, found [{}, {}, {}]",
-                                           v.x(), v.y(), v.z()));
+      throw InputError(source,
+                       {.expected = "earth-centred coordinates within 100 km of the ellipsoid",
+                        .found = fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z())});
     }
     out.push_back(place);
   }
@@ -62,7 +62,7 @@ double longest_side(const TriangleMesh& mesh) {
 PlacedModel place_on_map(Model& model, const std::optional<GeodeticOrigin>& origin,
                          std::string_view source) {
   const std::vector<GeodeticPlace> places = places_of(model, source);
-  if (places.empty()) throw InputError(source, "expected triangles, found none");
+  if (places.empty()) throw InputError(source, {.expected = "triangles", .found = "none"});
   PlacedModel out;
   out.frame.origin = origin ? *origin : middle(places);
   const GeographicFrame frame(*out.frame.origin);
@@ -76,11 +76,10 @@ PlacedModel place_on_map(Model& model, const std::optional<GeodeticOrigin>& orig
     const Vec3 enu = frame.enu(places[i]);
     if (!(enu.head<2>().norm() <= kFurthest)) {
       throw InputError(
-          source,
-          fmt::format("expected a model within 200 km of the origin (latitude {}, longitude "
-                      "{}), found a vertex {:.0f} km away",
-                      out.frame.origin->latitude, out.frame.origin->longitude,
-                      enu.head<2>().norm() / 1000));
+          source, {.expected = fmt::format(
+                       "a model within 200 km of the origin (latitude {}, longitude {})",
+                       out.frame.origin->latitude, out.frame.origin->longitude),
+                   .found = fmt::format("a vertex {:.0f} km away", enu.head<2>().norm() / 1000)});
     }
     model.mesh.vertices[i] = enu;
   }

@@ -62,12 +62,12 @@ std::size_t columns_of(const std::string& type) {
 // What an accessor of this type is made of.
 Component component_in(const JsonMembers& accessor, const std::string& type) {
   if (accessor.text("type") != type) {
-    accessor.refuse(
-        fmt::format("expected type {}, found \"{}\"", type, accessor.text("type").substr(0, 20)));
+    accessor.refuse({.expected = fmt::format("type {}", type),
+                     .found = in_quotes(accessor.text("type").substr(0, 20))});
   }
   const auto component = component_of(accessor.whole("componentType"));
-  if (!component) accessor.refuse("expected a component type of glTF");
-  if (accessor.has("sparse")) accessor.refuse("it is sparse, which is not read");
+  if (!component) accessor.refuse({.expected = "a component type of glTF"});
+  if (accessor.has("sparse")) accessor.refuse({.says = "it is sparse, which is not read"});
   return *component;
 }
 
@@ -77,7 +77,8 @@ void finish(GltfData::Numbers& rows, const JsonMembers& accessor, const Componen
   for (std::size_t i = 0; i < rows.values.size(); ++i) {
     double& v = rows.values[i];
     if (!std::isfinite(v)) {
-      accessor.refuse(fmt::format("expected numbers, found {} as value {}", v, i / rows.columns));
+      accessor.refuse(
+          {.expected = "numbers", .found = fmt::format("{} as value {}", v, i / rows.columns)});
     }
     if (normalised) v = std::max(v / component.most, -1.0);
   }
@@ -93,15 +94,13 @@ GltfData::GltfData(std::string_view bytes, std::string source, const ModelFiles&
   const JsonMembers asset(root_->members("asset"), source_, "asset");
   const std::string version = asset.text("version");
   if (!version.starts_with("2.")) {
-    asset.refuse(fmt::format("expected glTF version 2, found \"{}\"", version.substr(0, 20)));
+    asset.refuse({.expected = "glTF version 2", .found = in_quotes(version.substr(0, 20))});
   }
   // Readers of 2.0 understand later versions that ask for no more.
   const std::string least = asset.find_text("minVersion").value_or("2.0");
   if (least != "2.0") {
-    asset.refuse(
-        fmt::format("expected a glTF file that readers of version 2.0 may read, found "
-                    "minVersion \"{}\"",
-                    least.substr(0, 20)));
+    asset.refuse({.expected = "a glTF file that readers of version 2.0 may read",
+                  .found = fmt::format("minVersion \"{}\"", least.substr(0, 20))});
   }
 }
 
@@ -111,27 +110,29 @@ void GltfData::read_container(std::string_view bytes) {
     json_ = parse_json(bytes, source_);
     return;
   }
-  const auto refuse = [&](const std::string& message) { throw InputError(source_, message); };
-  if (bytes.size() < 20) refuse(fmt::format("a .glb of {} bytes is cut short", bytes.size()));
+  const auto refuse = [&](Fault fault) { throw InputError(source_, std::move(fault)); };
+  if (bytes.size() < 20)
+    refuse({.says = fmt::format("a .glb of {} bytes is cut short", bytes.size())});
   if (const auto version = little_endian<std::uint32_t>(bytes, 4); version != 2) {
-    refuse(fmt::format("expected a .glb of version 2, found version {}", version));
+    refuse({.expected = "a .glb of version 2", .found = fmt::format("version {}", version)});
   }
   const std::size_t length = little_endian<std::uint32_t>(bytes, 8);
   if (length > bytes.size() || length < 20 || bytes.size() - length >= 8) {
-    refuse(fmt::format("expected a .glb of {} bytes, as it says, found {}", length, bytes.size()));
+    refuse({.expected = fmt::format("a .glb of {} bytes, as it says", length),
+            .found = fmt::to_string(bytes.size())});
   }
   bool text = false;
   for (std::size_t at = 12; at < length;) {
-    if (length - at < 8) refuse("the last chunk of the .glb is cut short");
+    if (length - at < 8) refuse({.says = "the last chunk of the .glb is cut short"});
     const std::size_t size = little_endian<std::uint32_t>(bytes, at);
     const auto type = little_endian<std::uint32_t>(bytes, at + 4);
     if (size > length - at - 8) {
-      refuse(fmt::format("a chunk of the .glb says {} bytes, where {} are left", size,
-                         length - at - 8));
+      refuse({.says = fmt::format("a chunk of the .glb says {} bytes, where {} are left", size,
+                                  length - at - 8)});
     }
     const std::string_view chunk = bytes.substr(at + 8, size);
     if (!text) {
-      if (type != 0x4E4F534A) refuse("expected the first chunk of the .glb to be JSON");
+      if (type != 0x4E4F534A) refuse({.expected = "the first chunk of the .glb to be JSON"});
       json_ = parse_json(chunk, source_);
       text = true;
     } else if (type == 0x004E4942 && !has_binary_) {
@@ -148,7 +149,8 @@ std::string_view GltfData::buffer(std::uint64_t i) {
   const auto uri = buffer.find_text("uri");
   std::string_view bytes;
   if (!uri) {
-    if (i != 0 || !has_binary_) buffer.refuse("it has no \"uri\", and no bytes in the file");
+    if (i != 0 || !has_binary_)
+      buffer.refuse({.says = "it has no \"uri\", and no bytes in the file"});
     bytes = binary_;
   } else {
     const auto [at, added] = loaded_.try_emplace(i);
@@ -158,7 +160,8 @@ std::string_view GltfData::buffer(std::uint64_t i) {
     bytes = at->second;
   }
   if (bytes.size() < length) {
-    buffer.refuse(fmt::format("expected {} bytes, as it says, found {}", length, bytes.size()));
+    buffer.refuse({.expected = fmt::format("{} bytes, as it says", length),
+                   .found = fmt::to_string(bytes.size())});
   }
   return bytes.substr(0, length);
 }
@@ -167,8 +170,9 @@ std::string_view GltfData::view(std::uint64_t i, std::uint64_t& stride) {
   const JsonMembers view = root().at("bufferViews", i, "bufferView");
   if (view.members("extensions").contains("EXT_meshopt_compression")) {
     view.refuse(
-        "it is compressed by EXT_meshopt_compression, which is not read: write the file "
-        "without, for example with `gltf-transform copy in.glb out.glb`");
+        {.says = "it is compressed by EXT_meshopt_compression, which is not read",
+         .advice =
+             "write the file without, for example with `gltf-transform copy in.glb out.glb`"});
   }
   const std::string_view bytes = bytes_of(view, buffer(view.whole("buffer")));
   stride = view.whole("byteStride", 0);
@@ -188,7 +192,8 @@ GltfData::Numbers GltfData::numbers(std::uint64_t accessor, const std::string& t
   const JsonMembers a = root().at("accessors", accessor, "accessor");
   const Component component = component_in(a, type);
   const auto view_number = a.find_whole("bufferView");
-  if (!view_number) a.refuse("it has no \"bufferView\": its numbers are compressed, or missing");
+  if (!view_number)
+    a.refuse({.says = "it has no \"bufferView\": its numbers are compressed, or missing"});
   Numbers out;
   out.columns = columns_of(type);
   std::uint64_t stride = 0;
@@ -196,7 +201,8 @@ GltfData::Numbers GltfData::numbers(std::uint64_t accessor, const std::string& t
   const std::uint64_t row = out.columns * component.bytes;
   if (stride == 0) stride = row;
   if (stride < row || stride > 255) {
-    a.refuse(fmt::format("expected a stride from {} to 255, found {}", row, stride));
+    a.refuse(
+        {.expected = fmt::format("a stride from {} to 255", row), .found = fmt::to_string(stride)});
   }
   const std::uint64_t offset = a.whole("byteOffset", 0);
   const std::uint64_t count = a.whole("count");
@@ -205,10 +211,9 @@ GltfData::Numbers GltfData::numbers(std::uint64_t accessor, const std::string& t
                     (count == 0 || (bytes.size() - offset >= row &&
                                     count - 1 <= (bytes.size() - offset - row) / stride));
   if (!fits) {
-    a.refuse(
-        fmt::format("expected {} values within the {} bytes of its view, from {} on, every "
-                    "{} bytes",
-                    count, bytes.size(), offset, stride));
+    a.refuse({.expected = fmt::format(
+                  "{} values within the {} bytes of its view, from {} on, every {} bytes", count,
+                  bytes.size(), offset, stride)});
   }
   out.values.reserve(count * out.columns);
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -227,16 +232,16 @@ GltfData::Numbers GltfData::numbers(std::uint64_t accessor, const std::string& t
   const Component component = component_in(a, type);
   Numbers out{columns_of(type), unpacked.values};
   if (unpacked.columns != out.columns || out.count() != a.whole("count")) {
-    a.refuse(fmt::format("expected {} rows of {}, found {} rows of {} in what Draco compressed",
-                         a.whole("count"), out.columns,
-                         unpacked.values.size() / std::max<std::size_t>(unpacked.columns, 1),
-                         unpacked.columns));
+    a.refuse(
+        {.expected = fmt::format("{} rows of {}", a.whole("count"), out.columns),
+         .found = fmt::format("{} rows of {} in what Draco compressed",
+                              unpacked.values.size() / std::max<std::size_t>(unpacked.columns, 1),
+                              unpacked.columns)});
   }
   if (a.truth("normalized") && unpacked.component_type != a.whole("componentType")) {
-    a.refuse(
-        fmt::format("it is normalised, and expected component type {}, found {} in what "
-                    "Draco compressed",
-                    a.whole("componentType"), unpacked.component_type));
+    a.refuse({.says = fmt::format("it is normalised, and expected component type {}",
+                                  a.whole("componentType")),
+              .found = fmt::format("{} in what Draco compressed", unpacked.component_type)});
   }
   finish(out, a, component);
   return out;

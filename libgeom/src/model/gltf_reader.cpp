@@ -33,7 +33,7 @@ Transform local_transform(const JsonMembers& node) {
   if (const auto m = node.numbers("matrix", 16)) {
     for (Eigen::Index i = 0; i < 16; ++i) out(i % 4, i / 4) = (*m)[static_cast<std::size_t>(i)];
     if (out.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
-      node.refuse("expected a matrix whose last row is 0, 0, 0, 1");
+      node.refuse({.expected = "a matrix whose last row is 0, 0, 0, 1"});
     }
     return out;
   }
@@ -43,7 +43,7 @@ Transform local_transform(const JsonMembers& node) {
   if (const auto q = node.numbers("rotation", 4)) {
     const Eigen::Quaterniond turn((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
     if (!(std::abs(turn.norm() - 1) < 1e-2)) {
-      node.refuse(fmt::format("expected a rotation of length 1, found {}", turn.norm()));
+      node.refuse({.expected = "a rotation of length 1", .found = fmt::to_string(turn.norm())});
     }
     const Eigen::Matrix3d turned =
         turn.normalized().toRotationMatrix() * Eigen::Matrix3d(out.topLeftCorner<3, 3>());
@@ -75,22 +75,24 @@ class GltfReader {
  private:
   void check_extensions() const {
     if (data_.root().members("extensions").contains("CESIUM_RTC")) {
-      data_.root().refuse(
-          "CESIUM_RTC moves the whole model, which glTF 2.0 does not say: not read");
+      data_.root().refuse({.says = "CESIUM_RTC moves the whole model, which glTF 2.0 does not say",
+                           .advice = "not read"});
     }
     for (const nlohmann::json& name : data_.root().list("extensionsRequired")) {
       if (name.is_string() && is_harmless(name.get<std::string>())) continue;
       if (name == kDraco && draco_) continue;
-      data_.root().refuse(fmt::format(
-          "it requires the extension {}, which is not read: write the file without it, for example "
-          "with `gltf-transform copy in.glb out.glb`",
-          excerpt(name.is_string() ? name.get<std::string>() : "?", 60)));
+      data_.root().refuse(
+          {.says = fmt::format("it requires the extension {}, which is not read",
+                               excerpt(name.is_string() ? name.get<std::string>() : "?", 60)),
+           .advice =
+               "write the file without it, for example with `gltf-transform copy in.glb out.glb`"});
     }
   }
 
   void check_animations() const {
     if (data_.root().list("animations").empty()) return;
-    data_.root().refuse("it has animations, and obstacles stand still: write one state of it");
+    data_.root().refuse({.says = "it has animations, and obstacles stand still",
+                         .advice = "write one state of it"});
   }
 
   void visit_scene() {
@@ -114,18 +116,19 @@ class GltfReader {
   }
 
   std::uint64_t number(const JsonMembers& of, const nlohmann::json& value) const {
-    if (!value.is_number_unsigned()) of.refuse("expected the numbers of nodes");
+    if (!value.is_number_unsigned()) of.refuse({.expected = "the numbers of nodes"});
     return value.get<std::uint64_t>();
   }
 
   void visit(std::uint64_t i, const Transform& above, std::size_t depth) {
     const JsonMembers node = data_.root().at("nodes", i, "node");
     if (!seen_.insert(i).second || depth > kDeepest) {
-      node.refuse("it is within itself, in two nodes, or more than 1,000 deep");
+      node.refuse({.says = "it is within itself, in two nodes, or more than 1,000 deep"});
     }
-    if (node.has("skin")) node.refuse("a skin moves its mesh: write one state of it");
+    if (node.has("skin"))
+      node.refuse({.says = "a skin moves its mesh", .advice = "write one state of it"});
     if (node.members("extensions").contains("EXT_mesh_gpu_instancing")) {
-      node.refuse("EXT_mesh_gpu_instancing multiplies its mesh, which is not read");
+      node.refuse({.says = "EXT_mesh_gpu_instancing multiplies its mesh, which is not read"});
     }
     const Transform place = above * local_transform(node);
     if (const auto mesh = node.find_whole("mesh")) add_mesh(node, i, *mesh, place);
@@ -154,25 +157,26 @@ class GltfReader {
       model_.skipped.add("points or lines", fmt::format("mode {}", mode));
       return;
     }
-    if (mode > 6) primitive.refuse(fmt::format("expected a mode of glTF, found {}", mode));
+    if (mode > 6) primitive.refuse({.expected = "a mode of glTF", .found = fmt::to_string(mode)});
     if (primitive.has("targets")) {
-      primitive.refuse("morph targets move its vertices: write one state of it");
+      primitive.refuse(
+          {.says = "morph targets move its vertices", .advice = "write one state of it"});
     }
     const JsonMembers attributes(primitive.members("attributes"), data_.source(), "attributes");
     const auto positions = attributes.find_whole("POSITION");
-    if (!positions) primitive.refuse("it has no positions");
+    if (!positions) primitive.refuse({.says = "it has no positions"});
     const bool packed =
         draco_ && !data_.has_rows(*positions) && primitive.members("extensions").contains(kDraco);
     const Drawn drawn = packed ? unpacked(primitive, attributes, *positions, mode)
                                : plain(primitive, attributes, *positions);
     for (const std::uint64_t v : drawn.order) {
       if (v < drawn.vertices.count()) continue;
-      primitive.refuse(
-          fmt::format("expected indices below {}, the number of its vertices, found {}",
-                      drawn.vertices.count(), v));
+      primitive.refuse({.expected = fmt::format("indices below {}, the number of its vertices",
+                                                drawn.vertices.count()),
+                        .found = fmt::to_string(v)});
     }
     if (feature_name(attributes) && drawn.features.size() < drawn.vertices.count()) {
-      attributes.refuse("expected a feature for each vertex");
+      attributes.refuse({.expected = "a feature for each vertex"});
     }
     add_triangles(primitive, packed ? 4 : mode, drawn.order,
                   add_vertices(primitive, drawn.vertices, place), drawn.features);
@@ -190,7 +194,7 @@ class GltfReader {
     out.vertices = data_.numbers(positions, "VEC3");
     if (const auto indices = primitive.find_whole("indices")) {
       for (const double v : data_.numbers(*indices, "SCALAR").values) {
-        if (v < 0 || v != std::floor(v)) primitive.refuse("expected whole numbers as indices");
+        if (v < 0 || v != std::floor(v)) primitive.refuse({.expected = "whole numbers as indices"});
         out.order.push_back(static_cast<std::uint64_t>(v));
       }
     } else {
@@ -205,14 +209,16 @@ class GltfReader {
   // Draco gives triangles, also of what was a strip.
   Drawn unpacked(const JsonMembers& primitive, const JsonMembers& attributes,
                  std::uint64_t positions, std::uint64_t mode) {
-    if (mode == 6) primitive.refuse("expected no fan in what Draco compressed, found one");
+    if (mode == 6)
+      primitive.refuse({.expected = "no fan in what Draco compressed", .found = "one"});
     const JsonMembers packed(primitive.members("extensions").at(kDraco), data_.source(), kDraco);
     const JsonMembers numbers(packed.members("attributes"), data_.source(), kDraco);
     const DracoMesh mesh = draco_(data_.view(packed.whole("bufferView")), data_.source());
     const auto rows = [&](const char* name, std::uint64_t accessor, const char* type) {
       const auto found = mesh.attributes.find(numbers.whole(name));
       if (found == mesh.attributes.end()) {
-        numbers.refuse(fmt::format("expected its {} in what Draco compressed, found none", name));
+        numbers.refuse(
+            {.expected = fmt::format("its {} in what Draco compressed", name), .found = "none"});
       }
       return data_.numbers(accessor, type, found->second);
     };
@@ -221,8 +227,8 @@ class GltfReader {
     if (mode == 4 && indices) {
       const JsonMembers a = data_.root().at("accessors", *indices, "accessor");
       if (a.whole("count") != out.order.size()) {
-        a.refuse(fmt::format("expected {} indices, found {} in what Draco compressed",
-                             a.whole("count"), out.order.size()));
+        a.refuse({.expected = fmt::format("{} indices", a.whole("count")),
+                  .found = fmt::format("{} in what Draco compressed", out.order.size())});
       }
     }
     if (const char* name = feature_name(attributes)) {
@@ -246,8 +252,8 @@ class GltfReader {
     std::vector<Vec3>& out = model_.mesh.vertices;
     const std::size_t first = out.size();
     if (first + vertices.count() > kMostPlaced) {
-      primitive.refuse(
-          fmt::format("more than {} vertices, each where its nodes place it", kMostPlaced));
+      primitive.refuse({.says = fmt::format("more than {} vertices, each where its nodes place it",
+                                            kMostPlaced)});
     }
     for (std::size_t k = 0; k < vertices.count(); ++k) {
       const Vec3 p(vertices.values[3 * k], vertices.values[3 * k + 1], vertices.values[3 * k + 2]);
@@ -261,8 +267,8 @@ class GltfReader {
                      const std::vector<double>& features) {
     const std::size_t more = mode == 4 ? order.size() / 3 : order.size();
     if (model_.mesh.triangles.size() + more > kMostTriangles) {
-      primitive.refuse(
-          fmt::format("more than {} triangles, each where its nodes place it", kMostTriangles));
+      primitive.refuse({.says = fmt::format("more than {} triangles, each where its nodes place it",
+                                            kMostTriangles)});
     }
     const auto part = static_cast<std::uint32_t>(model_.parts.size());
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -274,7 +280,8 @@ class GltfReader {
     const std::size_t n = order.size();
     if (mode == 4) {
       if (n % 3 != 0) {
-        primitive.refuse(fmt::format("expected three indices for each triangle, found {}", n));
+        primitive.refuse(
+            {.expected = "three indices for each triangle", .found = fmt::to_string(n)});
       }
       for (std::size_t k = 0; k < n; k += 3) add(k, k + 1, k + 2);
     }

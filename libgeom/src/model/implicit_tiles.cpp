@@ -20,7 +20,7 @@ std::uint64_t branches_of(const JsonMembers& tiling) {
   if (scheme == "QUADTREE") return 4;
   if (scheme == "OCTREE") return 8;
   tiling.refuse(
-      fmt::format("expected subdivisionScheme QUADTREE or OCTREE, found \"{}\"", excerpt(scheme)));
+      {.expected = "subdivisionScheme QUADTREE or OCTREE", .found = in_quotes(excerpt(scheme))});
 }
 
 std::uint64_t levels_of(const JsonMembers& tiling, std::uint64_t branches) {
@@ -28,8 +28,8 @@ std::uint64_t levels_of(const JsonMembers& tiling, std::uint64_t branches) {
   std::uint64_t last = 1;
   for (std::uint64_t i = 0; i < levels && last <= kMostBitsOfALevel; ++i) last *= branches;
   if (levels == 0 || last > kMostBitsOfALevel) {
-    tiling.refuse(fmt::format("expected subtreeLevels from 1 to {}, found {}",
-                              branches == 4 ? 13 : 8, levels));
+    tiling.refuse({.expected = fmt::format("subtreeLevels from 1 to {}", branches == 4 ? 13 : 8),
+                   .found = fmt::to_string(levels)});
   }
   return levels;
 }
@@ -40,14 +40,15 @@ ImplicitTiles::ImplicitTiles(const JsonMembers& tile, std::vector<std::string> c
                              const std::string& path, const ModelFiles& files, ReadTile read)
     : path_(path), files_(files), read_(std::move(read)), contents_(std::move(contents)) {
   const JsonMembers tiling(tile.members("implicitTiling"), path, "implicitTiling");
-  if (tile.has("children")) tile.refuse("expected no children beside implicitTiling, found some");
+  if (tile.has("children"))
+    tile.refuse({.expected = "no children beside implicitTiling", .found = "some"});
   shape_.branches = branches_of(tiling);
   shape_.levels = levels_of(tiling, shape_.branches);
   shape_.contents = contents_.size();
   available_levels_ = tiling.whole("availableLevels");
   if (available_levels_ == 0 || available_levels_ > kMostLevels) {
-    tiling.refuse(fmt::format("expected availableLevels from 1 to {}, found {}", kMostLevels,
-                              available_levels_));
+    tiling.refuse({.expected = fmt::format("availableLevels from 1 to {}", kMostLevels),
+                   .found = fmt::to_string(available_levels_)});
   }
   subtrees_ = JsonMembers(tiling.members("subtrees"), path, "subtrees").text("uri");
   require_pattern(tiling, subtrees_);
@@ -59,7 +60,8 @@ void ImplicitTiles::require_pattern(const JsonMembers& at, const std::string& pa
   for (const char* variable : {"{level}", "{x}", "{y}", "{z}"}) {
     if (pattern.find(variable) != std::string::npos) continue;
     if (shape_.branches == 4 && std::string_view(variable) == "{z}") continue;
-    at.refuse(fmt::format("expected {} in the URI \"{}\", found none", variable, excerpt(pattern)));
+    at.refuse({.expected = fmt::format("{} in the URI \"{}\"", variable, excerpt(pattern)),
+               .found = "none"});
   }
 }
 
@@ -92,12 +94,12 @@ ImplicitTiles::Made ImplicitTiles::visit(const Subtree& subtree, const Tile& til
   }
   if (!subtree.has_tile(level, i)) return {};
   if (tile.level >= available_levels_) {
-    throw InputError(path_, fmt::format("expected tiles on {} levels, as it says, found one on "
-                                        "level {}",
-                                        available_levels_, tile.level));
+    throw InputError(path_,
+                     {.expected = fmt::format("tiles on {} levels, as it says", available_levels_),
+                      .found = fmt::format("one on level {}", tile.level)});
   }
   if (++visited_ > kMostTiles) {
-    throw InputError(path_, fmt::format("more than {} implicit tiles", kMostTiles));
+    throw InputError(path_, {.says = fmt::format("more than {} implicit tiles", kMostTiles)});
   }
   Below below{true, false};
   bool any_child = false;

@@ -18,18 +18,17 @@ const nlohmann::json kNoObject = nlohmann::json::object();
 JsonMembers::JsonMembers(const nlohmann::json& object, std::string source, std::string where)
     : object_(object), source_(std::move(source)), where_(std::move(where)) {
   if (!object.is_object()) {
-    throw InputError(source_,
-                     fmt::format("{}: expected an object, found {}", where_, shown(object)));
+    throw InputError(source_, {.item = where_, .expected = "an object", .found = shown(object)});
   }
 }
 
-void JsonMembers::refuse(const std::string& message) const {
-  throw InputError(source_, fmt::format("{}: {}", where_, message));
+void JsonMembers::refuse(Fault fault) const {
+  throw InputError(source_, within(where_, std::move(fault)));
 }
 
 void JsonMembers::refuse_type(const char* key, const char* expected) const {
-  refuse(fmt::format("expected {} as \"{}\", found {}", expected, key,
-                     has(key) ? shown(object_.at(key)) : "none"));
+  refuse({.expected = fmt::format("{} as \"{}\"", expected, key),
+          .found = has(key) ? shown(object_.at(key)) : "none"});
 }
 
 std::optional<std::uint64_t> JsonMembers::find_whole(const char* key) const {
@@ -99,7 +98,7 @@ const nlohmann::json& JsonMembers::members(const char* key) const {
 JsonMembers JsonMembers::at(const char* key, std::uint64_t i, const std::string& what) const {
   const nlohmann::json& all = list(key);
   if (i >= all.size())
-    refuse(fmt::format("there is no {} {}, but {} of them", what, i, all.size()));
+    refuse({.says = fmt::format("there is no {} {}, but {} of them", what, i, all.size())});
   return {all[i], source_, fmt::format("{} {}", what, i)};
 }
 

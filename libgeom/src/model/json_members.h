@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "geom/base/error.h"
+
 namespace geom {
 
 class JsonMembers {
@@ -37,7 +39,7 @@ class JsonMembers {
   // Member `i` of the object's list `key`, an object itself: "mesh 2".
   JsonMembers at(const char* key, std::uint64_t i, const std::string& what) const;
 
-  [[noreturn]] void refuse(const std::string& message) const;
+  [[noreturn]] void refuse(Fault fault) const;
 
  private:
   [[noreturn]] void refuse_type(const char* key, const char* expected) const;

@@ -28,9 +28,9 @@ std::string percent_decoded(std::string_view text, std::string_view source) {
     const int high = i + 2 < text.size() ? hexadecimal(text[i + 1]) : -1;
     const int low = i + 2 < text.size() ? hexadecimal(text[i + 2]) : -1;
     if (high < 0 || low < 0 || high + low == 0) {
-      throw InputError(source, fmt::format("expected two hexadecimal digits after % in the URI "
-                                           "\"{}\"",
-                                           excerpt(text)));
+      throw InputError(source,
+                       {.expected = fmt::format("two hexadecimal digits after % in the URI \"{}\"",
+                                                excerpt(text))});
     }
     out += static_cast<char>(16 * high + low);
     i += 2;
@@ -54,14 +54,15 @@ std::string base64_decoded(std::string_view text, std::string_view source) {
   int count = 0;
   for (const char c : text) {
     const int value = base64_value(c);
-    if (value < 0) throw InputError(source, "expected base64 in a data URI, found another letter");
+    if (value < 0)
+      throw InputError(source, {.expected = "base64 in a data URI", .found = "another letter"});
     bits = (bits << 6 | static_cast<unsigned>(value)) & 0xFFFFFF;
     count += 6;
     if (count < 8) continue;
     count -= 8;
     out += static_cast<char>(bits >> count & 0xFF);
   }
-  if (count == 6) throw InputError(source, "the base64 of a data URI is cut short");
+  if (count == 6) throw InputError(source, {.says = "the base64 of a data URI is cut short"});
   return out;
 }
 
@@ -72,7 +73,7 @@ bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }
 std::string data_of_uri(std::string_view uri, std::string_view source) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) {
-    throw InputError(source, "expected a comma in a data URI, found none");
+    throw InputError(source, {.expected = "a comma in a data URI", .found = "none"});
   }
   const std::string_view data = uri.substr(comma + 1);
   if (uri.substr(0, comma).ends_with(";base64")) return base64_decoded(data, source);
@@ -81,9 +82,8 @@ std::string data_of_uri(std::string_view uri, std::string_view source) {
 
 std::string path_of_uri(std::string_view uri, std::string_view base, std::string_view source) {
   const auto refuse = [&](const char* why) {
-    throw InputError(source, fmt::format("expected the path of a file beside this one, found "
-                                         "\"{}\": {}",
-                                         excerpt(uri), why));
+    throw InputError(source, {.expected = "the path of a file beside this one",
+                              .found = fmt::format("\"{}\": {}", excerpt(uri), why)});
   };
   if (uri.empty() || uri.starts_with('/') || uri.find('\\') != std::string_view::npos) {
     refuse("it is empty, absolute, or has a backslash");

@@ -41,7 +41,8 @@ class ObjReader {
         whole.clear();
       }
     }
-    if (!whole.empty()) lines_.refuse("expected the line to go on after \"\\\", found the end");
+    if (!whole.empty())
+      lines_.refuse({.expected = "the line to go on after \"\\\"", .found = "the end"});
     require_vertices();
     polygons_.finish(model_);
     return std::move(model_);
@@ -56,7 +57,7 @@ class ObjReader {
       if (word == known) return;
     }
     lines_.refuse(
-        fmt::format("expected a line of numbers before \"\\\", found \"{}\"", excerpt(line, 40)));
+        {.expected = "a line of numbers before \"\\\"", .found = in_quotes(excerpt(line, 40))});
   }
 
   void add(std::string_view line) {
@@ -94,7 +95,8 @@ class ObjReader {
 
   void add_vertex() {
     if (words_.size() < 4) {
-      lines_.refuse(fmt::format("expected \"v\" and three numbers, found {}", words_.size() - 1));
+      lines_.refuse(
+          {.expected = "\"v\" and three numbers", .found = fmt::to_string(words_.size() - 1)});
     }
     Vec3 v;
     for (int i = 0; i < 3; ++i) {
@@ -110,18 +112,15 @@ class ObjReader {
     const std::size_t more = words_.size() - 4;
     if (more == 0) return;
     if (more == 2 || more > 4) {
-      lines_.refuse(
-          fmt::format("expected \"v\" and three numbers, then none, a weight of 1 or a "
-                      "colour, found {} numbers",
-                      words_.size() - 1));
+      lines_.refuse({.expected = "\"v\" and three numbers, then none, a weight of 1 or a colour",
+                     .found = fmt::format("{} numbers", words_.size() - 1)});
     }
     for (std::size_t i = 4; i < words_.size(); ++i) {
       const auto value = parse_number(words_[i]);
       if (value && (more > 1 || *value == 1)) continue;
-      lines_.refuse(fmt::format("expected {}, found \"{}\"",
-                                more == 1 ? "a weight of 1 after the three numbers of a vertex"
-                                          : "numbers as the colour of a vertex",
-                                excerpt(words_[i], 40)));
+      lines_.refuse({.expected = more == 1 ? "a weight of 1 after the three numbers of a vertex"
+                                           : "numbers as the colour of a vertex",
+                     .found = in_quotes(excerpt(words_[i], 40))});
     }
   }
 
@@ -135,17 +134,16 @@ class ObjReader {
         k > std::numeric_limits<std::uint32_t>::max() ||
         word.find_first_not_of("-0123456789/") != std::string_view::npos) {
       lines_.refuse(
-          fmt::format("expected the number of a vertex, of which there are {}, found "
-                      "\"{}\"",
-                      count, excerpt(word, 40)));
+          {.expected = fmt::format("the number of a vertex, of which there are {}", count),
+           .found = in_quotes(excerpt(word, 40))});
     }
     return static_cast<std::uint32_t>(k - 1);
   }
 
   void add_face() {
     if (words_.size() < 4) {
-      lines_.refuse(
-          fmt::format("expected a face of at least 3 vertices, found {}", words_.size() - 1));
+      lines_.refuse({.expected = "a face of at least 3 vertices",
+                     .found = fmt::to_string(words_.size() - 1)});
     }
     if (!any_part_) begin_part(false, "");
     face_.clear();
@@ -154,12 +152,14 @@ class ObjReader {
       face_.push_back(vertex_of(words_[i]));
       later |= face_.back() >= model_.mesh.vertices.size();
     }
-    if (later) lines_.refuse("expected vertices before the face, found one that is not there yet");
+    if (later)
+      lines_.refuse({.expected = "vertices before the face", .found = "one that is not there yet"});
     polygons_.add(model_, face_, part_);
   }
 
   void require_vertices() const {
-    if (model_.mesh.vertices.empty()) lines_.refuse("expected vertices (\"v\"), found none");
+    if (model_.mesh.vertices.empty())
+      lines_.refuse({.expected = "vertices (\"v\")", .found = "none"});
   }
 
   TextLines lines_;

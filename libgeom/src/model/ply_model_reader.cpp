@@ -17,11 +17,11 @@ class PlyModel {
     bool vertices = false;
     for (const PlyElement& element : file_.elements()) {
       if (element.name == "vertex") {
-        if (vertices) file_.refuse("expected one element \"vertex\", found another");
+        if (vertices) file_.refuse({.expected = "one element \"vertex\"", .found = "another"});
         read_vertices(element);
         vertices = true;
       } else if (element.name == "face" || element.name == "tristrips") {
-        if (!vertices) file_.refuse("expected vertices before the faces");
+        if (!vertices) file_.refuse({.expected = "vertices before the faces"});
         read_faces(element);
       } else {
         file_.for_each_row(element, [](const PlyRow&, std::uint64_t) {});
@@ -32,7 +32,7 @@ class PlyModel {
       }
     }
     file_.require_end();
-    if (!vertices) file_.refuse("expected an element \"vertex\", found none");
+    if (!vertices) file_.refuse({.expected = "an element \"vertex\"", .found = "none"});
     polygons_.finish(model_);
     return std::move(model_);
   }
@@ -43,14 +43,15 @@ class PlyModel {
     const auto y = element.find("y", false);
     const auto z = element.find("z", false);
     if (!x || !y || !z) {
-      file_.refuse(
-          "expected the properties x, y and z of element \"vertex\", found not all of them");
+      file_.refuse({.expected = "the properties x, y and z of element \"vertex\"",
+                    .found = "not all of them"});
     }
     file_.for_each_row(element, [&](const PlyRow& row, std::uint64_t i) {
       const Vec3 v(row.of(*x)[0], row.of(*y)[0], row.of(*z)[0]);
       if (!v.allFinite() || v.cwiseAbs().maxCoeff() > kLargestCoordinate) {
-        file_.refuse(fmt::format("vertex {}: expected coordinates within {}, found [{}, {}, {}]", i,
-                                 kLargestCoordinate, v.x(), v.y(), v.z()));
+        file_.refuse({.item = fmt::format("vertex {}", i),
+                      .expected = fmt::format("coordinates within {}", kLargestCoordinate),
+                      .found = fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z())});
       }
       model_.mesh.vertices.push_back(v);
     });
@@ -60,12 +61,13 @@ class PlyModel {
     const auto corners = element.find("vertex_indices", true);
     const auto other = element.find("vertex_index", true);
     if (corners && other) {
-      file_.refuse("expected one list of vertices, found vertex_indices and vertex_index");
+      file_.refuse(
+          {.expected = "one list of vertices", .found = "vertex_indices and vertex_index"});
     }
     if (!corners && !other) {
       if (element.count > 0) {
-        file_.refuse(
-            fmt::format("expected the list vertex_indices of {}, found none", element.name));
+        file_.refuse({.expected = fmt::format("the list vertex_indices of {}", element.name),
+                      .found = "none"});
       }
       return;
     }
@@ -83,15 +85,18 @@ class PlyModel {
   std::uint32_t vertex(double v, const char* of, std::uint64_t i) const {
     const auto count = static_cast<double>(model_.mesh.vertices.size());
     if (!(v >= 0 && v < count && v == std::floor(v)) || v > 0xffffffff) {
-      file_.refuse(
-          fmt::format("{} {}: expected the numbers of {} vertices, found {}", of, i, count, v));
+      file_.refuse({.item = fmt::format("{} {}", of, i),
+                    .expected = fmt::format("the numbers of {} vertices", count),
+                    .found = fmt::to_string(v)});
     }
     return static_cast<std::uint32_t>(v);
   }
 
   void add_face(std::span<const double> face, std::uint64_t i) {
     if (face.size() < 3) {
-      file_.refuse(fmt::format("face {}: expected at least 3 vertices, found {}", i, face.size()));
+      file_.refuse({.item = fmt::format("face {}", i),
+                    .expected = "at least 3 vertices",
+                    .found = fmt::to_string(face.size())});
     }
     std::vector<std::uint32_t> index;
     for (const double v : face) index.push_back(vertex(v, "face", i));

@@ -11,10 +11,10 @@
 #include "geom/base/error.h"
 #include "geom/base/sha256.h"
 #include "geom/model/assimp_scene.h"
-#include "geom/model/draco_decoder.h"
 #include "geom/model/gltf_model.h"
 #include "geom/model/tileset.h"
 #include "geom/text/parse_json.h"
+#include "model/draco_decoder.h"
 
 namespace geom {
 namespace {
@@ -63,7 +63,7 @@ std::string ending_of(const std::string& path) {
 
 // By how the bytes begin; OBJ, which begins in no way of its own, by its name.
 std::string detect(const std::string& bytes, const std::string& path) {
-  if (bytes.empty()) throw InputError(path, "the file is empty");
+  if (bytes.empty()) throw InputError(path, {.says = "the file is empty"});
   if (bytes.starts_with("glTF")) return "gltf";
   const std::string ending = ending_of(path);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -71,9 +71,8 @@ std::string detect(const std::string& bytes, const std::string& path) {
     return parse_json(bytes, path).contains("root") ? "tiles" : "gltf";
   }
   if (bytes.starts_with("b3dm")) {
-    throw InputError(path,
-                     "this is one tile, which does not say where it stands: give the "
-                     "tileset.json that names it");
+    throw InputError(path, {.says = "this is one tile, which does not say where it stands",
+                            .advice = "give the tileset.json that names it"});
   }
   for (const auto& [end, format] : {std::pair{".obj", "obj"},
                                     {".stl", "stl"},
@@ -84,9 +83,8 @@ std::string detect(const std::string& bytes, const std::string& path) {
   }
   if (bytes.starts_with("solid")) return "stl";
   if (bytes.starts_with("ply")) return "ply";
-  throw InputError(path,
-                   "expected a file whose name ends in .obj, .stl, .ply, .dae or .3ds, a glTF "
-                   "file or a tileset.json; --format says what it is");
+  throw InputError(path, {.expected = "a file whose name ends in .obj, .stl, .ply, .dae or .3ds, a "
+                                      "glTF file or a tileset.json; --format says what it is"});
 }
 
 Model read_alone(const std::string& bytes, const std::string& path, const std::string& format) {

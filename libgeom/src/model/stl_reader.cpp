@@ -47,9 +47,10 @@ Model read_binary(std::string_view bytes, std::string_view source) {
       const std::size_t at = kHead + kFacet * i + 12 + 4 * k;
       const auto v = static_cast<double>(value_at<float>(bytes, at));
       if (!(std::abs(v) <= kLargestCoordinate)) {
-        throw InputError(source, fmt::format("triangle {}: expected coordinates within {}, found "
-                                             "{}",
-                                             i, kLargestCoordinate, v));
+        throw InputError(source,
+                         {.item = fmt::format("triangle {}", i),
+                          .expected = fmt::format("coordinates within {}", kLargestCoordinate),
+                          .found = fmt::to_string(v)});
       }
       corners[k / 3][static_cast<Eigen::Index>(k % 3)] = v;
     }
@@ -78,8 +79,8 @@ class StlText {
         refuse("solid, facet or endsolid");
       }
     }
-    if (open_) lines_.refuse("expected endsolid, found the end of the file");
-    if (model_.parts.empty()) lines_.refuse("expected a solid, found none");
+    if (open_) lines_.refuse({.expected = "endsolid", .found = "the end of the file"});
+    if (model_.parts.empty()) lines_.refuse({.expected = "a solid", .found = "none"});
     return std::move(model_);
   }
 
@@ -107,7 +108,8 @@ class StlText {
   }
 
   [[noreturn]] void refuse(std::string_view expected) const {
-    lines_.refuse(fmt::format("expected {}, found \"{}\"", expected, excerpt(lines_.line(), 40)));
+    lines_.refuse(
+        {.expected = std::string(expected), .found = in_quotes(excerpt(lines_.line(), 40))});
   }
 
   void begin_solid() {
@@ -118,7 +120,7 @@ class StlText {
 
   std::string next_line(std::string_view expected) {
     do {
-      if (!lines_.next()) lines_.refuse(fmt::format("expected {}, found the end", expected));
+      if (!lines_.next()) lines_.refuse({.expected = std::string(expected), .found = "the end"});
     } while (lines_.line().empty());
     return next_word();
   }
@@ -164,9 +166,10 @@ Model read_stl(std::istream& in, std::string_view source) {
     const auto count = static_cast<std::size_t>(value_at<std::uint32_t>(bytes, 80));
     if (bytes.size() == kHead + kFacet * count) return read_binary(bytes, source);
     if (!bytes.starts_with("solid")) {
-      throw InputError(source, fmt::format("expected {} bytes for the {} triangles that its head "
-                                           "names, found {}",
-                                           kHead + kFacet * count, count, bytes.size()));
+      throw InputError(source,
+                       {.expected = fmt::format("{} bytes for the {} triangles that its head names",
+                                                kHead + kFacet * count, count),
+                        .found = fmt::to_string(bytes.size())});
     }
   }
   std::istringstream text(bytes);

@@ -40,19 +40,19 @@ class SubtreeBytes {
   // Gives the text, and keeps the binary part.
   std::string_view read_container() {
     const std::string_view all = file_;
-    const auto refuse = [&](const std::string& message) { throw InputError(path_, message); };
-    if (all.size() < kHead) refuse(fmt::format("a subtree of {} bytes is cut short", all.size()));
+    const auto refuse = [&](Fault fault) { throw InputError(path_, std::move(fault)); };
+    if (all.size() < kHead)
+      refuse({.says = fmt::format("a subtree of {} bytes is cut short", all.size())});
     if (const auto version = little_endian<std::uint32_t>(all, 4); version != 1) {
-      refuse(fmt::format("expected a subtree of version 1, found {}", version));
+      refuse({.expected = "a subtree of version 1", .found = fmt::to_string(version)});
     }
     const auto text = little_endian<std::uint64_t>(all, 8);
     const auto binary = little_endian<std::uint64_t>(all, 16);
     const std::size_t rest = all.size() - kHead;
     if (text > rest || binary != rest - text) {
-      refuse(
-          fmt::format("expected a subtree of {} and {} bytes after its head, as it says, found "
-                      "{}",
-                      text, binary, rest));
+      refuse({.expected = fmt::format("a subtree of {} and {} bytes after its head, as it says",
+                                      text, binary),
+              .found = fmt::to_string(rest)});
     }
     binary_ = all.substr(kHead + text);
     has_binary_ = true;
@@ -67,11 +67,12 @@ class SubtreeBytes {
       if (added) at->second = files_(path_of_uri(*uri, path_, path_));
       bytes = at->second;
     } else if (i != 0 || !has_binary_) {
-      buffer.refuse("it has no \"uri\", and no bytes in the file");
+      buffer.refuse({.says = "it has no \"uri\", and no bytes in the file"});
     }
     const std::uint64_t length = buffer.whole("byteLength");
     if (bytes.size() < length) {
-      buffer.refuse(fmt::format("expected {} bytes, as it says, found {}", length, bytes.size()));
+      buffer.refuse({.expected = fmt::format("{} bytes, as it says", length),
+                     .found = fmt::to_string(bytes.size())});
     }
     return bytes.substr(0, length);
   }
@@ -98,7 +99,7 @@ Subtree::Subtree(const std::string& path, const SubtreeShape& shape, const Model
   SubtreeBytes bytes(path, files);
   const JsonMembers root = bytes.root();
   if (root.members("extensions").contains("3DTILES_multiple_contents")) {
-    root.refuse("3DTILES_multiple_contents is not read: write version 1.1");
+    root.refuse({.says = "3DTILES_multiple_contents is not read", .advice = "write version 1.1"});
   }
   const auto availability = [&](const char* key, std::uint64_t count) {
     return read({root.members(key), path, key}, bytes, count);
@@ -107,15 +108,15 @@ Subtree::Subtree(const std::string& path, const SubtreeShape& shape, const Model
   children_ = availability("childSubtreeAvailability", of_level);
   const std::size_t contents = root.list("contentAvailability").size();
   if (contents != 0 && contents != shape.contents) {
-    root.refuse(fmt::format("expected contentAvailability of {} contents, found {}", shape.contents,
-                            contents));
+    root.refuse({.expected = fmt::format("contentAvailability of {} contents", shape.contents),
+                 .found = fmt::to_string(contents)});
   }
   for (std::size_t k = 0; k < contents; ++k) {
     contents_.push_back(
         read(root.at("contentAvailability", k, "contentAvailability"), bytes, tiles));
   }
   require_whole(path);
-  if (!has_tile(0, 0)) root.refuse("expected the tile that it begins with, found none");
+  if (!has_tile(0, 0)) root.refuse({.expected = "the tile that it begins with", .found = "none"});
 }
 
 Subtree::Availability Subtree::read(const JsonMembers& availability, SubtreeBytes& bytes,
@@ -123,14 +124,15 @@ Subtree::Availability Subtree::read(const JsonMembers& availability, SubtreeByte
   Availability out;
   if (const auto constant = availability.find_whole("constant")) {
     if (*constant > 1 || availability.has("bitstream")) {
-      availability.refuse("expected a constant of 0 or 1, or a bitstream, found another");
+      availability.refuse({.expected = "a constant of 0 or 1, or a bitstream", .found = "another"});
     }
     out.all = *constant == 1;
     return out;
   }
   const std::string_view bits = bytes.view(availability.whole("bitstream"));
   if (bits.size() < (count + 7) / 8) {
-    availability.refuse(fmt::format("expected {} bits, found {} bytes", count, bits.size()));
+    availability.refuse(
+        {.expected = fmt::format("{} bits", count), .found = fmt::format("{} bytes", bits.size())});
   }
   out.bits = bits.substr(0, (count + 7) / 8);
   if (count % 8 != 0) {
@@ -141,7 +143,8 @@ Subtree::Availability Subtree::read(const JsonMembers& availability, SubtreeByte
   for (const char byte : out.bits) set += std::popcount(static_cast<unsigned char>(byte));
   const auto told = availability.find_whole("availableCount");
   if (told && *told != set) {
-    availability.refuse(fmt::format("expected {} available, as it says, found {}", *told, set));
+    availability.refuse(
+        {.expected = fmt::format("{} available, as it says", *told), .found = fmt::to_string(set)});
   }
   return out;
 }
@@ -149,9 +152,10 @@ Subtree::Availability Subtree::read(const JsonMembers& availability, SubtreeByte
 // Where one answer stands for all, nothing in particular is said of what hangs below no tile.
 void Subtree::require_whole(const std::string& path) const {
   const auto refuse = [&](const char* what, std::uint64_t level, std::uint64_t i) {
-    throw InputError(path, fmt::format("{} is available at level {} of the subtree, place {}, and "
-                                       "no tile there",
-                                       what, level, i));
+    throw InputError(
+        path, {.says = fmt::format(
+                   "{} is available at level {} of the subtree, place {}, and no tile there", what,
+                   level, i)});
   };
   for (std::uint64_t level = 0; level <= shape_.levels; ++level) {
     const std::uint64_t count = std::uint64_t{1} << level * (shape_.branches == 8 ? 3 : 2);

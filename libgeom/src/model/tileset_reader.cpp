@@ -58,20 +58,21 @@ class TilesetReader {
   Made read_tileset_file(const std::string& path, const std::string& bytes, const Transform& place,
                          std::size_t depth) {
     if (!open_.insert(path).second) {
-      throw InputError(path, "this tileset is within itself");
+      throw InputError(path, {.says = "this tileset is within itself"});
     }
     const nlohmann::json json = parse_json(bytes, path);
     const JsonMembers root(json, path, "tileset");
     const std::string version = JsonMembers(root.members("asset"), path, "asset").text("version");
     if (version != "1.0" && version != "1.1") {
-      root.refuse(fmt::format("expected version 1.0 or 1.1, found \"{}\"", version.substr(0, 20)));
+      root.refuse({.expected = "version 1.0 or 1.1", .found = in_quotes(version.substr(0, 20))});
     }
     take_up_axis(JsonMembers(root.members("asset"), path, "asset"), depth == 0);
     for (const nlohmann::json& name : root.list("extensionsRequired")) {
       if (name == "3DTILES_content_gltf" || name == "3DTILES_metadata") continue;
-      root.refuse(fmt::format("it requires the extension {}, which is not read", shown(name)));
+      root.refuse(
+          {.says = fmt::format("it requires the extension {}, which is not read", shown(name))});
     }
-    if (!root.has("root")) root.refuse("expected \"root\", found none");
+    if (!root.has("root")) root.refuse({.expected = "\"root\"", .found = "none"});
     const Made made = read_tile({json.at("root"), path, "root"}, path, place, "", depth);
     open_.erase(path);
     return made;
@@ -82,10 +83,11 @@ class TilesetReader {
     const std::string up = asset.find_text("gltfUpAxis").value_or("Y");
     const bool z = up == "Z" || up == "z";
     if (!z && up != "Y" && up != "y") {
-      asset.refuse(fmt::format("expected gltfUpAxis Y or Z, found \"{}\"", up.substr(0, 20)));
+      asset.refuse({.expected = "gltfUpAxis Y or Z", .found = in_quotes(up.substr(0, 20))});
     }
     if (first) z_up_ = z;
-    if (z != z_up_) asset.refuse("expected one gltfUpAxis in all tilesets, found another");
+    if (z != z_up_)
+      asset.refuse({.expected = "one gltfUpAxis in all tilesets", .found = "another"});
   }
 
   static Transform transform_of(const JsonMembers& tile) {
@@ -94,22 +96,21 @@ class TilesetReader {
     if (!m) return out;
     for (Eigen::Index i = 0; i < 16; ++i) out(i % 4, i / 4) = (*m)[static_cast<std::size_t>(i)];
     if (out.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
-      tile.refuse("expected a transform whose last row is 0, 0, 0, 1");
+      tile.refuse({.expected = "a transform whose last row is 0, 0, 0, 1"});
     }
     return out;
   }
 
   Made read_tile(const JsonMembers& tile, const std::string& path, const Transform& above,
                  const std::string& refine_above, std::size_t depth) {
-    if (depth > kDeepest) tile.refuse(fmt::format("more than {} tiles deep", kDeepest));
+    if (depth > kDeepest) tile.refuse({.says = fmt::format("more than {} tiles deep", kDeepest)});
     if (tile.members("extensions").contains("3DTILES_implicit_tiling")) {
-      tile.refuse("3DTILES_implicit_tiling is not read: write version 1.1");
+      tile.refuse({.says = "3DTILES_implicit_tiling is not read", .advice = "write version 1.1"});
     }
     const Transform place = above * transform_of(tile);
     const std::string refine = tile.find_text("refine").value_or(refine_above);
     if (refine != "ADD" && refine != "REPLACE") {
-      tile.refuse(
-          fmt::format("expected refine ADD or REPLACE, found \"{}\"", refine.substr(0, 20)));
+      tile.refuse({.expected = "refine ADD or REPLACE", .found = in_quotes(refine.substr(0, 20))});
     }
     if (tile.has("implicitTiling")) {
       const auto read = [&](const std::vector<std::string>& uris, Below below, std::size_t level) {
@@ -142,7 +143,7 @@ class TilesetReader {
     std::vector<std::string> out;
     const auto add = [&](const JsonMembers& content) {
       const auto uri = content.has("uri") ? content.find_text("uri") : content.find_text("url");
-      if (!uri) content.refuse("expected \"uri\", found none");
+      if (!uri) content.refuse({.expected = "\"uri\"", .found = "none"});
       out.push_back(*uri);
     };
     if (tile.has("content")) {
@@ -152,7 +153,7 @@ class TilesetReader {
       add(tile.at("contents", i, "content"));
     }
     if (tile.members("extensions").contains("3DTILES_multiple_contents")) {
-      tile.refuse("3DTILES_multiple_contents is not read: write version 1.1");
+      tile.refuse({.says = "3DTILES_multiple_contents is not read", .advice = "write version 1.1"});
     }
     return out;
   }
@@ -162,7 +163,7 @@ class TilesetReader {
   Made read_content(const std::string& path, bool replaced, const Transform& place,
                     std::size_t depth) {
     if (++files_read_ > kMostFiles) {
-      throw InputError(path, fmt::format("more than {} files of tiles", kMostFiles));
+      throw InputError(path, {.says = fmt::format("more than {} files of tiles", kMostFiles)});
     }
     const std::string bytes = files_(path);
     if (is_tileset(bytes, path)) return read_tileset_file(path, bytes, place, depth + 1);
@@ -192,14 +193,15 @@ class TilesetReader {
            const std::string& path) {
     const auto first = static_cast<std::uint32_t>(model_.mesh.vertices.size());
     if (content.mesh.vertices.size() > std::numeric_limits<std::uint32_t>::max() - first) {
-      throw InputError(path, "more than 2^32 vertices in all tiles");
+      throw InputError(path, {.says = "more than 2^32 vertices in all tiles"});
     }
     for (const Vec3& v : content.mesh.vertices) {
       model_.mesh.vertices.push_back(place.topLeftCorner<3, 3>() * (z_up_ ? v : z_up_of_y_up(v)) +
                                      place.topRightCorner<3, 1>());
     }
     if (content.mesh.triangles.size() > kMostTriangles - model_.mesh.triangles.size()) {
-      throw InputError(path, fmt::format("more than {} triangles in all tiles", kMostTriangles));
+      throw InputError(
+          path, {.says = fmt::format("more than {} triangles in all tiles", kMostTriangles)});
     }
     for (std::size_t t = 0; t < content.mesh.triangles.size(); ++t) {
       MeshTriangle triangle = content.mesh.triangles[t];
@@ -234,10 +236,11 @@ class TilesetReader {
     const auto count = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), near));
     if (count == all.size()) return false;
     if (count == 0) return true;
-    throw InputError(path, fmt::format("expected earth-centred coordinates, or local ones, found "
-                                       "both: {} of {} vertices are less than 1,000 km from the "
-                                       "middle of the Earth",
-                                       count, all.size()));
+    throw InputError(
+        path, {.expected = "earth-centred coordinates, or local ones",
+               .found = fmt::format(
+                   "both: {} of {} vertices are less than 1,000 km from the middle of the Earth",
+                   count, all.size())});
   }
 
   const ModelFiles& files_;

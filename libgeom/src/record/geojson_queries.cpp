@@ -38,24 +38,26 @@ class Features {
       add(list);
     }
     for (const auto& [id, start] : starts_) {
-      throw InputError(source_, fmt::format("expected a second point of id \"{}\", found one", id));
+      throw InputError(
+          source_, {.expected = fmt::format("a second point of id \"{}\"", id), .found = "one"});
     }
-    if (queries_.empty()) throw InputError(source_, "expected at least one query, found none");
+    if (queries_.empty())
+      throw InputError(source_, {.expected = "at least one query", .found = "none"});
     return std::move(queries_);
   }
 
  private:
-  [[noreturn]] void refuse(std::string_view message) const {
-    throw InputError(source_, fmt::format("feature {}: {}", number_, message));
+  [[noreturn]] void refuse(Fault fault) const {
+    throw InputError(source_, within(fmt::format("feature {}", number_), std::move(fault)));
   }
 
   void require_wgs84(const Json& object) const {
-    if (has_foreign_crs(object)) throw InputError(source_, kForeignCrs);
+    if (has_foreign_crs(object)) throw InputError(source_, foreign_crs());
   }
 
   const Json& member(const Json& object, const char* key) const {
     if (!object.is_object() || !object.contains(key)) {
-      refuse(fmt::format("expected \"{}\", found none", key));
+      refuse({.expected = in_quotes(key), .found = "none"});
     }
     return object[key];
   }
@@ -69,7 +71,7 @@ class Features {
     const Json& type = member(geometry, "type");
     if (type == "LineString") {
       if (!coordinates.is_array() || coordinates.size() < 2) {
-        refuse("a line must have at least 2 positions");
+        refuse({.says = "a line must have at least 2 positions"});
       }
       const std::string id = id_of(feature).value_or(fmt::format("q{}", number_));
       add_query(id, place(feature, coordinates.front()), place(feature, coordinates.back()),
@@ -77,13 +79,13 @@ class Features {
     } else if (type == "Point") {
       add_point(feature, coordinates);
     } else {
-      refuse("expected a LineString or a Point, found " + shown(type));
+      refuse({.expected = "a LineString or a Point", .found = shown(type)});
     }
   }
 
   void add_point(const Json& feature, const Json& position) {
     const auto id = id_of(feature);
-    if (!id) refuse("expected an id, which the points of a query share, found none");
+    if (!id) refuse({.expected = "an id, which the points of a query share", .found = "none"});
     const Vec3 here = place(feature, position);
     const auto start = starts_.find(*id);
     if (start == starts_.end()) {
@@ -103,7 +105,7 @@ class Features {
   FlightTime time_of(const Json& feature) const {
     const Json properties = feature.value("properties", Json());
     if (!properties.is_object()) return {};
-    return flight_time_of(properties, [this](const std::string& message) { refuse(message); });
+    return flight_time_of(properties, [this](Fault fault) { refuse(std::move(fault)); });
   }
 
   std::optional<std::string> id_of(const Json& feature) const {
@@ -121,12 +123,15 @@ class Features {
   Vec3 place(const Json& feature, const Json& position) const {
     if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
         !position[1].is_number()) {
-      refuse("a position must be [longitude, latitude, height], found " + shown(position));
+      refuse({.key = "a position",
+              .expected = "[longitude, latitude, height]",
+              .found = shown(position)});
     }
     EarthPlace there{position[1].get<double>(), position[0].get<double>()};
     if (!(std::abs(there.latitude) <= 90 && std::abs(there.longitude) <= 180)) {
-      refuse(fmt::format("a position must be degrees [longitude, latitude], found [{}, {}]",
-                         there.longitude, there.latitude));
+      refuse({.key = "a position",
+              .expected = "degrees [longitude, latitude]",
+              .found = fmt::format("[{}, {}]", there.longitude, there.latitude)});
     }
     const Height height = height_of(feature, position);
     there.height = height.metres;
@@ -149,10 +154,9 @@ class Features {
     if (value.is_string()) {
       if (const auto height = parse_height(value.get<std::string>())) return *height;
     }
-    refuse(
-        "expected a height, as third coordinate or as property height, in metres or such as "
-        "\"2above\", found " +
-        (value.is_null() ? "none" : shown(value)));
+    refuse({.expected = "a height, as third coordinate or as property height, in metres or such as "
+                        "\"2above\"",
+            .found = value.is_null() ? "none" : shown(value)});
   }
 
   std::string source_;

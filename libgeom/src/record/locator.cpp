@@ -44,19 +44,20 @@ Vec3 Locator::at(const Place& place, std::string_view source, std::size_t line) 
   if (const auto* metres = std::get_if<Vec3>(&place)) return *metres;
   const auto& there = std::get<EarthPlace>(place);
   if (!earth_) {
-    throw InputError(source, line,
-                     "a place in degrees has no place on a map that does not say where on Earth "
-                     "it is: give metres, or make the map anew with an origin");
+    throw InputError(
+        source, line,
+        {.says = "a place in degrees has no place on a map that does not say where on Earth it is",
+         .advice = "give metres, or make the map anew with an origin"});
   }
   Vec3 enu(0, 0, 0);
   earth_->from_geodetic(there.latitude, there.longitude, enu.x(), enu.y());
   if (!(enu.norm() <= kFar)) {
     throw InputError(
         source, line,
-        fmt::format("latitude {}, longitude {} is more than 1000 km from the map, which is at "
-                    "latitude {}, longitude {}",
-                    there.latitude, there.longitude, map_.spec().frame.origin->latitude,
-                    map_.spec().frame.origin->longitude));
+        {.says = fmt::format("latitude {}, longitude {} is more than 1000 km from the map, which "
+                             "is at latitude {}, longitude {}",
+                             there.latitude, there.longitude, map_.spec().frame.origin->latitude,
+                             map_.spec().frame.origin->longitude)});
   }
   Vec3 p = to_enu(map_.spec().frame.axes, enu);
   p.z() = there.height + (there.above ? ground(p) : 0);

@@ -30,11 +30,10 @@ class Table {
   void take(const std::vector<std::string>& fields) {
     if (columns_ == 0) columns_ = fields.size();
     if (fields.size() != columns_ || (columns_ != 3 && columns_ != 4)) {
-      lines_.refuse(fmt::format("expected {}, found {} columns",
-                                columns_ == 3   ? "x,y,z"
-                                : columns_ == 4 ? "id,x,y,z"
-                                                : "id,x,y,z or x,y,z",
-                                fields.size()));
+      lines_.refuse({.expected = columns_ == 3   ? "x,y,z"
+                                 : columns_ == 4 ? "id,x,y,z"
+                                                 : "id,x,y,z or x,y,z",
+                     .found = fmt::format("{} columns", fields.size())});
     }
     if (is_header(fields)) return;
     const std::string id = columns_ == 4 ? fields[0] : "path";
@@ -50,7 +49,8 @@ class Table {
  private:
   void begin(const std::string& id) {
     if (!seen_.insert(id).second) {
-      lines_.refuse(fmt::format("expected the points of a path together, found \"{}\" again", id));
+      lines_.refuse(
+          {.expected = "the points of a path together", .found = fmt::format("\"{}\" again", id)});
     }
     paths_.emplace_back();
     paths_.back().id = id;
@@ -70,11 +70,13 @@ std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source)
   Table table(lines);
   while (lines.next()) {
     if (in.eof())
-      lines.refuse("expected a line that ends with LF, found none: the file may be cut");
+      lines.refuse({.expected = "a line that ends with LF",
+                    .found = "none",
+                    .advice = "the file may be cut"});
     if (!lines.line().empty()) table.take(split_fields(lines.line()));
   }
   std::vector<PathRecord> paths = std::move(table).paths();
-  if (paths.empty()) throw InputError(source, "expected points id,x,y,z, found none");
+  if (paths.empty()) throw InputError(source, {.expected = "points id,x,y,z", .found = "none"});
   return paths;
 }
 

@@ -20,13 +20,15 @@ namespace geom {
 namespace {
 
 double path_length(const TextLines& lines, std::string_view name, double value) {
-  if (!(value > 0)) lines.refuse(fmt::format("{} must be > 0 metres, found {}", name, value));
+  if (!(value > 0))
+    lines.refuse(
+        {.key = std::string(name), .expected = "> 0 metres", .found = fmt::to_string(value)});
   return value;
 }
 
 Vec3 located(const Place& place, const TextLines& lines, const Locator* locator) {
   if (const auto* metres = std::get_if<Vec3>(&place)) return *metres;
-  if (!locator) lines.refuse("expected places in metres, found one in degrees");
+  if (!locator) lines.refuse({.expected = "places in metres", .found = "one in degrees"});
   return locator->at(place, lines.source(), lines.number());
 }
 
@@ -37,7 +39,9 @@ Vec3 place(const JsonFields& fields, const char* key, const TextLines& lines,
   const std::string text = fields.text(key);
   const auto place = parse_place(text);
   if (!place) {
-    lines.refuse(fmt::format("{}: expected {}, found \"{}\"", key, kPlaceForms, excerpt(text)));
+    lines.refuse({.item = std::string(key),
+                  .expected = std::string(kPlaceForms),
+                  .found = in_quotes(excerpt(text))});
   }
   on_earth = std::holds_alternative<EarthPlace>(*place);
   return located(*place, lines, locator);
@@ -73,7 +77,8 @@ class Columns {
   std::size_t need(const TextLines& header, std::string_view name) const {
     const auto at = find(name);
     if (!at) {
-      header.refuse(fmt::format("expected a column {}, found \"{}\"", name, header_.substr(0, 80)));
+      header.refuse({.expected = fmt::format("a column {}", name),
+                     .found = in_quotes(header_.substr(0, 80))});
     }
     return *at;
   }
@@ -81,8 +86,8 @@ class Columns {
   std::vector<std::string> fields(const TextLines& lines) const {
     auto fields = split_fields(lines.line());
     if (fields.size() != names_.size()) {
-      lines.refuse(fmt::format("expected {} fields, found {}: \"{}\"", names_.size(), fields.size(),
-                               lines.line().substr(0, 80)));
+      lines.refuse({.expected = fmt::format("{} fields", names_.size()),
+                    .found = fmt::format("{}: \"{}\"", fields.size(), lines.line().substr(0, 80))});
     }
     return fields;
   }
@@ -110,10 +115,9 @@ class TimeColumns {
     if (at_[0] && !fields[*at_[0]].empty()) {
       time.epoch = epoch_from(fields[*at_[0]]);
       if (!time.epoch) {
-        lines.refuse(
-            fmt::format("epoch must be an instant in UTC such as 2026-05-04T06:30:00Z (RFC 3339), "
-                        "found \"{}\"",
-                        excerpt(fields[*at_[0]])));
+        lines.refuse({.key = "epoch",
+                      .expected = "an instant in UTC such as 2026-05-04T06:30:00Z (RFC 3339)",
+                      .found = in_quotes(excerpt(fields[*at_[0]]))});
       }
     }
     time.start = seconds(lines, fields, 1);
@@ -132,8 +136,9 @@ class TimeColumns {
     if (!at_[i] || fields[*at_[i]].empty()) return std::nullopt;
     const auto value = parse_number(fields[*at_[i]]);
     if (!value) {
-      lines.refuse(fmt::format("{} must be a number, seconds after the epoch, found \"{}\"",
-                               kNames[i], excerpt(fields[*at_[i]])));
+      lines.refuse({.key = std::string(kNames[i]),
+                    .expected = "a number, seconds after the epoch",
+                    .found = in_quotes(excerpt(fields[*at_[i]]))});
     }
     return value;
   }
@@ -143,8 +148,9 @@ class TimeColumns {
     if (!at_[4] || fields[*at_[4]].empty()) return std::nullopt;
     const auto value = parse_number(fields[*at_[4]]);
     if (!value || !is_priority(*value)) {
-      lines.refuse(fmt::format("priority must be a whole number within {}, found \"{}\"",
-                               kLargestPriority, excerpt(fields[*at_[4]])));
+      lines.refuse({.key = "priority",
+                    .expected = fmt::format("a whole number within {}", kLargestPriority),
+                    .found = in_quotes(excerpt(fields[*at_[4]]))});
     }
     return static_cast<int>(*value);
   }
@@ -172,8 +178,9 @@ class EndColumns {
     const EarthPlace there{degrees(lines, fields, 0, 90), degrees(lines, fields, 1, 180)};
     const auto height = parse_height(fields[at_[2]]);
     if (!height) {
-      lines.refuse(fmt::format("{} must be metres, or such as 2above, found \"{}\"", names_[2],
-                               excerpt(fields[at_[2]])));
+      lines.refuse({.key = std::string(names_[2]),
+                    .expected = "metres, or such as 2above",
+                    .found = in_quotes(excerpt(fields[at_[2]]))});
     }
     return located(EarthPlace{there.latitude, there.longitude, height->metres, height->above},
                    lines, locator);
@@ -190,7 +197,9 @@ class EndColumns {
                  double most) const {
     const double value = number(lines, fields, i);
     if (!(std::abs(value) <= most)) {
-      lines.refuse(fmt::format("{} must be degrees within {}, found {}", names_[i], most, value));
+      lines.refuse({.key = std::string(names_[i]),
+                    .expected = fmt::format("degrees within {}", most),
+                    .found = fmt::to_string(value)});
     }
     return value;
   }
@@ -246,13 +255,15 @@ void require_each_id_once(const std::vector<PlanQuery>& queries, std::string_vie
   std::set<std::string> ids;
   for (const PlanQuery& query : queries) {
     if (ids.insert(query.id).second) continue;
-    throw InputError(source, fmt::format("expected each id once, found \"{}\" again", query.id));
+    throw InputError(source,
+                     {.expected = "each id once", .found = fmt::format("\"{}\" again", query.id)});
   }
 }
 
 std::vector<PlanQuery> read_geojson(TextLines& lines, const Locator* locator) {
   const nlohmann::json root = parse_json(rest_of(lines), lines.source());
-  if (!locator) lines.refuse("expected places in metres, found GeoJSON, which has degrees");
+  if (!locator)
+    lines.refuse({.expected = "places in metres", .found = "GeoJSON, which has degrees"});
   auto queries = geojson_queries(root, lines.source(), *locator);
   require_each_id_once(queries, lines.source());
   return queries;
@@ -278,10 +289,11 @@ std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view sour
     queries.push_back(csv ? csv->parse(lines, locator) : parse_line(lines, locator));
     queries.back().line = lines.number();
     if (!ids.insert(queries.back().id).second) {
-      lines.refuse(fmt::format("expected each id once, found \"{}\" again", queries.back().id));
+      lines.refuse(
+          {.expected = "each id once", .found = fmt::format("\"{}\" again", queries.back().id)});
     }
   }
-  if (queries.empty()) lines.refuse("expected at least one query, found none");
+  if (queries.empty()) lines.refuse({.expected = "at least one query", .found = "none"});
   return queries;
 }
 
@@ -300,10 +312,11 @@ std::map<std::string, double> read_reference_lengths(std::istream& in, std::stri
     const auto fields = columns->fields(lines);
     const double value = coordinate(lines, "length", fields[length]);
     if (!lengths.emplace(columns->id(fields), path_length(lines, "length", value)).second) {
-      lines.refuse(fmt::format("expected each id once, found \"{}\" again", columns->id(fields)));
+      lines.refuse(
+          {.expected = "each id once", .found = fmt::format("\"{}\" again", columns->id(fields))});
     }
   }
-  if (lengths.empty()) lines.refuse("expected at least one length, found none");
+  if (lengths.empty()) lines.refuse({.expected = "at least one length", .found = "none"});
   return lengths;
 }
 

@@ -4,14 +4,15 @@
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
+#include "geom/base/error.h"
 #include "geom/record/flight_time.h"
 
 namespace geom {
 
-// `refuse` is told what is wrong, and throws.
-FlightTime flight_time_of(const nlohmann::json& object,
-                          const std::function<void(const std::string&)>& refuse);
+// Is told what is wrong, and throws.
+using Refusal = std::function<void(Fault)>;
+
+FlightTime flight_time_of(const nlohmann::json& object, const Refusal& refuse);
 
 }  // namespace geom

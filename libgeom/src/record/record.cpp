@@ -33,8 +33,9 @@ const nlohmann::json& list_of(const JsonFields& fields, const char* key, std::si
   if (!fields.has(key)) return kNone;
   const nlohmann::json& list = fields.value(key);
   if (!list.is_array() || list.size() != points) {
-    fields.refuse(fmt::format("{} must be a list of {}, one a point, found {}", key, points,
-                              list.is_array() ? fmt::format("{}", list.size()) : shown(list)));
+    fields.refuse({.key = std::string(key),
+                   .expected = fmt::format("a list of {}, one a point", points),
+                   .found = list.is_array() ? fmt::format("{}", list.size()) : shown(list)});
   }
   return list;
 }
@@ -50,7 +51,8 @@ std::vector<LegRange> parse_ranges(const JsonFields& fields, const char* key, st
            range[1].get<std::size_t>() < points;
   };
   if (!list.is_array() || !std::all_of(list.begin(), list.end(), sound)) {
-    fields.refuse(fmt::format("{} must be a list of [a,b] with a < b, points of the path", key));
+    fields.refuse(
+        {.key = std::string(key), .expected = "a list of [a,b] with a < b, points of the path"});
   }
   for (const auto& range : list) ranges.push_back({range[0], range[1]});
   return ranges;
@@ -61,7 +63,7 @@ void parse_holds(const JsonFields& fields, PathRecord& record) {
     const std::string what = fmt::format("hold[{}]", record.hold.size());
     record.hold.push_back(fields.number(value, what));
     if (record.hold.back() < 0) {
-      fields.refuse(fmt::format("{} must be >= 0 s, found {}", what, shown(value)));
+      fields.refuse({.key = what, .expected = ">= 0 s", .found = shown(value)});
     }
   }
 }
@@ -74,8 +76,8 @@ void parse_velocities(const JsonFields& fields, PathRecord& record) {
     if (value.is_null()) continue;
     record.velocity[i] = fields.point(value, what);
     if (!record.hold.empty() && record.hold[i] > 0 && !record.velocity[i]->isZero(0)) {
-      fields.refuse(fmt::format("{} must be zero or null where the path holds, found {}", what,
-                                shown(value)));
+      fields.refuse(
+          {.key = what, .expected = "zero or null where the path holds", .found = shown(value)});
     }
   }
 }
@@ -90,7 +92,7 @@ void add_bound(JsonLine& line, const PathRecord& record) {
 
 void parse_bound(const JsonFields& fields, PathRecord& record) {
   record.bound = fields.number("bound");
-  if (record.bound && *record.bound < 0) fields.refuse("bound must be >= 0");
+  if (record.bound && *record.bound < 0) fields.refuse({.key = "bound", .expected = ">= 0"});
 }
 
 }  // namespace
@@ -135,7 +137,8 @@ PathRecord read_path_record(const JsonFields& fields) {
   if (fields.has("search")) record.search = fields.value("search").dump();
   if (fields.has("points")) record.points = fields.points("points");
   if (record.status == PathStatus::found && record.points.empty()) {
-    fields.refuse("points must hold at least one point when the status is found, found none");
+    fields.refuse(
+        {.says = "points must hold at least one point when the status is found", .found = "none"});
   }
   if (fields.has("kept") || fields.has("mended")) {
     record.origin = {parse_ranges(fields, "kept", record.points.size()),
@@ -159,15 +162,16 @@ std::optional<std::string_view> mismatch(const Provenance& a, const Provenance& 
 void require_map_agrees(const Provenance& record, const Provenance& ours, std::string_view source,
                         std::size_t line) {
   if (record.map && ours.map && *record.map != *ours.map) {
-    throw InputError(source, line,
-                     fmt::format("made for another map: this map is {}, the record names {}: give "
-                                 "that map, or make the record anew for this one",
-                                 *ours.map, *record.map));
+    throw InputError(
+        source, line,
+        {.says = fmt::format("made for another map: this map is {}, the record names {}", *ours.map,
+                             *record.map),
+         .advice = "give that map, or make the record anew for this one"});
   }
   if (record.frame && ours.frame && *record.frame != *ours.frame) {
     throw InputError(source, line,
-                     fmt::format("expected frame {}, as the map has, found {}", name(*ours.frame),
-                                 name(*record.frame)));
+                     {.expected = fmt::format("frame {}, as the map has", name(*ours.frame)),
+                      .found = std::string(name(*record.frame))});
   }
 }
 
@@ -181,27 +185,30 @@ Provenance read_provenance(const JsonFields& fields) {
   if (fields.has("frame")) {
     p.frame = axes_from_name(fields.text("frame"));
     if (!p.frame)
-      fields.refuse("frame must be \"enu\" or \"neu\", found " + shown(fields.value("frame")));
+      fields.refuse({.key = "frame",
+                     .expected = "\"enu\" or \"neu\"",
+                     .found = shown(fields.value("frame"))});
   }
   if (fields.has("vehicle")) {
     const nlohmann::json& v = fields.value("vehicle");
     if (!v.is_object() || !v.contains("half")) {
-      fields.refuse("vehicle must be an object with \"half\", found " + shown(v));
+      fields.refuse({.key = "vehicle", .expected = "an object with \"half\"", .found = shown(v)});
     }
     Vehicle vehicle;
     if (v.contains("name") && v["name"].is_string()) vehicle.name = v["name"].get<std::string>();
     vehicle.half = fields.point(v["half"], "vehicle.half");
     if (vehicle.half.minCoeff() < 0) {
-      fields.refuse("vehicle.half must be >= 0, found " + shown(v["half"]));
+      fields.refuse({.key = "vehicle.half", .expected = ">= 0", .found = shown(v["half"])});
     }
     if (v.contains("limits")) vehicle.limits = read_limits(fields, v["limits"], "vehicle.limits");
     p.vehicle = vehicle;
   }
   if ((p.margin = fields.number("margin")) && *p.margin < 0) {
-    fields.refuse("margin must be >= 0, found " + shown(fields.value("margin")));
+    fields.refuse({.key = "margin", .expected = ">= 0", .found = shown(fields.value("margin"))});
   }
   if (p.margin && *p.margin > kLargestCoordinate) {
-    fields.refuse("margin must be within 1e8 m, found " + shown(fields.value("margin")));
+    fields.refuse(
+        {.key = "margin", .expected = "within 1e8 m", .found = shown(fields.value("margin"))});
   }
   return p;
 }

@@ -12,9 +12,9 @@ std::optional<double> start_on(const BoxMap& map, const FlightTime& time, std::s
   const bool counts = time.start && !map.timed().empty();
   if (epoch && (time.epoch ? *time.epoch != *epoch : counts)) {
     throw InputError(source, line,
-                     fmt::format("expected the epoch of the map, {}, found {}: seconds after "
-                                 "different instants cannot be compared",
-                                 *epoch, time.epoch.value_or("none")));
+                     {.expected = fmt::format("the epoch of the map, {}", *epoch),
+                      .found = std::string(time.epoch.value_or("none")),
+                      .advice = "seconds after different instants cannot be compared"});
   }
   return counts ? time.start : std::nullopt;
 }

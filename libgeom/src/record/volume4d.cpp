@@ -28,8 +28,8 @@ class Member {
   Member(const Json& value, std::string_view source, std::string where)
       : value_(value), source_(source), where_(std::move(where)) {}
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError(source_, where_.empty() ? message : where_ + ": " + message);
+  [[noreturn]] void refuse(Fault fault) const {
+    throw InputError(source_, where_.empty() ? std::move(fault) : within(where_, std::move(fault)));
   }
 
   const Json& value() const { return value_; }
@@ -42,12 +42,12 @@ class Member {
   }
 
   Member at(const char* key) const {
-    if (!has(key)) refuse(fmt::format("expected \"{}\", found none", key));
+    if (!has(key)) refuse({.expected = in_quotes(key), .found = "none"});
     return {value_[key], source_, where_.empty() ? key : where_ + '.' + key};
   }
 
   std::vector<Member> items() const {
-    if (!value_.is_array()) refuse("expected a list, found " + shown(value_));
+    if (!value_.is_array()) refuse({.expected = "a list", .found = shown(value_)});
     std::vector<Member> out;
     for (std::size_t i = 0; i < value_.size(); ++i) {
       out.emplace_back(value_[i], source_, fmt::format("{}[{}]", where_, i));
@@ -57,13 +57,13 @@ class Member {
 
   // An object with no other members.
   void require_known(Names known) const {
-    if (!value_.is_object()) refuse("expected an object, found " + shown(value_));
+    if (!value_.is_object()) refuse({.expected = "an object", .found = shown(value_)});
     for (const auto& [key, value] : value_.items()) {
       bool found = false;
       for (const char* name : known) found = found || key == name;
       if (!found) {
-        refuse(fmt::format("expected {}, found \"{}\", which is not known here",
-                           fmt::join(known, ", "), key.substr(0, 60)));
+        refuse({.expected = fmt::to_string(fmt::join(known, ", ")),
+                .found = fmt::format("\"{}\", which is not known here", key.substr(0, 60))});
       }
     }
   }
@@ -71,7 +71,7 @@ class Member {
   double number(double least, double most, const char* what) const {
     const double number = value_.is_number() ? value_.get<double>() : std::nan("");
     if (!(number >= least && number <= most)) {
-      refuse(fmt::format("expected {}, found {}", what, shown(value_)));
+      refuse({.expected = std::string(what), .found = shown(value_)});
     }
     return number;
   }
@@ -79,7 +79,8 @@ class Member {
   void require_word(const char* key, const char* word, const char* what) const {
     const Member said = at(key);
     if (said.value_ != word) {
-      said.refuse(fmt::format("expected \"{}\" ({}), found {}", word, what, shown(said.value_)));
+      said.refuse(
+          {.expected = fmt::format("\"{}\" ({})", word, what), .found = shown(said.value_)});
     }
   }
 
@@ -110,20 +111,20 @@ GeodeticOutline polygon_of(const Member& polygon) {
   polygon.require_known({"vertices"});
   const std::vector<Member> vertices = polygon.at("vertices").items();
   if (vertices.size() < 3) {
-    polygon.refuse(fmt::format("expected at least 3 vertices, found {}", vertices.size()));
+    polygon.refuse({.expected = "at least 3 vertices", .found = fmt::to_string(vertices.size())});
   }
   GeodeticOutline out;
   for (const Member& vertex : vertices) {
     const GeodeticPlace place = place_of(vertex);
     if (!out.ring.empty() && place == out.ring.back()) {
-      vertex.refuse("expected another vertex, found the one before it again");
+      vertex.refuse({.expected = "another vertex", .found = "the one before it again"});
     }
     out.ring.push_back(place);
   }
   if (out.ring.front() == out.ring.back()) {
-    vertices.back().refuse(
-        "expected another vertex than the first, found it again: the last is joined to the first "
-        "without that");
+    vertices.back().refuse({.expected = "another vertex than the first",
+                            .found = "it again",
+                            .advice = "the last is joined to the first without that"});
   }
   return out;
 }
@@ -146,8 +147,8 @@ std::optional<std::string> time_of(const Member& volume, const char* key) {
   const auto instant =
       value.value().is_string() ? epoch_from(value.value().get<std::string>()) : std::nullopt;
   if (!instant) {
-    value.refuse("expected an instant in UTC such as \"2026-05-04T06:30:00Z\" (RFC 3339), found " +
-                 shown(value.value()));
+    value.refuse({.expected = "an instant in UTC such as \"2026-05-04T06:30:00Z\" (RFC 3339)",
+                  .found = shown(value.value())});
   }
   return instant;
 }
@@ -158,8 +159,8 @@ Volume4d volume_of(const Member& whole) {
   volume.require_known({"outline_polygon", "outline_circle", "altitude_lower", "altitude_upper"});
   const bool polygon = volume.has("outline_polygon");
   if (polygon == volume.has("outline_circle")) {
-    volume.refuse(fmt::format("expected outline_polygon or outline_circle, found {}",
-                              polygon ? "both" : "neither"));
+    volume.refuse(
+        {.expected = "outline_polygon or outline_circle", .found = polygon ? "both" : "neither"});
   }
   Volume4d out;
   out.outline =
@@ -167,14 +168,14 @@ Volume4d volume_of(const Member& whole) {
   out.lower = altitude_of(volume, "altitude_lower");
   out.upper = altitude_of(volume, "altitude_upper");
   if (out.lower && out.upper && !(*out.lower < *out.upper)) {
-    volume.refuse(fmt::format("expected altitude_lower below altitude_upper, found {} and {}",
-                              *out.lower, *out.upper));
+    volume.refuse({.expected = "altitude_lower below altitude_upper",
+                   .found = fmt::format("{} and {}", *out.lower, *out.upper)});
   }
   out.start = time_of(whole, "time_start");
   out.end = time_of(whole, "time_end");
   if (out.start && out.end && !(seconds_between(*out.start, *out.end).least > 0)) {
-    whole.refuse(
-        fmt::format("expected time_start before time_end, found {} and {}", *out.start, *out.end));
+    whole.refuse({.expected = "time_start before time_end",
+                  .found = fmt::format("{} and {}", *out.start, *out.end)});
   }
   return out;
 }
@@ -199,8 +200,8 @@ void add_entity(const Member& entity, std::vector<Volume4d>& out) {
 void add_all(const Member& root, std::vector<Volume4d>& out) {
   if (root.value().is_array()) return add_each(root, out);
   if (!root.value().is_object()) {
-    root.refuse("expected a Volume4D of ASTM F3548, or a list of them, found " +
-                shown(root.value()));
+    root.refuse(
+        {.expected = "a Volume4D of ASTM F3548, or a list of them", .found = shown(root.value())});
   }
   for (const char* key : {"operational_intent", "constraint"}) {
     if (!root.has(key)) continue;
@@ -250,7 +251,7 @@ std::vector<Volume4d> read_volumes_4d(std::istream& in, std::string_view source)
   const Json root = parse_json(in, source);
   std::vector<Volume4d> out;
   add_all({root, source, ""}, out);
-  if (out.empty()) throw InputError(source, "expected at least one volume, found none");
+  if (out.empty()) throw InputError(source, {.expected = "at least one volume", .found = "none"});
   return out;
 }
 

@@ -1,7 +1,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 
-#include "geom/shape/simple_ring.h"
+#include "shape/simple_ring.h"
 
 namespace geom {
 

@@ -1,4 +1,4 @@
-#include "geom/shape/convex_parts.h"
+#include "shape/convex_parts.h"
 
 #include <algorithm>
 #include <array>

@@ -243,8 +243,9 @@ void require(const Polygon& polygon, double slack) {
   for (const auto& hole : polygon.holes) look_at(hole);
   const double least = std::max(kLeastSlack, 0.999 * 1e-9 * largest);  // a product may be rounded
   if (slack >= least && slack <= kLargestCoordinate) return;
-  throw InputError("slack", fmt::format("expected metres from {} to {}, found {}", least,
-                                        kLargestCoordinate, slack));
+  throw InputError("slack",
+                   {.expected = fmt::format("metres from {} to {}", least, kLargestCoordinate),
+                    .found = fmt::to_string(slack)});
 }
 
 bool is_convex(const std::vector<Vec2>& ring) {

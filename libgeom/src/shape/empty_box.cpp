@@ -73,7 +73,8 @@ std::optional<EmptyBox> empty_box(const Aabb& seed, const Aabb& limits,
                                   std::span<const Aabb> obstacles, std::size_t most_cuts) {
   for (const Aabb& obstacle : obstacles) {
     if ((obstacle.min.array() <= obstacle.max.array()).all()) continue;
-    throw InputError("obstacle", "expected min <= max on every axis, found a box without");
+    throw InputError("obstacle",
+                     {.expected = "min <= max on every axis", .found = "a box without"});
   }
   if (!contains(limits, seed.min) || !contains(limits, seed.max)) return std::nullopt;
   for (const Aabb& obstacle : obstacles) {

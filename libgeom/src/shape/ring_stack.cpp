@@ -1,4 +1,4 @@
-#include "geom/shape/ring_stack.h"
+#include "shape/ring_stack.h"
 
 #include <fmt/format.h>
 
@@ -22,9 +22,10 @@ std::size_t parts_of_half_turn(double radius, double error, std::size_t most) {
   const double half = std::min(0.75, std::sqrt(error / (0.64 * radius)));
   const double parts = radius > 0 ? std::ceil(kPi / (2 * half)) : 1;
   if (!(parts <= static_cast<double>(most))) {
-    throw InputError("slack", fmt::format("a round body of radius {:.6g} m needs more than {} "
-                                          "sides: give more slack",
-                                          radius, 2 * most));
+    throw InputError(
+        "slack", {.says = fmt::format("a round body of radius {:.6g} m needs more than {} sides",
+                                      radius, 2 * most),
+                  .advice = "give more slack"});
   }
   return std::max<std::size_t>(4, static_cast<std::size_t>(parts));
 }

@@ -11,7 +11,7 @@
 #include "geom/base/rounding.h"
 #include "geom/shape/convex_outline.h"
 #include "geom/shape/cover.h"
-#include "geom/shape/ring_stack.h"
+#include "shape/ring_stack.h"
 
 namespace geom {
 namespace {
@@ -167,9 +167,10 @@ void require(const RingStack& solid, double slack) {
   for (const Vec3& c : solid.corners) largest = std::max(largest, c.cwiseAbs().maxCoeff());
   const double least = std::max(1e-5, 1e-8 * largest);
   if (slack >= least && slack <= kLargestCoordinate && largest <= kLargestCoordinate) return;
-  throw InputError("slack", fmt::format("expected metres from {} for a body that reaches {:.6g} m "
-                                        "from its middle, found {}",
-                                        least, largest, slack));
+  throw InputError("slack", {.expected = fmt::format(
+                                 "metres from {} for a body that reaches {:.6g} m from its middle",
+                                 least, largest),
+                             .found = fmt::to_string(slack)});
 }
 
 }  // namespace
@@ -183,9 +184,10 @@ std::vector<Aabb> cover(const RingStack& solid, double slack) {
     if (best && best->size() == 1) break;
   }
   if (!best) {
-    throw InputError("slack", fmt::format("a turned or round body needs more than {} boxes of "
-                                          "slack {} m: give more slack",
-                                          kMostBoxes, slack));
+    throw InputError("slack", {.says = fmt::format(
+                                   "a turned or round body needs more than {} boxes of slack {} m",
+                                   kMostBoxes, slack),
+                               .advice = "give more slack"});
   }
   return *best;
 }

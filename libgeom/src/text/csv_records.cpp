@@ -1,10 +1,9 @@
-#include "geom/text/csv_records.h"
+#include "text/csv_records.h"
 
 #include <cerrno>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
-#include "geom/base/error.h"
+#include "geom/base/file_error.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -16,14 +15,12 @@ bool is_blank(int c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 }  // namespace
 
-void CsvRecords::refuse(std::string_view message) const {
-  throw InputError(source_, number_, message);
-}
+void CsvRecords::refuse(Fault fault) const { throw InputError(source_, number_, std::move(fault)); }
 
 int CsvRecords::get() {
   const int c = in_.get();
   if (c == kEnd && in_.bad()) {
-    throw std::system_error(EIO, std::generic_category(), "cannot read " + source_);
+    throw FileError(FileUse::reading, source_, EIO);
   }
   line_ += c == '\n';
   return c;
@@ -34,7 +31,7 @@ int CsvRecords::get_outside_quotes() {
   const int c = get();
   if (c != '\r') return c;
   const int after = in_.peek();
-  if (after != '\n' && after != '\r' && after != kEnd) refuse(kLoneReturn);
+  if (after != '\n' && after != '\r' && after != kEnd) refuse(lone_return());
   return c;
 }
 
@@ -53,15 +50,14 @@ char CsvRecords::read_field(int first) {
   }
   while (true) {
     c = get();
-    if (c == kEnd) refuse("a quote is opened and not closed before the file ends");
+    if (c == kEnd) refuse({.says = "a quote is opened and not closed before the file ends"});
     if (c == '"' && (c = get_outside_quotes()) != '"') break;
     field += static_cast<char>(c);
   }
   while (is_blank(c)) c = get_outside_quotes();
   if (c != ',' && c != '\n' && c != kEnd) {
-    refuse(
-        "expected a comma or the end of the line after a closing quote, and a quote within a "
-        "field to be doubled");
+    refuse({.says = "expected a comma or the end of the line after a closing quote, and a quote "
+                    "within a field to be doubled"});
   }
   return c == ',' ? ',' : '\n';
 }
@@ -82,7 +78,7 @@ bool CsvRecords::next() {
       for (const int expected : {0xef, 0xbb, 0xbf}) {
         if (get() != expected) {
           number_ = 1;
-          refuse("expected text in UTF-8, found other bytes at the start");
+          refuse({.expected = "text in UTF-8", .found = "other bytes at the start"});
         }
       }
     }

@@ -22,7 +22,7 @@ bool is_finite_number(const Json& value) {
 template <class What>
 Vec3 read_point(const JsonFields& fields, const Json& value, const What& what) {
   if (!value.is_array() || value.size() != 3) {
-    fields.refuse(fmt::format("{} must be [x,y,z], found {}", what(), shown(value)));
+    fields.refuse({.key = std::string(what()), .expected = "[x,y,z]", .found = shown(value)});
   }
   Vec3 v;
   for (int i = 0; i < 3; ++i) {
@@ -31,8 +31,9 @@ Vec3 read_point(const JsonFields& fields, const Json& value, const What& what) {
                ? coordinate.get<double>()
                : fields.number(coordinate, fmt::format("{}[{}]", what(), i));
     if (std::abs(v[i]) > kLargestCoordinate) {
-      fields.refuse(
-          fmt::format("{}[{}] must be within 1e8 m, found {}", what(), i, shown(coordinate)));
+      fields.refuse({.key = fmt::format("{}[{}]", what(), i),
+                     .expected = "within 1e8 m",
+                     .found = shown(coordinate)});
     }
   }
   return v;
@@ -44,7 +45,7 @@ JsonFields::JsonFields(std::string_view json, std::string_view source, std::size
     : object_(std::make_unique<Json>(parse_json(json, source, line))),
       source_(source),
       line_(line) {
-  if (!object_->is_object()) refuse("expected a JSON object, found " + shown(*object_));
+  if (!object_->is_object()) refuse({.expected = "a JSON object", .found = shown(*object_)});
 }
 
 JsonFields::~JsonFields() = default;
@@ -56,27 +57,27 @@ bool JsonFields::has(const char* key) const {
 }
 
 const Json& JsonFields::value(const char* key) const {
-  if (!has(key)) refuse(fmt::format("expected the key \"{}\", found none", key));
+  if (!has(key)) refuse({.expected = fmt::format("the key \"{}\"", key), .found = "none"});
   return (*object_)[key];
 }
 
-void JsonFields::refuse(std::string_view message) const {
-  throw InputError(source_, line_, message);
-}
+void JsonFields::refuse(Fault fault) const { throw InputError(source_, line_, std::move(fault)); }
 
 void JsonFields::require_type(std::string_view type) const {
   if (!has("type")) {
-    refuse(fmt::format("expected a record of type \"{}\", found one without a type", type));
+    refuse(
+        {.expected = fmt::format("a record of type \"{}\"", type), .found = "one without a type"});
   }
   const std::string found = shown(value("type"));
   if (found != fmt::format("\"{}\"", type)) {
-    refuse(fmt::format("expected a record of type \"{}\", found type {}", type, found));
+    refuse({.expected = fmt::format("a record of type \"{}\"", type),
+            .found = fmt::format("type {}", found)});
   }
 }
 
 std::string JsonFields::text(const char* key) const {
   if (!value(key).is_string()) {
-    refuse(fmt::format("{} must be a string, found {}", key, shown(value(key))));
+    refuse({.key = std::string(key), .expected = "a string", .found = shown(value(key))});
   }
   return value(key).get<std::string>();
 }
@@ -86,12 +87,14 @@ std::string JsonFields::text(const char* key, std::string_view fallback) const {
 }
 
 void JsonFields::refuse_word(const char* key, const std::string& expected) const {
-  refuse(fmt::format("{} must be one of {}, found {}", key, expected, shown(value(key))));
+  refuse({.key = std::string(key),
+          .expected = fmt::format("one of {}", expected),
+          .found = shown(value(key))});
 }
 
 double JsonFields::number(const Json& value, std::string_view what) const {
   if (!is_finite_number(value)) {
-    refuse(fmt::format("{} must be a finite number, found {}", what, shown(value)));
+    refuse({.key = std::string(what), .expected = "a finite number", .found = shown(value)});
   }
   return value.get<double>();
 }
@@ -108,9 +111,10 @@ Vec3 JsonFields::point(const Json& value, std::string_view what) const {
 Vec3 JsonFields::point(const char* key) const { return point(value(key), key); }
 
 std::vector<Vec3> JsonFields::points(const char* key) const {
-  if (!has(key)) refuse(fmt::format("expected the key \"{}\", found none", key));
+  if (!has(key)) refuse({.expected = fmt::format("the key \"{}\"", key), .found = "none"});
   const Json& list = value(key);
-  if (!list.is_array()) refuse(fmt::format("{} must be a list, found {}", key, shown(list)));
+  if (!list.is_array())
+    refuse({.key = std::string(key), .expected = "a list", .found = shown(list)});
   std::vector<Vec3> points;
   points.reserve(list.size());
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <istream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <system_error>
 #include <utility>
 
+#include "geom/base/file_error.h"
 #include "geom/text/excerpt.h"
 #include "simdjson_value.h"
 #include "worded_json.h"
@@ -56,8 +57,7 @@ nlohmann::json parse_json(std::string_view text, std::string_view source, std::s
 nlohmann::json parse_json(std::istream& in, std::string_view source) {
   const std::string text(std::istreambuf_iterator<char>(in), {});
   if (in.bad()) {
-    throw std::system_error(std::make_error_code(std::errc::io_error),
-                            fmt::format("cannot read {}", source));
+    throw FileError(FileUse::reading, std::string(source), EIO);
   }
   return parse_json(text, source);
 }

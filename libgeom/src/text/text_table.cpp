@@ -4,13 +4,18 @@
 
 #include <cerrno>
 #include <cmath>
-#include <system_error>
 
-#include "geom/base/error.h"
+#include "geom/base/file_error.h"
 #include "geom/base/vec3.h"
 #include "geom/text/number.h"
 
 namespace geom {
+
+Fault lone_return() {
+  return {.expected = "lines that end in LF or CRLF",
+          .found = "a carriage return alone",
+          .advice = "convert the line ends, for example with `tr '\\r' '\\n'`"};
+}
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -22,22 +27,20 @@ bool TextLines::next() {
   do {
     if (!std::getline(in_, buffer_)) {
       if (in_.bad()) {
-        throw std::system_error(EIO, std::generic_category(), "cannot read " + source_);
+        throw FileError(FileUse::reading, source_, EIO);
       }
       return false;
     }
     line_ = buffer_;
     if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.remove_prefix(3);
     line_ = trimmed(line_);
-    if (line_.find('\r') != line_.npos) refuse(kLoneReturn);
+    if (line_.find('\r') != line_.npos) refuse(lone_return());
   } while (!begun_ && line_.starts_with('#'));
   begun_ = begun_ || !line_.empty();
   return true;
 }
 
-void TextLines::refuse(std::string_view message) const {
-  throw InputError(source_, number_, message);
-}
+void TextLines::refuse(Fault fault) const { throw InputError(source_, number_, std::move(fault)); }
 
 namespace {
 
@@ -90,8 +93,9 @@ std::optional<double> parse_number(std::string_view field) {
 double coordinate(const TextLines& lines, std::string_view what, std::string_view field) {
   const auto value = parse_number(field);
   if (!value || !(std::abs(*value) <= kLargestCoordinate)) {
-    lines.refuse(fmt::format("{} must be a finite number within 1e8 m, found \"{}\"", what,
-                             field.substr(0, 40)));
+    lines.refuse({.key = std::string(what),
+                  .expected = "a finite number within 1e8 m",
+                  .found = in_quotes(field.substr(0, 40))});
   }
   return *value;
 }

@@ -12,8 +12,8 @@
 
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
-#include "geom/text/json_outline.h"
 #include "geom/text/parse_json.h"
+#include "text/json_outline.h"
 
 namespace geom {
 namespace {
@@ -59,9 +59,9 @@ class Builder {
     Json::sax_parse(begin, end, this);
     // The parser takes a byte of zero behind the value for the end of the text.
     if (const std::size_t zero = text_.find('\0'); zero != text_.npos) {
-      refuse_at(text_.data() + zero,
-                fmt::format("this is not JSON: expected nothing after the value, found {}",
-                            found(text_.data() + zero)));
+      refuse_at(text_.data() + zero, {.says = "this is not JSON",
+                                      .expected = "nothing after the value",
+                                      .found = found(text_.data() + zero)});
     }
     return std::move(root_);
   }
@@ -82,7 +82,8 @@ class Builder {
   bool key(std::string& name) {
     keyed_ = add_key(name);
     if (!keyed_) {
-      refuse_at(due().at, fmt::format("expected each key once, found \"{}\" again", excerpt(name)));
+      refuse_at(due().at,
+                {.expected = "each key once", .found = fmt::format("\"{}\" again", excerpt(name))});
     }
     fresh_ = false;
     understood_ = seen_;
@@ -96,9 +97,9 @@ class Builder {
         why.id == kNumberOverflow ? "a number that a double holds (up to 1.8e308)"
         : string                  ? "a string in UTF-8 that ends, with \\ before control characters"
                                   : due.what;
-    refuse_at(due.at, fmt::format("{}expected {}, found {}",
-                                  why.id == kNumberOverflow ? "" : "this is not JSON: ", expected,
-                                  found(due.at)));
+    refuse_at(due.at, {.says = why.id == kNumberOverflow ? "" : "this is not JSON",
+                       .expected = std::string(expected),
+                       .found = found(due.at)});
     return false;
   }
 
@@ -109,12 +110,12 @@ class Builder {
   };
 
   // Says the line and the column of `at`.
-  [[noreturn]] void refuse_at(const char* at, const std::string& message) const {
+  [[noreturn]] void refuse_at(const char* at, Fault fault) const {
     const auto before = text_.substr(0, static_cast<std::size_t>(at - text_.data()));
     const std::size_t begin = before.rfind('\n') + 1;  // npos + 1 is 0
     const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
     throw InputError(source_, line_ ? line_ : lines + 1,
-                     fmt::format("column {}: {}", before.size() - begin + 1, message));
+                     within(fmt::format("column {}", before.size() - begin + 1), std::move(fault)));
   }
 
   // Puts a value where one is due.
@@ -145,9 +146,9 @@ class Builder {
 
   bool open(typename Json::value_t kind) {
     if (levels_.size() == kDeepestJson) {
-      refuse_at(seen_ - 1, fmt::format("expected lists and objects nested at most {} deep, found "
-                                       "more",
-                                       kDeepestJson));
+      refuse_at(seen_ - 1,
+                {.expected = fmt::format("lists and objects nested at most {} deep", kDeepestJson),
+                 .found = "more"});
     }
     levels_.push_back({place(Json(kind)), {}});
     fresh_ = true;

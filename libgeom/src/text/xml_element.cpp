@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "geom/base/error.h"
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 
 namespace geom {
 namespace {
@@ -39,16 +39,16 @@ class XmlParser {
     require_plain_xml(text_.substr(0, kXmlHead), source_);
     take(kMark);
     pass_beside("an element");
-    if (at_end()) refuse("expected an element, found the end of the file");
+    if (at_end()) refuse({.expected = "an element", .found = "the end of the file"});
     XmlElement root = element(0);
     pass_beside("nothing more after the root element");
-    if (!at_end()) refuse("expected nothing more after the root element, found another");
+    if (!at_end()) refuse({.expected = "nothing more after the root element", .found = "another"});
     return root;
   }
 
  private:
-  [[noreturn]] void refuse(std::string_view message) const {
-    throw InputError(source_, line_, message);
+  [[noreturn]] void refuse(Fault fault) const {
+    throw InputError(source_, line_, std::move(fault));
   }
 
   bool at_end() const { return at_ == text_.size(); }
@@ -71,7 +71,8 @@ class XmlParser {
   // The text up to `end`, which is passed too.
   std::string_view up_to(std::string_view end, const char* what) {
     const std::size_t stop = text_.find(end, at_);
-    if (stop == text_.npos) refuse(fmt::format("{} is not ended: the file may be cut", what));
+    if (stop == text_.npos)
+      refuse({.says = fmt::format("{} is not ended", what), .advice = "the file may be cut"});
     const std::string_view found = text_.substr(at_, stop - at_);
     pass(found.size() + end.size());
     return found;
@@ -81,8 +82,9 @@ class XmlParser {
     for (const char c : text_) {
       const bool control = static_cast<unsigned char>(c) < ' ' && kSpace.find(c) == kSpace.npos;
       if (control) {
-        refuse(fmt::format("expected text, found the control character 0x{:02x}",
-                           static_cast<unsigned char>(c)));
+        refuse({.expected = "text",
+                .found =
+                    fmt::format("the control character 0x{:02x}", static_cast<unsigned char>(c))});
       }
       line_ += c == '\n';
     }
@@ -111,7 +113,7 @@ class XmlParser {
     for (const char* known : {"utf-8", "us-ascii", "iso-8859-1", "windows-1252"}) {
       if (said.find(known) != said.npos) return;
     }
-    refuse("expected the encoding UTF-8, found another");
+    refuse({.expected = "the encoding UTF-8", .found = "another"});
   }
 
   // What may stand before and after the root.
@@ -119,7 +121,7 @@ class XmlParser {
     do {
       pass_space();
     } while (pass_aside());
-    if (!at_end() && !next_is("<")) refuse(fmt::format("expected {}, found text", expected));
+    if (!at_end() && !next_is("<")) refuse({.expected = std::string(expected), .found = "text"});
   }
 
   std::string name(const char* what) {
@@ -129,7 +131,7 @@ class XmlParser {
       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' ||
              static_cast<unsigned char>(c) >= 0x80;
     };
-    if (found.empty() || !letter(found[0])) refuse(fmt::format("expected {}", what));
+    if (found.empty() || !letter(found[0])) refuse({.expected = std::string(what)});
     pass(found.size());
     return found;
   }
@@ -140,13 +142,13 @@ class XmlParser {
       if (at_end() || next_is(">") || next_is("/")) return;
       std::string key = name("the name of an attribute or the end of the tag");
       pass_space();
-      if (!take("=")) refuse("expected = after the name of an attribute");
+      if (!take("=")) refuse({.expected = "= after the name of an attribute"});
       pass_space();
       const std::string quote(text_.substr(at_, 1));
-      if (quote != "\"" && quote != "'") refuse("expected a value in quotes");
+      if (quote != "\"" && quote != "'") refuse({.expected = "a value in quotes"});
       pass(1);
       const std::string_view value = up_to(quote, "a value");
-      if (value.find('<') != std::string_view::npos) refuse("expected no < in a value");
+      if (value.find('<') != std::string_view::npos) refuse({.expected = "no < in a value"});
       made.attributes.emplace_back(std::move(key), resolved(value));
       if (made.attributes.back().second == kXInclude) refuse_inclusion(source_, line_);
     }
@@ -159,7 +161,7 @@ class XmlParser {
       out += value.substr(at, start - at);
       if (start == value.size()) break;
       const std::size_t end = value.find(';', start);
-      if (end == value.npos) refuse("an entity is not ended");
+      if (end == value.npos) refuse({.says = "an entity is not ended"});
       out += entity(value.substr(start + 1, end - start - 1));
       at = end + 1;
     }
@@ -172,36 +174,38 @@ class XmlParser {
       if (word == known) return meaning;
     }
     const bool hex = word.starts_with("#x");
-    if (!word.starts_with("#")) refuse("expected an entity of XML itself, found another");
+    if (!word.starts_with("#")) refuse({.expected = "an entity of XML itself", .found = "another"});
     const std::string_view digits = word.substr(hex ? 2 : 1);
     std::uint32_t c = 0;
     const auto [rest, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), c, hex ? 16 : 10);
     std::string found = utf8(c);
     if (error != std::errc() || rest != digits.data() + digits.size() || found.empty()) {
-      refuse("expected the number of a character after &#");
+      refuse({.expected = "the number of a character after &#"});
     }
     return found;
   }
 
   XmlElement element(std::size_t depth) {
-    if (depth == kDeepest) refuse("expected elements nested at most 100 deep, found more");
+    if (depth == kDeepest)
+      refuse({.expected = "elements nested at most 100 deep", .found = "more"});
     XmlElement made;
     made.line = line_;
-    if (!take("<")) refuse("expected an element");
+    if (!take("<")) refuse({.expected = "an element"});
     const std::string full = name("the name of an element");
     const std::size_t colon = full.rfind(':');
     made.name = full.substr(colon + 1);
     if (colon != full.npos) made.prefix = full.substr(0, colon);
     take_attributes(made);
     if (take("/>")) return made;
-    if (!take(">")) refuse("a tag is not ended: the file may be cut");
+    if (!take(">")) refuse({.says = "a tag is not ended", .advice = "the file may be cut"});
     take_content(made, depth);
     if (name("the name of the element that ends") != full) {
-      refuse(fmt::format("expected the end of the element of line {}, found another's", made.line));
+      refuse({.expected = fmt::format("the end of the element of line {}", made.line),
+              .found = "another's"});
     }
     pass_space();
-    if (!take(">")) refuse("a tag is not ended: the file may be cut");
+    if (!take(">")) refuse({.says = "a tag is not ended", .advice = "the file may be cut"});
     return made;
   }
 
@@ -209,7 +213,8 @@ class XmlParser {
   void take_content(XmlElement& made, std::size_t depth) {
     while (!take("</")) {
       if (at_end()) {
-        refuse(fmt::format("the element of line {} is not ended: the file may be cut", made.line));
+        refuse({.says = fmt::format("the element of line {} is not ended", made.line),
+                .advice = "the file may be cut"});
       }
       if (take("<![CDATA[")) {
         made.text += up_to("]]>", "a CDATA section");

@@ -1,4 +1,4 @@
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -35,7 +35,9 @@ std::size_t behind_aside(std::string_view head, std::size_t at) {
 
 void require_plain_xml(std::string_view head, std::string_view source) {
   if (is_wide(head)) {
-    throw InputError(source, "expected XML in UTF-8, found UTF-16 or UTF-32: write it as UTF-8");
+    throw InputError(
+        source,
+        {.expected = "XML in UTF-8", .found = "UTF-16 or UTF-32", .advice = "write it as UTF-8"});
   }
   const auto first_of = [&](std::size_t at) {
     return std::min(head.find_first_not_of(kSpace, at), head.size());
@@ -51,7 +53,8 @@ void require_plain_xml(std::string_view head, std::string_view source) {
     refuse_document_type(source, static_cast<std::size_t>(line) + 1);
   }
   if (head.size() >= kXmlHead) {
-    throw InputError(source, "expected an element within the first MiB of an XML file, found none");
+    throw InputError(
+        source, {.expected = "an element within the first MiB of an XML file", .found = "none"});
   }
 }
 
@@ -73,15 +76,17 @@ void XmlWatch::look(std::string_view part) {
 
 void refuse_document_type(std::string_view source, std::size_t line) {
   throw InputError(source, line,
-                   "expected no document type, found one: its entities may stand for parts that "
-                   "are not read; write the file without it, for example with xmllint --noent "
-                   "--dropdtd");
+                   {.expected = "no document type",
+                    .found = "one",
+                    .advice = "its entities may stand for parts that are not read; write the file "
+                              "without it, for example with xmllint --noent --dropdtd"});
 }
 
 void refuse_inclusion(std::string_view source, std::size_t line) {
   throw InputError(source, line,
-                   "expected the whole file, found an <include> of another (XInclude): put it "
-                   "together, for example with xmllint --xinclude");
+                   {.expected = "the whole file",
+                    .found = "an <include> of another (XInclude)",
+                    .advice = "put it together, for example with xmllint --xinclude"});
 }
 
 }  // namespace geom

@@ -62,7 +62,7 @@ void add(JsonLine& line, const Limits& limits) {
 
 Limits read_limits(const JsonFields& fields, const nlohmann::json& value, std::string_view what) {
   if (!value.is_object())
-    fields.refuse(fmt::format("{} must be an object, found {}", what, shown(value)));
+    fields.refuse({.key = std::string(what), .expected = "an object", .found = shown(value)});
   Limits out;
   for (const auto& [key, entry] : value.items()) {
     const auto kind = std::find_if(kLimitKinds.begin(), kLimitKinds.end(),
@@ -70,20 +70,23 @@ Limits read_limits(const JsonFields& fields, const nlohmann::json& value, std::s
     if (kind == kLimitKinds.end()) {
       std::string names;
       for (const LimitKind& k : kLimitKinds) names += fmt::format(" {}", k.name);
-      fields.refuse(fmt::format("{} has {}, which is no limit; expected some of:{}", what,
-                                shown(nlohmann::json(key)), names));
+      fields.refuse({.says = fmt::format("{} has {}, which is no limit; expected some of:{}", what,
+                                         shown(nlohmann::json(key)), names)});
     }
     const std::string where = fmt::format("{}.{}", what, key);
     const double limit = fields.number(entry, where);
-    if (!(limit > 0)) fields.refuse(fmt::format("{} must be > 0, found {}", where, shown(entry)));
+    if (!(limit > 0)) fields.refuse({.key = where, .expected = "> 0", .found = shown(entry)});
     out[kind->limit] = limit;
   }
   if (const auto& tilt = out[Limit::tilt]; tilt && *tilt >= std::numbers::pi / 2) {
-    fields.refuse(
-        fmt::format("{}.tilt must be below a right angle, 1.5707963 rad, found {}", what, *tilt));
+    fields.refuse({.key = fmt::format("{}.tilt", what),
+                   .expected = "below a right angle, 1.5707963 rad",
+                   .found = fmt::to_string(*tilt)});
   }
   if (const auto& thrust = out[Limit::thrust]; thrust && *thrust <= kGravity) {
-    fields.refuse(fmt::format("{}.thrust must be > {} m/s2, found {}", what, kGravity, *thrust));
+    fields.refuse({.key = fmt::format("{}.thrust", what),
+                   .expected = fmt::format("> {} m/s2", kGravity),
+                   .found = fmt::to_string(*thrust)});
   }
   return out;
 }

@@ -42,7 +42,7 @@ LengthBound Bounder::ask(const Vec3& from, const Vec3& to, double length,
   geom::require_length("length", length, std::numeric_limits<double>::max());
   if (!(options.gap > 0 && options.gap <= 1)) {
     throw geom::InputError(
-        "gap", fmt::format("expected a share above 0 and up to 1, found {}", options.gap));
+        "gap", {.expected = "a share above 0 and up to 1", .found = fmt::to_string(options.gap)});
   }
   const auto& bounds = impl_->scene.free_bounds();
   const double straight = (to - from).norm() * (1 - 0x1p-50);

@@ -6,7 +6,7 @@
 
 #include "chain_path.h"
 #include "link_path.h"
-#include "plan/path/taut.h"
+#include "path/taut.h"
 
 namespace plan {
 namespace {

@@ -306,7 +306,7 @@ SearchResult AstarSearch::Impl::search(std::span<const Terminal> sources,
                                        std::span<const Terminal> goals, double weight) {
   SearchResult result;
   if (!(weight >= 1 && weight <= 2)) {
-    throw geom::InputError("weight", fmt::format("expected from 1 to 2, found {}", weight));
+    throw geom::InputError("weight", {.expected = "from 1 to 2", .found = fmt::to_string(weight)});
   }
   more_ = static_cast<Units>(std::llround((weight - 1) * (1 << kWeightBits)));
   start(sources, goals);

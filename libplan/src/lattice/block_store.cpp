@@ -156,12 +156,12 @@ struct Owned {
 void require_numbers(std::size_t records) {
   if (records < BlockStore::kFree) return;
   throw geom::InputError("lattice",
-                         "expected less than 2^32 blocks that are not all free "
-                         "or blocked: use a larger spacing");
+                         {.expected = "less than 2^32 blocks that are not all free or blocked",
+                          .advice = "use a larger spacing"});
 }
 
 [[noreturn]] void refuse_shard(std::size_t index, std::string_view what) {
-  throw geom::InputError("lattice", fmt::format("shard {} {}", index + 1, what));
+  throw geom::InputError("lattice", {.says = fmt::format("shard {} {}", index + 1, what)});
 }
 
 }  // namespace
@@ -169,7 +169,8 @@ void require_numbers(std::size_t records) {
 BlockStore::BlockStore(const LatticeGrid& grid, StoredBlocks blocks, std::string name)
     : grid_(grid), blocks_(std::move(blocks)), name_(std::move(name)) {
   if (blocks_.record.size() != grid_.block_count()) {
-    refuse(fmt::format("expected {} blocks, found {}", grid_.block_count(), blocks_.record.size()));
+    refuse({.expected = fmt::format("{} blocks", grid_.block_count()),
+            .found = fmt::to_string(blocks_.record.size())});
   }
   const std::size_t count = blocks_.records.size() / record_bytes(grid_.spec.connectivity);
   std::size_t stored = 0;
@@ -177,16 +178,17 @@ BlockStore::BlockStore(const LatticeGrid& grid, StoredBlocks blocks, std::string
     if (blocks_.record[b] >= kFree) continue;
     ++stored;
     if (blocks_.record[b] >= count) {
-      refuse(fmt::format("block {} has record {} of {}", b, blocks_.record[b], count));
+      refuse({.says = fmt::format("block {} has record {} of {}", b, blocks_.record[b], count)});
     }
   }
   if (stored != count) {
-    refuse(fmt::format("expected a record for each of {} blocks, found {}", stored, count));
+    refuse({.expected = fmt::format("a record for each of {} blocks", stored),
+            .found = fmt::to_string(count)});
   }
 }
 
-void BlockStore::refuse(const std::string& message) const {
-  throw geom::InputError(name_, message);
+void BlockStore::refuse(geom::Fault fault) const {
+  throw geom::InputError(name_, std::move(fault));
 }
 
 std::uint32_t BlockStore::stored(std::uint32_t record, std::size_t local) const {
@@ -224,9 +226,9 @@ void BlockStore::read(const Index3& low, const Index3& count, std::uint32_t* mas
         const std::uint32_t mask = stored(record, local);
         const std::uint32_t edges = mask & ~Lattice::kNode;
         if ((edges & ~possible) || (edges && !(mask & Lattice::kNode))) {
-          refuse(
-              fmt::format("node {} of block {} has an edge that is impossible: the file is damaged",
-                          local, block));
+          refuse({.says = fmt::format("node {} of block {} has an edge that is impossible", local,
+                                      block),
+                  .advice = "the file is damaged"});
         }
         *out = mask;
       }
@@ -243,7 +245,8 @@ void BlockStore::check() const {
       const Index3 node = {low[0] + local % kSide, low[1] + local / kSide % kSide,
                            low[2] + local / (kSide * kSide)};
       if (!grid_.contains(node) && stored(blocks_.record[b], n)) {
-        refuse(fmt::format("place {} of block {} is outside the lattice, but not 0", n, b));
+        refuse(
+            {.says = fmt::format("place {} of block {} is outside the lattice, but not 0", n, b)});
       }
     }
   }
@@ -283,8 +286,8 @@ std::vector<StoredBlocks> tiles_of(std::span<const LatticePart> parts) {
   std::vector<StoredBlocks> tiles;
   for (const LatticePart& part : parts) {
     if (part.grid.first != parts.front().grid.first || part.grid.dims != parts.front().grid.dims) {
-      throw geom::InputError("lattice",
-                             fmt::format("shard {} is of another lattice", tiles.size() + 1));
+      throw geom::InputError(
+          "lattice", {.says = fmt::format("shard {} is of another lattice", tiles.size() + 1)});
     }
     tiles.push_back(part.blocks);
   }
@@ -297,8 +300,8 @@ JoinedTiles join_tiles(const LatticeGrid& grid, std::span<const StoredBlocks> sh
   std::size_t blocks = 0;
   for (const StoredBlocks& tiles : shards) blocks += tiles.record.size();
   if (blocks != grid.block_count()) {  // before room is made for what is not there
-    throw geom::InputError(
-        "lattice", fmt::format("its shards have {} blocks of {}", blocks, grid.block_count()));
+    throw geom::InputError("lattice", {.says = fmt::format("its shards have {} blocks of {}",
+                                                           blocks, grid.block_count())});
   }
   JoinedTiles joined;
   joined.record.resize(grid.block_count());

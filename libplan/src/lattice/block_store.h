@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geom/archive/array_archive.h"
+#include "geom/base/error.h"
 #include "geom/base/execution.h"
 #include "geom/base/shard.h"
 #include "plan/lattice/lattice.h"
@@ -44,7 +45,7 @@ class BlockStore final : public MaskSource {
 
  private:
   std::uint32_t stored(std::uint32_t record, std::size_t local) const;
-  [[noreturn]] void refuse(const std::string& message) const;
+  [[noreturn]] void refuse(geom::Fault fault) const;
 
   LatticeGrid grid_;
   StoredBlocks blocks_;

@@ -26,7 +26,8 @@ LatticeGrid make_grid(const geom::CollisionScene& scene, const LatticeSpec& spec
   LatticeGrid grid{spec, {}, {}};
   const std::string where = fmt::format("lattice of {} m", spec.spacing);
   if (!scene.free_bounds())
-    throw geom::InputError(where, "the vehicle does not fit between the bounds of the map");
+    throw geom::InputError(where,
+                           {.says = "the vehicle does not fit between the bounds of the map"});
   Aabb inner = *scene.free_bounds();
   if (within) inner = {inner.min.cwiseMax(within->min), inner.max.cwiseMin(within->max)};
   double total = 1;
@@ -35,20 +36,23 @@ LatticeGrid make_grid(const geom::CollisionScene& scene, const LatticeSpec& spec
     const double furthest = std::max(std::abs(inner.min[axis] - spec.origin[axis]),
                                      std::abs(inner.max[axis] - spec.origin[axis]));
     if (!(furthest / spec.spacing < 0x1p52)) {  // beyond, k + 1 may be k
-      throw geom::InputError(where, "expected node indices below 2^52: use a larger spacing");
+      throw geom::InputError(
+          where, {.expected = "node indices below 2^52", .advice = "use a larger spacing"});
     }
     double first = std::floor((inner.min[axis] - spec.origin[axis]) / spec.spacing) - 1;
     while (coordinate(first) < inner.min[axis]) ++first;
     double last = std::ceil((inner.max[axis] - spec.origin[axis]) / spec.spacing) + 1;
     while (coordinate(last) > inner.max[axis]) --last;
     if (last < first)
-      throw geom::InputError(where, "no node lies inside the bounds: use a smaller spacing");
+      throw geom::InputError(
+          where, {.says = "no node lies inside the bounds", .advice = "use a smaller spacing"});
     grid.first[axis] = static_cast<std::int64_t>(first);
     grid.dims[axis] = static_cast<std::int64_t>(last - first) + 1;
     total *= last - first + 1;
   }
   if (total > kMostNodes) {
-    throw geom::InputError(where, "expected at most 2^40 nodes: use a larger spacing");
+    throw geom::InputError(where,
+                           {.expected = "at most 2^40 nodes", .advice = "use a larger spacing"});
   }
   return grid;
 }

@@ -101,7 +101,7 @@ void Lattice::read(std::size_t block, Block& masks) const {
         if (to_blocked) {
           throw geom::InputError(
               source_->name(),
-              fmt::format("node {} of block {} has an edge to a blocked node", n, block));
+              {.says = fmt::format("node {} of block {} has an edge to a blocked node", n, block)});
         }
         masks[n] = mirrored(at, kStrides, directions);
       }

@@ -21,42 +21,45 @@ constexpr int kVersion = 2;
 
 LatticeMeta read_lattice_meta(const geom::JsonFields& fields) {
   if (fields.text("format", "") != "skyway-lattice") {
-    fields.refuse(fmt::format("expected a lattice (format \"skyway-lattice\"), found format \"{}\"",
-                              fields.text("format", "")));
+    fields.refuse({.expected = "a lattice (format \"skyway-lattice\")",
+                   .found = fmt::format("format \"{}\"", fields.text("format", ""))});
   }
   if (fields.number("version") != kVersion) {
-    fields.refuse(fmt::format("expected lattice version {}, found {}", kVersion,
-                              fields.number("version").value_or(0)));
+    fields.refuse({.expected = fmt::format("lattice version {}", kVersion),
+                   .found = fmt::to_string(fields.number("version").value_or(0))});
   }
   LatticeMeta meta;
   meta.made_for = geom::read_provenance(fields);
   meta.grid.spec.spacing = fields.number("spacing").value_or(0);
-  if (!(meta.grid.spec.spacing > 0)) fields.refuse("spacing must be > 0");
+  if (!(meta.grid.spec.spacing > 0)) fields.refuse({.key = "spacing", .expected = "> 0"});
   meta.grid.spec.origin = fields.point("origin");
   const double connectivity = fields.number("connectivity").value_or(0);
   if (connectivity != 6 && connectivity != 18 && connectivity != 26) {
-    fields.refuse(fmt::format("connectivity must be 6, 18 or 26, found {}", connectivity));
+    fields.refuse(
+        {.key = "connectivity", .expected = "6, 18 or 26", .found = fmt::to_string(connectivity)});
   }
   meta.grid.spec.connectivity = static_cast<Connectivity>(static_cast<int>(connectivity));
   Vec3 first;  // not a point: with a small spacing the indices are larger than any coordinate
   const auto listed = fields.object().value("first", nlohmann::json());
-  if (!listed.is_array() || listed.size() != 3) fields.refuse("first must be three whole numbers");
+  if (!listed.is_array() || listed.size() != 3)
+    fields.refuse({.key = "first", .expected = "three whole numbers"});
   for (int k = 0; k < 3; ++k) first[k] = fields.number(listed[k], "first");
   const Vec3 dims = fields.point("dims");
   for (int k = 0; k < 3; ++k) {
     if (first[k] != std::floor(first[k]) || dims[k] != std::floor(dims[k]) ||
         std::abs(first[k]) > 0x1p52) {
-      fields.refuse("first and dims must be whole numbers");
+      fields.refuse({.key = "first and dims", .expected = "whole numbers"});
     }
     meta.grid.first[k] = static_cast<std::int64_t>(first[k]);
     meta.grid.dims[k] = static_cast<std::int64_t>(dims[k]);
   }
   if (dims.minCoeff() < 1 || dims.x() * dims.y() * dims.z() > 0x1p40) {
-    fields.refuse("dims must be >= 1 and make at most 2^40 nodes");
+    fields.refuse({.key = "dims", .expected = ">= 1 and make at most 2^40 nodes"});
   }
   const auto count = [&](const char* key) {
     const double value = fields.number(key).value_or(-1);
-    if (!(value >= 0 && value <= 0x1p50)) fields.refuse(fmt::format("{} must be a count", key));
+    if (!(value >= 0 && value <= 0x1p50))
+      fields.refuse({.key = std::string(key), .expected = "a count"});
     return static_cast<std::size_t>(value);
   };
   meta.counts = {count("nodes"), count("edges")};
@@ -127,8 +130,8 @@ void verify_lattice(const Lattice& lattice) {
   const LatticeCounts counts = lattice.counts();
   if (counts.nodes != said.nodes || counts.edges != said.edges) {
     throw geom::InputError(
-        store->name(), fmt::format("expected {} nodes and {} edges, found {} and {}", said.nodes,
-                                   said.edges, counts.nodes, counts.edges));
+        store->name(), {.expected = fmt::format("{} nodes and {} edges", said.nodes, said.edges),
+                        .found = fmt::format("{} and {}", counts.nodes, counts.edges)});
   }
 }
 

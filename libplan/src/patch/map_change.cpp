@@ -37,8 +37,8 @@ std::vector<Aabb> grown_difference(const std::vector<Aabb>& a, const std::vector
 MapChange change_since(const geom::BoxMap& before, const geom::CollisionScene& scene) {
   if (!(before.spec().frame == scene.map().spec().frame)) {
     throw geom::InputError(
-        "old map",
-        "expected the axes, coordinate reference system and origin of the new map, found others");
+        "old map", {.expected = "the axes, coordinate reference system and origin of the new map",
+                    .found = "others"});
   }
   const std::vector<Aabb> was = sorted_boxes(before);
   const std::vector<Aabb> is = sorted_boxes(scene.map());

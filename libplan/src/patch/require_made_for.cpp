@@ -12,7 +12,8 @@ void require_made_for(const geom::Provenance& made_for, const geom::CollisionSce
   geom::Provenance ours = geom::provenance_of(scene);
   ours.map = made_for.map;  // of an older map, as patches are
   if (const auto another = geom::made_for_another(made_for, ours)) {
-    throw geom::InputError(kind, fmt::format("it was {}: make it again for this one", *another));
+    throw geom::InputError(
+        kind, {.says = fmt::format("it was {}", *another), .advice = "make it again for this one"});
   }
 }
 

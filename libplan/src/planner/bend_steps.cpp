@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plan/path/taut.h"
+#include "path/taut.h"
 
 namespace plan {
 

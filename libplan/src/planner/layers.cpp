@@ -110,10 +110,11 @@ LayerPlanner::LayerPlanner(const geom::CollisionScene& scene, Planner& whole, co
   const auto [low, top] = std::pair(layers.low, layers.span(layers.count - 1).second);
   const geom::Aabb& bounds = scene.map().spec().bounds;
   if (low >= bounds.min.z() && top <= bounds.max.z()) return;
-  throw geom::InputError(
-      "layers", fmt::format("expected layers between the bottom of the map, at {} m, and its top, "
-                            "at {} m, found {} to {} m",
-                            bounds.min.z(), bounds.max.z(), low, top));
+  throw geom::InputError("layers",
+                         {.expected = fmt::format(
+                              "layers between the bottom of the map, at {} m, and its top, at {} m",
+                              bounds.min.z(), bounds.max.z()),
+                          .found = fmt::format("{} to {} m", low, top)});
 }
 
 LayerPlanner::~LayerPlanner() = default;

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <optional>
 
-#include "plan/path/shortcut.h"
-#include "plan/path/taut.h"
+#include "path/shortcut.h"
+#include "path/taut.h"
 
 namespace plan {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "geom/base/error.h"
-#include "plan/path/shortcut.h"
-#include "plan/path/taut.h"
+#include "path/shortcut.h"
+#include "path/taut.h"
 #include "shown_point.h"
 
 namespace plan {
@@ -26,10 +26,10 @@ bool polished(const PlanOptions& options) {
 void require_free(const geom::CollisionScene& scene, const Polyline& path, const char* source) {
   for (std::size_t i = 1; i < path.size(); ++i) {
     if (scene.free(path[i - 1], path[i])) continue;
-    throw geom::InputError(
-        source,
-        fmt::format("the edge from {} to {} is blocked on this map: make the file again for it",
-                    shown(path[i - 1]), shown(path[i])));
+    throw geom::InputError(source,
+                           {.says = fmt::format("the edge from {} to {} is blocked on this map",
+                                                shown(path[i - 1]), shown(path[i])),
+                            .advice = "make the file again for it"});
   }
 }
 

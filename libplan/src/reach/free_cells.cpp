@@ -34,7 +34,7 @@ FreeCells::FreeCells(const geom::CollisionScene& scene, const Listed& most)
   root.region = *scene.free_bounds();
   for (int i = 0; i < 3; ++i) flat_[i] = root.region.min[i] == root.region.max[i];
   if (scene.map().size() > std::numeric_limits<std::uint32_t>::max()) {
-    throw geom::InputError("map", "expected fewer than 2^32 boxes to cut free space at");
+    throw geom::InputError("map", {.expected = "fewer than 2^32 boxes to cut free space at"});
   }
   nodes_.push_back(std::move(root));
 }

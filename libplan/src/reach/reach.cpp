@@ -125,7 +125,7 @@ ReachResult joined(Flood& start, Flood& goal, std::size_t most) {
 }
 
 void require_free(const geom::CollisionScene& scene, const Vec3& p, const char* end) {
-  if (!scene.free(p)) throw geom::InputError(end, "expected a place that is free");
+  if (!scene.free(p)) throw geom::InputError(end, {.expected = "a place that is free"});
 }
 
 }  // namespace

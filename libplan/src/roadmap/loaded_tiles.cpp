@@ -113,7 +113,7 @@ std::uint32_t LoadedTiles::load(std::size_t number) {
   if (const auto at = loaded_.find(number); at != loaded_.end()) return at->second;
   const TileReader::Range range = reader_->bends(number);
   if (bends_.size() + range.size() > std::numeric_limits<std::uint32_t>::max() - 1) {
-    throw geom::InputError("roadmap", "a search touches more than 2^32 bends");
+    throw geom::InputError("roadmap", {.says = "a search touches more than 2^32 bends"});
   }
   const auto tile = static_cast<std::uint32_t>(tiles_.size());
   const Run run = {static_cast<std::uint32_t>(bends_.size()),

@@ -30,9 +30,8 @@ geom::JsonLine roadmap_meta(const Roadmap& roadmap) {
 void write_roadmap(std::ostream& out, std::span<const Roadmap> parts) {
   for (const Roadmap& part : parts) {
     if (roadmap_meta(part).object() == roadmap_meta(parts.front()).object()) continue;
-    throw geom::InputError(part.source,
-                           "expected a part of the same roadmap as the first, found "
-                           "one of another");
+    throw geom::InputError(part.source, {.expected = "a part of the same roadmap as the first",
+                                         .found = "one of another"});
   }
   const TileArrays tiles(parts);
   geom::JsonLine meta = roadmap_meta(parts.front());
@@ -53,19 +52,20 @@ bool is_roadmap(const geom::ArrayArchive& archive) {
 
 RoadmapSpec read_roadmap_spec(const geom::JsonFields& fields) {
   if (fields.text("format", "") != "skyway-roadmap") {
-    fields.refuse(fmt::format("expected a roadmap (format \"skyway-roadmap\"), found format \"{}\"",
-                              fields.text("format", "")));
+    fields.refuse({.expected = "a roadmap (format \"skyway-roadmap\")",
+                   .found = fmt::format("format \"{}\"", fields.text("format", ""))});
   }
   const double version = fields.number("version").value_or(0);
   if (version != kVersion) {
-    fields.refuse(fmt::format("expected roadmap version {}, found {}: make the roadmap again",
-                              kVersion, version));
+    fields.refuse({.expected = fmt::format("roadmap version {}", kVersion),
+                   .found = fmt::to_string(version),
+                   .advice = "make the roadmap again"});
   }
   RoadmapSpec spec{fields.number("part").value_or(0), fields.number("reach").value_or(0), {}};
   if (fields.has("region")) {
     const std::vector<Vec3> corners = fields.points("region");
     if (corners.size() != 2 || !(corners[0].array() <= corners[1].array()).all()) {
-      fields.refuse("region must be two points, the lower corner first");
+      fields.refuse({.key = "region", .expected = "two points, the lower corner first"});
     }
     spec.region = geom::Aabb{corners[0], corners[1]};
   }

@@ -36,8 +36,8 @@ TileArrays::TileArrays(std::span<const Roadmap> parts) : parts_(parts) {
       const TileReader::Range edges = reader.edges(t);
       if ((last && code <= *last) || first_.back() != bends_before + bends.begin ||
           edges_.back() != edges_before + edges.begin) {
-        throw geom::InputError(part.source,
-                               fmt::format("tile {} is out of order: the file is damaged", t));
+        throw geom::InputError(part.source, {.says = fmt::format("tile {} is out of order", t),
+                                             .advice = "the file is damaged"});
       }
       last = code;
       first_.push_back(bends_before + bends.end);
@@ -45,7 +45,7 @@ TileArrays::TileArrays(std::span<const Roadmap> parts) : parts_(parts) {
     }
     if (first_.back() - bends_before != part.bends() ||
         edges_.back() - edges_before != part.edge_to.size()) {
-      throw geom::InputError(part.source, "there are bends or edges of no tile");
+      throw geom::InputError(part.source, {.says = "there are bends or edges of no tile"});
     }
   }
 }
@@ -84,7 +84,7 @@ Roadmap open_tiles(const geom::ArrayArchive& archive) {
       out.bend_outward.size() != 2 * bends || out.edge_first.size() != bends ||
       out.edge_split.size() != bends) {
     throw geom::InputError(archive.name(),
-                           "the arrays of tiles, bends and edges do not fit each other");
+                           {.says = "the arrays of tiles, bends and edges do not fit each other"});
   }
   return out;
 }

@@ -128,14 +128,15 @@ TileBends bends_of(const geom::CollisionScene& scene, const RoadmapSpec& spec,
   for (std::size_t i = 0; i < codes.size(); ++i) {
     if (of_each[i].empty()) continue;
     if (of_each[i].size() > Squares::kLocalMask) {
-      throw geom::InputError("roadmap", fmt::format("a tile has {} bends, more than 2^24: give "
-                                                    "longer parts",
-                                                    of_each[i].size()));
+      throw geom::InputError(
+          "roadmap", {.says = fmt::format("a tile has {} bends, more than 2^24", of_each[i].size()),
+                      .advice = "give longer parts"});
     }
     out.squares.push_back(square_at(codes[i]));
     out.bends.insert(out.bends.end(), of_each[i].begin(), of_each[i].end());
     if (out.bends.size() > 0x7fffffff) {
-      throw geom::InputError("roadmap", "more than 2^31 bends: make it in shards");
+      throw geom::InputError("roadmap",
+                             {.says = "more than 2^31 bends", .advice = "make it in shards"});
     }
     out.first.push_back(static_cast<std::uint32_t>(out.bends.size()));
     std::vector<Bend>().swap(of_each[i]);

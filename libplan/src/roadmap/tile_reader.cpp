@@ -10,7 +10,8 @@
 namespace plan {
 
 void TileReader::refuse(std::string_view what) const {
-  throw geom::InputError(roadmap_->source, fmt::format("{}: the file is damaged", what));
+  throw geom::InputError(roadmap_->source,
+                         {.says = std::string(what), .advice = "the file is damaged"});
 }
 
 std::optional<std::size_t> TileReader::find(const Square& wanted) const {

@@ -15,8 +15,9 @@ namespace {
 
 void require_edges_fit(std::uint64_t edges) {
   if (edges <= std::numeric_limits<std::uint32_t>::max()) return;
-  throw geom::InputError(
-      "roadmap", fmt::format("a tile has {} edges, more than 2^32: use a smaller reach", edges));
+  throw geom::InputError("roadmap",
+                         {.says = fmt::format("a tile has {} edges, more than 2^32", edges),
+                          .advice = "use a smaller reach"});
 }
 
 // Numbers of bends become squares and numbers in them.

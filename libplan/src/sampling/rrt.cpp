@@ -24,7 +24,8 @@ constexpr std::size_t kSmallIterations = 100000;  // of searches that end with t
 void check(const SamplingOptions& options) {
   const auto need = [](bool holds, std::string_view what, double found) {
     if (!holds) {
-      throw geom::InputError("sampling", fmt::format("expected {}, found {}", what, found));
+      throw geom::InputError("sampling",
+                             {.expected = std::string(what), .found = fmt::to_string(found)});
     }
   };
   const double step = options.step.value_or(kStep);

@@ -17,8 +17,9 @@ std::uint32_t index(const geom::JsonFields& fields, const char* key, std::uint64
   const nlohmann::json& object = fields.object();
   if (!object.contains(key) || !object[key].is_number_unsigned() ||
       object[key].get<std::uint64_t>() >= end) {
-    fields.refuse(fmt::format("{} must be a whole number from 0 to below {}, found {}", key, end,
-                              object.contains(key) ? object[key].dump() : "none"));
+    fields.refuse({.key = std::string(key),
+                   .expected = fmt::format("a whole number from 0 to below {}", end),
+                   .found = object.contains(key) ? object[key].dump() : "none"});
   }
   return object[key].get<std::uint32_t>();
 }
@@ -38,15 +39,15 @@ void SearchTreeReader::add(std::string_view node, std::string_view source, std::
   SearchTree& tree = record_.tree;
   const std::size_t i = tree.points.size();
   const geom::JsonFields fields(node, source, line);
-  if (complete()) fields.refuse(fmt::format("expected {} nodes, found one more", nodes_));
+  if (complete()) fields.refuse({.expected = fmt::format("{} nodes", nodes_), .found = "one more"});
   if (index(fields, "index", nodes_) != i) {
-    fields.refuse(fmt::format("expected index {}, found {}", i, fields.value("index").dump()));
+    fields.refuse({.expected = fmt::format("index {}", i), .found = fields.value("index").dump()});
   }
   tree.parent.push_back(index(fields, "parent", nodes_));
   tree.first_parent.push_back(index(fields, "first_parent", i + 1));
   tree.tree.push_back(static_cast<std::uint8_t>(index(fields, "tree", 2)));
   const auto cost = fields.number("cost");
-  if (!cost || *cost < 0) fields.refuse("cost must be a number of metres >= 0");
+  if (!cost || *cost < 0) fields.refuse({.key = "cost", .expected = "a number of metres >= 0"});
   tree.cost.push_back(*cost);
   tree.points.push_back(fields.point("point"));
 }
@@ -54,8 +55,8 @@ void SearchTreeReader::add(std::string_view node, std::string_view source, std::
 SearchTreeRecord SearchTreeReader::finish(std::string_view source, std::size_t line) && {
   if (!complete()) {
     throw geom::InputError(source, line,
-                           fmt::format("expected a tree of {}, found {}",
-                                       geom::counted(nodes_, "node"), record_.tree.points.size()));
+                           {.expected = fmt::format("a tree of {}", geom::counted(nodes_, "node")),
+                            .found = fmt::to_string(record_.tree.points.size())});
   }
   return std::move(record_);
 }

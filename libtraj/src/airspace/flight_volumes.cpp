@@ -54,9 +54,9 @@ std::vector<std::string> instants_of(const FlightOnEarth& flight, double end,
   const double begin = flight.flight.start;
   const auto require = [&](const std::optional<std::string>& instant) {
     if (instant) return *instant;
-    throw geom::InputError(source, fmt::format("expected a flight within the years 0 to 9999, "
-                                               "found one from {} s to {} s after {}",
-                                               begin, end, flight.epoch));
+    throw geom::InputError(
+        source, {.expected = "a flight within the years 0 to 9999",
+                 .found = fmt::format("one from {} s to {} s after {}", begin, end, flight.epoch)});
   };
   std::vector<std::string> out{require(geom::instant_not_after(flight.epoch, begin))};
   const std::string last = require(geom::instant_not_before(flight.epoch, end));

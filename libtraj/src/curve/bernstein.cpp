@@ -1,4 +1,4 @@
-#include "traj/curve/bernstein.h"
+#include "curve/bernstein.h"
 
 #include "halves.h"
 #include "hermite_form.h"

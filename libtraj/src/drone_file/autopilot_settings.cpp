@@ -64,13 +64,12 @@ constexpr Parameter kArdupilotMetres[] = {
 static_assert(std::size(kArdupilot) == std::size(kArdupilotMetres));
 
 // Names that vehicles of other classes have alone.
-constexpr const char* kOtherVehicles[] = {"FW_AIRSPD_TRIM",  "FW_AIRSPD_STALL", "AIRSPEED_CRUISE",
-                                          "TRIM_ARSPD_CM",   "RTL_ALTITUDE",    "ALT_HOLD_RTL",
-                                          "CRUISE_SPEED",    "CRUISE_THROTTLE", "JS_GAIN_DEFAULT",
-                                          "RO_MAX_THR_SPEED"};
+constexpr const char* kOtherVehicles[] = {
+    "FW_AIRSPD_TRIM", "FW_AIRSPD_STALL", "AIRSPEED_CRUISE", "TRIM_ARSPD_CM",   "RTL_ALTITUDE",
+    "ALT_HOLD_RTL",   "CRUISE_SPEED",    "CRUISE_THROTTLE", "JS_GAIN_DEFAULT", "RO_MAX_THR_SPEED"};
 
-[[noreturn]] void refuse(std::string_view source, const std::string& message) {
-  throw geom::InputError(source, message);
+[[noreturn]] void refuse(std::string_view source, geom::Fault fault) {
+  throw geom::InputError(source, std::move(fault));
 }
 
 // --- reading ----------------------------------------------------------------------------------
@@ -103,13 +102,14 @@ void take_comment(std::string_view line, AutopilotSettings& out) {
 void take_value(const std::string& name, double value, std::string_view source, std::size_t line,
                 AutopilotSettings& out) {
   if (!std::isfinite(value)) {
-    throw geom::InputError(source, line,
-                           fmt::format("{} must be a finite number, found {}", name, value));
+    throw geom::InputError(
+        source, line, {.key = name, .expected = "a finite number", .found = fmt::to_string(value)});
   }
   const auto [found, fresh] = out.values.emplace(name, value);
   if (fresh || found->second == value) return;
-  throw geom::InputError(source, line, fmt::format("expected one value of {}, found {} after {}",
-                                                   name, value, found->second));
+  throw geom::InputError(source, line,
+                         {.expected = fmt::format("one value of {}", name),
+                          .found = fmt::format("{} after {}", value, found->second)});
 }
 
 void take_line(std::string_view line, std::string_view source, std::size_t number,
@@ -121,16 +121,16 @@ void take_line(std::string_view line, std::string_view source, std::size_t numbe
   if (!value) {
     throw geom::InputError(
         source, number,
-        fmt::format("expected a parameter (its name and its value, or five columns of "
-                    "QGroundControl), found \"{}\"",
-                    geom::excerpt(line)));
+        {.expected = "a parameter (its name and its value, or five columns of QGroundControl)",
+         .found = geom::in_quotes(geom::excerpt(line))});
   }
   take_value(words[name], *value, source, number, out);
 }
 
 AutopilotSettings read_log(std::istream& in, std::string_view source) {
   const UlogSummary summary = read_ulog(in, source, {}, [](const UlogMessage&) {});
-  if (summary.parameters.empty()) refuse(source, "expected parameters in the log, found none");
+  if (summary.parameters.empty())
+    refuse(source, {.expected = "parameters in the log", .found = "none"});
   return {summary.parameters, {}, {}};
 }
 
@@ -143,33 +143,31 @@ void require_multirotor(const AutopilotSettings& settings, std::string_view sour
       continue;
     }
     if (!settings.values.contains(name)) continue;
-    refuse(source, fmt::format("expected parameters of a multirotor, found {}, which another class "
-                               "of vehicles has",
-                               name));
+    refuse(source, {.expected = "parameters of a multirotor",
+                    .found = fmt::format("{}, which another class of vehicles has", name)});
   }
-  const bool rotors = settings.vehicle.empty() || settings.vehicle.find("otor") != std::string::npos ||
+  const bool rotors = settings.vehicle.empty() ||
+                      settings.vehicle.find("otor") != std::string::npos ||
                       settings.vehicle.find("opter") != std::string::npos;
   if (!rotors) {
-    refuse(source, fmt::format("expected parameters of a multirotor, found those of \"{}\"",
-                               geom::excerpt(settings.vehicle)));
+    refuse(source, {.expected = "parameters of a multirotor",
+                    .found = fmt::format("those of \"{}\"", geom::excerpt(settings.vehicle))});
   }
   constexpr double kMultirotors[] = {2, 3, 4, 13, 14, 15, 29};  // MAV_TYPE
   const auto type = settings.values.find("MAV_TYPE");
-  if (type == settings.values.end() ||
-      std::find(std::begin(kMultirotors), std::end(kMultirotors), type->second) !=
-          std::end(kMultirotors)) {
+  if (type == settings.values.end() || std::find(std::begin(kMultirotors), std::end(kMultirotors),
+                                                 type->second) != std::end(kMultirotors)) {
     return;
   }
-  refuse(source,
-         fmt::format("expected MAV_TYPE of a multirotor (2, 3, 4, 13, 14, 15, 29), found {}",
-                     type->second));
+  refuse(source, {.expected = "MAV_TYPE of a multirotor (2, 3, 4, 13, 14, 15, 29)",
+                  .found = fmt::to_string(type->second)});
 }
 
 template <std::size_t N>
 std::size_t known(const AutopilotSettings& settings, const Parameter (&table)[N]) {
-  return static_cast<std::size_t>(std::count_if(
-      std::begin(table), std::end(table),
-      [&](const Parameter& one) { return settings.values.contains(one.name); }));
+  return static_cast<std::size_t>(
+      std::count_if(std::begin(table), std::end(table),
+                    [&](const Parameter& one) { return settings.values.contains(one.name); }));
 }
 
 template <std::size_t N>
@@ -183,8 +181,9 @@ void take_all(const AutopilotSettings& settings, const Parameter (&table)[N],
       continue;
     }
     if (!(found->second >= one.least && found->second <= one.most)) {
-      refuse(source, fmt::format("{} must be from {:g} to {:g}, found {:g}", one.name, one.least,
-                                 one.most, found->second));
+      refuse(source, {.key = std::string(one.name),
+                      .expected = fmt::format("from {:g} to {:g}", one.least, one.most),
+                      .found = fmt::format("{:g}", found->second)});
     }
     field = found->second * one.unit;
   }
@@ -199,7 +198,9 @@ void take_cone(const AutopilotSettings& settings, std::string_view source, SetAu
   }
   const double degrees = angle->second;
   if (!(degrees >= 0 && degrees <= 90)) {
-    refuse(source, fmt::format("RTL_CONE_ANG must be from 0 to 90, found {:g}", degrees));
+    refuse(
+        source,
+        {.key = "RTL_CONE_ANG", .expected = "from 0 to 90", .found = fmt::format("{:g}", degrees)});
   }
   out.autopilot.return_slope =
       degrees > 0 ? 1 / std::tan(std::min(degrees, 89.0) * std::numbers::pi / 180) : 0;
@@ -232,19 +233,19 @@ void take_return_type(const AutopilotSettings& settings, SetAutopilot& out) {
 Autopilot pilot_of(Firmware firmware, const AutopilotSettings& settings,
                    const std::vector<Autopilot>& asked, std::string_view source) {
   const std::string word = firmware == Firmware::px4 ? "px4" : "ardupilot";
-  const auto same = std::find_if(asked.begin(), asked.end(), [&](const Autopilot& one) {
-    return one.firmware == firmware;
-  });
+  const auto same = std::find_if(asked.begin(), asked.end(),
+                                 [&](const Autopilot& one) { return one.firmware == firmware; });
   if (same == asked.end()) {
-    refuse(source, fmt::format("expected parameters of {}, found those of {}", names_of(asked),
-                               word));
+    refuse(source, {.expected = fmt::format("parameters of {}", names_of(asked)),
+                    .found = fmt::format("those of {}", word)});
   }
   const bool one_version = same->name.find('-') == std::string::npos;
   if (settings.version.empty() || one_version) return *same;
   if (const auto exact = autopilots_of(word + ":" + settings.version)) return exact->front();
-  refuse(source, fmt::format("expected parameters of a version that is modelled ({}), found "
-                             "version {}; --autopilot {} takes all of them for possible",
-                             same->name, settings.version, word));
+  refuse(source,
+         {.expected = fmt::format("parameters of a version that is modelled ({})", same->name),
+          .found = fmt::format("version {}; --autopilot {} takes all of them for possible",
+                               settings.version, word)});
 }
 
 }  // namespace
@@ -263,7 +264,7 @@ AutopilotSettings read_autopilot_settings(std::istream& in, std::string_view sou
       take_line(line, source, number, out);
     }
   }
-  if (out.values.empty()) refuse(source, "expected parameters, found none");
+  if (out.values.empty()) refuse(source, {.expected = "parameters", .found = "none"});
   return out;
 }
 
@@ -275,12 +276,14 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
   const std::size_t centimetres = known(settings, kArdupilot);
   const bool slope = settings.values.contains("RTL_CONE_SLOPE");  // of both
   if (px4 + metres + centimetres == 0) {
-    refuse(source,
-           "expected parameters of PX4 (NAV_ACC_RAD …) or ArduPilot Copter (WPNAV_RADIUS, "
-           "WP_RADIUS_M …), found none of those that say how missions are flown");
+    refuse(
+        source,
+        {.expected =
+             "parameters of PX4 (NAV_ACC_RAD …) or ArduPilot Copter (WPNAV_RADIUS, WP_RADIUS_M …)",
+         .found = "none of those that say how missions are flown"});
   }
   if (px4 > 0 && metres + centimetres > 0) {
-    refuse(source, "expected parameters of PX4 or of ArduPilot Copter, found both");
+    refuse(source, {.expected = "parameters of PX4 or of ArduPilot Copter", .found = "both"});
   }
   const Firmware firmware = px4 > 0 ? Firmware::px4 : Firmware::ardupilot;
   SetAutopilot out{pilot_of(firmware, settings, asked, source), {}};
@@ -289,9 +292,11 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
     take_cone(settings, source, out);
     take_return_type(settings, out);
   } else if (metres > slope && centimetres > slope) {
-    refuse(source,
-           "expected ArduPilot's parameters in centimetres (WPNAV_RADIUS …) or in metres "
-           "(WP_RADIUS_M …), found both");
+    refuse(
+        source,
+        {.expected =
+             "ArduPilot's parameters in centimetres (WPNAV_RADIUS …) or in metres (WP_RADIUS_M …)",
+         .found = "both"});
   } else if (metres >= centimetres) {
     take_all(settings, kArdupilotMetres, source, out);
   } else {

@@ -89,8 +89,9 @@ Row parse_row(const std::string& text, std::string_view source, std::size_t line
     const auto [rest, error] = std::from_chars(at, stop, value);
     if (error != std::errc() || rest != stop || !std::isfinite(static_cast<float>(value))) {
       throw geom::InputError(source, line,
-                             fmt::format("column {} must be a number, found \"{}\"", count + 1,
-                                         std::string_view(at, stop)));
+                             {.key = fmt::format("column {}", count + 1),
+                              .expected = "a number",
+                              .found = geom::in_quotes(std::string_view(at, stop))});
     }
     if (count < kColumns) row[count] = static_cast<float>(value);
     ++count;
@@ -98,11 +99,9 @@ Row parse_row(const std::string& text, std::string_view source, std::size_t line
     at = stop + 1;
   }
   if (count != kColumns) {
-    throw geom::InputError(
-        source, line,
-        fmt::format("expected 33 columns (separated by commas, decimals by a point), "
-                    "found {}",
-                    count));
+    throw geom::InputError(source, line,
+                           {.expected = "33 columns (separated by commas, decimals by a point)",
+                            .found = fmt::to_string(count)});
   }
   return row;
 }
@@ -124,8 +123,9 @@ void require_header(std::string text, std::string_view source) {
   const bool prefix =
       wanted.starts_with(found) && (found.size() == wanted.size() || wanted[found.size()] == ',');
   if (!prefix) {
-    throw geom::InputError(
-        source, 1, fmt::format("expected the header {}, found \"{}\"", wanted, text.substr(0, 60)));
+    throw geom::InputError(source, 1,
+                           {.expected = fmt::format("the header {}", wanted),
+                            .found = geom::in_quotes(text.substr(0, 60))});
   }
 }
 
@@ -139,7 +139,8 @@ Segment segment_of(const Row& row, std::string_view source, std::size_t line) {
   for (int i = 0; i < kPoints; ++i) {
     s.point[i] = {values[0][i], values[1][i], values[2][i]};
     if (!(s.point[i].cwiseAbs().maxCoeff() <= geom::kLargestCoordinate)) {
-      throw geom::InputError(source, line, "the curve must stay within 1e8 m, found it beyond");
+      throw geom::InputError(source, line,
+                             {.says = "the curve must stay within 1e8 m", .found = "it beyond"});
     }
   }
   s.yaw = values[3];
@@ -224,9 +225,10 @@ Stray stray_of(const Row& row, std::string_view source, std::size_t line) {
       std::all_of(errors.begin(), errors.end(), [](auto& e) { return e.allFinite(); });
   if (!told || !(errors[0].maxCoeff() <= kFarthestStray) || !std::isfinite(yaw_rate)) {
     throw geom::InputError(source, line,
-                           fmt::format("expected a segment that single precision can tell to {} m, "
-                                       "found errors of {:.3g} m: cut it into shorter ones",
-                                       kFarthestStray, errors[0].maxCoeff()));
+                           {.expected = fmt::format(
+                                "a segment that single precision can tell to {} m", kFarthestStray),
+                            .found = fmt::format("errors of {:.3g} m", errors[0].maxCoeff()),
+                            .advice = "cut it into shorter ones"});
   }
   return stray;
 }
@@ -288,7 +290,9 @@ CrazyflieFlight read_crazyflie(std::istream& in, std::string_view source) {
   for (std::size_t line = 1; std::getline(in, text); ++line) {
     if (in.eof()) {
       throw geom::InputError(source, line,
-                             "expected a line that ends with LF, found none: the file may be cut");
+                             {.expected = "a line that ends with LF",
+                              .found = "none",
+                              .advice = "the file may be cut"});
     }
     const bool header =
         line == 1 && !text.empty() && std::isalpha(static_cast<unsigned char>(text[0]));
@@ -296,21 +300,23 @@ CrazyflieFlight read_crazyflie(std::istream& in, std::string_view source) {
     if (header || text.empty() || text == "\r") continue;
     const Row row = parse_row(text, source, line);
     if (!(row[0] > 0)) {
-      throw geom::InputError(source, line, fmt::format("duration must be > 0, found {}", row[0]));
+      throw geom::InputError(
+          source, line, {.key = "duration", .expected = "> 0", .found = fmt::to_string(row[0])});
     }
     total += row[0];
     if (!(total <= kCrazyflieLongest)) {
       throw geom::InputError(
           source, line,
-          fmt::format("expected a flight of at most {} s, as a Crazyflie's clock "
-                      "goes by coarse steps then, found {} s",
-                      kCrazyflieLongest, total));
+          {.expected = fmt::format(
+               "a flight of at most {} s, as a Crazyflie's clock goes by coarse steps then",
+               kCrazyflieLongest),
+           .found = fmt::format("{} s", total)});
     }
     flight.trajectory.segments.push_back(segment_of(row, source, line));
     flight.stray.push_back(stray_of(row, source, line));
   }
   if (flight.trajectory.segments.empty()) {
-    throw geom::InputError(source, "expected at least one row of 33 columns, found none");
+    throw geom::InputError(source, {.expected = "at least one row of 33 columns", .found = "none"});
   }
   return flight;
 }

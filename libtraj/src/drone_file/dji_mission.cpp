@@ -70,16 +70,17 @@ class DjiFlight {
     const DjiWaypoint* waypoint = nullptr;
   };
 
-  [[noreturn]] void refuse(const DjiWaypoint& waypoint, const std::string& message) const {
-    throw geom::InputError(source_, waypoint.line, message);
+  [[noreturn]] void refuse(const DjiWaypoint& waypoint, geom::Fault fault) const {
+    throw geom::InputError(source_, waypoint.line, std::move(fault));
   }
 
   Vec3 on_map(double latitude, double longitude, double z, std::size_t line) const {
     if (!is_near(frame_.origin, latitude, longitude)) {
       throw geom::InputError(
           source_, line,
-          fmt::format("expected a place near the origin {} {}, found {} {}", frame_.origin.latitude,
-                      frame_.origin.longitude, latitude, longitude));
+          {.expected = fmt::format("a place near the origin {} {}", frame_.origin.latitude,
+                                   frame_.origin.longitude),
+           .found = fmt::format("{} {}", latitude, longitude)});
     }
     Vec3 p = earth_.enu({latitude, longitude, 0});
     p.z() = z;
@@ -90,11 +91,11 @@ class DjiFlight {
     const DjiWaypoint& first = mission_.waylines.front().waypoints.front();
     const auto& planned = mission_.takeoff;
     if (!rules_.ground && !(planned && frame_.height_known)) {
-      refuse(first,
-             fmt::format("heights count from the take-off, and {}: give the map's z of the ground "
-                         "there (--ground)",
+      refuse(first, {.says = fmt::format(
+                         "heights count from the take-off, and {}",
                          planned ? "the map does not say how high above the ellipsoid its z = 0 is"
-                                 : "the file does not say where that is"));
+                                 : "the file does not say where that is"),
+                     .advice = "give the map's z of the ground there (--ground)"});
     }
     const double z = rules_.ground ? *rules_.ground : planned->height - frame_.origin.height;
     flown_.home_is_said = planned.has_value();
@@ -109,9 +110,12 @@ class DjiFlight {
   Vec3 place(const DjiWayline& wayline, const DjiWaypoint& waypoint) const {
     const bool above_takeoff = wayline.heights == DjiHeights::above_takeoff;
     if (!above_takeoff && !frame_.height_known) {
-      refuse(waypoint,
-             "expected heights above the take-off, found one above the ellipsoid, and the map does "
-             "not say how high above it its z = 0 is: give --origin latitude,longitude,height");
+      refuse(
+          waypoint,
+          {.expected = "heights above the take-off",
+           .found =
+               "one above the ellipsoid, and the map does not say how high above it its z = 0 is",
+           .advice = "give --origin latitude,longitude,height"});
     }
     const double zero = above_takeoff ? home_.z() : -frame_.origin.height;
     return on_map(waypoint.latitude, waypoint.longitude, zero + waypoint.height, waypoint.line);
@@ -138,11 +142,11 @@ class DjiFlight {
     const bool starts_low = std::find(std::begin(kStartsLow), std::end(kStartsLow),
                                       mission_.aircraft.type) != std::end(kStartsLow);
     if (starts_low && (!safely || first.z() < security)) {
-      refuse(waypoint,
-             fmt::format("an aircraft of type {} does not rise to takeOffSecurityHeight before it "
-                         "flies to the first waypoint: expected flyToWaylineMode safely, and that "
-                         "waypoint at least {} m above the take-off",
-                         mission_.aircraft.type, mission_.security_height));
+      refuse(waypoint, {.says = fmt::format(
+                            "an aircraft of type {} does not rise to takeOffSecurityHeight before "
+                            "it flies to the first waypoint: expected flyToWaylineMode safely, and "
+                            "that waypoint at least {} m above the take-off",
+                            mission_.aircraft.type, mission_.security_height)});
     }
     const double rises_to = safely ? std::max(security, first.z()) : security;
     reach(at_height(home_, rises_to), Manoeuvre::takeoff);
@@ -195,10 +199,10 @@ class DjiFlight {
   void require_apart(const DjiWaypoint& a, const DjiWaypoint& b, double leg) const {
     const double turns = a.damping + b.damping;
     if (turns <= leg + kSlack || turns == 0) return;
-    refuse(b,
-           fmt::format("expected turns that do not meet, found a leg of {:.2f} m, of which turns "
-                       "take {} m (waypointTurnDampingDist)",
-                       leg, turns));
+    refuse(b, {.expected = "turns that do not meet",
+               .found = fmt::format(
+                   "a leg of {:.2f} m, of which turns take {} m (waypointTurnDampingDist)", leg,
+                   turns)});
   }
 
   // At the waypoint where it is; counts it.

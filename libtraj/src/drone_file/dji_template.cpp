@@ -48,9 +48,8 @@ class TemplateReader {
   [[noreturn]] void differ(const XmlElement& at, const std::string& what) const {
     throw geom::InputError(
         source_, at.line,
-        fmt::format("{} than in waylines.wpml, which the aircraft flies: an app that opens the "
-                    "mission may replace it; save it in that app again",
-                    what));
+        {.says = fmt::format("{} than in waylines.wpml, which the aircraft flies", what),
+         .advice = "an app that opens the mission may replace it; save it in that app again"});
   }
 
   void hold_config(const XmlElement& element) {
@@ -99,8 +98,9 @@ class TemplateReader {
     if (folder.find("wpml:caliFlightEnable") &&
         folder.word("wpml:caliFlightEnable", {"0", "1"}) == "1") {
       folder.refuse(folder.child("wpml:caliFlightEnable"),
-                    "<wpml:caliFlightEnable> must be 0, found 1: the aircraft would fly to and fro "
-                    "to calibrate its lidar");
+                    {.says = "<wpml:caliFlightEnable> must be 0",
+                     .found = "1",
+                     .advice = "the aircraft would fly to and fro to calibrate its lidar"});
     }
     if (!folder.find("wpml:templateType") || folder.text("wpml:templateType") != "waypoint") return;
     const int id = folder.whole("wpml:templateId");

@@ -29,15 +29,15 @@ constexpr std::array<std::string_view, 14> kMovesNothing = {
     "customDirName", "gimbalRotate",  "rotateYaw",        "hover",   "gimbalEvenlyRotate",
     "accurateShoot", "orientedShoot", "recordPointCloud", "panoShot"};
 
-[[noreturn]] void refuse(const std::string& source, std::size_t line, const std::string& message) {
-  throw geom::InputError(source, line, message);
+[[noreturn]] void refuse(const std::string& source, std::size_t line, geom::Fault fault) {
+  throw geom::InputError(source, line, std::move(fault));
 }
 
 void require_no_namespaces(const XmlElement& element, const std::string& source) {
   for (const XmlElement& child : element.children) {
     for (const auto& [key, value] : child.attributes) {
       if (key.starts_with("xmlns")) {
-        refuse(source, child.line, "expected namespaces in <kml> alone, found one");
+        refuse(source, child.line, {.expected = "namespaces in <kml> alone", .found = "one"});
       }
     }
     require_no_namespaces(child, source);
@@ -49,10 +49,12 @@ std::string attribute(const XmlElement& root, std::string_view name, const std::
   std::optional<std::string> found;
   for (const auto& [key, value] : root.attributes) {
     if (key != name) continue;
-    if (found) refuse(source, root.line, fmt::format("expected one {} in <kml>, found two", name));
+    if (found)
+      refuse(source, root.line, {.expected = fmt::format("one {} in <kml>", name), .found = "two"});
     found = value;
   }
-  if (!found) refuse(source, root.line, fmt::format("expected {} in <kml>, found none", name));
+  if (!found)
+    refuse(source, root.line, {.expected = fmt::format("{} in <kml>", name), .found = "none"});
   return *found;
 }
 
@@ -60,9 +62,10 @@ std::string attribute(const XmlElement& root, std::string_view name, const std::
 void require_off(const WpmlFields& fields, std::string_view name) {
   if (!fields.find(name)) return;
   if (fields.word(name, {"0", "1"}) == "0") return;
-  fields.refuse(fields.child(name), fmt::format("<{}> must be 0, found 1: the aircraft would leave "
-                                                "its way as it sees fit",
-                                                name));
+  fields.refuse(fields.child(name), {.key = fmt::format("<{}>", name),
+                                     .expected = "0",
+                                     .found = "1",
+                                     .advice = "the aircraft would leave its way as it sees fit"});
 }
 
 class WaylinesReader {
@@ -79,7 +82,8 @@ class WaylinesReader {
     read_config(document.child("wpml:missionConfig"));
     for (const XmlElement* folder : document.all("Folder")) read_wayline(*folder);
     if (mission_.waylines.empty()) {
-      refuse(source_, root_.line, "expected at least one <Folder> of waypoints, found none");
+      refuse(source_, root_.line,
+             {.expected = "at least one <Folder> of waypoints", .found = "none"});
     }
     return std::move(mission_);
   }
@@ -140,7 +144,8 @@ class WaylinesReader {
   double speed(const WpmlFields& fields, std::string_view name) const {
     const double value = fields.number(name, 0, kFastest);
     if (value > 0) return value;
-    fields.refuse(fields.child(name), fmt::format("<{}> must be > 0 m/s, found 0", name));
+    fields.refuse(fields.child(name),
+                  {.key = fmt::format("<{}>", name), .expected = "> 0 m/s", .found = "0"});
   }
 
   void read_wayline(const XmlElement& element) {
@@ -155,16 +160,18 @@ class WaylinesReader {
     if (heights == "realTimeFollowSurface") {
       folder.refuse(
           folder.child("wpml:executeHeightMode"),
-          "expected heights above the ellipsoid or the take-off (WGS84 or "
-          "relativeToStartPoint), found heights above the surface as the aircraft sees it");
+          {.expected =
+               "heights above the ellipsoid or the take-off (WGS84 or relativeToStartPoint)",
+           .found = "heights above the surface as the aircraft sees it"});
     }
     require_off(folder, "wpml:realTimeFollowSurfaceByFov");
     if (folder.find("wpml:waylineId")) {
       const int id = folder.whole("wpml:waylineId");
       if (id <= last_id_) {
-        folder.refuse(folder.child("wpml:waylineId"),
-                      fmt::format("<wpml:waylineId> must be above {}, the one before, found {}",
-                                  last_id_, id));
+        folder.refuse(
+            folder.child("wpml:waylineId"),
+            {.says = fmt::format("<wpml:waylineId> must be above {}, the one before", last_id_),
+             .found = fmt::to_string(id)});
       }
       last_id_ = id;
     }
@@ -178,7 +185,7 @@ class WaylinesReader {
       wayline.waypoints.push_back(waypoint);
     }
     if (wayline.waypoints.empty()) {
-      refuse(source_, element.line, "expected waypoints in <Folder>, found none");
+      refuse(source_, element.line, {.expected = "waypoints in <Folder>", .found = "none"});
     }
     mission_.waylines.push_back(std::move(wayline));
   }
@@ -192,8 +199,8 @@ class WaylinesReader {
          {"wpml:actionGroup"}});
     if (static_cast<std::size_t>(placemark.whole("wpml:index")) != index) {
       placemark.refuse(placemark.child("wpml:index"),
-                       fmt::format("<wpml:index> must be {}, the next, found {}", index,
-                                   placemark.whole("wpml:index")));
+                       {.says = fmt::format("<wpml:index> must be {}, the next", index),
+                        .found = fmt::to_string(placemark.whole("wpml:index"))});
     }
     DjiWaypoint waypoint;
     waypoint.line = element.line;
@@ -224,10 +231,11 @@ class WaylinesReader {
       waypoint.turn = DjiTurn::through;
     } else if (mode != name_of(DjiTurn::stop)) {
       turn.refuse(turn.child("wpml:waypointTurnMode"),
-                  fmt::format("expected straight legs with a stop or a turn at each waypoint "
-                              "({}, {}, or {} with <wpml:useStraightLine> 1), found \"{}\"",
-                              name_of(DjiTurn::stop), name_of(DjiTurn::early),
-                              name_of(DjiTurn::through), geom::excerpt(mode)));
+                  {.expected = fmt::format("straight legs with a stop or a turn at each waypoint "
+                                           "({}, {}, or {} with <wpml:useStraightLine> 1)",
+                                           name_of(DjiTurn::stop), name_of(DjiTurn::early),
+                                           name_of(DjiTurn::through)),
+                   .found = geom::in_quotes(geom::excerpt(mode))});
     }
     const bool stops = waypoint.turn == DjiTurn::stop;
     if (stops && !turn.find("wpml:waypointTurnDampingDist")) return;
@@ -235,9 +243,10 @@ class WaylinesReader {
     if (stops) return;
     waypoint.damping = damping;
     if (damping > 0) return;
-    turn.refuse(turn.child("wpml:waypointTurnDampingDist"),
-                "<wpml:waypointTurnDampingDist> must be > 0 m where the aircraft does not stop, "
-                "found 0");
+    turn.refuse(
+        turn.child("wpml:waypointTurnDampingDist"),
+        {.says = "<wpml:waypointTurnDampingDist> must be > 0 m where the aircraft does not stop",
+         .found = "0"});
   }
 
   // How long they let it hover in all, s.
@@ -259,9 +268,9 @@ class WaylinesReader {
     const std::string function = action.text("wpml:actionActuatorFunc");
     if (std::find(kMovesNothing.begin(), kMovesNothing.end(), function) == kMovesNothing.end()) {
       action.refuse(action.child("wpml:actionActuatorFunc"),
-                    fmt::format("expected an action that is known to move the aircraft nowhere "
-                                "(of cameras, gimbals, yaw, rest), found \"{}\"",
-                                geom::excerpt(function)));
+                    {.expected = "an action that is known to move the aircraft nowhere (of "
+                                 "cameras, gimbals, yaw, rest)",
+                     .found = geom::in_quotes(geom::excerpt(function))});
     }
     ++mission_.actions;
     if (function != "hover") return 0;
@@ -292,25 +301,27 @@ const char* name_of(DjiTurn turn) {
 
 std::string wpml_version(const XmlElement& root, const std::string& source) {
   if (wpml_name(root) != "kml") {
-    refuse(source, root.line,
-           fmt::format("expected WPML (<kml>), found <{}>", geom::excerpt(wpml_name(root))));
+    refuse(
+        source, root.line,
+        {.expected = "WPML (<kml>)", .found = fmt::format("<{}>", geom::excerpt(wpml_name(root)))});
   }
   const std::string kml = attribute(root, "xmlns", source);
   const std::string wpml = attribute(root, "xmlns:wpml", source);
   if (kml != kKml) {
     refuse(source, root.line,
-           fmt::format("expected the namespace {}, found \"{}\"", kKml, geom::excerpt(kml)));
+           {.expected = fmt::format("the namespace {}", kKml),
+            .found = geom::in_quotes(geom::excerpt(kml))});
   }
   const std::string version = wpml.starts_with(kWpmz) ? wpml.substr(kWpmz.size()) : "";
   if (version.empty()) {
     refuse(source, root.line,
-           fmt::format("expected the namespace {}{}, found \"{}\"", kWpmz, kVersionWords,
-                       geom::excerpt(wpml)));
+           {.expected = fmt::format("the namespace {}{}", kWpmz, kVersionWords),
+            .found = geom::in_quotes(geom::excerpt(wpml))});
   }
   if (std::find(kVersions.begin(), kVersions.end(), version) == kVersions.end()) {
     refuse(source, root.line,
-           fmt::format("expected WPML of version {}, found {}", kVersionWords,
-                       geom::excerpt(version)));
+           {.expected = fmt::format("WPML of version {}", kVersionWords),
+            .found = geom::excerpt(version)});
   }
   require_no_namespaces(root, source);
   return version;
@@ -330,9 +341,8 @@ std::optional<geom::GeodeticPlace> planned_takeoff(const XmlElement& config,
       !read_wpml_number(view.substr(two + 1), place.height) || std::abs(place.latitude) > 90 ||
       std::abs(place.longitude) > 180 || std::abs(place.height) > kFarthestHeight) {
     fields.refuse(fields.child("wpml:takeOffRefPoint"),
-                  fmt::format("<wpml:takeOffRefPoint> must be latitude,longitude,height, found "
-                              "\"{}\"",
-                              geom::excerpt(text)));
+                  {.says = "<wpml:takeOffRefPoint> must be latitude,longitude,height",
+                   .found = geom::in_quotes(geom::excerpt(text))});
   }
   if (place == geom::GeodeticPlace{}) return {};  // apps write zeros where they have none
   return place;
@@ -347,9 +357,9 @@ void read_wpml_point(const XmlElement& point, const std::string& source, DjiWayp
       !read_wpml_number(view.substr(comma + 1), waypoint.latitude) ||
       std::abs(waypoint.longitude) > 180 || std::abs(waypoint.latitude) > 90) {
     fields.refuse(fields.child("coordinates"),
-                  fmt::format("<coordinates> must be longitude,latitude within 180 and 90 degrees, "
-                              "found \"{}\"",
-                              geom::excerpt(text)));
+                  {.key = "<coordinates>",
+                   .expected = "longitude,latitude within 180 and 90 degrees",
+                   .found = geom::in_quotes(geom::excerpt(text))});
   }
 }
 

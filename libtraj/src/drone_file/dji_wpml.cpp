@@ -161,7 +161,8 @@ DjiMission read_dji_kmz(std::istream& in, std::string_view source) {
       archive, name, {"a mission of DJI (.kmz)", {kWaylines, kTemplate}, {".wpml", ".kml"}});
   if (files.empty() || files.front().name != kWaylines) {
     throw geom::InputError(
-        name, fmt::format("expected {}, which a DJI aircraft flies, found none", kWaylines));
+        name,
+        {.expected = fmt::format("{}, which a DJI aircraft flies", kWaylines), .found = "none"});
   }
   return read_dji_wpml(files.front().content, files.size() > 1 ? files[1].content : "", source);
 }

@@ -11,7 +11,7 @@ namespace traj {
 std::vector<GeodeticFence> read_fences(std::istream& in, std::string_view source) {
   in >> std::ws;
   auto fences = in.peek() == '{' ? read_qgc_fences(in, source) : read_wpl_fences(in, source);
-  if (fences.empty()) throw geom::InputError(source, "expected a fence, found none");
+  if (fences.empty()) throw geom::InputError(source, {.expected = "a fence", .found = "none"});
   return fences;
 }
 

@@ -42,15 +42,17 @@ class KmlReader {
   explicit KmlReader(std::string_view source) : source_(source) {}
 
   std::vector<GeoPoints> lines(const XmlElement& root) {
-    if (root.name != "kml") refuse(root, fmt::format("expected KML, found <{}>", shown(root)));
+    if (root.name != "kml")
+      refuse(root, {.expected = "KML", .found = fmt::format("<{}>", shown(root))});
     take(root);
-    if (lines_.empty()) throw geom::InputError(source_, "expected a LineString, found none");
+    if (lines_.empty())
+      throw geom::InputError(source_, {.expected = "a LineString", .found = "none"});
     return std::move(lines_);
   }
 
  private:
-  [[noreturn]] void refuse(const XmlElement& element, const std::string& message) const {
-    throw geom::InputError(source_, element.line, message);
+  [[noreturn]] void refuse(const XmlElement& element, geom::Fault fault) const {
+    throw geom::InputError(source_, element.line, std::move(fault));
   }
 
   static std::string shown(const XmlElement& element) { return element.name.substr(0, 60); }
@@ -74,9 +76,10 @@ class KmlReader {
     if (is_one_of(element, kHolders)) {
       for (const XmlElement& child : element.children) take(child);
     } else if (!is_one_of(element, kAside)) {
-      refuse(element, fmt::format("expected LineStrings, found <{}>, which is no line that could "
-                                  "be flown: remove it",
-                                  shown(element)));
+      refuse(element,
+             {.expected = "LineStrings",
+              .found = fmt::format("<{}>, which is no line that could be flown", shown(element)),
+              .advice = "remove it"});
     }
   }
 
@@ -85,7 +88,8 @@ class KmlReader {
     const XmlElement* found = nullptr;
     for (const XmlElement& child : line.children) {
       if (child.name != name) continue;
-      if (found) refuse(child, fmt::format("expected one <{}> in a LineString, found two", name));
+      if (found)
+        refuse(child, {.expected = fmt::format("one <{}> in a LineString", name), .found = "two"});
       found = &child;
     }
     return found;
@@ -96,31 +100,30 @@ class KmlReader {
                                           "drawOrder"};
     for (const XmlElement& child : line.children) {
       if (!is_one_of(child, kKnown) || !child.children.empty()) {
-        refuse(child, fmt::format("expected a LineString with altitudeMode and coordinates, found "
-                                  "<{}>",
-                                  shown(child)));
+        refuse(child, {.expected = "a LineString with altitudeMode and coordinates",
+                       .found = fmt::format("<{}>", shown(child))});
       }
     }
     require_absolute(line);
     const XmlElement* const coordinates = child_of(line, "coordinates");
-    if (!coordinates) refuse(line, "expected a LineString with coordinates, found none");
+    if (!coordinates) refuse(line, {.expected = "a LineString with coordinates", .found = "none"});
     lines_.push_back(points(*coordinates));
   }
 
   void require_absolute(const XmlElement& line) const {
     const XmlElement* const mode = child_of(line, "altitudeMode");
     if (!mode) {
-      refuse(line,
-             "expected altitudeMode absolute, found none, which means on the ground: give "
-             "heights above the sea and say so");
+      refuse(line, {.expected = "altitudeMode absolute",
+                    .found = "none, which means on the ground",
+                    .advice = "give heights above the sea and say so"});
     }
     std::string_view said = mode->text;
     said.remove_prefix(std::min(said.find_first_not_of(kSpace), said.size()));
     said = said.substr(0, said.find_last_not_of(kSpace) + 1);
     if (said == "absolute") return;
-    refuse(*mode, fmt::format("altitudeMode must be absolute (above the sea), as the ground is not "
-                              "in the file, found \"{}\"",
-                              said.substr(0, 60)));
+    refuse(*mode, {.key = "altitudeMode",
+                   .expected = "absolute (above the sea), as the ground is not in the file",
+                   .found = geom::in_quotes(said.substr(0, 60))});
   }
 
   GeoPoints points(const XmlElement& coordinates) const {
@@ -133,7 +136,7 @@ class KmlReader {
       points.push_back(point(rest.substr(0, stop), coordinates));
       rest.remove_prefix(stop);
     }
-    if (points.empty()) refuse(coordinates, "expected coordinates, found none");
+    if (points.empty()) refuse(coordinates, {.expected = "coordinates", .found = "none"});
     return points;
   }
 
@@ -144,15 +147,16 @@ class KmlReader {
     for (int i = 0; i < 3; ++i) {
       const auto [rest, error] = std::from_chars(at, end, value[i]);
       if (error != std::errc() || (i == 2 ? rest != end : rest == end || *rest != ',')) {
-        refuse(coordinates,
-               fmt::format("expected longitude,latitude,height, found \"{}\"", text.substr(0, 60)));
+        refuse(coordinates, {.expected = "longitude,latitude,height",
+                             .found = geom::in_quotes(text.substr(0, 60))});
       }
       at = rest + 1;
     }
     if (!is_place(value[0], value[1], value[2])) {
-      refuse(coordinates, fmt::format("expected a longitude within 180, a latitude within 90 "
-                                      "degrees and a height within 1e8 m, found \"{}\"",
-                                      text.substr(0, 60)));
+      refuse(coordinates,
+             {.expected =
+                  "a longitude within 180, a latitude within 90 degrees and a height within 1e8 m",
+              .found = geom::in_quotes(text.substr(0, 60))});
     }
     return {value[1], value[0], value[2]};
   }
@@ -170,20 +174,20 @@ class GeoJsonReader {
 
   std::vector<GeoPoints> lines(const Json& root) {
     take(root, "the file");
-    if (lines_.empty()) refuse("expected a LineString, found none");
+    if (lines_.empty()) refuse({.expected = "a LineString", .found = "none"});
     return std::move(lines_);
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw geom::InputError(source_, message);
+  [[noreturn]] void refuse(geom::Fault fault) const {
+    throw geom::InputError(source_, std::move(fault));
   }
 
   const Json& list(const Json& object, const char* key, const std::string& where) const {
     const auto it = object.find(key);
     if (it == object.end() || !it->is_array()) {
-      refuse(fmt::format("expected {} with a list \"{}\", found {}", where, key,
-                         it == object.end() ? "none" : shown(*it)));
+      refuse({.expected = fmt::format("{} with a list \"{}\"", where, key),
+              .found = it == object.end() ? "none" : shown(*it)});
     }
     return *it;
   }
@@ -191,7 +195,7 @@ class GeoJsonReader {
   // A feature, a collection or a geometry.
   void take(const Json& object, const std::string& where) {
     if (!object.is_object()) {
-      refuse(fmt::format("{} must be an object of GeoJSON, found {}", where, shown(object)));
+      refuse({.key = where, .expected = "an object of GeoJSON", .found = shown(object)});
     }
     require_wgs84(object);
     const std::string type = object.contains("type") && object["type"].is_string()
@@ -210,10 +214,10 @@ class GeoJsonReader {
         lines_.push_back(points(line, where));
       }
     } else {
-      refuse(
-          fmt::format("{}: expected LineStrings, found {}, which is no line that could be "
-                      "flown: remove it",
-                      where, type.substr(0, 60)));
+      refuse({.item = where,
+              .expected = "LineStrings",
+              .found = fmt::format("{}, which is no line that could be flown", type.substr(0, 60)),
+              .advice = "remove it"});
     }
   }
 
@@ -227,7 +231,8 @@ class GeoJsonReader {
     const auto properties = feature.find("properties");
     if (properties != feature.end() && properties->is_object())
       require_absolute(*properties, where);
-    if (!feature.contains("geometry")) refuse(where + ": expected a geometry, found none");
+    if (!feature.contains("geometry"))
+      refuse({.item = where, .expected = "a geometry", .found = "none"});
     take(feature["geometry"], where + ".geometry");
   }
 
@@ -235,19 +240,19 @@ class GeoJsonReader {
   void require_absolute(const Json& properties, const std::string& where) const {
     const auto mode = properties.find("altitudeMode");
     if (mode == properties.end() || mode->is_null() || *mode == "absolute") return;
-    refuse(
-        fmt::format("{}: altitudeMode must be absolute, as the ground is not in the file, "
-                    "found {}",
-                    where, shown(*mode)));
+    refuse({.item = where,
+            .key = "altitudeMode",
+            .expected = "absolute, as the ground is not in the file",
+            .found = shown(*mode)});
   }
 
   void require_wgs84(const Json& object) const {
-    if (geom::has_foreign_crs(object)) refuse(std::string(geom::kForeignCrs));
+    if (geom::has_foreign_crs(object)) refuse(geom::foreign_crs());
   }
 
   GeoPoints points(const Json& line, const std::string& where) const {
     if (!line.is_array() || line.empty()) {
-      refuse(fmt::format("{}: expected a list of points, found {}", where, shown(line)));
+      refuse({.item = where, .expected = "a list of points", .found = shown(line)});
     }
     GeoPoints points;
     for (const Json& p : line) points.push_back(point(p, where));
@@ -258,15 +263,16 @@ class GeoJsonReader {
     const bool numbers = p.is_array() && p.size() == 3 &&
                          std::all_of(p.begin(), p.end(), [](auto& v) { return v.is_number(); });
     if (!numbers) {
-      refuse(fmt::format("{}: expected a point of longitude, latitude and height, found {}", where,
-                         shown(p)));
+      refuse({.item = where,
+              .expected = "a point of longitude, latitude and height",
+              .found = shown(p)});
     }
     const double value[3] = {p[0], p[1], p[2]};
     if (!is_place(value[0], value[1], value[2])) {
-      refuse(
-          fmt::format("{}: expected a longitude within 180, a latitude within 90 degrees and a "
-                      "height within 1e8 m, found {},{},{}",
-                      where, value[0], value[1], value[2]));
+      refuse({.item = where,
+              .expected =
+                  "a longitude within 180, a latitude within 90 degrees and a height within 1e8 m",
+              .found = fmt::format("{},{},{}", value[0], value[1], value[2])});
     }
     return {value[1], value[0], value[2]};
   }

@@ -44,13 +44,16 @@ std::vector<Autopilot> autopilots_that_load(const Mission& mission, const Missio
   if (!out.empty()) return out;
   if (leads_away(*item)) {
     refuse_item(source, *item,
-                "expected a place, found a take-off at latitude 0, longitude 0: PX4 flies there "
-                "when it has climbed");
+                {.expected = "a place",
+                 .found = "a take-off at latitude 0, longitude 0",
+                 .advice = "PX4 flies there when it has climbed"});
   }
-  refuse_item(source, *item,
-              fmt::format("expected what PX4 flies, found command {}: PX4 loads no mission with "
-                          "it, and no other autopilot is asked for (--autopilot)",
-                          item->command));
+  refuse_item(
+      source, *item,
+      {.expected = "what PX4 flies",
+       .found = fmt::format("command {}", item->command),
+       .advice =
+           "PX4 loads no mission with it, and no other autopilot is asked for (--autopilot)"});
 }
 
 bool flown_by(Firmware firmware, const MissionRules& rules) {

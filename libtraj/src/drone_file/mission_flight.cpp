@@ -47,7 +47,7 @@ class Flight {
       take(*item_);
     }
     if (path().empty()) {
-      throw geom::InputError(source_, "expected at least one waypoint, found none");
+      throw geom::InputError(source_, {.expected = "at least one waypoint", .found = "none"});
     }
     say_home();
     finish_track();
@@ -56,8 +56,8 @@ class Flight {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& message) const {
-    refuse_item(source_, *item_, message);
+  [[noreturn]] void refuse(geom::Fault fault) const {
+    refuse_item(source_, *item_, std::move(fault));
   }
 
   // --- places -------------------------------------------------------------------------------
@@ -76,7 +76,8 @@ class Flight {
     }
     const double z = places_.height(item);
     if (!path().empty()) return {path().back().x(), path().back().y(), z};
-    if (!mission_.home) refuse("expected a place of the take-off or of home, found neither");
+    if (!mission_.home)
+      refuse({.expected = "a place of the take-off or of home", .found = "neither"});
     return on_map(*mission_.home, z);
   }
 
@@ -115,16 +116,15 @@ class Flight {
 
   void require_known_start(const char* what) const {
     if (track_.starts_at_point()) return;
-    refuse(
-        fmt::format("expected a waypoint before {}, so that it is known where that begins, found "
-                    "loitering, a delay, a short hold or a take-off away from home",
-                    what));
+    refuse({.expected =
+                fmt::format("a waypoint before {}, so that it is known where that begins", what),
+            .found = "loitering, a delay, a short hold or a take-off away from home"});
   }
 
   double hold_of(const MissionItem& item) const {
     const double hold = std::isnan(item.param[0]) ? 0 : item.param[0];
     if (!(hold >= 0) || !std::isfinite(hold)) {
-      refuse(fmt::format("a hold must be >= 0 s, found {}", hold));
+      refuse({.key = "a hold", .expected = ">= 0 s", .found = fmt::to_string(hold)});
     }
     return hold;
   }
@@ -146,10 +146,11 @@ class Flight {
     last_ = item.number;
     if (flown_.ended) {
       refuse(
-          fmt::format("expected nothing after the end of the flight (a landing, a return, "
-                      "loitering without end), found command {}: whether a vehicle goes on is a "
-                      "setting of it; check each flight as a file of its own",
-                      item.command));
+          {.expected =
+               "nothing after the end of the flight (a landing, a return, loitering without end)",
+           .found = fmt::format("command {}", item.command),
+           .advice = "whether a vehicle goes on is a setting of it; check each flight as a file of "
+                     "its own"});
     }
     switch (item.command) {
       case kTakeoff:
@@ -176,23 +177,22 @@ class Flight {
       case kPayloadPlace:
         return place_payload(item);
       case kAuxFunction:
-        refuse(
-            fmt::format("expected an auxiliary function that moves nothing ({}), found {}: others "
-                        "change the mode or stop motors",
-                        fmt::join(kIdleFunctions, ", "), item.param[0]));
+        refuse({.expected = fmt::format("an auxiliary function that moves nothing ({})",
+                                        fmt::join(kIdleFunctions, ", ")),
+                .found = fmt::to_string(item.param[0]),
+                .advice = "others change the mode or stop motors"});
       default:
-        refuse(
-            fmt::format("expected waypoints (16, 82), take-offs (22), landings (21), loitering "
-                        "(17, 18, 19, 31), a return (20), delays (93), payload places (94), jumps "
-                        "(177), speeds (178) or what is known to move nothing, found command {}",
-                        item.command));
+        refuse({.expected = "waypoints (16, 82), take-offs (22), landings (21), loitering (17, 18, "
+                            "19, 31), a return (20), delays (93), payload places (94), jumps "
+                            "(177), speeds (178) or what is known to move nothing",
+                .found = fmt::format("command {}", item.command)});
     }
   }
 
   // Straight up: at home, where the file says both and they differ, and then to the place it says.
   void take_off(const MissionItem& item) {
     if (!path().empty()) {
-      refuse("expected one take-off, at the beginning, found another command before it");
+      refuse({.expected = "one take-off, at the beginning", .found = "another command before it"});
     }
     const Vec3 p = place(item);
     flown_.takes_off = true;
@@ -252,38 +252,37 @@ class Flight {
 
   double require_radius(double radius) const {
     if (radius <= 1e4) return radius;
-    refuse(fmt::format("a radius must be within 1e4 m, found {}", radius));
+    refuse({.key = "a radius", .expected = "within 1e4 m", .found = fmt::to_string(radius)});
   }
 
   void circle(const MissionItem& item) {
     const double turns = item.param[0];
     if (!(turns >= 1 && turns <= 1e6) || turns != std::floor(turns)) {
-      refuse(fmt::format("expected whole turns on a circle, at least one, found {}", turns));
+      refuse({.expected = "whole turns on a circle, at least one", .found = fmt::to_string(turns)});
     }
     const Circle way{place(item), require_radius(std::abs(item.param[2]))};
     if (!(way.radius > 0)) {
-      refuse("expected the radius of the circle, found 0: it would be the vehicle's own");
+      refuse({.expected = "the radius of the circle",
+              .found = "0",
+              .advice = "it would be the vehicle's own"});
     }
     const double unit = way.radius > 255 ? 10 : 1;
     if (way.radius != unit * std::floor(way.radius / unit)) {
-      refuse(
-          fmt::format("expected a radius of whole metres, or of tens above 255, as ArduPilot keeps "
-                      "it, found {}",
-                      way.radius));
+      refuse({.expected = "a radius of whole metres, or of tens above 255, as ArduPilot keeps it",
+              .found = fmt::to_string(way.radius)});
     }
-    if (path().empty()) refuse("expected a waypoint or a take-off before the circle");
+    if (path().empty()) refuse({.expected = "a waypoint or a take-off before the circle"});
     require_known_start("a circle");
     const Hull from = track_.reached();
     if (from.size() > 2) {
-      refuse(
-          "expected a waypoint with a hold before a circle, found several that count as reached at "
-          "once");
+      refuse({.expected = "a waypoint with a hold before a circle",
+              .found = "several that count as reached at once"});
     }
     for (const Vec3& p : from) {
       if ((p - way.centre).head<2>().norm() >= 0.5 * way.radius) continue;
-      refuse(
-          "expected to come to the circle from outside of half its radius, found a point nearer to "
-          "its centre: where the circle begins is uncertain");
+      refuse({.expected = "to come to the circle from outside of half its radius",
+              .found = "a point nearer to its centre",
+              .advice = "where the circle begins is uncertain"});
     }
     CircleFlight flight = fly_circle(way, from);
     sweep(std::move(flight.entry), Manoeuvre::circle);
@@ -295,7 +294,7 @@ class Flight {
   // To the place, and up or down to its height, in whichever order.
   void climb(const MissionItem& item) {
     const Vec3 p = place(item);
-    if (path().empty()) refuse("expected a waypoint or a take-off before the climb");
+    if (path().empty()) refuse({.expected = "a waypoint or a take-off before the climb"});
     const double radius = require_radius(std::abs(item.param[1]));
     const double z = path().back().z();
     Hull hull = track_.from_where();
@@ -313,7 +312,7 @@ class Flight {
 
   // Down until it touches, at home's height, and up again.
   void place_payload(const MissionItem& item) {
-    if (path().empty()) refuse("expected a waypoint or a take-off before the payload's place");
+    if (path().empty()) refuse({.expected = "a waypoint or a take-off before the payload's place"});
     require_known_start("a payload's place");
     Vec3 above = path().back();
     if (!MissionPlaces::is_here(item)) {
@@ -329,13 +328,13 @@ class Flight {
   // On the ground at the height it says, from the height it comes with.
   void land(const MissionItem& item) {
     const Vec3 ground = place(item);
-    if (path().empty()) refuse("expected a waypoint or a take-off before the landing");
+    if (path().empty()) refuse({.expected = "a waypoint or a take-off before the landing"});
     // ArduPilot stops before it lands.
     const bool stops = flown_by(Firmware::ardupilot, rules_) && track_.starts_at_point();
     if (MissionPlaces::is_here(item) && !stops && !track_.rests()) {
-      refuse(
-          "expected the place of the landing, or a waypoint with a hold before it, found neither: "
-          "it lands where it is when it takes the waypoint for reached");
+      refuse({.expected = "the place of the landing, or a waypoint with a hold before it",
+              .found = "neither",
+              .advice = "it lands where it is when it takes the waypoint for reached"});
     }
     const Vec3 above(ground.x(), ground.y(), path().back().z());
     if (above != path().back()) go(above, 0, Manoeuvre::landing);

@@ -36,9 +36,9 @@ class Order {
     std::size_t steps = 0;
     for (std::size_t i = 0; i < items_.size(); ++steps) {
       if (steps >= kMostItems) {
-        refuse_item(
-            source_, items_[i],
-            fmt::format("expected at most {} items with all jumps taken, found more", kMostItems));
+        refuse_item(source_, items_[i],
+                    {.expected = fmt::format("at most {} items with all jumps taken", kMostItems),
+                     .found = "more"});
       }
       const auto jump = jumps_.find(i);
       if (jump == jumps_.end()) {
@@ -61,19 +61,22 @@ class Order {
                            ? at_.find(static_cast<std::size_t>(to))
                            : at_.end();
     if (place == at_.end()) {
-      refuse_item(source_, item, fmt::format("expected a jump to an item, found one to {}", to));
+      refuse_item(source_, item,
+                  {.expected = "a jump to an item", .found = fmt::format("one to {}", to)});
     }
     if (twice_.contains(items_[place->second].number)) {
       refuse_item(source_, item,
-                  fmt::format("expected a jump to one item, found several with the number {}", to));
+                  {.expected = "a jump to one item",
+                   .found = fmt::format("several with the number {}", to)});
     }
     if (times < 0) {
       ++endless_;
       return {place->second, 2};
     }
     if (!(times <= 1e9) || times != std::floor(times)) {
-      refuse_item(source_, item,
-                  fmt::format("expected a jump taken a whole number of times, found {}", times));
+      refuse_item(
+          source_, item,
+          {.expected = "a jump taken a whole number of times", .found = fmt::to_string(times)});
     }
     return {place->second, static_cast<std::size_t>(times)};
   }
@@ -95,9 +98,9 @@ std::vector<std::size_t> flown_order(const Mission& mission, std::string_view so
   return order.flown();
 }
 
-void refuse_item(std::string_view source, const MissionItem& item, const std::string& message) {
-  throw geom::InputError(source, item.line,
-                         item.line ? message : fmt::format("item {}: {}", item.number, message));
+void refuse_item(std::string_view source, const MissionItem& item, geom::Fault fault) {
+  if (!item.line) fault = within(fmt::format("item {}", item.number), std::move(fault));
+  throw geom::InputError(source, item.line, std::move(fault));
 }
 
 }  // namespace traj

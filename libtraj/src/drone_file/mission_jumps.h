@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "traj/drone_file/mission.h"
 
 namespace traj {
@@ -18,7 +19,6 @@ std::vector<std::size_t> flown_order(const Mission& mission, std::string_view so
                                      std::size_t& endless);
 
 // Refuses at an item, by its line or its number.
-[[noreturn]] void refuse_item(std::string_view source, const MissionItem& item,
-                              const std::string& message);
+[[noreturn]] void refuse_item(std::string_view source, const MissionItem& item, geom::Fault fault);
 
 }  // namespace traj

@@ -26,26 +26,32 @@ MissionPlaces::MissionPlaces(const Mission& mission, const MissionFrame& frame,
 
 double MissionPlaces::above_home(const MissionItem& item, double height) const {
   if (home_) return *home_ + height;
+  if (!mission_.home) {
+    refuse_item(source_, item,
+                {.says = "heights count from home, and the file has no home",
+                 .advice = "give the height of the ground there (--ground)"});
+  }
   refuse_item(source_, item,
-              mission_.home
-                  ? "heights count from home, which the file gives above the sea, and the map does "
-                    "not say how high its z = 0 is: give the map's z of the ground there (--ground)"
-                  : "heights count from home, and the file has no home: give the height of the "
-                    "ground there (--ground)");
+              {.says = "heights count from home, which the file gives above the sea, and the map "
+                       "does not say how high its z = 0 is",
+               .advice = "give the map's z of the ground there (--ground)"});
 }
 
 double MissionPlaces::height(const MissionItem& item) const {
   if (!(std::abs(item.altitude) <= 1e5)) {
     refuse_item(source_, item,
-                fmt::format("altitude must be a number within 1e5 m, found {}", item.altitude));
+                {.key = "altitude",
+                 .expected = "a number within 1e5 m",
+                 .found = fmt::to_string(item.altitude)});
   }
   switch (item.frame) {
     case kGlobal:
     case kGlobalInt:
       if (!frame_.height_known) {
         refuse_item(source_, item,
-                    "expected heights above home, found one above the sea, and the map does not "
-                    "say how high its z = 0 is: give --origin latitude,longitude,height");
+                    {.expected = "heights above home",
+                     .found = "one above the sea, and the map does not say how high its z = 0 is",
+                     .advice = "give --origin latitude,longitude,height"});
       }
       return item.altitude + frame_.geoid - frame_.origin.height;
     case kGlobalRelative:
@@ -55,13 +61,14 @@ double MissionPlaces::height(const MissionItem& item) const {
     case kGlobalTerrainInt:
       if (rules_.ground) return *rules_.ground + item.altitude;
       refuse_item(source_, item,
-                  "expected heights above sea level or home, found one above terrain: where the "
-                  "ground is flat, give its height");
+                  {.expected = "heights above sea level or home",
+                   .found = "one above terrain",
+                   .advice = "where the ground is flat, give its height"});
     default:
       refuse_item(source_, item,
-                  fmt::format("frame must be 0, 3, 5, 6, 10 or 11 (above sea level, home or "
-                              "terrain), found {}",
-                              item.frame));
+                  {.key = "frame",
+                   .expected = "0, 3, 5, 6, 10 or 11 (above sea level, home or terrain)",
+                   .found = fmt::to_string(item.frame)});
   }
 }
 
@@ -88,20 +95,24 @@ bool MissionPlaces::is_there(const MissionItem& item) {
 Vec3 MissionPlaces::place(const MissionItem& item, const std::optional<Vec3>& here) const {
   if (!(std::abs(item.latitude) <= 90) || !(std::abs(item.longitude) <= 180)) {
     refuse_item(source_, item,
-                fmt::format("latitude and longitude must be within 90 and 180 degrees, found {} {}",
-                            item.latitude, item.longitude));
+                {.key = "latitude and longitude",
+                 .expected = "within 90 and 180 degrees",
+                 .found = fmt::format("{} {}", item.latitude, item.longitude)});
   }
   if (!is_here(item) || flown_by(Firmware::px4, rules_)) {
     return on_map(item, {item.latitude, item.longitude, 0}, height_or(item, here));
   }
   if (!flown_by(Firmware::ardupilot, rules_)) {
     refuse_item(source_, item,
-                "expected a place, found latitude 0, longitude 0: ArduPilot then stays where it "
-                "is, and PX4 flies there: say which of them flies it (--autopilot)");
+                {.expected = "a place",
+                 .found = "latitude 0, longitude 0",
+                 .advice = "ArduPilot then stays where it is, and PX4 flies there: say which of "
+                           "them flies it (--autopilot)"});
   }
   if (!here) {
-    refuse_item(source_, item,
-                "expected a place, found latitude 0, longitude 0, and no place before it");
+    refuse_item(
+        source_, item,
+        {.expected = "a place", .found = "latitude 0, longitude 0, and no place before it"});
   }
   return {here->x(), here->y(), height_or(item, here)};
 }
@@ -109,21 +120,23 @@ Vec3 MissionPlaces::place(const MissionItem& item, const std::optional<Vec3>& he
 double MissionPlaces::height_or(const MissionItem& item, const std::optional<Vec3>& here) const {
   if (!keeps_height(item)) return height(item);
   if (item.command == kTakeoff) {
-    refuse_item(source_, item, "expected the height of the take-off, found 0");
+    refuse_item(source_, item, {.expected = "the height of the take-off", .found = "0"});
   }
   if (flown_by(Firmware::px4, rules_)) return height(item);
   if (here && flown_by(Firmware::ardupilot, rules_)) return here->z();
   refuse_item(source_, item,
-              "expected an altitude, found 0: ArduPilot then keeps its height, and PX4 flies at "
-              "that of home: say which of them flies it (--autopilot)");
+              {.expected = "an altitude",
+               .found = "0",
+               .advice = "ArduPilot then keeps its height, and PX4 flies at that of home: say "
+                         "which of them flies it (--autopilot)"});
 }
 
 Vec3 MissionPlaces::on_map(const MissionItem& item, const geom::GeodeticPlace& at, double z) const {
   if (!is_near(frame_.origin, at.latitude, at.longitude)) {
-    refuse_item(
-        source_, item,
-        fmt::format("expected a place near the origin {} {}, found {} {}", frame_.origin.latitude,
-                    frame_.origin.longitude, at.latitude, at.longitude));
+    refuse_item(source_, item,
+                {.expected = fmt::format("a place near the origin {} {}", frame_.origin.latitude,
+                                         frame_.origin.longitude),
+                 .found = fmt::format("{} {}", at.latitude, at.longitude)});
   }
   Vec3 p = earth_.enu(at);
   p.z() = z;

@@ -56,13 +56,14 @@ Json item_json(const MissionItem& item, std::size_t number) {
 struct PlanReader {
   std::string_view source;
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw geom::InputError(source, message);
+  [[noreturn]] void refuse(geom::Fault fault) const {
+    throw geom::InputError(source, std::move(fault));
   }
 
   const Json& member(const Json& object, const char* key, const std::string& where) const {
     const auto it = object.find(key);
-    if (it == object.end()) refuse(fmt::format("expected the key {}.{}, found none", where, key));
+    if (it == object.end())
+      refuse({.expected = fmt::format("the key {}.{}", where, key), .found = "none"});
     return *it;
   }
 
@@ -71,15 +72,17 @@ struct PlanReader {
                      const std::string& where) const {
     for (const auto& [key, value] : parent.items()) {
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-      refuse(fmt::format("expected no other keys in {} than {}, found \"{}\"", where,
-                         fmt::join(known, ", "), key.substr(0, 40)));
+      refuse({.expected = fmt::format("no other keys in {} than {}", where, fmt::join(known, ", ")),
+              .found = geom::in_quotes(key.substr(0, 40))});
     }
   }
 
   const Json& object(const Json& parent, const char* key, const std::string& where) const {
     const Json& value = member(parent, key, where);
     if (!value.is_object()) {
-      refuse(fmt::format("{}.{} must be an object, found {}", where, key, shown(value)));
+      refuse({.key = fmt::format("{}.{}", where, key),
+              .expected = "an object",
+              .found = shown(value)});
     }
     return value;
   }
@@ -88,13 +91,15 @@ struct PlanReader {
                const std::string& where) const {
     const Json& value = member(parent, key, where);
     if (value != wanted) {
-      refuse(fmt::format("{}.{} must be {}, found {}", where, key, wanted.dump(), shown(value)));
+      refuse({.key = fmt::format("{}.{}", where, key),
+              .expected = wanted.dump(),
+              .found = shown(value)});
     }
   }
 
   double number(const Json& value, const std::string& what) const {
     if (!value.is_number() || !std::isfinite(value.get<double>())) {
-      refuse(fmt::format("{} must be a finite number, found {}", what, shown(value)));
+      refuse({.key = what, .expected = "a finite number", .found = shown(value)});
     }
     return value.get<double>();
   }
@@ -102,15 +107,15 @@ struct PlanReader {
   int whole(const Json& parent, const char* key, const std::string& where) const {
     const double value = number(member(parent, key, where), where + '.' + key);
     if (value != std::floor(value) || value < 0 || value > 65535) {
-      refuse(
-          fmt::format("{}.{} must be a whole number from 0 to 65535, found {}", where, key, value));
+      refuse({.key = fmt::format("{}.{}", where, key),
+              .expected = "a whole number from 0 to 65535",
+              .found = fmt::to_string(value)});
     }
     return static_cast<int>(value);
   }
 
   MissionItem item(const Json& json, const std::string& where, std::size_t index) const {
-    if (!json.is_object())
-      refuse(fmt::format("{} must be an object, found {}", where, shown(json)));
+    if (!json.is_object()) refuse({.key = where, .expected = "an object", .found = shown(json)});
     require(json, "type", "SimpleItem", where);
     MissionItem item;
     item.number = json.contains("doJumpId")
@@ -120,7 +125,9 @@ struct PlanReader {
     item.command = whole(json, "command", where);
     const Json& params = member(json, "params", where);
     if (!params.is_array() || params.size() != 7) {
-      refuse(fmt::format("{}.params must be a list of 7, found {}", where, shown(params)));
+      refuse({.key = fmt::format("{}.params", where),
+              .expected = "a list of 7",
+              .found = shown(params)});
     }
     const auto param = [&](std::size_t i) {
       if (params[i].is_null()) return std::numeric_limits<double>::quiet_NaN();
@@ -142,17 +149,19 @@ struct PlanReader {
     const auto said = [&](const char* key) { return json.contains(key) && !json[key].is_null(); };
     const int mode = said("AltitudeMode") ? whole(json, "AltitudeMode", where) : -1;
     if (mode > 0 && !fits(mode, item.frame)) {
-      refuse(
-          fmt::format("{}.AltitudeMode must be 1, 2, 3 or 4 (above home, sea level, by way of the "
-                      "terrain, above it) as its frame {} says, found {}",
-                      where, item.frame, mode));
+      refuse({.key = fmt::format("{}.AltitudeMode", where),
+              .expected = fmt::format("1, 2, 3 or 4 (above home, sea level, by way of the terrain, "
+                                      "above it) as its frame {} says",
+                                      item.frame),
+              .found = fmt::to_string(mode)});
     }
     const char* key = mode == kFromTerrain ? "AMSLAltAboveTerrain" : "Altitude";
     if (!said(key)) return;
     const double height = number(json[key], fmt::format("{}.{}", where, key));
     if (std::abs(height - item.altitude) > 1e-3) {
-      refuse(fmt::format("{}.{} must be the height in params, {}, found {}", where, key,
-                         item.altitude, height));
+      refuse({.key = fmt::format("{}.{}", where, key),
+              .expected = fmt::format("the height in params, {}", item.altitude),
+              .found = fmt::to_string(height)});
     }
   }
 
@@ -171,7 +180,9 @@ struct PlanReader {
 
   geom::GeodeticPlace place(const Json& value, const std::string& where, std::size_t size) const {
     if (!value.is_array() || value.size() != size) {
-      refuse(fmt::format("{} must be a list of {} numbers, found {}", where, size, shown(value)));
+      refuse({.key = where,
+              .expected = fmt::format("a list of {} numbers", size),
+              .found = shown(value)});
     }
     const auto part = [&](std::size_t i) {
       return i < size ? number(value[i], fmt::format("{}[{}]", where, i)) : 0;
@@ -182,7 +193,8 @@ struct PlanReader {
   const Json& list(const Json& parent, const char* key, const std::string& where) const {
     const Json& value = member(parent, key, where);
     if (!value.is_array()) {
-      refuse(fmt::format("{}.{} must be a list, found {}", where, key, shown(value)));
+      refuse(
+          {.key = fmt::format("{}.{}", where, key), .expected = "a list", .found = shown(value)});
     }
     return value;
   }
@@ -190,7 +202,9 @@ struct PlanReader {
   bool inclusion(const Json& fence, const std::string& where) const {
     const Json& value = member(fence, "inclusion", where);
     if (value.is_boolean()) return value.get<bool>();
-    refuse(fmt::format("{}.inclusion must be true or false, found {}", where, shown(value)));
+    refuse({.key = fmt::format("{}.inclusion", where),
+            .expected = "true or false",
+            .found = shown(value)});
   }
 
   std::vector<GeodeticFence> fences(const Json& plan) const {
@@ -205,7 +219,7 @@ struct PlanReader {
       for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string where = fmt::format("geoFence.{}[{}]", key, i);
         if (!all[i].is_object()) {
-          refuse(fmt::format("{} must be an object, found {}", where, shown(all[i])));
+          refuse({.key = where, .expected = "an object", .found = shown(all[i])});
         }
         fences.push_back({inclusion(all[i], where), {}, {}, 0});
         take(all[i], where, fences.back());
@@ -220,7 +234,8 @@ struct PlanReader {
       for (const Json& corner : list(json, "polygon", where)) {
         out.ring.push_back(place(corner, where + ".polygon[]", 2));
       }
-      if (out.ring.empty()) refuse(where + ".polygon must have corners, found none");
+      if (out.ring.empty())
+        refuse({.says = fmt::format("{}.polygon must have corners", where), .found = "none"});
     });
     return fences;
   }
@@ -243,10 +258,9 @@ struct PlanReader {
     if (std::find(std::begin(kRotorcraft), std::end(kRotorcraft), type) != std::end(kRotorcraft)) {
       return;
     }
-    refuse(
-        fmt::format("mission.vehicleType must be one that flies straight legs and hovers (2, a "
-                    "quadrotor, or its like), found {}",
-                    type));
+    refuse({.key = "mission.vehicleType",
+            .expected = "one that flies straight legs and hovers (2, a quadrotor, or its like)",
+            .found = fmt::to_string(type)});
   }
 
   // A survey and its like hold the items that QGroundControl made of them.
@@ -263,9 +277,11 @@ struct PlanReader {
       }
       const Json& transects = object(json, "TransectStyleComplexItem", here);
       if (list(transects, "Items", here + ".TransectStyleComplexItem").empty()) {
-        refuse(here +
-               ".TransectStyleComplexItem.Items must hold the items that QGroundControl makes of "
-               "it, found none: open the plan there and save it again");
+        refuse({.says = fmt::format("{}.TransectStyleComplexItem.Items must hold the items that "
+                                    "QGroundControl makes of it",
+                                    here),
+                .found = "none",
+                .advice = "open the plan there and save it again"});
       }
       add_items(list(transects, "Items", here + ".TransectStyleComplexItem"),
                 here + ".TransectStyleComplexItem.Items", mission);
@@ -286,7 +302,7 @@ struct PlanReader {
   Json plan(std::istream& in) const {
     const std::string text(std::istreambuf_iterator<char>(in), {});
     Json plan = geom::parse_ordered_json(text, source);
-    if (!plan.is_object()) refuse("expected a JSON object, found " + shown(plan));
+    if (!plan.is_object()) refuse({.expected = "a JSON object", .found = shown(plan)});
     require(plan, "fileType", "Plan", "plan");
     require(plan, "version", 1, "plan");
     require_known(pick(plan, true), kPlanKeys, "plan");
@@ -309,7 +325,7 @@ struct PlanReader {
     mission.rally = rally(plan);
     const Json& items = member(json, "items", "mission");
     if (!items.is_array() || items.empty()) {
-      refuse(fmt::format("mission.items must be a list of at least one, found {}", shown(items)));
+      refuse({.key = "mission.items", .expected = "a list of at least one", .found = shown(items)});
     }
     add_items(items, "mission.items", mission);
     return mission;

@@ -67,15 +67,17 @@ Row parse_row(std::string_view text, std::string_view source, std::size_t line) 
     if (error != std::errc() || rest != text.data() + stop ||
         !(std::abs(value) <= geom::kLargestCoordinate)) {
       throw geom::InputError(source, line,
-                             fmt::format("column {} must be a number within 1e8, found \"{}\"",
-                                         count + 1, text.substr(at, stop - at)));
+                             {.key = fmt::format("column {}", count + 1),
+                              .expected = "a number within 1e8",
+                              .found = geom::in_quotes(text.substr(at, stop - at))});
     }
     if (count < kColumns) row[count] = value;
     at = stop + 1;
   }
   if (count != kColumns) {
-    throw geom::InputError(source, line,
-                           fmt::format("expected {} columns, found {}", kColumns, count));
+    throw geom::InputError(
+        source, line,
+        {.expected = fmt::format("{} columns", kColumns), .found = fmt::to_string(count)});
   }
   return row;
 }
@@ -83,9 +85,9 @@ Row parse_row(std::string_view text, std::string_view source, std::size_t line) 
 SetpointAxes axes_of_header(std::string_view text, std::string_view source) {
   if (text == kEnuHeader || text == kOlderEnuHeader) return SetpointAxes::enu;
   if (text == kNedHeader) return SetpointAxes::ned;
-  throw geom::InputError(
-      source, 1,
-      fmt::format("expected the header {} or {}, found \"{}\"", kEnuHeader, kNedHeader, text));
+  throw geom::InputError(source, 1,
+                         {.expected = fmt::format("the header {} or {}", kEnuHeader, kNedHeader),
+                          .found = geom::in_quotes(text)});
 }
 
 }  // namespace
@@ -131,8 +133,9 @@ std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source) 
   for (std::size_t line = 1; std::getline(in, text); ++line) {
     if (in.eof()) {
       throw geom::InputError(source, line,
-                             "expected a line that ends with LF, found none: the "
-                             "file may be cut");
+                             {.expected = "a line that ends with LF",
+                              .found = "none",
+                              .advice = "the file may be cut"});
     }
     if (text.ends_with('\r')) text.pop_back();
     if (line == 1) {
@@ -142,11 +145,13 @@ std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source) 
     Setpoint s = setpoint_of(parse_row(text, source, line));
     if (axes == SetpointAxes::ned) s = swapped(s);
     if (!read.empty() && !(s.time > read.back().time)) {
-      throw geom::InputError(source, line, fmt::format("t_s must grow, found {}", s.time));
+      throw geom::InputError(source, line,
+                             {.says = "t_s must grow", .found = fmt::to_string(s.time)});
     }
     read.push_back(s);
   }
-  if (read.size() < 2) throw geom::InputError(source, "expected a header and at least two rows");
+  if (read.size() < 2)
+    throw geom::InputError(source, {.expected = "a header and at least two rows"});
   return read;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "traj/curve/bernstein.h"
+#include "curve/bernstein.h"
 
 namespace traj {
 namespace {

@@ -98,8 +98,8 @@ struct ScriptReader {
   std::string_view source;
   std::size_t line = 0;
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw geom::InputError(source, line, message);
+  [[noreturn]] void refuse(geom::Fault fault) const {
+    throw geom::InputError(source, line, std::move(fault));
   }
 
   TelloLeg leg(std::string_view text) const {
@@ -110,12 +110,14 @@ struct ScriptReader {
       while (at < end && *at == ' ') ++at;
       const auto [rest, error] = std::from_chars(at, end, v);
       if (error != std::errc() || (rest < end && *rest != ' ')) {
-        refuse(fmt::format("expected go and four whole numbers, found \"{}\"", text.substr(0, 60)));
+        refuse({.expected = "go and four whole numbers",
+                .found = geom::in_quotes(text.substr(0, 60))});
       }
       at = rest;
     }
     if (at != end) {
-      refuse(fmt::format("expected go and four whole numbers, found \"{}\"", text.substr(0, 60)));
+      refuse(
+          {.expected = "go and four whole numbers", .found = geom::in_quotes(text.substr(0, 60))});
     }
     const TelloLeg leg{value[0], value[1], value[2], value[3]};
     require_flyable(leg);
@@ -125,15 +127,17 @@ struct ScriptReader {
   void require_flyable(const TelloLeg& leg) const {
     for (const int v : {leg.x, leg.y, leg.z}) {
       if (v < -kTelloFarthest || v > kTelloFarthest) {
-        refuse(fmt::format("a move must be within -500 to 500 cm, found {}", v));
+        refuse({.key = "a move", .expected = "within -500 to 500 cm", .found = fmt::to_string(v)});
       }
     }
     if (too_near({leg.x, leg.y, leg.z})) {
-      refuse(fmt::format("a move must go beyond 20 cm on one axis, found {} {} {}", leg.x, leg.y,
-                         leg.z));
+      refuse({.says = "a move must go beyond 20 cm on one axis",
+              .found = fmt::format("{} {} {}", leg.x, leg.y, leg.z)});
     }
     if (leg.speed < kTelloSlowest || leg.speed > kTelloFastest) {
-      refuse(fmt::format("a speed must be within 10 to 100 cm/s, found {}", leg.speed));
+      refuse({.key = "a speed",
+              .expected = "within 10 to 100 cm/s",
+              .found = fmt::to_string(leg.speed)});
     }
   }
 };
@@ -168,12 +172,15 @@ TelloFlight read_tello(std::istream& in, std::string_view source) {
   while (std::getline(in, text)) {
     ++reader.line;
     if (in.eof()) {
-      reader.refuse("expected a line that ends with LF, found none: the file may be cut");
+      reader.refuse({.expected = "a line that ends with LF",
+                     .found = "none",
+                     .advice = "the file may be cut"});
     }
     if (reader.line == 1 && text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
     if (text.ends_with('\r')) text.pop_back();
     if (text.empty()) continue;
-    if (flight.lands) reader.refuse(fmt::format("expected nothing after land, found \"{}\"", text));
+    if (flight.lands)
+      reader.refuse({.expected = "nothing after land", .found = geom::in_quotes(text)});
     if (text == "takeoff" && !flying) {
       flying = true;
     } else if (text.starts_with("go ") && flying) {
@@ -181,12 +188,11 @@ TelloFlight read_tello(std::istream& in, std::string_view source) {
     } else if (text == "land" && flying) {
       flight.lands = true;
     } else if (text != "command" || flying) {
-      reader.refuse(fmt::format("expected {}, found \"{}\"",
-                                flying ? "go x y z speed or land" : "command or takeoff",
-                                text.substr(0, 60)));
+      reader.refuse({.expected = flying ? "go x y z speed or land" : "command or takeoff",
+                     .found = geom::in_quotes(text.substr(0, 60))});
     }
   }
-  if (!flying) throw geom::InputError(source, "expected a takeoff, found none");
+  if (!flying) throw geom::InputError(source, {.expected = "a takeoff", .found = "none"});
   return flight;
 }
 

@@ -33,8 +33,8 @@ struct LineReader {
   std::string_view source;
   std::size_t line;
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw geom::InputError(source, line, message);
+  [[noreturn]] void refuse(geom::Fault fault) const {
+    throw geom::InputError(source, line, std::move(fault));
   }
 
   std::array<double, kFields> fields(std::string_view text) const {
@@ -47,7 +47,7 @@ struct LineReader {
       at = std::min(text.find_first_not_of("\t ", stop), text.size());
     }
     if (count != kFields) {
-      refuse(fmt::format("expected 12 fields separated by tabs, found {}", count));
+      refuse({.expected = "12 fields separated by tabs", .found = fmt::to_string(count)});
     }
     return values;
   }
@@ -56,15 +56,18 @@ struct LineReader {
     double value = 0;
     const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || rest != text.data() + text.size() || std::isinf(value)) {
-      refuse(fmt::format("{} must be a number with a decimal point, found \"{}\"", name,
-                         text.substr(0, 40)));
+      refuse({.key = std::string(name),
+              .expected = "a number with a decimal point",
+              .found = geom::in_quotes(text.substr(0, 40))});
     }
     return value;
   }
 
   int whole(double value, const char* name) const {
     if (value != std::floor(value) || value < 0 || value > 65535) {
-      refuse(fmt::format("{} must be a whole number from 0 to 65535, found {}", name, value));
+      refuse({.key = std::string(name),
+              .expected = "a whole number from 0 to 65535",
+              .found = fmt::to_string(value)});
     }
     return static_cast<int>(value);
   }
@@ -73,20 +76,27 @@ struct LineReader {
   MissionItem item(std::string_view text, std::size_t least) const {
     const auto v = fields(text);
     if (!(v[0] >= static_cast<double>(least) && v[0] <= 1e9) || v[0] != std::floor(v[0])) {
-      refuse(fmt::format("index must be a whole number from {} on, found {}", least, v[0]));
+      refuse({.key = "index",
+              .expected = fmt::format("a whole number from {} on", least),
+              .found = fmt::to_string(v[0])});
     }
     const auto index = static_cast<std::size_t>(v[0]);
     for (const int k : {1, 2, 3, 10, 11}) {
       if (std::isnan(v[static_cast<std::size_t>(k)]))
-        refuse(fmt::format("{} must be a number, found nan", kNames[static_cast<std::size_t>(k)]));
+        refuse({.key = std::string(kNames[static_cast<std::size_t>(k)]),
+                .expected = "a number",
+                .found = "nan"});
     }
     for (const int flag : {1, 11}) {
       if (v[flag] != 0 && v[flag] != 1) {
-        refuse(fmt::format("{} must be 0 or 1, found {}", kNames[flag], v[flag]));
+        refuse({.key = std::string(kNames[flag]),
+                .expected = "0 or 1",
+                .found = fmt::to_string(v[flag])});
       }
     }
     // A vehicle begins at the item that is current: the first, be it home, or the one after home.
-    if (v[1] == 1 && index > 1) refuse("current must be 0 after the first two items, found 1");
+    if (v[1] == 1 && index > 1)
+      refuse({.key = "current", .expected = "0 after the first two items", .found = "1"});
     return {whole(v[2], "frame"),
             whole(v[3], "command"),
             {v[4], v[5], v[6], v[7]},
@@ -124,23 +134,26 @@ class WplReader {
   void require_mission() const {
     if (!mission_.items.empty()) return;
     const bool others = !mission_.fences.empty() || !mission_.rally.empty();
+    if (others) {
+      throw geom::InputError(source_,
+                             {.expected = "a mission", .found = "only a fence or rally points"});
+    }
     throw geom::InputError(source_,
-                           others ? "expected a mission, found only a fence or rally points"
-                                  : "expected \"QGC WPL 110\" and at least one item, found none");
+                           {.expected = "\"QGC WPL 110\" and at least one item", .found = "none"});
   }
 
  private:
   void read_header(std::string_view line) {
     if (line != "QGC WPL 110" && line != "QGC WPL 120") {
       LineReader{source_, line_}.refuse(
-          fmt::format("expected \"QGC WPL 110\", found \"{}\"", line.substr(0, 60)));
+          {.expected = "\"QGC WPL 110\"", .found = geom::in_quotes(line.substr(0, 60))});
     }
     has_home_ = line.ends_with("110");
   }
 
   void take(const MissionItem& item) {
     if (mission_.items.size() >= kMostItems) {
-      refuse(fmt::format("expected at most {} items, found more", kMostItems));
+      refuse({.expected = fmt::format("at most {} items", kMostItems), .found = "more"});
     }
     const bool first = next_ == 0 && item.number == 0;
     skips_ = skips_ || item.number != next_;
@@ -182,7 +195,7 @@ class WplReader {
       const double corners = item.param[0];
       if (corners_left_ == 0) {
         if (!(corners >= 3 && corners <= 1e5) || corners != std::floor(corners)) {
-          refuse(fmt::format("a fence must have 3 corners or more, found {}", corners));
+          refuse({.says = "a fence must have 3 corners or more", .found = fmt::to_string(corners)});
         }
         corners_left_ = static_cast<std::size_t>(corners);
         mission_.fences.push_back({i == 0, {}, {}, 0});
@@ -190,8 +203,8 @@ class WplReader {
       GeodeticFence& fence = mission_.fences.back();
       const double left = static_cast<double>(fence.ring.size() + corners_left_);
       if (fence.inclusion != (i == 0) || corners != left) {
-        refuse(fmt::format("expected {} more corners of the fence before, found another",
-                           corners_left_));
+        refuse({.expected = fmt::format("{} more corners of the fence before", corners_left_),
+                .found = "another"});
       }
       fence.ring.push_back({item.latitude, item.longitude, 0});
       --corners_left_;
@@ -202,24 +215,24 @@ class WplReader {
 
   void finish() {
     if (corners_left_ > 0) {
-      throw geom::InputError(source_, fmt::format("expected {} more corners of a fence, found the "
-                                                  "end of the file",
-                                                  corners_left_));
+      throw geom::InputError(source_,
+                             {.expected = fmt::format("{} more corners of a fence", corners_left_),
+                              .found = "the end of the file"});
     }
     if (!skips_) return;
     for (const MissionItem& item : mission_.items) {
       if (item.command != kJump) continue;
       throw geom::InputError(
           source_, item.line,
-          "expected numbers that begin at 0 and leave none out, as a jump counts "
-          "on them, found others");
+          {.expected = "numbers that begin at 0 and leave none out, as a jump counts on them",
+           .found = "others"});
     }
     mission_.notes.emplace_back(
         "the numbers of its items do not count 0, 1, 2, …: a ground station counts them anew");
   }
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    LineReader{source_, line_}.refuse(message);
+  [[noreturn]] void refuse(geom::Fault fault) const {
+    LineReader{source_, line_}.refuse(std::move(fault));
   }
 
   std::istream& in_;

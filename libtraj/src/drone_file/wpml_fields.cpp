@@ -26,9 +26,10 @@ std::string wpml_name(const XmlElement& element) {
 
 std::string wpml_text(const XmlElement& element, const std::string& source) {
   if (!element.children.empty()) {
-    throw geom::InputError(source, element.children.front().line,
-                           fmt::format("expected a value in <{}>, found an element",
-                                       geom::excerpt(wpml_name(element))));
+    throw geom::InputError(
+        source, element.children.front().line,
+        {.expected = fmt::format("a value in <{}>", geom::excerpt(wpml_name(element))),
+         .found = "an element"});
   }
   const std::size_t first = std::min(element.text.find_first_not_of(kSpace), element.text.size());
   const std::size_t last = element.text.find_last_not_of(kSpace);
@@ -48,19 +49,21 @@ WpmlFields::WpmlFields(const XmlElement& element, std::string source, const Wpml
     if (has(children.many, name)) continue;
     if (!has(children.once, name)) {
       if (children.others) continue;
-      refuse(child, fmt::format("<{}> in <{}> is not known here, and might move the aircraft",
-                                geom::excerpt(name), geom::excerpt(wpml_name(element))));
+      refuse(child,
+             {.says = fmt::format("<{}> in <{}> is not known here, and might move the aircraft",
+                                  geom::excerpt(name), geom::excerpt(wpml_name(element)))});
     }
     if (std::find(found.begin(), found.end(), name) != found.end()) {
-      refuse(child, fmt::format("expected one <{}> in <{}>, found two", name,
-                                geom::excerpt(wpml_name(element))));
+      refuse(child,
+             {.expected = fmt::format("one <{}> in <{}>", name, geom::excerpt(wpml_name(element))),
+              .found = "two"});
     }
     found.push_back(name);
   }
 }
 
-void WpmlFields::refuse(const XmlElement& at, const std::string& message) const {
-  throw geom::InputError(source_, at.line, message);
+void WpmlFields::refuse(const XmlElement& at, geom::Fault fault) const {
+  throw geom::InputError(source_, at.line, std::move(fault));
 }
 
 const XmlElement* WpmlFields::find(std::string_view name) const {
@@ -73,7 +76,8 @@ const XmlElement* WpmlFields::find(std::string_view name) const {
 const XmlElement& WpmlFields::child(std::string_view name) const {
   const XmlElement* found = find(name);
   if (!found) {
-    refuse(element_, fmt::format("expected <{}> in <{}>, found none", name, wpml_name(element_)));
+    refuse(element_,
+           {.expected = fmt::format("<{}> in <{}>", name, wpml_name(element_)), .found = "none"});
   }
   return *found;
 }
@@ -94,8 +98,9 @@ double WpmlFields::number(std::string_view name, double least, double most) cons
   const std::string said = text(name);
   double value = 0;
   if (!read_wpml_number(said, value) || !(value >= least) || !(value <= most)) {
-    refuse(child(name), fmt::format("<{}> must be a number from {} to {}, found \"{}\"", name,
-                                    least, most, geom::excerpt(said)));
+    refuse(child(name), {.key = fmt::format("<{}>", name),
+                         .expected = fmt::format("a number from {} to {}", least, most),
+                         .found = geom::in_quotes(geom::excerpt(said))});
   }
   return value;
 }
@@ -103,7 +108,9 @@ double WpmlFields::number(std::string_view name, double least, double most) cons
 int WpmlFields::whole(std::string_view name) const {
   const double value = number(name, 0, 65535);
   if (value != std::floor(value)) {
-    refuse(child(name), fmt::format("<{}> must be a whole number, found {}", name, value));
+    refuse(child(name), {.key = fmt::format("<{}>", name),
+                         .expected = "a whole number",
+                         .found = fmt::to_string(value)});
   }
   return static_cast<int>(value);
 }
@@ -112,8 +119,9 @@ std::string WpmlFields::word(std::string_view name,
                              std::initializer_list<std::string_view> known) const {
   const std::string said = text(name);
   if (std::find(known.begin(), known.end(), said) == known.end()) {
-    refuse(child(name), fmt::format("<{}> must be {}, found \"{}\"", name, fmt::join(known, " or "),
-                                    geom::excerpt(said)));
+    refuse(child(name), {.key = fmt::format("<{}>", name),
+                         .expected = fmt::to_string(fmt::join(known, " or ")),
+                         .found = geom::in_quotes(geom::excerpt(said))});
   }
   return said;
 }

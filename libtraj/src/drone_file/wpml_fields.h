@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "xml_element.h"
 
 namespace traj {
@@ -25,7 +26,7 @@ class WpmlFields {
   // twice. `element` must outlive this.
   WpmlFields(const XmlElement& element, std::string source, const WpmlChildren& children);
 
-  [[noreturn]] void refuse(const XmlElement& at, const std::string& message) const;
+  [[noreturn]] void refuse(const XmlElement& at, geom::Fault fault) const;
   const XmlElement& element() const { return element_; }
   const std::string& source() const { return source_; }
 

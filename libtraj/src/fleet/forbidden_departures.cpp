@@ -1,4 +1,4 @@
-#include "traj/fleet/forbidden_departures.h"
+#include "fleet/forbidden_departures.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "traj/flight/airframe_record.h"
+#include "flight/airframe_record.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,8 @@ constexpr double kRadian = 0.017453292519943295;  // of a degree
 
 std::optional<double> positive(const JsonFields& fields, const char* key) {
   const std::optional<double> value = fields.number(key);
-  if (value && *value <= 0) fields.refuse(fmt::format("{} must be > 0, found {}", key, *value));
+  if (value && *value <= 0)
+    fields.refuse({.key = std::string(key), .expected = "> 0", .found = fmt::to_string(*value)});
   return value;
 }
 
@@ -26,8 +27,9 @@ std::optional<Vec3> positive_axes(const JsonFields& fields, const char* key) {
   if (!fields.has(key)) return std::nullopt;
   const Vec3 value = fields.point(key);
   if (value.minCoeff() <= 0) {
-    fields.refuse(
-        fmt::format("{} must be > 0 about each axis, found {}", key, fields.value(key).dump()));
+    fields.refuse({.key = std::string(key),
+                   .expected = "> 0 about each axis",
+                   .found = fields.value(key).dump()});
   }
   return value;
 }
@@ -36,10 +38,9 @@ std::optional<Vec3> positive_axes(const JsonFields& fields, const char* key) {
 std::optional<Vec3> inertia(const JsonFields& fields) {
   const auto value = positive_axes(fields, "inertia_kg_m2");
   if (value && 2 * value->maxCoeff() > value->sum() * (1 + 1e-9)) {
-    fields.refuse(
-        fmt::format("inertia_kg_m2 must be at most the sum of the other two about each "
-                    "axis, found {}",
-                    fields.value("inertia_kg_m2").dump()));
+    fields.refuse({.key = "inertia_kg_m2",
+                   .expected = "at most the sum of the other two about each axis",
+                   .found = fields.value("inertia_kg_m2").dump()});
   }
   return value;
 }
@@ -48,16 +49,17 @@ void parse_thrust(const JsonFields& fields, Airframe& airframe) {
   if (!fields.has("thrust_n")) return;
   const auto& range = fields.value("thrust_n");
   if (!range.is_array() || range.size() != 2) {
-    fields.refuse(fmt::format("thrust_n must be [least,most], found {}", range.dump()));
+    fields.refuse({.key = "thrust_n", .expected = "[least,most]", .found = range.dump()});
   }
   airframe.thrust_least = fields.number(range[0], "thrust_n[0]");
   airframe.thrust_most = fields.number(range[1], "thrust_n[1]");
   if (*airframe.thrust_least < 0 || *airframe.thrust_least >= *airframe.thrust_most) {
-    fields.refuse(fmt::format("thrust_n must be 0 <= least < most, found {}", range.dump()));
+    fields.refuse({.key = "thrust_n", .expected = "0 <= least < most", .found = range.dump()});
   }
   if (airframe.mass && *airframe.thrust_most <= *airframe.mass * kGravity) {
-    fields.refuse(fmt::format("thrust_n must reach more than the weight, {:.4g} N, found {}",
-                              *airframe.mass * kGravity, range.dump()));
+    fields.refuse({.says = fmt::format("thrust_n must reach more than the weight, {:.4g} N",
+                                       *airframe.mass * kGravity),
+                   .found = range.dump()});
   }
 }
 
@@ -65,12 +67,12 @@ std::optional<Eigen::Vector2d> arm(const JsonFields& fields) {
   if (!fields.has("motor_arm_m")) return std::nullopt;
   const auto& value = fields.value("motor_arm_m");
   if (!value.is_array() || value.size() != 2) {
-    fields.refuse(fmt::format("motor_arm_m must be [x,y], found {}", value.dump()));
+    fields.refuse({.key = "motor_arm_m", .expected = "[x,y]", .found = value.dump()});
   }
   const Eigen::Vector2d out(fields.number(value[0], "motor_arm_m[0]"),
                             fields.number(value[1], "motor_arm_m[1]"));
   if (out.minCoeff() <= 0) {
-    fields.refuse(fmt::format("motor_arm_m must be > 0 on both axes, found {}", value.dump()));
+    fields.refuse({.key = "motor_arm_m", .expected = "> 0 on both axes", .found = value.dump()});
   }
   return out;
 }
@@ -79,8 +81,9 @@ std::optional<Vec3> drag(const JsonFields& fields) {
   if (!fields.has("drag_kg_s")) return std::nullopt;
   const Vec3 value = fields.point("drag_kg_s");
   if (value.minCoeff() < 0) {
-    fields.refuse(fmt::format("drag_kg_s must be >= 0 on each axis, found {}",
-                              fields.value("drag_kg_s").dump()));
+    fields.refuse({.key = "drag_kg_s",
+                   .expected = ">= 0 on each axis",
+                   .found = fields.value("drag_kg_s").dump()});
   }
   return value;
 }
@@ -91,13 +94,12 @@ std::optional<Gains> gains(const JsonFields& fields, const Airframe& airframe) {
   const std::optional<Quadrotor> quadrotor = quadrotor_of(airframe);
   if (quadrotor) {
     const double tilt = fields.number("tilt_max_deg").value_or(kTiltMax);
-    if (tilt < 0 || tilt > 80) fields.refuse("tilt_max_deg must be within 0 to 80");
+    if (tilt < 0 || tilt > 80) fields.refuse({.key = "tilt_max_deg", .expected = "within 0 to 80"});
     return parse_gains(fields, nominal_gains(*quadrotor, (tilt > 0 ? tilt : kTiltMax) * kRadian));
   }
   if (fields.has("gains")) {
-    fields.refuse(
-        "gains need mass_kg, inertia_kg_m2, motor_time_constant_s, thrust_n, motor_arm_m and "
-        "torque_per_thrust_m beside them");
+    fields.refuse({.says = "gains need mass_kg, inertia_kg_m2, motor_time_constant_s, thrust_n, "
+                           "motor_arm_m and torque_per_thrust_m beside them"});
   }
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-#include "traj/flight/attitude.h"
+#include "flight/attitude.h"
 
 #include <cmath>
 

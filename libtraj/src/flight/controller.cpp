@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "flight/attitude.h"
+#include "flight/motor_mixer.h"
 #include "traj/curve/flatness.h"
-#include "traj/flight/attitude.h"
-#include "traj/flight/motor_mixer.h"
 #include "traj/proof/limits.h"
 
 namespace traj {

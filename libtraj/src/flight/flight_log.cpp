@@ -96,8 +96,8 @@ std::string field(const char* what, const std::string& id) {
       (!id.empty() && (at_end(id.front()) || at_end(id.back())))) {
     throw geom::InputError(
         "flight log",
-        fmt::format("{} must have no line break and no white space at its ends, found \"{}\"", what,
-                    id));
+        {.says = fmt::format("{} must have no line break and no white space at its ends", what),
+         .found = geom::in_quotes(id)});
   }
   return geom::csv_field(id);
 }
@@ -158,7 +158,8 @@ class Row {
   Row(const geom::TextLines& lines, std::size_t columns)
       : lines_(lines), fields_(geom::split_fields(lines.line(), true)) {
     if (fields_.size() != columns) {
-      lines.refuse(fmt::format("expected {} columns, found {}", columns, fields_.size()));
+      lines.refuse({.expected = fmt::format("{} columns", columns),
+                    .found = fmt::to_string(fields_.size())});
     }
   }
 
@@ -169,8 +170,9 @@ class Row {
   bool cut() const {
     if (fields_.size() < kColumns.size() || fields_.back().empty()) return false;
     if (fields_.back() != "cut") {
-      lines_.refuse(
-          fmt::format("end must be cut or empty, found \"{}\"", fields_.back().substr(0, 40)));
+      lines_.refuse({.key = "end",
+                     .expected = "cut or empty",
+                     .found = geom::in_quotes(fields_.back().substr(0, 40))});
     }
     return true;
   }
@@ -195,8 +197,9 @@ class Row {
   double number(double least, double most) {
     const auto value = geom::parse_number(fields_[at_]);
     if (!value || !(*value >= least && *value <= most)) {
-      lines_.refuse(fmt::format("{} must be a number from {} to {}, found \"{}\"", kColumns[at_],
-                                least, most, fields_[at_].substr(0, 40)));
+      lines_.refuse({.key = std::string(kColumns[at_]),
+                     .expected = fmt::format("a number from {} to {}", least, most),
+                     .found = geom::in_quotes(fields_[at_].substr(0, 40))});
     }
     ++at_;
     return *value;
@@ -221,8 +224,9 @@ Eigen::Quaterniond parse_attitude(Row& row, const geom::TextLines& lines) {
     *q = row.number(-1.1, 1.1);
   }
   if (std::abs(attitude.norm() - 1) > 1e-6) {
-    lines.refuse(fmt::format("qw, qx, qy, qz must be a quaternion of length 1, found length {}",
-                             attitude.norm()));
+    lines.refuse({.key = "qw, qx, qy, qz",
+                  .expected = "a quaternion of length 1",
+                  .found = fmt::format("length {}", attitude.norm())});
   }
   return attitude;
 }
@@ -231,7 +235,7 @@ void parse_motors(Row& row, const geom::TextLines& lines, FlightSample& s) {
   for (double& motor : s.motors) motor = row.number(0, 1);
   const double saturated = row.number(0, 1);
   if (saturated != 0 && saturated != 1) {
-    lines.refuse(fmt::format("saturated must be 0 or 1, found {}", saturated));
+    lines.refuse({.key = "saturated", .expected = "0 or 1", .found = fmt::to_string(saturated)});
   }
   s.saturated = saturated == 1;
 }
@@ -280,8 +284,8 @@ std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) 
   geom::TextLines lines(in, name);
   const auto columns = lines.next() ? columns_of(lines.line()) : std::nullopt;
   if (!columns) {
-    lines.refuse(
-        fmt::format("expected the header {}, found \"{}\"", header(), lines.line().substr(0, 80)));
+    lines.refuse({.expected = fmt::format("the header {}", header()),
+                  .found = geom::in_quotes(lines.line().substr(0, 80))});
   }
   std::vector<FlightLog> logs;
   std::set<std::string> known;
@@ -290,26 +294,28 @@ std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) 
     Row row(lines, *columns);
     if (logs.empty() || logs.back().id != row.id()) {
       if (!known.insert(row.id()).second) {
-        lines.refuse(fmt::format("the rows of a flight must stand together; \"{}\" was left before",
-                                 row.id()));
+        lines.refuse(
+            {.says = fmt::format("the rows of a flight must stand together; \"{}\" was left before",
+                                 row.id())});
       }
       logs.push_back({row.id(), row.map(), {}, false});
     } else if (logs.back().cut) {
-      lines.refuse("the flight ended in the row before, by its column end");
+      lines.refuse({.says = "the flight ended in the row before, by its column end"});
     } else if (!row.map().empty()) {
-      lines.refuse(fmt::format("the map must stand in the first row of a flight, found \"{}\"",
-                               row.map().substr(0, 80)));
+      lines.refuse({.says = "the map must stand in the first row of a flight",
+                    .found = geom::in_quotes(row.map().substr(0, 80))});
     }
     std::vector<FlightSample>& samples = logs.back().samples;
     const FlightSample sample = parse(row, lines);
     if (!samples.empty() && sample.time <= samples.back().time) {
-      lines.refuse(
-          fmt::format("t_s must grow, found {} after {}", sample.time, samples.back().time));
+      lines.refuse({.says = "t_s must grow",
+                    .found = fmt::format("{} after {}", sample.time, samples.back().time)});
     }
     samples.push_back(sample);
     logs.back().cut = row.cut();
   }
-  if (logs.empty()) lines.refuse("expected at least one row after the header, found none");
+  if (logs.empty())
+    lines.refuse({.expected = "at least one row after the header", .found = "none"});
   return logs;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "traj/curve/bernstein.h"
+#include "curve/bernstein.h"
 
 namespace traj {
 namespace {

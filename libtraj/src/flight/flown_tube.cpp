@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "curve/bernstein.h"
 #include "geom/shape/aabb.h"
-#include "traj/curve/bernstein.h"
 
 namespace traj {
 namespace {

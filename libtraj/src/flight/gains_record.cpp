@@ -25,7 +25,7 @@ class Block {
   Block(const JsonFields& fields, const nlohmann::json& object, std::string name)
       : fields_(fields), object_(object), name_(std::move(name)) {
     if (!object_.is_object()) {
-      fields_.refuse(fmt::format("{} must be an object, found {}", name_, object_.dump()));
+      fields_.refuse({.key = std::string(name_), .expected = "an object", .found = object_.dump()});
     }
   }
 
@@ -65,8 +65,8 @@ class Block {
   void end() const {
     for (const auto& [key, value] : object_.items()) {
       if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
-        fields_.refuse(fmt::format("{} has no key \"{}\"; expected one of {}", name_, key,
-                                   fmt::join(known_, ", ")));
+        fields_.refuse({.says = fmt::format("{} has no key \"{}\"; expected one of {}", name_, key,
+                                            fmt::join(known_, ", "))});
       }
     }
   }
@@ -78,7 +78,8 @@ class Block {
   }
   std::string path(const char* key) const { return name_ + '.' + key; }
   [[noreturn]] void refuse(const char* key, std::string_view range) const {
-    fields_.refuse(fmt::format("{} must be {}, found {}", path(key), range, object_[key].dump()));
+    fields_.refuse(
+        {.key = path(key), .expected = std::string(range), .found = object_[key].dump()});
   }
 
   const JsonFields& fields_;

@@ -1,9 +1,9 @@
-#include "traj/flight/geometric_controller.h"
+#include "flight/geometric_controller.h"
 
 #include <utility>
 
+#include "flight/motor_mixer.h"
 #include "traj/curve/flatness.h"
-#include "traj/flight/motor_mixer.h"
 #include "traj/proof/limits.h"
 
 namespace traj {

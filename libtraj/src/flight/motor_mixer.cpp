@@ -1,4 +1,4 @@
-#include "traj/flight/motor_mixer.h"
+#include "flight/motor_mixer.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "traj/flight/geometric_controller.h"
+#include "flight/geometric_controller.h"
 #include "traj/proof/limits.h"
 
 namespace traj {

@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "built_in_vehicles.h"
+#include "flight/airframe_record.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
-#include "traj/flight/airframe_record.h"
 #include "traj/proof/limits.h"
 
 namespace traj {
@@ -46,9 +46,9 @@ void require_known_keys(const JsonFields& fields) {
   for (const auto& [key, value] : fields.object().items()) {
     if (std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end()) continue;
     fields.refuse(
-        fmt::format("{} is no key of a vehicle's profile; expected some of: {} (remarks go into "
-                    "sources)",
-                    geom::shown(nlohmann::json(key)), fmt::join(kKeys, " ")));
+        {.says = fmt::format(
+             "{} is no key of a vehicle's profile; expected some of: {} (remarks go into sources)",
+             geom::shown(nlohmann::json(key)), fmt::join(kKeys, " "))});
   }
 }
 
@@ -56,7 +56,9 @@ Limits stated_limits(const JsonFields& fields) {
   Limits limits = geom::read_limits(fields);
   const std::optional<double> degrees = fields.number("tilt_max_deg");
   if (degrees && !(*degrees > 0 && *degrees <= 80)) {
-    fields.refuse(fmt::format("tilt_max_deg must be above 0 and at most 80, found {}", *degrees));
+    fields.refuse({.key = "tilt_max_deg",
+                   .expected = "above 0 and at most 80",
+                   .found = fmt::to_string(*degrees)});
   }
   Limits tilt;
   if (degrees) tilt[Limit::tilt] = *degrees * std::numbers::pi / 180;
@@ -89,9 +91,9 @@ std::optional<geom::Vec2> stated_navigation(const JsonFields& fields) {
   const bool pair = value.is_array() && value.size() == 2;
   if (!pair || !(metres(0) >= 0 && metres(0) <= 100) || !(metres(1) >= 0 && metres(1) <= 100)) {
     fields.refuse(
-        fmt::format("navigation_m must be metres across and metres up or down, each "
-                    "from 0 to 100, as [0.5, 1], found {}",
-                    geom::shown(value)));
+        {.key = "navigation_m",
+         .expected = "metres across and metres up or down, each from 0 to 100, as [0.5, 1]",
+         .found = geom::shown(value)});
   }
   return geom::Vec2(metres(0), metres(1));
 }
@@ -102,7 +104,7 @@ VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view sou
   const JsonFields fields(json, source, 0);
   require_known_keys(fields);
   const Vec3 body = fields.point("body");
-  if (body.minCoeff() < 0) fields.refuse("body must be half sizes >= 0 in metres");
+  if (body.minCoeff() < 0) fields.refuse({.key = "body", .expected = "half sizes >= 0 in metres"});
   VehicleProfile profile;
   profile.airframe = parse_airframe(fields);
   profile.body = body;

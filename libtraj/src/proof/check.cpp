@@ -9,11 +9,11 @@
 
 #include "check_limits.h"
 #include "check_place.h"
+#include "curve/continuity.h"
 #include "curve/curve_piece.h"
 #include "geom/base/error.h"
 #include "geom/record/flight_time.h"
 #include "least_clearance.h"
-#include "traj/curve/continuity.h"
 #include "traj/proof/domain.h"
 
 namespace traj {
@@ -23,7 +23,7 @@ namespace {
 void require_numbers(const CheckOptions& options) {
   const auto require = [](const char* what, double value) {
     if (value >= 0) return;
-    throw geom::InputError(what, fmt::format("expected a number >= 0, found {}", value));
+    throw geom::InputError(what, {.expected = "a number >= 0", .found = fmt::to_string(value)});
   };
   require("limit_slack", options.limit_slack);
   require("position_gap", options.position_gap);
@@ -33,8 +33,9 @@ void require_numbers(const CheckOptions& options) {
   require("yaw_rate_gap", options.yaw_rate_gap);
   require("step_share", options.step_share);
   if (options.start && !(std::abs(*options.start) <= geom::kLargestTime)) {
-    throw geom::InputError("start", fmt::format("expected seconds within {:g}, found {}",
-                                                geom::kLargestTime, *options.start));
+    throw geom::InputError("start",
+                           {.expected = fmt::format("seconds within {:g}", geom::kLargestTime),
+                            .found = fmt::to_string(*options.start)});
   }
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "curve/bernstein.h"
 #include "curve/curve_piece.h"
 #include "curve/portable_math.h"
-#include "traj/curve/bernstein.h"
 #include "traj/proof/domain.h"
 
 namespace traj {

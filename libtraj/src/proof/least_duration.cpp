@@ -1,4 +1,4 @@
-#include "traj/proof/least_duration.h"
+#include "proof/least_duration.h"
 
 #include <algorithm>
 #include <cassert>

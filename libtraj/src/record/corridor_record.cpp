@@ -39,15 +39,16 @@ geom::JsonLine object_of(const CorridorPiece& piece, double reach) {
 std::vector<std::uint32_t> parse_face(const geom::JsonFields& fields, const nlohmann::json& face,
                                       std::size_t vertices, const std::string& where) {
   if (!face.is_array() || face.size() < 3) {
-    fields.refuse(fmt::format("{} must be a list of at least 3 vertices, found {}", where,
-                              face.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
+    fields.refuse({.key = where,
+                   .expected = "a list of at least 3 vertices",
+                   .found = face.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)});
   }
   std::vector<std::uint32_t> out;
   for (const nlohmann::json& vertex : face) {
     if (!vertex.is_number_unsigned() || vertex.get<std::uint64_t>() >= vertices) {
       fields.refuse(
-          fmt::format("{} must name vertices from 0 to below {}, found {}", where, vertices,
-                      vertex.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
+          {.says = fmt::format("{} must name vertices from 0 to below {}", where, vertices),
+           .found = vertex.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)});
     }
     out.push_back(vertex.get<std::uint32_t>());
   }
@@ -57,7 +58,7 @@ std::vector<std::uint32_t> parse_face(const geom::JsonFields& fields, const nloh
 const nlohmann::json& list_of(const geom::JsonFields& fields, const nlohmann::json& object,
                               const char* key, const std::string& what) {
   if (!object.is_object() || !object.contains(key) || !object[key].is_array()) {
-    fields.refuse(what + " must be a list, found none");
+    fields.refuse({.key = what, .expected = "a list", .found = "none"});
   }
   return object[key];
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "curve/halves.h"
-#include "traj/proof/least_duration.h"
+#include "proof/least_duration.h"
 
 namespace traj {
 namespace {

@@ -19,23 +19,22 @@ void require_known(const geom::JsonFields& fields) {
       "type", "id", "epoch", "frame", "map", "from", "until", "min", "max", "velocity"};
   for (const auto& [key, value] : fields.object().items()) {
     if (key == "growth" || std::find(kKnown.begin(), kKnown.end(), key) != kKnown.end()) continue;
-    fields.refuse(fmt::format("expected {}, growth, found \"{}\", which is not known here",
-                              fmt::join(kKnown, ", "), key.substr(0, 60)));
+    fields.refuse({.expected = fmt::format("{}, growth", fmt::join(kKnown, ", ")),
+                   .found = fmt::format("\"{}\", which is not known here", key.substr(0, 60))});
   }
 }
 
 double seconds(const geom::JsonFields& fields, const char* key) {
   const auto number = fields.number(key);
   if (number) return *number;
-  fields.refuse(fmt::format(
-      "expected \"{}\", seconds after the epoch, found none: an obstacle that moves is there for a "
-      "time that is said",
-      key));
+  fields.refuse({.expected = fmt::format("\"{}\", seconds after the epoch", key),
+                 .found = "none",
+                 .advice = "an obstacle that moves is there for a time that is said"});
 }
 
 geom::Vec3 vector(const geom::JsonFields& fields, const char* key, const char* what) {
   if (fields.has(key)) return fields.point(key);
-  fields.refuse(fmt::format("expected \"{}\", {}, found none", key, what));
+  fields.refuse({.expected = fmt::format("\"{}\", {}", key, what), .found = "none"});
 }
 
 geom::JsonLine object_of(const MovingCover& cover) {
@@ -58,15 +57,16 @@ MovingRecord parse_moving_record(std::string_view json, std::string_view source,
   if (fields.has("epoch")) {
     out.epoch = geom::epoch_from(fields.text("epoch"));
     if (!out.epoch) {
-      fields.refuse(
-          "epoch must be an instant in UTC such as \"2026-05-04T06:30:00Z\" (RFC 3339), found " +
-          geom::shown(fields.value("epoch")));
+      fields.refuse({.key = "epoch",
+                     .expected = "an instant in UTC such as \"2026-05-04T06:30:00Z\" (RFC 3339)",
+                     .found = geom::shown(fields.value("epoch"))});
     }
   }
   if (fields.has("frame")) {
     out.frame = geom::axes_from_name(fields.text("frame"));
     if (!out.frame) {
-      fields.refuse("frame must be enu or neu, found " + geom::shown(fields.value("frame")));
+      fields.refuse(
+          {.key = "frame", .expected = "enu or neu", .found = geom::shown(fields.value("frame"))});
     }
   }
   if (fields.has("map")) out.map = fields.text("map");

@@ -13,21 +13,22 @@ namespace {
 bool ok_of(const geom::JsonFields& fields) {
   const nlohmann::json& value = fields.value("ok");
   if (!value.is_boolean()) {
-    fields.refuse(fmt::format("ok must be true or false, found {}", value.dump()));
+    fields.refuse({.key = "ok", .expected = "true or false", .found = value.dump()});
   }
   return value.get<bool>();
 }
 
 double number(const geom::JsonFields& fields, const char* key) {
   const auto value = fields.number(key);
-  if (!value) fields.refuse(fmt::format("expected a number as \"{}\", found none", key));
+  if (!value) fields.refuse({.expected = fmt::format("a number as \"{}\"", key), .found = "none"});
   return *value;
 }
 
 std::size_t count(const geom::JsonFields& fields, const char* key) {
   const nlohmann::json& value = fields.value(key);
   if (!value.is_number_unsigned()) {
-    fields.refuse(fmt::format("{} must be a whole number >= 0, found {}", key, value.dump()));
+    fields.refuse(
+        {.key = std::string(key), .expected = "a whole number >= 0", .found = value.dump()});
   }
   return value.get<std::uint64_t>();
 }
@@ -39,9 +40,10 @@ PairSummary parse_pair_record(std::string_view json, std::string_view source, st
   fields.require_type("pair");
   const nlohmann::json& ids = fields.value("ids");
   if (!ids.is_array() || ids.size() != 2 || !ids[0].is_string() || !ids[1].is_string()) {
-    fields.refuse(fmt::format("ids must be the ids of two flights, found {}", ids.dump()));
+    fields.refuse({.key = "ids", .expected = "the ids of two flights", .found = ids.dump()});
   }
-  if (ok_of(fields)) fields.refuse("expected a pair that was refused, found one with ok true");
+  if (ok_of(fields))
+    fields.refuse({.expected = "a pair that was refused", .found = "one with ok true"});
   PairSummary pair;
   pair.first = ids[0].get<std::string>();
   pair.second = ids[1].get<std::string>();
@@ -66,8 +68,8 @@ TogetherSummary parse_together_record(std::string_view json, std::string_view so
   if (fields.has("map")) all.map = fields.text("map");
   all.flights_hash = fields.text("flights_hash");
   if (all.ok && (all.refused > 0 || all.left_out > 0)) {
-    fields.refuse(fmt::format("ok is true beside {} refused pairs and {} flights left out",
-                              all.refused, all.left_out));
+    fields.refuse({.says = fmt::format("ok is true beside {} refused pairs and {} flights left out",
+                                       all.refused, all.left_out)});
   }
   return all;
 }

@@ -62,10 +62,12 @@ std::optional<TubeRecord> read_tube(const geom::JsonFields& flight) {
                     tube["period"].get<double>() > 0 && tube.contains("radius") &&
                     tube["radius"].is_array() && !tube["radius"].empty();
   if (!fits)
-    flight.refuse("expected a tube with a period and radius, found " + tube.dump().substr(0, 80));
+    flight.refuse(
+        {.expected = "a tube with a period and radius", .found = tube.dump().substr(0, 80)});
   out.period = tube["period"].get<double>();
   for (const nlohmann::json& radius : tube["radius"]) {
-    if (!positive(radius)) flight.refuse("radius must be metres >= 0, found " + radius.dump());
+    if (!positive(radius))
+      flight.refuse({.key = "radius", .expected = "metres >= 0", .found = radius.dump()});
     out.radius.push_back(radius.get<double>());
   }
   return out;

@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "curve/continuity.h"
 #include "geom/text/json_line.h"
-#include "traj/curve/continuity.h"
 
 namespace traj {
 namespace {

@@ -34,9 +34,9 @@ void add_bounds(geom::JsonLine& line, const TrajectoryRecord& record) {
 void read_bounds(const JsonFields& fields, TrajectoryRecord& record) {
   record.bound = fields.number("bound");
   record.duration_bound = fields.number("duration_bound");
-  if (record.bound && *record.bound < 0) fields.refuse("bound must be >= 0");
+  if (record.bound && *record.bound < 0) fields.refuse({.key = "bound", .expected = ">= 0"});
   if (record.duration_bound && *record.duration_bound < 0) {
-    fields.refuse("duration_bound must be >= 0");
+    fields.refuse({.key = "duration_bound", .expected = ">= 0"});
   }
 }
 
@@ -46,15 +46,16 @@ std::array<double, kPoints> parse_values(const JsonFields& fields, const Json& s
   const auto what = [&] { return fmt::format("segments[{}].{}", index, key); };
   const auto found = segment.find(key);
   if (found == segment.end() || !found->is_array() || found->size() != kPoints) {
-    fields.refuse(fmt::format("{} must be a list of 8 numbers, found {}", what(),
-                              found == segment.end() ? "none" : found->dump()));
+    fields.refuse({.key = std::string(what()),
+                   .expected = "a list of 8 numbers",
+                   .found = found == segment.end() ? "none" : found->dump()});
   }
   std::array<double, kPoints> values;
   for (int i = 0; i < kPoints; ++i) {
     const Json& value = (*found)[static_cast<std::size_t>(i)];
     values[i] = value.is_number() ? value.get<double>() : fields.number(value, what());
     if (!(std::abs(values[i]) <= geom::kLargestCoordinate)) {
-      fields.refuse(fmt::format("{} must be within 1e8, found {}", what(), value.dump()));
+      fields.refuse({.key = std::string(what()), .expected = "within 1e8", .found = value.dump()});
     }
   }
   return values;
@@ -63,7 +64,7 @@ std::array<double, kPoints> parse_values(const JsonFields& fields, const Json& s
 Segment parse_segment(const JsonFields& fields, const Json& segment, std::size_t index) {
   const auto where = [&] { return fmt::format("segments[{}]", index); };
   if (!segment.is_object()) {
-    fields.refuse(fmt::format("{} must be an object, found {}", where(), segment.dump()));
+    fields.refuse({.key = std::string(where()), .expected = "an object", .found = segment.dump()});
   }
   Segment s;
   const auto found = segment.find("duration");
@@ -71,8 +72,10 @@ Segment parse_segment(const JsonFields& fields, const Json& segment, std::size_t
   s.duration = duration.is_number() ? duration.get<double>()
                                     : fields.number(duration, where() + ".duration");
   if (!(s.duration >= kShortestSegment && s.duration <= kLongestTrajectory)) {
-    fields.refuse(fmt::format("{}.duration must be within {} and {} s, found {}", where(),
-                              kShortestSegment, kLongestTrajectory, duration.dump()));
+    fields.refuse(
+        {.key = fmt::format("{}.duration", where()),
+         .expected = fmt::format("within {} and {} s", kShortestSegment, kLongestTrajectory),
+         .found = duration.dump()});
   }
   const char* axes[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
@@ -124,17 +127,20 @@ TrajectoryRecord read_trajectory_record(const JsonFields& fields) {
   read_bounds(fields, record);
   if (fields.has("segments")) {
     const Json& list = fields.value("segments");
-    if (!list.is_array()) fields.refuse("segments must be a list, found " + list.dump());
+    if (!list.is_array())
+      fields.refuse({.key = "segments", .expected = "a list", .found = list.dump()});
     for (std::size_t i = 0; i < list.size(); ++i) {
       record.trajectory.segments.push_back(parse_segment(fields, list[i], i));
     }
   }
   if (duration(record.trajectory) > kLongestTrajectory) {
-    fields.refuse(fmt::format("the segments must last at most {} s in all, found {} s",
-                              kLongestTrajectory, duration(record.trajectory)));
+    fields.refuse(
+        {.says = fmt::format("the segments must last at most {} s in all", kLongestTrajectory),
+         .found = fmt::format("{} s", duration(record.trajectory))});
   }
   if (record.status == TrajectoryStatus::solved && record.trajectory.segments.empty()) {
-    fields.refuse("segments must not be empty when the status is solved, found none");
+    fields.refuse(
+        {.says = "segments must not be empty when the status is solved", .found = "none"});
   }
   return record;
 }

@@ -15,11 +15,10 @@ void require_close(const State& end, const State& begin, double gap, std::size_t
                    double time, std::string_view source) {
   const auto require = [&](double found, double most, const char* what, const char* unit) {
     if (found <= most) return;
-    throw geom::InputError(
-        source,
-        fmt::format("a jump: {} steps by {:.6g} {} where segment {} begins, at t = {:.6g} s; "
-                    "expected at most {:.6g}",
-                    what, found, unit, segment, time, most));
+    throw geom::InputError(source,
+                           {.says = fmt::format("a jump: {} steps by {:.6g} {} where segment {} "
+                                                "begins, at t = {:.6g} s; expected at most {:.6g}",
+                                                what, found, unit, segment, time, most)});
   };
   require((begin.position - end.position).norm(), gap, "position", "m");
   require((begin.velocity - end.velocity).norm(), 10 * gap, "velocity", "m/s");
@@ -57,10 +56,10 @@ void close_yaw(Segment& before, Segment& after, double gap, std::size_t segment,
   const double step = std::max(std::abs(b[0] - a[7]), 0.1 * std::abs(b_rate - a_rate));
   if (step > gap) {
     throw geom::InputError(
-        source,
-        fmt::format("a jump: yaw steps by {:.6g} rad, its rate by {:.6g} rad/s where "
-                    "segment {} begins, at t = {:.6g} s; expected at most {:.6g} and {:.6g}",
-                    b[0] - a[7], b_rate - a_rate, segment, time, gap, 10 * gap));
+        source, {.says = fmt::format(
+                     "a jump: yaw steps by {:.6g} rad, its rate by {:.6g} rad/s where segment {} "
+                     "begins, at t = {:.6g} s; expected at most {:.6g} and {:.6g}",
+                     b[0] - a[7], b_rate - a_rate, segment, time, gap, 10 * gap)});
   }
   const double rate = 0.5 * (a_rate + b_rate);
   a[7] = b[0] = 0.5 * (a[7] + b[0]);

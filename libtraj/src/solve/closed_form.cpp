@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "traj/solve/nominal.h"
-#include "traj/solve/time_allocation.h"
-#include "traj/solve/time_scaling.h"
+#include "solve/nominal.h"
+#include "solve/time_allocation.h"
+#include "solve/time_scaling.h"
 
 namespace traj {
 namespace {

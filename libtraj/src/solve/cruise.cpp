@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "curve/portable_math.h"
-#include "traj/solve/nominal.h"
+#include "solve/nominal.h"
 
 namespace traj {
 namespace {

@@ -1,4 +1,4 @@
-#include "traj/solve/optimize.h"
+#include "solve/optimize.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,9 +9,9 @@
 #include "curve/portable_math.h"
 #include "ipopt_solve.h"
 #include "nlp.h"
+#include "solve/nominal.h"
+#include "solve/time_allocation.h"
 #include "traj/solve/min_snap.h"
-#include "traj/solve/nominal.h"
-#include "traj/solve/time_allocation.h"
 
 namespace traj {
 namespace {

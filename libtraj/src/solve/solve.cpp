@@ -8,16 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "traj/curve/bernstein.h"
+#include "curve/bernstein.h"
+#include "solve/nominal.h"
+#include "solve/optimize.h"
+#include "solve/stop_and_go.h"
+#include "solve/time_allocation.h"
+#include "solve/time_scaling.h"
 #include "traj/proof/check.h"
 #include "traj/solve/closed_form.h"
 #include "traj/solve/corridor.h"
 #include "traj/solve/min_snap.h"
-#include "traj/solve/nominal.h"
-#include "traj/solve/optimize.h"
-#include "traj/solve/stop_and_go.h"
-#include "traj/solve/time_allocation.h"
-#include "traj/solve/time_scaling.h"
 
 namespace traj {
 namespace {

@@ -1,11 +1,11 @@
-#include "traj/solve/stop_and_go.h"
+#include "solve/stop_and_go.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "curve/portable_math.h"
-#include "traj/solve/time_scaling.h"
+#include "solve/time_scaling.h"
 
 namespace traj {
 namespace {

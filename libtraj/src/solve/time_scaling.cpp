@@ -1,13 +1,13 @@
-#include "traj/solve/time_scaling.h"
+#include "solve/time_scaling.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "curve/bernstein.h"
 #include "curve/halves.h"
 #include "curve/portable_math.h"
 #include "proof/check_limits.h"
-#include "traj/curve/bernstein.h"
 
 namespace traj {
 namespace {

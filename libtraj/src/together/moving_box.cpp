@@ -150,38 +150,45 @@ class MovingSearch {
 
 }  // namespace
 
-std::optional<std::string> moving_box_fault(const MovingBox& box) {
+std::optional<geom::Fault> moving_box_fault(const MovingBox& box) {
   const auto within = [](const Vec3& v, double most) {
     return (v.cwiseAbs().array() <= most).all();
   };
   if (!within(box.box.min, geom::kLargestCoordinate) ||
       !within(box.box.max, geom::kLargestCoordinate)) {
-    return fmt::format("min and max must be metres within {:g}", geom::kLargestCoordinate);
+    return geom::Fault{.key = "min and max",
+                       .expected = fmt::format("metres within {:g}", geom::kLargestCoordinate)};
   }
-  if (!(box.box.min.array() <= box.box.max.array()).all()) return "min must be <= max on each axis";
+  if (!(box.box.min.array() <= box.box.max.array()).all())
+    return geom::Fault{.key = "min", .expected = "<= max on each axis"};
   if (!within(box.velocity, kFastestBox)) {
-    return fmt::format("velocity must be m/s within {:g} along each axis", kFastestBox);
+    return geom::Fault{.key = "velocity",
+                       .expected = fmt::format("m/s within {:g} along each axis", kFastestBox)};
   }
   if (!within(box.growth, kFastestBox) || !(box.growth.array() >= 0).all()) {
-    return fmt::format("growth must be m/s from 0 to {:g} along each axis", kFastestBox);
+    return geom::Fault{.key = "growth",
+                       .expected = fmt::format("m/s from 0 to {:g} along each axis", kFastestBox)};
   }
   geom::FlightTime time;
   for (const double t : {box.from, box.until}) {
     time.start = t;
     if (geom::time_fault(time)) {
-      return fmt::format(
-          "from and until must be seconds after the epoch, 0 or from {:g} to {:g} on "
-          "either side of it, found {}",
-          geom::kLeastTime, geom::kLargestTime, t);
+      return geom::Fault{.key = "from and until",
+                         .expected = fmt::format(
+                             "seconds after the epoch, 0 or from {:g} to {:g} on either side of it",
+                             geom::kLeastTime, geom::kLargestTime),
+                         .found = fmt::to_string(t)};
     }
   }
   if (!(box.from < box.until && duration_of(box) >= geom::kLeastTime)) {
-    return fmt::format("from must be before until, found {} and {}", box.from, box.until);
+    return geom::Fault{.key = "from",
+                       .expected = "before until",
+                       .found = fmt::format("{} and {}", box.from, box.until)};
   }
   for (const Rounded to : {Rounded::down, Rounded::up}) {
     if (within(corner_of(box, to).segments[0].point.back(), geom::kLargestCoordinate)) continue;
-    return fmt::format("it must stay within {:g} m of zero until {} s", geom::kLargestCoordinate,
-                       box.until);
+    return geom::Fault{.says = fmt::format("it must stay within {:g} m of zero until {} s",
+                                           geom::kLargestCoordinate, box.until)};
   }
   return std::nullopt;
 }

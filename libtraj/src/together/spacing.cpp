@@ -30,11 +30,12 @@ Vec3 reach_of(const Spacing& spacing, const Vec3& room) {
   return reach * (1 + 0x1p-50);  // more than zones_between() rounds sums up
 }
 
-std::optional<std::string> spacing_fault(const Zone& zone) {
+std::optional<geom::Fault> spacing_fault(const Zone& zone) {
   for (const double reach : zone.reach) {
     if (reach > 0 && reach <= geom::kLargestCoordinate) continue;
-    return fmt::format("expected metres above 0 and at most {:g}, found {}",
-                       geom::kLargestCoordinate, reach);
+    return geom::Fault{
+        .expected = fmt::format("metres above 0 and at most {:g}", geom::kLargestCoordinate),
+        .found = fmt::to_string(reach)};
   }
   return std::nullopt;
 }

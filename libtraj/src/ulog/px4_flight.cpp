@@ -317,9 +317,11 @@ double take_off_from(double ground, Px4Flight& flight, std::string_view source) 
     return s.time > flight.takeoff.value_or(-1);
   });
   if (after == samples.begin()) {
-    throw geom::InputError(source,
-                           "expected a take-off after the first position, from whose ground the "
-                           "heights would count, found none");
+    throw geom::InputError(
+        source,
+        {.expected =
+             "a take-off after the first position, from whose ground the heights would count",
+         .found = "none"});
   }
   // That it has taken off is noticed when it is in the air.
   double was = std::prev(after)->position.z();

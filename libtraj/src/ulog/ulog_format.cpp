@@ -82,11 +82,12 @@ class Layer {
   void add(std::string_view name, const std::string& prefix, std::size_t depth) {
     const auto format = formats_.find(name);
     if (format == formats_.end()) {
-      refuse(fmt::format("expected a format or a basic type, found \"{}\"", geom::excerpt(name)));
+      refuse(
+          {.expected = "a format or a basic type", .found = geom::in_quotes(geom::excerpt(name))});
     }
     if (depth > kDeepest) {
-      refuse(fmt::format("the format {} contains itself, or {} others one in the other",
-                         geom::excerpt(name), kDeepest));
+      refuse({.says = fmt::format("the format {} contains itself, or {} others one in the other",
+                                  geom::excerpt(name), kDeepest)});
     }
     std::string_view fields = format->second;
     while (!fields.empty()) add_field(next_of(fields), name, prefix, depth);
@@ -99,13 +100,14 @@ class Layer {
                  std::size_t depth) {
     const auto field = declaration_of(text);
     if (!field) {
-      refuse(fmt::format("format {}: expected fields such as \"float[3] name\", found \"{}\"",
-                         geom::excerpt(format), geom::excerpt(text)));
+      refuse({.item = fmt::format("format {}", geom::excerpt(format)),
+              .expected = "fields such as \"float[3] name\"",
+              .found = geom::in_quotes(geom::excerpt(text))});
     }
     const std::string name = prefix + std::string(field->name);
     if (name.size() > kLongest) {
-      refuse(fmt::format("expected names of fields of at most {} characters, found \"{}\"",
-                         kLongest, geom::excerpt(name)));
+      refuse({.expected = fmt::format("names of fields of at most {} characters", kLongest),
+              .found = geom::in_quotes(geom::excerpt(name))});
     }
     if (const auto type = type_of(field->type)) return add_values(*type, *field, name);
     for (std::size_t i = 0; i < field->count; ++i) {
@@ -116,17 +118,18 @@ class Layer {
   void add_values(UlogType type, const Declaration& field, const std::string& name) {
     const bool padding = field.name.starts_with("_padding");
     if (!padding && !out_.fields.emplace(name, UlogField{type, out_.size, field.count}).second) {
-      refuse(fmt::format("the field {} comes twice in a format", geom::excerpt(name)));
+      refuse({.says = fmt::format("the field {} comes twice in a format", geom::excerpt(name))});
     }
     out_.size += size_of(type) * field.count;
     if (!padding) out_.least = out_.size;
     if (out_.size > kMostBytes) {
-      refuse(fmt::format("expected a format of at most {} bytes, found a larger one", kMostBytes));
+      refuse({.expected = fmt::format("a format of at most {} bytes", kMostBytes),
+              .found = "a larger one"});
     }
   }
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw geom::InputError(source_, message);
+  [[noreturn]] void refuse(geom::Fault fault) const {
+    throw geom::InputError(source_, std::move(fault));
   }
 
   const Formats& formats_;
@@ -145,19 +148,18 @@ std::size_t size_of(UlogType type) {
 void UlogFormats::add(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == text.npos || colon == 0 || colon + 1 == text.size()) {
-    throw geom::InputError(source_,
-                           fmt::format("expected a format such as \"name:float x;\", found \"{}\"",
-                                       geom::excerpt(text)));
+    throw geom::InputError(source_, {.expected = "a format such as \"name:float x;\"",
+                                     .found = geom::in_quotes(geom::excerpt(text))});
   }
   bytes_ += text.size();
   if (bytes_ > kMostText) {
-    throw geom::InputError(source_, "expected at most 16 MiB of formats, found more");
+    throw geom::InputError(source_, {.expected = "at most 16 MiB of formats", .found = "more"});
   }
   const std::string name(text.substr(0, colon));
   const auto [known, fresh] = formats_.emplace(name, text.substr(colon + 1));
   if (!fresh && known->second != text.substr(colon + 1)) {
-    throw geom::InputError(
-        source_, fmt::format("the format {} comes twice, and differs", geom::excerpt(name)));
+    throw geom::InputError(source_, {.says = fmt::format("the format {} comes twice, and differs",
+                                                         geom::excerpt(name))});
   }
 }
 

@@ -100,8 +100,8 @@ class Reader {
     std::optional<UlogLayout> layout;
   };
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw geom::InputError(source_, message);
+  [[noreturn]] void refuse(geom::Fault fault) const {
+    throw geom::InputError(source_, std::move(fault));
   }
 
   void cut(std::uint64_t at, std::string why) {
@@ -112,11 +112,12 @@ class Reader {
   void read_header() {
     const std::string_view header = bytes_.next(kHeader);
     if (header.substr(0, kMagic.size()) != kMagic) {
-      refuse(fmt::format("expected a PX4 log (ULog), found \"{}\"",
-                         geom::excerpt(header.substr(0, kMagic.size()))));
+      refuse({.expected = "a PX4 log (ULog)",
+              .found = geom::in_quotes(geom::excerpt(header.substr(0, kMagic.size())))});
     }
     if (header.size() < kHeader) {
-      refuse(fmt::format("expected a header of {} bytes, found {}", kHeader, header.size()));
+      refuse({.expected = fmt::format("a header of {} bytes", kHeader),
+              .found = fmt::to_string(header.size())});
     }
     out_.version = static_cast<unsigned char>(header[7]);
     out_.start = value_at<std::uint64_t>(header, 8);
@@ -199,25 +200,29 @@ class Reader {
   void take_flags(std::string_view body, std::uint64_t begin) {
     if (begin != kHeader) return cut(begin, "flags stand in the middle of the log");
     if (body.size() < kFlagBits) {
-      refuse(fmt::format("expected flags of {} bytes, found {}", kFlagBits, body.size()));
+      refuse({.expected = fmt::format("flags of {} bytes", kFlagBits),
+              .found = fmt::to_string(body.size())});
     }
     const auto appended = static_cast<unsigned char>(body[8]);
     const std::string_view others = body.substr(9, 7);
     if ((appended & ~1u) != 0 || others.find_first_not_of('\0') != others.npos) {
-      refuse("the log says that it has features which readers must know, and this one does not");
+      refuse(
+          {.says =
+               "the log says that it has features which readers must know, and this one does not"});
     }
     for (std::size_t i = 0; i < kOffsets && (appended & 1u) != 0; ++i) {
       const auto offset = value_at<std::uint64_t>(body, 16 + 8 * i);
       if (offset == 0) break;
       if (offset < (appended_.empty() ? bytes_.at() : appended_.back() + 1)) {
-        refuse(fmt::format("expected appended data after what stands before it, found byte {}",
-                           offset));
+        refuse({.expected = "appended data after what stands before it",
+                .found = fmt::format("byte {}", offset)});
       }
       appended_.push_back(offset);
     }
   }
 
-  // "float NAME" or "int32_t NAME", and its value. Others are passed over, as no flight hangs on them.
+  // "float NAME" or "int32_t NAME", and its value. Others are passed over, as no flight hangs on
+  // them.
   void take_parameter(std::string_view body) {
     const std::size_t length = body.empty() ? 0 : static_cast<unsigned char>(body[0]);
     const std::string_view key = body.substr(std::min<std::size_t>(1, body.size()), length);
@@ -250,8 +255,9 @@ class Reader {
     UlogLayout layout = formats_.layout(name);
     const auto time = layout.fields.find("timestamp");
     if (time == layout.fields.end() || time->second.type != UlogType::uint64) {
-      refuse(fmt::format("format {}: expected a field \"uint64_t timestamp\", found none",
-                         geom::excerpt(name)));
+      refuse({.item = fmt::format("format {}", geom::excerpt(name)),
+              .expected = "a field \"uint64_t timestamp\"",
+              .found = "none"});
     }
     return layout;
   }

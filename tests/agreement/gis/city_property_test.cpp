@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "geom/import/city_footprints.h"
-#include "geom/import/city_json.h"
 #include "gis/city_gml.h"
+#include "import/city_footprints.h"
+#include "import/city_json.h"
 #include "support/cases.h"
 #include "support/random_city_gml.h"
 #include "support/random_city_json.h"

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/archive/bytes.h"
-#include "geom/import/city_json.h"
 #include "geom/model/gltf_model.h"
 #include "geom/model/tileset.h"
+#include "import/city_json.h"
 #include "marked_polygon.h"
 #include "support/glb_file.h"
 
@@ -181,7 +181,7 @@ MarkedFile gltf(Random& random) {
 
 Outcome read_gltf(std::istream&, const MarkedFile& file) {
   const auto none = [](const std::string& path) -> std::string {
-    throw geom::InputError(path, "no such file");
+    throw geom::InputError(path, {.says = "no such file"});
   };
   return outcome(geom::read_gltf(file.bytes, "random", none), file);
 }
@@ -225,7 +225,7 @@ MarkedFile tileset(Random& random) {
 Outcome read_tiles(std::istream&, const MarkedFile& file) {
   const auto files = [](const std::string& path) -> std::string {
     const auto at = tiles.find(path);
-    if (at == tiles.end()) throw geom::InputError(path, "no such file");
+    if (at == tiles.end()) throw geom::InputError(path, {.says = "no such file"});
     return at->second;
   };
   return outcome(geom::read_tileset("tileset.json", files).model, file);

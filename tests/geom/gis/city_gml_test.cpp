@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "geom/import/city_footprints.h"
+#include "import/city_footprints.h"
 
 namespace geom::gis {
 namespace {

@@ -1,4 +1,4 @@
-#include "geom/import/block_text.h"
+#include "import/block_text.h"
 
 #include <gtest/gtest.h>
 

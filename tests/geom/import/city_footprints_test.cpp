@@ -1,4 +1,4 @@
-#include "geom/import/city_footprints.h"
+#include "import/city_footprints.h"
 
 #include <gtest/gtest.h>
 

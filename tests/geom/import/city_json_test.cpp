@@ -1,10 +1,10 @@
-#include "geom/import/city_json.h"
+#include "import/city_json.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "geom/import/city_footprints.h"
+#include "import/city_footprints.h"
 #include "support/refusal.h"
 
 namespace geom {

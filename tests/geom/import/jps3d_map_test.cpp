@@ -1,4 +1,4 @@
-#include "geom/import/jps3d_map.h"
+#include "import/jps3d_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/import/octomap.h"
+#include "import/octomap.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/import/voxel_3dmap.h"
+#include "import/voxel_3dmap.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/import/world_json.h"
+#include "import/world_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/import/written_height.h"
+#include "import/written_height.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

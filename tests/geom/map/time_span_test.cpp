@@ -31,7 +31,7 @@ TEST(TimeSpan, MustBeOne) {
         TimeSpan{-kInfinity, -kInfinity}, TimeSpan{-1.1e9, 0}, TimeSpan{0, 1.1e9}}) {
     EXPECT_TRUE(span_fault(bad)) << bad.from << ' ' << bad.until;
   }
-  EXPECT_EQ(*span_fault({2, 1}), "from must be at most until, found 2 and 1");
+  EXPECT_EQ(sentence(*span_fault({2, 1})), "from must be at most until, found 2 and 1");
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ TEST(TimedBoxes, RefusesWhatCannotBe) {
   const std::vector<TimeSpan> time{{0, 5}, {7, 9}};
   const auto fault = [&](const std::vector<std::uint64_t>& box, std::vector<TimeSpan> times,
                          const std::optional<std::string>& epoch = kEpoch) {
-    return timed_fault({box, times}, 5, epoch).value_or("none");
+    const auto fault = timed_fault({box, times}, 5, epoch);
+    return fault ? sentence(*fault) : "none";
   };
   EXPECT_EQ(fault({1, 4}, time), "none");
   EXPECT_NE(fault({4, 1}, time).find("above the one before, found 1"), std::string::npos);

@@ -16,7 +16,7 @@ using support::json;
 
 const Aabb kBox{{0, 0, 0}, {1, 2, 3}};
 
-std::string no_file(const std::string& path) { throw InputError(path, "not there"); }
+std::string no_file(const std::string& path) { throw InputError(path, {.says = "not there"}); }
 
 GltfModel read(const std::string& bytes, const ModelFiles& files = no_file) {
   return read_gltf(bytes, "a.glb", files);
@@ -177,7 +177,7 @@ struct PackedFile : GltfFile {
     return read_gltf(bytes(), "a.glb", no_file, {},
                      [&](std::string_view packed, const std::string& source) {
                        EXPECT_EQ(source, "a.glb");
-                       if (packed != "cuboid") throw InputError(source, "not packed");
+                       if (packed != "cuboid") throw InputError(source, {.says = "not packed"});
                        return mesh;
                      });
   }
@@ -208,7 +208,7 @@ TEST(ReadGltf, ReadsWhatIsThereUnpackedTooWithAndWithoutADecoder) {
   file.text["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
       {"bufferView", 0}, {"attributes", {{"POSITION", 5}}}};
   const DracoDecoder none = [](std::string_view, const std::string& source) -> DracoMesh {
-    throw InputError(source, "nothing to unpack");
+    throw InputError(source, {.says = "nothing to unpack"});
   };
   EXPECT_EQ(read(file).mesh.triangles.size(), 12u);
   EXPECT_EQ(read_gltf(file.bytes(), "a.glb", no_file, {}, none).mesh.triangles.size(), 12u);

@@ -36,7 +36,7 @@ json refined(json root, const char* how) {
 TilesModel read(const Files& files) {
   return read_tileset("tileset.json", [&](const std::string& path) {
     const auto at = files.find(path);
-    if (at == files.end()) throw InputError(path, "not there");
+    if (at == files.end()) throw InputError(path, {.says = "not there"});
     return at->second;
   });
 }

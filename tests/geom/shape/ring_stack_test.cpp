@@ -1,4 +1,4 @@
-#include "geom/shape/ring_stack.h"
+#include "shape/ring_stack.h"
 
 #include <gtest/gtest.h>
 

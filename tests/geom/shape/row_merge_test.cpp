@@ -1,4 +1,4 @@
-#include "geom/shape/row_merge.h"
+#include "shape/row_merge.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/shape/simple_ring.h"
+#include "shape/simple_ring.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/shape/skyline_merge.h"
+#include "shape/skyline_merge.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geom/text/json_outline.h"
+#include "text/json_outline.h"
 
 #include <gtest/gtest.h>
 

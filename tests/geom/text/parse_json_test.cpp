@@ -8,13 +8,13 @@
 
 #include "geom/base/error.h"
 #include "geom/collision/collision.h"
-#include "geom/import/city_json.h"
 #include "geom/import/keep_out.h"
-#include "geom/import/world_json.h"
 #include "geom/map/frame.h"
 #include "geom/record/query_record.h"
 #include "geom/record/record.h"
 #include "geom/text/json_fields.h"
+#include "import/city_json.h"
+#include "import/world_json.h"
 
 namespace geom {
 namespace {
@@ -103,7 +103,8 @@ TEST(ParseJson, SaysWhereAndWhatWasExpected) {
             "f:1: column 8: this is not JSON: expected , or }, found \"b\"");
   EXPECT_EQ(refused("{\n \"a\":1,\n}"),
             "f:3: column 1: this is not JSON: expected a key in quotes, found }");
-  EXPECT_EQ(refused("[1,", 17), "f:17: column 4: this is not JSON: expected a value, found the end");
+  EXPECT_EQ(refused("[1,", 17),
+            "f:17: column 4: this is not JSON: expected a value, found the end");
 }
 
 TEST(ParseJson, RefusesStringsThatAreNone) {

@@ -1,4 +1,4 @@
-#include "geom/text/xml_head.h"
+#include "text/xml_head.h"
 
 #include <gtest/gtest.h>
 

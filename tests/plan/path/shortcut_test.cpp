@@ -1,4 +1,4 @@
-#include "plan/path/shortcut.h"
+#include "path/shortcut.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "plan/path/taut.h"
+#include "path/taut.h"
 
 #include <gtest/gtest.h>
 

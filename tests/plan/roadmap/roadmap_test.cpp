@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "plan/path/taut.h"
+#include "path/taut.h"
 #include "plan/planner/plan.h"
 #include "roadmap/tiled.h"
 #include "support/random_city.h"

@@ -13,7 +13,7 @@ enum class Colour { red, green };
 // What is said of these arguments.
 std::string said(std::vector<std::string> arguments) {
   CLI::App app{"", "tool"};
-  std::string map, word;
+  std::string map, word, place;
   std::vector<double> pair;
   double size = 0, scale = 0;
   unsigned seed = 0;
@@ -23,13 +23,14 @@ std::string said(std::vector<std::string> arguments) {
   app.add_option("--size", size, "metres")->check(CLI::Range(1e-9, 2.0));
   app.add_option("--scale", scale)->check(CLI::PositiveNumber);
   app.add_option("--pair", pair)->expected(2);
+  app.add_option("--place", place)->check([](const std::string&) { return "no place"; });
   app.add_option("--seed", seed)->needs("--scale")->excludes("--size");
   app.add_option("--colour", colour)
       ->transform(cli::word_for<Colour>({{"green", Colour::green}, {"red", Colour::red}}));
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ParseError& error) {
-    return cli::in_words(app, error);
+    return cli::in_words(app, error, arguments.empty() ? "" : arguments.back());
   }
   return colour == Colour::green ? "green" : "";
 }
@@ -44,6 +45,20 @@ TEST(ParseError, SaysWhatWasExpectedAndFound) {
   EXPECT_EQ(said({"m", "--word"}), "--word: expected a value, found none");
   EXPECT_EQ(said({"m", "--word", "a", "--word", "b"}),
             "--word: expected a value, found more: give it once");
+}
+
+// The parser says these with a type that it has for several things, and the option in its text.
+TEST(ParseError, FindsTheOptionAtWhichTheParserStopped) {
+  EXPECT_EQ(said({"m", "--scale", "2", "--size", "1", "--word", "x: y"}),
+            "--word: expected a, b or c, found \"x: y\"");
+  EXPECT_EQ(said({"m", "--pair", "1", "z"}), "--pair: expected a number, found \"1,z\"");
+  EXPECT_EQ(said({"m", "--size", "1", "--size"}), "--size: expected a value, found none");
+  EXPECT_EQ(said({"m", "--size", "1", "--word="}), "--word: expected a value, found none");
+  EXPECT_EQ(said({"m", "--word", "a", "--word", "b", "--pair", "3"}),
+            "--word: expected a value, found more: give it once");
+  EXPECT_EQ(said({"--word", "a", "--scale", "1", "--word", "b", "--scale"}),
+            "--scale: expected a value, found none");
+  EXPECT_EQ(said({"--place", "x"}), "--place: no place");
 }
 
 TEST(ParseError, NamesUnknownAndMissingArguments) {

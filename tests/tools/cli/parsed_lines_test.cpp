@@ -20,11 +20,11 @@ std::string taken(const std::string& text, unsigned threads) {
   InputFile file(folder / "lines");
   std::string out;
   const auto parse = [](const std::string& line, std::size_t number) {
-    if (line.starts_with('?')) throw geom::InputError("f", number, "no record");
+    if (line.starts_with('?')) throw geom::InputError("f", number, {.says = "no record"});
     return line;
   };
   const auto take = [&](const std::string& record, std::size_t number) {
-    if (record == "no") throw geom::InputError("f", number, "not taken");
+    if (record == "no") throw geom::InputError("f", number, {.says = "not taken"});
     out += std::to_string(number) + record.substr(0, 3) + ' ';
   };
   return out += support::refusal_of([&] { for_each_parsed(file, {threads, {}}, parse, take); });

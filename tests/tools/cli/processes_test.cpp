@@ -41,15 +41,23 @@ TEST(Processes, AreOthersThanThisOne) {
 
 TEST(Processes, HandOnErrorsAfterWhatCameBefore) {
   std::vector<std::string> taken;
-  const auto work = [](std::size_t i) -> std::string {
-    if (i == 5) throw geom::InputError("paths", 6, "expected: a point");
+  const geom::Fault fault{.item = "item 1",
+                          .key = "k: 1",
+                          .says = std::string("\0 3 ", 4),
+                          .expected = "",
+                          .found = "\xff\n",
+                          .advice = "7 a"};
+  const auto work = [&](std::size_t i) -> std::string {
+    if (i == 5) throw geom::InputError("a: paths", 6, fault);
     return std::to_string(i);
   };
   try {
     in_processes(9, 3, work, [&](std::size_t, const std::string& text) { taken.push_back(text); });
     FAIL();
   } catch (const geom::InputError& error) {
-    EXPECT_STREQ(error.what(), "paths:6: expected: a point");
+    EXPECT_EQ(error.source(), "a: paths");
+    EXPECT_EQ(error.line(), 6u);
+    EXPECT_EQ(error.fault(), fault);
   }
   EXPECT_EQ(taken.size(), 5u);
 }

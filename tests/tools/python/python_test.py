@@ -30,12 +30,16 @@ def lines(text):
     return [json.loads(line) for line in text.splitlines()]
 
 
-def raises(kind, function, *arguments, **named):
+def error_of(function, *arguments, kind=skyway.InputError, **named):
     try:
         function(*arguments, **named)
     except kind as error:
-        return str(error)
+        return error
     raise AssertionError(f"{function} raised nothing")
+
+
+def raises(kind, function, *arguments, **named):
+    return str(error_of(function, *arguments, kind=kind, **named))
 
 
 def test_arrays_are_those_of_the_files(out):
@@ -200,6 +204,16 @@ def test_errors_carry_the_tools_messages(out, scene):
     assert raises(skyway.InputError, skyway.read_reports, bad).startswith(f"{bad}:1: expected a record of type")
     bad.write_text('{"type":"report","id":"a","ok":1}\n')
     assert raises(skyway.InputError, skyway.read_reports, bad) == f"{bad}:1: ok must be true or false, found 1"
+    fields = error_of(skyway.read_reports, bad)
+    assert (fields.source, fields.line, fields.key, fields.expected, fields.found, fields.advice) == (
+        str(bad), 1, "ok", "true or false", "1", "")
+    bad.write_text('{"type":"path","id":"a","status":"found","points":7}\n')
+    fields = error_of(skyway.read_paths, str(bad))
+    assert (fields.source, fields.line, fields.key, fields.expected, fields.found) == (
+        str(bad), 1, "points", "a list", "7")
+    assert error_of(skyway.read_box_map, str(torn)).line is None
+    bad.write_bytes(b'{"type":"path","id":"a","status":"found","points":[["\xff",0,0]]}\n')
+    assert isinstance(error_of(skyway.read_paths, str(bad)), skyway.InputError)
     said = tool("skyway-query", f"{out}/city.boxmap", "--vehicle", "bird", code=2, text="{}").stderr
     message = raises(skyway.UsageError, skyway.CollisionScene, scene.map, "bird")
     assert said.startswith(f"skyway-query: {message}\n")

@@ -1,4 +1,4 @@
-#include "traj/curve/bernstein.h"
+#include "curve/bernstein.h"
 
 #include <gtest/gtest.h>
 

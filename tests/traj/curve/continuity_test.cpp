@@ -1,4 +1,4 @@
-#include "traj/curve/continuity.h"
+#include "curve/continuity.h"
 
 #include <gtest/gtest.h>
 

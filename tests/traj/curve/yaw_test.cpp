@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "curve/bernstein.h"
 #include "curve/portable_math.h"
-#include "traj/curve/bernstein.h"
 #include "traj/scenes.h"
 
 namespace traj {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "traj/fleet/forbidden_departures.h"
+#include "fleet/forbidden_departures.h"
 #include "traj/fleet/random_flights.h"
 
 namespace traj {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "flight/airframe_record.h"
 #include "geom/text/json_fields.h"
 #include "support/refusal.h"
-#include "traj/flight/airframe_record.h"
 
 namespace traj {
 namespace {

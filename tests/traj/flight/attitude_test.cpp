@@ -1,4 +1,4 @@
-#include "traj/flight/attitude.h"
+#include "flight/attitude.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "flight/airframe_record.h"
 #include "geom/text/json_fields.h"
 #include "support/refusal.h"
 #include "traj/flight/airframe.h"
-#include "traj/flight/airframe_record.h"
 #include "traj/flight/gains_record.h"
 
 namespace traj {

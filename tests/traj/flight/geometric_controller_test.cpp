@@ -1,4 +1,4 @@
-#include "traj/flight/geometric_controller.h"
+#include "flight/geometric_controller.h"
 
 #include <gtest/gtest.h>
 

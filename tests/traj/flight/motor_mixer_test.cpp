@@ -1,7 +1,7 @@
 // With motor_mixer.cpp compiled with the assertions of the standard library, as a sanitizer build
 // has it: a clamp between bounds that are the wrong way round ends the program.
 
-#include "traj/flight/motor_mixer.h"
+#include "flight/motor_mixer.h"
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "geom/base/error.h"
+#include "solve/stop_and_go.h"
 #include "support/random_city.h"
 #include "support/segment_distance.h"
 #include "traj/proof/exact/exact_check.h"
 #include "traj/scenes.h"
-#include "traj/solve/stop_and_go.h"
 
 namespace traj {
 namespace {

@@ -1,4 +1,4 @@
-#include "traj/proof/least_duration.h"
+#include "proof/least_duration.h"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "solve/time_scaling.h"
 #include "support/random_city.h"
 #include "traj/curve/trajectory.h"
 #include "traj/proof/check.h"
 #include "traj/scenes.h"
-#include "traj/solve/time_scaling.h"
 
 namespace traj {
 namespace {

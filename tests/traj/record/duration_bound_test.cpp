@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "traj/proof/least_duration.h"
+#include "proof/least_duration.h"
+#include "solve/stop_and_go.h"
 #include "traj/record/report_record.h"
 #include "traj/scenes.h"
-#include "traj/solve/stop_and_go.h"
 
 namespace traj {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "solve/ipopt_solve.h"
+#include "solve/optimize.h"
 #include "traj/scenes.h"
-#include "traj/solve/optimize.h"
 
 namespace traj {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "traj/curve/continuity.h"
+#include "curve/continuity.h"
+#include "solve/time_scaling.h"
 #include "traj/scenes.h"
 #include "traj/solve/solve.h"
-#include "traj/solve/time_scaling.h"
 
 namespace traj {
 namespace {

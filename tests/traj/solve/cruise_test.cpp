@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "traj/curve/bernstein.h"
+#include "curve/bernstein.h"
+#include "solve/optimize.h"
 #include "traj/proof/check.h"
 #include "traj/scenes.h"
-#include "traj/solve/optimize.h"
 #include "traj/solve/solve.h"
 
 namespace traj {

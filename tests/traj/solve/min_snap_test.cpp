@@ -5,9 +5,9 @@
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
 
+#include "curve/bernstein.h"
+#include "curve/continuity.h"
 #include "support/min_snap_equations.h"
-#include "traj/curve/bernstein.h"
-#include "traj/curve/continuity.h"
 #include "traj/scenes.h"
 
 namespace traj {

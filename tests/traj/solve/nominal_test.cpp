@@ -1,4 +1,4 @@
-#include "traj/solve/nominal.h"
+#include "solve/nominal.h"
 
 #include <gtest/gtest.h>
 

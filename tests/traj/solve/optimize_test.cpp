@@ -1,10 +1,10 @@
-#include "traj/solve/optimize.h"
+#include "solve/optimize.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "traj/curve/bernstein.h"
+#include "curve/bernstein.h"
 #include "traj/scenes.h"
 
 namespace traj {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "solve/stop_and_go.h"
 #include "support/random_city.h"
 #include "traj/proof/check.h"
 #include "traj/scenes.h"
-#include "traj/solve/stop_and_go.h"
 
 namespace traj {
 namespace {

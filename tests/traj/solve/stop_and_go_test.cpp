@@ -1,4 +1,4 @@
-#include "traj/solve/stop_and_go.h"
+#include "solve/stop_and_go.h"
 
 #include <gtest/gtest.h>
 

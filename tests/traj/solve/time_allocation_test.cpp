@@ -1,4 +1,4 @@
-#include "traj/solve/time_allocation.h"
+#include "solve/time_allocation.h"
 
 #include <gtest/gtest.h>
 

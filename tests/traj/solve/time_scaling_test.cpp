@@ -1,4 +1,4 @@
-#include "traj/solve/time_scaling.h"
+#include "solve/time_scaling.h"
 
 #include <gtest/gtest.h>
 

@@ -21,16 +21,16 @@ void add_archive(const geom::ArrayArchive& archive, Contents& out) {
   const std::string& name = archive.name();
   if (geom::is_box_map(archive)) {
     if (out.map) {
-      throw geom::InputError(name, fmt::format("expected one map, found another beside {}: join "
-                                               "them with skyway-map join",
-                                               out.map->source));
+      throw geom::InputError(name, {.expected = "one map",
+                                    .found = fmt::format("another beside {}", out.map->source),
+                                    .advice = "join them with skyway-map join"});
     }
     out.map = {open_map(archive, geom::Verified::extents), name, 0};
   } else if (plan::is_lattice(archive)) {
     out.lattices.push_back({plan::read_lattice(archive), name, 0});
   } else {
-    throw geom::InputError(name,
-                           "expected a box map or a lattice, found an archive of another kind");
+    throw geom::InputError(
+        name, {.expected = "a box map or a lattice", .found = "an archive of another kind"});
   }
 }
 
@@ -75,7 +75,7 @@ class Records {
     } else if ((type == "report" || type == "flight") && kinds_.reports) {
       out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
     } else {
-      fields.refuse(fmt::format(fmt::runtime(kinds_.refusal), type));
+      fields.refuse({.expected = kinds_.expected, .found = geom::in_quotes(type)});
     }
   }
 
@@ -166,7 +166,8 @@ void add_input(const std::string& path, const ContentKinds& kinds, Contents& out
   InputFile file(path);
   const int first = file.stream().peek();
   if (first == std::char_traits<char>::eof()) {
-    throw geom::InputError(file.name(), "expected records or a flight log, found an empty file");
+    throw geom::InputError(file.name(),
+                           {.expected = "records or a flight log", .found = "an empty file"});
   }
   if (first == 'P' && kinds.archives) return add_archive(open_archive(path), out);
   if (first == '{' || std::isspace(first)) return add_records(file, kinds, out);

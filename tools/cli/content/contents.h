@@ -50,8 +50,8 @@ struct ContentKinds {
   bool reports = false;
   // How drone files are read, as paths and the regions beside them; absent: they are refused.
   const DroneFileOptions* drone_files = nullptr;
-  // What a record of any other type is told; {} stands for that type.
-  std::string refusal = "expected a record of type path, trajectory or tree, found \"{}\"";
+  // What is expected where a record has another type.
+  std::string expected = "a record of type path, trajectory or tree";
 };
 
 // Reads each input for what it is: archives by their meta.json, JSON Lines by "type" (a query where

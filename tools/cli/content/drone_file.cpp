@@ -175,20 +175,19 @@ traj::Flown flown_mission(const traj::Mission& mission, const std::string& sourc
 geom::Polyline on_map(const traj::GeoPoints& places, const traj::MissionFrame& frame, double geoid,
                       std::string_view source) {
   if (!frame.height_known) {
-    throw geom::InputError(
-        source,
-        "its heights are above the sea or the ellipsoid, and the map does not say how high "
-        "its z = 0 is: give --origin latitude,longitude,height");
+    throw geom::InputError(source, {.says = "its heights are above the sea or the ellipsoid, and "
+                                            "the map does not say how high its z = 0 is",
+                                    .advice = "give --origin latitude,longitude,height"});
   }
   const geom::GeographicFrame earth(frame.origin);
   geom::Polyline path;
   for (geom::GeodeticPlace place : places) {
     if (!traj::is_near(frame.origin, place.latitude, place.longitude)) {
       throw geom::InputError(
-          source, fmt::format("expected a place near the origin, latitude {} longitude {}, found "
-                              "latitude {} longitude {}",
-                              frame.origin.latitude, frame.origin.longitude, place.latitude,
-                              place.longitude));
+          source,
+          {.expected = fmt::format("a place near the origin, latitude {} longitude {}",
+                                   frame.origin.latitude, frame.origin.longitude),
+           .found = fmt::format("latitude {} longitude {}", place.latitude, place.longitude)});
     }
     place.height += geoid;
     path.push_back(earth.enu(place));
@@ -340,10 +339,11 @@ void require_near_origin(const geom::Polyline& enu, const geom::GeodeticOrigin& 
   for (const geom::Vec3& p : enu) {
     if (p.head<2>().norm() <= kFurthest) continue;
     throw geom::InputError(
-        id, fmt::format(
-                "expected a flight within 200 km of the origin, latitude {}, longitude {}, "
-                "found [{}, {}] m from it: give the origin from which the map's coordinates count",
-                origin.latitude, origin.longitude, p.x(), p.y()));
+        id,
+        {.expected = fmt::format("a flight within 200 km of the origin, latitude {}, longitude {}",
+                                 origin.latitude, origin.longitude),
+         .found = fmt::format("[{}, {}] m from it", p.x(), p.y()),
+         .advice = "give the origin from which the map's coordinates count"});
   }
 }
 
@@ -375,26 +375,30 @@ void DroneFileOptions::require_used(std::string_view of_format, std::string_view
 }
 
 void DroneFileOptions::add_mission_to(CLI::App& parser) {
-  parser.add_option("--acceptance", mission.acceptance,
-                 "a mission's vehicle may turn so many metres before a waypoint where it does not "
-                 "rest, 0: not at all (default: 2, or 10 where the item says nothing); never less "
-                 "than the item says")
+  parser
+      .add_option("--acceptance", mission.acceptance,
+                  "a mission's vehicle may turn so many metres before a waypoint where it does not "
+                  "rest, 0: not at all (default: 2, or 10 where the item says nothing); never less "
+                  "than the item says")
       ->check(CLI::Range(0.0, 1e4));
-  parser.add_option("--braking", mission.braking,
-                 "how hard it brakes, m/s2: what it needs more than that distance is looked at "
-                 "beyond the waypoint (default 3)")
+  parser
+      .add_option("--braking", mission.braking,
+                  "how hard it brakes, m/s2: what it needs more than that distance is looked at "
+                  "beyond the waypoint (default 3)")
       ->check(CLI::Range(0.1, 100.0));
   add_heights_to(parser);
 }
 
 void DroneFileOptions::add_heights_to(CLI::App& parser) {
-  parser.add_option("--return-height", mission.return_height,
-                 "metres above home at which a mission's return is flown; without it, a mission "
-                 "with a return fails the check")
+  parser
+      .add_option("--return-height", mission.return_height,
+                  "metres above home at which a mission's return is flown; without it, a mission "
+                  "with a return fails the check")
       ->check(CLI::Range(0.0, 1e4));
-  parser.add_option("--terrain", mission.ground,
-                 "height of flat ground in the map's z, from which a mission's heights above "
-                 "terrain count")
+  parser
+      .add_option("--terrain", mission.ground,
+                  "height of flat ground in the map's z, from which a mission's heights above "
+                  "terrain count")
       ->check(CLI::Range(-1e6, 1e6));
 }
 
@@ -405,7 +409,8 @@ std::vector<DroneFile> read_drone_file(const std::string& text, const std::strin
   if (text.starts_with("id,t_s,")) {
     throw geom::InputError(
         source,
-        "this is a flight log: skyway-check --file-format flight-log holds it against a map");
+        {.says =
+             "this is a flight log: skyway-check --file-format flight-log holds it against a map"});
   }
   options.require_used(format, read_as(source, format));
   if (format == "paths-csv") return read_paths(in, source);

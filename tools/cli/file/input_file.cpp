@@ -103,16 +103,17 @@ void InputFile::for_each_line(const std::function<void(const std::string&, std::
     ++number;
     if (is_blank(line)) continue;
     if (!any && line.starts_with("PK\x03\x04")) {
-      throw geom::InputError(
-          name_, "expected JSON Lines, found an archive: skyway-info says what is in it");
+      throw geom::InputError(name_, {.expected = "JSON Lines",
+                                     .found = "an archive",
+                                     .advice = "skyway-info says what is in it"});
     }
     any = true;
     f(line, number);
   }
   if (!any)
-    throw geom::InputError(name_,
-                           "expected at least one record, found an empty stream: look at what "
-                           "the tool before said");
+    throw geom::InputError(name_, {.expected = "at least one record",
+                                   .found = "an empty stream",
+                                   .advice = "look at what the tool before said"});
 }
 
 std::string InputFile::read_all() { return {std::istreambuf_iterator<char>(stream()), {}}; }

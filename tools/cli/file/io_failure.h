@@ -4,16 +4,17 @@
 
 #include <cerrno>
 #include <string>
-#include <system_error>
+
+#include "geom/base/file_error.h"
 
 namespace cli {
 
-// Both throw std::system_error with the reason: an errno, or EIO where there is none.
+// Both throw geom::FileError with the reason: an errno, or EIO where there is none.
 [[noreturn]] inline void cannot_read(const std::string& name, int error = errno) {
-  throw std::system_error(error ? error : EIO, std::generic_category(), "cannot read " + name);
+  throw geom::FileError(geom::FileUse::reading, name, error);
 }
 [[noreturn]] inline void cannot_write(const std::string& name, int error = errno) {
-  throw std::system_error(error ? error : EIO, std::generic_category(), "cannot write " + name);
+  throw geom::FileError(geom::FileUse::writing, name, error);
 }
 
 }  // namespace cli

@@ -13,16 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kRead = "cannot read ";
-constexpr std::string_view kWrite = "cannot write ";
-
-// The path in "cannot read PATH: why".
-fs::path path_in(std::string_view message, std::string_view begin, const std::string& why) {
-  message.remove_prefix(begin.size());
-  const std::size_t tail = why.size() + 2;
-  return message.size() > tail ? fs::path(message.substr(0, message.size() - tail)) : fs::path();
-}
-
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
@@ -57,12 +47,9 @@ std::string similar_file(const fs::path& path) {
 
 }  // namespace
 
-std::string missing_file_advice(const std::system_error& error) {
-  const std::string_view message = error.what();
-  const std::string why = error.code().message();
-  const bool read = message.starts_with(kRead);
-  if (!read && !message.starts_with(kWrite)) return "";
-  const fs::path path = path_in(message, read ? kRead : kWrite, why);
+std::string missing_file_advice(const geom::FileError& error) {
+  const bool read = error.use() == geom::FileUse::reading;
+  const fs::path path = error.path();
   if (error.code() == std::errc::is_a_directory) return "; name a file in it";
   if (error.code() != std::errc::no_such_file_or_directory || path.empty()) return "";
   const fs::path missing = missing_folder(path);

@@ -5,9 +5,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
 
 #include "geom/text/excerpt.h"
+#include "io_failure.h"
 
 namespace cli {
 namespace {
@@ -63,7 +63,7 @@ void print(std::string_view text) {
     const ssize_t n = ::write(STDOUT_FILENO, text.data(), text.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0 && errno == EPIPE) end_as_by_sigpipe();
-    if (n < 0) throw std::system_error(errno, std::generic_category(), "cannot write stdout");
+    if (n < 0) cannot_write("stdout");
     text.remove_prefix(static_cast<std::size_t>(n));
   }
 }

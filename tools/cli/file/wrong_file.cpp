@@ -263,12 +263,12 @@ std::string refusal_by_tool(const std::string& tool, const std::string& path,
 
 }  // namespace
 
-std::optional<std::string> wrong_file(const CLI::App& app, std::string_view message) {
+std::optional<std::string> wrong_file(const CLI::App& app, std::string_view source) {
   const RunFiles* const files = RunFiles::current();
   if (!files) return std::nullopt;
   const auto& inputs = files->inputs();
   const auto input = std::find_if(inputs.begin(), inputs.end(), [&](const auto& one) {
-    return message.starts_with(one.path + ":");
+    return source == one.path || source.starts_with(one.path + ": ");  // or a part of it
   });
   if (input == inputs.end()) return std::nullopt;
   const bool standard = input->path == "stdin";

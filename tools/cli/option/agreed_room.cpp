@@ -59,17 +59,18 @@ Room agreed_in_full(const geom::Provenance& record, const AskedRoom& asked, Diff
     const bool exact = in_words(room, false) == in_words(had, false);
     throw geom::InputError(
         source, line,
-        fmt::format("expected the vehicle {}, as asked, found {}: ask for that one, or make "
-                    "this anew",
-                    in_words(room, exact), in_words(had, exact)));
+        {.expected = fmt::format("the vehicle {}, as asked", in_words(room, exact)),
+         .found = in_words(had, exact),
+         .advice = "ask for that one, or make this anew"});
   }
   const geom::Limits& ours = room.vehicle.limits;
   const geom::Limits& theirs = had.vehicle.limits;
   if (theirs == geom::Limits{} || ours == theirs) return room;
   if (differences == Differences::refused && ours != geom::Limits{}) {
-    throw geom::InputError(source, line,
-                           fmt::format("expected the vehicle {} with {} of {}", room.vehicle.name,
-                                       difference(ours, theirs), had.vehicle.name));
+    throw geom::InputError(
+        source, line,
+        {.expected = fmt::format("the vehicle {} with {} of {}", room.vehicle.name,
+                                 difference(ours, theirs), had.vehicle.name)});
   }
   room.vehicle.limits = geom::stricter(ours, theirs);
   return room;
@@ -81,10 +82,11 @@ Room agreed_room(const geom::Provenance& record, const AskedRoom& asked, Differe
                  std::string_view source, std::size_t line) {
   Room room = agreed_in_full(record, asked, differences, source, line);
   if (!(asked.spare <= room.margin)) {
-    throw geom::InputError(source, line,
-                           fmt::format("expected a margin of {} m or more, which --spare takes "
-                                       "from it, found {} m",
-                                       asked.spare, room.margin));
+    throw geom::InputError(
+        source, line,
+        {.expected =
+             fmt::format("a margin of {} m or more, which --spare takes from it", asked.spare),
+         .found = fmt::format("{} m", room.margin)});
   }
   room.margin -= asked.spare;
   return room;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/answer/exit.h"
 #include "cli/file/files.h"
 #include "numbers_option.h"
 #include "traj/drone_file/autopilot_settings.h"
@@ -22,11 +23,11 @@ void add_uncertainty(CLI::App& app, const std::string& flag, std::optional<Uncer
            const auto v = parse_numbers(text, 2);
            if (!v || !((*v)[0] >= 0 && (*v)[0] <= kFurthest) ||
                !((*v)[1] >= 0 && (*v)[1] <= kFurthest)) {
-             throw CLI::ValidationError(
-                 flag,
-                 "expected metres across and metres up or down, each from 0 to 100, as "
+             throw UsageError(
+                 flag +
+                 ": expected metres across and metres up or down, each from 0 to 100, as "
                  "0.5,1; found \"" +
-                     text + '"');
+                 text + '"');
            }
            value = Uncertainty{(*v)[0], (*v)[1]};
          },

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/answer/exit.h"
 #include "cli/file/standard_streams.h"
 
 namespace cli {
@@ -285,8 +286,7 @@ void add_completion(CLI::App& app) {
                                        [&app](const std::string& word) {
                                          const auto shell = shell_from(word);
                                          if (!shell)
-                                           throw CLI::ValidationError("--completion",
-                                                                      "expected bash or zsh");
+                                           throw UsageError("--completion: expected bash or zsh");
                                          const std::string script = completion(app, *shell);
                                          print(script);
                                          throw CLI::Success();

@@ -40,12 +40,13 @@ std::vector<geom::Vec3> ends_in_metres(const geom::PlanQuery& query) {
   return ends;
 }
 
-std::string MetresOption::what_stood_there(const geom::Frame& frame, const geom::Vec3& p) const {
-  return fmt::format(
-      "[{}, {}] look like degrees: the map's origin is at latitude {}, longitude {}, and its "
-      "coordinates are metres from there; give metres{}, or insist with --metres",
-      p.x(), p.y(), frame.origin->latitude, frame.origin->longitude,
-      takes_letters_ ? ", or degrees with letters (60.1719N,24.9414E,30)" : "");
+geom::Fault MetresOption::what_stood_there(const geom::Frame& frame, const geom::Vec3& p) const {
+  return {.says = fmt::format("[{}, {}] look like degrees", p.x(), p.y()),
+          .advice = fmt::format(
+              "the map's origin is at latitude {}, longitude {}, and its coordinates are metres "
+              "from there; give metres{}, or insist with --metres",
+              frame.origin->latitude, frame.origin->longitude,
+              takes_letters_ ? ", or degrees with letters (60.1719N,24.9414E,30)" : "")};
 }
 
 void MetresOption::add_to(CLI::App& app) {
@@ -57,7 +58,7 @@ void MetresOption::add_to(CLI::App& app) {
 void MetresOption::check_option(const geom::Frame& frame, std::span<const geom::Vec3> points,
                                 const std::string& option) const {
   if (insisted_ || !look_like_degrees(frame, points)) return;
-  throw UsageError(option + ": " + what_stood_there(frame, points.front()));
+  throw UsageError(option + ": " + sentence(what_stood_there(frame, points.front())));
 }
 
 void MetresOption::check_input(const geom::Frame& frame, std::span<const geom::Vec3> points,
@@ -97,9 +98,10 @@ void MetresOption::check_outline(const geom::Frame& frame, std::span<const geom:
   }
   if (std::max((high - low).x(), (high - low).y()) >= kSmall) return;
   throw geom::InputError(
-      source, fmt::format("expected a volume in metres, found one of {:.3g} by {:.3g} m about "
-                          "[{}, {}], which may be degrees; give metres, or insist with --metres",
-                          (high - low).x(), (high - low).y(), low.x(), low.y()));
+      source, {.expected = "a volume in metres",
+               .found = fmt::format("one of {:.3g} by {:.3g} m about [{}, {}], which may be "
+                                    "degrees; give metres, or insist with --metres",
+                                    (high - low).x(), (high - low).y(), low.x(), low.y())});
 }
 
 }  // namespace cli

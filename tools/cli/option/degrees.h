@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "geom/map/frame.h"
 #include "geom/record/query_record.h"
 #include "traj/curve/trajectory.h"
@@ -46,7 +47,7 @@ class MetresOption {
                      const std::string& source) const;
 
  private:
-  std::string what_stood_there(const geom::Frame& frame, const geom::Vec3& p) const;
+  geom::Fault what_stood_there(const geom::Frame& frame, const geom::Vec3& p) const;
 
   bool takes_letters_;
   bool insisted_ = false;

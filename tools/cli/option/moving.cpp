@@ -30,8 +30,9 @@ void Moving::read() {
   file.for_each_line([&](const std::string& line, std::size_t number) {
     traj::MovingRecord record = traj::parse_moving_record(line, name_, number);
     if (!ids.insert(record.id).second) {
-      throw geom::InputError(name_, number,
-                             fmt::format("expected each id once, found \"{}\" again", record.id));
+      throw geom::InputError(
+          name_, number,
+          {.expected = "each id once", .found = fmt::format("\"{}\" again", record.id)});
     }
     if (!obstacles_.empty()) {
       geom::require_epoch_agrees(record.epoch, obstacles_.front().epoch, name_, number);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cli/answer/exit.h"
 #include "geom/text/number.h"
 
 namespace cli {
@@ -33,9 +34,9 @@ CLI::Option* add_point(CLI::App& app, const std::string& flag, std::optional<geo
           [&point, flag](const std::string& text) {
             const auto v = parse_numbers(text, 3);
             if (!v)
-              throw CLI::ValidationError(
-                  flag,
-                  "expected x,y,z in metres, as one word such as 12.5,30,5, found \"" + text + '"');
+              throw UsageError(
+                  flag + ": expected x,y,z in metres, as one word such as 12.5,30,5, found \"" +
+                  text + '"');
             point = geom::Vec3((*v)[0], (*v)[1], (*v)[2]);
           },
           description)
@@ -50,8 +51,8 @@ CLI::Option* add_place(CLI::App& app, const std::string& flag, std::optional<geo
           [&place, flag](const std::string& text) {
             place = geom::parse_place(text);
             if (place) return;
-            throw CLI::ValidationError(
-                flag, fmt::format("expected {}, found \"{}\"", geom::kPlaceForms, text));
+            throw UsageError(
+                fmt::format("{}: expected {}, found \"{}\"", flag, geom::kPlaceForms, text));
           },
           description)
       ->type_name("PLACE");
@@ -65,8 +66,9 @@ CLI::Option* add_box(CLI::App& app, const std::string& flag, std::optional<geom:
           [&box, flag](const std::string& text) {
             const auto v = parse_numbers(text, 6);
             if (!v || (*v)[0] > (*v)[3] || (*v)[1] > (*v)[4] || (*v)[2] > (*v)[5]) {
-              throw CLI::ValidationError(
-                  flag, "expected x0,y0,z0,x1,y1,z1 in metres, min <= max, found \"" + text + '"');
+              throw UsageError(flag +
+                               ": expected x0,y0,z0,x1,y1,z1 in metres, min <= max, found \"" +
+                               text + '"');
             }
             box = geom::Aabb{{(*v)[0], (*v)[1], (*v)[2]}, {(*v)[3], (*v)[4], (*v)[5]}};
           },

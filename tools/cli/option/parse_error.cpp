@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -13,12 +14,34 @@
 namespace cli {
 namespace {
 
-const CLI::Option* option_named(const CLI::App& app, const std::string& name) {
-  if (const CLI::Option* const option = app.get_option_no_throw(name)) return option;
-  for (const CLI::App* verb : app.get_subcommands()) {
-    if (const CLI::Option* const option = option_named(*verb, name)) return option;
+// The first option, in the order in which the parser looks at them.
+template <class Is>
+CLI::Option* first_option(CLI::App& app, const Is& is) {
+  for (CLI::Option* option : app.get_options()) {
+    if (is(*option)) return option;
+  }
+  for (CLI::App* verb : app.get_subcommands()) {
+    if (CLI::Option* const option = first_option(*verb, is)) return option;
   }
   return nullptr;
+}
+
+// The parser gives each option its values, checks and takes them in turn: so this one is the option
+// at which it stopped.
+CLI::Option* stopped_at(CLI::App& app) {
+  return first_option(app, [](const CLI::Option& option) {
+    return option.count() > 0 && !option.get_callback_run();
+  });
+}
+
+// The last option whose values were taken.
+CLI::Option* last_taken(CLI::App& app) {
+  CLI::Option* last = nullptr;
+  first_option(app, [&](CLI::Option& option) {
+    if (option.count() > 0 && option.get_callback_run()) last = &option;
+    return false;
+  });
+  return last;
 }
 
 // What stands between two marks of a text.
@@ -63,39 +86,38 @@ std::string meant(const CLI::Option& option, const std::string& value) {
   return unit_hint(value, option.get_description());
 }
 
-std::string refused(const CLI::Option& option, const std::string& name, const std::string& value) {
-  return fmt::format("{}: expected {}, found \"{}\"{}", name, expectation(option.get_type_name()),
-                     value, meant(option, value));
+std::string refused(const CLI::Option& option, const std::string& value) {
+  return fmt::format("{}: expected {}, found \"{}\"{}", option.get_name(),
+                     expectation(option.get_type_name()), value, meant(option, value));
 }
 
-// The value that a validator refused; nothing where the message is the tool's own.
-std::optional<std::string> refused_value(const std::string& message, const std::string& name) {
-  std::string_view rest(message);
-  rest.remove_prefix(std::min(rest.size(), name.size() + 2));  // "name: "
-  constexpr std::string_view kValue = "Value ";
-  const std::size_t range = rest.rfind(" not in range ");
-  const std::size_t words = rest.rfind(" not in {");
-  if (rest.ends_with('}') && words != rest.npos) return std::string(rest.substr(0, words));
-  if (rest.starts_with(kValue) && range != rest.npos) {
-    return std::string(rest.substr(kValue.size(), range - kValue.size()));
+// Whether the option describes what it takes, and this is none of it. Those that do not describe it
+// say in their own words what is wrong.
+bool refuses(CLI::Option& option, std::string value) {
+  for (int i = 0;; ++i) {
+    try {
+      const CLI::Validator& validator = *option.get_validator(i);
+      if (!validator.get_description().empty() && !validator(value).empty()) return true;
+    } catch (const CLI::OptionNotFound&) {  // there are no more
+      return false;
+    }
+  }
+}
+
+std::optional<std::string> wrong_value(CLI::App& app) {
+  CLI::Option* const option = stopped_at(app);
+  if (!option) return std::nullopt;
+  for (const std::string& value : option->results()) {
+    if (refuses(*option, value)) return refused(*option, value);
   }
   return std::nullopt;
 }
 
-std::optional<std::string> wrong_value(const CLI::App& app, const std::string& message) {
-  const std::string name = message.substr(0, message.find(": "));
-  const CLI::Option* const option = option_named(app, name);
-  const auto value = refused_value(message, name);
-  if (!option || !value) return std::nullopt;
-  return refused(*option, name, *value);
-}
-
 // Of a value that is no number.
-std::optional<std::string> not_converted(const CLI::App& app, const std::string& message) {
-  const auto name = between(message, "Could not convert: ", " = ");
-  const CLI::Option* const option = name ? option_named(app, *name) : nullptr;
+std::optional<std::string> not_converted(CLI::App& app) {
+  const CLI::Option* const option = last_taken(app);
   if (!option) return std::nullopt;
-  return refused(*option, *name, message.substr(message.find(" = ") + 3));
+  return refused(*option, CLI::detail::join(option->results()));
 }
 
 std::string values(int count) { return count == 1 ? "a value" : fmt::format("{} values", count); }
@@ -122,19 +144,37 @@ std::optional<std::string> unknown_option(const CLI::App& app) {
   return std::nullopt;
 }
 
+std::string too_few(const CLI::Option& option) {
+  const int least = option.get_items_expected_min();
+  return fmt::format("{}: expected {}, found {}", option.get_name(), values(least),
+                     least == 1 ? "none" : "fewer");
+}
+
+// The option whose value should have followed the last word.
+const CLI::Option* without_value(CLI::App& app, std::string_view last_word) {
+  const CLI::Option* const taker = first_option(app, [&](const CLI::Option& option) {
+    return option.count() > 0 && option.results().back() == last_word;
+  });
+  if (taker) return nullptr;  // it is a value itself
+  const std::string_view name = last_word.substr(0, last_word.find('='));
+  return first_option(app, [&](const CLI::Option& option) {
+    const bool named = name.starts_with("--") ? option.check_lname(std::string(name.substr(2)))
+                                              : name.size() > 1 && name.front() == '-' &&
+                                                    option.check_sname(std::string(1, name.back()));
+    return named && option.get_items_expected_min() > 0;
+  });
+}
+
 // Of too few or too many values.
-std::optional<std::string> wrong_count(const CLI::App& app, const std::string& message) {
-  const std::string name = message.substr(0, message.find(": "));
-  const CLI::Option* const option = option_named(app, name);
-  if (!option) return std::nullopt;
+std::optional<std::string> wrong_count(CLI::App& app, std::string_view last_word) {
   if (auto unknown = unknown_option(app)) return unknown;  // its value was taken for an argument
-  if (message.find(" missing") != message.npos || message.find("At least ") != message.npos) {
-    const int least = option->get_items_expected_min();
-    return fmt::format("{}: expected {}, found {}", name, values(least),
-                       least == 1 ? "none" : "fewer");
-  }
-  if (message.find("At Most ") != message.npos) {
-    return fmt::format("{}: expected {}, found more: give it once", name,
+  if (const CLI::Option* const option = without_value(app, last_word)) return too_few(*option);
+  const CLI::Option* const option = stopped_at(app);
+  if (!option) return std::nullopt;
+  const int count = static_cast<int>(option->count());
+  if (count < option->get_items_expected_min()) return too_few(*option);
+  if (count > option->get_items_expected_max()) {
+    return fmt::format("{}: expected {}, found more: give it once", option->get_name(),
                        values(option->get_items_expected_max()));
   }
   return std::nullopt;
@@ -160,24 +200,51 @@ std::string missing_verb(const CLI::App& app) {
   return fmt::format("expected {}, found {}", alternatives(CLI::detail::join(verbs, ",")), found);
 }
 
-std::optional<std::string> missing_argument(const CLI::App& app, const std::string& message) {
+std::optional<std::string> missing_argument(CLI::App& app) {
   if (auto option = unknown_option(app)) return option;  // explains what is missing
-  if (message == "A subcommand is required") return missing_verb(app);
-  const std::string name = message.substr(0, message.rfind(" is required"));
-  const CLI::Option* const option = option_named(app, name);
+  const CLI::Option* const option = first_option(
+      app, [](const CLI::Option& one) { return one.get_required() && one.count() == 0; });
+  const bool verb = app.get_require_subcommand_min() > app.get_subcommands().size();
+  if (verb && !(option && app.get_option_no_throw(option->get_name()))) return missing_verb(app);
   if (!option) return std::nullopt;
+  const std::string name = option->get_name();
   if (!option->get_positional()) return fmt::format("expected the option {}, found none", name);
   return option->get_items_expected_max() > 1
              ? fmt::format("expected at least one argument ({}), found none", name)
              : fmt::format("expected an argument ({}), found none", name);
 }
 
-// Two options, as the parser names them around a word.
-std::optional<std::string> about_two(const std::string& message, std::string_view word,
-                                     fmt::format_string<std::string, std::string> words) {
-  const std::size_t at = message.find(word);
-  if (at == message.npos) return std::nullopt;
-  return fmt::format(words, message.substr(0, at), message.substr(at + word.size()));
+// The other options of the first that was given and goes with them, or without them.
+struct Pair {
+  std::string option;
+  std::string other;
+};
+
+std::optional<Pair> pair_of(CLI::App& app, std::set<CLI::Option*> (CLI::Option::*others)() const,
+                            bool given) {
+  std::optional<Pair> pair;
+  first_option(app, [&](const CLI::Option& option) {
+    if (option.count() == 0) return false;
+    for (const CLI::Option* other : (option.*others)()) {
+      if ((other->count() > 0) != given) continue;
+      pair = Pair{option.get_name(), other->get_name()};
+      return true;
+    }
+    return false;
+  });
+  return pair;
+}
+
+std::optional<std::string> missing_other(CLI::App& app) {
+  const auto pair = pair_of(app, &CLI::Option::get_needs, false);
+  if (!pair) return std::nullopt;
+  return fmt::format("{} needs {}: give both", pair->option, pair->other);
+}
+
+std::optional<std::string> excluded(CLI::App& app) {
+  const auto pair = pair_of(app, &CLI::Option::get_excludes, true);
+  if (!pair) return std::nullopt;
+  return fmt::format("{} and {} exclude each other: give one of them", pair->option, pair->other);
 }
 
 // By the class: the name of an ExtrasError is that of the program.
@@ -186,26 +253,22 @@ bool is(const CLI::ParseError& error) {
   return dynamic_cast<const Kind*>(&error) != nullptr;
 }
 
-std::optional<std::string> known(const CLI::App& app, const CLI::ParseError& error) {
-  const std::string message = error.what();
-  if (is<CLI::ValidationError>(error)) return wrong_value(app, message);
-  if (is<CLI::ConversionError>(error)) return not_converted(app, message);
-  if (is<CLI::ArgumentMismatch>(error)) return wrong_count(app, message);
+std::optional<std::string> known(CLI::App& app, const CLI::ParseError& error,
+                                 std::string_view last_word) {
+  if (is<CLI::ValidationError>(error)) return wrong_value(app);
+  if (is<CLI::ConversionError>(error)) return not_converted(app);
+  if (is<CLI::ArgumentMismatch>(error)) return wrong_count(app, last_word);
   if (is<CLI::ExtrasError>(error)) return unknown_argument(app);
-  if (is<CLI::RequiredError>(error)) return missing_argument(app, message);
-  if (is<CLI::RequiresError>(error)) {
-    return about_two(message, " requires ", "{} needs {}: give both");
-  }
-  if (is<CLI::ExcludesError>(error)) {
-    return about_two(message, " excludes ", "{} and {} exclude each other: give one of them");
-  }
+  if (is<CLI::RequiredError>(error)) return missing_argument(app);
+  if (is<CLI::RequiresError>(error)) return missing_other(app);
+  if (is<CLI::ExcludesError>(error)) return excluded(app);
   return std::nullopt;
 }
 
 }  // namespace
 
-std::string in_words(const CLI::App& app, const CLI::ParseError& error) {
-  return known(app, error).value_or(error.what());
+std::string in_words(CLI::App& app, const CLI::ParseError& error, std::string_view last_word) {
+  return known(app, error, last_word).value_or(error.what());
 }
 
 }  // namespace cli

@@ -4,11 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
 
 namespace cli {
 
-// The parser's own text where it is of a kind that is not known here. `app` is as the parser left
-// it.
-std::string in_words(const CLI::App& app, const CLI::ParseError& error);
+// What is wrong is told by the type of the error and by what the parser knows of each option; the
+// error's own text stands only where both are not enough. `app` is as the parser left it, and
+// `last_word` the last of the command line, whose value may be missing.
+std::string in_words(CLI::App& app, const CLI::ParseError& error, std::string_view last_word);
 
 }  // namespace cli

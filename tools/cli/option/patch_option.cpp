@@ -35,9 +35,8 @@ plan::MapChange PatchOptions::change(const geom::Provenance& made_for,
                                      const geom::CollisionScene& scene) const {
   const geom::BoxMap old = open_map(old_map, geom::Verified::contents);
   if (made_for.map != old.hash()) {
-    throw geom::InputError(
-        artefact,
-        fmt::format("expected one made for the map {}, found one made for another map", old_map));
+    throw geom::InputError(artefact, {.expected = fmt::format("one made for the map {}", old_map),
+                                      .found = "one made for another map"});
   }
   return plan::change_since(old, scene);
 }

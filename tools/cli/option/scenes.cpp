@@ -45,9 +45,11 @@ void Scenes::require_same_room(const geom::Provenance& record, std::string_view 
                                std::size_t line) const {
   const Room room = agreed_room(record, asked_, differences_, source, line);
   if (scene_ && scene_->vehicle() == room.vehicle && scene_->margin() == room.margin) return;
-  throw geom::InputError(source, line,
-                         "expected the vehicle and margin of the records before, found others: "
-                         "draw them apart, or name one for all with --vehicle and --margin");
+  throw geom::InputError(
+      source, line,
+      {.expected = "the vehicle and margin of the records before",
+       .found = "others",
+       .advice = "draw them apart, or name one for all with --vehicle and --margin"});
 }
 
 nlohmann::ordered_json Scenes::stats() const {
@@ -62,9 +64,9 @@ nlohmann::ordered_json Scenes::stats() const {
 void require_same(const geom::Provenance& made_for, const geom::CollisionScene& scene,
                   const std::string& source, const char* kind) {
   if (const auto another = geom::made_for_another(made_for, geom::provenance_of(scene))) {
-    throw geom::InputError(
-        source,
-        fmt::format("the {} was {}: ask for that one, or make the {} anew", kind, *another, kind));
+    throw geom::InputError(source,
+                           {.says = fmt::format("the {} was {}", kind, *another),
+                            .advice = fmt::format("ask for that one, or make the {} anew", kind)});
   }
 }
 

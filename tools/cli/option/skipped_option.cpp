@@ -19,9 +19,10 @@ void SkippedOption::settle(const geom::Skipped& skipped, const std::string& sour
   if (skipped.empty()) return;
   if (!allowed_) {
     throw geom::InputError(
-        source, fmt::format("{} cannot be built: {}; correct the file, or leave out what "
-                            "cannot be built with --allow-skipped",
-                            geom::counted(skipped.count(), "possible obstacle"), skipped.text()));
+        source,
+        {.says = fmt::format("{} cannot be built: {}; correct the file, or leave out what cannot "
+                             "be built with --allow-skipped",
+                             geom::counted(skipped.count(), "possible obstacle"), skipped.text())});
   }
   common.warn(
       fmt::format("{}: {} left out: {}", source,

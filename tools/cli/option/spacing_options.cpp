@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/answer/exit.h"
 #include "cli/option/numbers_option.h"
 
 namespace cli {
@@ -20,13 +21,13 @@ CLI::Option* add_zone(CLI::App& app, const std::string& flag, std::size_t count,
           [&zone, flag, count, form](const std::string& text) {
             const auto v = parse_numbers(text, count);
             if (!v) {
-              throw CLI::ValidationError(
-                  flag, fmt::format("expected {} in metres, found \"{}\"", form, text));
+              throw UsageError(
+                  fmt::format("{}: expected {} in metres, found \"{}\"", flag, form, text));
             }
             zone = count == 2 ? traj::cylinder((*v)[0], (*v)[1])
                               : traj::Zone{false, {(*v)[0], (*v)[1], (*v)[2]}};
             if (const auto fault = traj::spacing_fault(*zone)) {
-              throw CLI::ValidationError(flag, *fault);
+              throw UsageError(flag + ": " + sentence(*fault));
             }
           },
           description)

@@ -11,7 +11,8 @@ namespace cli {
 namespace {
 
 [[noreturn]] void refuse(const ShardFile& shard, std::string_view what) {
-  throw geom::InputError(shard.archive.name(), fmt::format("{}: the file is damaged", what));
+  throw geom::InputError(shard.archive.name(),
+                         {.says = std::string(what), .advice = "the file is damaged"});
 }
 
 // Whether the pairs follow each other in order, each of two flights.
@@ -28,7 +29,7 @@ traj::FleetConflicts read(const ShardFile& shard, std::size_t flights) {
   const nlohmann::json& content = shard.content;
   if (shard.kind != "departures") {
     throw geom::InputError(shard.archive.name(),
-                           "expected a shard of skyway-fleet, found one of another kind");
+                           {.expected = "a shard of skyway-fleet", .found = "one of another kind"});
   }
   if (!content.contains("flights") || content["flights"] != flights || !content.contains("near") ||
       !content["near"].is_number_unsigned()) {

@@ -36,14 +36,14 @@ Json to_json(const MapMaking& making) {
 
 double number_of(const geom::JsonFields& fields, const char* key) {
   const auto value = fields.number(key);
-  if (!value) fields.refuse(fmt::format("{} is missing", key));
+  if (!value) fields.refuse({.says = fmt::format("{} is missing", key)});
   return *value;
 }
 
 MapMaking read_making(const geom::JsonFields& fields) {
   MapMaking out;
   const auto axes = geom::axes_from_name(fields.text("axes"));
-  if (!axes) fields.refuse("axes must be \"enu\" or \"neu\"");
+  if (!axes) fields.refuse({.key = "axes", .expected = "\"enu\" or \"neu\""});
   out.frame = {*axes, std::nullopt, fields.text("crs")};
   if (fields.has("origin")) {
     const geom::Vec3 at = fields.point("origin");
@@ -63,14 +63,15 @@ MapMaking read_making(const geom::JsonFields& fields) {
                      *map.seal >= 0 && map.tile_size >= 1;
   if (!sizes) {
     fields.refuse(
-        "expected scale > 0, tile_size >= 1, and bloat_percent, inflate, pad and seal >= 0, found "
-        "others: the file is damaged");
+        {.expected = "scale > 0, tile_size >= 1, and bloat_percent, inflate, pad and seal >= 0",
+         .found = "others",
+         .advice = "the file is damaged"});
   }
   geom::parse_json(out.history, "the map's history");
   if (fields.has("bounds")) {
     const auto corners = fields.points("bounds");
     if (corners.size() != 2 || !(corners[0].array() <= corners[1].array()).all()) {
-      fields.refuse("bounds must be two points, the lower corner first");
+      fields.refuse({.key = "bounds", .expected = "two points, the lower corner first"});
     }
     map.bounds = geom::Aabb{corners[0], corners[1]};
   }
@@ -84,17 +85,18 @@ geom::BoxTable read_boxes(const ShardFile& shard) {
   geom::BoxTable table;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (corners.size() != 6 * ids.size()) {
-      throw geom::InputError(archive.name(), "expected as many ids as boxes: the file is damaged");
+      throw geom::InputError(archive.name(),
+                             {.expected = "as many ids as boxes", .advice = "the file is damaged"});
     }
     const double* const c = &corners[6 * i];
     const geom::Aabb box{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}};
     const bool finite = box.min.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate &&
                         box.max.cwiseAbs().maxCoeff() <= geom::kLargestCoordinate;
     if (!finite || !(box.min.array() <= box.max.array()).all()) {
-      throw geom::InputError(archive.name(),
-                             fmt::format("expected boxes with min <= max, within 1e8 m; box "
-                                         "{} is not: the file is damaged",
-                                         i));
+      throw geom::InputError(
+          archive.name(),
+          {.expected = fmt::format("boxes with min <= max, within 1e8 m; box {} is not", i),
+           .advice = "the file is damaged"});
     }
     table.boxes.push_back(box);
   }
@@ -111,9 +113,9 @@ void add_columns(const ShardFile& shard, geom::ColumnGrid& grid) {
         rows[i + 2] >= rows[i + 3]) {
       throw geom::InputError(
           shard.archive.name(),
-          fmt::format("expected spans with bottom < top, within 2^30 cells; span {} is "
-                      "not: the file is damaged",
-                      i / 4));
+          {.expected =
+               fmt::format("spans with bottom < top, within 2^30 cells; span {} is not", i / 4),
+           .advice = "the file is damaged"});
     }
     grid.add_span(rows[i], rows[i + 1], rows[i + 2], rows[i + 3]);
   }
@@ -125,9 +127,9 @@ geom::ColumnSpec read_spec(const geom::JsonFields& fields) {
                               number_of(fields, "gap"), unknown == 1};
   const bool sizes = spec.cell > 0 && spec.step > 0 && spec.gap >= 0;
   if (!sizes || (unknown != 0 && unknown != 1))
-    fields.refuse(
-        "expected cell > 0, step > 0, gap >= 0 and unknown_blocked 0 or 1, found others: the file "
-        "is damaged");
+    fields.refuse({.expected = "cell > 0, step > 0, gap >= 0 and unknown_blocked 0 or 1",
+                   .found = "others",
+                   .advice = "the file is damaged"});
   return spec;
 }
 
@@ -168,9 +170,9 @@ geom::MadeMap join_map(std::span<const ShardFile> shards) {
   for (const ShardFile& shard : shards) {
     if (shard.content == shards.front().content) continue;
     throw geom::InputError(shard.archive.name(),
-                           fmt::format("expected the same options of the map as in {}, found "
-                                       "others: these are shards of different runs",
-                                       name));
+                           {.expected = fmt::format("the same options of the map as in {}", name),
+                            .found = "others",
+                            .advice = "these are shards of different runs"});
   }
   geom::BoxTable table;
   if (shards.front().kind == "boxes") {
@@ -181,7 +183,7 @@ geom::MadeMap join_map(std::span<const ShardFile> shards) {
     table = grid.boxes(name);
   }
   if (table.boxes.empty())
-    throw geom::InputError(name, "expected at least one box in all shards, found none");
+    throw geom::InputError(name, {.expected = "at least one box in all shards", .found = "none"});
   return geom::make_map(std::move(table), making.frame, making.history, name, making.options);
 }
 

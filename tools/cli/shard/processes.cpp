@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -55,11 +57,43 @@ bool read_all(int descriptor, char* at, std::size_t size) {
   return true;
 }
 
+// Texts one after the other, each after its length.
+std::string packed(const geom::InputError& error) {
+  const geom::Fault& fault = error.fault();
+  std::string out;
+  for (const std::string& text :
+       {error.source(), std::to_string(error.line()), fault.item, fault.key, fault.says,
+        fault.expected, fault.found, fault.advice}) {
+    out += std::to_string(text.size()) + ' ' + text;
+  }
+  return out;
+}
+
+geom::InputError unpacked_error(std::string_view bytes) {
+  const auto next = [&] {
+    std::size_t size = 0;
+    const char* const end = std::from_chars(bytes.data(), bytes.data() + bytes.size(), size).ptr;
+    bytes.remove_prefix(static_cast<std::size_t>(end - bytes.data()) + 1);
+    const std::string text(bytes.substr(0, size));
+    bytes.remove_prefix(size);
+    return text;
+  };
+  const std::string source = next();
+  const std::size_t line = std::stoul(next());
+  return {source, line,
+          geom::Fault{.item = next(),
+                      .key = next(),
+                      .says = next(),
+                      .expected = next(),
+                      .found = next(),
+                      .advice = next()}};
+}
+
 Frame run(const std::function<std::string(std::size_t)>& work, std::size_t i) {
   try {
     return {Kind::result, work(i)};
   } catch (const geom::InputError& error) {
-    return {Kind::bad_input, error.what()};
+    return {Kind::bad_input, packed(error)};
   } catch (const UsageError& error) {
     return {Kind::usage, error.what()};
   } catch (const std::bad_alloc&) {
@@ -139,10 +173,8 @@ class Child {
     switch (frame.kind) {
       case Kind::result:
         return std::move(frame.text);
-      case Kind::bad_input: {  // "source: message"
-        const std::size_t end = std::min(frame.text.find(": "), frame.text.size() - 2);
-        throw geom::InputError(frame.text.substr(0, end), frame.text.substr(end + 2));
-      }
+      case Kind::bad_input:
+        throw unpacked_error(frame.text);
       case Kind::usage:
         throw UsageError(frame.text);
       case Kind::out_of_memory:

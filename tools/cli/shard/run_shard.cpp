@@ -72,13 +72,13 @@ JoinedRuns::JoinedRuns(std::vector<ShardFile> shards) : shards_(std::move(shards
     if (!known)
       throw geom::InputError(
           first.archive.name(),
-          "expected a shard of --runs, found one of another kind, or a damaged one");
+          {.expected = "a shard of --runs", .found = "one of another kind, or a damaged one"});
     return at->get<std::size_t>();
   };
   trajectories_ = count("trajectories");
   runs_ = count("runs");
   if (runs_ == 0)
-    throw geom::InputError(first.archive.name(), "expected at least one run, found none");
+    throw geom::InputError(first.archive.name(), {.expected = "at least one run", .found = "none"});
   for (const ShardFile& shard : shards_) {
     const std::size_t taken = shard.shard.taken(runs_);
     const std::size_t rows = shard.archive.array<std::uint8_t>("lost").size();
@@ -89,18 +89,19 @@ JoinedRuns::JoinedRuns(std::vector<ShardFile> shards) : shards_(std::move(shards
     if (fits) continue;
     throw geom::InputError(
         shard.archive.name(),
-        fmt::format("expected a row for each of its runs and trajectories, {} in "
-                    "all, found {}: the file is damaged",
-                    taken * trajectories_, rows));
+        {.expected = fmt::format("a row for each of its runs and trajectories, {} in all",
+                                 taken * trajectories_),
+         .found = fmt::to_string(rows),
+         .advice = "the file is damaged"});
   }
 }
 
 traj::RunOutcome JoinedRuns::outcome(const ShardFile& shard, std::size_t row,
                                      std::size_t periods) const {
   const auto refuse = [&] {
-    throw geom::InputError(
-        shard.archive.name(),
-        fmt::format("run {} does not fit the rest: the file is damaged", row + 1));
+    throw geom::InputError(shard.archive.name(),
+                           {.says = fmt::format("run {} does not fit the rest", row + 1),
+                            .advice = "the file is damaged"});
   };
   const auto lost = shard.archive.array<std::uint8_t>("lost")[row];
   const auto ends = shard.archive.array<std::uint64_t>("ends");

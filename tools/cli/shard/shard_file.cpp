@@ -58,14 +58,15 @@ void check_complete(const std::vector<ShardFile>& shards) {
     if (k < shards.size() && k > 0 && shards[k].shard == shards[k - 1].shard) {
       throw geom::InputError(
           shards[k].archive.name(),
-          fmt::format("expected each shard once, found shard {} of {} again, "
-                      "beside {}: leave one of them out",
-                      shards[k].shard.index + 1, count, shards[k - 1].archive.name()));
+          {.expected = "each shard once",
+           .found = fmt::format("shard {} of {} again, beside {}", shards[k].shard.index + 1, count,
+                                shards[k - 1].archive.name()),
+           .advice = "leave one of them out"});
     }
     if (k >= shards.size() || shards[k].shard.index != k) {
-      throw geom::InputError(
-          shards.front().archive.name(),
-          fmt::format("expected all {} shards, found no shard {}", count, k + 1));
+      throw geom::InputError(shards.front().archive.name(),
+                             {.expected = fmt::format("all {} shards", count),
+                              .found = fmt::format("no shard {}", k + 1)});
     }
   }
 }
@@ -78,24 +79,24 @@ bool is_shard(const geom::ArrayArchive& archive) {
 }
 
 ShardFile read_shard(const geom::ArrayArchive& archive) {
-  const auto refuse = [&](const std::string& what) {
-    throw geom::InputError(archive.name(), what);
+  const auto refuse = [&](geom::Fault fault) {
+    throw geom::InputError(archive.name(), std::move(fault));
   };
   if (!is_shard(archive)) {
-    refuse("expected a shard (format \"skyway-shard\"), found a file of another kind");
+    refuse({.expected = "a shard (format \"skyway-shard\")", .found = "a file of another kind"});
   }
   const auto meta = geom::parse_json(archive.meta(), archive.name());
   const auto find = [&](const char* key, Json::value_t type) {
     const auto at = meta.find(key);
     if (at == meta.end() || (at->type() != type)) {
-      refuse(fmt::format("the shard's \"{}\" is missing or of another type", key));
+      refuse({.says = fmt::format("the shard's \"{}\" is missing or of another type", key)});
     }
     return *at;
   };
   using Type = Json::value_t;
   if (find("version", Type::number_unsigned) != kShardVersion) {
-    refuse(
-        fmt::format("expected shard version {}, found {}", kShardVersion, meta["version"].dump()));
+    refuse({.expected = fmt::format("shard version {}", kShardVersion),
+            .found = meta["version"].dump()});
   }
   ShardFile out{archive,
                 {find("tool", Type::string), find("release", Type::string),
@@ -107,13 +108,13 @@ ShardFile read_shard(const geom::ArrayArchive& archive) {
                 find("exit", Type::number_unsigned) == 0 ? Exit::yes : Exit::no};
   const auto pair = find("shard", Type::array);
   if (pair.size() != 2 || !pair[0].is_number_unsigned() || !pair[1].is_number_unsigned()) {
-    refuse("the shard's \"shard\" must be two whole numbers, K and N");
+    refuse({.key = "the shard's \"shard\"", .expected = "two whole numbers, K and N"});
   }
   const auto number = pair[0].get<std::size_t>();
   out.shard.count = pair[1].get<std::size_t>();
   if (number < 1 || number > out.shard.count || out.shard.count > kMostShards) {
-    refuse(fmt::format("expected shard K of N with 1 <= K <= N <= {}, found {} of {}", kMostShards,
-                       number, out.shard.count));
+    refuse({.expected = fmt::format("shard K of N with 1 <= K <= N <= {}", kMostShards),
+            .found = fmt::format("{} of {}", number, out.shard.count)});
   }
   out.shard.index = number - 1;
   return out;
@@ -137,9 +138,10 @@ std::vector<ShardFile> open_shards(const std::vector<std::string>& files) {
   for (const ShardFile& shard : shards) {
     const std::string why = difference(shards.front(), shard);
     if (why.empty()) continue;
-    throw geom::InputError(shard.archive.name(),
-                           fmt::format("expected a shard of the same run as {}, found one with {}",
-                                       shards.front().archive.name(), why));
+    throw geom::InputError(
+        shard.archive.name(),
+        {.expected = fmt::format("a shard of the same run as {}", shards.front().archive.name()),
+         .found = fmt::format("one with {}", why)});
   }
   std::stable_sort(shards.begin(), shards.end(), [](const ShardFile& a, const ShardFile& b) {
     return a.shard.index < b.shard.index;

@@ -112,8 +112,9 @@ std::vector<ShardFile> Sharding::shards() const {
   std::vector<ShardFile> shards = open_shards(join_);
   const std::string why = difference(work_, shards.front().work);
   if (!why.empty()) {
-    throw geom::InputError(shards.front().archive.name(),
-                           fmt::format("expected a shard of this command, found one with {}", why));
+    throw geom::InputError(
+        shards.front().archive.name(),
+        {.expected = "a shard of this command", .found = fmt::format("one with {}", why)});
   }
   return shards;
 }

@@ -15,7 +15,18 @@ __version__: str
 
 
 class InputError(ValueError):
-    """A bad file, a bad record, or artefacts that do not belong together: the message of the tools."""
+    """A bad file, a bad record, or artefacts that do not belong together: the message of the tools, and its fields, "" or
+    None where it does not say them."""
+
+    source: str
+    line: Optional[int]
+    item: str
+    """The part of the source: `feature 3`."""
+    key: str
+    """What has the wrong value: `margin`."""
+    expected: str
+    found: str
+    advice: str
 
 
 class UsageError(ValueError):

@@ -5,7 +5,7 @@ import os
 
 import numpy
 
-from ._skyway import InputError
+from ._skyway import _refuse
 
 _EXTREMES = ("clearance", "speed", "acceleration", "jerk", "tilt", "horizontal_speed", "vertical_speed", "thrust",
              "body_rate", "yaw_rate")
@@ -13,29 +13,29 @@ _NUMBERS = ("time", "worst", "duration", *(name for e in _EXTREMES for name in (
 
 
 def _parse(line, source, number):
-    def refuse(message):
-        raise InputError(f"{source}:{number}: {message}")
+    def refuse(**fault):
+        _refuse(source=source, line=number, **fault)
 
     try:
         record = json.loads(line)
     except ValueError as error:
-        refuse(f"not JSON: {error}")
+        refuse(says=f"not JSON: {error}")
     if not isinstance(record, dict) or record.get("type") != "report":
         found = record.get("type") if isinstance(record, dict) else line[:40]
-        refuse(f'expected a record of type "report", found {json.dumps(found)}')
+        refuse(expected='a record of type "report"', found=json.dumps(found))
     if not isinstance(record.get("id"), str):
-        refuse(f"id must be text, found {json.dumps(record.get('id'))}")
+        refuse(key="id", expected="text", found=json.dumps(record.get("id")))
     if not isinstance(record.get("ok"), bool):
-        refuse(f"ok must be true or false, found {json.dumps(record.get('ok'))}")
+        refuse(key="ok", expected="true or false", found=json.dumps(record.get("ok")))
     for key in _NUMBERS:
         value = record.get(key, 0)
         if isinstance(value, bool) or not isinstance(value, (int, float)):
-            refuse(f"{key} must be a number, found {json.dumps(value)}")
+            refuse(key=key, expected="a number", found=json.dumps(value))
     for key, size in (("place", 3), ("jumps", 7)):
         value = record.get(key)
         if value is not None and not (isinstance(value, list) and len(value) == size
                                       and all(isinstance(v, (int, float)) for v in value)):
-            refuse(f"{key} must be a list of {size} numbers, found {json.dumps(value)}")
+            refuse(key=key, expected=f"a list of {size} numbers", found=json.dumps(value))
     return record
 
 
@@ -46,7 +46,7 @@ def read_reports(path):
     with open(path, encoding="utf-8", errors="replace") as file:
         records = [_parse(line, path, number) for number, line in enumerate(file, 1) if line.strip()]
     if not records:
-        raise InputError(f"{path}: expected at least one record, found none")
+        _refuse(source=path, expected="at least one record", found="none")
 
     def width(key):
         return f"U{max(1, *(len(str(r.get(key, ''))) for r in records))}"

@@ -14,28 +14,33 @@ constexpr double kMostPixels = 16384;
 
 double required(const geom::JsonFields& fields, const char* key) {
   const auto value = fields.number(key);
-  if (!value) fields.refuse(fmt::format("expected the key \"{}\", found none", key));
+  if (!value) fields.refuse({.expected = fmt::format("the key \"{}\"", key), .found = "none"});
   return *value;
 }
 
 int pixels(const geom::JsonFields& fields, const char* key) {
   const double value = required(fields, key);
   if (value != std::floor(value) || value < 1 || value > kMostPixels) {
-    fields.refuse(
-        fmt::format("{} must be a whole number from 1 to {}, found {}", key, kMostPixels, value));
+    fields.refuse({.key = std::string(key),
+                   .expected = fmt::format("a whole number from 1 to {}", kMostPixels),
+                   .found = fmt::to_string(value)});
   }
   return static_cast<int>(value);
 }
 
 double focal(const geom::JsonFields& fields, const char* key, double value) {
-  if (!(value > 0)) fields.refuse(fmt::format("{} must be > 0 pixels, found {}", key, value));
+  if (!(value > 0))
+    fields.refuse(
+        {.key = std::string(key), .expected = "> 0 pixels", .found = fmt::to_string(value)});
   return value;
 }
 
 double angle(const geom::JsonFields& fields, const char* key) {
   const double degrees = fields.number(key).value_or(0);
   if (std::abs(degrees) > 360) {
-    fields.refuse(fmt::format("{} must be within -360 to 360 degrees, found {}", key, degrees));
+    fields.refuse({.key = std::string(key),
+                   .expected = "within -360 to 360 degrees",
+                   .found = fmt::to_string(degrees)});
   }
   return degrees * kDegree;
 }

@@ -22,13 +22,15 @@ Row parse(const geom::TextLines& lines) {
   const std::vector<std::string> fields = geom::split_fields(lines.line());
   Row row{};
   if (fields.size() != row.size()) {
-    lines.refuse(fmt::format("expected {} columns, found {}", row.size(), fields.size()));
+    lines.refuse({.expected = fmt::format("{} columns", row.size()),
+                  .found = fmt::to_string(fields.size())});
   }
   for (std::size_t i = 0; i < row.size(); ++i) {
     const auto value = geom::parse_number(fields[i]);
     if (!value || !(std::abs(*value) <= 1e9)) {
-      lines.refuse(fmt::format("{} must be a finite number within 1e9, found \"{}\"", names[i],
-                               fields[i].substr(0, 40)));
+      lines.refuse({.key = std::string(names[i]),
+                    .expected = "a finite number within 1e9",
+                    .found = geom::in_quotes(fields[i].substr(0, 40))});
     }
     row[i] = *value;
   }
@@ -48,22 +50,24 @@ std::string pose_row(const View& view, std::size_t frame, double time) {
 std::vector<CameraPose> read_camera_poses(std::istream& in, std::string_view name) {
   geom::TextLines lines(in, name);
   if (!lines.next() || (lines.line() != kPosesHeader && lines.line() != kOlderHeader)) {
-    lines.refuse(fmt::format("expected the header {}, found \"{}\"", kPosesHeader,
-                             lines.line().substr(0, 80)));
+    lines.refuse({.expected = fmt::format("the header {}", kPosesHeader),
+                  .found = geom::in_quotes(lines.line().substr(0, 80))});
   }
   std::vector<CameraPose> out;
   while (lines.next()) {
     if (lines.line().empty()) continue;
     const Row row = parse(lines);
     if (row[0] != static_cast<double>(out.size())) {
-      lines.refuse(fmt::format("expected frame {}, found {}", out.size(), row[0]));
+      lines.refuse(
+          {.expected = fmt::format("frame {}", out.size()), .found = fmt::to_string(row[0])});
     }
     if (!out.empty() && !(row[1] > out.back().time)) {
-      lines.refuse(fmt::format("t_s must grow, found {} after {}", row[1], out.back().time));
+      lines.refuse(
+          {.says = "t_s must grow", .found = fmt::format("{} after {}", row[1], out.back().time)});
     }
     out.push_back({row[1], {row[2], row[3], row[4]}});
   }
-  if (out.empty()) lines.refuse("expected a row a frame, found none");
+  if (out.empty()) lines.refuse({.expected = "a row a frame", .found = "none"});
   return out;
 }
 

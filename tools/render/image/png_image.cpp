@@ -140,12 +140,12 @@ Pixels read_png(std::string_view bytes, std::string_view name) {
   if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) {
     throw geom::InputError(
         std::string(name),
-        fmt::format("expected a PNG picture, found none (libpng: {})", image.message));
+        {.expected = "a PNG picture", .found = fmt::format("none (libpng: {})", image.message)});
   }
   if (std::uint64_t{image.width} * image.height > kMostPixels) {
     throw geom::InputError(std::string(name),
-                           fmt::format("expected at most {} pixels, found {} x {}", kMostPixels,
-                                       image.width, image.height));
+                           {.expected = fmt::format("at most {} pixels", kMostPixels),
+                            .found = fmt::format("{} x {}", image.width, image.height)});
   }
   image.format = PNG_FORMAT_RGB;
   Pixels out{static_cast<int>(image.width), static_cast<int>(image.height), {}};
@@ -154,9 +154,9 @@ Pixels read_png(std::string_view bytes, std::string_view name) {
   if (!png_image_finish_read(&image, &black, out.rgb.data(), 0, nullptr)) {
     throw geom::InputError(
         std::string(name),
-        fmt::format(
-            "expected a whole PNG picture, found a damaged or cut one (libpng: {}): draw it again",
-            image.message));
+        {.expected = "a whole PNG picture",
+         .found = fmt::format("a damaged or cut one (libpng: {})", image.message),
+         .advice = "draw it again"});
   }
   return out;
 }

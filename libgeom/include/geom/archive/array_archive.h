@@ -1,6 +1,15 @@
 #pragma once
 
-// An uncompressed ZIP (Zip64 where needed) of NumPy arrays and one meta.json, made to be mapped.
+// Archives of NumPy arrays: uncompressed ZIPs with one meta.json, made to be mapped.
+//
+// Example:
+//   const std::vector<double> heights = {1, 2, 3};
+//   const std::vector arrays = {geom::named_array<double>("heights", heights)};
+//   std::ostringstream out;
+//   geom::write_array_archive(out, R"({"unit":"m"})", arrays);
+//   const std::string bytes = out.str();
+//   const auto archive = geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "a.zip");
+//   assert(archive.array<double>("heights")[2] == 3);
 
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +47,7 @@ struct NamedArray {
   std::vector<std::span<const std::byte>> pieces;  // one after the other
 };
 
-// One row an entry, or `columns` entries a row where that is not 0.
+// An array with one entry a row, or with `columns` entries a row if that is not 0.
 template <class T>
 NamedArray named_array(std::string name, std::span<const T> values, std::size_t columns = 0) {
   std::vector<std::size_t> shape = {values.size()};
@@ -51,10 +60,11 @@ NamedArray named_array(std::string name, std::span<const T> values, std::size_t 
 void write_array_archive(std::ostream& out, std::string_view meta_json,
                          std::span<const NamedArray> arrays);
 
-// An opened archive; cheap to copy, and what it holds stays valid while any copy or keep_alive()
-// does. Opening checks the directory, the headers, shapes and sizes against the bytes that are
-// there, and refuses compression, encryption, duplicates and overlaps; every failure is an
-// InputError that names the file. Values and checksums are not looked at.
+// An opened archive. It is cheap to copy, and its views stay valid while any copy, or what
+// keep_alive() gives, lives. Opening checks the directory, the headers, shapes and sizes against
+// the bytes that are there, and refuses compression, encryption, duplicates and overlaps; every
+// failure is an InputError that names the file. Opening looks at neither values nor checksums: see
+// verify().
 class ArrayArchive {
  public:
   struct Entry {
@@ -74,15 +84,15 @@ class ArrayArchive {
   std::span<const Entry> arrays() const;
   bool has(std::string_view array) const;
 
-  // A view of an array of this type with rows of `columns` (0: one dimension). InputError when it
-  // is missing or of another type or shape.
+  // A view of an array of this type with rows of `columns` (0: one dimension). Throws InputError if
+  // it is missing or of another type or shape.
   template <class T>
   std::span<const T> array(std::string_view array, std::size_t columns = 0) const {
     const Entry& entry = find(array, dtype_of<T>(), columns);
     return {reinterpret_cast<const T*>(entry.bytes.data()), entry.bytes.size() / sizeof(T)};
   }
 
-  // Every checksum; InputError at the first that differs.
+  // Verifies every checksum. Throws InputError at the first that differs.
   void verify(const Execution& run = {}) const;
 
   std::optional<FileState> file() const;  // where it is mapped: as it was opened

@@ -1,6 +1,11 @@
 #pragma once
 
 // Values as their bytes, for binary formats.
+//
+// Example:
+//   std::string bytes;
+//   geom::append_bytes(bytes, std::uint32_t{1});
+//   assert(bytes == std::string("\1\0\0\0", 4));  // little endian
 
 #include <bit>
 #include <string>

@@ -1,6 +1,13 @@
 #pragma once
 
 // Small ZIP archives, as other programs make and read them: a few files, whole in memory.
+//
+// Example:
+//   const std::vector<geom::SmallFile> files = {{"wpmz/waylines.wpml", "<kml/>"}};
+//   std::ostringstream out;
+//   geom::write_small_zip(out, files);
+//   const geom::SmallZip asked{.what = "a DJI mission (.kmz)", .wanted = {"wpmz/waylines.wpml"}};
+//   assert(geom::files_of_zip(out.str(), "mission.kmz", asked)[0].content == "<kml/>");
 
 #include <cstdint>
 #include <iosfwd>
@@ -16,7 +23,7 @@ struct SmallFile {
   std::string content;
 };
 
-// What an archive is read for.
+// Which files of an archive are wanted.
 struct SmallZip {
   const char* what;                       // "a mission of DJI (.kmz)", for messages
   std::vector<std::string_view> wanted;   // names; others are not unpacked
@@ -24,13 +31,12 @@ struct SmallZip {
   std::uint64_t most_content = 64 << 20;  // bytes of each of them
 };
 
-// Those of the wanted files that are there, in the order of `zip.wanted`; stored or deflated.
-// Example: files_of_zip(text, "mission.kmz", {"a mission of DJI (.kmz)", {"wpmz/waylines.wpml"}}).
-// InputError where `archive` is no whole ZIP or has more than 1000 entries, for encryption, names
-// that come twice or differ in case alone, names that lead out of the archive's folder, bytes that
-// belong to no entry, others with an ending of `alone`, and for a wanted file that is too large
-// (said or found so; or over 1 MiB, and more than 100 times what it takes in the archive) or
-// damaged (its checksum is compared).
+// The wanted files that are in the archive, stored or deflated, in the order of `zip.wanted`.
+// Throws InputError if `archive` is no whole ZIP, has more than 1000 entries, is encrypted, has
+// bytes that belong to no entry, or has an unwanted file with an ending of `alone`. Names must not
+// come twice, differ in case alone, or lead out of the archive's folder. A wanted file must not be
+// damaged (its checksum is compared) or too large, as said or as found: above `most_content`, or
+// over 1 MiB and more than 100 times what it takes in the archive.
 std::vector<SmallFile> files_of_zip(std::string_view archive, const std::string& source,
                                     const SmallZip& zip);
 

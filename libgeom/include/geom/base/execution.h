@@ -1,6 +1,12 @@
 #pragma once
 
 // What may vary from run to run without changing a result: threads and progress.
+//
+// Example:
+//   const geom::Execution run{
+//       .threads = 4, .progress = [](std::size_t done, std::size_t total) {
+//         std::cerr << done << " of " << total << '\n';
+//       }};
 
 #include <cstddef>
 #include <functional>

@@ -2,10 +2,15 @@
 
 // A kind of file as one value: its word, its name for people, its beginning and its readers.
 //
-//   constexpr std::string_view kReaders[] = {"skyway-cloud"};
-//   bool begins_as_pcd(std::string_view head) { return head.starts_with("# .PCD"); }
-//   constexpr geom::Format kPcd{
-//       .word = "pcd", .what = "a PCD point cloud", .begins = begins_as_pcd, .readers = kReaders};
+// Example:
+//   static constexpr std::string_view readers[] = {"skyway-cloud"};
+//   static constexpr geom::Format pcd{
+//       .word = "pcd",
+//       .what = "a PCD point cloud",
+//       .begins = [](std::string_view head) { return head.starts_with("# .PCD"); },
+//       .readers = readers};
+//   const geom::Format* const formats[] = {&pcd};
+//   assert(geom::recognise("# .PCD v0.7", formats) == &pcd);
 
 #include <cstddef>
 #include <span>

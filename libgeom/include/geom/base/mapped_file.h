@@ -1,8 +1,16 @@
 #pragma once
 
-// Files mapped into memory, and how much of it they take. The one place where this library opens
-// files, and keeps something for the whole process: a list of what is mapped now, so that a signal
-// handler can name a file that was cut. No answer depends on it.
+// Files mapped into memory, and how much of it they take.
+//
+// Example:
+//   const geom::MappedFile file("city.boxmap");
+//   const std::span<const std::byte> bytes = file.bytes();
+//   assert(bytes.size() == file.state().size);
+//   assert(geom::mapped_file_at(bytes.data()) == std::string("city.boxmap"));
+//
+// This is the one place where the library opens files, and where it keeps something for the whole
+// process: a list of what is mapped now, so that a signal handler can name a file that was cut. No
+// answer depends on it.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,9 +31,9 @@ struct FileState {
   friend bool operator==(const FileState&, const FileState&) = default;
 };
 
-// A regular file, read-only. Throws std::system_error where it cannot be read, InputError where it
-// is empty or no regular file. If somebody cuts the file meanwhile, a reader of the
-// lost part gets SIGBUS from the system.
+// A regular file, read-only. Throws std::system_error if it cannot be read, and InputError if it is
+// empty or no regular file. If somebody cuts the file meanwhile, a reader of the lost part gets
+// SIGBUS from the system.
 class MappedFile {
  public:
   explicit MappedFile(const std::string& path);
@@ -41,13 +49,13 @@ class MappedFile {
   FileState state_;
 };
 
-// The path of the mapped file that holds this address; null where none does. For signal handlers:
-// it neither locks nor allocates. The path is good as long as the file is mapped.
+// The path of the mapped file that holds this address; null if none does. For signal handlers: it
+// neither locks nor allocates. The path is good as long as the file is mapped.
 const char* mapped_file_at(const void* address) noexcept;
 
-// Throws std::runtime_error where a file that is mapped, or was closed since the last call, is not
-// as it was when it was opened (its length, or when it was written): what was read of it may be of
-// both. SIGBUS tells only of whole pages that are gone.
+// Throws std::runtime_error if a mapped file, or one that was closed since the last call, has
+// changed since it was opened: its length, or the time when it was written. What was read of it may
+// then be a mixture of old and new bytes. SIGBUS tells only of whole pages that are gone.
 void require_mapped_files_unchanged();
 
 inline constexpr std::size_t kMappedKept = std::size_t{1} << 25;  // 32 MB
@@ -59,7 +67,7 @@ inline constexpr std::size_t kMappedKept = std::size_t{1} << 25;  // 32 MB
 // that touches ever more of a big file.
 void trim_mapped_files(std::size_t most = kMappedKept);
 
-// The state of the file of that name; throws std::system_error where there is none.
+// The state of the file of that name. Throws std::system_error if there is none.
 FileState state_of(const std::string& path);
 
 // Tells the system that these bytes of a MappedFile are read next. Changes no answer.

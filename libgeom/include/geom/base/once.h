@@ -1,6 +1,12 @@
 #pragma once
 
 // Work that is done once, by the first thread that needs it.
+//
+// Example:
+//   geom::Once once;
+//   int made = 0;
+//   for (int i = 0; i < 3; ++i) once.call([&] { ++made; });
+//   assert(made == 1);
 
 #include <atomic>
 #include <mutex>

@@ -1,6 +1,12 @@
 #pragma once
 
 // Ordered loops: item i writes slot i, whatever the number of threads.
+//
+// Example:
+//   std::vector<double> squares(100);
+//   geom::parallel_for(squares.size(), {.threads = 2},
+//                      [&](std::size_t i) { squares[i] = static_cast<double>(i * i); });
+//   assert(squares[9] == 81);
 
 #include <cstddef>
 #include <functional>
@@ -9,9 +15,9 @@
 
 namespace geom {
 
-// Calls f(i) for i in [0, n), in any order, each once, on run.threads threads. Returns when all
-// are done. The first exception (by lowest i of those thrown, by f or the progress report) is
-// rethrown here, and no more items are begun. Where the system gives fewer threads, those do.
+// Calls f(i) for i in [0, n), in any order, each once, on run.threads threads. Returns when all are
+// done. The first exception (by lowest i of those thrown, by f or the progress report) is rethrown
+// here, and no more items are begun. If the system gives fewer threads, the loop runs on those.
 void parallel_for(std::size_t n, const Execution& run, const std::function<void(std::size_t)>& f);
 
 }  // namespace geom

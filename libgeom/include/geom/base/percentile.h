@@ -1,6 +1,9 @@
 #pragma once
 
 // Percentiles by nearest rank.
+//
+// Example:
+//   assert(geom::percentile({3, 1, 2}, 0.5) == 2);
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +14,6 @@ namespace geom {
 
 // The least value that at least `share` of the values, in (0, 1], do not exceed. At least one
 // value; none is NaN.
-//
-//   geom::percentile({3, 1, 2}, 0.5) == 2
 inline double percentile(std::vector<double> values, double share) {
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
   const auto at = values.begin() +

@@ -1,6 +1,11 @@
 #pragma once
 
-// Checks of arguments that public functions make.
+// Checks of the arguments of public functions.
+//
+// Example:
+//   const geom::Vec3 p(1, 2, 3);
+//   geom::require_point("the start", p);        // InputError for NaN, or beyond kFarthest
+//   geom::require_length("radius", 2.5, 1000);  // InputError below 0 or above 1000
 
 #include <cmath>
 #include <string_view>
@@ -19,7 +24,7 @@ inline constexpr double kFarthest = 10 * kLargestCoordinate;
 // Each throws InputError("`what`", …) for a wrong argument, NaN included. It costs a few
 // comparisons.
 
-// Finite coordinates within kFarthest.
+// A point must have finite coordinates within kFarthest.
 inline void require_point(std::string_view what, const Vec3& p) {
   if (std::abs(p[0]) <= kFarthest && std::abs(p[1]) <= kFarthest && std::abs(p[2]) <= kFarthest) {
     return;
@@ -27,14 +32,14 @@ inline void require_point(std::string_view what, const Vec3& p) {
   refuse_point(what, p);
 }
 
-// Both of them, in few operations where they are near.
+// require_point() of both, in few operations for points near the origin.
 inline void require_points(std::string_view what, const Vec3& a, const Vec3& b) {
   if (a.lpNorm<1>() + b.lpNorm<1>() <= kFarthest) return;
   require_point(what, a);
   require_point(what, b);
 }
 
-// Metres, from 0 to `most`.
+// A length must be from 0 to `most`, metres.
 inline void require_length(std::string_view what, double value, double most) {
   if (!(value >= 0 && value <= most)) refuse_length(what, value, most);
 }

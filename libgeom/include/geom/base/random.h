@@ -1,6 +1,12 @@
 #pragma once
 
 // Random numbers that are the same on every machine.
+//
+// Example:
+//   geom::SplitMix64 random(7);  // the seed
+//   const double height = random.uniform(10, 80);
+//   const bool has_tower = random.chance(0.1);
+//   const int storeys = random.whole(1, 20);  // 1 to 20
 
 #include <cstdint>
 

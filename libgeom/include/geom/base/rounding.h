@@ -1,8 +1,14 @@
 #pragma once
 
-// Sums and products of doubles that lie on a known side of the real result. Every result is the
-// nearest double or its neighbour; exact where the real result is a double. Arguments and results
-// must be finite.
+// Sums and products of doubles that lie on a known side of the real result.
+//
+// Example:
+//   assert(geom::add_down(0.1, 0.2) < geom::add_up(0.1, 0.2));  // the sum is no double
+//   assert(geom::add_up(1, 2) == 3);                            // exact
+//   assert(geom::float_up(0.1) >= 0.1);
+//
+// Every result is the nearest double or its neighbour; exact where the real result is a double.
+// Arguments and results must be finite.
 
 #include <bit>
 #include <cmath>

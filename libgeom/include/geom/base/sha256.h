@@ -1,6 +1,11 @@
 #pragma once
 
 // SHA-256, for the identity of maps and inputs.
+//
+// Example:
+//   geom::Sha256 sum;
+//   sum.update(std::as_bytes(std::span(std::string_view("abc"))));
+//   assert(sum.hex().starts_with("ba7816bf"));
 
 #include <cstddef>
 #include <memory>

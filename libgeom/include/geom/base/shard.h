@@ -1,6 +1,11 @@
 #pragma once
 
 // One of several equal shares of some work, for processes that know nothing of each other.
+//
+// Example:
+//   const geom::Shard second{.index = 1, .count = 3};
+//   assert((second.items(8) == std::vector<std::size_t>{1, 4, 7}));  // spread
+//   assert(second.begin(9) == 3 && second.end(9) == 6);              // or a run of neighbours
 
 #include <cstddef>
 #include <vector>
@@ -17,10 +22,10 @@ struct Shard {
   std::size_t begin(std::size_t items) const { return before(items, index); }
   std::size_t end(std::size_t items) const { return before(items, index + 1); }
 
-  // How many it takes of [0, all).
+  // How many of the items [0, all) this share takes.
   std::size_t taken(std::size_t all) const { return all / count + (index < all % count ? 1 : 0); }
 
-  // Those it takes of [0, all), ascending.
+  // The items of [0, all) that this share takes, ascending.
   std::vector<std::size_t> items(std::size_t all) const {
     std::vector<std::size_t> out;
     for (std::size_t i = index; i < all; i += count) out.push_back(i);

@@ -1,6 +1,12 @@
 #pragma once
 
 // Obstacles, or possible ones, that a reader could not build.
+//
+// Example:
+//   geom::Skipped skipped;
+//   skipped.add("unknown keyword", "line 7: window");
+//   skipped.add("unknown keyword", "line 9: blok");
+//   assert(skipped.text() == "2 x unknown keyword (line 7: window, line 9: blok)");
 
 #include <cstddef>
 #include <map>

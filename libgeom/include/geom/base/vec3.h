@@ -1,6 +1,10 @@
 #pragma once
 
 // The vector type of the whole toolkit.
+//
+// Example:
+//   const geom::Vec3 way = geom::Vec3(4, 6, 3) - geom::Vec3(1, 2, 3);  // metres
+//   assert(way.norm() == 5);
 
 #include <Eigen/Core>
 

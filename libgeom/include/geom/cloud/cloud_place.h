@@ -1,5 +1,14 @@
 #pragma once
 
+// From the coordinates of a point cloud to metres of a map.
+//
+// Example:
+//   geom::CloudPlace place({.origin = geom::GeodeticOrigin{47.4, 8.5, 0}});
+//   place.settle(geom::CoordinateReference{}, "scan.xyz");  // the file says nothing of its own
+//   std::vector<geom::CloudPoint> points = {{geom::Vec3(1, 2, 3)}};
+//   place.place(points);
+//   assert(place.frame().origin->latitude == 47.4);
+//
 // What a cloud's coordinates mean: how long their units are, which reference system they are of,
 // and where on Earth they count from.
 
@@ -31,11 +40,8 @@ struct CloudPlaceOptions {
 // Whether PROJ knows it as a reference system.
 bool knows_reference(const std::string& text);
 
-// From the coordinates of a file to those of the map:
-//
-//   CloudPlace place({.origin = GeodeticOrigin{47.4, 8.5, 0}});
-//   place.settle(told, "scan.laz");  // `told` by read_las
-//   place.place(points);
+// From the coordinates of a file to those of the map: settle() by what the file says, as read_las
+// tells it, then place() its points.
 class CloudPlace {
  public:
   explicit CloudPlace(CloudPlaceOptions options = {})

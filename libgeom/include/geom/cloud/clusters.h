@@ -1,6 +1,11 @@
 #pragma once
 
 // Groups of points that are near to each other.
+//
+// Example:
+//   const std::vector<geom::Vec3> points = {{0, 0, 0}, {9, 0, 0}, {0.4, 0, 0}};
+//   const auto groups = geom::clusters(points, 0.5);
+//   assert((groups[0] == std::vector<std::size_t>{0, 2}) && groups[1].size() == 1);
 
 #include <cstddef>
 #include <span>

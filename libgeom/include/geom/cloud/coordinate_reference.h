@@ -1,6 +1,11 @@
 #pragma once
 
 // The reference system of a file's coordinates, and the length of its units.
+//
+// Example:
+//   const geom::CoordinateReference told =
+//       geom::reference_of_wkt(R"(LOCAL_CS["site",UNIT["foot",0.3048]])");
+//   if (told.plane) std::cout << "a unit is " << *told.plane << " m long\n";
 
 #include <cstdint>
 #include <optional>
@@ -29,13 +34,13 @@ struct CoordinateReference {
   friend bool operator==(const CoordinateReference&, const CoordinateReference&) = default;
 };
 
-// Of well-known text, of GDAL's and Esri's kind (WKT 1) and of ISO 19162 (WKT 2). No data base is
-// asked: a unit that the text does not give is not known.
+// Reads well-known text as GDAL and Esri write it (WKT 1), and that of ISO 19162 (WKT 2). No data
+// base is asked: a unit that the text does not give is not known.
 CoordinateReference reference_of_wkt(std::string_view text);
 
-// Of the keys of GeoTIFF 1.1 (OGC 19-008), as LAS files have them: the directory (34735), and the
-// doubles (34736) that it points into. Codes of EPSG whose unit follows from their range (UTM) or
-// is well known (heights above common levels) are understood, others not.
+// Reads the keys of GeoTIFF 1.1 (OGC 19-008), as LAS files have them: the directory (34735), and
+// the doubles (34736) that it points into. Codes of EPSG whose unit follows from their range (UTM)
+// or is well known (heights above common levels) are understood, others not.
 CoordinateReference reference_of_geo_keys(std::span<const std::uint16_t> directory,
                                           std::span<const double> doubles);
 

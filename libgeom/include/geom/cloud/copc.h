@@ -1,6 +1,18 @@
 #pragma once
 
 // Part of a COPC file: LAZ whose points stand in the cubes of an octree, coarse ones first.
+//
+// Example, not run:
+//   std::ifstream file("city.copc.laz", std::ios::binary);
+//   const geom::ReadAt read = [&](std::uint64_t at, std::span<unsigned char> to) {
+//     file.clear();
+//     file.seekg(static_cast<std::streamoff>(at));
+//     file.read(reinterpret_cast<char*>(to.data()), static_cast<std::streamsize>(to.size()));
+//     return static_cast<std::size_t>(file.gcount());
+//   };
+//   geom::read_copc(
+//       read, "city.copc.laz", [](const auto& told) { return geom::CopcPart{.resolution = 1}; },
+//       [](std::span<const geom::CloudPoint> points) { std::cout << points.size() << '\n'; });
 
 #include <functional>
 #include <optional>

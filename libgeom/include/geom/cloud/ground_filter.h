@@ -1,6 +1,14 @@
 #pragma once
 
 // Which points are ground: by the class that the file gives them, or by their shape.
+//
+// Example:
+//   geom::GroundFilter filter({}, "auto");
+//   const std::vector<geom::CloudPoint> points = {{geom::Vec3(0, 0, 0), geom::kGroundClass},
+//                                                 {geom::Vec3(0, 0, 9), 6}};  // 6: building
+//   for (const geom::CloudPoint& p : points) filter.add(p);
+//   filter.finish();
+//   assert(filter.is_ground(points[0]) && !filter.is_ground(points[1]));
 
 #include <string>
 

@@ -1,6 +1,11 @@
 #pragma once
 
 // The classes of LAS points by name: ASPRS, LAS 1.4 R15, tables 9 and 17.
+//
+// Example:
+//   assert(geom::las_classes("ground")[0] == geom::kGroundClass);
+//   assert(geom::las_classes("vegetation").size() == 3);
+//   assert(geom::is_noise_class(7));
 
 #include <cstdint>
 #include <span>

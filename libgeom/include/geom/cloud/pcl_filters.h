@@ -1,7 +1,13 @@
 #pragma once
 
-// What PCL does to clouds. All work in single precision relative to the first point, and give
-// indices, so that the points themselves lose nothing.
+// Filters of point clouds: outliers left out, one point for each voxel.
+//
+// Example:
+//   const geom::CloudPoints points = {{{0, 0, 0}}, {{0.1, 0, 0}}, {{5, 0, 0}}};
+//   assert(geom::one_per_voxel(points, 1, "scan.xyz").size() == 2);
+//
+// They are PCL's. All work in single precision relative to the first point, and give indices, so
+// that the points themselves lose nothing.
 
 #include <cstddef>
 #include <string_view>

@@ -1,6 +1,15 @@
 #pragma once
 
 // Point clouds, read as they stream: PCD, PLY, LAS, LAZ and XYZ.
+//
+// Example:
+//   std::istringstream in("1 2 3\n4 5 6\n");
+//   std::vector<geom::Vec3> points;
+//   const geom::CloudCounts counts = geom::read_xyz(
+//       in, "scan.xyz", [&](std::span<const geom::CloudPoint> chunk) {
+//         for (const geom::CloudPoint& p : chunk) points.push_back(p.position);
+//       });
+//   assert(counts.read == 2 && points[1] == geom::Vec3(4, 5, 6));
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,13 @@
 #pragma once
 
-// What PROJ and its data base know of reference systems, and the way from one to metres about a
-// place.
+// Reference systems as PROJ knows them, and the way from one to metres about a place.
+//
+// Example:
+//   const auto utm = geom::ProjReference::of("EPSG:25832");
+//   const geom::GeodeticOrigin origin = geom::origin_near(*utm, {500000, 5300000, 0}, "scan.laz");
+//   std::vector<geom::CloudPoint> points = {{geom::Vec3(500000, 5300000, 120)}};
+//   geom::way_to_plane(*utm, origin, "scan.laz").project(points);
+//   assert(points[0].position.head<2>().norm() < 200);  // metres from the origin
 
 #include <memory>
 #include <optional>
@@ -17,8 +23,8 @@ namespace geom {
 
 class ProjReference {
  public:
-  // Of whatever PROJ reads: "EPSG:25832", "EPSG:2994+6360" (with heights), well-known text, a PROJ
-  // string. Nothing where it does not know it as a reference system.
+  // The reference system that a text names to PROJ: "EPSG:25832", "EPSG:2994+6360" (with heights),
+  // well-known text, a PROJ string. Nothing if PROJ knows none of that name.
   static std::optional<ProjReference> of(const std::string& text);
   ~ProjReference();
   ProjReference(ProjReference&&) noexcept;

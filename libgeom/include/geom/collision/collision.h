@@ -1,6 +1,12 @@
 #pragma once
 
 // The collision structure: exact queries of a box map for one vehicle and margin, by Embree.
+//
+// Example:
+//   const geom::CollisionScene city(map, vehicle, 0.2);  // 0.2 m of margin
+//   assert(city.free({1, 1, 1}) && !city.free({1, 1, 1}, {9, 1, 1}));  // a block stands between
+//   const auto nearest = city.nearest({1, 1, 1}, 50);
+//   std::cout << nearest->distance << " m to box " << nearest->box << '\n';
 
 #include <cstddef>
 #include <cstdint>

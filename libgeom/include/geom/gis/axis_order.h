@@ -1,6 +1,15 @@
 #pragma once
 
 // Which way the coordinates of a city model run.
+//
+// Example:
+//   geom::CityModel model;
+//   model.crs = "urn:ogc:def:crs:EPSG::4326";  // latitude first
+//   model.objects.push_back({.type = "Building"});
+//   const geom::CitySurface ground = {{{47, 8, 0}, {47, 8.1, 0}, {47.1, 8, 0}}};
+//   model.objects[0].geometries.push_back({.surfaces = {ground}});
+//   geom::gis::orient(model, geom::gis::Axes::as_named, false, "city.gml");
+//   assert(model.objects[0].geometries[0].surfaces[0][0][0].x() == 8);  // longitude
 
 #include <string>
 

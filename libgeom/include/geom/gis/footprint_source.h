@@ -1,6 +1,12 @@
 #pragma once
 
-// What the readers of footprints give, in the coordinates of their source.
+// Readers of footprints and terrain, in the coordinates of their source.
+//
+// Example:
+//   geom::gis::Source source =
+//       geom::gis::read_vector("blocks.geojson", "blocks.geojson", geom::gis::ReadOptions{});
+//   const geom::gis::Projector projector(source, "blocks.geojson", std::nullopt, false);
+//   std::cout << source.footprints.size() << " footprints, " << source.skipped.text() << '\n';
 
 #include <map>
 #include <memory>

@@ -1,6 +1,13 @@
 #pragma once
 
 // Footprints brought from their source to the map: onto its plane, and onto the ground.
+//
+// Example:
+//   geom::gis::Source source =
+//       geom::gis::read_vector("blocks.geojson", "blocks.geojson", geom::gis::ReadOptions{});
+//   const geom::gis::Projector projector(source, "blocks.geojson", std::nullopt, false);
+//   geom::gis::project(source, projector, 0.5);
+//   const geom::BoxTable boxes = geom::boxes_of(source.footprints, 0.5, {});
 
 #include <optional>
 #include <string>

@@ -1,6 +1,13 @@
 #pragma once
 
-// The formats that footprints come in, and reading any of them.
+// One door to all readers of footprints, by the format of the file.
+//
+// Example:
+//   std::ifstream file("blocks.geojson");
+//   const std::string path = "blocks.geojson";
+//   const std::string format = geom::gis::detect("{\"type\":\"FeatureCollection\"", path);
+//   const geom::gis::Source source = geom::gis::read(format, path, path, file, {});
+//   assert(!source.footprints.empty());
 
 #include <istream>
 #include <string>

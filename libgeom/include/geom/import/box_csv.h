@@ -1,6 +1,15 @@
 #pragma once
 
-// Box CSV: `min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label`, bit for bit both ways.
+// Boxes as CSV: six coordinates and a label a line, bit for bit both ways.
+//
+// Example:
+//   geom::BoxTable table;
+//   table.add({{0, 0, 0}, {10, 10, 8}}, 1, table.label_of("house"));
+//   std::stringstream file;
+//   geom::write_box_csv(file, table);
+//   assert(geom::read_box_csv(file, "boxes.csv").boxes == table.boxes);
+//
+// The header is `min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label`.
 
 #include <iosfwd>
 #include <string_view>
@@ -14,8 +23,9 @@ namespace geom {
 // bytes. ids are the numbers of the lines on which records begin.
 BoxTable read_box_csv(std::istream& in, std::string_view source);
 
-// With the columns from_s and until_s, seconds after the map's epoch, where a box is not always
-// there; empty: no such end. What has them is not read back, for it does not say the epoch.
+// If a box is there for a time only, the table has the columns from_s and until_s: seconds after
+// the map's epoch, empty for no such end. A table with these columns is not read back, because it
+// does not say the epoch.
 void write_box_csv(std::ostream& out, const BoxTable& table);
 
 }  // namespace geom

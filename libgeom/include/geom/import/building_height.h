@@ -1,6 +1,12 @@
 #pragma once
 
 // The height of a building from its attributes.
+//
+// Example:
+//   const std::map<std::string, std::string> tags = {{"building:levels", "4"}};
+//   const geom::BuildingHeight height = geom::building_height(
+//       [&](const char* key) { return tags.contains(key) ? tags.at(key) : std::string(); }, {});
+//   assert(height.top == 12 && height.from == geom::HeightFrom::levels);  // 3 m a storey
 
 #include <functional>
 #include <string>

@@ -1,6 +1,12 @@
 #pragma once
 
 // City models as their files have them: objects with surfaces, before they are footprints.
+//
+// Example:
+//   geom::CityObject house{.type = "Building", .name = "H1"};
+//   house.geometries.push_back(
+//       {.lod = 2, .surfaces = {{{{0, 0, 0}, {8, 0, 0}, {8, 6, 0}, {0, 6, 0}}}}});
+//   const geom::CityModel model{.objects = {house}, .crs = "EPSG:7415"};
 
 #include <map>
 #include <string>

@@ -1,6 +1,12 @@
 #pragma once
 
 // FCND tables (`colliders.csv`): a latitude and longitude line, then centre and half sizes.
+//
+// Example:
+//   std::istringstream in("lat0 37.79, lon0 -122.39\n"
+//                         "posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n10,20,5,5,5,5\n");
+//   const geom::FcndTable city = geom::read_fcnd_csv(in, "colliders.csv");
+//   assert(city.table.boxes[0] == (geom::Aabb{{5, 15, 0}, {15, 25, 10}}));
 
 #include <iosfwd>
 #include <optional>

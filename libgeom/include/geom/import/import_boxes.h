@@ -1,6 +1,13 @@
 #pragma once
 
 // One door to all readers of boxes: tables, block texts, worlds, voxels and octrees.
+//
+// Example:
+//   std::istringstream in("boundary 0 0 0 10 10 10\nblock 4 0 0 5 8 8\n");
+//   const geom::BoxFormat format = geom::box_format_of("boundary 0 0 0 10 10 10\n", "city.txt");
+//   geom::ImportedBoxes boxes = geom::import_boxes(in, format, "city.txt");
+//   const geom::MadeMap made = geom::make_map(std::move(boxes), "city.txt");
+//   assert(made.map.size() == 1);
 
 #include <iosfwd>
 #include <optional>

@@ -1,6 +1,12 @@
 #pragma once
 
 // No-fly volumes: GeoJSON polygons with a lower and an upper altitude.
+//
+// Example:
+//   std::istringstream in(R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,9],[0,0]]]})");
+//   const geom::KeepOut zones =
+//       geom::read_keep_out(in, "zones.geojson", geom::Frame{}, {.local = true, .ceiling = 120});
+//   assert(zones.volumes[0].top == 120);
 
 #include <iosfwd>
 #include <map>

@@ -1,6 +1,14 @@
 #pragma once
 
 // Gazebo worlds: SDFormat 1.4 to 1.12 (sdformat.org), read from the text.
+//
+// Example:
+//   std::istringstream in(R"(<sdf version="1.7"><world name="yard"><model name="crate">
+//     <static>1</static><pose>0 0 1 0 0 0</pose><link name="body"><collision name="box">
+//     <geometry><box><size>2 2 2</size></box></geometry>
+//     </collision></link></model></world></sdf>)");
+//   const geom::SdfWorld world = geom::read_sdf_world(in, "yard.sdf", {});
+//   assert(world.table.boxes[0] == (geom::Aabb{{-1, -1, 0}, {1, 1, 2}}));
 
 #include <cstddef>
 #include <functional>

@@ -1,6 +1,12 @@
 #pragma once
 
 // A made-up city: blocks of buildings, towers with set-backs, trees, lamps, trucks, an overpass.
+//
+// Example:
+//   const geom::SynthSpec small{.seed = 7, .size_x = 200, .size_y = 200};
+//   const std::vector<geom::CenteredBox> city = geom::synth_city(small);
+//   std::ostringstream out;
+//   geom::write_fcnd_csv(out, {47.4, 8.5, 0}, city);
 
 #include <cstdint>
 #include <vector>

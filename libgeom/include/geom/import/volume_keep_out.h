@@ -1,6 +1,14 @@
 #pragma once
 
 // Volumes of ASTM F3548 that a map is to keep vehicles out of.
+//
+// Example:
+//   geom::Volume4d zone{.lower = 400, .upper = 520};  // metres above the ellipsoid
+//   zone.outline.centre = {47.4, 8.5, 0};
+//   zone.outline.radius = 100;
+//   const geom::Frame frame{.origin = geom::GeodeticOrigin{47.4, 8.5, 400}};
+//   const geom::KeepOut cut = geom::keep_out_of({{zone}}, "zones.json", frame, {.ceiling = 300});
+//   assert(cut.volumes[0].bottom < 0.1 && cut.volumes[0].top > 119.9);
 
 #include <optional>
 #include <span>

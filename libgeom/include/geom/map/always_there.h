@@ -1,6 +1,10 @@
 #pragma once
 
 // A map without its timed boxes.
+//
+// Example:
+//   const geom::BoxMap lasting = geom::always_there(map);
+//   assert(lasting.hash() == map.hash());  // this map has no timed boxes
 
 #include "geom/map/box_map.h"
 

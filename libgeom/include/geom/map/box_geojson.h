@@ -1,6 +1,12 @@
 #pragma once
 
 // Boxes as GeoJSON, for web maps and GIS programs.
+//
+// Example:
+//   const geom::Frame frame{.origin = geom::GeodeticOrigin{47.4, 8.5, 0}};
+//   const geom::MadeMap made = geom::make_map(geom::table_of(map), frame, "[]", "city", {});
+//   std::ostringstream out;
+//   geom::write_box_geojson(out, made.map, "city");
 
 #include <iosfwd>
 #include <string_view>

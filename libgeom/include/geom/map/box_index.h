@@ -1,6 +1,13 @@
 #pragma once
 
 // Which boxes are near: hashes of square cells in plan, for algorithms on tables of boxes.
+//
+// Example:
+//   const std::vector<geom::Aabb> boxes = {{{0, 0, 0}, {1, 1, 1}}, {{50, 0, 0}, {51, 1, 1}}};
+//   geom::BoxIndex index(geom::index_cell(boxes));
+//   for (std::size_t i = 0; i < boxes.size(); ++i) index.add(i, boxes[i]);
+//   const auto near = index.near({{0, 0, 0}, {0.5, 0.5, 2}});  // all that meet it, perhaps more
+//   assert(near == std::vector<std::size_t>{0});
 
 #include <cstdint>
 #include <map>
@@ -12,18 +19,19 @@
 
 namespace geom {
 
-// Refers to boxes by their index; they may change as long as those asked for were added. A hash a
-// size of boxes, each twice that of the one before, so that few large boxes among many small ones
-// cost no more than others.
+// An index of boxes by where they are in plan; it keeps their numbers, not the boxes. There is a
+// hash for each size of boxes, each size twice the one before, so that a few large boxes among many
+// small ones cost no more than others.
 class BoxIndex {
  public:
-  // `cell`: metres, about the size of a box and its surroundings. InputError where it is not from
-  // 1e-6 to kLargestCoordinate, and below, where a coordinate is beyond kFarthest or none.
+  // `cell`: metres, about the size of a box and its surroundings. Throws InputError unless it is
+  // from 1e-6 to kLargestCoordinate. add() and near() throw InputError for a coordinate that is not
+  // finite or beyond kFarthest.
   explicit BoxIndex(double cell);
 
   void add(std::size_t i, const Aabb& box);
 
-  // Indices, ascending, of boxes added whose cells the region touches: all that meet it, and more.
+  // Numbers, ascending, of all added boxes that meet the region, and perhaps of others near it.
   std::vector<std::size_t> near(const Aabb& region) const;
 
  private:

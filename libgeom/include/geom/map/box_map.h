@@ -1,6 +1,13 @@
 #pragma once
 
 // A city as boxes: what every later stage starts from.
+//
+// Example:
+//   geom::BoxTable table;
+//   table.add({{4, 0, 0}, {5, 8, 8}}, 1);
+//   const geom::BoxMap city({.bounds = {{0, 0, 0}, {10, 10, 10}}, .bounds_from = "source"}, table);
+//   assert(city.size() == 1 && city.box(0).max.z() == 8);
+//   std::cout << city.hash() << '\n';  // "sha256:…"
 
 #include <cstdint>
 #include <memory>
@@ -35,8 +42,8 @@ struct BoxMapSpec {
   std::optional<std::string> epoch;
 };
 
-// How much of what a map's file says of itself was held against what it holds (docs/formats.md,
-// "Trust"). Each includes those before it.
+// How far the claims of a map's file are verified (docs/formats.md, "Trust"). Each level includes
+// those before it.
 enum class Verified : std::uint8_t {
   nothing,  // the directory, shapes, types and ranges, as reading does
   extents,  // every box is finite, has min <= max and lies in its tile's extent; its label exists
@@ -52,8 +59,8 @@ enum class Verified : std::uint8_t {
 // for good (a proof, a map made of this one) calls require(Verified::contents).
 class BoxMap {
  public:
-  // Sorts `table` into tiles. No box may be inverted or not finite (precondition). Where some are
-  // not always there, InputError("the map", …) unless there is an epoch and each time is one.
+  // Sorts `table` into tiles. No box may be inverted or not finite (precondition). If boxes have
+  // times, throws InputError("the map", …) unless there is an epoch and each time is valid.
   BoxMap(BoxMapSpec spec, const BoxTable& table);
 
   const BoxMapSpec& spec() const;
@@ -73,13 +80,13 @@ class BoxMap {
   std::span<const TimeSpan> times() const;       // when each of these is there
   TimeSpan time(std::size_t i) const;            // of any box; log of the timed ones
 
-  // "sha256:" and 64 hexadecimal digits: SHA-256 of frame, bounds, the sorted boxes and times. A
-  // claim of the file's until its contents are verified.
+  // "sha256:" and 64 hexadecimal digits: SHA-256 of frame, bounds, the sorted boxes and times.
+  // Until the contents are verified it is a claim of the file.
   const std::string& hash() const;
 
-  // Verifies as far as is still needed: reads all boxes for extents, all bytes for contents. Throws
-  // InputError at the first that is wrong, whatever the threads. Once for all copies; threads may
-  // call it at once. A map that was made here is verified.
+  // Verifies what is not verified yet: reads all boxes for extents, all bytes for contents. Throws
+  // InputError at the first fault, the same for any number of threads. It is done once for all
+  // copies; threads may call it at once. A map that was made here is verified.
   void require(Verified level, const Execution& run = {}) const;
   Verified verified() const;
 

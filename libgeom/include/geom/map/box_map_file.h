@@ -1,6 +1,12 @@
 #pragma once
 
-// `.boxmap`: a box map as a ZIP of NumPy arrays (docs/formats.md).
+// Box map files (`.boxmap`): ZIPs of NumPy arrays, described in docs/formats.md.
+//
+// Example:
+//   const geom::BoxMap city = geom::open_map("city.boxmap");  // mapped, neither read nor copied
+//   city.require(geom::Verified::contents);                   // looks at every byte
+//   std::ostringstream out;
+//   geom::write_box_map(out, city);
 
 #include <iosfwd>
 #include <string>
@@ -13,12 +19,12 @@ namespace geom {
 void write_box_map(std::ostream& out, const BoxMap& map);
 
 // Views the archive's arrays, without copying the boxes. Checks the directory, shapes, types and
-// tile ranges; throws InputError otherwise. The rest is verified when BoxMap says, but for what the
-// caller knows of this very state of the file.
+// tile ranges; throws InputError otherwise. The rest is verified when BoxMap says. `known`: what
+// the caller has verified before of this very state of the file.
 BoxMap read_box_map(const ArrayArchive& archive, Verified known = Verified::nothing);
 
-// The map in a file, which is mapped and neither read nor copied. Throws std::system_error where it
-// cannot be, and InputError as read_box_map.
+// The map in a file, which is mapped and neither read nor copied. Throws std::system_error if it
+// cannot be mapped, and InputError as read_box_map does.
 BoxMap open_map(const std::string& path);
 
 // Whether the archive says that it is a box map.

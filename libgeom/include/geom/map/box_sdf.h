@@ -1,6 +1,11 @@
 #pragma once
 
 // Box maps as Gazebo worlds.
+//
+// Example:
+//   std::ofstream out("city.sdf");
+//   const std::size_t larger = geom::write_box_sdf(out, map);
+//   assert(larger == 0);  // all boxes come back bit for bit
 
 #include <cstddef>
 #include <iosfwd>
@@ -15,10 +20,9 @@ namespace geom {
 // <skyway:label>, which simulators pass over, keep what SDF has no words for: bounds, CRS, the
 // origin of maps that count from elsewhere, and labels that may not be names of models.
 //
-// read_sdf_world() gives the same boxes back, bit for bit, but those whose number is returned: a
-// few of the boxes that reach across 0 have no length that a double can hold, and come back an ulp
-// or so larger, never smaller. A map that was read from SDF has none of these unless bodies were
-// turned.
+// Returns how many boxes read_sdf_world() does not give back bit for bit. A few of the boxes that
+// reach across 0 have a length that no double holds; they come back an ulp or so larger, never
+// smaller. A map that was read from SDF has none of these unless bodies were turned.
 std::size_t write_box_sdf(std::ostream& out, const BoxMap& map);
 
 }  // namespace geom

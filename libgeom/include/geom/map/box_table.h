@@ -1,6 +1,13 @@
 #pragma once
 
 // Boxes before they are a map: what importers produce and a table holds.
+//
+// Example:
+//   geom::BoxTable table;
+//   table.add({{0, 0, 0}, {10, 10, 8}}, 17, table.label_of("house"));  // 17: its row in the source
+//   table.set_time(0, {.from = 3600, .until = 7200});
+//   table.keep_if([&](std::size_t i) { return table.boxes[i].max.z() > 5; });
+//   assert(table.boxes.size() == 1 && table.labels[table.label[0]] == "house");
 
 #include <cstdint>
 #include <map>

@@ -1,6 +1,13 @@
 #pragma once
 
 // Points as columns: the boxes of a laser scan.
+//
+// Example:
+//   geom::ColumnGrid grid({.cell = 1, .step = 0.5, .gap = 2});
+//   grid.add({0.2, 0.3, 0.1});
+//   grid.add({0.7, 0.8, 1.4});
+//   const geom::BoxTable boxes = grid.boxes("scan.xyz");
+//   assert(boxes.boxes[0] == (geom::Aabb{{0, 0, 0}, {1, 1, 1.5}}));
 
 #include <cstdint>
 #include <memory>
@@ -26,12 +33,12 @@ class ColumnGrid {
   ~ColumnGrid();
   ColumnGrid(ColumnGrid&&) noexcept;
 
-  // With a reach (metres, >= 0), all that is so near to it along each axis.
+  // Adds the point, and with a reach (metres, >= 0) all that is so near to it along each axis.
   void add(const Vec3& p, double reach = 0);
 
-  // What stands in the columns, as rows of four: cell along x, along y, lowest and highest step;
-  // and one of them added, of this or another grid of the same spec. Grids whose spans are all
-  // added to one make what their points would.
+  // The spans that stand in the columns, as rows of four: cell along x, cell along y, lowest step,
+  // highest step. add_span() adds one of them, of this or another grid of the same spec: a grid
+  // with the spans of several grids is the grid of all their points.
   std::vector<std::int32_t> spans() const;
   void add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high);
 

@@ -1,6 +1,13 @@
 #pragma once
 
 // Buildings as prisms, flat or under a roof, and prisms as boxes.
+//
+// Example:
+//   geom::Footprint house;
+//   house.polygon.outer = {{0, 0}, {8, 0}, {8, 6}, {0, 6}};
+//   house.top = 9;
+//   const geom::BoxTable boxes = geom::boxes_of({house}, 0.5, {});
+//   assert(boxes.boxes.size() == 1);
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,10 @@
 #pragma once
 
 // What the axes of a map mean, and where its origin is on Earth.
+//
+// Example:
+//   assert(geom::to_enu(geom::Axes::neu, geom::Vec3(1, 2, 3)) == geom::Vec3(2, 1, 3));
+//   const geom::Frame frame{.axes = geom::Axes::enu, .origin = geom::GeodeticOrigin{47.4, 8.5, 0}};
 
 #include <optional>
 #include <string>

@@ -1,6 +1,12 @@
 #pragma once
 
 // Polygons and circles that are given on the Earth, as polygons on a map.
+//
+// Example:
+//   const geom::GeodeticOutline circle{.centre = {47.4, 8.5, 0}, .radius = 50};
+//   const geom::MapOutline outline = geom::outline_on_map(
+//       circle, {47.4, 8.5, 0}, geom::CircleSide::around, "a fence", "mission.plan");
+//   assert(outline.ring.size() == 256 && outline.bulge < 0.01);
 
 #include <string_view>
 #include <vector>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Metres east and north of an origin, and latitudes and longitudes.
+//
+// Example:
+//   const geom::GeographicFrame earth({47.4, 8.5, 400});
+//   const geom::GeodeticPlace place = earth.place({100, 200, 30});  // east, north, up
+//   assert((earth.enu(place) - geom::Vec3(100, 200, 30)).norm() < 1e-6);
 
 #include <memory>
 

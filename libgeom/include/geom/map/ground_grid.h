@@ -1,6 +1,16 @@
 #pragma once
 
 // The ground of a laser scan, told from what stands on it.
+//
+// Example:
+//   geom::GroundGrid grid({.cell = 2});
+//   std::vector<geom::Vec3> points;
+//   for (int x = 0; x < 100; ++x) {
+//     for (int y = 0; y < 100; ++y) points.emplace_back(x, y, std::max(x, y) < 30 ? 8 : 0);
+//   }
+//   for (const geom::Vec3& p : points) grid.add(p);
+//   grid.finish();
+//   assert(grid.is_ground({60, 60, 0}) && !grid.is_ground({10, 10, 8}));  // a roof
 
 #include <memory>
 

@@ -1,6 +1,11 @@
 #pragma once
 
-// One map of several.
+// Boxes of one map in the coordinates of another, to join maps.
+//
+// Example:
+//   geom::BoxTable both = geom::table_of(map);
+//   geom::append(both, geom::in_frame(map.spec().frame, map, "other.boxmap"));
+//   assert(both.boxes.size() == 2 * map.size());
 
 #include <span>
 #include <string_view>
@@ -9,11 +14,11 @@
 
 namespace geom {
 
-// The boxes of `other` in the coordinates of `frame`. As they are where the frames are equal; where
-// both have an origin and count metres east and north of it (no CRS, or a transverse Mercator
-// projection about the origin), the origins bring them together: each box becomes the box around
-// its moved corners, and a little more for the bulge of its edges. Throws InputError(source, …)
-// where neither holds: it says what differs.
+// The boxes of `other` in the coordinates of `frame`. If the frames are equal, the boxes stay as
+// they are. If both frames have an origin and count metres east and north of it (no CRS, or a
+// transverse Mercator projection about the origin), each box becomes the box around its moved
+// corners, and a little more for the bulge of its edges. Else throws InputError(source, …), which
+// says what differs.
 BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view source);
 
 // A table of the map's boxes; with `region`, of those that meet it.

@@ -1,6 +1,10 @@
 #pragma once
 
 // The colours in which meshes, pictures and pages show labels.
+//
+// Example:
+//   assert((geom::written_colour("255 0 0") == geom::Rgb8{255, 0, 0}));
+//   const geom::Rgb8 grey = geom::label_colour(0, "house");
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,13 @@
 #pragma once
 
 // From a table of boxes to a map: units, growth, bounds, floor and sealing.
+//
+// Example:
+//   geom::BoxTable table;
+//   table.add({{0, 0, 0}, {10, 10, 8}}, 1);
+//   const geom::MadeMap made = geom::make_map(table, geom::Frame{}, "[]", "boxes.csv",
+//                                             {.ceiling = 50, .pad = 20});
+//   assert(made.map.spec().bounds.max == geom::Vec3(30, 30, 50));
 
 #include <optional>
 

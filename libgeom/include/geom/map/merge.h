@@ -1,6 +1,12 @@
 #pragma once
 
 // The same obstacles in fewer boxes.
+//
+// Example:
+//   geom::BoxTable table;
+//   table.add({{0, 0, 0}, {1, 1, 1}}, 1);
+//   table.add({{1, 0, 0}, {2, 1, 1}}, 2);  // beside it, of the same height and width
+//   assert(geom::merge(table).table.boxes[0] == (geom::Aabb{{0, 0, 0}, {2, 1, 1}}));
 
 #include "geom/map/box_map.h"
 

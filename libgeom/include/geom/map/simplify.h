@@ -1,6 +1,12 @@
 #pragma once
 
 // Fewer boxes that reach a little further.
+//
+// Example:
+//   geom::BoxTable steps;
+//   steps.add({{0, 0, 0}, {1, 1, 1}}, 1);
+//   steps.add({{1, 0, 0}, {2, 1, 1.2}}, 2);
+//   assert(geom::simplify(steps, 0.25).table.boxes.size() == 1);
 
 #include "geom/base/execution.h"
 #include "geom/map/box_map.h"

@@ -1,6 +1,10 @@
 #pragma once
 
 // Counts and sums over a map.
+//
+// Example:
+//   assert(geom::statistics(map).height.most == 8);
+//   assert(geom::overlaps(map).pairs == 0);
 
 #include <cstddef>
 

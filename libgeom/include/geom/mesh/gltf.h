@@ -1,6 +1,15 @@
 #pragma once
 
 // Binary glTF 2.0 (`.glb`): points in single precision, drawn as surfaces and lines.
+//
+// Example:
+//   geom::Gltf gltf(geom::Vec3::Zero());
+//   const std::size_t line = gltf.add_positions(
+//       path.size(), [&](std::size_t i) { return path[i]; });
+//   const std::size_t red = gltf.add_material({.name = "path", .colour = {1, 0, 0}});
+//   gltf.add_node("path", {{geom::GltfMode::line_strip, line, std::nullopt, red}});
+//   std::ofstream out("path.glb", std::ios::binary);
+//   gltf.write(out);
 
 #include <array>
 #include <cstddef>

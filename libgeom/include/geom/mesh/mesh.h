@@ -1,6 +1,11 @@
 #pragma once
 
 // Boxes, paths and trees as triangles, for viewers: PLY and glTF.
+//
+// Example:
+//   std::ofstream out("city.ply", std::ios::binary);
+//   geom::write_ply(out, geom::box_parts(map));
+//   assert(geom::box_parts(map)[0].triangles == 12 * map.size());
 
 #include <array>
 #include <cstdint>

@@ -1,13 +1,15 @@
 #pragma once
 
-// Triangles as few boxes.
+// Boxes that cover triangles, and what closed surfaces enclose.
 //
+// Example:
+//   const geom::TriangleMesh slope{.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 4}},
+//                                  .triangles = {{.corners = {0, 1, 2}}}};
 //   geom::TriangleCoverOptions options;
-//   options.slack = 0.25;
-//   options.fill = geom::SolidFill::inside;
-//   const geom::TriangleCover made = geom::cover_triangles(mesh, options);
-//   for (std::size_t i = 0; i < made.boxes.size(); ++i)
-//     table.add(made.boxes[i], id, table.label_of(name[made.part[i]]));
+//   options.slack = 0.25;  // metres that boxes may reach outside
+//   const geom::TriangleCover cover = geom::cover_triangles(slope, options);
+//   geom::BoxTable table;
+//   for (const geom::Aabb& box : cover.boxes) table.add(box, 1);
 
 #include <cstddef>
 #include <cstdint>

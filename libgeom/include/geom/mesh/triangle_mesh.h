@@ -1,6 +1,11 @@
 #pragma once
 
 // Surfaces as triangles: what models of buildings, scans and worlds are made of.
+//
+// Example:
+//   geom::TriangleMesh mesh;
+//   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+//   mesh.triangles.push_back({.corners = {0, 1, 2}, .part = 0});
 
 #include <array>
 #include <cstdint>

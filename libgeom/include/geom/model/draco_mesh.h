@@ -1,7 +1,14 @@
 #pragma once
 
-// Triangles that Draco has compressed (KHR_draco_mesh_compression), as a decoder gives them. The
-// libraries have no decoder: the caller passes one.
+// Triangles that Draco has compressed (KHR_draco_mesh_compression), as a decoder gives them.
+//
+// Example:
+//   const geom::DracoDecoder none = [](std::string_view bytes, const std::string& source) {
+//     if (!bytes.empty()) throw geom::InputError(source, "Draco is not supported here");
+//     return geom::DracoMesh();
+//   };
+//
+// The libraries have no decoder: the caller passes one.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,14 @@
 #pragma once
 
-// glTF 2.0 (Khronos, ISO/IEC 12113:2022) as triangles.
+// Readers of glTF 2.0 (Khronos, ISO/IEC 12113:2022): models as triangles.
+//
+// Example, not run:
+//   std::ifstream file("house.glb", std::ios::binary);
+//   const std::string bytes(std::istreambuf_iterator<char>(file), {});
+//   const auto files = [](const std::string& name) -> std::string {
+//     throw geom::InputError(name, "expected a file without others beside it");
+//   };
+//   const geom::GltfModel house = geom::read_gltf(bytes, "house.glb", files);
 
 #include "geom/model/draco_mesh.h"
 #include "geom/model/model.h"

@@ -1,6 +1,12 @@
 #pragma once
 
-// Others' models as triangles: what all their readers give.
+// Models of triangles, and the readers of OBJ, STL and PLY.
+//
+// Example:
+//   std::ifstream file("house.obj");
+//   const geom::Model house = geom::read_obj(file, "house.obj");
+//   for (const std::string& part : house.parts) std::cout << part << '\n';
+//   assert(!house.mesh.triangles.empty());
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,15 @@
 #pragma once
 
-// Polygons of models as triangles, whichever way another program may cut them.
+// Polygons of models as triangles, and models as boxes.
+//
+// Example:
+//   geom::Model model;
+//   model.mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}};
+//   geom::ModelPolygons polygons;
+//   const std::vector<std::uint32_t> floor = {0, 1, 2, 3};
+//   polygons.add(model, floor, 0);
+//   polygons.finish(model);
+//   assert(model.mesh.triangles.size() == 2);
 
 #include <cstdint>
 #include <span>

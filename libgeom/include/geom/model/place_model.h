@@ -1,6 +1,12 @@
 #pragma once
 
 // Models of 3D Tiles, from coordinates that count from the middle of the Earth to a map's.
+//
+// Example:
+//   geom::Model tiles;
+//   tiles.mesh.vertices = {{4267000, 637000, 4670000}};  // earth-centred, near Zurich
+//   const geom::PlacedModel placed = geom::place_on_map(tiles, std::nullopt, "tileset.json");
+//   assert(std::abs(placed.frame.origin->latitude - 47.4) < 0.2);
 
 #include <optional>
 

@@ -1,6 +1,14 @@
 #pragma once
 
-// The formats that models come in, and reading any of them.
+// One door to all readers of models, by the format of the file.
+//
+// Example:
+//   const auto open = [](const std::string& path) {
+//     std::ifstream file(path, std::ios::binary);
+//     return std::string(std::istreambuf_iterator<char>(file), {});
+//   };
+//   const geom::ModelSource source = geom::read_model("house.obj", "auto", open);
+//   assert(source.format == "obj");
 
 #include <cstddef>
 #include <optional>

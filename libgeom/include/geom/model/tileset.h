@@ -1,6 +1,14 @@
 #pragma once
 
 // 3D Tiles 1.0 and 1.1 (OGC 22-025r4) as triangles.
+//
+// Example, not run:
+//   const auto files = [](const std::string& name) {
+//     std::ifstream file("tiles/" + name, std::ios::binary);
+//     return std::string(std::istreambuf_iterator<char>(file), {});
+//   };
+//   const geom::TilesModel city = geom::read_tileset("tileset.json", files);
+//   std::cout << city.model.mesh.triangles.size() << " triangles of " << city.tiles << " tiles\n";
 
 #include "geom/model/draco_mesh.h"
 #include "geom/model/model.h"

@@ -1,12 +1,17 @@
 #pragma once
 
 // When a flight begins: seconds after an instant that all flights of a stream share.
+//
+// Example:
+//   const geom::FlightTime time{.epoch = "2026-05-04T06:30:00Z", .earliest = 60, .latest = 300};
+//   assert(time.starts() == 60 && !geom::time_fault(time));
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "geom/base/error.h"
 #include "geom/text/instant.h"
 
 namespace geom {
@@ -14,7 +19,7 @@ namespace geom {
 inline constexpr int kLargestPriority = 1000000;
 inline constexpr double kLeastTime = 1e-9;  // seconds: a smaller one that is not 0 is refused
 
-// What records say of it; what they do not say is absent, and not written.
+// The times of a flight as records say them. What a record does not say is absent, and not written.
 struct FlightTime {
   std::optional<std::string> epoch;  // the instant, as epoch_from() writes it
   std::optional<double> start;       // seconds after the epoch that it begins
@@ -22,7 +27,7 @@ struct FlightTime {
   std::optional<double> latest;
   std::optional<int> priority;  // higher departs first; within kLargestPriority
 
-  // Where no start is said the earliest, and 0 where that is not said either.
+  // The start; if it is absent the earliest, and 0 if that is absent, too.
   double starts() const { return start.value_or(earliest.value_or(0)); }
   bool any() const { return epoch || start || earliest || latest || priority; }
 
@@ -32,9 +37,10 @@ struct FlightTime {
 // Whether it is a whole number within kLargestPriority.
 bool is_priority(double value);
 
-// Why these times cannot be, in words: one that is no number within kLargestTime, or smaller than
-// kLeastTime and not 0, a start that is not within earliest and latest. Nothing where they can.
-std::optional<std::string> time_fault(const FlightTime& time);
+// What is wrong with the times: one that is no number within kLargestTime, or smaller than
+// kLeastTime and not 0, or a start that is not within earliest and latest. Nothing if they are
+// valid.
+std::optional<Fault> time_fault(const FlightTime& time);
 
 class JsonFields;
 class JsonLine;
@@ -42,10 +48,10 @@ class JsonLine;
 // Adds the members epoch, start, earliest, latest and priority: those that are present.
 void add(JsonLine& line, const FlightTime& time);
 
-// Throws InputError where a value cannot be.
+// Throws InputError for a value that is not valid.
 FlightTime read_flight_time(const JsonFields& fields);
 
-// Throws InputError(source, line, …) where one of the two has an epoch that the other has not.
+// Throws InputError(source, line, …) if the two have different epochs, or only one has one.
 void require_epoch_agrees(const std::optional<std::string>& epoch,
                           const std::optional<std::string>& ours, std::string_view source,
                           std::size_t line);

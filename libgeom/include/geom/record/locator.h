@@ -1,6 +1,11 @@
 #pragma once
 
 // From places on Earth to the metres of a map.
+//
+// Example:
+//   const geom::Locator locator(map);
+//   assert(locator.at(geom::Vec3(1, 2, 3), "queries.jsonl", 1) == geom::Vec3(1, 2, 3));
+//   // A place such as "47.4N,8.5E,30" needs a map with an origin.
 
 #include <cstddef>
 #include <optional>
@@ -18,8 +23,8 @@ class Locator {
  public:
   explicit Locator(const BoxMap& map);
 
-  // Throws InputError(source, line, …) for a place on Earth where the map does not say where it is
-  // there, or where that is more than 1000 km away.
+  // Throws InputError(source, line, …) for a place on Earth if the map does not say where on Earth
+  // it is, or if the place is more than 1000 km away.
   Vec3 at(const Place& place, std::string_view source, std::size_t line) const;
 
   // The height of the map's zero in the vertical datum of its origin, metres; 0 without an origin.

@@ -1,6 +1,12 @@
 #pragma once
 
 // Words for a record or file that was made for another map, vehicle or margin.
+//
+// Example:
+//   const geom::Provenance ours = geom::provenance_of(scene);
+//   geom::Provenance other = ours;
+//   other.margin = 0;
+//   assert(*geom::made_for_another(other, ours) == "made for another margin, 0 m, not 0.2 m");
 
 #include <optional>
 #include <string>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Paths as a table of points.
+//
+// Example:
+//   std::istringstream in("id,x,y,z\na,0,0,5\na,10,0,5\nb,0,0,9\n");
+//   const std::vector<geom::PathRecord> paths = geom::read_path_csv(in, "paths.csv");
+//   assert(paths.size() == 2 && paths[0].points.size() == 2);
 
 #include <iosfwd>
 #include <string_view>

@@ -1,6 +1,9 @@
 #pragma once
 
 // The result of a query for a path.
+//
+// Example:
+//   assert(geom::name(geom::PathStatus::start_blocked) == "start_blocked");
 
 #include <optional>
 #include <string_view>

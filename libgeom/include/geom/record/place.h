@@ -1,6 +1,11 @@
 #pragma once
 
 // Places as people give them: metres of a map, or latitude, longitude and height.
+//
+// Example:
+//   const auto place = geom::parse_place("60.1719N,24.9414E,2above");
+//   assert(std::get<geom::EarthPlace>(*place).above);
+//   assert(std::get<geom::Vec3>(*geom::parse_place("12.5,30,5")).y() == 30);
 
 #include <optional>
 #include <string_view>

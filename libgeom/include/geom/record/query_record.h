@@ -1,6 +1,11 @@
 #pragma once
 
 // Planning queries: JSON Lines, CSV with a header, or GeoJSON.
+//
+// Example:
+//   std::istringstream in(R"({"id":"q1","from":[1,1,1],"to":[9,1,1]})" "\n");
+//   const std::vector<geom::PlanQuery> queries = geom::read_plan_queries(in, "queries.jsonl");
+//   assert(queries[0].id == "q1" && queries[0].to.x() == 9);
 
 #include <iosfwd>
 #include <map>

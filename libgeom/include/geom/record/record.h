@@ -1,6 +1,12 @@
 #pragma once
 
-// The JSON Lines records that pipes carry, and what every one of them says of its origin.
+// Path records (JSON Lines), and what every record says of its origin.
+//
+// Example:
+//   geom::PathRecord record{.id = "q1", .status = geom::PathStatus::found, .points = path};
+//   record.provenance = geom::provenance_of(scene);  // map, frame, vehicle and margin
+//   const std::string line = geom::to_json_line(record);
+//   assert(geom::parse_path_record(line, "paths.jsonl", 1).points == path);
 
 #include <cstddef>
 #include <iosfwd>

@@ -1,6 +1,10 @@
 #pragma once
 
 // When a flight begins, by the clock of a map.
+//
+// Example:
+//   const geom::FlightTime time{.epoch = "2026-05-04T06:30:00Z", .start = 60};
+//   assert(!geom::start_on(map, time, "paths.jsonl", 1));  // this map has no timed boxes
 
 #include <cstddef>
 #include <optional>

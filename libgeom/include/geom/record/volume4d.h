@@ -1,7 +1,17 @@
 #pragma once
 
-// Volumes of airspace, each with its altitudes and times: the Volume4D of ASTM F3548-21, by which
-// operators tell each other where they will fly, and authorities where nobody may.
+// Volumes of airspace with altitudes and times: the Volume4D of ASTM F3548-21.
+//
+// Example:
+//   geom::Volume4d volume{.lower = 400, .upper = 520};
+//   volume.outline.centre = {47.4, 8.5, 0};
+//   volume.outline.radius = 100;
+//   volume.start = "2026-05-04T06:30:00Z";
+//   volume.end = "2026-05-04T07:00:00Z";
+//   std::istringstream in(geom::operational_intent_details({{volume}}, 0));
+//   assert(geom::read_volumes_4d(in, "intent.json")[0].upper == 520);
+//
+// By them operators tell each other where they will fly, and authorities where nobody may.
 
 #include <iosfwd>
 #include <optional>

@@ -1,6 +1,13 @@
 #pragma once
 
 // Axis-aligned boxes: the one obstacle shape the rest of the toolkit sees.
+//
+// Example:
+//   const geom::Aabb house{{0, 0, 0}, {10, 10, 8}};
+//   assert(geom::distance({13, 5, 12}, house) == 5);
+//   assert(geom::contains(house, {10, 5, 8}));                  // closed: faces belong to it
+//   assert(geom::segment_hits({-5, 5, 4}, {15, 5, 4}, house));  // exact
+//   const geom::Aabb blocked = geom::grow(house, {0.2, 0.2, 0.1});  // by a vehicle's half sizes
 
 #include <optional>
 #include <span>

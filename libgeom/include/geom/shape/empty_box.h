@@ -1,6 +1,12 @@
 #pragma once
 
-// Room: the largest box without obstacles around a place.
+// The largest box without obstacles around a place.
+//
+// Example:
+//   const std::vector<geom::Aabb> obstacles = {{{4, 0, 0}, {5, 8, 8}}};
+//   const geom::Aabb limits{{0, 0, 0}, {10, 10, 10}};
+//   const auto room = geom::empty_box({{1, 1, 1}, {1, 1, 1}}, limits, obstacles);
+//   assert(room->box == (geom::Aabb{{0, 0, 0}, {4, 10, 10}}));
 
 #include <optional>
 #include <span>

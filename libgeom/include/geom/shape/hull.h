@@ -1,7 +1,13 @@
 #pragma once
 
-// Convex hulls of a few points against boxes. Where a coordinate is not finite or beyond kFarthest
-// (geom/base/precondition.h), InputError.
+// Convex hulls of a few points against boxes.
+//
+// Example:
+//   const std::vector<geom::Vec3> triangle = {{0, 0, 5}, {10, 0, 5}, {0, 10, 5}};
+//   assert(geom::hull_meets(triangle, {{1, 1, 0}, {2, 2, 8}}));
+//   assert(!geom::hull_meets(triangle, {{8, 8, 0}, {9, 9, 8}}));
+//
+// Where a coordinate is not finite or beyond kFarthest (geom/base/precondition.h), InputError.
 
 #include <optional>
 #include <span>

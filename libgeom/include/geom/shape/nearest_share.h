@@ -1,6 +1,9 @@
 #pragma once
 
 // Where a segment comes nearest to a box.
+//
+// Example:
+//   assert(geom::nearest_share({0, 0, 0}, {10, 0, 0}, {{4, 2, 0}, {5, 3, 1}}) == 0.4);
 
 #include "geom/shape/aabb.h"
 

@@ -1,6 +1,12 @@
 #pragma once
 
 // Footprints: polygons in plan.
+//
+// Example:
+//   const geom::Polygon yard{.outer = {{0, 0}, {9, 0}, {9, 9}, {0, 9}},
+//                            .holes = {{{3, 3}, {6, 3}, {6, 6}, {3, 6}}}};
+//   assert(geom::contains(yard, {1, 1}) && !geom::contains(yard, {4, 4}));
+//   assert(geom::distance(yard, {12, 5}) == 3);
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,6 +1,11 @@
 #pragma once
 
 // A path: an ordered list of points joined by straight segments.
+//
+// Example:
+//   const geom::Polyline way = {{0, 0, 5}, {10, 0, 5}, {10, 4, 5}};
+//   assert(geom::length(way) == 14);
+//   assert(geom::resample(way, 5).size() == 4);  // 5 + 5 + 4 m
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,12 @@
 #pragma once
 
 // Vertices and faces of the region behind planes.
+//
+// Example:
+//   const std::vector<geom::Plane> cube = {{{1, 0, 0}, 1}, {{-1, 0, 0}, 1}, {{0, 1, 0}, 1},
+//                                          {{0, -1, 0}, 1}, {{0, 0, 1}, 1}, {{0, 0, -1}, 1}};
+//   const geom::Polytope shape = geom::polytope(cube);
+//   assert(shape.vertices.size() == 8 && shape.faces.size() == 6);
 
 #include <cstdint>
 #include <span>

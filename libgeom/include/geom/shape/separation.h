@@ -1,7 +1,14 @@
 #pragma once
 
-// Planes between a segment and a box. Where a coordinate of either is not finite or beyond
-// kFarthest (geom/base/precondition.h), both functions that measure throw InputError.
+// Planes between a segment and a box.
+//
+// Example:
+//   const geom::Aabb block{{4, 0, 0}, {5, 8, 8}};
+//   const geom::Separation apart = geom::separation({1, 1, 1}, {1, 9, 1}, block);
+//   assert(apart.gap == 3 && geom::behind(block, apart.plane));
+//
+// Where a coordinate of either is not finite or beyond kFarthest (geom/base/precondition.h), both
+// functions that measure throw InputError.
 
 #include "geom/shape/aabb.h"
 

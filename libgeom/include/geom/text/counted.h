@@ -1,6 +1,10 @@
 #pragma once
 
 // Counts in sentences.
+//
+// Example:
+//   assert(geom::counted(1, "box", "boxes") == "1 box");
+//   assert(geom::counted(3, "point") == "3 points");
 
 #include <cstddef>
 #include <string>

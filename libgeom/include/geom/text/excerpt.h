@@ -1,6 +1,10 @@
 #pragma once
 
 // Text of a file as a message may show it: nothing that steers a terminal, and not too much.
+//
+// Example:
+//   assert(geom::printable("a\tb\x1b[0m") == "a\\tb\\x1b[0m");
+//   assert(geom::excerpt(std::string(100, 'x'), 10).ends_with("..."));
 
 #include <cstddef>
 #include <string>
@@ -8,11 +12,11 @@
 
 namespace geom {
 
-// `text` with control characters, marks that turn the direction of writing, and bytes that are no
-// UTF-8 as \n, \t, \x1b or \u202e. Everything else as it stands.
+// `text`, in which control characters, marks that turn the direction of writing, and bytes that are
+// not UTF-8 are written as \n, \t, \x1b or \u202e. Everything else stays as it is.
 std::string printable(std::string_view text);
 
-// The same, of no more than about `most` bytes: what is longer ends in "...".
+// The same, cut to about `most` bytes. A text that was cut ends in "...".
 std::string excerpt(std::string_view text, std::size_t most = 60);
 
 }  // namespace geom

@@ -1,15 +1,25 @@
 #pragma once
 
 // The coordinate reference system that a GeoJSON file names.
+//
+// Example:
+//   const nlohmann::json file = {{"type", "FeatureCollection"},
+//                                {"crs", {{"properties", {{"name", "EPSG:25832"}}}}}};
+//   if (geom::has_foreign_crs(file)) std::cerr << geom::kForeignCrs << '\n';
 
 #include <nlohmann/json.hpp>
-#include <string_view>
+
+#include "geom/base/error.h"
 
 namespace geom {
 
-inline constexpr std::string_view kForeignCrs =
-    "crs must be CRS84 (WGS 84 longitude, latitude) or absent, found another: convert the file to "
-    "WGS 84";
+// What readers of GeoJSON say of coordinates that has_foreign_crs() finds.
+inline Fault foreign_crs() {
+  return {.key = "crs",
+          .expected = "CRS84 (WGS 84 longitude, latitude) or absent",
+          .found = "another",
+          .advice = "convert the file to WGS 84"};
+}
 
 // Whether an object of the file says that its coordinates are not WGS 84 longitudes and latitudes.
 // RFC 7946 knows no "crs"; the older GeoJSON of 2008 did, and some programs say the usual one.

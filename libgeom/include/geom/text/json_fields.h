@@ -1,6 +1,11 @@
 #pragma once
 
 // Typed access to one JSON record, with errors that name source, line, key and what stood there.
+//
+// Example:
+//   const geom::JsonFields fields(R"({"id":"q1","from":[1,2,3],"margin":0.5})", "q.jsonl", 7);
+//   assert(fields.text("id") == "q1" && fields.point("from") == geom::Vec3(1, 2, 3));
+//   assert(*fields.number("margin") == 0.5 && !fields.has("to"));
 
 #include <cstddef>
 #include <memory>
@@ -10,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "geom/base/vec3.h"
 #include "geom/text/words.h"
 
@@ -44,7 +50,7 @@ class JsonFields {
 
   double number(const nlohmann::json& value, std::string_view what) const;
   Vec3 point(const nlohmann::json& value, std::string_view what) const;
-  [[noreturn]] void refuse(std::string_view message) const;
+  [[noreturn]] void refuse(Fault fault) const;
 
  private:
   [[noreturn]] void refuse_word(const char* key, const std::string& expected) const;

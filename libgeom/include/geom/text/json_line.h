@@ -2,10 +2,11 @@
 
 // JSON objects as text on one line: what all our records are written with.
 //
-//   JsonLine line;
-//   line.add("type", "path").add("id", record.id).add("points", record.points);
-//   line.add("vehicle", JsonLine().add("name", "quad").add("half", half));
-//   return line.line();
+// Example:
+//   geom::JsonLine line;
+//   line.add("type", "path").add("id", "q1").add("points", path.front());
+//   line.add("vehicle", geom::JsonLine().add("name", "quad").add("half", vehicle.half));
+//   std::cout << line.line();  // {"type":"path","id":"q1","points":[1,1,1],"vehicle":{…}}
 
 #include <concepts>
 #include <cstddef>
@@ -17,8 +18,8 @@
 
 namespace geom {
 
-// An object whose members are added one by one, in the order in which they will stand. Nobody looks
-// whether a key comes twice.
+// An object whose members are added one by one, in the order in which they will stand. A key that
+// comes twice is not noticed.
 //
 // Values are doubles (as append_number of number.h writes them), whole numbers, bool, nullptr,
 // text, other lines, and lists: ranges of values, such as a Vec3, and tuples of values of several

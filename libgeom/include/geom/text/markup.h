@@ -1,14 +1,17 @@
 #pragma once
 
 // Words inside HTML, SVG and KML.
+//
+// Example:
+//   assert(geom::escaped_markup("Tom & <Ann>") == "Tom &amp; &lt;Ann&gt;");
 
 #include <string>
 #include <string_view>
 
 namespace geom {
 
-// As text between tags or between double quotes, where "<", ">", "&" and quotes stand for
-// themselves. What XML cannot hold becomes a space: control characters, U+FFFE and U+FFFF (UTF-8).
+// The words as they stand between tags or in double quotes: "<", ">", "&" and quotes are escaped. A
+// character that XML cannot hold becomes a space: control characters, U+FFFE and U+FFFF (UTF-8).
 inline std::string escaped_markup(std::string_view words) {
   std::string out;
   for (std::size_t i = 0; i < words.size(); ++i) {

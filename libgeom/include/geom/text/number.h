@@ -1,7 +1,17 @@
 #pragma once
 
-// One rule for numbers in text: as std::from_chars reads them, and what no double can hold told
-// apart; as std::to_chars writes them.
+// Numbers in text: read as std::from_chars reads them, written in the fewest digits.
+//
+// Example:
+//   const std::string_view text = "12.5 m";
+//   double metres = 0;
+//   const auto read = geom::read_number(text.data(), text.data() + text.size(), metres);
+//   assert(read.ec == std::errc() && metres == 12.5);
+//   std::string out;
+//   geom::append_number(out, 0.1);
+//   assert(out == "0.1");
+//
+// What no double can hold is told apart.
 
 #include <charconv>
 #include <string>

@@ -2,6 +2,12 @@
 
 // JSON text to values: the one place that parses it.
 //
+// Example:
+//   #include <nlohmann/json.hpp>
+//   const nlohmann::json city = geom::parse_json(R"({"name":"Zurich","boxes":3})", "city.json");
+//   assert(city["boxes"] == 3 && geom::shown(city["name"]) == "\"Zurich\"");
+//   // A key that comes twice is refused: parse_json(R"({"a":1,"a":2})", "city.json") throws.
+//
 // What others' files may hold is refused here, before anybody looks at it: values nested deeper
 // than kDeepestJson (reading, copying and writing them takes stack), a key that comes twice in an
 // object (the later would silently win), numbers beyond what a double holds, anything after the
@@ -23,7 +29,7 @@ inline constexpr std::size_t kDeepestJson = 100;
 // whole source.
 nlohmann::json parse_json(std::string_view text, std::string_view source, std::size_t line = 0);
 
-// Of all that is left of `in`. Throws std::system_error too, where reading fails.
+// Parses all that is left of `in`. Throws std::system_error, too, if reading fails.
 nlohmann::json parse_json(std::istream& in, std::string_view source);
 
 // With the keys in the order of the text.

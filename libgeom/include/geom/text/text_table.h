@@ -1,6 +1,15 @@
 #pragma once
 
 // Lines and fields of delimited text: BOM, CRLF, comma or semicolon, no locale.
+//
+// Example:
+//   std::istringstream in("x,y\n1.5,2\n");
+//   geom::TextLines lines(in, "points.csv");
+//   lines.next();  // the header
+//   while (lines.next()) {
+//     const std::vector<std::string> fields = geom::split_fields(lines.line());
+//     assert(geom::coordinate(lines, "x", fields[0]) == 1.5);
+//   }
 
 #include <istream>
 #include <optional>
@@ -8,23 +17,25 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
+
 namespace geom {
 
 // The lines of a stream, trimmed of a leading BOM and of white space at both ends. Lines that begin
-// with `#` before the first other one that is not blank are comments, and passed over, unless
-// `comments_too`; after it, they are lines like all others, as an id may begin so.
+// with `#` are passed over as comments, unless `comments_too`, until the first line that is neither
+// a comment nor blank. After it they are lines like all others, because an id may begin with `#`.
 class TextLines {
  public:
   TextLines(std::istream& in, std::string_view source, bool comments_too = false)
       : in_(in), source_(source), begun_(comments_too) {}
 
-  // False at the end. Throws std::system_error when reading fails, and InputError where a carriage
-  // return stands within a line: what another program takes for two lines must not become one.
+  // False at the end. Throws std::system_error if reading fails, and InputError for a carriage
+  // return within a line: what another program takes for two lines must not become one.
   bool next();
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }  // from 1
   std::string_view source() const { return source_; }
-  [[noreturn]] void refuse(std::string_view message) const;
+  [[noreturn]] void refuse(Fault fault) const;
 
  private:
   std::istream& in_;
@@ -38,9 +49,7 @@ class TextLines {
 std::string_view trimmed(std::string_view text);
 
 // What readers of text say of a carriage return that stands alone.
-inline constexpr std::string_view kLoneReturn =
-    "expected lines that end in LF or CRLF, found a carriage return alone: convert the line ends, "
-    "for example with `tr '\\r' '\\n'`";
+Fault lone_return();
 
 // Fields between commas, or between semicolons where the line has one; trimmed. With `quoted`,
 // a field may stand in double quotes, in which a doubled quote is one.

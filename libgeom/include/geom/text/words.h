@@ -1,7 +1,15 @@
 #pragma once
 
-// The words by which records and options name the values of an enumeration: one table for both
-// ways.
+// The words by which records and options name the values of an enumeration.
+//
+// Example:
+//   enum class Speed { slow, fast };
+//   constexpr geom::Words<Speed, 2> words{{{Speed::slow, "slow"}, {Speed::fast, "fast"}}};
+//   assert(geom::word_of(words, Speed::fast) == "fast");
+//   assert(geom::value_of(words, "slow") == Speed::slow && !geom::value_of(words, "warp"));
+//   assert(geom::listed(words) == "slow fast");  // for a message
+//
+// One table serves both ways.
 
 #include <array>
 #include <cstddef>
@@ -20,7 +28,7 @@ struct Word {
 template <class Enum, std::size_t N>
 using Words = std::array<Word<Enum>, N>;
 
-// Every value has a word: std::logic_error where the table was forgotten.
+// The word of a value. Throws std::logic_error for a value that the table has forgotten.
 template <class Enum, std::size_t N>
 constexpr std::string_view word_of(const Words<Enum, N>& words, Enum value) {
   for (const Word<Enum>& w : words) {
@@ -37,7 +45,7 @@ constexpr std::optional<Enum> value_of(const Words<Enum, N>& words, std::string_
   return std::nullopt;
 }
 
-// All of them, with blanks in between: for a message that says what was expected.
+// All words with blanks between them, for a message that says what was expected.
 template <class Enum, std::size_t N>
 std::string listed(const Words<Enum, N>& words) {
   std::string out;

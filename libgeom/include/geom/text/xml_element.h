@@ -1,6 +1,10 @@
 #pragma once
 
 // XML as a tree: what a KML, WPML or SDF file holds, read to its end.
+//
+// Example:
+//   const geom::XmlElement kml = geom::parse_xml("<kml><Point>8,47</Point></kml>", "a.kml");
+//   assert(kml.children[0].name == "Point" && kml.children[0].text == "8,47");
 
 #include <cstddef>
 #include <string>

@@ -1,8 +1,14 @@
 #pragma once
 
-// The limits of a vehicle: bounds on velocity, acceleration and jerk, and on thrust, tilt and body
-// rates by differential flatness (the thrust of a quadrotor is along a + g). And which limit holds
-// if several are given.
+// The limits of a vehicle: speeds, acceleration, jerk, tilt, thrust and rates.
+//
+// Example:
+//   const geom::Limits slow{{geom::Limit::speed, 5}, {geom::Limit::acceleration, 3}};
+//   const geom::Limits held = geom::stricter(slow, {{geom::Limit::speed, 8}});
+//   assert(*held[geom::Limit::speed] == 5 && !held[geom::Limit::jerk]);  // jerk: not limited
+//
+// Thrust, tilt and body rates follow by differential flatness (the thrust of a quadrotor is along
+// a + g). This is also the place that says which limit holds if several are given.
 
 #include <array>
 #include <cstddef>
@@ -101,7 +107,7 @@ std::optional<Limit> first_above(const Limits& a, const Limits& b);
 // The first limit of `b` that `a` exceeds or lacks, if any: whether `a` allows more than `b`.
 std::optional<Limit> first_looser(const Limits& a, const Limits& b);
 
-// Who says limits of one flight.
+// Where the limits of one flight come from.
 struct LimitSources {
   Limits options;           // of this run
   Limits record;            // asked for when it was made
@@ -109,17 +115,17 @@ struct LimitSources {
   bool overridden = false;  // --override: the options alone decide what they name
 };
 
-// The limits that hold: of each the strictest that any of them says, or with `overridden` what the
-// options say, where they say one. The tilt is never above the vehicle's: its box would not hold
-// it. The one place where this is decided, for every tool.
+// The limits that hold. Each is the strictest that any source says; with `overridden`, a limit that
+// the options name is as they say. The tilt is never above the vehicle's, because its box would not
+// hold it. Every tool decides by this function.
 Limits limits_that_hold(const LimitSources& sources);
 
 // Adds the member "limits" to a record, unless there are none.
 void add(JsonLine& line, const Limits& limits);
 
 // The member "limits" of a record; none without it. Throws InputError unless each is > 0, the tilt
-// below a right angle and the thrust above kGravity; and for a limit that is not known: what was
-// meant as one must not be passed over.
+// below a right angle and the thrust above kGravity; and for a limit that is not known, because
+// what was meant as a limit must not be passed over.
 Limits read_limits(const JsonFields& fields);
 Limits read_limits(const JsonFields& fields, const nlohmann::json& value, std::string_view what);
 

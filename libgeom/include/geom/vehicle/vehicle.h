@@ -1,6 +1,12 @@
 #pragma once
 
 // The body that must not touch anything: a box that holds the vehicle in every attitude.
+//
+// Example:
+//   const geom::Vec3 body(0.098, 0.0925, 0.041);  // half sizes of a Tello with its guards, metres
+//   const geom::Vehicle tello{.name = "tello",
+//                             .half = geom::attitude_half_sizes(body, 0.61)};  // up to 35 degrees
+//   assert(tello.half.z() > body.z());  // tilted it is higher
 
 #include <optional>
 #include <string>

@@ -21,7 +21,7 @@ const std::set<std::string_view> kOfTriangles = {"geometry",    "mesh",     "sou
                                                  "float_array", "vertices", "visual_scene"};
 
 [[noreturn]] void refuse(const SdfNode& at, std::string_view expected, std::string_view found) {
-  at.refuse(fmt::format("expected {}, found {}", expected, excerpt(found)));
+  at.refuse({.expected = std::string(expected), .found = excerpt(found)});
 }
 
 std::string tag(const SdfNode& node) { return "<" + node.name() + ">"; }

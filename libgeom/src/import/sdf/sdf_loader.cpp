@@ -20,13 +20,13 @@ const std::set<std::string_view> kOfInclude = {"name", "placement_frame", "plugi
 
 void require_version(const SdfNode& root) {
   if (root.name() != "sdf") {
-    root.refuse(fmt::format("expected <sdf>, found <{}>", root.name().substr(0, 40)));
+    root.refuse({.expected = "<sdf>", .found = fmt::format("<{}>", root.name().substr(0, 40))});
   }
   constexpr std::array kKnown = {"1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.11", "1.12"};
   const std::string version = root.attribute("version");
   if (std::find(kKnown.begin(), kKnown.end(), version) == kKnown.end()) {
-    root.refuse(fmt::format("expected <sdf version> from 1.4 to 1.12, found \"{}\"",
-                            version.substr(0, 40)));
+    root.refuse(
+        {.expected = "<sdf version> from 1.4 to 1.12", .found = in_quotes(version.substr(0, 40))});
   }
 }
 
@@ -73,7 +73,7 @@ void SdfLoader::fill(SdfScope& scope) {
 
 void SdfLoader::count_model(const SdfNode& model) {
   if (++models_ > kMostModels) {
-    model.refuse(fmt::format("expected at most {} models, found more", kMostModels));
+    model.refuse({.expected = fmt::format("at most {} models", kMostModels), .found = "more"});
   }
 }
 
@@ -97,11 +97,12 @@ void SdfLoader::add_include(SdfScope& scope, const SdfNode& include) {
     return;
   }
   if (std::find(open_.begin(), open_.end(), file->name) != open_.end()) {
-    include.refuse(
-        fmt::format("expected includes that end, found \"{}\", which includes itself", file->name));
+    include.refuse({.expected = "includes that end",
+                    .found = fmt::format("\"{}\", which includes itself", file->name)});
   }
   if (open_.size() >= kDeepest) {
-    include.refuse(fmt::format("expected includes at most {} deep, found more", kDeepest));
+    include.refuse(
+        {.expected = fmt::format("includes at most {} deep", kDeepest), .found = "more"});
   }
   const Document& held = document(file->text, file->name);
   const SdfNode root{&held.root, &held.source};

@@ -25,7 +25,8 @@ Vec3 scale_of(const SdfNode& mesh) {
   const auto given = mesh.find("scale");
   if (!given) return Vec3::Ones();
   const std::vector<double> v = given->numbers(3);
-  if (std::count(v.begin(), v.end(), 0.0) > 0) given->refuse("<scale> must not be 0, found 0");
+  if (std::count(v.begin(), v.end(), 0.0) > 0)
+    given->refuse({.says = "<scale> must not be 0", .found = "0"});
   return {v[0], v[1], v[2]};
 }
 
@@ -64,7 +65,7 @@ SdfMeshes::MeshFile SdfMeshes::read(const SdfFile& file, const std::string& endi
               : ending == ".obj" ? read_obj(in, file.name)
                                  : read_stl(in, file.name);
   if (out.model.mesh.triangles.empty() && out.model.skipped.empty()) {
-    throw InputError(file.name, "expected triangles, found none");
+    throw InputError(file.name, {.expected = "triangles", .found = "none"});
   }
   return out;
 }
@@ -118,16 +119,15 @@ std::vector<Aabb> SdfMeshes::covered(const MeshFile& file, const Vec3& scale, co
   options.slack = 0.98 * options_.slack - kOfBlur * blur;
   if (!(options.slack > options_.slack / 2)) {
     mesh.refuse(
-        fmt::format("the triangles of {} are known to {:.3g} m only: give a slack of at "
-                    "least {:.3g} m",
-                    file.name, blur, 1.01 * kOfBlur * blur / 0.48));
+        {.says = fmt::format("the triangles of {} are known to {:.3g} m only", file.name, blur),
+         .advice = fmt::format("give a slack of at least {:.3g} m", 1.01 * kOfBlur * blur / 0.48)});
   }
   options.fill = SolidFill::inside;
   std::vector<Aabb> out;
   try {
     out = cover_triangles(turned, options).boxes;
   } catch (const InputError& problem) {
-    mesh.refuse(problem.what());
+    mesh.refuse(problem.as_item());
   }
   placed.shift_error += blur;
   for (Aabb& box : out) box = shifted(placed, box, reach);

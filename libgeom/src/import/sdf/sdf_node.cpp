@@ -16,8 +16,8 @@ constexpr std::string_view kSpace = " \t\r\n";
 
 }  // namespace
 
-void SdfNode::refuse(std::string_view message) const {
-  throw InputError(*source, element->line, message);
+void SdfNode::refuse(Fault fault) const {
+  throw InputError(*source, element->line, std::move(fault));
 }
 
 std::vector<SdfNode> SdfNode::all(std::string_view child) const {
@@ -32,14 +32,15 @@ std::optional<SdfNode> SdfNode::find(std::string_view child) const {
   const std::vector<SdfNode> found = all(child);
   if (found.empty()) return std::nullopt;
   if (found.size() > 1) {
-    found[1].refuse(fmt::format("expected one <{}> in <{}>, found another", child, name()));
+    found[1].refuse(
+        {.expected = fmt::format("one <{}> in <{}>", child, name()), .found = "another"});
   }
   return found[0];
 }
 
 SdfNode SdfNode::child(std::string_view child) const {
   if (const auto found = find(child)) return *found;
-  refuse(fmt::format("expected <{}> in <{}>, found none", child, name()));
+  refuse({.expected = fmt::format("<{}> in <{}>", child, name()), .found = "none"});
 }
 
 std::string SdfNode::attribute(std::string_view key) const {
@@ -66,14 +67,14 @@ std::vector<double> SdfNode::numbers(std::size_t count) const {
     const bool two_signs = word.starts_with("+-") || word.starts_with("++");
     const auto value = two_signs ? std::nullopt : parse_number(word);
     if (!value || !(std::abs(*value) <= kLargestCoordinate)) {
-      refuse(fmt::format("<{}> must have finite numbers within 1e8 without units, found \"{}\"",
-                         name(), word.substr(0, 40)));
+      refuse({.says = fmt::format("<{}> must have finite numbers within 1e8 without units", name()),
+              .found = in_quotes(word.substr(0, 40))});
     }
     out.push_back(*value);
   }
   if (out.size() != count) {
-    refuse(fmt::format("<{}> must have {} number{}, found {}", name(), count, count == 1 ? "" : "s",
-                       out.size()));
+    refuse({.says = fmt::format("<{}> must have {} number{}", name(), count, count == 1 ? "" : "s"),
+            .found = fmt::to_string(out.size())});
   }
   return out;
 }
@@ -81,14 +82,16 @@ std::vector<double> SdfNode::numbers(std::size_t count) const {
 std::vector<double> SdfNode::not_negative(std::size_t count) const {
   std::vector<double> out = numbers(count);
   for (const double v : out) {
-    if (v < 0) refuse(fmt::format("<{}> must be >= 0, found {}", name(), v));
+    if (v < 0)
+      refuse({.key = fmt::format("<{}>", name()), .expected = ">= 0", .found = fmt::to_string(v)});
   }
   return out;
 }
 
 double SdfNode::number_above_zero() const {
   const double value = numbers(1)[0];
-  if (!(value > 0)) refuse(fmt::format("<{}> must be > 0, found {}", name(), value));
+  if (!(value > 0))
+    refuse({.key = fmt::format("<{}>", name()), .expected = "> 0", .found = fmt::to_string(value)});
   return value;
 }
 
@@ -96,7 +99,9 @@ bool SdfNode::flag() const {
   const std::string_view word = text();
   if (word == "true" || word == "1") return true;
   if (word == "false" || word == "0") return false;
-  refuse(fmt::format("<{}> must be true or false, found \"{}\"", name(), word.substr(0, 40)));
+  refuse({.key = fmt::format("<{}>", name()),
+          .expected = "true or false",
+          .found = in_quotes(word.substr(0, 40))});
 }
 
 }  // namespace geom

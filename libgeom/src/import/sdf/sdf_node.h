@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "geom/text/xml_element.h"
 
 namespace geom {
@@ -16,7 +17,7 @@ struct SdfNode {
   const XmlElement* element = nullptr;
   const std::string* source = nullptr;
 
-  [[noreturn]] void refuse(std::string_view message) const;
+  [[noreturn]] void refuse(Fault fault) const;
 
   SdfNode of(const XmlElement& child) const { return {&child, source}; }
   const std::string& name() const { return element->name; }

@@ -26,15 +26,18 @@ std::vector<double> numbers_of(const SdfNode& map, const char* key, std::size_t 
 void require_text(const SdfNode& place, const char* key, std::string_view expected) {
   const auto found = place.find(key);
   if (!found || found->text() == expected) return;
-  found->refuse(
-      fmt::format("<{}> must be {}, found \"{}\"", key, expected, found->text().substr(0, 40)));
+  found->refuse({.key = fmt::format("<{}>", key),
+                 .expected = std::string(expected),
+                 .found = in_quotes(found->text().substr(0, 40))});
 }
 
 double degrees(const SdfNode& place, const char* key, double most) {
   const SdfNode found = place.child(key);
   const double value = found.numbers(1)[0];
   if (!(std::abs(value) <= most)) {
-    found.refuse(fmt::format("<{}> must be within {}, found {}", key, most, value));
+    found.refuse({.key = fmt::format("<{}>", key),
+                  .expected = fmt::format("within {}", most),
+                  .found = fmt::to_string(value)});
   }
   return value;
 }
@@ -48,7 +51,9 @@ Frame frame_of(const SdfNode& world) {
     if (!map->attribute("origin").empty()) {
       const std::vector<double> v = numbers_of(*map, "origin", 3);
       if (std::abs(v[0]) > 90 || std::abs(v[1]) > 180) {
-        map->refuse("origin must be a latitude, a longitude and a height, found another");
+        map->refuse({.key = "origin",
+                     .expected = "a latitude, a longitude and a height",
+                     .found = "another"});
       }
       frame.origin = {v[0], v[1], v[2]};
     }
@@ -60,9 +65,10 @@ Frame frame_of(const SdfNode& world) {
   if (const auto heading = place->find("heading_deg")) {
     const double turn = heading->numbers(1)[0];
     if (turn != 0) {
-      heading->refuse(fmt::format(
-          "<heading_deg> must be 0, found {}: simulators differ in which way it turns a world",
-          turn));
+      heading->refuse({.key = "<heading_deg>",
+                       .expected = "0",
+                       .found = fmt::to_string(turn),
+                       .advice = "simulators differ in which way it turns a world"});
     }
   }
   GeodeticOrigin origin;
@@ -79,7 +85,7 @@ std::optional<Aabb> bounds_of(const SdfNode& world) {
   const std::vector<double> v = numbers_of(*map, "bounds", 6);
   const Aabb bounds{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
   if ((bounds.min.array() > bounds.max.array()).any()) {
-    map->refuse("bounds must have their lower corner first, found another");
+    map->refuse({.says = "bounds must have their lower corner first", .found = "another"});
   }
   return bounds;
 }

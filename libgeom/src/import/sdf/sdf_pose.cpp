@@ -56,8 +56,8 @@ Eigen::Matrix3d of_quaternion(const SdfNode& pose, const std::vector<double>& v)
   const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
   const double norm = q.norm();
   if (!(std::abs(norm - 1) < 0.01)) {
-    pose.refuse(
-        fmt::format("<pose> must have a quaternion of length 1, found length {:.6g}", norm));
+    pose.refuse({.says = "<pose> must have a quaternion of length 1",
+                 .found = fmt::format("length {:.6g}", norm)});
   }
   const bool quarter = (q.coeffs().array() == 0).count() == 3;
   return quarter ? Eigen::Quaterniond(q.coeffs().cwiseSign()).toRotationMatrix()
@@ -68,14 +68,17 @@ bool in_degrees(const SdfNode& pose) {
   const std::string word = pose.attribute("degrees");
   if (word.empty() || word == "false" || word == "0") return false;
   if (word == "true" || word == "1") return true;
-  pose.refuse(fmt::format("degrees must be true or false, found \"{}\"", word.substr(0, 40)));
+  pose.refuse(
+      {.key = "degrees", .expected = "true or false", .found = in_quotes(word.substr(0, 40))});
 }
 
 Eigen::Matrix3d of_euler(const SdfNode& pose, const std::vector<double>& v, bool degrees) {
   const double most = degrees ? kMostDegrees : kMostRadians;
   const auto vector = [&](double angle) {
     if (!(std::abs(angle) <= most)) {
-      pose.refuse(fmt::format("angles of a <pose> must be within {}, found {}", most, angle));
+      pose.refuse({.key = "angles of a <pose>",
+                   .expected = fmt::format("within {}", most),
+                   .found = fmt::to_string(angle)});
     }
     return degrees ? unit_vector_of_degrees(angle) : unit_vector(angle);
   };
@@ -88,8 +91,8 @@ void refuse_unknown_attributes(const SdfNode& pose) {
         key.find(':') != std::string::npos) {
       continue;
     }
-    pose.refuse(fmt::format("expected an attribute of <pose> that SDF knows, found \"{}\"",
-                            key.substr(0, 40)));
+    pose.refuse({.expected = "an attribute of <pose> that SDF knows",
+                 .found = in_quotes(key.substr(0, 40))});
   }
 }
 
@@ -137,12 +140,14 @@ SdfPose parse_sdf_pose(const SdfNode& pose) {
   SdfPose out;
   const std::string format = pose.attribute("rotation_format");
   if (!format.empty() && format != "euler_rpy" && format != "quat_xyzw") {
-    pose.refuse(fmt::format("rotation_format must be euler_rpy or quat_xyzw, found \"{}\"",
-                            format.substr(0, 40)));
+    pose.refuse({.key = "rotation_format",
+                 .expected = "euler_rpy or quat_xyzw",
+                 .found = in_quotes(format.substr(0, 40))});
   }
   const bool quaternion = format == "quat_xyzw";
   const bool degrees = in_degrees(pose);
-  if (quaternion && degrees) pose.refuse("a quaternion has no degrees, found degrees");
+  if (quaternion && degrees)
+    pose.refuse({.says = "a quaternion has no degrees", .found = "degrees"});
   if (pose.text().empty()) return out;
   const std::vector<double> v = pose.numbers(quaternion ? 7 : 6);
   for (int i = 0; i < 3; ++i) out.shift[i].add(v[i]);
@@ -168,8 +173,8 @@ Aabb placed_box(const SdfPose& pose, const Vec3& half) {
 void require_known_place(const SdfPose& pose, double reach, double slack, const SdfNode& at) {
   const double error = pose.shift_error + (pose.turn_error + 1e-13) * reach;
   if (error <= 0.01 * slack) return;
-  at.refuse(fmt::format("the place of <{}> is known to {:.3g} m only: give more slack", at.name(),
-                        error));
+  at.refuse({.says = fmt::format("the place of <{}> is known to {:.3g} m only", at.name(), error),
+             .advice = "give more slack"});
 }
 
 Aabb shifted(const SdfPose& pose, const Aabb& turned, double reach) {

@@ -31,23 +31,23 @@ SdfScope::Names& SdfScope::names() const {
 SdfPose SdfScope::frame(std::string_view wanted, const SdfNode& asks, int depth) const {
   if (wanted == (parent ? "__model__" : "world")) return {};
   if (depth > kDeepest) {
-    asks.refuse(
-        fmt::format("expected at most {} frames that hang on each other, found more", kDeepest));
+    asks.refuse({.expected = fmt::format("at most {} frames that hang on each other", kDeepest),
+                 .found = "more"});
   }
   const std::size_t colons = wanted.find("::");
   const auto at = names().find(wanted.substr(0, colons));
   if (at == names().end() || at->second.again) {
-    asks.refuse(fmt::format("expected the name of one frame of {} \"{}\", found \"{}\"{}",
-                            parent ? "model" : "world", name.substr(0, 60), wanted.substr(0, 60),
-                            at == names().end() ? "" : ", which there is more than once"));
+    asks.refuse(
+        {.expected = fmt::format("the name of one frame of {} \"{}\"", parent ? "model" : "world",
+                                 name.substr(0, 60)),
+         .found = fmt::format("\"{}\"{}", wanted.substr(0, 60),
+                              at == names().end() ? "" : ", which there is more than once")});
   }
   Named& found = at->second;
   if (!found.pose) {
     if (found.asked) {
-      asks.refuse(
-          fmt::format("expected frames that lead to their model, found \"{}\" that leads "
-                      "back to itself",
-                      wanted.substr(0, 60)));
+      asks.refuse({.expected = "frames that lead to their model",
+                   .found = fmt::format("\"{}\" that leads back to itself", wanted.substr(0, 60))});
     }
     found.asked = true;
     found.pose =
@@ -56,7 +56,7 @@ SdfPose SdfScope::frame(std::string_view wanted, const SdfNode& asks, int depth)
   }
   if (colons == wanted.npos) return *found.pose;
   if (!found.model) {
-    asks.refuse(fmt::format("expected a model before ::, found \"{}\"", wanted.substr(0, 60)));
+    asks.refuse({.expected = "a model before ::", .found = in_quotes(wanted.substr(0, 60))});
   }
   return *found.pose * found.model->frame(wanted.substr(colons + 2), asks, depth + 1);
 }

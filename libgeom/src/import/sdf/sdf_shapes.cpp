@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "geom/base/error.h"
-#include "geom/shape/convex_parts.h"
 #include "geom/shape/cover.h"
-#include "geom/shape/ring_stack.h"
 #include "sdf_loader.h"
+#include "shape/convex_parts.h"
+#include "shape/ring_stack.h"
 
 namespace geom {
 namespace {
@@ -55,7 +55,7 @@ std::vector<Aabb> SdfShapes::turned(const RingStack& solid, const SdfPose& pose,
   try {
     for (const Aabb& b : cover(around, 0.98 * slack_)) out.push_back(shifted(pose, b, reach));
   } catch (const InputError& problem) {
-    at.refuse(problem.what());
+    at.refuse(problem.as_item());
   }
   return out;
 }
@@ -64,7 +64,7 @@ SdfBoxes SdfShapes::box(const SdfNode& shape, const SdfPose& pose) const {
   const SdfNode size = shape.child("size");
   const std::vector<double> v = size.not_negative(3);
   const Vec3 full(v[0], v[1], v[2]);
-  if (full.isZero(0)) size.refuse("a box must have some extent, found three zeros");
+  if (full.isZero(0)) size.refuse({.says = "a box must have some extent", .found = "three zeros"});
   if (pose.exact()) return {{placed_box(pose, 0.5 * full)}, {}};
   return {turned(box_stack(full), pose, shape), {}};
 }
@@ -74,7 +74,8 @@ SdfBoxes SdfShapes::plane(const SdfNode& shape, const SdfPose& pose) const {
   if (const auto given = shape.find("normal")) {
     const std::vector<double> v = given->numbers(3);
     normal = Vec3(v[0], v[1], v[2]);
-    if (!(normal.norm() > 0)) given->refuse("<normal> must have some length, found three zeros");
+    if (!(normal.norm() > 0))
+      given->refuse({.says = "<normal> must have some length", .found = "three zeros"});
     normal.normalize();
   }
   const Vec3 up = pose.turn * normal;
@@ -108,7 +109,8 @@ std::optional<SdfShapes::Extrusion> SdfShapes::extrusion(const std::vector<SdfNo
       ring.push_back({v[0], v[1]});
     }
     if (ring.size() < 3) {
-      shape.refuse(fmt::format("<polyline> must have at least 3 points, found {}", ring.size()));
+      shape.refuse(
+          {.says = "<polyline> must have at least 3 points", .found = fmt::to_string(ring.size())});
     }
     // The first ring is the outline, and the parity of all counts: so is the simulator's.
     std::vector<Vec2>& to =
@@ -160,8 +162,8 @@ SdfBoxes SdfShapes::polylines(const std::vector<SdfNode>& shapes, const SdfPose&
       out.boxes.insert(out.boxes.end(), boxes.begin(), boxes.end());
     }
   } catch (const InputError& problem) {
-    if (std::string_view(problem.what()).starts_with(*shapes[0].source)) throw;
-    shapes[0].refuse(problem.what());
+    if (problem.source() == *shapes[0].source) throw;
+    shapes[0].refuse(problem.as_item());
   }
   return out;
 }
@@ -200,8 +202,8 @@ SdfBoxes SdfShapes::shape(const SdfNode& shape, const SdfPose& pose) const {
       return round(ellipsoid_stack({v[0], v[1], v[2]}, error));
     }
   } catch (const InputError& problem) {
-    if (std::string_view(problem.what()).starts_with(*shape.source)) throw;
-    shape.refuse(problem.what());
+    if (problem.source() == *shape.source) throw;
+    shape.refuse(problem.as_item());
   }
   skip(shape, kind == "heightmap" || kind == "image" ? kind : "unknown geometry");
   return {};
@@ -218,8 +220,8 @@ SdfBoxes SdfShapes::boxes_of(const SdfNode& geometry, const SdfPose& pose) const
     }
     const bool outline = child.name == "polyline";
     if (other || (!outline && !outlines.empty())) {
-      node.refuse(fmt::format("expected one shape in <geometry>, found another: <{}>",
-                              child.name.substr(0, 40)));
+      node.refuse({.expected = "one shape in <geometry>",
+                   .found = fmt::format("another: <{}>", child.name.substr(0, 40))});
     }
     if (outline) {
       outlines.push_back(node);
@@ -228,7 +230,7 @@ SdfBoxes SdfShapes::boxes_of(const SdfNode& geometry, const SdfPose& pose) const
     }
   }
   if (!outlines.empty()) return polylines(outlines, pose);
-  if (!other) geometry.refuse("expected a shape in <geometry>, found none");
+  if (!other) geometry.refuse({.expected = "a shape in <geometry>", .found = "none"});
   if (other->name() == "empty") return {};
   return shape(*other, pose);
 }

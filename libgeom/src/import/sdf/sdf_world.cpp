@@ -174,10 +174,10 @@ class WorldReader {
   void add(const SdfNode& part, const Aabb& box, std::size_t id, const std::string& label) {
     if (box.min.cwiseAbs().maxCoeff() > kLargestCoordinate ||
         box.max.cwiseAbs().maxCoeff() > kLargestCoordinate) {
-      part.refuse("expected a body within 1e8 m, found one beyond");
+      part.refuse({.expected = "a body within 1e8 m", .found = "one beyond"});
     }
     if (out_.table.boxes.size() >= kMostBoxes) {
-      part.refuse(fmt::format("expected at most {} boxes, found more", kMostBoxes));
+      part.refuse({.expected = fmt::format("at most {} boxes", kMostBoxes), .found = "more"});
     }
     out_.flat += (box.min.array() == box.max.array()).any();
     out_.table.add(box, id, out_.table.label_of(label));

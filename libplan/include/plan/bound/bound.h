@@ -2,12 +2,18 @@
 
 // A proved lower bound on the length of every path between two places.
 //
+// Example:
+//   plan::Bounder bounder(scene);
+//   const plan::LengthBound bound = bounder.ask({1, 1, 1}, {9, 1, 1}, geom::length(path));
+//   assert(bound.closed);  // no path is more than 1 % shorter than this one
+//   assert(bound.bound <= geom::length(path) && bound.bound > 0.98 * geom::length(path));
+//
 // A shortest path that may touch obstacles bends only on convex edges of the union of the grown
-// boxes (docs/bound.md). These are cut into parts; a path is covered by a chain of parts, and what
-// lines below its length say of every chain is below its length. Parts that no path shorter than
-// wanted can use are dropped, the others halved, until the bound is near enough. Where the chain
-// with the least label is a path, once pulled taut, and a shorter one, the search goes on with its
-// length.
+// boxes (docs/bound.md). These edges are cut into parts, and every path follows a chain of parts.
+// Lines over the parts lie below the lengths of all chains that reach them, so they give a bound.
+// Parts that no path shorter than wanted can use are dropped, and the others are halved, until the
+// bound is near enough. If the chain with the least label, pulled taut, is a path that is shorter
+// than the one known, the search goes on with its length.
 
 #include <cstddef>
 #include <memory>
@@ -32,7 +38,7 @@ struct LengthBound {
   // the straight line.
   double bound = 0;
   bool closed = false;  // whether it is within the gap (of the path below, if there is one)
-  // A free path that is shorter than the given length, found as the bound did not close. Or empty.
+  // A free path that is shorter than the given length, if the search came upon one; else empty.
   geom::Polyline path;
   std::size_t steps = 0;  // as of BoundOptions
   std::size_t levels = 0;
@@ -40,14 +46,14 @@ struct LengthBound {
 };
 
 // May be asked from several threads at once; the scene must outlive it. The first question costs
-// some microseconds a box of the map. Along an axis of no length in free_bounds() it knows the
-// straight line only.
+// some microseconds for each box of the map. If free_bounds() is flat along an axis, the bound is
+// the straight line.
 class Bounder {
  public:
   explicit Bounder(const geom::CollisionScene& scene);
   ~Bounder();
 
-  // Of paths between two places of which one has `length` metres.
+  // A bound for paths between two places, where one path is known to have `length` metres.
   LengthBound ask(const Vec3& from, const Vec3& to, double length,
                   const BoundOptions& options = {});
 

@@ -1,7 +1,15 @@
 #pragma once
 
-// Why no path is shorter than its bound, as a JSON Lines record that anyone can follow:
-// docs/certificates.md.
+// Certificates of lower bounds on length, as JSON Lines records that anyone can follow.
+//
+// Example:
+//   plan::BoundRecord record{.id = "q1", .from = {1, 1, 1}, .to = {9, 1, 1}};
+//   record.bound = 8;  // with an empty proof: the straight line
+//   record.bounds = map.spec().bounds;
+//   record.provenance = geom::provenance_of(scene);
+//   std::cout << to_json_line(record);
+//
+// docs/certificates.md says how.
 
 #include <string>
 

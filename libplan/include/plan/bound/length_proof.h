@@ -1,6 +1,10 @@
 #pragma once
 
-// Why no path is shorter than a bound, in numbers that anyone can follow: docs/certificates.md.
+// Why no path is shorter than a bound, in numbers that anyone can follow.
+//
+// No example: LengthBound::proof (plan/bound/bound.h) has one, and BoundRecord writes it.
+//
+// docs/certificates.md has the conditions.
 
 #include <array>
 #include <cstdint>
@@ -19,8 +23,9 @@ struct LengthProof {
     std::array<std::int8_t, 2> outward{};
     std::uint32_t parent = 0;  // of the level before; of the first level nothing
   };
-  // Lines over a part below the length of what comes to it from each side, or leaves after coming
-  // from there, by the values at low and high; infinite where no path shorter than the bound does.
+  // Lower bounds on the length of ways that come to a part from each of its sides, or that go on
+  // after coming from there: lines over the part, by their values at low and high. Infinite if no
+  // path shorter than the bound comes so.
   using Lines = std::array<double, 4>;
   // No segment between the two parts is free of the occluder.
   struct Hidden {

@@ -1,6 +1,14 @@
 #pragma once
 
 // A* on a lattice.
+//
+// Example:
+//   const plan::Lattice lattice = plan::build_lattice(scene, {.spacing = 1});
+//   plan::AstarSearch search(lattice);
+//   const plan::Terminal start{*lattice.node({0, 0, 0})};
+//   const plan::Terminal goal{lattice.size() - 1};
+//   const plan::SearchResult found = search.search({{start}}, {{goal}});
+//   assert(found.found && found.nodes.front() == start.node);
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Lattices of a map: the grown boxes put onto a grid, all at once or where a search needs them.
+//
+// Example:
+//   const plan::Lattice lattice =
+//       plan::build_lattice(scene, {.spacing = 1, .connectivity = plan::Connectivity::twenty_six});
+//   std::cout << lattice.counts().nodes << " free nodes\n";
 
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"

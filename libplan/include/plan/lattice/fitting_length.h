@@ -1,6 +1,10 @@
 #pragma once
 
 // Default lengths for searches: those that suit a city, and smaller ones on smaller maps.
+//
+// Example:
+//   const geom::Aabb room{{0, 0, 0}, {30, 20, 10}};
+//   assert(plan::fitting_length(room, 15) == 1.5);  // 15 m in a city of 300 m
 
 #include "geom/shape/aabb.h"
 

@@ -1,6 +1,12 @@
 #pragma once
 
 // Lattice graphs: points on a regular grid, joined to their free neighbours.
+//
+// Example:
+//   const plan::Lattice lattice = plan::build_lattice(scene, {.spacing = 1});
+//   for (std::size_t node = 0; node < lattice.size(); ++node) {
+//     if (lattice.free(node)) assert(scene.free(lattice.position(node)));
+//   }
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,13 @@
 #pragma once
 
-// `.lattice`: a lattice as a ZIP of NumPy arrays in sparse 8x8x8 blocks (docs/formats.md).
+// Lattice files (`.lattice`): ZIPs of NumPy arrays in sparse 8x8x8 blocks (docs/formats.md).
+//
+// Example:
+//   std::ostringstream out;
+//   plan::write_lattice(out, plan::build_lattice(scene, {.spacing = 1}));
+//   const std::string bytes = out.str();
+//   const plan::Lattice lattice = plan::read_lattice(
+//       geom::ArrayArchive::from_bytes(std::as_bytes(std::span(bytes)), "city.lattice"));
 
 #include <iosfwd>
 #include <span>
@@ -21,7 +28,7 @@ namespace plan {
 // Writes a lattice that was built or read, not a lazy one (lazy_lattice).
 void write_lattice(std::ostream& out, const Lattice& lattice);
 
-// Of join_lattice(parts), whose masks are not copied for it. Throws as that does.
+// Writes join_lattice(parts) without copying the masks. Throws as join_lattice() does.
 void write_lattice(std::ostream& out, std::span<const LatticePart> parts);
 
 // Opened lazily: shapes, sizes and numbers of blocks are checked, the masks when they are read. An
@@ -29,15 +36,15 @@ void write_lattice(std::ostream& out, std::span<const LatticePart> parts);
 // then.
 Lattice read_lattice(const geom::ArrayArchive& archive);
 
-// What is in the file, for an archive that holds more: meta.json and the arrays, which stay valid
-// while the lattice lives.
+// The content of the file, for an archive that holds more: meta.json, and the arrays, which stay
+// valid while the lattice lives.
 std::string lattice_meta(const Lattice& lattice);
 std::vector<geom::NamedArray> lattice_arrays(const Lattice& lattice);
 Lattice read_lattice(const geom::ArrayArchive& archive, std::string_view meta_json);
 
 bool is_lattice(const geom::ArrayArchive& archive);  // whether the archive says so
 
-// The same of a lattice whose masks stand elsewhere; what of it is in meta.json.
+// What meta.json says of a lattice, for one whose masks stand elsewhere.
 struct LatticeMeta {
   LatticeGrid grid;
   LatticeCounts counts;
@@ -46,7 +53,7 @@ struct LatticeMeta {
 std::string lattice_meta(const LatticeMeta& lattice);
 LatticeMeta read_lattice_meta(const geom::JsonFields& fields);
 
-// As written down where it is; counted where not.
+// The counts that the file gives; counted if it gives none.
 LatticeCounts stored_counts(const Lattice& lattice);
 
 void verify_lattice(const Lattice& lattice);  // every bit; InputError where one is wrong

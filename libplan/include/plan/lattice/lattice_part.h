@@ -1,6 +1,13 @@
 #pragma once
 
 // A shard of a lattice: what one of several processes builds.
+//
+// Example:
+//   std::vector<plan::LatticePart> parts;
+//   for (std::size_t i = 0; i < 3; ++i) {  // each in a process of its own
+//     parts.push_back(plan::build_lattice_part(scene, {.spacing = 1}, {.index = i, .count = 3}));
+//   }
+//   const plan::Lattice whole = plan::join_lattice(parts);  // as build_lattice() gives it
 
 #include <optional>
 #include <span>

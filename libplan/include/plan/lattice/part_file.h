@@ -1,7 +1,12 @@
 #pragma once
 
-// Shards of lattices as JSON and NumPy arrays, for an archive that says what they are shards of
-// (docs/formats.md).
+// Shards of lattices as JSON and NumPy arrays, for an archive of shards (docs/formats.md).
+//
+// Example:
+//   const plan::LatticePart part = plan::build_lattice_part(scene, {.spacing = 1}, {0, 3});
+//   const plan::PartArrays arrays = plan::arrays_of(part);
+//   std::ostringstream out;
+//   geom::write_array_archive(out, arrays.meta, arrays.arrays);
 
 #include <string>
 #include <string_view>

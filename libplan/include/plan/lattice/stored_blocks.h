@@ -1,6 +1,8 @@
 #pragma once
 
 // The masks of a lattice as its files hold them.
+//
+// No example: a LatticePart holds them, and read_lattice() and write_lattice() use them.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,12 @@
 #pragma once
 
-// The boxes that went and those that came from an older map to a newer one. Patches of roadmaps
-// (plan/roadmap/patch_roadmap.h) go by them.
+// The boxes that went and those that came from an older map to a newer one.
+//
+// Example:
+//   const plan::MapChange change = plan::change_since(map, scene);
+//   assert(change.removed.empty() && change.added.empty());  // the scene is of the same map
+//
+// Patches of roadmaps (plan/roadmap/patch_roadmap.h) go by them.
 
 #include <vector>
 

@@ -1,8 +1,16 @@
 #pragma once
 
-// Cruise altitudes by direction, so that flights which cross are at different heights: the rule of
-// layered airspace (Sunil et al., "Metropolis: Relating Airspace Structure and Capacity for Extreme
-// Traffic Densities", ATM seminar 2015).
+// Cruise altitudes by direction, so that flights which cross are at different heights.
+//
+// Example:
+//   const plan::Layers layers{.low = 1, .step = 2, .count = 4};  // from 1 m up
+//   plan::Planner whole(scene);
+//   plan::LayerPlanner planner(scene, whole, layers);
+//   assert(plan::layer_of(layers, geom::Axes::enu, {1, 1, 1}, {9, 1, 1}) == 1);  // to the east
+//   const plan::PlanResult result = planner.plan({1, 1, 1}, {9, 1, 1});
+//
+// This is the rule of layered airspace (Sunil et al., "Metropolis: Relating Airspace Structure and
+// Capacity for Extreme Traffic Densities", ATM seminar 2015).
 
 #include <memory>
 #include <utility>
@@ -35,8 +43,8 @@ class LayerPlanner {
   LayerPlanner(const geom::CollisionScene& scene, Planner& whole, const Layers& layers);
   ~LayerPlanner();
 
-  // `options` are of the method auto, without a bound or resampling. Where a part is not found, its
-  // status, and which it is as the message.
+  // `options` have the method auto, and neither a bound nor resampling. If a part of the way is not
+  // found, the result has the status of that part, and its message says which part it was.
   PlanResult plan(const Vec3& from, const Vec3& to, const PlanOptions& options = {});
 
  private:

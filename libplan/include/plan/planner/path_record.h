@@ -1,6 +1,11 @@
 #pragma once
 
 // Path records of planned paths.
+//
+// Example:
+//   plan::Planner planner(scene);
+//   const plan::PlanResult result = planner.plan({1, 1, 1}, {9, 1, 1});
+//   std::cout << to_json_line(plan::path_record(scene, "q1", result));
 
 #include <string>
 

@@ -1,6 +1,11 @@
 #pragma once
 
 // From a query to a path: the default recipe.
+//
+// Example:
+//   plan::Planner planner(scene);
+//   const plan::PlanResult result = planner.plan({1, 1, 1}, {9, 1, 1});
+//   assert(result.status == geom::PathStatus::found && result.path.size() > 2);  // with bends
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Paths of an older map on a newer one: free legs are kept, blocked ones mended.
+//
+// Example:
+//   plan::Planner planner(scene);  // of the newer map
+//   const plan::ReplanResult result = plan::replan(scene, planner, path);
+//   assert(result.origin.mended.empty());  // every leg is still free
 
 #include "geom/collision/collision.h"
 #include "geom/record/record.h"

@@ -1,6 +1,12 @@
 #pragma once
 
 // Path records of replanned paths, with the holds and velocities of the points that are kept.
+//
+// Example:
+//   plan::Planner planner(scene);
+//   const geom::PathRecord old{.id = "q1", .status = geom::PathStatus::found, .points = path};
+//   const plan::ReplanResult result = plan::replan(scene, planner, old.points);
+//   std::cout << to_json_line(plan::replanned_record(scene, old, result).record);
 
 #include <cstddef>
 #include <vector>

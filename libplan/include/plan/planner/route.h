@@ -1,6 +1,9 @@
 #pragma once
 
 // Which search a path came from, as records name it.
+//
+// Example:
+//   assert(plan::name(plan::Route::lattice) == "lattice");
 
 #include <string_view>
 

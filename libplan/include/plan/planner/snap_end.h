@@ -1,6 +1,11 @@
 #pragma once
 
 // Moving a blocked or outside end of a query to the nearest free place.
+//
+// Example:
+//   const geom::Vec3 inside(4.2, 4, 4);  // in the block
+//   const auto near = plan::nearest_free(scene, inside, 2);
+//   assert(near && scene.free(*near) && (*near - inside).norm() < 1);
 
 #include <optional>
 

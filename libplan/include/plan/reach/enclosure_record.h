@@ -1,6 +1,15 @@
 #pragma once
 
-// Why there is no way, as a JSON Lines record that anyone can follow: docs/certificates.md.
+// Certificates that there is no way, as JSON Lines records that anyone can follow.
+//
+// Example:
+//   plan::EnclosureRecord record{.id = "q1", .from = {1, 1, 1}, .to = {9, 1, 1}};
+//   record.enclosure.cells = {{{0, 0, 0}, {2, 2, 2}}};  // all that can be reached from the start
+//   record.bounds = map.spec().bounds;
+//   record.provenance = geom::provenance_of(scene);
+//   std::cout << to_json_line(record);
+//
+// docs/certificates.md says how.
 
 #include <string>
 

@@ -2,6 +2,12 @@
 
 // Decides exactly whether there is any way between two places, by cells of free space.
 //
+// Example:
+//   plan::Reach reach(scene);
+//   const plan::ReachResult result = reach.ask({1, 1, 1}, {9, 1, 1});
+//   assert(result.answer == plan::Reachable::yes);
+//   const geom::Polyline way = plan::way_through(result.cells, {1, 1, 1}, {9, 1, 1});
+//
 // Free space is where the reference point may be: CollisionScene::free_bounds(), closed, less the
 // closed grown boxes. It is cut into cells that are free inside, as the leaves of a k-d tree, which
 // is built only where a question looks: at faces of these boxes, or, while a region meets thousands

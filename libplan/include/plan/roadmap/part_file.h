@@ -1,7 +1,12 @@
 #pragma once
 
-// Shards of roadmaps as JSON and NumPy arrays, for an archive that says what they are shards of
-// (docs/formats.md).
+// Shards of roadmaps as JSON and NumPy arrays, for an archive of shards (docs/formats.md).
+//
+// Example:
+//   const plan::Roadmap part = plan::build_roadmap_part(scene, {}, {.index = 0, .count = 3});
+//   const plan::PartArrays arrays = plan::arrays_of(part);
+//   std::ostringstream out;
+//   geom::write_array_archive(out, arrays.meta, arrays.arrays);
 
 #include <string_view>
 

@@ -1,7 +1,13 @@
 #pragma once
 
-// A roadmap of an older map brought up to a newer one: worked out anew only where boxes changed,
-// and the same to the last bit as if built anew.
+// Roadmaps brought up to a newer map, worked out anew only where boxes changed.
+//
+// Example:
+//   const plan::Roadmap old = plan::build_roadmap(scene, {});
+//   const geom::CollisionScene newer(map, vehicle, 0.2);  // of the map that has changed
+//   const plan::Roadmap patched = plan::patch_roadmap(old, newer, plan::change_since(map, newer));
+//
+// The result is the same to the last bit as a roadmap that is built anew.
 
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"

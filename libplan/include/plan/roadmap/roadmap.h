@@ -1,6 +1,12 @@
 #pragma once
 
 // Taut visibility roadmaps: bends at box edges, joined where a taut string may run.
+//
+// Example:
+//   const plan::Roadmap roadmap = plan::build_roadmap(scene, {.part = 2});
+//   plan::RoadmapSearch search(scene, roadmap);
+//   const plan::RoadmapResult result = search.search({1, 1, 1}, {9, 1, 1}, {});
+//   assert(!result.paths.empty());
 
 #include <array>
 #include <cstdint>
@@ -100,10 +106,10 @@ struct RoadmapResult {
 // an earlier one. Roadmap and scene must outlive it; one thread at a time.
 class RoadmapSearch {
  public:
-  // Throws geom::InputError where a search comes upon what no roadmap says.
+  // A search throws geom::InputError if it meets numbers that no roadmap has.
   RoadmapSearch(const geom::CollisionScene& scene, const Roadmap& roadmap);
 
-  // Of bends without edges: a search works out those that it needs.
+  // On bends without edges: a search works out the edges that it needs.
   RoadmapSearch(const geom::CollisionScene& scene, std::vector<Bend> bends, double reach);
   ~RoadmapSearch();
 

@@ -1,6 +1,12 @@
 #pragma once
 
 // The size and cost of a roadmap, estimated from some of its tiles before it is built.
+//
+// Example:
+//   double now = 0;
+//   const auto clock = [&] { return now += 1e-3; };  // of a real program: a steady clock
+//   const plan::RoadmapEstimate estimate = plan::estimate_roadmap(scene, {}, clock);
+//   std::cout << "about " << estimate.bytes / 1e6 << " MB\n";
 
 #include <functional>
 

@@ -1,6 +1,14 @@
 #pragma once
 
 // A shard of a roadmap: what one of several processes builds.
+//
+// Example:
+//   std::vector<plan::Roadmap> parts;
+//   for (std::size_t i = 0; i < 3; ++i) {  // each in a process of its own
+//     parts.push_back(plan::build_roadmap_part(scene, {}, {.index = i, .count = 3}));
+//   }
+//   std::ostringstream out;
+//   plan::write_roadmap(out, parts);  // bit for bit what one process writes
 
 #include <iosfwd>
 #include <span>

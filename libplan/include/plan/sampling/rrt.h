@@ -1,6 +1,13 @@
 #pragma once
 
 // The textbook sampling planners, for points in three dimensions.
+//
+// Example:
+//   plan::SamplingOptions options;
+//   options.seed = 7;
+//   const plan::SamplingResult result = plan::sample_path(
+//       scene, {1, 1, 1}, {9, 1, 1}, plan::SamplingMethod::rrt_connect, options);
+//   assert(result.found && result.path.front() == geom::Vec3(1, 1, 1));
 
 #include <cstddef>
 #include <cstdint>

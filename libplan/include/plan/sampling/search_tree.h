@@ -1,6 +1,8 @@
 #pragma once
 
 // What a sampling planner grew: trees of points joined by free segments.
+//
+// No example: sample_path() (plan/sampling/rrt.h) grows one, and search_tree_file.h writes it.
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,12 @@
 #pragma once
 
 // Search trees as JSON Lines, the nodes in the order of their insertion.
+//
+// Example:
+//   const plan::SearchTree tree = plan::sample_path(scene, {1, 1, 1}, {9, 1, 1},
+//                                                   plan::SamplingMethod::rrt).tree;
+//   std::ostringstream out;
+//   plan::write_jsonl(out, tree, "q1", geom::provenance_of(scene));
 
 #include <cstddef>
 #include <iosfwd>

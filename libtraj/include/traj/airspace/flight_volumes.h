@@ -1,6 +1,12 @@
 #pragma once
 
 // A few volumes of airspace that a flight is in, one after the other.
+//
+// Example:
+//   const traj::TimedFlight flight{.trajectory = &trajectory, .room = scene.half()};
+//   const traj::FlightOnEarth over{flight, "2026-05-04T06:30:00Z", {47.4, 8.5, 400}};
+//   const std::vector<geom::Volume4d> volumes = traj::flight_volumes(over, 4, "q1");
+//   assert(!volumes.empty() && !traj::why_not_held(over, volumes, "q1"));
 
 #include <cstddef>
 #include <vector>

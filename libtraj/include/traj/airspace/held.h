@@ -1,6 +1,17 @@
 #pragma once
 
 // Whether volumes of airspace hold a flight, whole, at every instant.
+//
+// Example:
+//   geom::Volume4d zone{.lower = 400, .upper = 420};
+//   zone.outline.centre = {47.4, 8.5, 0};
+//   zone.outline.radius = 50;
+//   zone.start = "2026-05-04T06:30:00Z";
+//   zone.end = "2026-05-04T06:40:00Z";
+//   const traj::TimedFlight flight{.trajectory = &trajectory, .room = scene.half()};
+//   const traj::FlightOnEarth over{flight, *zone.start, {47.4, 8.5, 400}};
+//   const auto why = traj::why_not_held(over, {{zone}}, "intent.json");
+//   if (why) std::cout << *why << '\n';
 
 #include <optional>
 #include <span>

@@ -1,7 +1,13 @@
 #pragma once
 
-// Differential flatness of a quadrotor: attitude, thrust and body rates that follow from where it
-// is to be and where it is to look.
+// The attitude, thrust and body rates of a quadrotor, from its motion and heading.
+//
+// Example:
+//   const traj::State resting;
+//   const traj::FlatState flat = traj::flat_state(resting, {.yaw = 0});
+//   assert(flat.attitude.isIdentity() && flat.thrust == geom::kGravity);
+//
+// They follow by differential flatness.
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,9 @@
 #pragma once
 
-// Where on the Earth a map lies, for what counts in latitudes, longitudes and heights above the
-// sea.
+// Where on the Earth a map lies, for what counts in latitudes, longitudes and heights.
+//
+// Example:
+//   const traj::MissionFrame frame{.origin = {47.4, 8.5, 455}, .geoid = 48};  // 407 m over the sea
 
 #include "geom/map/frame.h"
 

@@ -1,7 +1,12 @@
 #pragma once
 
-// From a map's axes to east-north-up, in which vehicles fly, drone files are written and read, and
-// pictures are drawn, and back.
+// From a map's axes to east-north-up, and back.
+//
+// Example:
+//   const traj::Trajectory enu = traj::to_enu(geom::Axes::neu, trajectory);  // swaps x and y
+//   assert(traj::evaluate(enu, 0).position == geom::Vec3(1, 1, 1));
+//
+// In east-north-up vehicles fly, drone files are written and read, and pictures are drawn.
 
 #include "geom/map/frame.h"
 #include "geom/shape/polyline.h"

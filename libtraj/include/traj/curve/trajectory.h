@@ -1,6 +1,13 @@
 #pragma once
 
 // Trajectories: positions (and yaw) over time as degree-7 polynomials in Bernstein form.
+//
+// Example:
+//   const traj::State end{.position = {4, 0, 0}};
+//   const traj::Trajectory hop{{traj::hermite(traj::State{}, end, 2)}};  // from rest to rest
+//   assert(traj::duration(hop) == 2);
+//   const traj::State middle = traj::evaluate(hop, 1);
+//   assert(std::abs(middle.position.x() - 2) < 1e-12);
 
 #include <array>
 #include <optional>

@@ -1,6 +1,10 @@
 #pragma once
 
 // How a flight begins and ends on the ground, and how far from there it may go.
+//
+// Example:
+//   assert(traj::ground_below(scene, {1, 1, 5}) == 0);  // the floor of the bounds
+//   const traj::VerticalEnds ends{.takeoff_from = 0, .landing_on = 0};
 
 #include <optional>
 

@@ -1,6 +1,11 @@
 #pragma once
 
 // Where the vehicle looks: yaw along a trajectory.
+//
+// Example:
+//   traj::Trajectory flight = trajectory;
+//   traj::add_yaw({.kind = traj::YawOptions::Kind::towards, .target = {5, 9, 1}}, flight);
+//   std::cout << *traj::yaw_at(flight, 1.5) << " rad\n";
 
 #include <optional>
 

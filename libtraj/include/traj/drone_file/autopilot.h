@@ -1,6 +1,12 @@
 #pragma once
 
-// How far an autopilot strays from the way that a mission file describes, as numbers.
+// Autopilots as numbers: how far each strays from the way that a mission file describes.
+//
+// Example:
+//   const std::vector<traj::Autopilot> any = *traj::autopilots_of("any");
+//   assert(traj::names_of(any) == "px4:1.11-1.17, ardupilot:4.3-4.7");
+//   traj::Autopilot heavy = traj::px4("1.15");
+//   traj::set_drag(heavy, 0.2);  // 1/s: little drag for its mass, so that stops are overshot less
 
 #include <optional>
 #include <span>

@@ -1,6 +1,12 @@
 #pragma once
 
 // The parameters of an autopilot, as ground stations and logs keep them.
+//
+// Example:
+//   std::istringstream in("RTL_RETURN_ALT 40\nNAV_ACC_RAD 3\n");
+//   const traj::AutopilotSettings settings = traj::read_autopilot_settings(in, "copter.param");
+//   const traj::SetAutopilot set = traj::set_autopilot(settings, {traj::px4()}, "copter.param");
+//   assert(set.autopilot.return_height == 40);
 
 #include <iosfwd>
 #include <map>

@@ -1,6 +1,12 @@
 #pragma once
 
 // Crazyflie polynomial trajectories: the CSV that crazyswarm and uav_trajectories use.
+//
+// Example:
+//   std::stringstream file;
+//   traj::write_crazyflie(file, trajectory);  // in ENU
+//   const traj::CrazyflieFlight flight = traj::read_crazyflie(file, "flight.csv");
+//   assert(flight.stray.size() == trajectory.segments.size());  // what single precision adds
 
 #include <iosfwd>
 #include <string_view>

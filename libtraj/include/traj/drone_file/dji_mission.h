@@ -1,6 +1,13 @@
 #pragma once
 
-// Waypoint missions of DJI: what the WPML files in a KMZ hold, and what an aircraft makes of them.
+// Waypoint missions of DJI: what their WPML files hold, and what an aircraft makes of them.
+//
+// Example:
+//   const traj::MissionFrame frame{.origin = {47.4, 8.5, 400}};
+//   const std::vector<geom::Vec3> points = {{0, 0, 30}, {80, 0, 30}};
+//   const traj::DjiMission mission = traj::make_dji_mission(points, frame, {.speed = 6});
+//   const traj::FlownDji flown = traj::flown_dji(mission, frame, {.ground = 0}, "mission.kmz");
+//   assert(flown.path.size() >= points.size());
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,16 @@
 #pragma once
 
-// Missions of DJI as files: WPML 1.0.0 and 1.0.2 to 1.0.6, `wpmz/template.kml` and
-// `wpmz/waylines.wpml` in a ZIP archive (.kmz). Format: DJI's cloud API documentation, "DJI WPML".
+// DJI missions as files: KMZ archives with WPML.
+//
+// Example:
+//   const traj::MissionFrame frame{.origin = {47.4, 8.5, 400}};
+//   const std::vector<geom::Vec3> points = {{0, 0, 30}, {80, 0, 30}};
+//   std::stringstream file;
+//   traj::write_dji_kmz(file, traj::make_dji_mission(points, frame, {}), "me");
+//   assert(traj::read_dji_kmz(file, "mission.kmz").waylines[0].waypoints.size() == 2);
+//
+// They hold `wpmz/template.kml` and `wpmz/waylines.wpml` of WPML 1.0.0 and 1.0.2 to 1.0.6. Format:
+// DJI's cloud API documentation, "DJI WPML".
 
 #include <iosfwd>
 #include <string_view>

@@ -1,6 +1,11 @@
 #pragma once
 
 // The fences of a file, whatever else is in it.
+//
+// Example, not run:
+//   std::ifstream in("fenced.plan");
+//   const std::vector<traj::GeodeticFence> fences = traj::read_fences(in, "fenced.plan");
+//   std::cout << fences.size() << " fences\n";
 
 #include <iosfwd>
 #include <string_view>

@@ -1,6 +1,11 @@
 #pragma once
 
 // A way as a line for maps: KML and GeoJSON.
+//
+// Example:
+//   std::stringstream file;
+//   traj::write_geojson(file, {.name = "q1", .points = {{47.4, 8.5, 400}, {47.4, 8.501, 420}}});
+//   assert(traj::read_geojson(file, "way.geojson")[0].size() == 2);
 
 #include <iosfwd>
 #include <string>

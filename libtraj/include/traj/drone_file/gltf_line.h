@@ -1,6 +1,11 @@
 #pragma once
 
 // A way as a line strip in binary glTF, to be seen beside the map's `skyway-map to-gltf`.
+//
+// Example:
+//   std::stringstream file;
+//   traj::write_gltf_line(file, path, "q1", "");
+//   assert(traj::read_gltf_lines(file, "way.glb")[0].size() == path.size());
 
 #include <iosfwd>
 #include <span>

@@ -1,6 +1,14 @@
 #pragma once
 
 // MAVLink missions: what WPL files and QGroundControl plans hold.
+//
+// Example:
+//   const traj::MissionFrame frame{.origin = {47.4, 8.5, 400}};
+//   const std::vector<geom::Vec3> points = {{0, 0, 30}, {80, 0, 30}};
+//   const traj::Mission mission = traj::make_mission(points, frame, {.landing_on = 0, .speed = 6});
+//   for (const traj::MissionItem& item : mission.items) {
+//     if (!traj::moves_nothing(item.command)) std::cout << item.altitude << " m\n";
+//   }
 
 #include <array>
 #include <optional>

@@ -1,6 +1,13 @@
 #pragma once
 
 // The flight of a vehicle on a mission: its legs, and the regions that it may fly through.
+//
+// Example:
+//   const traj::MissionFrame frame{.origin = {47.4, 8.5, 400}};
+//   const std::vector<geom::Vec3> points = {{0, 0, 30}, {80, 0, 30}};
+//   const traj::Mission mission = traj::make_mission(points, frame, {.landing_on = 0});
+//   const traj::FlownMission flown = traj::flown_mission(mission, frame, {}, "mission.plan");
+//   assert(flown.takes_off && flown.drift.size() == 2);  // where PX4 and ArduPilot may be
 
 #include <optional>
 #include <string_view>

@@ -1,6 +1,12 @@
 #pragma once
 
 // How long an autopilot takes for a mission: an estimate for people, which proves nothing.
+//
+// Example:
+//   const traj::Mission mission = traj::make_mission({{{0, 0, 30}, {80, 0, 30}}},
+//                                                    {.origin = {47.4, 8.5, 400}}, {.speed = 6});
+//   const traj::MissionTime time = traj::mission_time(mission, traj::px4());
+//   assert(time.seconds > 80 / 6.0);
 
 #include <cstddef>
 
@@ -20,8 +26,6 @@ struct MissionTime {
 // other kinds take no time. A leg from rest to rest takes the S-curve of the autopilot's
 // acceleration and jerk, its speed and its rates of climb and descent, and the hold behind it; legs
 // that pass into one another count as one. The default speed is the autopilot's.
-//
-//   mission_time(mission, px4()).seconds
 MissionTime mission_time(const Mission& mission, const Autopilot& autopilot);
 
 // Seconds from rest to rest over `length` metres (0 or more), no faster than `speed` m/s, with that

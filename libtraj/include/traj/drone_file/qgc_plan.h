@@ -1,6 +1,13 @@
 #pragma once
 
-// Missions as QGroundControl's `.plan`: JSON, file version 1, mission version 2.
+// QGroundControl's plans (`.plan`): missions as JSON, file version 1, mission version 2.
+//
+// Example:
+//   std::ifstream in("mission.plan");
+//   const traj::Mission mission = traj::read_qgc_plan(in, "mission.plan");
+//   assert(!mission.items.empty());
+//   std::ostringstream out;
+//   traj::write_qgc_plan(out, mission, "my station");
 
 #include <iosfwd>
 #include <string_view>

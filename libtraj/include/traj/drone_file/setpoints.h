@@ -1,6 +1,12 @@
 #pragma once
 
 // Setpoints at a fixed rate, as CSV: what a streaming client sends to the autopilot.
+//
+// Example:
+//   const std::vector<traj::Setpoint> wanted = traj::setpoints(trajectory, 10);  // 10 Hz
+//   std::stringstream file;
+//   traj::write_setpoints(file, wanted, traj::SetpointAxes::ned);
+//   assert(traj::read_setpoints(file, "flight.csv").size() == wanted.size());
 
 #include <iosfwd>
 #include <string_view>

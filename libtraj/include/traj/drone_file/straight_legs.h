@@ -1,6 +1,11 @@
 #pragma once
 
 // A trajectory as the few straight legs that a mission of waypoints can express.
+//
+// Example:
+//   const geom::Polyline legs = traj::straight_legs(trajectory, 0.1);  // within 10 cm of the curve
+//   const geom::Polyline clear = traj::pushed_off(scene, legs, 0.05);
+//   assert(traj::check_path(scene, clear).ok);
 
 #include "geom/collision/collision.h"
 #include "geom/shape/polyline.h"

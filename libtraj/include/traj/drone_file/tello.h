@@ -1,6 +1,14 @@
 #pragma once
 
 // Tello scripts: the text commands of Ryze's SDK 1.3 and 2.0, `go x y z speed` above all.
+//
+// Example:
+//   const traj::TelloStart start;
+//   const std::vector<geom::Vec3> points = {{0, 2, 1}, {1, 2, 1}};
+//   const traj::TelloFlight flight = traj::tello_flight(points, start, 50, true);
+//   std::stringstream file;
+//   traj::write_tello(file, flight);  // command, takeoff, go 200 0 0 50, go 0 -100 0 50, land
+//   assert(traj::read_tello(file, "flight.txt").legs == flight.legs);
 
 #include <iosfwd>
 #include <span>

@@ -1,6 +1,13 @@
 #pragma once
 
-// Missions as `QGC WPL 110` text, which Mission Planner, QGroundControl, MAVProxy and MAVSDK read.
+// `QGC WPL 110` text: missions as Mission Planner, QGroundControl, MAVProxy and MAVSDK read them.
+//
+// Example:
+//   const traj::Mission mission = traj::make_mission({{{0, 0, 30}, {80, 0, 30}}},
+//                                                    {.origin = {47.4, 8.5, 400}}, {});
+//   std::stringstream file;
+//   traj::write_wpl(file, mission);
+//   assert(traj::read_wpl(file, "mission.waypoints").items.size() == mission.items.size());
 
 #include <iosfwd>
 #include <string_view>

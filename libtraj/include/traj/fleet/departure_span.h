@@ -1,6 +1,10 @@
 #pragma once
 
 // Closed intervals of seconds, and sets of them.
+//
+// Example:
+//   const auto spans = traj::united({{0, 10}, {8, 12}, {20, 30}});
+//   assert(spans.size() == 2 && spans[0].holds(11));
 
 #include <limits>
 #include <vector>

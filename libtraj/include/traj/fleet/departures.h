@@ -1,6 +1,16 @@
 #pragma once
 
 // When each flight of a fleet departs, and by which of its ways.
+//
+// Example:
+//   const traj::FleetFlight first{.trajectory = &trajectory, .room = scene.half(), .latest = 600};
+//   traj::FleetFlight second = first;  // the same way
+//   second.number = 1;
+//   const std::vector fleet = {first, second};
+//   const traj::FleetConflicts conflicts =
+//       traj::fleet_conflicts(fleet, traj::Spacing{}, traj::Parked::gone);
+//   const traj::Departures departures = traj::choose_departures(fleet, conflicts);
+//   assert(*departures.of[0].start == 0 && *departures.of[1].start > 0);
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +29,7 @@ struct DepartureOptions {
   std::uint64_t seed = 0;  // of their order
 };
 
-// Of one number.
+// The departure of one number.
 struct Departure {
   std::optional<double> start;  // seconds after the epoch; nothing: refused
   std::uint32_t flight = 0;     // which way, an index of the fleet; of a refused one the first

@@ -1,6 +1,15 @@
 #pragma once
 
 // The differences of departure that are forbidden, for all pairs of a fleet at once.
+//
+// Example:
+//   const traj::FleetFlight first{.trajectory = &trajectory, .room = scene.half(), .latest = 600};
+//   traj::FleetFlight second = first;
+//   second.number = 1;
+//   const std::vector fleet = {first, second};
+//   const traj::FleetConflicts conflicts =
+//       traj::fleet_conflicts(fleet, traj::Spacing{}, traj::Parked::gone);
+//   assert(conflicts.pairs.size() == 1 && conflicts.of(0)[0].holds(0));  // not at once
 
 #include <cstddef>
 #include <cstdint>
@@ -31,10 +40,10 @@ struct FleetConflicts {
 };
 
 // forbidden_departures() of the pairs of which boxes of their pieces meet, each box lasting from
-// its piece's time after the earliest departure to that after the latest. So it takes about as long
-// as flights and near pairs are many. Flights of one number are no pair, nor are two that are both
-// settled: there is nothing to choose between them. `shard`: only its share of the pairs that are
-// looked at. The same for any number of threads.
+// its piece's time after the earliest departure to that after the latest. So the cost grows with
+// the number of flights and of near pairs. Two flights of one number are no pair, and neither are
+// two settled ones: nothing is to be chosen between them. `shard`: only its share of the pairs that
+// are looked at. The same for any number of threads.
 FleetConflicts fleet_conflicts(std::span<const FleetFlight> flights, const Spacing& spacing,
                                Parked parked, const geom::Shard& shard = {},
                                const geom::Execution& run = {});

@@ -1,6 +1,11 @@
 #pragma once
 
 // A flight whose departure is to be chosen.
+//
+// Example:
+//   traj::FleetFlight flight{.trajectory = &trajectory, .room = scene.half()};
+//   flight.earliest = 60;  // seconds after the epoch
+//   flight.latest = 300;
 
 #include <cstdint>
 #include <vector>

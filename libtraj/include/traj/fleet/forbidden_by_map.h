@@ -1,6 +1,10 @@
 #pragma once
 
 // When a flight must not depart, whatever others do: the map's boxes that are there for a time.
+//
+// Example:
+//   const auto spans = traj::forbidden_by_map(scene, trajectory, traj::Parked::gone);
+//   assert(spans.empty());  // this map has no timed boxes
 
 #include <vector>
 
@@ -18,9 +22,9 @@ namespace traj {
 // A curve that may be in a box from t1 to t2 after its begin meets a box that is there from `from`
 // until `until` with the departures [from - t2, until - t1]. Where a box holds only a part of a
 // curve, that is halved down to a hundredth of a second, or to a millionth of a segment of hours;
-// all is rounded outward, so every departure that truly meets a box is in the answer. The answer
-// is larger in two ways: a box counts for the whole of a piece whose control points' bounding box
-// it meets, and by a microsecond.
+// all is rounded outward, so every departure that truly meets a box is in the answer. The answer is
+// larger than need be in two ways: a box counts for the whole of a piece if it meets the bounding
+// box of the piece's control points, and each interval is a microsecond longer.
 //
 // Trajectories within domain.h. Parked::pad: it stands at its ends for all time. Costs what lies
 // near the curve.

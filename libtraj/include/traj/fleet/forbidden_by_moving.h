@@ -1,6 +1,12 @@
 #pragma once
 
 // When a flight must not depart, whatever other flights do: obstacles that move.
+//
+// Example:
+//   traj::MovingBox crane{.box = {{0, 0, 0}, {9, 2, 3}}, .from = 60, .until = 120};
+//   const auto spans = traj::forbidden_by_moving(trajectory, scene.half(), {{crane}},
+//                                                traj::Parked::gone);
+//   assert(spans[0][0].holds(60) && !spans[0][0].holds(130));
 
 #include <span>
 #include <vector>

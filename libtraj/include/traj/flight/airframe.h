@@ -1,6 +1,11 @@
 #pragma once
 
-// What a vehicle is made of, as far as it is known: what flying it takes beyond its shape.
+// What a vehicle is made of: mass, inertia, motors, drag, battery.
+//
+// Example:
+//   traj::Airframe airframe;
+//   airframe.mass = 0.08;                       // kg
+//   assert(!traj::quadrotor_of(airframe));      // more must be known to simulate it
 
 #include <optional>
 

@@ -1,7 +1,12 @@
 #pragma once
 
-// The cascaded controller of PX4's structure: position -> velocity -> acceleration -> attitude ->
-// body rates -> motors.
+// The cascaded controller: position, velocity, attitude, body rates, motors, as in PX4.
+//
+// Example:
+//   const traj::Quadrotor model;
+//   traj::CascadeController controller(model, traj::nominal_gains(model, 0.6), {});
+//   const traj::Reference above{.position = {0, 0, 1}};
+//   const traj::Motors thrust = controller.command(0, above, traj::Measured{});
 
 #include "traj/flight/pid.h"
 #include "traj/flight/sensors.h"

@@ -1,7 +1,18 @@
 #pragma once
 
-// Flight logs as CSV: the motion of a vehicle beside its setpoints. Always in ENU axes, whatever
-// the map's; body axes are x forward, y left, z up.
+// Flight logs as CSV: the motion of a vehicle beside its setpoints.
+//
+// Example:
+//   traj::FlightLog log{.id = "q1"};
+//   for (const double t : {0.0, 0.5}) {
+//     log.samples.push_back(traj::nothing_known());
+//     log.samples.back().time = t;
+//   }
+//   std::stringstream file;
+//   traj::write_flight_log(file, {{log}});
+//   assert(traj::read_flight_log(file, "q1.csv")[0].samples.size() == 2);
+//
+// Always in ENU axes, whatever the map's; body axes are x forward, y left, z up.
 
 #include <Eigen/Geometry>
 #include <array>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Whether a flown path is clear of a map.
+//
+// Example:
+//   const std::vector<double> radius = {0.05};  // m that the vehicle may stray from the trajectory
+//   const traj::FlightPathCheck check = traj::check_tube(scene, trajectory, radius, 0.1);
+//   if (!check.clear) std::cout << traj::name(check.reason) << " at " << check.time << " s\n";
 
 #include <functional>
 #include <optional>
@@ -13,8 +18,8 @@ namespace traj {
 
 struct FlightPathCheck {
   bool clear = false;
-  // The first of these along the way: bounds, collision, or undecided: the polyline is clear, the
-  // path around it perhaps not.
+  // The first of bounds, collision and undecided along the way. Undecided: the polyline is clear,
+  // but the path around it perhaps not.
   Reason reason = Reason::none;
   double time = 0;                 // s
   Vec3 place = Vec3::Zero();       // m, in the map's axes

@@ -1,6 +1,11 @@
 #pragma once
 
 // The gains of the controllers, as a vehicle's profile or a table of another stack gives them.
+//
+// Example:
+//   const traj::Gains gains = traj::nominal_gains(traj::Quadrotor{}, 0.6);  // rad of tilt
+//   const auto older = traj::preset_gains("stack-a", gains);
+//   assert(older && !traj::preset_gains("stack-z", gains));
 
 #include <limits>
 #include <optional>

@@ -1,6 +1,11 @@
 #pragma once
 
-// Gains as JSON: in a vehicle's profile, or a file of their own.
+// Gains as JSON, in a vehicle's profile or in a file of their own.
+//
+// Example:
+//   const traj::Gains gains = traj::nominal_gains(traj::Quadrotor{}, 0.6);
+//   const geom::JsonFields fields(traj::to_json(gains), "gains.json", 0);
+//   assert(traj::parse_gains(fields, traj::Gains{}).attitude == gains.attitude);
 
 #include <string>
 

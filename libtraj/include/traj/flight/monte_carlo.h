@@ -1,6 +1,14 @@
 #pragma once
 
 // Many flights with wind and mass drawn by chance, and how far they stray: statistics, not proof.
+//
+// Example:
+//   const auto tello = traj::vehicle_named("tello");
+//   traj::FlightOptions base{.quadrotor = *traj::quadrotor_of(tello->airframe)};
+//   base.gains = *tello->airframe.gains;
+//   base.wind.mean = {2, 0, 0};
+//   const auto runs = traj::fly_runs(traj::ReferenceTrack(trajectory), base, {.runs = 2}, {}, {});
+//   const traj::TrackingTube tube = traj::tube_of(runs);
 
 #include <span>
 #include <vector>
@@ -38,7 +46,7 @@ struct RunOutcome {
 // Periods of a trajectory of this duration.
 std::size_t tube_periods(double duration);
 
-// Those runs that the shard takes, ascending: the same for any number of threads.
+// The outcomes of the runs that the shard takes, ascending; the same for any number of threads.
 std::vector<RunOutcome> fly_runs(const ReferenceTrack& track, const FlightOptions& base,
                                  const MonteCarloOptions& options, const geom::Shard& shard,
                                  const geom::Execution& run);
@@ -52,7 +60,8 @@ struct TrackingTube {
   double saturated = 0;            // mean share
 };
 
-// Of all runs, at least one, in their order. With fewer than 1,000 the percentile is the largest.
+// The tube of all runs, at least one, in their order. With fewer than 1,000 the percentile is the
+// largest.
 TrackingTube tube_of(std::span<const RunOutcome> outcomes);
 
 }  // namespace traj

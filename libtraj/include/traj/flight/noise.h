@@ -1,6 +1,10 @@
 #pragma once
 
 // Normally distributed numbers from a seeded generator.
+//
+// Example:
+//   traj::Gaussian noise(7);  // the seed
+//   const double error = 0.05 * noise.next();
 
 #include <cmath>
 

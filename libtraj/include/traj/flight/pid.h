@@ -1,6 +1,11 @@
 #pragma once
 
 // A controller with proportional, integral and derivative action on three axes at once.
+//
+// Example:
+//   traj::Pid loop({.p = {2, 2, 2}}, 0.01, 0);
+//   const geom::Vec3 zero = geom::Vec3::Zero();
+//   assert(loop.update(geom::Vec3(1, 0, 0), zero, zero) == geom::Vec3(2, 0, 0));
 
 #include <algorithm>
 

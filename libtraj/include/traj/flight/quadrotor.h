@@ -1,7 +1,15 @@
 #pragma once
 
-// A rigid quadrotor with lagging motors and linear drag, and its integrator. ENU axes; body axes
-// are x forward, y left, z up. SI units throughout.
+// A rigid quadrotor with lagging motors and linear drag, and its integrator.
+//
+// Example:
+//   const traj::Quadrotor quadrotor{.mass = 1};
+//   traj::QuadrotorState state;
+//   state.thrust = traj::Motors::Constant(geom::kGravity / 4);
+//   state = traj::integrate(quadrotor, state, {.command = state.thrust}, 1e-3);
+//   assert(state.velocity.norm() < 1e-12);  // it hovers
+//
+// ENU axes; body axes are x forward, y left, z up. SI units throughout.
 
 #include <Eigen/Geometry>
 

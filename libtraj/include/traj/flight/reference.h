@@ -1,6 +1,13 @@
 #pragma once
 
 // Where a trajectory wants the vehicle to be at each instant, in ENU axes.
+//
+// Example:
+//   const traj::ReferenceTrack track(trajectory);
+//   std::size_t cursor = 0;
+//   for (double t = 0; t < track.duration(); t += 0.01) {
+//     const traj::Reference wanted = track.at(t, cursor);
+//   }
 
 #include <vector>
 

@@ -1,6 +1,11 @@
 #pragma once
 
 // What the controller gets to see: the state with noise, its position and velocity late.
+//
+// Example:
+//   traj::QuadrotorState state;
+//   traj::Sensors sensors({.position = 0.02}, state, 7);  // 2 cm of noise; the seed
+//   const traj::Measured measured = sensors.read(state);
 
 #include <vector>
 

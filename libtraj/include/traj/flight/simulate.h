@@ -1,6 +1,13 @@
 #pragma once
 
 // One flight along a trajectory: vehicle, controller, wind and sensors together.
+//
+// Example:
+//   const auto tello = traj::vehicle_named("tello");
+//   traj::FlightOptions options{.quadrotor = *traj::quadrotor_of(tello->airframe)};
+//   options.gains = *tello->airframe.gains;
+//   const traj::Flight flight = traj::simulate(traj::ReferenceTrack(trajectory), options, {});
+//   assert(!flight.lost && flight.final_distance < 0.1);
 
 #include <optional>
 #include <vector>

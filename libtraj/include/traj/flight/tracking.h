@@ -1,6 +1,12 @@
 #pragma once
 
 // How well a flight followed its trajectory.
+//
+// Example:
+//   traj::Flight flight;
+//   flight.error.assign(200, 0.02);  // 2 cm off all the time
+//   const traj::Tracking tracking = traj::tracking(flight, 1);
+//   assert(std::abs(tracking.rms - 0.02) < 1e-12);
 
 #include <optional>
 
@@ -10,7 +16,7 @@ namespace traj {
 
 inline constexpr double kSettled = 0.05;  // m
 
-// Of the distances to the reference at the same instant, every 10 ms.
+// Figures of the distances to the reference at the same instant, every 10 ms.
 struct Tracking {
   double mean = 0;  // m, these four up to the trajectory's end
   double rms = 0;
@@ -22,7 +28,7 @@ struct Tracking {
   std::optional<double> settling;  // s after the trajectory's end until it stays within kSettled
 };
 
-// Of a flight that was not lost, along a trajectory of this duration.
+// The figures of a flight that was not lost, along a trajectory of this duration.
 Tracking tracking(const Flight& flight, double duration);
 
 }  // namespace traj

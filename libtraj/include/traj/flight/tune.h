@@ -1,6 +1,11 @@
 #pragma once
 
 // Gains found by trying: the velocity loop first, then the position loop around it.
+//
+// Example, not run:
+//   const std::vector<traj::ReferenceTrack> tracks = {traj::ReferenceTrack(trajectory)};
+//   const traj::TuneResult tuned = traj::tune(tracks, traj::FlightOptions{}, {}, {.threads = 4});
+//   if (tuned.improved) std::cout << traj::to_json(tuned.gains);
 
 #include <optional>
 

@@ -1,7 +1,14 @@
 #pragma once
 
-// A vehicle's profile: its box, what may be done with it, and what it is made of
-// (docs/formats.md).
+// Vehicle profiles: a vehicle's box, what may be done with it, and what it is made of.
+//
+// Example:
+//   const auto tello = traj::vehicle_named("tello");
+//   const geom::CollisionScene city(map, tello->vehicle, 0.2);
+//   const traj::VehicleProfile own = traj::parse_vehicle_profile(
+//       R"({"name":"quad","body":[0.2,0.2,0.1],"tilt_max_deg":30})", "quad.json");
+//
+// docs/formats.md describes the file.
 
 #include <optional>
 #include <string_view>

@@ -1,6 +1,10 @@
 #pragma once
 
 // Wind: a constant part, and Dryden gusts at low altitude after MIL-F-8785C.
+//
+// Example:
+//   traj::Wind wind({.mean = {3, 0, 0}, .gusts = 2}, 7);  // the seed
+//   const geom::Vec3 air = wind.step({0, 0, 30}, geom::Vec3::Zero(), 0.01);
 
 #include "traj/flight/noise.h"
 

@@ -1,6 +1,13 @@
 #pragma once
 
 // The proof: whether a whole trajectory is free of collision and inside its limits.
+//
+// Example:
+//   const traj::CheckResult result = traj::check(scene, trajectory, limits);
+//   assert(result.ok);
+//   std::cout << result.clearance->value << " m clear at " << result.clearance->time << " s\n";
+//   const traj::CheckResult through = traj::check_path(scene, {{{1, 1, 1}, {9, 1, 1}}});
+//   assert(through.reason == traj::Reason::collision);
 
 #include <array>
 #include <optional>

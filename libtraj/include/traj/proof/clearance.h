@@ -1,6 +1,10 @@
 #pragma once
 
 // How near a curve comes to the obstacles on its way.
+//
+// Example:
+//   const auto profile = traj::clearance_profile(scene, trajectory, 0.5);  // each half second
+//   assert(!profile.empty() && profile[0].clearance > 0);
 
 #include <span>
 #include <vector>

@@ -1,7 +1,14 @@
 #pragma once
 
-// The domain of both checks: numbers for which neither the check nor the exact check overflows,
-// divides by nearly 0, or compares NaN. Both refuse all other numbers alike.
+// The domain of both checks: the numbers that they can judge.
+//
+// Example:
+//   assert(!traj::outside_domain(trajectory, limits));
+//   const auto outside = traj::outside_domain(traj::Limits{{traj::Limit::speed, 1e12}});
+//   assert(outside->reason == traj::Reason::limits);
+//
+// Within it neither the check nor the exact check overflows, divides by nearly 0, or compares NaN.
+// Both refuse all other numbers alike.
 
 #include <optional>
 #include <span>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Fences that come with missions: regions in which a vehicle must stay, or which it must avoid.
+//
+// Example:
+//   const traj::GeodeticFence circle{.inclusion = true, .centre = {47.4, 8.5, 0}, .radius = 100};
+//   const traj::Fence fence = traj::fence_on_map(circle, {47.4, 8.5, 400}, "mission.plan");
+//   assert(fence.inclusion && fence.ring.size() == 256);
 
 #include <string_view>
 #include <vector>

@@ -1,6 +1,10 @@
 #pragma once
 
 // Pieces of a flight, by what asks for them.
+//
+// Example:
+//   const traj::FlightPart part{.item = 3, .manoeuvre = traj::Manoeuvre::landing};
+//   assert(traj::name(part.manoeuvre) == "landing");
 
 #include <cstddef>
 #include <string_view>

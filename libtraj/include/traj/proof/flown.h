@@ -1,6 +1,12 @@
 #pragma once
 
-// The flight of a vehicle that gets a file, and whether it is clear of the map and within limits.
+// The flight of a vehicle that gets a file, and the check of that flight.
+//
+// Example:
+//   traj::Flown flown;
+//   flown.path = path;
+//   flown.ends.takeoff_from = 0;  // from the ground, straight up
+//   assert(traj::check_flown(scene, flown, {}).ok);
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,14 @@
 #pragma once
 
-// The limits of a flight, by the names that this library uses: they are those of geom::Vehicle.
+// The limits of a flight, by the names that this library uses.
+//
+// Example:
+//   const traj::Limits slow{{traj::Limit::speed, 5}};
+//   for (const traj::Limit limit : traj::kOrderOfLimits) {
+//     if (slow[limit]) std::cout << traj::kind_of(limit).quantity << '\n';
+//   }
+//
+// They are those of geom::Vehicle.
 
 #include "geom/vehicle/limits.h"
 

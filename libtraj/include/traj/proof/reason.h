@@ -1,6 +1,10 @@
 #pragma once
 
 // Why something is refused: the first that holds, as reports name it.
+//
+// Example:
+//   assert(traj::name(traj::broken(traj::Limit::tilt)) == "tilt");
+//   assert(traj::name(traj::unmeasured(traj::Limit::tilt)) == "tilt_not_measured");
 
 #include <string_view>
 

@@ -1,7 +1,14 @@
 #pragma once
 
-// How close a flight came to a map that is known by samples alone: no proof, as nobody knows what
-// it did between them.
+// How close a flight came to a map that is known by samples alone.
+//
+// Example:
+//   const std::vector<geom::Vec3> points = {{1, 1, 1}, {1, 2, 1}, {1, 3, 1}};
+//   const std::vector<double> times = {0, 0.5, 1};
+//   const traj::SampledFlight flight = traj::check_sampled(scene, points, times);
+//   assert(traj::verdict(flight) == "sampled");  // never more than that
+//
+// This is no proof, as nobody knows what the flight did between them.
 
 #include <optional>
 #include <span>

@@ -1,6 +1,14 @@
 #pragma once
 
-// Regions that a vehicle may fly through anywhere: what it makes of a corner, a circle, a spline.
+// Regions that a vehicle may fly through anywhere, and their check.
+//
+// Example:
+//   const traj::Sweep corner{.hull = {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}}};
+//   traj::CheckResult result;
+//   traj::check_sweeps(scene, {{corner}}, geom::Vec3::Zero(), result);
+//   assert(result.reason == traj::Reason::none);
+//
+// A vehicle makes them of a corner, a circle, a spline.
 
 #include <optional>
 #include <span>

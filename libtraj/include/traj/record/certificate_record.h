@@ -1,6 +1,16 @@
 #pragma once
 
-// Why a trajectory or path is clear and within its limits, as a JSON Lines record.
+// Certificates of trajectories and paths, as JSON Lines records that anyone can follow.
+//
+// Example:
+//   const traj::ExactTask task{.map = map, .vehicle = vehicle, .margin = 0.2, .limits = limits};
+//   traj::CertificateRecord record{.id = "q1", .of = "trajectory"};
+//   record.proof = traj::check_exactly(task, trajectory);
+//   assert(record.proof.ok);
+//   record.bounds = map.spec().bounds;
+//   record.provenance = geom::provenance_of(scene);
+//   record.limits = limits;
+//   std::cout << to_json_line(record);
 
 #include <optional>
 #include <string>

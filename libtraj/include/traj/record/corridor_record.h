@@ -1,6 +1,13 @@
 #pragma once
 
-// The corridor of a trajectory as a JSON Lines record, with what is needed to draw it.
+// Corridors as JSON Lines records, with what is needed to draw them.
+//
+// Example:
+//   traj::Corridor corridor = traj::pieces_between(path);
+//   traj::add_planes(scene, 5, corridor);
+//   const std::string line = traj::to_json_line("q1", geom::provenance_of(scene), corridor, 5);
+//   const traj::CorridorShape shape = traj::parse_corridor_record(line, "corridor.jsonl", 1);
+//   assert(shape.pieces.size() == corridor.size());
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,15 @@
 #pragma once
 
-// How much faster than a trajectory record any other flight could be. All of it rests on the bound
-// on length in the record, which this library cannot verify.
+// How much faster than a trajectory record any other flight could be.
+//
+// Example:
+//   traj::TrajectoryRecord record{.id = "q1", .trajectory = trajectory, .limits = limits};
+//   record.bound = 8;  // metres: no path between its ends is shorter
+//   const auto least = traj::duration_bound(record, limits);
+//   assert(*least < traj::duration(trajectory));
+//   std::cout << traj::slower_words(*traj::duration_gap(record)) << '\n';
+//
+// All of it rests on the bound on length in the record, which this library cannot verify.
 
 #include <optional>
 #include <string>
@@ -30,8 +38,8 @@ bool claims_too_much(const TrajectoryRecord& record, const Limits& limits);
 // Whether the path is shorter than its own bound on length. Call it for a free path.
 bool claims_too_much(const geom::PathRecord& path);
 
-// Its duration over duration_bound() for its own limits, less 1; nothing where there is no such
-// bound, or where the record claims too much.
+// The record's duration over duration_bound() for its own limits, less 1. Nothing if there is no
+// such bound, or if the record claims too much.
 std::optional<double> duration_gap(const TrajectoryRecord& record);
 
 // "at most 3.2 % slower than any", of duration / bound - 1; rounded up.

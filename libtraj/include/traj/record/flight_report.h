@@ -1,6 +1,12 @@
 #pragma once
 
-// What a flight came to, as a JSON Lines record.
+// Reports of simulated flights, as JSON Lines records.
+//
+// Example:
+//   traj::FlightReport report{.id = "q1", .duration = traj::duration(trajectory)};
+//   report.tracking = traj::Tracking{};
+//   report.provenance = geom::provenance_of(scene);
+//   if (traj::accepted(report)) std::cout << to_json_line(report, traj::Airframe{}, &map);
 
 #include <optional>
 #include <string>
@@ -32,7 +38,7 @@ struct FlightReport {
   geom::FlightTime time;
 };
 
-// Flown, not lost, and clear as far as that was asked.
+// Whether it was flown, was not lost, and is clear as far as that was asked.
 bool accepted(const FlightReport& report);
 
 // Why it is not accepted, in the report's word. Precondition: it is not.

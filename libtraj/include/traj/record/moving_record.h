@@ -1,6 +1,13 @@
 #pragma once
 
 // Obstacles that move, as JSON Lines records, and what the check against them found.
+//
+// Example:
+//   const std::string line =
+//       R"({"type":"moving","id":"crane","epoch":"2026-05-04T06:30:00Z","from":0,"until":60,)"
+//       R"("min":[0,0,0],"max":[2,2,9],"velocity":[0.1,0,0],"growth":[0,0,0]})";
+//   const traj::MovingRecord crane = traj::parse_moving_record(line, "moving.jsonl", 1);
+//   assert(crane.box.velocity.x() == 0.1);
 
 #include <optional>
 #include <span>

@@ -1,6 +1,15 @@
 #pragma once
 
 // What the check of flights against one another found, as JSON Lines records.
+//
+// Example:
+//   const traj::TimedFlight first{.trajectory = &trajectory, .room = scene.half()};
+//   const traj::TimedFlight second{.trajectory = &trajectory, .start = 1, .room = scene.half()};
+//   const std::vector flights = {first, second};
+//   const traj::TogetherTask task{.ids = {"a", "b"}};
+//   const traj::TogetherResult result = traj::check_together(flights, task.rule);
+//   for (const traj::RefusedPair& pair : result.refused) std::cout << traj::in_words(pair, task);
+//   std::cout << traj::to_json_line(result, task, 0);
 
 #include <span>
 #include <string>
@@ -21,11 +30,11 @@ struct TogetherTask {
   bool overridden = false;         // a vehicle or margin is smaller than its record says
 };
 
-// Of a pair that is refused; ends with a newline.
+// The record of a pair that is refused; ends with a newline.
 std::string to_json_line(const RefusedPair& pair, const TogetherTask& task);
 
-// Of all of them; ends with a newline. `left_out`: flights that could not be looked at, which
-// refuses the whole.
+// The record of all pairs; ends with a newline. `left_out`: flights that could not be looked at;
+// any refuses the whole.
 std::string to_json_line(const TogetherResult& result, const TogetherTask& task,
                          std::size_t left_out);
 

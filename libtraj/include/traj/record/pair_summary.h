@@ -1,6 +1,12 @@
 #pragma once
 
-// What the check of flights against one another said, read back for those who show it.
+// What the check of flights against one another said, read back to be shown.
+//
+// Example:
+//   const std::vector<traj::TimedFlight> flights = {{.trajectory = &trajectory}};
+//   const traj::TogetherTask task{.ids = {"a"}, .flights_hash = "0"};
+//   const std::string line = traj::to_json_line(traj::check_together(flights, task.rule), task, 0);
+//   assert(traj::parse_together_record(line, "together.jsonl", 1).ok);
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,14 @@
 #pragma once
 
-// What the check found, as a JSON Lines record.
+// Reports of the check, as JSON Lines records.
+//
+// Example:
+//   traj::ReportRecord report{.id = "q1", .checked = "trajectory"};
+//   report.result = traj::check(scene, trajectory, limits);
+//   report.provenance = geom::provenance_of(scene);
+//   report.limits = limits;
+//   const std::string line = traj::to_json_line(report, map);
+//   assert(traj::parse_report_record(line, "report.jsonl", 1).ok);
 
 #include <array>
 #include <cstdint>
@@ -57,7 +65,7 @@ void add_bounds(const geom::PathRecord& record, ReportRecord& report);
 // Refuses an accepted record if a limit was asked for and not measured; the place is its first.
 void refuse_unmeasured(const Limits& asked, const Vec3& place, ReportRecord& report);
 
-// Whether every check that was made accepts it.
+// Whether every check that was made accepts the record.
 bool accepted(const ReportRecord& record);
 
 // Ends with a newline. `map` gives the source id of the obstacle that was hit.

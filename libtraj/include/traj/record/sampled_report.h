@@ -1,6 +1,12 @@
 #pragma once
 
-// What a flight log came to beside a map, as a JSON Lines record of type "report".
+// Reports of flight logs beside a map, as JSON Lines records of type "report".
+//
+// Example:
+//   traj::SampledReport report{.id = "q1", .samples = 2};
+//   report.result = traj::check_sampled(scene, {{{1, 1, 1}, {1, 2, 1}}}, {{0, 0.5}});
+//   report.provenance = geom::provenance_of(scene);
+//   std::cout << to_json_line(report, map);
 
 #include <optional>
 #include <string>

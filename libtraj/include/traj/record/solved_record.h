@@ -1,6 +1,10 @@
 #pragma once
 
 // Trajectory records of what was solved, and waypoints of the path records that it is solved from.
+//
+// Example:
+//   const traj::SolveResult flight = traj::solve(scene, path, {.limits = limits});
+//   std::cout << to_json_line(traj::trajectory_record(scene, "q1", flight, limits));
 
 #include <string>
 #include <vector>

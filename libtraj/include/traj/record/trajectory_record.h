@@ -1,6 +1,14 @@
 #pragma once
 
-// Trajectories as JSON Lines records.
+// Trajectory records: trajectories as JSON Lines.
+//
+// Example:
+//   traj::TrajectoryRecord record{.id = "q1", .status = traj::TrajectoryStatus::solved};
+//   record.trajectory = trajectory;
+//   record.limits = limits;
+//   const std::string line = traj::to_json_line(record);
+//   const auto back = traj::parse_trajectory_record(line, "trajectories.jsonl", 1);
+//   assert(traj::duration(back.trajectory) == traj::duration(trajectory));  // bit for bit
 
 #include <optional>
 #include <string>
@@ -29,7 +37,7 @@ struct TrajectoryRecord {
   geom::FlightTime time;
 };
 
-// What holds for it: its own limits and its vehicle's.
+// The limits that hold for the record: the stricter of its own and its vehicle's.
 Limits limits_of(const TrajectoryRecord& record);
 
 std::string to_json_line(const TrajectoryRecord& record);  // ends with a newline

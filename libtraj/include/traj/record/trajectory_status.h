@@ -1,6 +1,10 @@
 #pragma once
 
 // The result of making a trajectory of a path.
+//
+// Example:
+//   assert(traj::name(traj::TrajectoryStatus::no_path) == "no_path");
+//   assert(traj::reason_of(traj::TrajectoryStatus::solved) == traj::Reason::none);
 
 #include <string_view>
 

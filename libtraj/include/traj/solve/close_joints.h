@@ -1,6 +1,12 @@
 #pragma once
 
 // Trajectories of other people's files, whose segments meet as well as their decimals allow.
+//
+// Example:
+//   traj::Trajectory rounded = trajectory;
+//   rounded.segments[0].point.back().x() += 1e-7;  // as a file with few decimals has it
+//   const traj::ClosedJoints closed = traj::close_joints(rounded, 1e-3, "flight.csv");
+//   assert(closed.largest_gap < 2e-7);
 
 #include <string_view>
 

@@ -1,6 +1,11 @@
 #pragma once
 
-// Least snap through waypoints with leg times from the limits: no optimiser, not yet proved.
+// Least snap through waypoints, with leg times from the limits: no optimiser, not yet proved.
+//
+// Example:
+//   const std::vector<traj::Waypoint> waypoints = traj::waypoints_at(path);
+//   const auto flight = traj::closed_form(scene, waypoints, limits, traj::Times::stops);
+//   assert(flight && traj::check(scene, *flight, limits).ok);  // the check decides
 
 #include <optional>
 #include <span>
@@ -24,8 +29,8 @@ std::vector<double> leg_times(const geom::CollisionScene& scene, std::span<const
 
 // min_snap with these times, all of them multiplied by the factor with which the limits just hold;
 // by none below 1 for distance and cautious, which say how fast to fly. Only the velocities that
-// are given are kept, not accelerations, jerks or holds. Nothing where no such factor is found,
-// which happens only with given velocities. At least one waypoint.
+// are given are kept, not accelerations, jerks or holds. Nothing if no such factor is found, which
+// happens only with given velocities. At least one waypoint.
 std::optional<Trajectory> closed_form(const geom::CollisionScene& scene,
                                       std::span<const Waypoint> waypoints, const Limits& limits,
                                       Times times);

@@ -1,7 +1,13 @@
 #pragma once
 
-// A free path as a chain of convex regions: planes that hold each piece apart from every obstacle
-// near it.
+// Corridors: a free path as a chain of convex regions.
+//
+// Example:
+//   traj::Corridor corridor = traj::pieces_between(traj::joints(path));
+//   traj::add_planes(scene, 5, corridor);  // for obstacles and bounds within 5 m
+//   std::cout << corridor[0].planes.size() << " planes around the first piece\n";
+//
+// Planes hold each piece apart from every obstacle near it.
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,11 @@
 #pragma once
 
 // The trajectory of least snap through waypoints at given times.
+//
+// Example:
+//   const std::vector<geom::Vec3> points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}};
+//   const traj::Trajectory curve = traj::min_snap(points, std::vector<double>{2, 2});
+//   assert((traj::evaluate(curve, 2).position - points[1]).norm() < 1e-12);
 
 #include <optional>
 #include <span>
@@ -22,9 +27,9 @@ struct Waypoint {
 
 std::vector<Waypoint> waypoints_at(std::span<const Vec3> points);  // with nothing fixed
 
-// Repeated points as one: legs of no length add their time (seconds, one fewer than waypoints) to
-// the hold there, holds add up, and of each derivative the first that is given stays. Where there
-// is a hold then, no derivative stays: it is a stop.
+// The same with repeated points as one. A leg of no length adds its time (seconds, one fewer than
+// waypoints) to the hold there, holds add up, and of each derivative the first that is given stays.
+// A waypoint with a hold is a stop, and keeps no derivative.
 struct Legs {
   std::vector<Waypoint> waypoints;
   std::vector<double> times;

@@ -1,6 +1,9 @@
 #pragma once
 
 // The rungs of the ladder of solvers: which of them made a trajectory.
+//
+// Example:
+//   assert(traj::name(traj::Rung::stop_and_go) == "stop_and_go");
 
 #include <string_view>
 

@@ -1,6 +1,12 @@
 #pragma once
 
 // From a free path to a proved trajectory: the ladder of solvers.
+//
+// Example:
+//   const traj::SolveResult flight = traj::solve(scene, path, {.limits = limits});
+//   if (flight.status == traj::SolveStatus::solved) {
+//     std::cout << traj::duration(flight.trajectory) << " s, " << traj::name(*flight.rung) << '\n';
+//   }
 
 #include <optional>
 #include <span>

@@ -1,6 +1,14 @@
 #pragma once
 
 // The proof that all flights of a set keep apart, each from each, at every instant.
+//
+// Example:
+//   const traj::TimedFlight first{.trajectory = &trajectory, .room = scene.half()};
+//   traj::TimedFlight second = first;
+//   second.start = traj::duration(trajectory) + 10;  // once the first has gone
+//   const std::vector flights = {first, second};
+//   assert(traj::check_together(flights, {.parked = traj::Parked::gone}).ok());
+//   assert(!traj::check_together(flights, {.parked = traj::Parked::pad}).ok());  // it stands there
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,11 @@
 #pragma once
 
 // Identifies the flights of a check of all against one another.
+//
+// Example:
+//   const std::vector<traj::TimedFlight> flights = {{.trajectory = &trajectory}};
+//   const std::vector<std::string> ids = {"q1"};
+//   assert(traj::flights_hash(ids, flights, std::nullopt).size() == 64);
 
 #include <optional>
 #include <span>

@@ -1,11 +1,18 @@
 #pragma once
 
 // Obstacles that move, and the proof that a flight keeps clear of them at every instant.
+//
+// Example:
+//   const traj::TimedFlight flight{.trajectory = &trajectory, .room = scene.half()};
+//   const traj::MovingBox drone{.box = {{1, 1, 5}, {2, 2, 6}}, .velocity = {1, 0, 0}, .until = 5};
+//   assert(!traj::moving_box_fault(drone));
+//   assert(traj::check_moving(flight, drone, traj::Parked::pad).clear);  // it passes 4 m above
 
 #include <cstddef>
 #include <optional>
 #include <string>
 
+#include "geom/base/error.h"
 #include "geom/shape/aabb.h"
 #include "traj/together/timed_flight.h"
 
@@ -24,10 +31,10 @@ struct MovingBox {
   double until = 0;              // > from
 };
 
-// Why the obstacle cannot be judged, in words: a number that is not finite or too large, a box
+// Why the obstacle cannot be judged: a number that is not finite or too large, a box
 // whose min is above its max, growth below 0, invalid times, or a place on its way beyond
 // geom::kLargestCoordinate. Nothing if it can be judged.
-std::optional<std::string> moving_box_fault(const MovingBox& box);
+std::optional<geom::Fault> moving_box_fault(const MovingBox& box);
 
 struct MovingResult {
   bool clear = false;

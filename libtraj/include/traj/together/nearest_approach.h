@@ -1,6 +1,15 @@
 #pragma once
 
-// How near flights come to each other: for pictures and tables, never for a verdict.
+// How near flights come to each other, for pictures and tables.
+//
+// Example:
+//   const std::vector<traj::TimedFlight> flights = {{.trajectory = &trajectory},
+//                                                   {.trajectory = &trajectory, .start = 1}};
+//   for (const traj::Approach& near : traj::nearest_approaches(flights, 50.0)) {
+//     std::cout << near.distance << " m apart at " << near.time << " s\n";
+//   }
+//
+// Never for a verdict.
 
 #include <optional>
 #include <span>
@@ -12,7 +21,7 @@
 
 namespace traj {
 
-// Of two flights while both fly, between their reference points.
+// The nearest approach of the reference points of two flights while both fly.
 struct Approach {
   FlightPair flights;
   double distance = 0;        // metres, to 1 mm
@@ -27,8 +36,8 @@ struct Approach {
 std::vector<Approach> nearest_approaches(std::span<const TimedFlight> flights, double within,
                                          const geom::Execution& run = {});
 
-// The same for as small a distance as lets about `wanted` pairs come near: 1, 2, 5, 10, … metres,
-// at most `most`. What it was is `within`.
+// The same for the smallest of the distances 1, 2, 5, 10, … metres, at most `most`, within which
+// about `wanted` pairs come. The result says which distance that was.
 struct Approaches {
   double within = 0;
   std::vector<Approach> list;

@@ -1,6 +1,13 @@
 #pragma once
 
 // The proof that two flights keep apart at every instant.
+//
+// Example:
+//   const traj::TimedFlight first{.trajectory = &trajectory};
+//   const traj::TimedFlight second{.trajectory = &trajectory, .start = 100};
+//   const std::vector zones = {traj::cylinder(0.5, 0.5)};
+//   assert(traj::check_pair(first, second, zones, traj::Parked::gone).apart);
+//   assert(!traj::check_pair(first, first, zones, traj::Parked::gone).apart);
 
 #include <cstddef>
 #include <limits>

@@ -1,11 +1,17 @@
 #pragma once
 
 // How far apart two flights must be.
+//
+// Example:
+//   const traj::Zone zone = traj::cylinder(5, 3);  // 5 m aside, 3 m up and down
+//   assert(traj::share_of(zone, {10, 0, 0}) == 2 && traj::depth_in(zone, {4, 0, 0}) == 1);
+//   const auto zones = traj::zones_between({.zone = zone}, scene.half(), scene.half());
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "geom/base/vec3.h"
 
 namespace traj {
@@ -33,13 +39,13 @@ struct Spacing {
 // The zones of two flights with these rooms (TimedFlight), each side rounded up.
 std::vector<Zone> zones_between(const Spacing& spacing, const Vec3& room, const Vec3& other);
 
-// How far around a flight of this room another's, grown alike, must be for no zone to hold their
-// difference: half of each zone, rounded up.
+// Half of the larger zone along each axis, and the flight's own room where there is no zone,
+// rounded up. If two flights, each grown by its reach, are apart, no zone holds their difference.
 Vec3 reach_of(const Spacing& spacing, const Vec3& room);
 
-// Why the spacing is not valid, in words: a reach that is not > 0 or beyond 1e8 m. Nothing if it is
+// Why the spacing is not valid: a reach that is not > 0 or beyond 1e8 m. Nothing if it is
 // valid.
-std::optional<std::string> spacing_fault(const Zone& zone);
+std::optional<geom::Fault> spacing_fault(const Zone& zone);
 
 // The nearness of a difference of position in a zone's own norm: below 1 inside, 1 on its surface.
 // Rounded.

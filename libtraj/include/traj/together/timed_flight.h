@@ -1,6 +1,10 @@
 #pragma once
 
 // A trajectory at its time, among others.
+//
+// Example:
+//   traj::TimedFlight flight{.trajectory = &trajectory, .start = 60};  // seconds after the epoch
+//   flight.room = scene.half();
 
 #include "geom/text/words.h"
 #include "traj/curve/trajectory.h"

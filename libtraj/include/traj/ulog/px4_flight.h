@@ -1,6 +1,11 @@
 #pragma once
 
 // The flight that a PX4 log (ULog) holds, as a flight log.
+//
+// Example:
+//   std::ifstream in("hop.ulg", std::ios::binary);
+//   const traj::Px4Flight flight = traj::read_px4_flight(in, "hop.ulg", {});
+//   std::cout << flight.log.samples.size() << " positions from " << flight.topic << '\n';
 
 #include <iosfwd>
 #include <optional>

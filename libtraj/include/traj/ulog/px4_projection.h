@@ -1,6 +1,10 @@
 #pragma once
 
 // Where on Earth PX4's local coordinates are.
+//
+// Example:
+//   const geom::GeodeticPlace place = traj::px4_place({47.4, 8.5, 400}, 100, 0);  // 100 m north
+//   assert(place.latitude > 47.4 && std::abs(place.longitude - 8.5) < 1e-9);
 
 #include "geom/map/geographic_frame.h"
 

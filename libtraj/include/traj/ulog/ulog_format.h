@@ -1,6 +1,12 @@
 #pragma once
 
 // What the format messages of a ULog say: where the fields of a logged message are.
+//
+// Example:
+//   traj::UlogFormats formats("hop.ulg");
+//   formats.add("battery:uint64_t timestamp;float remaining;");
+//   const traj::UlogLayout layout = formats.layout("battery");
+//   assert(layout.fields.at("remaining").at == 8);
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,15 @@
 #pragma once
 
-// PX4's binary flight logs (ULog, versions 1 and 2), message by message. The format is described at
-// docs.px4.io, "ULog File Format".
+// PX4's binary flight logs (ULog, versions 1 and 2), message by message.
+//
+// Example:
+//   std::ifstream in("hop.ulg", std::ios::binary);
+//   const std::string_view topics[] = {"battery_status"};
+//   traj::read_ulog(in, "hop.ulg", topics, [](const traj::UlogMessage& message) {
+//     if (const auto left = message.number("remaining")) std::cout << 100 * *left << " %\n";
+//   });
+//
+// The format is described at docs.px4.io, "ULog File Format".
 
 #include <cstddef>
 #include <cstdint>

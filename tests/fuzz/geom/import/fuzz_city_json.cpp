@@ -1,6 +1,6 @@
 #include "fuzz/readers.h"
-#include "geom/import/city_footprints.h"
-#include "geom/import/city_json.h"
+#include "import/city_footprints.h"
+#include "import/city_json.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [](std::istream& in) {

@@ -1,5 +1,5 @@
 #include "fuzz/readers.h"
-#include "geom/import/octomap.h"
+#include "import/octomap.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size,

@@ -1,5 +1,5 @@
 #include "fuzz/readers.h"
-#include "geom/import/voxel_3dmap.h"
+#include "import/voxel_3dmap.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [](std::istream& in) { geom::read_voxel_3dmap(in, "fuzz"); });

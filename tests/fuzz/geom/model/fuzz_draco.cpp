@@ -1,5 +1,5 @@
 #include "fuzz/readers.h"
-#include "geom/model/draco_decoder.h"
+#include "model/draco_decoder.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [](std::istream& in) {

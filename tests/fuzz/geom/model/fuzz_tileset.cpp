@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t end = std::min(bytes.find('\0'), bytes.size());
     std::size_t opened = 0;
     geom::TilesModel tiles = geom::read_tileset("tileset.json", [&](const std::string& path) {
-      if (++opened > 300) throw geom::InputError(path, "one too many");
+      if (++opened > 300) throw geom::InputError(path, {.says = "one too many"});
       return path == "tileset.json" ? bytes.substr(0, end)
                                     : bytes.substr(std::min(end + 1, bytes.size()));
     });

@@ -1,8 +1,8 @@
 #include <iterator>
 
+#include "flight/airframe_record.h"
 #include "fuzz/readers.h"
 #include "geom/text/json_fields.h"
-#include "traj/flight/airframe_record.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return refuses_or_reads(data, size, [](std::istream& in) {

@@ -140,7 +140,9 @@ TEST(SdfMeshes, EachUseOfAMeshThatSimulatorsShowDifferentlyIsSkipped) {
   Skipped skipped;
   SdfOptions options;
   options.open_mesh = [&](const std::string&, const std::string&) { return &turned; };
-  options.read_collada = [](const SdfFile&) -> Model { throw InputError("nobody", "asks"); };
+  options.read_collada = [](const SdfFile&) -> Model {
+    throw InputError("nobody", {.says = "asks"});
+  };
   SdfMeshes meshes(options, skipped);
   for (int i = 0; i < 2; ++i) EXPECT_TRUE(meshes.boxes_of({&shape, &source}, {}).empty());
   EXPECT_EQ(skipped.count(), 2u);

@@ -1,6 +1,13 @@
 #pragma once
 
-// The proof over again in exact numbers, with the reasons by which anyone can follow it.
+// The exact check of a trajectory or path, with its reasons.
+//
+// Example:
+//   const traj::ExactTask task{.map = map, .vehicle = vehicle, .margin = 0.2, .limits = limits};
+//   const traj::ExactResult result = traj::check_exactly(task, trajectory);
+//   assert(result.ok && result.segments.size() == trajectory.segments.size());
+//
+// It is the proof over again in exact numbers, with reasons that anyone can follow.
 
 #include <array>
 #include <cstddef>

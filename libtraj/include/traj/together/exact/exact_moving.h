@@ -1,7 +1,14 @@
 #pragma once
 
-// The proof that a flight keeps clear of an obstacle that moves, over again in exact numbers, with
-// the reasons by which anyone can follow it.
+// The exact check of a flight and an obstacle that moves, with its reasons.
+//
+// Example:
+//   const traj::TimedFlight flight{.trajectory = &trajectory, .room = scene.half()};
+//   const traj::MovingBox drone{.box = {{1, 1, 5}, {2, 2, 6}}, .velocity = {1, 0, 0}, .until = 5};
+//   assert(traj::check_moving_exactly(flight, drone, traj::Parked::pad).clear);
+//
+// It is the proof of traj/together/moving_box.h over again in exact numbers, with reasons that
+// anyone can follow.
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,15 @@
 #pragma once
 
-// The proof of two flights over again in exact numbers, with the reasons by which anyone can follow
-// it.
+// The exact check of two flights, with its reasons.
+//
+// Example:
+//   const traj::TimedFlight first{.trajectory = &trajectory};
+//   const traj::TimedFlight second{.trajectory = &trajectory, .start = 100};
+//   const std::vector zones = {traj::cylinder(0.5, 0.5)};
+//   assert(traj::check_pair_exactly(first, second, zones, traj::Parked::gone).apart);
+//
+// It is the proof of traj/together/pair_check.h over again in exact numbers, with reasons that
+// anyone can follow.
 
 #include <array>
 #include <cstdint>

@@ -22,8 +22,6 @@ struct Stretch {
 // speeds, acceleration, thrust and tilt; jerk, body rate and yaw rate could only make it longer.
 // Nothing where there is nothing to bridge, where these limit nothing, and where a limit cannot be
 // judged (domain.h). docs/bound.md has the proof.
-//
-//   least_duration({from, to, 100}, {{Limit::speed, 8}, {Limit::acceleration, 6}});  // 13.83 s
 std::optional<double> least_duration(const Stretch& stretch, const Limits& limits);
 
 }  // namespace traj

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "solve/time_allocation.h"
 #include "traj/proof/limits.h"
-#include "traj/solve/time_allocation.h"
 
 namespace traj {
 

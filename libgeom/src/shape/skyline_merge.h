@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "geom/shape/row_merge.h"
+#include "shape/row_merge.h"
 
 namespace geom {
 

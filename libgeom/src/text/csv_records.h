@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
+
 namespace geom {
 
 // `a,"b, ""c""",d` has the fields a, `b, "c"` and d. A field in quotes comes as it stands between
@@ -24,7 +26,7 @@ class CsvRecords {
   bool next();
   const std::vector<std::string>& fields() const { return fields_; }
   std::size_t number() const { return number_; }  // of the line on which the record begins, from 1
-  [[noreturn]] void refuse(std::string_view message) const;
+  [[noreturn]] void refuse(Fault fault) const;
 
  private:
   bool read_record();
