@@ -122,15 +122,15 @@ std::vector<CommonStretch> stretches(const Timeline& a, const Timeline& b, Parke
   if (begin == end) {
     const bool a_over = begin == a.joint.back();
     const bool b_over = begin == b.joint.back();
-    out.push_back({begin, end, std::nullopt, std::nullopt, a_over, b_over});
+    out.push_back({.begin = begin, .end = end, .first_over = a_over, .other_over = b_over});
     return out;
   }
-  if (pad) out.push_back({std::nullopt, begin, std::nullopt, std::nullopt, false, false});
+  if (pad) out.push_back({.end = begin});
   const std::vector<Ticks> joints = joints_between(a, b, begin, end);
   for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
     out.push_back(stretch_between(a, b, joints[i], joints[i + 1]));
   }
-  if (pad) out.push_back({end, std::nullopt, std::nullopt, std::nullopt, true, true});
+  if (pad) out.push_back({.begin = end, .first_over = true, .other_over = true});
   return out;
 }
 

@@ -22,7 +22,7 @@ constexpr int kLetter = 2;
 
 StripChart::StripChart(const Chart& chart, int width, int height)
     : chart_(chart),
-      base_{width, height, {}, {}, {}},
+      base_{.width = width, .height = height, .colour = {}, .depth = {}, .id = {}},
       left_(64),
       right_(width - 20),
       top_(34),

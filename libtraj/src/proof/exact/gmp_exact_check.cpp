@@ -164,11 +164,11 @@ class Proof {
       return std::array{points[i], points[std::min(i + 1, points.size() - 1)]};
     };
     for (std::size_t i = 0; i < legs; ++i) {
-      const Timing timing{static_cast<double>(i), 1, {}, {}};
+      const Timing timing{.begin = static_cast<double>(i), .duration = 1};
       if (!inside(leg(i), timing, result_.segments[i].bounds)) return result_;
     }
     for (std::size_t i = 0; i < legs; ++i) {
-      const Timing timing{static_cast<double>(i), 1, {}, {}};
+      const Timing timing{.begin = static_cast<double>(i), .duration = 1};
       if (!clear(leg(i), timing, result_.segments[i].clear)) return result_;
     }
     result_.ok = true;
@@ -179,8 +179,8 @@ class Proof {
   struct Timing {
     double begin;  // rounded, for reports
     double duration;
-    Whole from;  // seconds after the epoch in 2^-1074, where times count
-    Whole to;
+    Whole from = {};  // seconds after the epoch in 2^-1074, where times count
+    Whole to = {};
   };
 
   Whole start() const { return whole(task_.start.value_or(0)); }
