@@ -138,7 +138,7 @@ traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::stri
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
   rules_.metres.check_input(scene.map().spec().frame, record.points, source, line);
-  geom::start_on(scene.map(), {record.time.epoch, {}, {}, {}, {}}, source, line);
+  geom::start_on(scene.map(), {.epoch = record.time.epoch}, source, line);
   if (has_less_room(scene, record.provenance)) report.overridden.emplace_back("vehicle");
   report.provenance = geom::provenance_of(scene);
   report.result = traj::check_path(scene, record.points, {}, rules_.clearance);
@@ -186,7 +186,9 @@ traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
         "--exact takes straight legs: this mission has corners, curves or fences as well; check it "
         "without --exact");
   }
-  traj::ReportRecord report{file.id, path ? "path" : "trajectory", {}, {}, {}, {}, {}};
+  traj::ReportRecord report;
+  report.id = file.id;
+  report.checked = path ? "path" : "trajectory";
   report.limits = limits_for({}, scene.vehicle());
   report.overridden = loosened({}, scene.vehicle(), report.limits);
   report.provenance = geom::provenance_of(scene);

@@ -86,7 +86,7 @@ void TimedMap::close(const Stream& stream, traj::Parked parked,
     const traj::TrajectoryRecord& record = stream.record(i);
     named.require(record.provenance, record.id, 0);
     metres_.check_input(map_.spec().frame, record.trajectory, record.id, 0);
-    geom::start_on(map_, {record.time.epoch, 0.0, {}, {}, {}}, record.id, 0);
+    geom::start_on(map_, {.epoch = record.time.epoch, .start = 0.0}, record.id, 0);
     if (!flights[i].settled) ways.push_back(i);
   }
   each(stream, std::move(ways), [&](const geom::CollisionScene& scene, std::size_t way) {

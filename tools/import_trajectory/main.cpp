@@ -108,7 +108,8 @@ void add_gap(CLI::App& app, double& gap) {
 int main(int argc, char** argv) {
   CLI::App app{"Read a drone file as a trajectory or a path.", "skyway-import-trajectory"};
   cli::Common common(app);
-  cli::DroneFileOptions options{"auto", {}, {}};
+  cli::DroneFileOptions options;
+  options.format = "auto";
   options.app = &app;
   cli::VehicleOptions vehicle;
   std::string input;

@@ -38,10 +38,16 @@ struct Drawing {
   }
 };
 
+struct Labels {
+  std::string_view note;
+  std::string_view x;
+  std::string_view y;
+};
+
 void draw_bars(Drawing& drawing, const Histogram& bars, std::string_view fill,
-               std::string_view note, std::string_view x_label, std::string_view y_label) {
+               const Labels& labels) {
   const double most = std::max(1.0, static_cast<double>(bars.most()));
-  const Frame frame = drawing.panel({bars.low, 0}, {bars.high(), 1.08 * most}, note);
+  const Frame frame = drawing.panel({bars.low, 0}, {bars.high(), 1.08 * most}, labels.note);
   for (std::size_t i = 0; i < bars.counts.size(); ++i) {
     if (bars.counts[i] == 0) continue;
     const double x = bars.low + bars.width * static_cast<double>(i);
@@ -50,7 +56,7 @@ void draw_bars(Drawing& drawing, const Histogram& bars, std::string_view fill,
     drawing.svg.rectangle({low.x + 0.5, high.y}, std::max(1.0, high.x - low.x - 1),
                           std::max(1.0, low.y - high.y), fmt::format("fill=\"{}\"", fill));
   }
-  drawing.svg.axes(frame, x_label, y_label);
+  drawing.svg.axes(frame, labels.x, labels.y);
 }
 
 void draw_delays(Drawing& drawing, std::span<const FleetFlight> flights) {
@@ -70,7 +76,7 @@ void draw_delays(Drawing& drawing, std::span<const FleetFlight> flights) {
         late, geom::counted(delays.size(), "flight"), mean, geom::percentile(delays, 0.95),
         delays.back());
   }
-  draw_bars(drawing, histogram(delays, kBins), colour(0), note, "delay, s", "flights");
+  draw_bars(drawing, histogram(delays, kBins), colour(0), {note, "delay, s", "flights"});
 }
 
 void draw_distances(Drawing& drawing, std::span<const FleetFlight> flights,
@@ -85,8 +91,8 @@ void draw_distances(Drawing& drawing, std::span<const FleetFlight> flights,
                     geom::counted(distances.size(), "pair"), approaches.within, least.distance,
                     flights[least.flights.first].id, flights[least.flights.second].id, least.time);
   }
-  draw_bars(drawing, histogram(distances, kBins), colour(1), note, "least distance of a pair, m",
-            "pairs");
+  draw_bars(drawing, histogram(distances, kBins), colour(1),
+            {note, "least distance of a pair, m", "pairs"});
 }
 
 void draw_density(Drawing& drawing, std::span<const FleetFlight> flights) {

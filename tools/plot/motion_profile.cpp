@@ -54,7 +54,9 @@ std::string motion_profile(const traj::TrajectoryRecord& record, std::string_vie
   const auto of = [&](const Value& value, const char* label, std::size_t i) {
     return Series{label, colour(i), curve(record, axes, value)};
   };
-  Panel position{"position, m", {}, {}, {}, false};
+  Panel position;
+  position.label = "position, m";
+  position.from_zero = false;
   constexpr const char* kNames[] = {"east", "north", "up"};
   for (int i = 0; i < 3; ++i) {
     const auto part = [i](const traj::State& s) { return s.position[i]; };

@@ -149,7 +149,7 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
 traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record,
                               const traj::Limits& asked, bool exact) {
   agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
-  geom::start_on(self.scene.map(), {record.time.epoch, {}, {}, {}, {}}, record.id, 0);
+  geom::start_on(self.scene.map(), {.epoch = record.time.epoch}, record.id, 0);
   traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}, {}};
   report.time = record.time;
   if (record.status != geom::PathStatus::found) {

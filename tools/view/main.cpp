@@ -59,7 +59,8 @@ int main(int argc, char** argv) {
   std::string title = "Skyway";
   std::string output = "-";
   view::FrameFiles pictures;
-  cli::DroneFileOptions drone_files{"auto", {}, {}};
+  cli::DroneFileOptions drone_files;
+  drone_files.format = "auto";
   cli::MetresOption metres;
   app.add_option(
          "files", files,

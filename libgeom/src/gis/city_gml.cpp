@@ -379,7 +379,7 @@ class Reader : public XmlHandler {
 
   void read_numbers(const GmlFrame& frame) {
     if (polygon_) {
-      polygon_->add(text_, frame.numbers, frame.name == "pos", name_, line_);
+      polygon_->add(text_, frame.numbers, name_, line_);
       return;
     }
     const auto numbers = gml_numbers(text_, frame.numbers);

@@ -58,6 +58,7 @@ struct GmlNumbers {
   std::string between_numbers = " ";  // besides white space
   std::string between_points = " ";
   char decimal = '.';
+  bool one = false;  // one point, of as many numbers as there are
 };
 std::optional<std::vector<double>> gml_numbers(std::string_view text, const GmlNumbers& form);
 

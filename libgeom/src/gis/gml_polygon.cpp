@@ -31,6 +31,7 @@ std::optional<GmlNumbers> GmlPolygon::take(const XmlTag& tag, int dimension,
   }
   GmlNumbers form;
   form.dimension = dimension;
+  form.one = tag.name == "pos";
   if (tag.name != "coordinates") return form;
   const auto mark = [&](const char* key, const char* usual) {
     const std::string_view value = tag.attribute(key);
@@ -42,10 +43,10 @@ std::optional<GmlNumbers> GmlPolygon::take(const XmlTag& tag, int dimension,
   return form;
 }
 
-void GmlPolygon::add(std::string_view text, GmlNumbers form, bool one, const std::string& name,
+void GmlPolygon::add(std::string_view text, GmlNumbers form, const std::string& name,
                      std::size_t line) {
   const auto refuse = [&](Fault fault) { throw InputError(name, line, std::move(fault)); };
-  if (one) {
+  if (form.one) {
     GmlNumbers each = form;
     each.dimension = 1;
     const auto numbers = gml_numbers(text, each);

@@ -23,10 +23,8 @@ struct GmlPolygon {
   // An element within the polygon; how its text is to be read where that is coordinates.
   std::optional<GmlNumbers> take(const XmlTag& tag, int dimension, const std::string& name);
 
-  // The points of a text. A pos is one point, of as many numbers as it has. Throws
-  // InputError(name, line, …) where it is none.
-  void add(std::string_view text, GmlNumbers form, bool one, const std::string& name,
-           std::size_t line);
+  // The points of a text. Throws InputError(name, line, …) where it has none.
+  void add(std::string_view text, GmlNumbers form, const std::string& name, std::size_t line);
 
   // Why it cannot be built, as "surface with curves"; empty where it can.
   std::string wrong() const;

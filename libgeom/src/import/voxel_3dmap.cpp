@@ -9,9 +9,16 @@
 namespace geom {
 namespace {
 
+struct Expected {
+  std::string_view what;
+  int low;
+  Eigen::Vector3i high;
+};
+
 // Exactly three whole numbers in [low, high], separated by white space.
-Eigen::Vector3i whole_numbers(const TextLines& lines, std::string_view text, int low,
-                              const Eigen::Vector3i& high, std::string_view what) {
+Eigen::Vector3i whole_numbers(const TextLines& lines, std::string_view text,
+                              const Expected& expected) {
+  const auto& [what, low, high] = expected;
   Eigen::Vector3i v;
   for (int i = 0; i < 3; ++i) {
     text = trimmed(text);
@@ -37,14 +44,14 @@ VoxelMap read_voxel_3dmap(std::istream& in, std::string_view source) {
   if (!lines.next() || !lines.line().starts_with("voxel")) {
     lines.refuse({.expected = "\"voxel X Y Z\"", .found = in_quotes(lines.line().substr(0, 60))});
   }
-  const Eigen::Vector3i size = whole_numbers(lines, lines.line().substr(5), 1,
-                                             Eigen::Vector3i::Constant(1000000), "the grid's size");
+  const Eigen::Vector3i size = whole_numbers(
+      lines, lines.line().substr(5), {"the grid's size", 1, Eigen::Vector3i::Constant(1000000)});
   VoxelMap out;
   out.bounds = {Vec3::Zero(), size.cast<double>()};
   while (lines.next()) {
     if (lines.line().empty()) continue;
     const Vec3 low =
-        whole_numbers(lines, lines.line(), 0, size.array() - 1, "a voxel").cast<double>();
+        whole_numbers(lines, lines.line(), {"a voxel", 0, size.array() - 1}).cast<double>();
     out.table.add({low, low + Vec3::Ones()}, lines.number());
   }
   if (out.table.boxes.empty())

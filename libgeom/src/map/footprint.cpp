@@ -47,19 +47,24 @@ std::vector<Aabb> as_high(std::span<const Aabb> boxes, const Footprint& f, const
   return out;
 }
 
-// Whether the polygon holds the middle of a place at y, from x `low` to `high`, that none of the
-// boxes covers; these are in the order of their lower x.
-bool has_gap(const Polygon& polygon, const std::vector<const Aabb*>& boxes, double y, double low,
-             double high) {
+struct Row {
+  double y;
+  double low;  // x
+  double high;
+};
+
+// Whether the polygon holds the middle of a place in the row that none of the boxes covers; these
+// are in the order of their lower x.
+bool has_gap(const Polygon& polygon, const std::vector<const Aabb*>& boxes, const Row& row) {
   const auto is_gap = [&](double from, double to) {
-    return from < to && contains(polygon, {0.5 * (from + to), y});
+    return from < to && contains(polygon, {0.5 * (from + to), row.y});
   };
-  double reached = low;
+  double reached = row.low;
   for (const Aabb* box : boxes) {
-    if (is_gap(reached, std::min(box->min.x(), high))) return true;
+    if (is_gap(reached, std::min(box->min.x(), row.high))) return true;
     reached = std::max(reached, box->max.x());
   }
-  return is_gap(reached, high);
+  return is_gap(reached, row.high);
 }
 
 // Whether the polygon, whose edges lie within the boxes, holds a place that none of them does. The
@@ -96,7 +101,7 @@ bool encloses_gap(const Footprint& f, std::span<const Aabb> boxes) {
           &*next);
     }
     const double middle = 0.5 * (rows[j] + rows[j + 1]);
-    if (has_gap(f.polygon, in_row, middle, low.x(), high.x())) return true;
+    if (has_gap(f.polygon, in_row, {middle, low.x(), high.x()})) return true;
   }
   return false;
 }

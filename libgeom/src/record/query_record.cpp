@@ -32,10 +32,15 @@ Vec3 located(const Place& place, const TextLines& lines, const Locator* locator)
   return locator->at(place, lines.source(), lines.number());
 }
 
+struct Located {
+  Vec3 point;
+  bool on_earth = false;  // it was said in degrees
+};
+
 // A point, or a text that says a place.
-Vec3 place(const JsonFields& fields, const char* key, const TextLines& lines,
-           const Locator* locator, bool& on_earth) {
-  if (!fields.has(key) || !fields.value(key).is_string()) return fields.point(key);
+Located place(const JsonFields& fields, const char* key, const TextLines& lines,
+              const Locator* locator) {
+  if (!fields.has(key) || !fields.value(key).is_string()) return {fields.point(key)};
   const std::string text = fields.text(key);
   const auto place = parse_place(text);
   if (!place) {
@@ -43,16 +48,19 @@ Vec3 place(const JsonFields& fields, const char* key, const TextLines& lines,
                   .expected = std::string(kPlaceForms),
                   .found = in_quotes(excerpt(text))});
   }
-  on_earth = std::holds_alternative<EarthPlace>(*place);
-  return located(*place, lines, locator);
+  return {located(*place, lines, locator), std::holds_alternative<EarthPlace>(*place)};
 }
 
 PlanQuery parse_line(const TextLines& lines, const Locator* locator) {
   const JsonFields fields(lines.line(), lines.source(), lines.number());
   PlanQuery query;
   query.id = fields.text("id", fmt::format("q{}", lines.number()));
-  query.from = place(fields, "from", lines, locator, query.from_on_earth);
-  query.to = place(fields, "to", lines, locator, query.to_on_earth);
+  const Located from = place(fields, "from", lines, locator);
+  const Located to = place(fields, "to", lines, locator);
+  query.from = from.point;
+  query.from_on_earth = from.on_earth;
+  query.to = to.point;
+  query.to_on_earth = to.on_earth;
   query.best_known = fields.number("best_known");
   if (query.best_known) path_length(lines, "best_known", *query.best_known);
   query.time = read_flight_time(fields);

@@ -44,9 +44,10 @@ struct Around {
   std::vector<Eigen::Vector2d> corners;
 };
 
-void add_ring(RingStack& stack, const Around& around, double radius_x, double radius_y, double z) {
-  for (const auto& c : around.corners)
-    stack.corners.push_back({radius_x * c.x(), radius_y * c.y(), z});
+void add_ring(RingStack& stack, const Around& around, const Eigen::Vector2d& radii, double z) {
+  for (const auto& c : around.corners) {
+    stack.corners.push_back({radii.x() * c.x(), radii.y() * c.y(), z});
+  }
 }
 
 // Corners of the profile of a half ball of radius 1 from its top down to its equator (height, and
@@ -78,15 +79,15 @@ RingStack box_stack(const Vec3& size) {
 RingStack cylinder_stack(double radius, double length, double error) {
   const Around around(parts_of_half_turn(radius, error, kMostSides / 2));
   RingStack out{around.corners.size(), {}};
-  for (const double z : {-0.5 * length, 0.5 * length}) add_ring(out, around, radius, radius, z);
+  for (const double z : {-0.5 * length, 0.5 * length}) add_ring(out, around, {radius, radius}, z);
   return out;
 }
 
 RingStack cone_stack(double radius, double length, double error) {
   const Around around(parts_of_half_turn(radius, error, kMostSides / 2));
   RingStack out{around.corners.size(), {}};
-  add_ring(out, around, radius, radius, -0.5 * length);
-  add_ring(out, around, 0, 0, 0.5 * length);
+  add_ring(out, around, {radius, radius}, -0.5 * length);
+  add_ring(out, around, {0, 0}, 0.5 * length);
   return out;
 }
 
@@ -99,9 +100,9 @@ RingStack ellipsoid_stack(const Vec3& radii, double error) {
   const auto profile = quarter_profile((parts + 1) / 2);
   RingStack out{around.corners.size(), {}};
   for (const UnitVector& p : profile)
-    add_ring(out, around, radii.x() * p.sine, radii.y() * p.sine, radii.z() * p.cosine);
+    add_ring(out, around, radii.head<2>() * p.sine, radii.z() * p.cosine);
   for (auto p = profile.rbegin(); p != profile.rend(); ++p)
-    add_ring(out, around, radii.x() * p->sine, radii.y() * p->sine, -radii.z() * p->cosine);
+    add_ring(out, around, radii.head<2>() * p->sine, -radii.z() * p->cosine);
   return out;
 }
 

@@ -123,7 +123,12 @@ LengthBound BoundSearch::levels(Level level) {
 BoundSearch::Pass BoundSearch::pass(bool forward, const Level& level,
                                     const std::vector<LineLabel>& ahead) {
   const State begin = 2 * (forward ? kStart : kGoal);
-  Pass out{forward, forward ? level.come : level.go, ahead, {}, {}, {}};
+  Pass out{.forward = forward,
+           .floors = forward ? level.come : level.go,
+           .ahead = ahead,
+           .labels = {},
+           .waits = {},
+           .queue = {}};
   out.labels.resize(2 * level.parts.size());
   out.waits.assign(out.labels.size(), 0);
   out.labels[begin] = {0, 0};

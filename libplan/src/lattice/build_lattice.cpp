@@ -23,7 +23,7 @@ struct Range {  // of node indices along an axis, half open
 
 LatticeGrid make_grid(const geom::CollisionScene& scene, const LatticeSpec& spec,
                       const std::optional<Aabb>& within) {
-  LatticeGrid grid{spec, {}, {}};
+  LatticeGrid grid{.spec = spec};
   const std::string where = fmt::format("lattice of {} m", spec.spacing);
   if (!scene.free_bounds())
     throw geom::InputError(where,

@@ -72,7 +72,7 @@ SquaresAround around(const std::vector<SquareShare>& all, const SquareRun& run, 
 
 OwnBends own_bends(const geom::CollisionScene& scene, const RoadmapSpec& spec,
                    const SquaresAround& squares, const geom::Execution& run) {
-  OwnBends out{bends_of(scene, spec, squares.codes, run), 0, 0, 0, 0};
+  OwnBends out{.all = bends_of(scene, spec, squares.codes, run)};
   const SquareRun& own = squares.own;
   if (own.begin == own.end) return out;
   const auto tiles_before = [&](std::uint64_t code) {

@@ -26,10 +26,10 @@ SquaresAround around(const std::vector<SquareShare>& all, const SquareRun& run, 
 // Bends of the squares around a run, and which of them are its own.
 struct OwnBends {
   TileBends all;
-  std::size_t first_tile;  // own: [first_tile, end_tile)
-  std::size_t end_tile;
-  std::uint32_t first;  // and these bends
-  std::uint32_t end;
+  std::size_t first_tile = 0;  // own: [first_tile, end_tile)
+  std::size_t end_tile = 0;
+  std::uint32_t first = 0;  // and these bends
+  std::uint32_t end = 0;
 
   bool is_own(std::uint32_t bend) const { return bend >= first && bend < end; }
 };

@@ -69,8 +69,17 @@ struct Interval {
   bool apart(const Interval& other) const { return low > other.high || other.low > high; }
 };
 
-// Of a box along the direction (x, y) of the plane of axes i and j, seen from `origin`.
-Interval shadow(const Aabb& box, const Vec3& origin, int i, int j, double x, double y) {
+// The direction (x, y) of the plane of axes i and j.
+struct Direction {
+  int i;
+  int j;
+  double x;
+  double y;
+};
+
+// Of a box along a direction, seen from `origin`.
+Interval shadow(const Aabb& box, const Vec3& origin, const Direction& along) {
+  const auto& [i, j, x, y] = along;
   const Vec3 low = box.min - origin;
   const Vec3 high = box.max - origin;
   return {std::min(low[i] * x, high[i] * x) + std::min(low[j] * y, high[j] * y),
@@ -90,12 +99,11 @@ bool may_meet(const Aabb& a, const Aabb& b, Aabb box) {
       const auto at = [&](const Aabb& x, int axis, int bit) {
         return corner & bit ? x.max[axis] : x.min[axis];
       };
-      const double x = at(a, j, 2) - at(b, j, 2);
-      const double y = at(b, i, 1) - at(a, i, 1);
-      const Interval one = shadow(a, a.min, i, j, x, y);
-      const Interval two = shadow(b, a.min, i, j, x, y);
+      const Direction along{i, j, at(a, j, 2) - at(b, j, 2), at(b, i, 1) - at(a, i, 1)};
+      const Interval one = shadow(a, a.min, along);
+      const Interval two = shadow(b, a.min, along);
       const Interval hull{std::min(one.low, two.low), std::max(one.high, two.high)};
-      if (hull.apart(shadow(box, a.min, i, j, x, y))) return false;
+      if (hull.apart(shadow(box, a.min, along))) return false;
     }
   }
   return true;

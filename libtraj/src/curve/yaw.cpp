@@ -67,9 +67,16 @@ std::vector<double> at_joints(const YawOptions& options, const Trajectory& traje
 }
 
 // Bernstein values with these ends and rates, and no second and third derivative there.
-std::array<double, kPoints> between(double a, double rate_a, double b, double rate_b, double t) {
-  const double up = rate_a * t / kDegree;
-  const double down = rate_b * t / kDegree;
+struct Turn {
+  double angle;
+  double rate;
+};
+
+std::array<double, kPoints> between(const Turn& begin, const Turn& end, double t) {
+  const double a = begin.angle;
+  const double b = end.angle;
+  const double up = begin.rate * t / kDegree;
+  const double down = end.rate * t / kDegree;
   return {a, a + up, a + 2 * up, a + 3 * up, b - 3 * down, b - 2 * down, b - down, b};
 }
 
@@ -108,7 +115,7 @@ void add_yaw(const YawOptions& options, Trajectory& trajectory) {
     }
   }
   const auto set = [&](std::size_t i) {
-    segments[i].yaw = between(yaw[i], rate[i], yaw[i + 1], rate[i + 1], segments[i].duration);
+    segments[i].yaw = between({yaw[i], rate[i]}, {yaw[i + 1], rate[i + 1]}, segments[i].duration);
   };
   for (std::size_t i = 0; i < segments.size(); ++i) set(i);
   // A segment that would turn too fast comes to rest at its ends, where it surely does not.

@@ -80,10 +80,17 @@ struct Bound {
   int left = kMostCuts;  // a thrust of about nothing, as in free fall, turns at any rate
 };
 
+struct Stretch {
+  double begin;  // seconds
+  double end;
+  int depth = 0;  // halvings
+};
+
 // The largest over the piece, to a relative 1e-4. Returns false when the limit cannot be shown to
 // hold.
 template <class Quantity>
-bool bounded(const Quantity& piece, double begin, double end, int depth, Bound& bound) {
+bool bounded(const Quantity& piece, const Stretch& stretch, Bound& bound) {
+  const auto& [begin, end, depth] = stretch;
   Extreme& best = bound.best;
   const double at_begin = piece.first();
   const double at_end = piece.last();
@@ -95,8 +102,8 @@ bool bounded(const Quantity& piece, double begin, double end, int depth, Bound& 
   if (depth == kDeepest || bound.left-- <= 0) return upper <= bound.limit;
   const auto [l, r] = piece.halved();
   const double middle = 0.5 * (begin + end);
-  const bool left = bounded(l, begin, middle, depth + 1, bound);
-  return bounded(r, middle, end, depth + 1, bound) && left;
+  const bool left = bounded(l, Stretch{begin, middle, depth + 1}, bound);
+  return bounded(r, Stretch{middle, end, depth + 1}, bound) && left;
 }
 
 double across(const Vec3& p) { return std::sqrt(p.x() * p.x() + p.y() * p.y()); }
@@ -248,7 +255,7 @@ class LimitCheck {
     std::optional<Extreme>& extreme = result_.largest[limit];
     if (!extreme) extreme.emplace();
     Bound bound{most, *extreme};
-    if (!bounded(piece, begin_, begin_ + duration_, 0, bound)) broken_[limit] = true;
+    if (!bounded(piece, Stretch{begin_, begin_ + duration_}, bound)) broken_[limit] = true;
   }
 
   template <std::size_t N, class Value>

@@ -35,6 +35,8 @@ constexpr int kPatience = 100;             // iterations: a point that still gai
 constexpr double kNearlySettled = 3e-4;    // ... has settled with a change of so much
 constexpr double kLowBarrier = 2e-3;       // from which on it may settle
 constexpr int kHalvings = 25;              // of a step
+constexpr double kLeastShare = 1e-3;       // of the curvature of constraints that is added
+constexpr double kShareStep = 4;           // by which that share falls after long steps, and rises
 constexpr double kMultiplierReach = 1e10;  // of barrier / slack, either way
 constexpr double kUnbounded = 1e19;
 
@@ -204,11 +206,11 @@ class InteriorPoint {
     if (landing_) {
       share_ = 1;
     } else if (length_ >= 0.5) {
-      share_ = std::max(share_ / 4, 1e-3);
+      share_ = std::max(share_ / kShareStep, kLeastShare);
     } else if (length_ <= 0.2) {
-      share_ = std::min(1.0, share_ * 4);
+      share_ = std::min(1.0, share_ * kShareStep);
     }
-    for (; share_ < 1; share_ = std::min(1.0, share_ * 4)) {
+    for (; share_ < 1; share_ = std::min(1.0, share_ * kShareStep)) {
       if (factored_with(share_, 0)) return true;
     }
     for (double shift = 0; shift < 1e10; shift = std::max(1e-6, 8 * shift)) {

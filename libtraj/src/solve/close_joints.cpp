@@ -11,8 +11,16 @@
 namespace traj {
 namespace {
 
-void require_close(const State& end, const State& begin, double gap, std::size_t segment,
-                   double time, std::string_view source) {
+// Where segments meet.
+struct Joint {
+  std::size_t segment;  // that begins
+  double time;
+  double gap;  // by which they may miss each other
+  std::string_view source;
+};
+
+void require_close(const State& end, const State& begin, const Joint& joint) {
+  const auto& [segment, time, gap, source] = joint;
   const auto require = [&](double found, double most, const char* what, const char* unit) {
     if (found <= most) return;
     throw geom::InputError(source,
@@ -46,8 +54,8 @@ void unwrap(Trajectory& trajectory) {
 }
 
 // Makes yaw and its rate meet.
-void close_yaw(Segment& before, Segment& after, double gap, std::size_t segment, double time,
-               std::string_view source) {
+void close_yaw(Segment& before, Segment& after, const Joint& joint) {
+  const auto& [segment, time, gap, source] = joint;
   if (!before.yaw || !after.yaw) return;
   auto& a = *before.yaw;
   auto& b = *after.yaw;
@@ -82,12 +90,12 @@ ClosedJoints close_joints(const Trajectory& trajectory, double gap, std::string_
   double time = 0;
   for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
     time += segments[i].duration;
-    require_close(ends[i], begins[i + 1], gap, i + 1, time, source);
+    const Joint joint{i + 1, time, gap, source};
+    require_close(ends[i], begins[i + 1], joint);
     closed.largest_gap =
         std::max(closed.largest_gap, (begins[i + 1].position - ends[i].position).norm());
     meet(ends[i], begins[i + 1]);
-    close_yaw(closed.trajectory.segments[i], closed.trajectory.segments[i + 1], gap, i + 1, time,
-              source);
+    close_yaw(closed.trajectory.segments[i], closed.trajectory.segments[i + 1], joint);
   }
   for (std::size_t i = 0; i < segments.size(); ++i) {
     closed.trajectory.segments[i].point = hermite(begins[i], ends[i], segments[i].duration).point;

@@ -93,8 +93,10 @@ void append_cuts(const Vec3& from, const Vec3& to, geom::Polyline& out) {
 
 // A bend in place of the last of `way` and of `p`, on the outer side of their turn.
 std::optional<Vec3> one_bend(const geom::CollisionScene& scene, const geom::Polyline& way,
-                             const Vec3& p, const Vec3& next, double least) {
+                             std::span<const Vec3, 2> ahead, double least) {
   if (way.size() < 2) return std::nullopt;
+  const Vec3& p = ahead[0];
+  const Vec3& next = ahead[1];
   const Vec3& before = way[way.size() - 2];
   const Vec3 middle = 0.5 * (way.back() + p);
   const Vec3 out = (middle - before).normalized() + (middle - next).normalized();
@@ -126,7 +128,8 @@ geom::Polyline without_short_legs(const geom::CollisionScene& scene, const geom:
       out.push_back(p);
     } else if (scene.free(out.back(), path[i + 1])) {
       continue;
-    } else if (const auto one = one_bend(scene, out, p, path[i + 1], least)) {
+    } else if (const auto one =
+                   one_bend(scene, out, std::span(path).subspan(i).first<2>(), least)) {
       out.back() = *one;
     } else {
       out.push_back(p);

@@ -46,8 +46,10 @@ double run_up(const SpeedProfile& profile, const Limits& limits, double rho) {
 }
 
 // What cruises of the leg of pieces [first, last), or nothing: first == last.
-CruisePart cruise_in(const Corridor& corridor, std::size_t first, std::size_t last,
-                     const Limits& limits, double rho) {
+CruisePart cruise_in(const Corridor& corridor, const CruisePart& within, const Limits& limits,
+                     double rho) {
+  const std::size_t first = within.first;
+  const std::size_t last = within.last;
   const Vec3 leg = joint(corridor, last) - joint(corridor, first);
   const double length = leg.norm();
   const auto profile = cruise_profile(leg, limits);
@@ -71,7 +73,7 @@ std::vector<CruisePart> cruise_parts(const Corridor& corridor, const Limits& lim
   std::size_t done = 0;
   for (std::size_t first = 0; first < corridor.size();) {
     const std::size_t last = end_of_leg(corridor, first);
-    const CruisePart found = cruise_in(corridor, first, last, limits, rho);
+    const CruisePart found = cruise_in(corridor, {first, last}, limits, rho);
     if (found.first < found.last && found.first >= done + 2 && found.last + 2 <= corridor.size()) {
       out.push_back({done, found.first});
       out.push_back(found);

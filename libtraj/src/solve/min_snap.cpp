@@ -156,7 +156,7 @@ std::vector<State> states_of(const Legs& legs) {
 std::vector<Waypoint> waypoints_at(std::span<const Vec3> points) {
   std::vector<Waypoint> waypoints;
   waypoints.reserve(points.size());
-  for (const Vec3& p : points) waypoints.push_back({p, {}, {}, {}, 0});
+  for (const Vec3& p : points) waypoints.push_back({.position = p});
   return waypoints;
 }
 
@@ -180,7 +180,7 @@ Legs without_repeats(std::span<const Waypoint> waypoints, std::span<const double
     if (!last.jerk) last.jerk = next.jerk;
   }
   for (Waypoint& w : legs.waypoints) {
-    if (w.hold > 0) w = {w.position, {}, {}, {}, w.hold};
+    if (w.hold > 0) w = {.position = w.position, .hold = w.hold};
   }
   return legs;
 }

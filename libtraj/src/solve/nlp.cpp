@@ -105,7 +105,7 @@ void Nlp::add_row(Row row) {
 void Nlp::add_rows() {
   for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
     first_group_.push_back(groups_.size());
-    for (int point = 0; point < 8; ++point) {
+    for (int point = 0; point < kPoints; ++point) {
       if (!moves(k, 0, point) || spec_.corridor[k].planes.empty()) continue;
       const std::size_t first = rows_.size();
       for (const Plane& plane : spec_.corridor[k].planes) {
@@ -116,7 +116,7 @@ void Nlp::add_rows() {
     }
     for (std::size_t l = 0; l < spec_.limits.size(); ++l) {
       const QuadraticLimit& limit = spec_.limits[l];
-      for (int point = 0; point < 8 - limit.order; ++point) {
+      for (int point = 0; point < kPoints - limit.order; ++point) {
         if (!moves(k, limit.order, point)) continue;
         add_row({k, limit.order, point, Vec3::Zero(), l, false, 0});
         bound_.push_back(limit.bound);
@@ -183,7 +183,7 @@ double Nlp::objective(std::span<const double> x) const {
     double snap = 0;
     for (int m = 1; m < kStates; ++m) {
       for (int n = 1; n < kStates; ++n) {
-        const int e = power_of(m) + power_of(n) - 7;
+        const int e = power_of(m) + power_of(n) - kDegree;
         snap += kSnapForm[m][n] * p.power(e) * p.state[m].dot(p.state[n]);
       }
     }
@@ -202,7 +202,7 @@ std::vector<double> Nlp::gradient(std::span<const double> x) const {
     for (int m = 0; m < kStates; ++m) {
       Vec3 pull = Vec3::Zero();
       for (int n = 0; n < kStates; ++n) {
-        const int e = power_of(m) + power_of(n) - 7;
+        const int e = power_of(m) + power_of(n) - kDegree;
         pull += (kSnapForm[m][n] * p.power(e)) * p.state[n];
         in_time += spec_.rho * kSnapForm[m][n] * e * p.power(e - 1) * p.state[m].dot(p.state[n]);
       }

@@ -15,7 +15,7 @@ void add_snap(const std::array<Vec3, kStates>& absolute, const Powers& power, do
   for (int m = 0; m < kStates; ++m) {
     Vec3 in_time = Vec3::Zero();
     for (int n = 0; n < kStates; ++n) {
-      const int e = power_of(m) + power_of(n) - 7;
+      const int e = power_of(m) + power_of(n) - kDegree;
       const double c = factor * kSnapForm[m][n];
       for (int i = 0; i < 3; ++i) h(local_of(m, i), local_of(n, i)) += 2 * c * power(e);
       in_time += (2 * c * e * power(e - 1)) * state[n];

@@ -29,15 +29,19 @@ inline constexpr std::array<StateTable<8>, 4> kTables = padded_tables();  // [or
 constexpr int power_of(int state) { return state % 4; }
 constexpr int local_of(int state, int axis) { return 3 * state + axis + (state >= 4 ? 1 : 0); }
 
-// duration^e for e = -8..3.
+// duration^e for e = kLeast..kMost.
 struct Powers {
+  static constexpr int kLeast = -8;
+  static constexpr int kMost = 3;
+
   explicit Powers(double t) {
-    value[8] = 1;
-    for (int e = 1; e <= 3; ++e) value[8 + e] = value[7 + e] * t;
-    for (int e = 1; e <= 8; ++e) value[8 - e] = value[9 - e] / t;
+    at(0) = 1;
+    for (int e = 1; e <= kMost; ++e) at(e) = at(e - 1) * t;
+    for (int e = -1; e >= kLeast; --e) at(e) = at(e + 1) / t;
   }
-  double operator()(int e) const { return value[static_cast<std::size_t>(e + 8)]; }
-  std::array<double, 12> value;
+  double operator()(int e) const { return value[static_cast<std::size_t>(e - kLeast)]; }
+  double& at(int e) { return value[static_cast<std::size_t>(e - kLeast)]; }
+  std::array<double, kMost - kLeast + 1> value;
 };
 
 // A Bernstein point of a derivative, sum of weight[m] state[m], and its own derivatives in time.

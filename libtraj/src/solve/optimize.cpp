@@ -17,6 +17,7 @@ namespace traj {
 namespace {
 
 constexpr double kCornerDeviation = 1;  // metres, in the solver's units
+constexpr double kMostJerk = 20;        // m/s3: of the scale of a joint's jerk
 constexpr double kUsual = 20;           // metres: shorter paths are counted in smaller units
 constexpr int kBandedIterations = 5;    // for each of Ipopt's, which takes ten times as long
 
@@ -79,8 +80,10 @@ void add_scales(std::span<const SpeedProfile> legs, NlpSpec& spec) {
     const std::size_t after = std::min(i, n - 1);
     const double t = std::min(spec.time[before], spec.time[after]);
     const SpeedProfile profile{std::min(legs[before].vmax, legs[after].vmax), legs[after].amax};
-    spec.scale.push_back({1, std::min(profile.vmax, 7 / t), std::min(profile.amax, 42 / (t * t)),
-                          std::min(20.0, 210 / (t * t * t))});
+    spec.scale.push_back(
+        {1, std::min(profile.vmax, kDegree / t),
+         std::min(profile.amax, kDegree * (kDegree - 1) / (t * t)),
+         std::min(kMostJerk, kDegree * (kDegree - 1) * (kDegree - 2) / (t * t * t))});
   }
 }
 

@@ -28,7 +28,15 @@ Curve filled(const Vec3& p) {
 }
 
 // The part of a segment that lasts from `begin` to `end`, within it.
-Curve cut(const Curve& points, Ticks from, Ticks until, Ticks begin, Ticks end) {
+struct Span {
+  Ticks begin;
+  Ticks end;
+};
+
+// The part of a curve over `whole` that lies in `wanted`.
+Curve cut(const Curve& points, const Span& whole, const Span& wanted) {
+  const auto& [from, until] = whole;
+  const auto& [begin, end] = wanted;
   Curve q = points;
   if (end < until) q = part(q, ratio(end - from, until - from), false);
   if (begin > from) q = part(q, ratio(begin - from, end - from), true);
@@ -41,15 +49,24 @@ Curve seen_from(const Vec3& origin, Curve q) {
   return q;
 }
 
-Curve points_of(const Timeline& line, const CommonStretch& stretch,
-                const std::optional<std::size_t>& segment, bool over, const Vec3& origin) {
+// Where one of the two flights is in a stretch.
+struct Place {
+  std::optional<std::size_t> segment;
+  bool over;
+};
+Place place_of_first(const CommonStretch& s) { return {s.segment, s.first_over}; }
+Place place_of_other(const CommonStretch& s) { return {s.other, s.other_over}; }
+
+Curve points_of(const Timeline& line, const CommonStretch& stretch, const Place& place,
+                const Vec3& origin) {
   const auto& segments = *line.segments;
+  const auto& [segment, over] = place;
   if (!segment) {
     return seen_from(origin,
                      filled(over ? segments.back().point.back() : segments.front().point.front()));
   }
   const Curve q = seen_from(origin, segments[*segment].point);
-  return cut(q, line.joint[*segment], line.joint[*segment + 1], *stretch.begin, *stretch.end);
+  return cut(q, {line.joint[*segment], line.joint[*segment + 1]}, {*stretch.begin, *stretch.end});
 }
 
 double largest(const Curve& q) {
@@ -59,9 +76,9 @@ double largest(const Curve& q) {
 }
 
 // Control points that a cut lies in the hull of.
-double scale_of(const Timeline& line, const std::optional<std::size_t>& segment, bool over,
-                const Vec3& origin) {
+double scale_of(const Timeline& line, const Place& place, const Vec3& origin) {
   const auto& segments = *line.segments;
+  const auto& [segment, over] = place;
   if (segment) return largest(seen_from(origin, segments[*segment].point));
   const Vec3& p = over ? segments.back().point.back() : segments.front().point.front();
   return (p - origin).cwiseAbs().maxCoeff();
@@ -122,15 +139,15 @@ std::vector<CommonStretch> stretches(const Timeline& a, const Timeline& b, Parke
   if (begin == end) {
     const bool a_over = begin == a.joint.back();
     const bool b_over = begin == b.joint.back();
-    out.push_back({begin, end, std::nullopt, std::nullopt, a_over, b_over});
+    out.push_back({.begin = begin, .end = end, .first_over = a_over, .other_over = b_over});
     return out;
   }
-  if (pad) out.push_back({std::nullopt, begin, std::nullopt, std::nullopt, false, false});
+  if (pad) out.push_back({.end = begin});
   const std::vector<Ticks> joints = joints_between(a, b, begin, end);
   for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
     out.push_back(stretch_between(a, b, joints[i], joints[i + 1]));
   }
-  if (pad) out.push_back({end, std::nullopt, std::nullopt, std::nullopt, true, true});
+  if (pad) out.push_back({.begin = end, .first_over = true, .other_over = true});
   return out;
 }
 
@@ -138,12 +155,12 @@ RelativeCurve relative_curve(const Timeline& a, const Timeline& b, const CommonS
   const Vec3 origin =
       a.segments->at(stretch.segment.value_or(stretch.first_over ? a.segments->size() - 1 : 0))
           .point.front();
-  const Curve p = points_of(a, stretch, stretch.segment, stretch.first_over, origin);
-  const Curve o = points_of(b, stretch, stretch.other, stretch.other_over, origin);
+  const Curve p = points_of(a, stretch, place_of_first(stretch), origin);
+  const Curve o = points_of(b, stretch, place_of_other(stretch), origin);
   RelativeCurve out;
   for (std::size_t i = 0; i < p.size(); ++i) out.q[i] = p[i] - o[i];
-  out.scale = std::max(scale_of(a, stretch.segment, stretch.first_over, origin),
-                       scale_of(b, stretch.other, stretch.other_over, origin));
+  out.scale = std::max(scale_of(a, place_of_first(stretch), origin),
+                       scale_of(b, place_of_other(stretch), origin));
   return out;
 }
 

@@ -24,10 +24,10 @@ struct Timeline {
 // A time in which each of two flights is on one segment, or parked. Without a begin or an end both
 // are parked for ever on that side.
 struct CommonStretch {
-  std::optional<Ticks> begin;
-  std::optional<Ticks> end;
-  std::optional<std::size_t> segment;  // of the first flight; none: parked
-  std::optional<std::size_t> other;
+  std::optional<Ticks> begin = {};
+  std::optional<Ticks> end = {};
+  std::optional<std::size_t> segment = {};  // of the first flight; none: parked
+  std::optional<std::size_t> other = {};
   bool first_over = false;  // parked where it ends, not where it begins
   bool other_over = false;
 };

@@ -14,7 +14,10 @@ namespace cli {
 namespace {
 
 geom::Provenance provenance_of(const traj::MovingRecord& record) {
-  return {record.map, record.frame, {}, {}};
+  geom::Provenance out;
+  out.map = record.map;
+  out.frame = record.frame;
+  return out;
 }
 
 }  // namespace
@@ -111,7 +114,11 @@ Moving::Found Moving::check(std::span<const traj::TimedFlight> flights,
 
 traj::MovingClaim Moving::claim(std::span<const traj::TimedFlight> flights,
                                 const traj::TogetherTask& task) const {
-  traj::MovingClaim out{task.ids, {}, {}, task.rule.parked, task.map, task.epoch};
+  traj::MovingClaim out;
+  out.flights = task.ids;
+  out.parked = task.rule.parked;
+  out.map = task.map;
+  out.epoch = task.epoch;
   for (const traj::TimedFlight& flight : flights) out.rooms.push_back(flight.room);
   for (const traj::MovingRecord& obstacle : obstacles_) out.obstacles.push_back(obstacle.id);
   return out;

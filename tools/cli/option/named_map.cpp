@@ -11,7 +11,9 @@ bool NamedMap::is_of_always_there(const geom::Provenance& record) {
 }
 
 void NamedMap::require(const geom::Provenance& record, std::string_view source, std::size_t line) {
-  geom::Provenance ours{map_.hash(), map_.spec().frame.axes, {}, {}};
+  geom::Provenance ours;
+  ours.map = map_.hash();
+  ours.frame = map_.spec().frame.axes;
   if (is_of_always_there(record)) ours.map = always_there_;
   geom::require_map_agrees(record, ours, source, line);
 }

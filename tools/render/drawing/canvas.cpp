@@ -33,10 +33,17 @@ double distance(const Spot& p, const Spot& a, const Spot& b) {
 }
 
 // How much of a pixel a line covers, 0 to 1.
-float line_cover(int x, int y, const Spot& a, const Spot& b, double width) {
-  const Spot p{static_cast<double>(x), static_cast<double>(y)};
-  return static_cast<float>(std::clamp(0.5 * width + 0.5 - distance(p, a, b), 0.0, 1.0));
-}
+struct Stroke {
+  Spot a;
+  Spot b;
+  double width;
+
+  // How much of a pixel it covers, 0 to 1.
+  float cover(int x, int y) const {
+    const Spot p{static_cast<double>(x), static_cast<double>(y)};
+    return static_cast<float>(std::clamp(0.5 * width + 0.5 - distance(p, a, b), 0.0, 1.0));
+  }
+};
 
 std::pair<Spot, Spot> around(const Spot& a, const Spot& b, double width) {
   const double reach = 0.5 * width + 0.5;
@@ -67,9 +74,9 @@ void paint(Picture& picture, Spot low, Spot high, Colour colour, const Cover& co
 
 void fill(Picture& picture, Colour colour) { picture.colour.assign(picture.pixels(), colour); }
 
-void draw_rectangle(Picture& picture, Spot corner, double width, double height, Colour colour,
-                    double share) {
-  const Spot high{corner.x + width - 1, corner.y + height - 1};
+void draw_rectangle(Picture& picture, const Plate& plate, Colour colour, double share) {
+  const Spot corner = plate.corner;
+  const Spot high{corner.x + plate.width - 1, corner.y + plate.height - 1};
   paint(picture, corner, high, colour, [&](int x, int y) {
     return x >= corner.x && x <= high.x && y >= corner.y && y <= high.y ? share : 0.0;
   });
@@ -78,8 +85,9 @@ void draw_rectangle(Picture& picture, Spot corner, double width, double height, 
 void draw_line(Picture& picture, std::span<const Spot> points, double width, Colour colour) {
   if (points.size() == 2) {
     const auto [low, high] = around(points[0], points[1], width);
-    paint(picture, low, high, colour,
-          [&](int x, int y) { return line_cover(x, y, points[0], points[1], width); });
+    paint(picture, low, high, colour, [&](int x, int y) {
+      return Stroke{points[0], points[1], width}.cover(x, y);
+    });
     return;
   }
   // The nearest of all pieces counts once, so that joints are not drawn twice.
@@ -88,7 +96,7 @@ void draw_line(Picture& picture, std::span<const Spot> points, double width, Col
     const auto [low, high] = around(points[i], points[i + 1], width);
     paint(picture, low, high, colour, [&](int x, int y) {
       float& covered = mask[index(picture, x, y)];
-      covered = std::max(covered, line_cover(x, y, points[i], points[i + 1], width));
+      covered = std::max(covered, Stroke{points[i], points[i + 1], width}.cover(x, y));
       return 0;
     });
   }
@@ -114,10 +122,10 @@ void draw_text(Picture& picture, Spot corner, std::string_view words, int scale,
     for (int y = 0; y < 7; ++y) {
       for (int x = 0; x < 5; ++x) {
         if (!dot(words[i], x, y)) continue;
-        draw_rectangle(picture,
-                       {left + static_cast<double>(6 * i + static_cast<std::size_t>(x)) * scale,
-                        top + y * scale},
-                       scale, scale, colour);
+        const Spot at{left + static_cast<double>(6 * i + static_cast<std::size_t>(x)) * scale,
+                      top + y * scale};
+        const double side = scale;
+        draw_rectangle(picture, {at, side, side}, colour);
       }
     }
   }

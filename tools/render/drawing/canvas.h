@@ -15,10 +15,15 @@ struct Spot {  // pixels; the centre of pixel (i, j) is at (i, j)
   double y = 0;
 };
 
+struct Plate {
+  Spot corner;       // the upper left one
+  double width = 0;  // pixels
+  double height = 0;
+};
+
 void fill(Picture& picture, Colour colour);
 // `share` of the colour: what is below shows through where it is less than 1.
-void draw_rectangle(Picture& picture, Spot corner, double width, double height, Colour colour,
-                    double share = 1);
+void draw_rectangle(Picture& picture, const Plate& plate, Colour colour, double share = 1);
 void draw_line(Picture& picture, std::span<const Spot> points, double width, Colour colour);
 void draw_disc(Picture& picture, Spot centre, double radius, Colour colour);
 

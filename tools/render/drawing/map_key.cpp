@@ -21,7 +21,7 @@ constexpr double kBarOfEdge = 0.3;     // at most, of the map's edge in an overv
 constexpr double kBesideMap = 0.02;    // of the map's longer side: from its edge to the bar
 
 void draw_plate(Picture& picture, Spot corner, double width, double height) {
-  draw_rectangle(picture, corner, width, height, kPlate, kPlateShare);
+  draw_rectangle(picture, {corner, width, height}, kPlate, kPlateShare);
 }
 
 Spot spot(const View& view, const Vec3& point) {

@@ -22,7 +22,7 @@ constexpr int kLetter = 2;
 
 StripChart::StripChart(const Chart& chart, int width, int height)
     : chart_(chart),
-      base_{width, height, {}, {}, {}},
+      base_{.width = width, .height = height, .colour = {}, .depth = {}, .id = {}},
       left_(64),
       right_(width - 20),
       top_(34),
@@ -36,17 +36,17 @@ StripChart::StripChart(const Chart& chart, int width, int height)
   most_ = std::max(1e-9, *std::max_element(values.begin(), values.end())) * 1.08;
   const auto y_of = [&](double v) { return bottom_ - v / most_ * (bottom_ - top_); };
   for (const double v : plot::ticks(0, most_, 4)) {
-    draw_rectangle(base_, {left_, y_of(v)}, right_ - left_, 1, kGrid);
+    draw_rectangle(base_, {{left_, y_of(v)}, right_ - left_, 1}, kGrid);
     const std::string words = fmt::format("{:g}", v);
     draw_text(base_, {left_ - 6 - text_width(words, kLetter), y_of(v) - 7}, words, kLetter, kInk);
   }
   for (const double t : plot::ticks(chart_.begin, chart_.end, width / 90)) {
     const std::string words = fmt::format("{:g}", t);
-    draw_rectangle(base_, {x_of(t), bottom_}, 1, 5, kInk);
+    draw_rectangle(base_, {{x_of(t), bottom_}, 1, 5}, kInk);
     draw_text(base_, {x_of(t) - 0.5 * text_width(words, kLetter), bottom_ + 9}, words, kLetter,
               kInk);
   }
-  draw_rectangle(base_, {left_, bottom_}, right_ - left_, 1, kInk);
+  draw_rectangle(base_, {{left_, bottom_}, right_ - left_, 1}, kInk);
   std::vector<Spot> curve;
   for (std::size_t i = 0; i < values.size(); ++i) {
     curve.push_back({left_ + static_cast<double>(i), y_of(values[i])});

@@ -62,7 +62,9 @@ std::vector<Picture> one_ray_a_pixel(const PictureScene& scene, const Shader& sh
                                      const geom::Execution& run) {
   std::vector<Picture> out;
   for (const View& view : views) {
-    Picture picture{view.width, view.height, {}, {}, {}};
+    Picture picture;
+    picture.width = view.width;
+    picture.height = view.height;
     if (wanted.colour) picture.colour.resize(picture.pixels());
     if (wanted.depth) picture.depth.resize(picture.pixels());
     if (wanted.id) picture.id.resize(picture.pixels());

@@ -27,11 +27,16 @@ struct Stop {
   bool undecided = false;
 };
 
+struct Part {
+  unsigned depth = 0;  // halvings
+  double begin = 0;    // share of the curve
+};
+
 // Halves `piece` until judge(piece, cover) holds on every part and fills the cover; stops at the
 // first part where it does not.
 template <class Piece, class Judge>
-std::optional<Stop> fill(const Piece& piece, unsigned depth, double begin, Judge& judge,
-                         Cover& cover) {
+std::optional<Stop> fill(const Piece& piece, const Part& part, Judge& judge, Cover& cover) {
+  const auto& [depth, begin] = part;
   const double length = std::ldexp(1.0, -static_cast<int>(depth));
   const Verdict verdict = judge(piece, cover.size());
   if (verdict == Verdict::holds) {
@@ -42,8 +47,8 @@ std::optional<Stop> fill(const Piece& piece, unsigned depth, double begin, Judge
   if (verdict == Verdict::fails_at_end) return Stop{begin + length, false};
   if (depth == kDeepest) return Stop{begin, true};
   const auto [left, right] = halves(piece);
-  if (const auto stop = fill(left, depth + 1, begin, judge, cover)) return stop;
-  return fill(right, depth + 1, begin + length / 2, judge, cover);
+  if (const auto stop = fill(left, Part{depth + 1, begin}, judge, cover)) return stop;
+  return fill(right, Part{depth + 1, begin + length / 2}, judge, cover);
 }
 
 // A derivative at the end or the beginning of a segment, in SI units.
@@ -164,11 +169,11 @@ class Proof {
       return std::array{points[i], points[std::min(i + 1, points.size() - 1)]};
     };
     for (std::size_t i = 0; i < legs; ++i) {
-      const Timing timing{static_cast<double>(i), 1, {}, {}};
+      const Timing timing{.begin = static_cast<double>(i), .duration = 1};
       if (!inside(leg(i), timing, result_.segments[i].bounds)) return result_;
     }
     for (std::size_t i = 0; i < legs; ++i) {
-      const Timing timing{static_cast<double>(i), 1, {}, {}};
+      const Timing timing{.begin = static_cast<double>(i), .duration = 1};
       if (!clear(leg(i), timing, result_.segments[i].clear)) return result_;
     }
     result_.ok = true;
@@ -179,8 +184,8 @@ class Proof {
   struct Timing {
     double begin;  // rounded, for reports
     double duration;
-    Whole from;  // seconds after the epoch in 2^-1074, where times count
-    Whole to;
+    Whole from = {};  // seconds after the epoch in 2^-1074, where times count
+    Whole to = {};
   };
 
   Whole start() const { return whole(task_.start.value_or(0)); }
@@ -323,7 +328,7 @@ class Proof {
     std::vector<const Box*> near;
     for (const Box& box : boxes) near.push_back(&box);
     exact::JudgeClear judge(cover.planes);
-    auto stop = fill(exact::exposed(curve_through(points), near, {timing.from, timing.to}), 0, 0,
+    auto stop = fill(exact::exposed(curve_through(points), near, {timing.from, timing.to}), {},
                      judge, cover.pieces);
     if (!stop) return true;
     result_.box = judge.culprit;
@@ -374,14 +379,14 @@ class Proof {
 
   bool inside(std::span<const Vec3> points, Timing timing, Cover& cover) {
     exact::JudgeInside judge{bounds_};
-    const auto stop = fill(curve_through(points), 0, 0, judge, cover);
+    const auto stop = fill(curve_through(points), {}, judge, cover);
     return !stop || refuse(Reason::bounds, *stop, timing, points);
   }
 
   bool within(const Segment& s, const Conditions& conditions, Timing timing, Reason reason,
               Cover& cover) {
     auto judge = exact::not_negative;
-    const auto stop = fill(conditions, 0, 0, judge, cover);
+    const auto stop = fill(conditions, {}, judge, cover);
     return !stop || refuse(reason, *stop, timing, s.point);
   }
 
