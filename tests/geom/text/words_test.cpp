@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include "geom/import/import_boxes.h"
 #include "geom/record/path_status.h"
 #include "plan/planner/plan.h"
 #include "traj/proof/reason.h"
@@ -29,7 +28,6 @@ void expect_one_to_one(const Words<Enum, N>& words) {
 
 TEST(Words, GoBothWays) {
   expect_one_to_one(kPathStatusWords);
-  expect_one_to_one(kBoxFormatWords);
   expect_one_to_one(plan::kRouteWords);
   expect_one_to_one(plan::kMethodWords);
   expect_one_to_one(plan::kSamplingWords);

@@ -10,8 +10,8 @@ namespace {
 using std::string_literals::operator""s;
 
 std::string what(const std::string& head) {
-  const auto kind = recognise(head);
-  return kind ? kind->what : "nothing";
+  const geom::Format* const format = recognise(head);
+  return format ? described(*format, head) : "nothing";
 }
 
 std::string las(char format, const std::string& more = {}) {
@@ -88,6 +88,15 @@ TEST(Recognise, NamesOurOwnFiles) {
   EXPECT_EQ(what("id,t_s,east_m,north_m,up_m,"), "a flight log");
   EXPECT_EQ(what("id,t_s,x_m,y_m,z_m,"), "a flight log");
   EXPECT_EQ(what(R"({"name": "quad", "tilt_max_deg": 35})"), "a vehicle profile");
+}
+
+TEST(Recognise, NamesStreamsByTheTypeOfTheirFirstRecord) {
+  EXPECT_EQ(what(R"({"type":"enclosure","id":"a","from":[0,0,0],"to":[1,0,0]})"),
+            "a stream of certificates");
+  EXPECT_EQ(what(R"({"type":"pair","ids":["a","b"]})"), "a stream of reports");
+  EXPECT_EQ(what(R"({"type":"query","from":[0,0,0],"to":[1,0,0]})"), "a stream of queries");
+  EXPECT_EQ(what(R"({"type":"FeatureCollection","features":[{"properties":{"type":"tree"}}]})"),
+            "a GeoJSON file");
 }
 
 TEST(Recognise, NamesTextsByHowTheyBegin) {
