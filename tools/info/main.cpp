@@ -113,7 +113,8 @@ Json describe_foreign(const geom::Format& format, std::string_view head) {
 Json describe_file(const std::string& input, bool verify) {
   cli::InputFile file(input);
   cli::HashedInput in(file);
-  const geom::Format* const format = cli::recognise(in.head());
+  const geom::Format* format = cli::recognise_file(input);
+  if (!format) format = cli::recognise(in.head());
   const bool archive = in.head().starts_with("PK");
   if (verify && !archive) {
     throw geom::InputError(file.name(),

@@ -59,6 +59,14 @@ constinit const ModelFormat k3dsModel{
 
 FormatRows<ModelFormat> model_formats() { return kTable; }
 
+const ModelFormat* model_format_by_ending(const std::string& path) {
+  const std::string ending = ending_of(path);
+  for (const ModelFormat* format : kTable) {
+    if (!ending.empty() && format->ending == ending) return format;
+  }
+  return nullptr;
+}
+
 const ModelFormat& model_format_of(std::string_view bytes, const std::string& path) {
   if (bytes.empty()) throw InputError(path, "the file is empty");
   if (const Format* const format = recognise(bytes, formats_of(model_formats()))) {
@@ -72,10 +80,7 @@ const ModelFormat& model_format_of(std::string_view bytes, const std::string& pa
                      "this is one tile, which does not say where it stands: give the "
                      "tileset.json that names it");
   }
-  const std::string ending = ending_of(path);
-  for (const ModelFormat* format : kTable) {
-    if (!ending.empty() && format->ending == ending) return *format;
-  }
+  if (const ModelFormat* const format = model_format_by_ending(path)) return *format;
   throw InputError(path, "expected a file whose name ends in " + any_ending() +
                              ", a glTF file or a tileset.json; --format says what it is");
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace cli {
@@ -147,6 +149,27 @@ TEST(Recognise, SaysNothingOfPlainText) {
        {"", "posX,posY,posZ\n", "1 2 3\n", "P", "{", "lat0 37.7, lon0 -122.4\n"}) {
     EXPECT_EQ(what(text), "nothing") << text;
   }
+}
+
+TEST(RecogniseFile, TakesTheNameOfAModelWhereItsBytesTellNothing) {
+  const auto folder = std::filesystem::temp_directory_path() / "skyway_recognise_test";
+  std::filesystem::create_directories(folder);
+  const auto what_of = [&](const std::string& name, const std::string& bytes) -> std::string {
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+    const geom::Format* const format = recognise_file(folder / name);
+    return format ? std::string(format->what) : "nothing";
+  };
+  EXPECT_EQ(what_of("house.OBJ", "v 1 2 3\n"), "an OBJ model");
+  EXPECT_EQ(what_of("house.3ds", "MM"), "a 3DS model");
+  EXPECT_EQ(what_of("map.obj", zip("meta.json", R"({"format":"skyway-boxmap")")), "a box map");
+  EXPECT_EQ(what_of("empty.obj", ""), "nothing");
+  EXPECT_EQ(what_of("house.txt", "v 1 2 3\n"), "nothing");
+  EXPECT_EQ(what_of("city.osm.gz", "\x1f\x8b\x08"), "a packed OpenStreetMap extract");
+  EXPECT_EQ(what_of("city.gz", "\x1f\x8b\x08"), "a gzip archive");
+  std::filesystem::create_directories(folder / "folder.obj");
+  EXPECT_EQ(recognise_file(folder / "folder.obj"), nullptr);
+  EXPECT_EQ(recognise_file(folder / "missing.obj"), nullptr);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Recognise, LooksAtWhatIsThere) {

@@ -41,7 +41,9 @@ const geom::Format* recognise_file(const std::string& path) {
   const std::string head = head_of(path);
   const bool packed = head.starts_with("BZh") || head.starts_with("\x1f\x8b");
   if (packed && geom::gis::is_packed_osm(path)) return &geom::gis::kPackedOsm;
-  return recognise(head);
+  if (const geom::Format* const format = recognise(head)) return format;
+  const geom::ModelFormat* const model = geom::model_format_by_ending(path);
+  return model && !head.empty() ? model->format : nullptr;
 }
 
 std::string head_of(const std::string& path) {

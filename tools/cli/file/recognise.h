@@ -20,8 +20,8 @@ std::vector<const geom::Format*> all_formats();
 // read a file in one way or another.
 const geom::Format* recognise(std::string_view head);
 
-// Of a regular file by its first bytes and, where it is packed, by its name. Null for what is not a
-// regular file, so that nothing waits or is eaten.
+// Of a regular file by its first bytes or, where these tell nothing or that it is packed, by how
+// its name ends. Null for what is not a regular file, so that nothing waits or is eaten.
 const geom::Format* recognise_file(const std::string& path);
 
 // The first bytes of a regular file; empty for what is not one.

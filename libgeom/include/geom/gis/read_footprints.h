@@ -1,6 +1,9 @@
 #pragma once
 
 // Reads footprints in any of the formats.
+//
+//   const auto& format = geom::gis::footprint_format_of(head, path);
+//   const geom::gis::Source city = geom::gis::read(format, {path, name, file}, {});
 
 #include <istream>
 #include <string>

@@ -1,6 +1,10 @@
 #pragma once
 
 // One door to all readers of boxes: tables, block texts, worlds, voxels and octrees.
+//
+//   const geom::BoxFormat& format = geom::box_format_of(head, "city.csv");
+//   const geom::MadeMap made = geom::make_map(geom::import_boxes(in, format, "city.csv"),
+//   "city.csv");
 
 #include <iosfwd>
 #include <string_view>

@@ -1,6 +1,9 @@
 #pragma once
 
 // The formats that models of triangles come in, as a table of their readers.
+//
+//   const geom::ModelFormat& format = geom::model_format_of(bytes, "house.obj");
+//   const geom::LoadedModel house = format.read({bytes, "house.obj", "house.obj", files, {}});
 
 #include <cstddef>
 #include <functional>
@@ -51,6 +54,9 @@ struct ModelFormat {
 
 // OBJ, PLY, STL, 3D Tiles, glTF, COLLADA and 3DS.
 FormatRows<ModelFormat> model_formats();
+
+// The format whose ending the name has, in any case of letters; null where there is none.
+const ModelFormat* model_format_by_ending(const std::string& path);
 
 // The format of a file of this content and name. Throws InputError where it looks like none.
 const ModelFormat& model_format_of(std::string_view bytes, const std::string& path);

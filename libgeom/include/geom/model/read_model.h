@@ -1,6 +1,8 @@
 #pragma once
 
 // Reads a model of triangles in any of the formats, with the files that it names.
+//
+//   const geom::ModelSource house = geom::read_model("house.obj", nullptr, bytes_of_file);
 
 #include <cstddef>
 #include <string>
