@@ -12,7 +12,7 @@
 // A city as blocks on stdin; on stdout a proved flight through it, as a record for skyway-check.
 int main() try {
   const geom::MadeMap made = geom::make_map(
-      geom::import_boxes(std::cin, geom::BoxFormat::block_text, "stdin"), "stdin");
+      geom::import_boxes(std::cin, geom::kBlockText, "stdin"), "stdin");
   const traj::VehicleProfile tello = *traj::vehicle_named("tello");
   const geom::CollisionScene scene(made.map, tello.vehicle, 0.2);
 

@@ -19,7 +19,8 @@ inline std::vector<geom::Footprint> projected_city(const std::string& path, doub
   head.resize(static_cast<std::size_t>(in.gcount()));
   in.clear();
   in.seekg(0);
-  geom::gis::Source source = geom::gis::read(geom::gis::detect(head, path), path, path, in, {});
+  geom::gis::Source source =
+      geom::gis::read(geom::gis::footprint_format_of(head, path), {path, path, in}, {});
   const geom::gis::Projector projector(source, path, std::nullopt, true);
   geom::gis::sink_ground(source.footprints, std::nullopt);
   geom::gis::project(source, projector, slack);

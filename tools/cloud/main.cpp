@@ -140,7 +140,8 @@ std::string settled_history(const PointSource& points, const Options& options, c
   options.skipped.settle(points.skipped(), name, common, step);
   const std::string report = options.placement.report();
   if (!report.empty()) cli::tell(common, "skyway-cloud", name + ": " + report);
-  if (options.format == "las" && points.says_nothing() && !options.placement.settled_by_user()) {
+  if (options.format->is_surveyed && points.says_nothing() &&
+      !options.placement.settled_by_user()) {
     common.warn(name +
                 ": the file does not say what its units are: taken as metres (--units says "
                 "otherwise)");

@@ -1,7 +1,5 @@
 #include "options.h"
 
-#include <array>
-
 #include "cli/option/format_options.h"
 #include "cli/option/option_check.h"
 #include "cli/run.h"
@@ -11,9 +9,16 @@
 namespace cloud {
 namespace {
 
-const std::array kFormatOptions{
-    cli::FormatOption{"--classes", {"las"}}, cli::FormatOption{"--noise", {"las"}},
-    cli::FormatOption{"--resolution", {"las"}}, cli::FormatOption{"--ground-by", {"las"}}};
+std::vector<cli::FormatOption> format_options() {
+  std::vector<std::string_view> surveyed;
+  for (const geom::CloudFormat* format : geom::cloud_formats()) {
+    if (format->is_surveyed) surveyed.push_back(format->format->word);
+  }
+  return {{"--classes", surveyed},
+          {"--noise", surveyed},
+          {"--resolution", surveyed},
+          {"--ground-by", surveyed}};
+}
 
 // A class by number or name, or a group of classes.
 void add_class(const std::string& word, std::bitset<256>& classes) {
@@ -80,8 +85,7 @@ void add_columns(CLI::App& app, Options& options) {
 
 void Options::add_to(CLI::App& app) {
   app_ = &app;
-  app.add_option("--format", format, "what the file is (default: auto)")
-      ->check(CLI::IsMember({"auto", "pcd", "ply", "las", "xyz"}));
+  cli::add_format(app, geom::cloud_formats(), format);
   app.add_option("--mode", mode, "boxes per column (default) or per object")
       ->check(CLI::IsMember({"columns", "objects"}));
   add_columns(app, *this);
@@ -129,9 +133,10 @@ void Options::settle() {
   }
 }
 
-void Options::settle_format(const std::string& known, const std::string& name) {
-  format = known;
-  cli::require_used(*app_, kFormatOptions, format, cli::read_as(name, format));
+void Options::settle_format(const geom::CloudFormat& known, const std::string& name) {
+  format = &known;
+  const std::string_view word = known.format->word;
+  cli::require_used(*app_, format_options(), word, cli::read_as(name, word));
 }
 
 void Options::require_used_ground(const std::string& told_by) const {
@@ -152,7 +157,7 @@ nlohmann::ordered_json step_of(const Options& options, const nlohmann::ordered_j
                                const std::string& ground_by, const geom::MakeMapOptions& map) {
   nlohmann::ordered_json step = {{"tool", "skyway-cloud"}};
   step.update(input);
-  step.update({{"format", options.format},
+  step.update({{"format", options.format->format->word},
                {"mode", options.mode},
                {"cell", options.columns.cell},
                {"step", options.columns.step},

@@ -9,6 +9,7 @@
 
 #include "cli/option/map_output.h"
 #include "cli/option/skipped_option.h"
+#include "geom/cloud/cloud_format.h"
 #include "geom/map/column_grid.h"
 #include "geom/map/ground_grid.h"
 #include "place_options.h"
@@ -16,7 +17,7 @@
 namespace cloud {
 
 struct Options {
-  std::string format = "auto";
+  const geom::CloudFormat* format = nullptr;  // null: found out
   std::string mode = "columns";
   std::string ground = "keep";
   std::string ground_by = "auto";
@@ -40,7 +41,7 @@ struct Options {
 
   // Once it is known what the file is, and what told its ground ("shape", "class"): throws
   // cli::UsageError for options that change nothing then.
-  void settle_format(const std::string& known, const std::string& name);
+  void settle_format(const geom::CloudFormat& known, const std::string& name);
   void require_used_ground(const std::string& told_by) const;
 
   // Whether what lies outside the bounds, or is finer than the resolution, changes nothing of how

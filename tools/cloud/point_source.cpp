@@ -16,21 +16,9 @@ namespace {
 
 using geom::CloudPoint;
 
-std::string detect(std::string_view head, const std::string& name) {
-  if (head.starts_with("LASF")) return "las";
-  if (head.starts_with("ply")) return "ply";
-  const std::size_t pcd = head.substr(0, 2000).find("FIELDS");
-  if (pcd != std::string_view::npos && head.find("DATA") != std::string_view::npos) return "pcd";
+const geom::CloudFormat& format_of(std::string_view head, const std::string& name) {
   if (head.empty()) throw geom::InputError(name, {.says = "the file is empty"});
-  return "xyz";
-}
-
-// All but LAS, which have no place for a reference system.
-geom::CloudCounts read(std::istream& in, const std::string& name, const std::string& format,
-                       const geom::PointSink& sink) {
-  if (format == "ply") return geom::read_ply(in, name, sink);
-  if (format == "pcd") return geom::read_pcd(in, name, sink);
-  return geom::read_xyz(in, name, sink);
+  return *geom::row_recognised(head, geom::cloud_formats());
 }
 
 void require_in_reach(const geom::Vec3& metres, const std::string& name) {
@@ -83,8 +71,7 @@ void PointSource::for_each(const std::function<void(const CloudPoint&)>& f) {
 void PointSource::read_whole(const geom::PointSink& sink, const std::string& name) {
   cli::InputFile file(path_);
   cli::HashedInput hashed(file);
-  options_.settle_format(options_.format == "auto" ? detect(hashed.head(), name) : options_.format,
-                         name);
+  options_.settle_format(options_.format ? *options_.format : format_of(hashed.head(), name), name);
   if (reads_part(hashed.head())) return read_part(sink, name);
   if (options_.resolution > 0) {
     throw geom::InputError(name, {.expected = "a COPC file for --resolution",
@@ -92,30 +79,23 @@ void PointSource::read_whole(const geom::PointSink& sink, const std::string& nam
                                   .advice = "leave the option out, or make one, for example with "
                                             "`pdal translate in.laz out.copc.laz`"});
   }
-  if (options_.format == "las") {
-    counts_ = read_las(hashed.stream(), name, sink,
-                       [&](const geom::CoordinateReference& told) { settle(told, name); });
-  } else {
-    settle({}, name);
-    counts_ = read(hashed.stream(), name, options_.format, sink);
-  }
+  counts_ = options_.format->read(
+      hashed.stream(), name, sink,
+      [&](const geom::CoordinateReference& told) { settle(told, name); }, reading());
   input_ = {{"input", hashed.hash()}};
 }
 
-geom::CloudCounts PointSource::read_las(std::istream& in, const std::string& name,
-                                        const geom::PointSink& sink,
-                                        const geom::ReferenceSink& reference) const {
-  const auto ahead = [&](std::uint64_t at, std::span<unsigned char> to) -> std::size_t {
-    if (!std::filesystem::is_regular_file(path_)) return 0;  // a pipe has one way only
-    return cli::RandomInput(path_).read(at, to);
-  };
-  return geom::read_las(in, name, sink, reference, {run_, ahead});
+geom::LasReading PointSource::reading() const {
+  return {run_, [this](std::uint64_t at, std::span<unsigned char> to) -> std::size_t {
+            if (!std::filesystem::is_regular_file(path_)) return 0;  // a pipe has one way only
+            return cli::RandomInput(path_).read(at, to);
+          }};
 }
 
 bool PointSource::reads_part(std::string_view head) const {
   const bool asked = options_.map.map.bounds || options_.resolution > 0;
-  return asked && path_ != "-" && options_.format == "las" && options_.each_point_alone() &&
-         geom::is_copc(head);
+  return asked && path_ != "-" && options_.format == &geom::kLasCloud &&
+         options_.each_point_alone() && geom::is_copc(head);
 }
 
 // In the file's units, once these are settled.

@@ -33,8 +33,7 @@ class PointSource {
   bool wants(const geom::CloudPoint& p);
   void read_whole(const geom::PointSink& sink, const std::string& name);
   void read_part(const geom::PointSink& sink, const std::string& name);
-  geom::CloudCounts read_las(std::istream& in, const std::string& name, const geom::PointSink& sink,
-                             const geom::ReferenceSink& reference) const;
+  geom::LasReading reading() const;
   geom::CopcPart part() const;
   bool reads_part(std::string_view head) const;
   void settle(const geom::CoordinateReference& told, const std::string& name);

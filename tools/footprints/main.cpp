@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
 
 #include "cli/file/hashed_input.h"
@@ -21,20 +20,28 @@
 
 namespace {
 
-const std::array kFormatOptions{
-    cli::FormatOption{"--height-attribute", {"vector", "osm", "cityjson", "citygml"}},
-    cli::FormatOption{"--storey", {"vector", "osm", "cityjson", "citygml"}},
-    cli::FormatOption{"--default-height", {"vector", "osm", "cityjson", "citygml"}},
-    cli::FormatOption{"--where", {"vector"}},
-    cli::FormatOption{"--height-step", {"raster"}},
-    cli::FormatOption{"--height-units", {"vector", "cityjson", "citygml", "raster"}, "--terrain"},
-    cli::FormatOption{"--axes", {"cityjson", "citygml"}},
-    cli::FormatOption{"--metres", {"vector", "cityjson", "citygml", "raster"}}};
+std::vector<cli::FormatOption> format_options() {
+  using geom::gis::kCityGml, geom::gis::kCityJson, geom::gis::kOsm, geom::gis::kRaster,
+      geom::gis::kVector;
+  const auto words = [](std::vector<const geom::gis::FootprintFormat*> formats) {
+    return geom::words_of<geom::gis::FootprintFormat>(formats);
+  };
+  const auto buildings = words({&kVector, &kOsm, &kCityJson, &kCityGml});
+  const auto unlike_osm = words({&kVector, &kCityJson, &kCityGml, &kRaster});
+  return {{"--height-attribute", buildings},
+          {"--storey", buildings},
+          {"--default-height", buildings},
+          {"--where", words({&kVector})},
+          {"--height-step", words({&kRaster})},
+          {"--height-units", unlike_osm, "--terrain"},
+          {"--axes", words({&kCityJson, &kCityGml})},
+          {"--metres", unlike_osm}};
+}
 
 struct Options {
   std::string input;
   std::string output = "-";
-  std::string format = "auto";
+  const geom::gis::FootprintFormat* format = nullptr;  // null: found out
   geom::gis::ReadOptions read;
   double slack = 0.5;  // metres
   std::string terrain;
@@ -57,8 +64,7 @@ void Options::add_to(CLI::App& app) {
          "of heights")
       ->required();
   cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
-  app.add_option("--format", format, "what the file is (default: auto)")
-      ->check(CLI::IsMember({"auto", "vector", "osm", "cityjson", "citygml", "raster"}));
+  cli::add_format(app, geom::gis::footprint_formats(), format);
   app.add_option("--slack", slack,
                  "how far boxes may reach outside a footprint, metres (default 0.5)")
       ->check(CLI::Range(0.01, 100.0));
@@ -118,11 +124,10 @@ nlohmann::ordered_json hashes_of(const std::vector<std::string>& paths) {
 }
 
 nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
-                               const geom::gis::Source& source, const std::string& format,
-                               const geom::MakeMapOptions& map) {
+                               const geom::gis::Source& source, const geom::MakeMapOptions& map) {
   nlohmann::ordered_json step = {{"tool", "skyway-footprints"},
                                  {"input", hash},
-                                 {"format", format},
+                                 {"format", options.format->format->word},
                                  {"slack", options.slack},
                                  {"storey", options.read.height.storey},
                                  {"default_height", options.read.height.default_height}};
@@ -134,10 +139,10 @@ nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
 }
 
 // What was read, in numbers; warns of what is worth knowing.
-nlohmann::ordered_json counts_of(const geom::gis::Source& source, const std::string& format,
-                                 const std::string& name, double default_height,
-                                 const cli::Common& common) {
-  nlohmann::ordered_json counts = {{"format", format}, {"footprints", source.footprints.size()}};
+nlohmann::ordered_json counts_of(const geom::gis::Source& source, const Options& options,
+                                 const std::string& name, const cli::Common& common) {
+  nlohmann::ordered_json counts = {{"format", options.format->format->word},
+                                   {"footprints", source.footprints.size()}};
   std::string report;
   for (const auto& [what, n] : source.counts) {
     counts[what] = n;
@@ -150,7 +155,7 @@ nlohmann::ordered_json counts_of(const geom::gis::Source& source, const std::str
   for (const std::string& warning : source.warnings) common.warn(name + ": " + warning);
   if (!source.defaults.empty()) {
     common.warn(fmt::format("{}: {} m is taken where nothing tells the height: {}", name,
-                            default_height, source.defaults.text()));
+                            options.read.height.default_height, source.defaults.text()));
   }
   if (!source.skipped.empty()) counts["skipped"] = source.skipped.count();
   return counts;
@@ -219,16 +224,18 @@ int main(int argc, char** argv) {
     cli::InputFile file(options.input);
     cli::HashedInput hashed(file);
     if (hashed.head().empty()) throw geom::InputError(file.name(), {.says = "the file is empty"});
-    const std::string format =
-        options.format == "auto" ? geom::gis::detect(hashed.head(), options.input) : options.format;
-    cli::require_used(app, kFormatOptions, format, cli::read_as(file.name(), format));
+    if (!options.format) {
+      options.format = &geom::gis::footprint_format_of(hashed.head(), options.input);
+    }
+    const std::string_view word = options.format->format->word;
+    cli::require_used(app, format_options(), word, cli::read_as(file.name(), word));
     const City city =
-        city_of(geom::gis::read(format, options.input, file.name(), hashed.stream(), options.read),
+        city_of(geom::gis::read(*options.format, {options.input, file.name(), hashed.stream()},
+                                options.read),
                 options, origin, file.name(), sharding);
     const geom::MakeMapOptions map = options.map.make();
-    nlohmann::ordered_json stats =
-        counts_of(city.source, format, file.name(), options.read.height.default_height, common);
-    nlohmann::ordered_json step = step_of(hashed.hash(), options, city.source, format, map);
+    nlohmann::ordered_json stats = counts_of(city.source, options, file.name(), common);
+    nlohmann::ordered_json step = step_of(hashed.hash(), options, city.source, map);
     options.skipped.settle(city.source.skipped, file.name(), common, step);
     if (options.default_height->count() == 0) {
       geom::gis::require_heights(city.source, file.name());

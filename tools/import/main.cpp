@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "cli/file/files.h"
 #include "cli/file/hashed_input.h"
 #include "cli/option/format_options.h"
@@ -25,13 +23,21 @@
 
 namespace {
 
-const std::array kFormatOptions{
-    cli::FormatOption{"--unknown", {"octomap", "jps3d"}},
-    cli::FormatOption{"--model-path", {"sdf"}}, cli::FormatOption{"--slack", {"sdf"}},
-    cli::FormatOption{"--collisions-only", {"sdf"}}, cli::FormatOption{"--without", {"sdf"}}};
+std::vector<cli::FormatOption> format_options() {
+  std::vector<std::string_view> with_unknown;
+  for (const geom::BoxFormat* format : geom::box_formats()) {
+    if (format->has_unknown) with_unknown.push_back(format->format->word);
+  }
+  const std::vector<std::string_view> worlds = {geom::kGazeboWorld.format->word};
+  return {{"--unknown", with_unknown},
+          {"--model-path", worlds},
+          {"--slack", worlds},
+          {"--collisions-only", worlds},
+          {"--without", worlds}};
+}
 
 struct Options {
-  std::string format = "auto";
+  const geom::BoxFormat* format = nullptr;  // null: found out
   std::string frame;
   std::string units = "m";
   std::string unknown = "free";
@@ -42,12 +48,6 @@ struct Options {
   std::vector<std::string> without;
   std::vector<std::string> model_path;
 };
-
-std::vector<std::string> formats() {
-  std::vector<std::string> out = {"auto"};
-  for (const auto& [format, word] : geom::kBoxFormatWords) out.emplace_back(word);
-  return out;
-}
 
 // Of what was imported, the map that the options ask for.
 geom::MakeMapOptions map_options(const Options& options, const geom::ImportedBoxes& boxes) {
@@ -86,10 +86,10 @@ void warn(const geom::ImportedBoxes& boxes, bool unknown_blocked, const std::str
 nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
                                const geom::MakeMapOptions& map) {
   nlohmann::ordered_json step = {
-      {"tool", "skyway-import"}, {"input", hash}, {"format", options.format}};
+      {"tool", "skyway-import"}, {"input", hash}, {"format", options.format->format->word}};
   step.update(cli::history_of(map));
-  if (options.format == "octomap" || options.format == "jps3d") step["unknown"] = options.unknown;
-  if (options.format == "sdf") {
+  if (options.format->has_unknown) step["unknown"] = options.unknown;
+  if (options.format == &geom::kGazeboWorld) {
     step["slack"] = options.sdf.slack;
     if (options.collisions_only) step["collisions_only"] = true;
     if (!options.without.empty()) step["without"] = options.without;
@@ -117,8 +117,8 @@ void add_format_options(CLI::App& app, Options& options) {
                  "itself; again for more");
 }
 
-geom::ImportedBoxes imported(Options& options, geom::BoxFormat format, std::istream& in,
-                             const std::string& name, import::ModelFiles& models) {
+geom::ImportedBoxes imported(Options& options, std::istream& in, const std::string& name,
+                             import::ModelFiles& models) {
   options.sdf.visuals = !options.collisions_only;
   options.sdf.without = {options.without.begin(), options.without.end()};
   options.sdf.open = [&](const std::string& uri, const std::string& from) {
@@ -129,11 +129,11 @@ geom::ImportedBoxes imported(Options& options, geom::BoxFormat format, std::istr
   };
 #ifdef SKYWAY_MESH
   options.sdf.read_collada = [](const geom::SdfFile& file) {
-    return geom::read_scene(file.text, file.name, "collada");
+    return geom::read_collada(file.text, file.name);
   };
 #endif
   geom::ImportedBoxes boxes =
-      geom::import_boxes(in, format, name, {options.unknown == "blocked", options.sdf});
+      options.format->read(in, name, {options.unknown == "blocked", options.sdf});
   for (const std::string& model : options.without) {
     if (!boxes.left_out.contains(model))
       throw geom::InputError(name, {.expected = "a model of the name that --without gives",
@@ -156,8 +156,7 @@ int main(int argc, char** argv) {
                  "YAML or OctoMap .bt; - for stdin")
       ->required();
   cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
-  app.add_option("--format", options.format, "what the file is (default: auto)")
-      ->check(CLI::IsMember(formats()));
+  cli::add_format(app, geom::box_formats(), options.format);
   app.add_option("--frame", options.frame, "enu or neu (default: neu for FCND tables, else enu)")
       ->check(CLI::IsMember({"enu", "neu"}));
   app.add_option("--units", options.units, "unit of the source's numbers (default m)")
@@ -168,14 +167,11 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     cli::InputFile file(input);
     cli::HashedInput hashed(file);
-    const geom::BoxFormat format = options.format == "auto"
-                                       ? geom::box_format_of(hashed.head(), file.name())
-                                       : *geom::value_of(geom::kBoxFormatWords, options.format);
-    options.format = name(format);
-    cli::require_used(app, kFormatOptions, options.format,
-                      cli::read_as(file.name(), options.format));
+    if (!options.format) options.format = &geom::box_format_of(hashed.head(), file.name());
+    const std::string_view word = options.format->format->word;
+    cli::require_used(app, format_options(), word, cli::read_as(file.name(), word));
     import::ModelFiles models(options.model_path);
-    geom::ImportedBoxes boxes = imported(options, format, hashed.stream(), file.name(), models);
+    geom::ImportedBoxes boxes = imported(options, hashed.stream(), file.name(), models);
     if (!options.frame.empty()) boxes.frame.axes = *geom::value_of(geom::kAxesWords, options.frame);
     warn(boxes, options.unknown == "blocked", file.name(), common);
     cli::only_for(
@@ -190,11 +186,10 @@ int main(int argc, char** argv) {
     const geom::MadeMap made =
         geom::make_map(std::move(boxes.table), boxes.frame,
                        nlohmann::ordered_json::array({step}).dump(), file.name(), map);
-    nlohmann::ordered_json stats = {{"format", options.format},
-                                    {"flat", boxes.flat},
-                                    {"largest_change_m", boxes.largest_change}};
+    nlohmann::ordered_json stats = {
+        {"format", word}, {"flat", boxes.flat}, {"largest_change_m", boxes.largest_change}};
     if (!boxes.skipped.empty()) stats["skipped"] = boxes.skipped.count();
-    if (format == geom::BoxFormat::sdf) stats["movable"] = boxes.movable;
+    if (options.format == &geom::kGazeboWorld) stats["movable"] = boxes.movable;
     cli::write_map(common, output, made, file.name(), stats);
     return cli::Exit::yes;
   });

@@ -1,6 +1,7 @@
 // skyway-info: what is in a map, a lattice, or a stream of records.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iterator>
 #include <map>
@@ -103,21 +104,18 @@ Json describe_records(const std::string& text, const std::string& name) {
 }
 
 // Of a file that no tool of ours wrote, or that is another tool's to read.
-Json describe_foreign(const cli::FileKind& kind) {
-  Json out = {{"type", kind.what}};
-  if (!kind.tools.empty()) out["read_by"] = kind.tools;
-  if (!kind.otherwise.empty()) out["advice"] = kind.otherwise;
+Json describe_foreign(const geom::Format& format, std::string_view head) {
+  Json out = {{"type", cli::described(format, head)}};
+  if (!format.readers.empty()) out["read_by"] = fmt::format("{}", fmt::join(format.readers, " "));
+  if (!format.advice.empty()) out["advice"] = format.advice;
   return out;
-}
-
-bool is_ours(const cli::FileKind& kind) {
-  return kind.tools.find("skyway-info") != kind.tools.npos;
 }
 
 Json describe_file(const std::string& input, bool verify) {
   cli::InputFile file(input);
   cli::HashedInput in(file);
-  const auto kind = cli::recognise(in.head());
+  const geom::Format* format = cli::recognise_file(input);
+  if (!format) format = cli::recognise(in.head());
   const bool archive = in.head().starts_with("PK");
   if (verify && !archive) {
     throw geom::InputError(
@@ -125,7 +123,9 @@ Json describe_file(const std::string& input, bool verify) {
         {.expected = "a map, a lattice, a roadmap or a shard, which alone have checksums to verify",
          .found = "another file"});
   }
-  if (kind && !is_ours(*kind) && !verify) return describe_foreign(*kind);
+  if (format && !geom::reads("skyway-info", *format) && !verify) {
+    return describe_foreign(*format, in.head());
+  }
   if (archive && input != "-") return describe_archive(cli::open_archive(input), verify);
   const std::string text(std::istreambuf_iterator<char>(in.stream()), {});
   if (!archive) return describe_records(text, file.name());

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "cli/file/files.h"
@@ -24,15 +23,17 @@ namespace {
 constexpr const char* kTool = "skyway-mesh";
 
 // COLLADA, and 3D Tiles on Earth, say their own axes and units.
-const std::array kFormatOptions{
-    cli::FormatOption{"--up", {"obj", "ply", "stl", "gltf", "3ds", "tiles"}},
-    cli::FormatOption{"--units", {"obj", "ply", "stl", "gltf", "3ds", "tiles"}}};
+std::vector<cli::FormatOption> format_options() {
+  std::vector<std::string_view> words = geom::words_of(geom::model_formats());
+  std::erase(words, geom::kColladaModel.format->word);
+  return {{"--up", words}, {"--units", words}};
+}
 
 struct Options {
   std::string input;
   std::string output = "-";
-  std::string format = "auto";
-  double slack = 0.25;  // metres
+  const geom::ModelFormat* format = nullptr;  // null: found out
+  double slack = 0.25;                        // metres
   bool solid = false;
   std::string up;
   std::string units;
@@ -48,8 +49,7 @@ void Options::add_to(CLI::App& app) {
                  "OBJ, PLY, STL, glTF (.gltf, .glb), COLLADA, 3DS, or the tileset.json of 3D Tiles")
       ->required();
   cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
-  app.add_option("--format", format, "what the file is (default: auto)")
-      ->check(CLI::IsMember({"auto", "obj", "ply", "stl", "gltf", "collada", "3ds", "tiles"}));
+  cli::add_format(app, geom::model_formats(), format);
   app.add_option("--slack", slack,
                  "how far boxes may reach outside triangles and solid, metres (default 0.25)")
       ->check(CLI::Range(0.001, 100.0));
@@ -160,7 +160,7 @@ geom::BoxTable table_of(geom::TriangleCover made, const std::vector<std::string>
 
 nlohmann::ordered_json stats_of(const geom::ModelSource& source, const geom::TriangleCover& made,
                                 bool solid) {
-  nlohmann::ordered_json stats = {{"format", source.format},
+  nlohmann::ordered_json stats = {{"format", source.format->format->word},
                                   {"files", source.files},
                                   {"triangles", source.model.mesh.triangles.size()},
                                   {"parts", source.model.parts.size()}};
@@ -201,7 +201,7 @@ nlohmann::ordered_json step_of(const geom::ModelSource& source, const Options& o
                                const Place& place, const geom::MakeMapOptions& map) {
   nlohmann::ordered_json step = {{"tool", kTool},
                                  {"input", source.hash},
-                                 {"format", source.format},
+                                 {"format", source.format->format->word},
                                  {"slack", options.slack},
                                  {"solid", options.solid}};
   if (place.unit != 1) step["units_m"] = place.unit;
@@ -226,8 +226,9 @@ int main(int argc, char** argv) {
     geom::ModelSource source =
         geom::read_model(options.input, options.format,
                          [](const std::string& path) { return cli::InputFile(path).read_all(); });
-    const std::string format = source.on_earth ? "tiles on Earth" : source.format;
-    cli::require_used(app, kFormatOptions, format, cli::read_as(name, format));
+    const std::string word(source.format->format->word);
+    const std::string format = word + (source.on_earth ? " on Earth" : "");
+    cli::require_used(app, format_options(), format, cli::read_as(name, format));
     const bool none = source.model.mesh.triangles.empty();
     if (none) {
       const std::string skipped = source.model.skipped.text();

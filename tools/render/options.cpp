@@ -11,6 +11,7 @@
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/run.h"
+#include "geom/text/words.h"
 #include "render/image/frame_output.h"
 
 namespace render {
@@ -18,6 +19,20 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;
 constexpr int kMostPixels = 16384;
+
+constexpr geom::Words<ColourFormat, 3> kColourFormatWords{
+    {{ColourFormat::by_name, "auto"}, {ColourFormat::png, "png"}, {ColourFormat::y4m, "y4m"}}};
+
+void add_colour_format(CLI::App& app, ColourFormat& format) {
+  std::vector<std::string> words;
+  for (const auto& [value, word] : kColourFormatWords) words.emplace_back(word);
+  app.add_option_function<std::string>(
+         "--format",
+         [&format](const std::string& word) { format = *geom::value_of(kColourFormatWords, word); },
+         "format of the colour: png, y4m, or auto (by the name)")
+      ->check(CLI::IsMember(words))
+      ->default_str(std::string(geom::word_of(kColourFormatWords, format)));
+}
 
 // "1280x960".
 void parse_size(const std::string& word, FilmOptions& film) {
@@ -71,9 +86,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--samples", samples,
                  "rays a side of each pixel (default: 1 through the camera, else 3)")
       ->check(CLI::Range(1, 8));
-  app.add_option("--format", format, "format of the colour: png, y4m, or auto (by the name)")
-      ->check(CLI::IsMember({"auto", "png", "y4m"}))
-      ->capture_default_str();
+  add_colour_format(app, format);
   cli::add_output(app, "-o,--output", colour,
                   "colour: .y4m for a video, or .png, numbered as in f-%05d.png (default: stdout)");
   cli::add_output(app, "--depth", depth, "depth along the optical axis: .png (16 bit) or .pfm (m)");
@@ -86,7 +99,7 @@ void Options::add_to(CLI::App& app) {
 }
 
 bool Options::is_video() const {
-  if (format != "auto") return format == "y4m";
+  if (format != ColourFormat::by_name) return format == ColourFormat::y4m;
   if (colour != "-") return colour.ends_with(".y4m");
   return has_eye() && !at;
 }
@@ -105,11 +118,17 @@ void Options::require_endings() const {
   constexpr std::string_view kAdvice =
       "; for another format write one of these and convert it: ffmpeg -i x.y4m -pix_fmt yuv420p "
       "x.mp4, convert x.png x.jpg";
-  if (format == "auto") cli::require_ending("-o", colour, {".png", ".y4m"}, kAdvice);
-  if (format == "png")
-    cli::require_ending("-o", colour, {".png"}, ", as --format png is asked for");
-  if (format == "y4m")
-    cli::require_ending("-o", colour, {".y4m"}, ", as --format y4m is asked for");
+  switch (format) {
+    case ColourFormat::by_name:
+      cli::require_ending("-o", colour, {".png", ".y4m"}, kAdvice);
+      break;
+    case ColourFormat::png:
+      cli::require_ending("-o", colour, {".png"}, ", as --format png is asked for");
+      break;
+    case ColourFormat::y4m:
+      cli::require_ending("-o", colour, {".y4m"}, ", as --format y4m is asked for");
+      break;
+  }
   cli::require_ending("--ids", ids, {".png"}, "");
 }
 

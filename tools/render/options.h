@@ -12,6 +12,9 @@
 
 namespace render {
 
+// What the colour is written as.
+enum class ColourFormat { by_name, png, y4m };
+
 struct Options {
   std::string map;
   std::vector<std::string> inputs;
@@ -21,7 +24,7 @@ struct Options {
   std::string depth;
   std::string ids;
   std::string poses;
-  std::string format = "auto";
+  ColourFormat format = ColourFormat::by_name;
   double depth_unit = 0.01;
   double rate = 30;
   std::optional<double> at;

@@ -18,4 +18,8 @@ const Format* format_named(std::string_view word, Formats formats) {
   return found == formats.end() || word.empty() ? nullptr : *found;
 }
 
+bool reads(std::string_view tool, const Format& format) {
+  return std::find(format.readers.begin(), format.readers.end(), tool) != format.readers.end();
+}
+
 }  // namespace geom

@@ -3,7 +3,9 @@
 #include <optional>
 
 #include "byte_source.h"
+#include "geom/cloud/cloud_format.h"
 #include "geom/cloud/point_cloud.h"
+#include "geom/text/beginning.h"
 #include "geom/text/counted.h"
 #include "las_header.h"
 #include "las_records.h"
@@ -107,5 +109,38 @@ CloudCounts read_las(std::istream& in, std::string_view source, const PointSink&
   }
   return chunks.finish();
 }
+
+namespace {
+
+bool is_las(std::string_view head) { return head.starts_with("LASF"); }
+
+// Where the highest bit of the point format is set.
+bool is_compressed(std::string_view head) {
+  constexpr std::size_t kPointFormat = 104;
+  return is_las(head) && head.size() > kPointFormat && (head[kPointFormat] & 0x80) != 0;
+}
+
+bool says_copc(std::string_view head) {
+  return is_compressed(head) && head.substr(0, 600).find("copc") != head.npos;
+}
+
+constexpr std::string_view kReaders[] = {"skyway-cloud"};
+constexpr Format kLas{
+    .word = "las",
+    .what = "a LAS point cloud",
+    .begins = [](std::string_view head) { return is_las(head) && !is_compressed(head); },
+    .readers = kReaders};
+constexpr Format kLaz{
+    .what = "a LAZ point cloud",
+    .begins = [](std::string_view head) { return is_compressed(head) && !says_copc(head); },
+    .readers = kReaders};
+constexpr Format kCopc{
+    .what = "a COPC point cloud (LAZ)", .begins = says_copc, .readers = kReaders};
+constexpr const Format* kKinds[] = {&kLaz, &kCopc};
+
+}  // namespace
+
+constinit const CloudFormat kLasCloud{
+    .format = &kLas, .kinds = kKinds, .read = read_las, .is_surveyed = true};
 
 }  // namespace geom

@@ -5,7 +5,9 @@
 #include <set>
 #include <sstream>
 
+#include "geom/cloud/cloud_format.h"
 #include "geom/cloud/point_cloud.h"
+#include "geom/text/beginning.h"
 #include "geom/text/counted.h"
 #include "geom/text/text_table.h"
 #include "point_chunks.h"
@@ -287,5 +289,33 @@ class PcdReader {
 CloudCounts read_pcd(std::istream& in, std::string_view source, const PointSink& sink) {
   return PcdReader(in, source, sink).read();
 }
+
+namespace {
+
+CloudCounts read_pcd_cloud(std::istream& in, std::string_view source, const PointSink& sink,
+                           const ReferenceSink& reference, const LasReading&) {
+  if (reference) reference({});
+  return read_pcd(in, source, sink);
+}
+
+// The comment that names the format is no part of it.
+bool begins_as_pcd(std::string_view head) {
+  if (head.starts_with("# .PCD")) return true;
+  const std::string_view text = text_of(head).substr(0, 2000);
+  return text.find("\nFIELDS ") != text.npos && text.find("\nDATA ") != text.npos;
+}
+
+bool may_be_pcd(std::string_view head) {
+  return head.substr(0, 2000).find("FIELDS") != head.npos && head.find("DATA") != head.npos;
+}
+
+constexpr std::string_view kReaders[] = {"skyway-cloud"};
+constexpr Format kPcd{
+    .word = "pcd", .what = "a PCD point cloud", .begins = begins_as_pcd, .readers = kReaders};
+
+}  // namespace
+
+constinit const CloudFormat kPcdCloud{
+    .format = &kPcd, .may_be = may_be_pcd, .read = read_pcd_cloud};
 
 }  // namespace geom

@@ -2,7 +2,9 @@
 
 #include <optional>
 
+#include "geom/cloud/cloud_format.h"
 #include "geom/cloud/point_cloud.h"
+#include "geom/text/beginning.h"
 #include "ply_file.h"
 
 namespace geom {
@@ -47,5 +49,25 @@ CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink&
   counts.skipped = std::move(skipped);
   return counts;
 }
+
+namespace {
+
+CloudCounts read_ply_cloud(std::istream& in, std::string_view source, const PointSink& sink,
+                           const ReferenceSink& reference, const LasReading&) {
+  if (reference) reference({});
+  return read_ply(in, source, sink);
+}
+
+constexpr std::string_view kReaders[] = {"skyway-cloud", "skyway-mesh"};
+
+}  // namespace
+
+constinit const Format kPlyFile{.word = "ply",
+                                .what = "a PLY file",
+                                .begins = any_of<begins_with<"ply\n">, begins_with<"ply\r">>,
+                                .readers = kReaders};
+
+constinit const CloudFormat kPlyCloud{
+    .format = &kPlyFile, .may_be = begins_with<"ply">, .read = read_ply_cloud};
 
 }  // namespace geom

@@ -4,8 +4,11 @@
 #include <optional>
 
 #include "geom/base/error.h"
+#include "geom/cloud/cloud_format.h"
 #include "geom/cloud/point_cloud.h"
+#include "geom/text/beginning.h"
 #include "geom/text/excerpt.h"
+#include "geom/text/number.h"
 #include "geom/text/text_table.h"
 #include "point_chunks.h"
 #include "xyz_header.h"
@@ -181,5 +184,54 @@ class XyzReader {
 CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink& sink) {
   return XyzReader(in, source, sink).read();
 }
+
+namespace {
+
+CloudCounts read_xyz_cloud(std::istream& in, std::string_view source, const PointSink& sink,
+                           const ReferenceSink& reference, const LasReading&) {
+  if (reference) reference({});
+  return read_xyz(in, source, sink);
+}
+
+// Three or four numbers, with blanks or commas between.
+bool is_row_of_point(std::string_view line) {
+  constexpr std::string_view kBetween = " \t\r,;";
+  std::size_t numbers = 0;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(kBetween), line.size()));
+    if (line.empty()) return numbers == 3 || numbers == 4;
+    double value = 0;
+    const auto [rest, error] = read_number(line.data(), line.data() + line.size(), value);
+    if (error != std::errc()) return false;
+    ++numbers;
+    line.remove_prefix(static_cast<std::size_t>(rest - line.data()));
+    if (!line.empty() && kBetween.find(line.front()) == kBetween.npos) return false;
+  }
+}
+
+// Two rows of numbers, behind one line of names at most.
+bool is_table_of_points(std::string_view head) {
+  std::string_view text = text_of(head).substr(0, 2000);
+  const auto next = [&] {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+  };
+  const std::string_view first = next();
+  if (!is_row_of_point(first) && first != "x y z" && first != "x,y,z") return false;
+  return is_row_of_point(next());
+}
+
+constexpr std::string_view kReaders[] = {"skyway-cloud", "skyway-check",
+                                         "skyway-import-trajectory"};
+constexpr Format kXyz{
+    .word = "xyz", .what = "a table of points", .begins = is_table_of_points, .readers = kReaders};
+
+}  // namespace
+
+// Any text may be a table of points.
+constinit const CloudFormat kXyzCloud{
+    .format = &kXyz, .may_be = [](std::string_view) { return true; }, .read = read_xyz_cloud};
 
 }  // namespace geom

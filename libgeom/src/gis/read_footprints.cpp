@@ -1,5 +1,6 @@
 #include "geom/gis/read_footprints.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -45,39 +46,80 @@ Source read_gml(std::istream& file, const std::string& name, const ReadOptions& 
   return source_of(std::move(city.model), false, name, options);
 }
 
-Source read_any(const std::string& format, const std::string& path, const std::string& name,
-                std::istream& file, const ReadOptions& options) {
-  if (format == "cityjson") return source_of(read_city_json(file, name), true, name, options);
-  if (format == "citygml") return read_gml(file, name, options);
-  if (format == "osm") return read_osm(path, name, options);
-  if (format == "raster") return read_raster(path, name, options);
-  return read_vector(path, name, options);
+// A row of the formats with their readers. What stands first wins.
+struct Reader {
+  const FootprintFormat* format;
+  // Whether a file that begins with `head` is one.
+  bool (*holds)(std::string_view head, const std::string& path);
+  Source (*read)(const InputPath& file, const ReadOptions& options);
+};
+
+// The first letter behind a byte order mark and blanks.
+char first_letter(std::string_view head) {
+  const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  return first == head.npos ? '\0' : head[first];
+}
+
+bool is_osm(std::string_view, const std::string& path) {
+  return path.ends_with(".pbf") || path.ends_with(".osm") || is_packed_osm(path);
+}
+
+bool is_city_gml(std::string_view head, const std::string& path) {
+  return first_letter(head) == '<' && says(path, "CityModel");
+}
+
+bool is_city_json(std::string_view head, const std::string& path) {
+  return first_letter(head) == '{' &&
+         (says(path, "\"CityJSON\"") || says(path, "\"CityJSONFeature\""));
+}
+
+bool is_height_model(std::string_view head, const std::string& path) {
+  return first_letter(head) != '{' && is_raster(path);
+}
+
+constexpr Reader kReaders[] = {
+    {&kOsm, is_osm,
+     [](const InputPath& in, const ReadOptions& options) {
+       return read_osm(in.path, in.name, options);
+     }},
+    {&kCityGml, is_city_gml,
+     [](const InputPath& in, const ReadOptions& options) {
+       return read_gml(in.file, in.name, options);
+     }},
+    {&kCityJson, is_city_json,
+     [](const InputPath& in, const ReadOptions& options) {
+       return source_of(read_city_json(in.file, in.name), true, in.name, options);
+     }},
+    {&kRaster, is_height_model,
+     [](const InputPath& in, const ReadOptions& options) {
+       return read_raster(in.path, in.name, options);
+     }},
+    {&kVector, [](std::string_view, const std::string&) { return true; },
+     [](const InputPath& in, const ReadOptions& options) {
+       return read_vector(in.path, in.name, options);
+     }},
+};
+
+const Reader& reader_of(const FootprintFormat& format) {
+  return *std::find_if(std::begin(kReaders), std::end(kReaders),
+                       [&](const Reader& reader) { return reader.format == &format; });
 }
 
 }  // namespace
 
-std::string detect(std::string_view head, const std::string& path) {
-  for (const char* end : {".pbf", ".osm", ".osm.bz2", ".osm.gz"}) {
-    if (path.ends_with(end)) return "osm";
-  }
-  const std::size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  const bool markup = first != std::string_view::npos && head[first] == '<';
-  if (markup && says(path, "CityModel")) return "citygml";
-  if (first != std::string_view::npos && head[first] == '{') {
-    const bool model = says(path, "\"CityJSON\"") || says(path, "\"CityJSONFeature\"");
-    return model ? "cityjson" : "vector";
-  }
-  return is_raster(path) ? "raster" : "vector";
+const FootprintFormat& footprint_format_of(std::string_view head, const std::string& path) {
+  return *std::find_if(std::begin(kReaders), std::end(kReaders), [&](const Reader& reader) {
+            return reader.holds(head, path);
+          })->format;
 }
 
-Source read(const std::string& format, const std::string& path, const std::string& name,
-            std::istream& file, const ReadOptions& options) {
-  Source source = read_any(format, path, name, file, options);
-  if (format != "raster") require_attribute(source, options, name);
+Source read(const FootprintFormat& format, const InputPath& in, const ReadOptions& options) {
+  Source source = reader_of(format).read(in, options);
+  if (&format != &kRaster) require_attribute(source, options, in.name);
   if (source.footprints.empty()) {
-    throw InputError(
-        name,
-        {.expected = "at least one footprint", .found = "none", .advice = source.skipped.text()});
+    throw InputError(in.name, {.expected = "at least one footprint",
+                               .found = "none",
+                               .advice = source.skipped.text()});
   }
   return source;
 }

@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "geom/import/box_format.h"
+#include "geom/text/beginning.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -81,5 +83,34 @@ BlockText read_block_text(std::istream& in, std::string_view source) {
   out.boundary = *boundary;
   return out;
 }
+
+namespace {
+
+ImportedBoxes import_block_text(std::istream& in, std::string_view source, const ImportOptions&) {
+  BlockText block = read_block_text(in, source);
+  ImportedBoxes out;
+  out.table = std::move(block.table);
+  out.bounds = block.boundary;
+  out.flat = block.flat;
+  out.reversed = block.reversed;
+  out.skipped = std::move(block.skipped);
+  return out;
+}
+
+bool may_be_block_text(std::string_view head) {
+  const std::string_view line = first_line(head);
+  return line.starts_with("boundary") || line.starts_with("block");
+}
+
+constexpr std::string_view kReaders[] = {"skyway-import"};
+constexpr Format kFormat{.word = "block-text",
+                         .what = "a block text",
+                         .begins = text_begins_with<"boundary ">,
+                         .readers = kReaders};
+
+}  // namespace
+
+constinit const BoxFormat kBlockText{
+    .format = &kFormat, .may_be = may_be_block_text, .read = import_block_text};
 
 }  // namespace geom

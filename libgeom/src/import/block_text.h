@@ -23,4 +23,7 @@ struct BlockText {
 // block without any extent, and a field that is not a finite number.
 BlockText read_block_text(std::istream& in, std::string_view source);
 
+struct BoxFormat;
+extern const BoxFormat kBlockText;  // of box_formats()
+
 }  // namespace geom

@@ -7,6 +7,8 @@
 #include <map>
 #include <ostream>
 
+#include "geom/import/box_format.h"
+#include "geom/text/beginning.h"
 #include "geom/text/csv_field.h"
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
@@ -91,5 +93,33 @@ void write_box_csv(std::ostream& out, const BoxTable& table) {
   }
   out << text;
 }
+
+namespace {
+
+ImportedBoxes import_box_csv(std::istream& in, std::string_view source, const ImportOptions&) {
+  ImportedBoxes out;
+  out.table = read_box_csv(in, source);
+  return out;
+}
+
+// The header stands in the first line, or in a comment before it.
+bool may_be_box_csv(std::string_view head) {
+  const std::string_view line = first_line(head);
+  const bool none = line.empty();
+  const std::string_view until =
+      none ? head : head.substr(0, line.data() + line.size() - head.data());
+  return until.find("min_x_m") != until.npos;
+}
+
+constexpr std::string_view kReaders[] = {"skyway-import", "skyway-map"};
+constexpr Format kFormat{.word = "box-csv",
+                         .what = "a table of boxes (box CSV)",
+                         .begins = text_begins_with<"min_x_m,">,
+                         .readers = kReaders};
+
+}  // namespace
+
+constinit const BoxFormat kBoxCsv{
+    .format = &kFormat, .may_be = may_be_box_csv, .read = import_box_csv};
 
 }  // namespace geom

@@ -10,6 +10,8 @@
 #include <ostream>
 
 #include "geom/base/rounding.h"
+#include "geom/import/box_format.h"
+#include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
 
@@ -207,5 +209,45 @@ void write_fcnd_csv(std::ostream& out, const GeodeticOrigin& origin,
   }
   out << text;
 }
+
+namespace {
+
+ImportedBoxes import_fcnd(std::istream& in, std::string_view source, const ImportOptions&) {
+  FcndTable fcnd = read_fcnd_csv(in, source);
+  ImportedBoxes out;
+  out.table = std::move(fcnd.table);
+  out.frame = {Axes::neu, fcnd.origin, ""};
+  out.floor = 0;
+  out.seal = 1;
+  out.flat = fcnd.flat;
+  out.largest_change = fcnd.largest_change;
+  out.skipped = std::move(fcnd.skipped);
+  return out;
+}
+
+bool begins_as_fcnd(std::string_view head) {
+  const std::string_view text = text_of(head).substr(0, 2000);
+  const bool other = text.starts_with('<') || text.starts_with('{') || text.starts_with('[');
+  return !other && text.find("halfSizeX") != text.npos;
+}
+
+// A line of names or numbers, or nothing: an empty file counts as a table.
+bool may_be_fcnd(std::string_view head) {
+  const std::string_view line = first_line(head);
+  const bool names = line.find("pos") != line.npos || line.find("half") != line.npos;
+  const bool numbers = line.find_first_of("0123456789") < 2;
+  return line.empty() || names || numbers || line.starts_with("lat0") ||
+         line.starts_with("\xef\xbb\xbf");
+}
+
+constexpr std::string_view kReaders[] = {"skyway-import"};
+constexpr Format kFormat{.word = "fcnd",
+                         .what = "an FCND table of boxes",
+                         .begins = begins_as_fcnd,
+                         .readers = kReaders};
+
+}  // namespace
+
+constinit const BoxFormat kFcnd{.format = &kFormat, .may_be = may_be_fcnd, .read = import_fcnd};
 
 }  // namespace geom

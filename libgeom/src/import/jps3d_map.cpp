@@ -13,6 +13,8 @@
 
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
+#include "geom/import/box_format.h"
+#include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
 
@@ -254,5 +256,36 @@ Jps3dMap read_jps3d_map(std::istream& in, std::string_view source, const Jps3dOp
     reader.refuse({.expected = "at least one occupied cell", .found = "none"});
   return out;
 }
+
+namespace {
+
+ImportedBoxes import_jps3d_map(std::istream& in, std::string_view source,
+                               const ImportOptions& options) {
+  Jps3dMap map = read_jps3d_map(in, source, {options.unknown_blocked});
+  ImportedBoxes out;
+  out.table = std::move(map.table);
+  out.bounds = map.bounds;
+  out.unknown = map.unknown;
+  out.largest_change = map.largest_change;
+  return out;
+}
+
+// A list of YAML.
+bool may_be_jps3d_map(std::string_view head) {
+  const std::string_view line = first_line(head);
+  return line.starts_with("- ") && line.find(':') != line.npos;
+}
+
+constexpr std::string_view kReaders[] = {"skyway-import"};
+constexpr Format kFormat{
+    .word = "jps3d",
+    .what = "a jps3d map",
+    .begins = any_of<text_begins_with<"- start:">, text_begins_with<"- origin:">>,
+    .readers = kReaders};
+
+}  // namespace
+
+constinit const BoxFormat kJps3d{
+    .format = &kFormat, .may_be = may_be_jps3d_map, .read = import_jps3d_map, .has_unknown = true};
 
 }  // namespace geom

@@ -29,4 +29,7 @@ struct Jps3dMap {
 // dimensions, data of another count than dim says, and a map without boxes.
 Jps3dMap read_jps3d_map(std::istream& in, std::string_view source, const Jps3dOptions& options);
 
+struct BoxFormat;
+extern const BoxFormat kJps3d;  // of box_formats()
+
 }  // namespace geom

@@ -28,4 +28,7 @@ struct Octomap {
 // cells).
 Octomap read_octomap(std::istream& in, std::string_view source, const OctomapOptions& options);
 
+struct BoxFormat;
+extern const BoxFormat kOctomapTree;  // of box_formats()
+
 }  // namespace geom

@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/import/box_format.h"
+#include "geom/text/beginning.h"
 #include "geom/text/counted.h"
 #include "geom/text/text_table.h"
 #include "import/octomap.h"
@@ -177,5 +179,30 @@ Octomap read_octomap(std::istream& in, std::string_view source, const OctomapOpt
   }
   return out;
 }
+
+namespace {
+
+ImportedBoxes import_octomap(std::istream& in, std::string_view source,
+                             const ImportOptions& options) {
+  Octomap tree = read_octomap(in, source, {options.unknown_blocked});
+  ImportedBoxes out;
+  out.table = std::move(tree.table);
+  out.bounds = tree.bounds;
+  out.unknown = tree.unknown;
+  return out;
+}
+
+constexpr std::string_view kReaders[] = {"skyway-import"};
+constexpr Format kFormat{.word = "octomap",
+                         .what = "an OctoMap (.bt)",
+                         .begins = begins_with<"# Octomap OcTree binary">,
+                         .readers = kReaders};
+
+}  // namespace
+
+constinit const BoxFormat kOctomapTree{.format = &kFormat,
+                                       .may_be = begins_with<"# Octomap">,
+                                       .read = import_octomap,
+                                       .has_unknown = true};
 
 }  // namespace geom

@@ -4,6 +4,8 @@
 
 #include <charconv>
 
+#include "geom/import/box_format.h"
+#include "geom/text/beginning.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -58,5 +60,28 @@ VoxelMap read_voxel_3dmap(std::istream& in, std::string_view source) {
     lines.refuse({.expected = "at least one filled voxel", .found = "none"});
   return out;
 }
+
+namespace {
+
+ImportedBoxes import_voxel_3dmap(std::istream& in, std::string_view source, const ImportOptions&) {
+  VoxelMap voxels = read_voxel_3dmap(in, source);
+  ImportedBoxes out;
+  out.table = std::move(voxels.table);
+  out.bounds = voxels.bounds;
+  return out;
+}
+
+bool may_be_voxel_3dmap(std::string_view head) { return first_line(head).starts_with("voxel"); }
+
+constexpr std::string_view kReaders[] = {"skyway-import"};
+constexpr Format kFormat{.word = "3dmap",
+                         .what = "a list of voxels (.3dmap)",
+                         .begins = text_begins_with<"voxel ">,
+                         .readers = kReaders};
+
+}  // namespace
+
+constinit const BoxFormat kVoxelMap{
+    .format = &kFormat, .may_be = may_be_voxel_3dmap, .read = import_voxel_3dmap};
 
 }  // namespace geom

@@ -19,4 +19,7 @@ struct VoxelMap {
 // outside the grid, and a grid without filled voxels.
 VoxelMap read_voxel_3dmap(std::istream& in, std::string_view source);
 
+struct BoxFormat;
+extern const BoxFormat kVoxelMap;  // of box_formats()
+
 }  // namespace geom

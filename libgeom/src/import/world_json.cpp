@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
+#include "geom/import/box_format.h"
+#include "geom/text/beginning.h"
 #include "geom/text/parse_json.h"
 
 namespace geom {
@@ -118,5 +120,32 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
   }
   return out;
 }
+
+namespace {
+
+ImportedBoxes import_world_json(std::istream& in, std::string_view source, const ImportOptions&) {
+  WorldJson world = read_world_json(in, source);
+  ImportedBoxes out;
+  out.table = std::move(world.table);
+  out.bounds = world.bounds;
+  out.flat = world.flat;
+  out.reversed = world.reversed;
+  out.skipped = std::move(world.skipped);
+  out.names = std::move(world.names);
+  return out;
+}
+
+bool may_be_world_json(std::string_view head) { return first_line(head).starts_with('{'); }
+
+constexpr std::string_view kReaders[] = {"skyway-import"};
+constexpr Format kFormat{.word = "world-json",
+                         .what = "a RotorPy world",
+                         .begins = json_with<R"("bounds":{"extents")">,
+                         .readers = kReaders};
+
+}  // namespace
+
+constinit const BoxFormat kRotorPyWorld{
+    .format = &kFormat, .may_be = may_be_world_json, .read = import_world_json};
 
 }  // namespace geom

@@ -26,4 +26,7 @@ struct WorldJson {
 // blocks, extents that are not 6 finite numbers, and a block without any extent.
 WorldJson read_world_json(std::istream& in, std::string_view source);
 
+struct BoxFormat;
+extern const BoxFormat kRotorPyWorld;  // of box_formats()
+
 }  // namespace geom

@@ -13,6 +13,7 @@
 
 #include "collada_links.h"
 #include "geom/base/error.h"
+#include "geom/model/model_format.h"
 #include "geom/model/model_polygons.h"
 #include "geom/text/excerpt.h"
 #include "try_in_child.h"
@@ -179,16 +180,11 @@ std::size_t faces_of_3ds(std::string_view bytes, const std::string& source, int 
   return sum;
 }
 
-}  // namespace
-
-Model read_scene(const std::string& bytes, const std::string& source, const std::string& format) {
-  const bool collada = format == "collada";
-  const std::size_t told = collada ? polygons_of_collada(bytes) : faces_of_3ds(bytes, source);
-  Skipped skipped;
-  if (collada) check_collada_links(bytes, source, skipped);
+// `told`: polygons that the file counts. `hint`: the ending by which assimp knows the format.
+Model read_scene(const std::string& bytes, const std::string& source, const ModelFormat& format,
+                 std::size_t told, const char* hint) {
   const auto scene_of = [&](Assimp::Importer& importer) {
-    return importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0,
-                                       collada ? "dae" : format.c_str());
+    return importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, hint);
   };
   const auto trial = [&] {
     Assimp::Importer importer;
@@ -200,20 +196,33 @@ Model read_scene(const std::string& bytes, const std::string& source, const std:
   if (!scene || !scene->mRootNode) {
     throw InputError(
         source, {.expected = fmt::format("a file of format {}, which assimp could not read: {}",
-                                         format, excerpt(importer.GetErrorString(), 120))});
+                                         format.format->word,
+                                         excerpt(importer.GetErrorString(), 120))});
   }
   Scene read(*scene, source);
   Model model = read.model();
-  model.skipped.add(skipped);
-  if (collada) model.unit = 1;
   if (const std::size_t built = read.polygons(); built < told) {
     model.skipped.add("polygons that assimp did not give",
                       fmt::format("{} of {}", told - built, told));
   }
-  if (collada && bytes.find("<ph>") != std::string::npos) {
-    model.skipped.add("polygon with holes", "<ph>");
-  }
   return model;
+}
+
+}  // namespace
+
+Model read_collada(const std::string& bytes, const std::string& source) {
+  const std::size_t told = polygons_of_collada(bytes);
+  Skipped skipped;
+  check_collada_links(bytes, source, skipped);
+  Model model = read_scene(bytes, source, kColladaModel, told, "dae");
+  model.skipped.add(skipped);
+  if (bytes.find("<ph>") != std::string::npos) model.skipped.add("polygon with holes", "<ph>");
+  model.unit = 1;
+  return model;
+}
+
+Model read_3ds(const std::string& bytes, const std::string& source) {
+  return read_scene(bytes, source, k3dsModel, faces_of_3ds(bytes, source), "3ds");
 }
 
 }  // namespace geom

@@ -5,7 +5,10 @@
 #include <set>
 
 #include "geom/model/gltf_model.h"
+#include "geom/model/model_format.h"
+#include "geom/text/beginning.h"
 #include "geom/text/excerpt.h"
+#include "geom/text/parse_json.h"
 #include "gltf_data.h"
 
 namespace geom {
@@ -321,5 +324,34 @@ GltfModel read_gltf(std::string_view bytes, std::string_view source, const Model
                     std::string_view path, const DracoDecoder& draco) {
   return GltfReader(bytes, source, files, path, draco).read();
 }
+
+namespace {
+
+LoadedModel load_gltf(const ModelFile& file) {
+  return {read_gltf(file.bytes, file.path, file.files, {}, file.decoders.draco)};
+}
+
+// JSON that is no tileset.
+bool may_be_gltf(std::string_view bytes, const std::string& path) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != bytes.npos && bytes[first] == '{' && !parse_json(bytes, path).contains("root");
+}
+
+constexpr std::string_view kReaders[] = {"skyway-mesh"};
+constexpr std::string_view kReadersOfGlb[] = {"skyway-check", "skyway-import-trajectory",
+                                              "skyway-mesh"};
+constexpr Format kGltf{
+    .what = "a glTF model", .begins = json_with<R"("bufferViews":)">, .readers = kReaders};
+constexpr const Format* kKinds[] = {&kGltf};
+
+}  // namespace
+
+constinit const Format kGlbFile{.word = "gltf",
+                                .what = "a binary glTF",
+                                .begins = begins_with<"glTF">,
+                                .readers = kReadersOfGlb};
+
+constinit const ModelFormat kGltfModel{
+    .format = &kGlbFile, .kinds = kKinds, .may_be = may_be_gltf, .read = load_gltf};
 
 }  // namespace geom

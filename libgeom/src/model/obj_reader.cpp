@@ -2,8 +2,10 @@
 
 #include <charconv>
 #include <map>
+#include <sstream>
 
 #include "geom/model/model.h"
+#include "geom/model/model_format.h"
 #include "geom/model/model_polygons.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
@@ -176,5 +178,19 @@ class ObjReader {
 }  // namespace
 
 Model read_obj(std::istream& in, std::string_view source) { return ObjReader(in, source).read(); }
+
+namespace {
+
+LoadedModel load_obj(const ModelFile& file) {
+  std::istringstream in(file.bytes);
+  return {read_obj(in, file.path)};
+}
+
+constexpr std::string_view kReaders[] = {"skyway-mesh"};
+constexpr Format kFormat{.word = "obj", .what = "an OBJ model", .readers = kReaders};
+
+}  // namespace
+
+constinit const ModelFormat kObjModel{.format = &kFormat, .ending = ".obj", .read = load_obj};
 
 }  // namespace geom

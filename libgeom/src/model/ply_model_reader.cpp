@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "../cloud/ply_file.h"
+#include "geom/cloud/cloud_format.h"
 #include "geom/model/model.h"
+#include "geom/model/model_format.h"
 #include "geom/model/model_polygons.h"
 
 namespace geom {
@@ -130,5 +133,16 @@ class PlyModel {
 Model read_ply_model(std::istream& in, std::string_view source) {
   return PlyModel(in, source).read();
 }
+
+namespace {
+
+LoadedModel load_ply(const ModelFile& file) {
+  std::istringstream in(file.bytes);
+  return {read_ply_model(in, file.path)};
+}
+
+}  // namespace
+
+constinit const ModelFormat kPlyModel{.format = &kPlyFile, .ending = ".ply", .read = load_ply};
 
 }  // namespace geom

@@ -9,6 +9,8 @@
 
 #include "geom/base/error.h"
 #include "geom/model/model.h"
+#include "geom/model/model_format.h"
+#include "geom/text/beginning.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
 
@@ -175,5 +177,23 @@ Model read_stl(std::istream& in, std::string_view source) {
   std::istringstream text(bytes);
   return StlText(text, source).read();
 }
+
+namespace {
+
+LoadedModel load_stl(const ModelFile& file) {
+  std::istringstream in(file.bytes);
+  return {read_stl(in, file.path)};
+}
+
+constexpr std::string_view kReaders[] = {"skyway-mesh"};
+constexpr Format kFormat{
+    .word = "stl",
+    .what = "an STL model",
+    .begins = any_of<text_begins_with<"solid ">, begins_with<"solid\n">, begins_with<"solid\r">>,
+    .readers = kReaders};
+
+}  // namespace
+
+constinit const ModelFormat kStlModel{.format = &kFormat, .ending = ".stl", .read = load_stl};
 
 }  // namespace geom

@@ -8,7 +8,9 @@
 #include "batched_model.h"
 #include "geom/base/error.h"
 #include "geom/model/gltf_model.h"
+#include "geom/model/model_format.h"
 #include "geom/model/tileset.h"
+#include "geom/text/beginning.h"
 #include "geom/text/parse_json.h"
 #include "implicit_tiles.h"
 #include "json_members.h"
@@ -260,5 +262,28 @@ TilesModel read_tileset(const std::string& path, const ModelFiles& files,
                         const DracoDecoder& draco) {
   return TilesetReader(files, draco).read(path);
 }
+
+namespace {
+
+LoadedModel load_tiles(const ModelFile& file) {
+  TilesModel read = read_tileset(file.name, file.files, file.decoders.draco);
+  return {std::move(read.model), read.tiles, read.coarser, read.on_earth};
+}
+
+bool may_be_tiles(std::string_view bytes, const std::string& path) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != bytes.npos && bytes[first] == '{' && parse_json(bytes, path).contains("root");
+}
+
+constexpr std::string_view kReaders[] = {"skyway-mesh"};
+constexpr Format kFormat{.word = "tiles",
+                         .what = "a tileset of 3D Tiles",
+                         .begins = json_with<R"("geometricError":)">,
+                         .readers = kReaders};
+
+}  // namespace
+
+constinit const ModelFormat kTilesModel{
+    .format = &kFormat, .may_be = may_be_tiles, .read = load_tiles};
 
 }  // namespace geom

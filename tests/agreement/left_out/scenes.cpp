@@ -5,8 +5,8 @@
 
 #include "geom/archive/bytes.h"
 #include "geom/import/import_boxes.h"
-#include "marked_polygon.h"
 #include "geom/model/assimp_scene.h"
+#include "marked_polygon.h"
 #include "support/sdf_text.h"
 
 namespace {
@@ -266,9 +266,9 @@ MarkedFile collada_of(Random& random, Spelling spelling) {
 
 MarkedFile collada(Random& random) { return collada_of(random, Spelling::any); }
 
-auto reader_of(const char* format) {
-  return [format](std::istream&, const MarkedFile& file) {
-    return outcome(geom::read_scene(file.bytes, "random", format), file);
+auto reader_of(geom::Model (*read)(const std::string& bytes, const std::string& source)) {
+  return [read](std::istream&, const MarkedFile& file) {
+    return outcome(read(file.bytes, "random"), file);
   };
 }
 
@@ -298,9 +298,9 @@ Outcome read_world(std::istream& in, const MarkedFile& file) {
   options.sdf.slack = 5;
   options.sdf.open_mesh = [](const std::string&, const std::string&) { return &mesh_file; };
   options.sdf.read_collada = [](const geom::SdfFile& dae) {
-    return geom::read_scene(dae.text, dae.name, "collada");
+    return geom::read_collada(dae.text, dae.name);
   };
-  geom::ImportedBoxes made = geom::import_boxes(in, geom::BoxFormat::sdf, "random", options);
+  geom::ImportedBoxes made = geom::import_boxes(in, geom::kGazeboWorld, "random", options);
   for (geom::Aabb& box : made.table.boxes) box = geom::grow(box, Vec3::Constant(1e-6));
   return support::outcome_of(support::held(made.table.boxes, file.marks), made.skipped);
 }
@@ -367,8 +367,8 @@ MarkedFile three_ds(Random& random) {
 
 int main(int argc, char** argv) {
   const auto n = static_cast<std::size_t>(argc > 1 ? std::atof(argv[1]) : 1e4);
-  std::size_t lost = support::left_out("COLLADA", n, collada, reader_of("collada"));
+  std::size_t lost = support::left_out("COLLADA", n, collada, reader_of(geom::read_collada));
   lost += support::left_out("COLLADA of worlds", n, world, read_world);
-  lost += support::left_out("3DS", n, three_ds, reader_of("3ds"));
+  lost += support::left_out("3DS", n, three_ds, reader_of(geom::read_3ds));
   return lost != 0;
 }

@@ -13,7 +13,6 @@
 namespace {
 
 using geom::Aabb;
-using geom::BoxFormat;
 using geom::Vec3;
 using support::chance;
 using support::MarkedFile;
@@ -31,7 +30,7 @@ Aabb random_box(Random& random, MarkedFile& out) {
   return {low, low + size};
 }
 
-auto reader_of(BoxFormat format, const geom::ImportOptions& options = {}) {
+auto reader_of(const geom::BoxFormat& format, const geom::ImportOptions& options = {}) {
   return [format, options](std::istream& in, const MarkedFile& file) {
     const geom::ImportedBoxes made = geom::import_boxes(in, format, "random", options);
     if (made.table.boxes.empty()) return Outcome::told;  // no map is made of it
@@ -305,13 +304,13 @@ int main(int argc, char** argv) {
   geom::ImportOptions options;
   options.sdf.slack = 5;
   options.sdf.open = [](const std::string&, const std::string&) { return &included; };
-  std::size_t lost = support::left_out("FCND table", n, fcnd, reader_of(BoxFormat::fcnd));
-  lost += support::left_out("box CSV", n, box_csv, reader_of(BoxFormat::box_csv));
-  lost += support::left_out("block text", n, block_text, reader_of(BoxFormat::block_text));
-  lost += support::left_out("RotorPy JSON", n, world_json, reader_of(BoxFormat::world_json));
-  lost += support::left_out("3dmap", n, voxels, reader_of(BoxFormat::voxel_3dmap));
-  lost += support::left_out("OctoMap", n, octomap, reader_of(BoxFormat::octomap));
-  lost += support::left_out("jps3d", n, jps3d, reader_of(BoxFormat::jps3d));
-  lost += support::left_out("SDF", n, sdf, reader_of(BoxFormat::sdf, options));
+  std::size_t lost = support::left_out("FCND table", n, fcnd, reader_of(geom::kFcnd));
+  lost += support::left_out("box CSV", n, box_csv, reader_of(geom::kBoxCsv));
+  lost += support::left_out("block text", n, block_text, reader_of(geom::kBlockText));
+  lost += support::left_out("RotorPy JSON", n, world_json, reader_of(geom::kRotorPyWorld));
+  lost += support::left_out("3dmap", n, voxels, reader_of(geom::kVoxelMap));
+  lost += support::left_out("OctoMap", n, octomap, reader_of(geom::kOctomapTree));
+  lost += support::left_out("jps3d", n, jps3d, reader_of(geom::kJps3d));
+  lost += support::left_out("SDF", n, sdf, reader_of(geom::kGazeboWorld, options));
   return lost != 0;
 }

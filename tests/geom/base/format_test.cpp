@@ -42,5 +42,43 @@ TEST(FormatNamed, FindsWordsAndNoEmptyOne) {
   EXPECT_EQ(format_named("", kTable), nullptr);
 }
 
+struct Row {
+  const Format* format;
+  Formats kinds = {};
+  bool (*may_be)(std::string_view head) = nullptr;
+};
+constexpr const Format* kKinds[] = {&kComment};
+constexpr Row kPcdRow{.format = &kPcd, .kinds = kKinds};
+constexpr Row kXyzRow{.format = &kXyz,
+                      .may_be = [](std::string_view head) { return head.starts_with("1"); }};
+constexpr const Row* kRows[] = {&kPcdRow, &kXyzRow};
+
+TEST(FormatRows, AreFoundByTheirWords) {
+  EXPECT_EQ(row_named<Row>("xyz", kRows), &kXyzRow);
+  EXPECT_EQ(row_named<Row>("las", kRows), nullptr);
+  EXPECT_EQ(row_named<Row>("", kRows), nullptr);
+  EXPECT_EQ(words_of<Row>(kRows), (std::vector<std::string_view>{"pcd", "xyz"}));
+}
+
+TEST(FormatRows, ReadTheirFormatAndItsKinds) {
+  EXPECT_EQ(row_of<Row>(kPcd, kRows), &kPcdRow);
+  EXPECT_EQ(row_of<Row>(kComment, kRows), &kPcdRow);
+  static constexpr Format other{.what = "other"};
+  EXPECT_EQ(row_of<Row>(other, kRows), nullptr);
+  EXPECT_EQ(formats_of<Row>(kRows), (std::vector<const Format*>{&kPcd, &kComment, &kXyz}));
+}
+
+TEST(FormatRows, AreGuessedOnlyWhereNoFormatIsSure) {
+  EXPECT_EQ(row_recognised<Row>("# 1 2 3\n", kRows), &kPcdRow);
+  EXPECT_EQ(row_recognised<Row>("1 2 3\n", kRows), &kXyzRow);
+  EXPECT_EQ(row_recognised<Row>("2 3 4\n", kRows), nullptr);
+}
+
+TEST(Reads, KnowsTheToolsOfAFormat) {
+  EXPECT_TRUE(reads("skyway-cloud", kPcd));
+  EXPECT_FALSE(reads("skyway", kPcd));
+  EXPECT_FALSE(reads("skyway-cloud", kXyz));
+}
+
 }  // namespace
 }  // namespace geom

@@ -19,15 +19,15 @@ ImportedBoxes imported(const std::string& text) {
 }
 
 TEST(ImportBoxes, KnowsFormatsByTheirFirstLine) {
-  EXPECT_EQ(box_format_of(kTable, "it"), BoxFormat::fcnd);
-  EXPECT_EQ(box_format_of(kBlocks, "it"), BoxFormat::block_text);
-  EXPECT_EQ(box_format_of("min_x_m,min_y_m\n", "it"), BoxFormat::box_csv);
-  EXPECT_EQ(box_format_of(" {\"bounds\":", "it"), BoxFormat::world_json);
-  EXPECT_EQ(box_format_of("voxel 3 4 5\n", "it"), BoxFormat::voxel_3dmap);
-  EXPECT_EQ(box_format_of("# Octomap OcTree binary file\n", "it"), BoxFormat::octomap);
-  EXPECT_EQ(box_format_of("\xef\xbb\xbf<?xml version=\"1.0\"?>\n<sdf version='1.9'>", "it"),
-            BoxFormat::sdf);
-  EXPECT_EQ(box_format_of("# c\n- origin: [0, 0, 0]\n", "it"), BoxFormat::jps3d);
+  EXPECT_EQ(&box_format_of(kTable, "it"), &kFcnd);
+  EXPECT_EQ(&box_format_of(kBlocks, "it"), &kBlockText);
+  EXPECT_EQ(&box_format_of("min_x_m,min_y_m\n", "it"), &kBoxCsv);
+  EXPECT_EQ(&box_format_of(" {\"bounds\":", "it"), &kRotorPyWorld);
+  EXPECT_EQ(&box_format_of("voxel 3 4 5\n", "it"), &kVoxelMap);
+  EXPECT_EQ(&box_format_of("# Octomap OcTree binary file\n", "it"), &kOctomapTree);
+  EXPECT_EQ(&box_format_of("\xef\xbb\xbf<?xml version=\"1.0\"?>\n<sdf version='1.9'>", "it"),
+            &kGazeboWorld);
+  EXPECT_EQ(&box_format_of("# c\n- origin: [0, 0, 0]\n", "it"), &kJps3d);
   EXPECT_THROW(box_format_of("<html>", "it"), InputError);
   EXPECT_THROW(box_format_of("<sdfx>", "it"), InputError);
 }

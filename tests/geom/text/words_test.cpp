@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include "geom/import/import_boxes.h"
 #include "geom/record/path_status.h"
 #include "plan/planner/plan.h"
 #include "traj/proof/reason.h"
@@ -38,7 +37,6 @@ void expect_one_word_each(const Words<Either, N>& words) {
 
 TEST(Words, GoBothWays) {
   expect_one_to_one(kPathStatusWords);
-  expect_one_to_one(kBoxFormatWords);
   expect_one_to_one(plan::kQualityWords);
   expect_one_to_one(plan::kSamplingWords);
   expect_one_to_one(traj::kTrajectoryStatusWords);

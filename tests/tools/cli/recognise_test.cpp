@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace cli {
@@ -10,8 +12,8 @@ namespace {
 using std::string_literals::operator""s;
 
 std::string what(const std::string& head) {
-  const auto kind = recognise(head);
-  return kind ? kind->what : "nothing";
+  const geom::Format* const format = recognise(head);
+  return format ? described(*format, head) : "nothing";
 }
 
 std::string las(char format, const std::string& more = {}) {
@@ -90,6 +92,15 @@ TEST(Recognise, NamesOurOwnFiles) {
   EXPECT_EQ(what(R"({"name": "quad", "tilt_max_deg": 35})"), "a vehicle profile");
 }
 
+TEST(Recognise, NamesStreamsByTheTypeOfTheirFirstRecord) {
+  EXPECT_EQ(what(R"({"type":"enclosure","id":"a","from":[0,0,0],"to":[1,0,0]})"),
+            "a stream of certificates");
+  EXPECT_EQ(what(R"({"type":"pair","ids":["a","b"]})"), "a stream of reports");
+  EXPECT_EQ(what(R"({"type":"query","from":[0,0,0],"to":[1,0,0]})"), "a stream of queries");
+  EXPECT_EQ(what(R"({"type":"FeatureCollection","features":[{"properties":{"type":"tree"}}]})"),
+            "a GeoJSON file");
+}
+
 TEST(Recognise, NamesTextsByHowTheyBegin) {
   EXPECT_EQ(what("duration,x^0,x^1\n"), "a Crazyflie trajectory");
   EXPECT_EQ(what("t_s,east_m,north_m\n"), "a table of setpoints");
@@ -138,6 +149,27 @@ TEST(Recognise, SaysNothingOfPlainText) {
        {"", "posX,posY,posZ\n", "1 2 3\n", "P", "{", "lat0 37.7, lon0 -122.4\n"}) {
     EXPECT_EQ(what(text), "nothing") << text;
   }
+}
+
+TEST(RecogniseFile, TakesTheNameOfAModelWhereItsBytesTellNothing) {
+  const auto folder = std::filesystem::temp_directory_path() / "skyway_recognise_test";
+  std::filesystem::create_directories(folder);
+  const auto what_of = [&](const std::string& name, const std::string& bytes) -> std::string {
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+    const geom::Format* const format = recognise_file(folder / name);
+    return format ? std::string(format->what) : "nothing";
+  };
+  EXPECT_EQ(what_of("house.OBJ", "v 1 2 3\n"), "an OBJ model");
+  EXPECT_EQ(what_of("house.3ds", "MM"), "a 3DS model");
+  EXPECT_EQ(what_of("map.obj", zip("meta.json", R"({"format":"skyway-boxmap")")), "a box map");
+  EXPECT_EQ(what_of("empty.obj", ""), "nothing");
+  EXPECT_EQ(what_of("house.txt", "v 1 2 3\n"), "nothing");
+  EXPECT_EQ(what_of("city.osm.gz", "\x1f\x8b\x08"), "a packed OpenStreetMap extract");
+  EXPECT_EQ(what_of("city.gz", "\x1f\x8b\x08"), "a gzip archive");
+  std::filesystem::create_directories(folder / "folder.obj");
+  EXPECT_EQ(recognise_file(folder / "folder.obj"), nullptr);
+  EXPECT_EQ(recognise_file(folder / "missing.obj"), nullptr);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Recognise, LooksAtWhatIsThere) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/file/drone_formats.h"
 #include "cli/file/files.h"
 #include "cli/file/recognise.h"
 #include "cli/option/named_map.h"
@@ -157,11 +158,6 @@ void add_drone_file(const std::string& path, const DroneFileOptions& options, Co
   }
 }
 
-bool is_drone_file(const std::string& path) {
-  const auto kind = recognise_file(path);
-  return kind && kind->tools.starts_with(kDroneTools);
-}
-
 void add_input(const std::string& path, const ContentKinds& kinds, Contents& out) {
   InputFile file(path);
   const int first = file.stream().peek();
@@ -219,7 +215,7 @@ Contents read_contents(const std::vector<std::string>& inputs, const ContentKind
   Contents out;
   std::vector<std::string> drone_files;
   for (const std::string& path : inputs) {
-    if (kinds.drone_files && is_drone_file(path)) {
+    if (kinds.drone_files && is_flown(recognise_file(path))) {
       drone_files.push_back(path);
     } else {
       add_input(path, kinds, out);

@@ -1,34 +1,34 @@
 #pragma once
 
-// What a file is by its first bytes, whoever made it.
+// What a file is by its first bytes, whoever made it: the tables of formats, one after the other.
+//
+//   if (const geom::Format* format = cli::recognise_file(path)) say(format->what, format->readers);
 
-#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "geom/base/format.h"
 
 namespace cli {
 
-struct FileKind {
-  std::string what;                // "an E57 point cloud"
-  std::string_view tools;          // that read it, by name, with blanks between; empty: none
-  std::string_view otherwise;      // what to do where no tool reads it; may be empty
-  std::string_view named_by = {};  // tools that say by themselves what it is
-};
+// Ours, then drones' files, then sources of obstacles by family, then all others. A format that
+// several families read is there once for each.
+std::vector<const geom::Format*> all_formats();
 
-constexpr std::size_t kHead = 4096;  // bytes that recognise() looks at
+// Null where `head`, the beginning of a file, tells nothing. A hint for people, never a reason to
+// read a file in one way or another.
+const geom::Format* recognise(std::string_view head);
 
-// Nothing where `head`, the beginning of a file, tells nothing. A hint for people, never a reason
-// to read a file in one way or another.
-std::optional<FileKind> recognise(std::string_view head);
+// Of a regular file by its first bytes or, where these tell nothing or that it is packed, by how
+// its name ends. Null for what is not a regular file, so that nothing waits or is eaten.
+const geom::Format* recognise_file(const std::string& path);
 
-// Of a regular file by its first bytes; nothing of what is not one, so that nothing waits or is
-// eaten.
-std::optional<FileKind> recognise_file(const std::string& path);
+// The first bytes of a regular file; empty for what is not one.
+std::string head_of(const std::string& path);
 
-// Tools of drones' own files, as FileKind::tools has them.
-constexpr std::string_view kDroneTools = "skyway-check skyway-import-trajectory";
-
-// Whether `tool` is one of `tools`, names with blanks between.
-bool reads(std::string_view tools, std::string_view tool);
+// What the format is, and of a ZIP archive that no table knows the name of its first entry:
+// `a ZIP archive whose first entry is "a.txt"`.
+std::string described(const geom::Format& format, std::string_view head);
 
 }  // namespace cli

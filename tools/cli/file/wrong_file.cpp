@@ -4,58 +4,58 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
+#include "drone_formats.h"
+#include "foreign_formats.h"
+#include "geom/gis/footprint_format.h"
+#include "geom/import/import_boxes.h"
+#include "own_formats.h"
 #include "recognise.h"
 #include "run_files.h"
 
 namespace cli {
 namespace {
 
-constexpr std::string_view kMap = "a box map";
-constexpr std::string_view kPaths = "a stream of paths";
-constexpr std::string_view kTrajectories = "a stream of trajectories";
-constexpr std::string_view kQueries = "a stream of queries";
-constexpr std::string_view kZones = "a GeoJSON file";
-constexpr std::string_view kMoving = "a stream of obstacles that move";
+using geom::Format;
+using geom::gis::kGeoJsonFeature;
+using geom::gis::kGeoJsonFile;
 
-// What an option or argument takes, by how recognise() calls it.
+// What an option or argument takes.
 struct Place {
   std::string_view tool;    // empty: of every tool
   std::string_view option;  // as the parser names it
-  std::vector<std::string_view> takes;
+  std::vector<const Format*> takes;
   std::vector<std::string_view> unless = {};  // options that make it take other files, too
 };
 
 const std::array kPlaces = {
-    Place{"", "map", {kMap}},
-    Place{"", "maps", {kMap}},
-    Place{"", "before", {kMap}},
-    Place{"", "after", {kMap}},
-    Place{"", "--lattice", {"a lattice"}},
-    Place{"", "--roadmap", {"a roadmap"}},
-    Place{"", "--queries", {kQueries, "a table of queries", "a GeoJSON feature", "a GeoJSON file"}},
-    Place{"", "--vehicle", {"a vehicle profile"}},
-    Place{"", "--moving", {kMoving}},
-    Place{"skyway-traj", "paths", {kPaths}},
-    Place{"skyway-replan", "--paths", {kPaths}},
-    Place{"skyway-check", "file", {kTrajectories, kPaths}, {"--file-format", "--paths-csv"}},
-    Place{"skyway-fleet", "file", {kTrajectories}},
-    Place{"skyway-fleet", "--alternatives", {kTrajectories}},
-    Place{"skyway-fleet", "--others", {kTrajectories}},
-    Place{"skyway-join", "shards", {"a shard"}},
-    Place{"skyway-map", "--add", {"a table of boxes (box CSV)"}},
-    Place{"skyway-map", "--keep-out", {kZones, "a GeoJSON feature"}},
-    Place{
-        "skyway-map",
-        "--fence",
-        {"a QGroundControl plan", "a mission (WPL)", "a fence or rally points without a mission"}},
+    Place{"", "map", {&kBoxMap}},
+    Place{"", "maps", {&kBoxMap}},
+    Place{"", "before", {&kBoxMap}},
+    Place{"", "after", {&kBoxMap}},
+    Place{"", "--lattice", {&kLattice}},
+    Place{"", "--roadmap", {&kRoadmap}},
+    Place{"", "--queries", {&kQueries, &kQueryTable, &kGeoJsonFeature, &kGeoJsonFile}},
+    Place{"", "--vehicle", {&kVehicleProfile}},
+    Place{"", "--moving", {&kMoving}},
+    Place{"skyway-traj", "paths", {&kPaths}},
+    Place{"skyway-replan", "--paths", {&kPaths}},
+    Place{"skyway-check", "file", {&kTrajectories, &kPaths}, {"--file-format", "--paths-csv"}},
+    Place{"skyway-fleet", "file", {&kTrajectories}},
+    Place{"skyway-fleet", "--alternatives", {&kTrajectories}},
+    Place{"skyway-fleet", "--others", {&kTrajectories}},
+    Place{"skyway-join", "shards", {&kShard}},
+    Place{"skyway-map", "--add", {geom::kBoxCsv.format}},
+    Place{"skyway-map", "--keep-out", {&kGeoJsonFile, &kGeoJsonFeature}},
+    Place{"skyway-map", "--fence", {&kQgcPlan, &kWplMission, &kFenceText}},
 };
 
 // Of two files that one argument takes, a map and what flies.
-const Place kFirst{"", "map_and_file", {kMap}};
-const Place kSecond{"", "map_and_file", {kTrajectories}};
-const Place kSecondOfExport{"skyway-export", "map_and_file", {kTrajectories, kPaths}};
+const Place kFirst{"", "map_and_file", {&kBoxMap}};
+const Place kSecond{"", "map_and_file", {&kTrajectories}};
+const Place kSecondOfExport{"skyway-export", "map_and_file", {&kTrajectories, &kPaths}};
 
 const Place& second_of(const CLI::App& app) {
   return app.get_name() == kSecondOfExport.tool ? kSecondOfExport : kSecond;
@@ -63,33 +63,35 @@ const Place& second_of(const CLI::App& app) {
 
 // How what is expected is made of what was found.
 struct Step {
-  std::string_view expected;  // empty: anything
-  std::string_view found;     // empty: of anything else
+  const Format* expected;  // null: anything
+  const Format* found;     // null: of anything else
   std::string_view advice;
 };
 
 constexpr std::array kSteps = {
-    Step{"", "a shard", "skyway-join puts the shards of a run together"},
-    Step{"", "a flight log", "skyway-check --file-format flight-log holds it against a map"},
-    Step{"", "a PX4 flight log (ULog)", "skyway-import-flight makes a flight log of it"},
-    Step{kPaths, kQueries, "skyway-plan makes paths of them"},
-    Step{kPaths, kTrajectories,
+    Step{nullptr, &kShard, "skyway-join puts the shards of a run together"},
+    Step{nullptr, &kFlightLog, "skyway-check --file-format flight-log holds it against a map"},
+    Step{nullptr, &kPx4Log, "skyway-import-flight makes a flight log of it"},
+    Step{&kPaths, &kQueries, "skyway-plan makes paths of them"},
+    Step{&kPaths, &kTrajectories,
          "they are solved already, so prove them with skyway-check or write them with "
          "skyway-export"},
-    Step{kPaths, "", "skyway-plan makes paths"},
-    Step{kTrajectories, kPaths, "skyway-traj makes trajectories of them"},
-    Step{kTrajectories, kQueries,
+    Step{&kPaths, nullptr, "skyway-plan makes paths"},
+    Step{&kTrajectories, &kPaths, "skyway-traj makes trajectories of them"},
+    Step{&kTrajectories, &kQueries,
          "skyway-plan makes paths of them, and skyway-traj trajectories of those"},
-    Step{kTrajectories, "", "skyway-traj makes trajectories of paths"},
-    Step{"a lattice", "", "skyway-lattice makes a lattice of a map"},
-    Step{"a roadmap", "", "skyway-roadmap makes a roadmap of a map"},
-    Step{kQueries, "", R"(a query is a line such as {"id":"a","from":[0,0,10],"to":[50,20,10]})"},
-    Step{kMoving, "",
+    Step{&kTrajectories, nullptr, "skyway-traj makes trajectories of paths"},
+    Step{&kLattice, nullptr, "skyway-lattice makes a lattice of a map"},
+    Step{&kRoadmap, nullptr, "skyway-roadmap makes a roadmap of a map"},
+    Step{&kQueries, nullptr,
+         R"(a query is a line such as {"id":"a","from":[0,0,10],"to":[50,20,10]})"},
+    Step{&kMoving, nullptr,
          R"(an obstacle is a line such as {"type":"moving","id":"a","from":0,"until":60,)"
          R"("min":[0,0,9],"max":[4,4,13],"velocity":[1,0,0],"growth":[0,0,0]})"},
-    Step{kZones, "a KML file", "ogr2ogr -f GeoJSON zones.geojson zones.kml makes GeoJSON of it"},
-    Step{"a shard", "", "a run with --shard K/N writes shards"},
-    Step{"a vehicle profile", "", "data/vehicles has some to begin with"},
+    Step{&kGeoJsonFile, &geom::gis::kKmlFile,
+         "ogr2ogr -f GeoJSON zones.geojson zones.kml makes GeoJSON of it"},
+    Step{&kShard, nullptr, "a run with --shard K/N writes shards"},
+    Step{&kVehicleProfile, nullptr, "data/vehicles has some to begin with"},
 };
 
 // A value of an option or argument.
@@ -149,34 +151,25 @@ const Place* place_of_stdin(const CLI::App& app) {
   return nullptr;
 }
 
-bool takes(const Place& place, const FileKind& kind) {
-  return std::find(place.takes.begin(), place.takes.end(), kind.what) != place.takes.end();
+bool takes(const Place& place, const Format& format) {
+  return std::find(place.takes.begin(), place.takes.end(), &format) != place.takes.end();
 }
 
 // Of a file that was given in two places, the one that does not take it.
-const Place* place_of(const CLI::App& app, const RunFiles::Input& input, const FileKind& kind) {
+const Place* place_of(const CLI::App& app, const RunFiles::Input& input, const Format& format) {
   const bool standard = input.path == "stdin";
   const Place* found = nullptr;
   for (const Value& value : values_of(app)) {
     if (value.text != (standard ? "-" : input.path)) continue;
     const Place* const place = place_of(app, value);
-    if (place && (!found || takes(*found, kind))) found = place;
+    if (place && (!found || takes(*found, format))) found = place;
   }
   return found || !standard ? found : place_of_stdin(app);
 }
 
-std::vector<std::string_view> words_of(std::string_view list) {
-  std::vector<std::string_view> words;
-  while (!list.empty()) {
-    const std::size_t end = std::min(list.find(' '), list.size());
-    words.push_back(list.substr(0, end));
-    list.remove_prefix(std::min(end + 1, list.size()));
-  }
-  return words;
-}
-
 // "a, b and c"; of more than four the first three.
-std::string listed(std::vector<std::string_view> words) {
+std::string listed(std::span<const std::string_view> tools) {
+  std::vector<std::string_view> words(tools.begin(), tools.end());
   if (words.size() > 4) {
     words.resize(3);
     words.push_back("others");
@@ -190,74 +183,84 @@ std::string listed(std::vector<std::string_view> words) {
 
 // Where another argument is what is expected here.
 std::string swapped(const CLI::App& app, const Place& place, const std::string& path,
-                    const FileKind& kind) {
+                    const Format& format) {
   for (const Value& other : values_of(app)) {
     if (other.text == path) continue;
-    const auto found = recognise_file(other.text);
+    const Format* const found = recognise_file(other.text);
     if (!found || !takes(place, *found)) continue;
     const Place* const its_place = place_of(app, other);
     if (its_place && takes(*its_place, *found)) continue;  // it is where it belongs
-    const bool both = !its_place || takes(*its_place, kind);
+    const bool both = !its_place || takes(*its_place, format);
     return fmt::format("{} is {}: {}", other.text, found->what,
                        both ? "swap the two" : "give it here");
   }
   return "";
 }
 
-std::string made_of(const Place& place, const FileKind& kind) {
-  if (place.takes.front() == kMap && kind.what != "a shard") {
-    for (const std::string_view maker :
-         {"skyway-import", "skyway-footprints", "skyway-cloud", "skyway-mesh"}) {
-      const auto tools = words_of(kind.tools);
-      if (std::find(tools.begin(), tools.end(), maker) == tools.end()) continue;
-      return fmt::format("{} makes a box map of it", maker);
-    }
-    if (kind.tools.empty() && !kind.otherwise.empty()) return std::string(kind.otherwise);
-    return "skyway-import, skyway-footprints and skyway-cloud make box maps";
+// The tools that make box maps, in the order in which they are offered.
+constexpr std::string_view kMakers[] = {"skyway-import", "skyway-footprints", "skyway-cloud",
+                                        "skyway-mesh"};
+
+std::string map_of(const Format& format) {
+  for (const std::string_view maker : kMakers) {
+    if (reads(maker, format)) return fmt::format("{} makes a box map of it", maker);
   }
-  const bool drone_file = kind.tools.starts_with(kDroneTools);
-  if (drone_file && !place.unless.empty())
+  if (format.readers.empty() && !format.advice.empty()) return std::string(format.advice);
+  return "skyway-import, skyway-footprints and skyway-cloud make box maps";
+}
+
+std::string made_of(const Place& place, const Format& format) {
+  const Format* const wanted = place.takes.front();
+  if (wanted == &kBoxMap && &format != &kShard) return map_of(format);
+  if (is_flown(&format) && !place.unless.empty()) {
     return fmt::format("{} auto reads it", place.unless.front());
-  if (drone_file && (place.takes.front() == kPaths || place.takes.front() == kTrajectories)) {
+  }
+  if (is_flown(&format) && (wanted == &kPaths || wanted == &kTrajectories)) {
     return "skyway-import-trajectory makes records of it";
   }
   for (const Step& step : kSteps) {
-    const bool right = step.expected.empty() || step.expected == place.takes.front();
-    if (right && (step.found.empty() || step.found == kind.what)) return std::string(step.advice);
+    const bool right = !step.expected || step.expected == wanted;
+    if (right && (!step.found || step.found == &format)) return std::string(step.advice);
   }
   return "";
 }
 
 // What to do with the file itself.
-std::string use_of(const FileKind& kind) {
-  if (kind.tools.empty()) return std::string(kind.otherwise);
-  const auto tools = words_of(kind.tools);
-  return fmt::format("{} {}", listed(tools), tools.size() == 1 ? "does" : "do");
+std::string use_of(const Format& format) {
+  if (format.readers.empty()) return std::string(format.advice);
+  return fmt::format("{} {}", listed(format.readers), format.readers.size() == 1 ? "does" : "do");
 }
 
-std::string refusal_here(const CLI::App& app, const Place& place, const std::string& path,
-                         const FileKind& kind) {
-  std::string expected(place.takes.front());
+// A file of this run, as messages call it.
+struct Found {
+  const std::string& path;
+  const Format& format;
+  std::string what;
+};
+
+std::string refusal_here(const CLI::App& app, const Place& place, const Found& found) {
+  const Format& format = found.format;
+  std::string expected(place.takes.front()->what);
   for (std::size_t i = 1; i < place.takes.size(); ++i) {
-    expected += (i + 1 < place.takes.size() ? ", " : " or ") + std::string(place.takes[i]);
+    expected += i + 1 < place.takes.size() ? ", " : " or ";
+    expected += place.takes[i]->what;
   }
-  std::string advice = swapped(app, place, path, kind);
-  if (advice.empty()) advice = made_of(place, kind);
-  if (advice.empty() && !kind.tools.empty()) {
-    const auto tools = words_of(kind.tools);
-    advice = fmt::format("{} {} it", listed(tools), tools.size() == 1 ? "reads" : "read");
+  std::string advice = swapped(app, place, found.path, format);
+  if (advice.empty()) advice = made_of(place, format);
+  if (advice.empty() && !format.readers.empty()) {
+    advice = fmt::format("{} {} it", listed(format.readers),
+                         format.readers.size() == 1 ? "reads" : "read");
   }
-  return fmt::format("{}: expected {}, found {}{}{}", path, expected, kind.what,
+  return fmt::format("{}: expected {}, found {}{}{}", found.path, expected, found.what,
                      advice.empty() ? "" : "; ", advice);
 }
 
-std::string refusal_by_tool(const std::string& tool, const std::string& path,
-                            const FileKind& kind) {
-  const bool maker = tool == "skyway-import" || tool == "skyway-footprints" ||
-                     tool == "skyway-cloud" || tool == "skyway-mesh";
-  const std::string advice =
-      maker && kind.what == kMap ? "it is a map already, which skyway-map changes" : use_of(kind);
-  return fmt::format("{}: this is {}, which {} does not read{}{}", path, kind.what, tool,
+std::string refusal_by_tool(const std::string& tool, const Found& found) {
+  const bool maker = std::find(std::begin(kMakers), std::end(kMakers), tool) != std::end(kMakers);
+  const std::string advice = maker && &found.format == &kBoxMap
+                                 ? "it is a map already, which skyway-map changes"
+                                 : use_of(found.format);
+  return fmt::format("{}: this is {}, which {} does not read{}{}", found.path, found.what, tool,
                      advice.empty() ? "" : "; ", advice);
 }
 
@@ -272,15 +275,16 @@ std::optional<std::string> wrong_file(const CLI::App& app, std::string_view sour
   });
   if (input == inputs.end()) return std::nullopt;
   const bool standard = input->path == "stdin";
-  const auto kind = standard ? recognise(input->head) : recognise_file(input->path);
-  const std::string& tool = app.get_name();
-  if (!kind || reads(kind->named_by, tool)) return std::nullopt;
-  if (const Place* const place = place_of(app, *input, *kind)) {
-    if (takes(*place, *kind)) return std::nullopt;
-    return refusal_here(app, *place, input->path, *kind);
+  const Format* const format = standard ? recognise(input->head) : recognise_file(input->path);
+  if (!format) return std::nullopt;
+  const Found found{input->path, *format,
+                    described(*format, standard ? input->head : head_of(input->path))};
+  if (const Place* const place = place_of(app, *input, *format)) {
+    if (takes(*place, *format)) return std::nullopt;
+    return refusal_here(app, *place, found);
   }
-  if (reads(kind->tools, tool)) return std::nullopt;
-  return refusal_by_tool(tool, input->path, *kind);
+  if (reads(app.get_name(), *format)) return std::nullopt;
+  return refusal_by_tool(app.get_name(), found);
 }
 
 }  // namespace cli

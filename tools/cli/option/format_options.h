@@ -1,7 +1,7 @@
 #pragma once
 
-// Options that only some formats use: given beside another format they are wrong usage, because
-// whoever gave them believes that they count.
+// --format, and options that only some formats use: given beside another format they are wrong
+// usage, because whoever gave them believes that they count.
 
 #include <CLI/CLI.hpp>
 #include <span>
@@ -9,7 +9,21 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/format.h"
+
 namespace cli {
+
+// Adds --format, which takes "auto" and the words of a table. `format` is null for auto.
+template <class Row>
+void add_format(CLI::App& app, geom::FormatRows<Row> table, const Row*& format) {
+  std::vector<std::string> words = {"auto"};
+  for (const std::string_view word : geom::words_of(table)) words.emplace_back(word);
+  app.add_option_function<std::string>(
+         "--format",
+         [table, &format](const std::string& word) { format = geom::row_named(word, table); },
+         "what the file is (default: auto)")
+      ->check(CLI::IsMember(words));
+}
 
 // A row of a tool's table.
 struct FormatOption {

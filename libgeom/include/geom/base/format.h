@@ -12,9 +12,11 @@
 //   const geom::Format* const formats[] = {&pcd};
 //   assert(geom::recognise("# .PCD v0.7", formats) == &pcd);
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace geom {
 
@@ -40,5 +42,67 @@ const Format* recognise(std::string_view head, Formats formats);
 
 // The format of this word; null where there is none.
 const Format* format_named(std::string_view word, Formats formats);
+
+// Whether `tool` is one of those that read the format.
+bool reads(std::string_view tool, const Format& format);
+
+// A table of readers has rows of a type of its own, which name a format, and kinds of files that
+// the same reader takes. A row is a constant, too, and lies with its reader:
+//
+//   struct CloudFormat {
+//     const Format* format;                           // LAS
+//     Formats kinds = {};                             // LAZ and COPC
+//     bool (*may_be)(std::string_view head) = nullptr;  // where no format of the table is sure
+//     CloudCounts (*read)(std::istream& in, ...);
+//   };
+template <class Row>
+using FormatRows = std::span<const Row* const>;
+
+// The row whose format has this word; null where there is none.
+template <class Row>
+const Row* row_named(std::string_view word, FormatRows<Row> rows) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row* row) { return row->format->word == word; });
+  return found == rows.end() || word.empty() ? nullptr : *found;
+}
+
+// The row that reads this format, as its own or as a kind; null where there is none.
+template <class Row>
+const Row* row_of(const Format& format, FormatRows<Row> rows) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row* row) {
+    return row->format == &format ||
+           std::find(row->kinds.begin(), row->kinds.end(), &format) != row->kinds.end();
+  });
+  return found == rows.end() ? nullptr : *found;
+}
+
+// All formats of a table with their kinds, row by row.
+template <class Row>
+std::vector<const Format*> formats_of(FormatRows<Row> rows) {
+  std::vector<const Format*> out;
+  for (const Row* row : rows) {
+    out.push_back(row->format);
+    out.insert(out.end(), row->kinds.begin(), row->kinds.end());
+  }
+  return out;
+}
+
+// The words of a table, for --format.
+template <class Row>
+std::vector<std::string_view> words_of(FormatRows<Row> rows) {
+  std::vector<std::string_view> out;
+  for (const Row* row : rows) out.push_back(row->format->word);
+  return out;
+}
+
+// The row that reads a file that begins with `head`: the one that recognises it, else the first of
+// which it may be. Null where there is none.
+template <class Row>
+const Row* row_recognised(std::string_view head, FormatRows<Row> rows) {
+  if (const Format* const format = recognise(head, formats_of(rows))) return row_of(*format, rows);
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Row* row) { return row->may_be && row->may_be(head); });
+  return found == rows.end() ? nullptr : *found;
+}
 
 }  // namespace geom

@@ -28,4 +28,7 @@ BoxTable read_box_csv(std::istream& in, std::string_view source);
 // does not say the epoch.
 void write_box_csv(std::ostream& out, const BoxTable& table);
 
+struct BoxFormat;
+extern const BoxFormat kBoxCsv;  // of box_formats()
+
 }  // namespace geom

@@ -43,4 +43,7 @@ struct CenteredBox {
 void write_fcnd_csv(std::ostream& out, const GeodeticOrigin& origin,
                     std::span<const CenteredBox> boxes);
 
+struct BoxFormat;
+extern const BoxFormat kFcnd;  // of box_formats()
+
 }  // namespace geom

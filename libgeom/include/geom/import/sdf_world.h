@@ -83,4 +83,7 @@ struct SdfWorld {
 // read_obj(), read_stl() and `read_collada` refuse.
 SdfWorld read_sdf_world(std::istream& in, std::string_view source, const SdfOptions& options);
 
+struct BoxFormat;
+extern const BoxFormat kGazeboWorld;  // of box_formats()
+
 }  // namespace geom

@@ -18,8 +18,8 @@ namespace geom {
 // `up_axis` say. Numbers are single precision on the way: Model::blur says how far that may be off.
 // Polygons that the file counts and assimp does not give are skipped and counted, as are those with
 // holes, points and lines. Refused: what bones, morphs or animations move. assimp reads it in a
-// child process first: std::runtime_error where that breaks down. `format`: "collada" or "3ds".
-// Throws InputError(source, …).
-Model read_scene(const std::string& bytes, const std::string& source, const std::string& format);
+// child process first: std::runtime_error where that breaks down. Throws InputError(source, …).
+Model read_collada(const std::string& bytes, const std::string& source);
+Model read_3ds(const std::string& bytes, const std::string& source);
 
 }  // namespace geom

@@ -96,6 +96,15 @@ void refuse_unknown_attributes(const SdfNode& pose) {
   }
 }
 
+// How the pose says its rotation: a quaternion, or roll, pitch and yaw.
+bool is_quaternion(const SdfNode& pose) {
+  const std::string said = pose.attribute("rotation_format");
+  if (said == "quat_xyzw") return true;
+  if (said.empty() || said == "euler_rpy") return false;
+  pose.refuse(fmt::format("rotation_format must be euler_rpy or quat_xyzw, found \"{}\"",
+                          said.substr(0, 40)));
+}
+
 }  // namespace
 
 Vec3 SdfPose::place() const { return {shift[0].down(), shift[1].down(), shift[2].down()}; }
@@ -138,13 +147,7 @@ SdfPose inverse(const SdfPose& pose) {
 SdfPose parse_sdf_pose(const SdfNode& pose) {
   refuse_unknown_attributes(pose);
   SdfPose out;
-  const std::string format = pose.attribute("rotation_format");
-  if (!format.empty() && format != "euler_rpy" && format != "quat_xyzw") {
-    pose.refuse({.key = "rotation_format",
-                 .expected = "euler_rpy or quat_xyzw",
-                 .found = in_quotes(format.substr(0, 40))});
-  }
-  const bool quaternion = format == "quat_xyzw";
+  const bool quaternion = is_quaternion(pose);
   const bool degrees = in_degrees(pose);
   if (quaternion && degrees)
     pose.refuse({.says = "a quaternion has no degrees", .found = "degrees"});

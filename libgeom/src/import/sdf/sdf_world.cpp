@@ -10,6 +10,8 @@
 #include <set>
 
 #include "geom/base/error.h"
+#include "geom/import/box_format.h"
+#include "geom/text/beginning.h"
 #include "sdf_loader.h"
 #include "sdf_place_on_earth.h"
 #include "sdf_shapes.h"
@@ -285,5 +287,39 @@ SdfWorld read_sdf_world(std::istream& in, std::string_view source, const SdfOpti
   WorldReader(options, out).read(*world);
   return out;
 }
+
+namespace {
+
+ImportedBoxes import_sdf_world(std::istream& in, std::string_view source,
+                               const ImportOptions& options) {
+  SdfWorld world = read_sdf_world(in, source, options.sdf);
+  ImportedBoxes out;
+  out.table = std::move(world.table);
+  out.frame = world.frame;
+  out.bounds = world.bounds;
+  out.floor = world.floor;
+  out.flat = world.flat;
+  out.skipped = std::move(world.skipped);
+  out.movable = world.movable;
+  out.left_out = std::move(world.left_out);
+  return out;
+}
+
+// The root, whatever stands before it between angle brackets.
+bool is_sdf(std::string_view head) {
+  const std::string_view text = text_of(head);
+  const std::size_t root = text.find("<sdf");
+  return text.starts_with('<') && root != text.npos && root + 4 < text.size() &&
+         std::string_view(" \t\r\n>").find(text[root + 4]) != std::string_view::npos;
+}
+
+constexpr std::string_view kReaders[] = {"skyway-import"};
+constexpr Format kFormat{
+    .word = "sdf", .what = "a Gazebo world (SDF)", .begins = is_sdf, .readers = kReaders};
+
+}  // namespace
+
+constinit const BoxFormat kGazeboWorld{
+    .format = &kFormat, .may_be = is_sdf, .read = import_sdf_world};
 
 }  // namespace geom

@@ -1,0 +1,34 @@
+#pragma once
+
+// The formats that point clouds come in, as a table of their readers.
+//
+//   const geom::CloudFormat* const format = geom::row_recognised(head, geom::cloud_formats());
+//   const geom::CloudCounts counts = format->read(in, name, sink, {}, {});
+
+#include "geom/base/format.h"
+#include "geom/cloud/point_cloud.h"
+
+namespace geom {
+
+struct CloudFormat {
+  const Format* format;
+  Formats kinds = {};
+  bool (*may_be)(std::string_view head) = nullptr;  // where no format of the table is sure
+  // As read_las(): the reference is told before the first point, also where a format has no place
+  // for one. Throws InputError.
+  CloudCounts (*read)(std::istream& in, std::string_view source, const PointSink& sink,
+                      const ReferenceSink& reference, const LasReading& reading);
+  bool is_surveyed = false;  // its points have classes, and it may say its coordinate reference
+};
+
+// PCD, PLY, LAS (with LAZ and COPC) and, for any other text, XYZ.
+FormatRows<CloudFormat> cloud_formats();
+
+extern const CloudFormat kPcdCloud;
+extern const CloudFormat kPlyCloud;
+extern const CloudFormat kLasCloud;
+extern const CloudFormat kXyzCloud;
+
+extern const Format kPlyFile;  // of points or of triangles
+
+}  // namespace geom

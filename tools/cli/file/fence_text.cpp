@@ -1,0 +1,23 @@
+#include "fence_text.h"
+
+#include <algorithm>
+
+namespace cli {
+
+bool is_fence_text(std::string_view head) {
+  if (!head.starts_with("QGC WPL")) return false;
+  bool fence = false;
+  for (std::size_t at = head.find('\n'); at < head.size(); at = head.find('\n', at + 1)) {
+    std::size_t field = at + 1;
+    for (int i = 0; i < 3; ++i) field = head.find('\t', std::min(field, head.size())) + 1;
+    if (field == 0 || field >= head.size()) break;
+    const std::string_view command = head.substr(field, 5);
+    if (!fence && head.substr(at + 1).starts_with("0\t") && command.starts_with("16\t")) continue;
+    if (command != "5100\t" && !(command.starts_with("500") && command.ends_with('\t')))
+      return false;
+    fence = true;
+  }
+  return fence;
+}
+
+}  // namespace cli
