@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/shape/hull.h"
+#include "geom/shape/polyline.h"
 
 namespace traj {
 namespace {
