@@ -1,9 +1,10 @@
 """layers.py SOURCE_DIR: each room includes only what lies left of it in the drawing of docs/architecture.md.
 
 The drawing is the block below the heading "Layers". A line names an area (the libraries, one library, tools/cli,
-tools) and its rooms in their order, `base <- shape, text <- map`: a room may include what is left of it in a line
-of its area, and whatever is left of that. An area may have several lines. A tool that is not drawn includes
-tools/cli and the libraries alone.
+tools, one room such as libtraj/mission) and its rooms in their order, `base <- shape, text <- map`: a room may
+include what is left of it in a line of its area, and whatever is left of that. An area may have several lines. A tool
+that is not drawn includes tools/cli and the libraries alone. In a room that is an area, and in tools/cli, the name of
+the folder stands for the files that lie in no folder below it.
 """
 
 import collections
@@ -60,6 +61,20 @@ def room_of(path):
     return "tools", parts[1] if len(parts) > 2 else ""
 
 
+def part_of(path, area):
+    """The room of a file within a room of a library that is an area; nothing where the file is not in that."""
+    library, room = area.split("/")
+    if room_of(path) != (library, room):
+        return None
+    below = path.partition(f"/{room}/")[2].split("/")
+    return below[0] if len(below) > 1 else room
+
+
+def divided(areas):
+    """The areas that are rooms of libraries."""
+    return [area for area in areas if area.split("/")[0] in LIBRARIES and "/" in area]
+
+
 def meant(path, include, files):
     """The file that an include of `path` names, or nothing where that is none of ours."""
     folders = [path.rpartition("/")[0], "tools"]
@@ -93,6 +108,21 @@ def uses(files):
     return graph
 
 
+def faults_within(area, files, rooms):
+    """What is wrong inside of a room that is an area, a line each."""
+    left = reachable(rooms)
+    there = {part_of(path, area) for path in files} - {None}
+    for part in sorted(there - set(rooms)):
+        yield f"{area}: the room {part} is not drawn in docs/architecture.md"
+    for part in sorted(set(rooms) - there):
+        yield f"docs/architecture.md: {area} has no room {part}"
+    for path, line, include, named in includes(files):
+        user, used = part_of(path, area), part_of(named, area)
+        if user and used and user != used and used not in left.get(user, ()):
+            yield (f"{path}:{line}: {user} of {area} may not use {used}, which is not left of it: move what it needs of "
+                   f"\"{include}\" to a lower room, or this file to a higher one")
+
+
 def why_not(user, used, left):
     """Why a file of the room `user` must not include one of the room `used`; nothing where it may."""
     if user == used:
@@ -115,6 +145,7 @@ def faults(files, text):
         if area not in areas:
             yield f"docs/architecture.md: the block below \"Layers\" draws no {area}"
             return
+    for area in areas:
         for cycle in cycles(areas[area]):
             yield f"docs/architecture.md: the drawing of {area} has a cycle of {', '.join(sorted(cycle))}"
     left = {area: reachable(rooms) for area, rooms in areas.items()}
@@ -125,6 +156,8 @@ def faults(files, text):
     for area in (*LIBRARIES, "tools/cli", "tools"):
         for room in sorted(set(areas[area]) - {at[1] for at in there if at[0] == area} - {"cli"}):
             yield f"docs/architecture.md: {area} has no room {room}"
+    for area in divided(areas):
+        yield from faults_within(area, files, areas[area])
     for path, line, include, named in includes(files):
         fault = why_not(room_of(path), room_of(named), left)
         if fault:
@@ -137,7 +170,8 @@ DRAWN = """## Layers
 libraries  libgeom <- libplan, libtraj <- tools
 libgeom    base <- shape, text <- map
 libplan    lattice <- planner
-libtraj    curve
+libtraj    curve <- mission
+libtraj/mission  ulog <- firmware <- mission
 tools/cli  file <- option <- cli
 tools      cli <- plot <- render
 ```
@@ -151,6 +185,9 @@ TREE = {
     "libplan/include/plan/lattice/lattice.h": '#include "geom/shape/aabb.h"\n',
     "libplan/src/planner/plan.cpp": '#include "plan/lattice/lattice.h"\n',
     "libtraj/include/traj/curve/yaw.h": '#include "geom/base/error.h"\n',
+    "libtraj/include/traj/mission/ulog/log.h": '#include "traj/curve/yaw.h"\n',
+    "libtraj/src/mission/firmware/drift.h": '#include "traj/mission/ulog/log.h"\n',
+    "libtraj/include/traj/mission/judge.h": '#include "mission/firmware/drift.h"\n',
     "tools/cli/file/files.h": '#include "geom/base/error.h"\n',
     "tools/cli/option/degrees.h": '#include "cli/file/files.h"\n',
     "tools/cli/run.h": '#include "cli/option/degrees.h"\n',
@@ -189,6 +226,15 @@ def self_test():
     yield from found("tools/cli: the room shard is not drawn", "tools/cli/shard/shard.h")
     yield from found("libgeom: the room of files outside of rooms is not drawn", "libgeom/src/stray.h")
     yield from found("libplan has no room roadmap", text=DRAWN.replace("lattice <-", "lattice, roadmap <-"))
+    # Within a room that is an area.
+    yield from found("ulog of libtraj/mission may not use firmware", "libtraj/src/mission/ulog/a.h",
+                     '#include "mission/firmware/drift.h"')
+    yield from found("firmware of libtraj/mission may not use mission", "libtraj/src/mission/firmware/a.h",
+                     '#include "traj/mission/judge.h"')
+    yield from found("libtraj/mission: the room formats is not drawn", "libtraj/src/mission/formats/a.h")
+    yield from found("libtraj/mission has no room formats", text=DRAWN.replace("ulog <- firmware", "ulog, formats <- firmware"))
+    yield from found("libtraj/mission has a cycle of firmware, ulog",
+                     text=DRAWN.replace("ulog <- firmware", "ulog <- firmware <- ulog"))
     # A drawing with a cycle, in one line or over two, and one of which an area is missing.
     yield from found("libgeom has a cycle of base, map, shape, text",
                      text=DRAWN.replace("text <- map", "text <- map <- base"))
@@ -196,7 +242,7 @@ def self_test():
                      text=DRAWN.replace("libtraj    curve", "libplan    planner <- lattice\nlibtraj    curve"))
     yield from found("libraries has a cycle of libgeom, libplan, libtraj, tools",
                      text=DRAWN.replace("<- tools", "<- tools <- libgeom"))
-    yield from found("draws no libtraj", text=DRAWN.replace("libtraj    curve\n", ""))
+    yield from found("draws no libtraj", text=DRAWN.replace("libtraj    curve <- mission\n", ""))
     both = {"libgeom/src/text/a.h": '#include "map/hash.h"', "libgeom/src/map/b.h": '#include "text/a.h"'}
     if cycles(uses(TREE)) or cycles(uses(TREE | both)) != {frozenset(("libgeom/map", "libgeom/text"))}:
         yield "a cycle of rooms was expected where map and text include each other, and none before"

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "in_the_way.h"
-#include "traj/drone_file/dji_wpml.h"
+#include "traj/mission/dji/dji_wpml.h"
 
 namespace {
 
@@ -184,18 +184,9 @@ class Case {
   std::vector<Attack> attacks_;
 };
 
-traj::Flown flown(const std::string& text) {
-  traj::FlownDji made =
-      traj::flown_dji(traj::read_dji_wpml(text, "", "mission"), kFrame, {}, "mission");
-  traj::Flown out;
-  out.path = std::move(made.path);
-  out.legs = std::move(made.legs);
-  out.sweeps = std::move(made.sweeps);
-  out.ends = made.ends;
-  out.lands_below = made.lands_below;
-  out.path_stray = traj::kMissionStray;
-  out.returns = made.returns;
-  return out;
+traj::FlownMission flown(const std::string& text) {
+  return traj::FlownMission(
+      traj::flown_dji(traj::read_dji_wpml(text, "", "mission"), kFrame, {}, "mission"));
 }
 
 }  // namespace

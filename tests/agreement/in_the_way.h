@@ -15,8 +15,8 @@
 
 #include "geom/collision/collision.h"
 #include "support/random_city.h"
-#include "traj/drone_file/mission_flight.h"
-#include "traj/proof/flown.h"
+#include "traj/mission/mavlink/mission_flight.h"
+#include "traj/mission/judge/judge.h"
 
 namespace in_the_way {
 
@@ -51,7 +51,7 @@ struct Attack {
 struct Trial {
   std::string text;
   Attack attack;
-  traj::Flown flown;
+  traj::FlownMission flown;
 };
 
 // A box that once grown by the vehicle has the point `depth` inside it, and no deeper.
@@ -92,8 +92,8 @@ inline traj::Fence fence_at(Random& random, const Attack& attack, double depth) 
   return {true, {{-900, -900}, {right, -900}, {right, 900}, {-900, 900}}, 0};
 }
 
-inline bool accepted(const geom::CollisionScene& scene, const traj::Flown& mission) {
-  return traj::check_flown(scene, mission, {}, traj::Clearance::left_out).ok;
+inline bool accepted(const geom::CollisionScene& scene, const traj::FlownMission& mission) {
+  return traj::judge(scene, {mission}, {}, traj::Clearance::left_out).ok;
 }
 
 // COUNT missions over the ground that `make(random, i)` gives, each without and with what is put into its way. The

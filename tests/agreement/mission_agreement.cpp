@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "in_the_way.h"
-#include "traj/drone_file/wpl.h"
+#include "traj/mission/formats/wpl.h"
 
 namespace {
 
@@ -297,22 +297,15 @@ class Case {
   std::vector<Vec3> way_;
 };
 
-traj::Flown flown(const std::string& text) {
+traj::FlownMission flown(const std::string& text) {
   std::istringstream in(text);
   const traj::Mission mission = traj::read_wpl(in, "mission");
   traj::MissionRules rules;
   rules.braking = kBraking;
   rules.return_height = kReturnHeight;
   traj::FlownMission made = traj::flown_mission(mission, kFrame, rules, "mission");
-  traj::Flown out;
-  out.path = std::move(made.path);
-  out.legs = std::move(made.legs);
-  out.sweeps = std::move(made.sweeps);
-  out.fences = std::move(made.fences);
-  out.ends = made.ends;
-  out.path_stray = traj::kMissionStray;
-  out.returns = made.returns;
-  return out;
+  made.drift.clear();  // what the file says, not where autopilots may be
+  return made;
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include "geom/map/geographic_frame.h"
 #include "geom/shape/hull.h"
 #include "geom/text/text_table.h"
-#include "traj/drone_file/qgc_plan.h"
-#include "traj/drone_file/wpl.h"
+#include "traj/mission/formats/qgc_plan.h"
+#include "traj/mission/formats/wpl.h"
 
 namespace firmware {
 namespace {
@@ -147,17 +147,13 @@ std::vector<CornerWidth> corner_widths(const Flight& flight, const Replay& repla
 }
 
 traj::Flown flown(const Flight& flight, const Replay& replay) {
-  traj::Flown out;
-  out.path = replay.mission.path;
-  out.legs = replay.mission.legs;
-  out.sweeps = replay.mission.sweeps;
-  out.drift = replay.mission.drift;
-  out.ends = replay.mission.ends;
-  out.home = replay.mission.home;
-  out.path_stray = traj::kMissionStray;
-  out.navigation =
-      Vec3(flight.navigation_across, flight.navigation_across, flight.navigation_vertical);
-  return out;
+  traj::FlownMission mission = replay.mission;
+  mission.fences.clear();  // whatever the flight kept to
+  mission.rally.clear();
+  mission.touches.clear();
+  mission.returns = false;
+  return {std::move(mission),
+          Vec3(flight.navigation_across, flight.navigation_across, flight.navigation_vertical)};
 }
 
 }  // namespace firmware

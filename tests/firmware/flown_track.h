@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "traj/drone_file/mission_flight.h"
-#include "traj/proof/flown.h"
+#include "traj/mission/mavlink/mission_flight.h"
+#include "traj/mission/judge/judge.h"
 
 namespace firmware {
 
@@ -37,7 +37,7 @@ struct Sample {
 
 // What a flight was, and where it may have been.
 struct Replay {
-  traj::FlownMission mission;
+  traj::FlownMavlink mission;
   std::vector<Sample> samples;
 };
 Replay replay(const Flight& flight);
@@ -54,7 +54,7 @@ struct CornerWidth {
 };
 std::vector<CornerWidth> corner_widths(const Flight& flight, const Replay& replay);
 
-// What check_flown takes.
+// What judge() takes.
 traj::Flown flown(const Flight& flight, const Replay& replay);
 
 }  // namespace firmware

@@ -43,9 +43,10 @@ TEST_P(Flown, StaysInsideTheClaim) {
 // A vehicle so small that only its track counts, over flat ground, and ground as high as the landing.
 geom::CollisionScene scene_with(const Vec3& cube, const traj::Flown& file) {
   const Vec3 half = Vec3::Constant(0.01);
-  const double landing = file.ends.landing_on.value_or(0);
+  const traj::FlownLegs& legs = *traj::legs_of(file);
+  const double landing = legs.ends.landing_on.value_or(0);
   const Vec3 aside(50, 50, 0);
-  const Vec3 foot(file.path.back().x(), file.path.back().y(), 0);
+  const Vec3 foot(legs.path.back().x(), legs.path.back().y(), 0);
   std::vector<geom::Aabb> boxes{{cube - half, cube + half}};
   const double floor = std::min(0.0, landing);
   if (landing > floor) {
@@ -62,7 +63,7 @@ TEST_P(Flown, ACubeOnItsTrackIsACollision) {
   const traj::Flown file = flown(GetParam(), flight);
   const Vec3 away(-3000, -3000, 100);
   const auto alone =
-      check_flown(scene_with(away, file), file, {}, traj::Clearance::left_out);
+      judge(scene_with(away, file), file, {}, traj::Clearance::left_out);
   if (!alone.ok) {  // so low that the autopilot may stray to the ground
     EXPECT_NE(alone.strayed, "");
     EXPECT_EQ(alone.reason, traj::Reason::bounds);
@@ -73,7 +74,7 @@ TEST_P(Flown, ACubeOnItsTrackIsACollision) {
     const Vec3& place = flight.samples[i].place;
     if (place.z() < 0.5) continue;
     const auto result =
-        check_flown(scene_with(place, file), file, {}, traj::Clearance::left_out);
+        judge(scene_with(place, file), file, {}, traj::Clearance::left_out);
     EXPECT_EQ(result.reason, traj::Reason::collision)
         << "at " << flight.samples[i].time << " s, " << place.transpose();
   }

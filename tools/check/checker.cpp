@@ -6,10 +6,10 @@
 #include "cli/run.h"
 #include "geom/record/start_on_map.h"
 #include "geom/text/json_fields.h"
+#include "traj/mission/judge/judge.h"
 #include "traj/proof/check.h"
 #include "traj/proof/clearance.h"
 #include "traj/proof/exact/exact_check.h"
-#include "traj/proof/flown.h"
 #include "traj/record/trajectory_record.h"
 
 namespace checking {
@@ -27,8 +27,9 @@ bool has_less_room(const geom::CollisionScene& scene, const geom::Provenance& re
 }
 
 // How the corners of a mission were taken; empty where it has none.
-std::string corner_note(const traj::Flown& flown) {
-  if (flown.corners == 0) return {};
+std::string corner_note(const traj::FlownMission* mission) {
+  if (!mission || mission->corners == 0) return {};
+  const traj::FlownMission& flown = *mission;
   const std::string where =
       fmt::format("{} waypoint{}", flown.corners, flown.corners == 1 ? "" : "s");
   if (flown.acceptance == 0) {
@@ -41,6 +42,15 @@ std::string corner_note(const traj::Flown& flown) {
       "the vehicle does not stop at {}: corners were looked at within {:.3g} m "
       "(--acceptance says otherwise)",
       where, flown.acceptance);
+}
+
+// Which drone files the exact check takes.
+void require_exact(const traj::FlownLegs* legs, const traj::FlownMission* mission) {
+  if (!legs) throw cli::UsageError("--exact takes paths and records, not files of trajectories");
+  if (!mission || (mission->sweeps.empty() && mission->fences.empty())) return;
+  throw cli::UsageError(
+      "--exact takes straight legs: this mission has corners, curves or fences as well; check it "
+      "without --exact");
 }
 
 // Of a collision while it stands on its pads.
@@ -154,62 +164,56 @@ traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::stri
 }
 
 // What the proof allows for, beside the way.
-void Checker::say_allowance(const cli::DroneFile& file, traj::ReportRecord& report) const {
-  if (file.format == "paths-csv") return;  // nothing flies that
-  const cli::AutopilotOptions& autopilot = *rules_.autopilot;
+void Checker::say_allowance(const traj::FileFlight& file, traj::ReportRecord& report) const {
+  if (!file.format->is_flown) return;
+  const traj::Flier& flier = *rules_.flier;
   const auto said = [](const geom::Vec3& box) { return std::array{box.x(), box.z()}; };
-  const geom::Vec3 navigation = autopilot.allowance(false);
+  const geom::Vec3 navigation = flier.allowance(false);
   report.navigation = said(navigation);
-  if (file.flown.drift.empty()) {
-    report.tracking = said(autopilot.allowance(true) - navigation);
+  if (!traj::has_drift(file.flown)) {
+    report.tracking = said(flier.allowance(true) - navigation);
     return;
   }
-  for (const traj::Drift& one : file.flown.drift) {
+  for (const traj::Drift& one : traj::mission_of(file.flown)->drift) {
     report.autopilot += (report.autopilot.empty() ? "" : ", ") + one.autopilot;
   }
-  report.assumed = autopilot.assumed;
-  report.drag = autopilot.pilots.front().drag;
+  report.assumed = flier.assumed;
+  report.drag = flier.autopilots.front().drag;
 }
 
 // What a drone makes of a file.
-traj::ReportRecord Checker::flown(const cli::DroneFile& file) const {
+traj::ReportRecord Checker::flown(const traj::FileFlight& file) const {
   const auto& scene = scenes_.scene();
-  const bool path = !file.flown.path.empty();
-  if (file.format == "paths-csv") {
-    rules_.metres.check_input(scene.map().spec().frame, file.flown.path, file.id, 0);
+  const traj::FlownLegs* legs = traj::legs_of(file.flown);
+  const traj::FlownMission* mission = traj::mission_of(file.flown);
+  if (!file.format->is_flown) {
+    rules_.metres.check_input(scene.map().spec().frame, legs->path, file.id, 0);
   }
-  if (rules_.exact && !path) {
-    throw cli::UsageError("--exact takes paths and records, not files of trajectories");
-  }
-  if (rules_.exact && !(file.flown.sweeps.empty() && file.flown.fences.empty())) {
-    throw cli::UsageError(
-        "--exact takes straight legs: this mission has corners, curves or fences as well; check it "
-        "without --exact");
-  }
+  if (rules_.exact) require_exact(legs, mission);
   traj::ReportRecord report;
   report.id = file.id;
-  report.checked = path ? "path" : "trajectory";
+  report.checked = legs ? "path" : "trajectory";
   report.limits = limits_for({}, scene.vehicle());
   report.overridden = loosened({}, scene.vehicle(), report.limits);
   report.provenance = geom::provenance_of(scene);
-  report.home = file.flown.home;
-  report.idle_items = file.flown.idle_items;
-  report.endless_jumps = file.flown.endless_jumps;
-  say_allowance(file, report);
-  report.result = traj::check_flown(scene, file.flown, report.limits, rules_.clearance);
-  report.detail = takeoff_detail(scene, report.result);
-  if (report.result.looked) {
-    const auto& segments = file.flown.trajectory.segments;
-    refuse_unmeasured(path ? file.flown.path.front() : segments.front().point.front(), report);
+  if (mission) {
+    report.home = mission->home;
+    report.idle_items = mission->idle_items;
+    report.endless_jumps = mission->endless_jumps;
   }
-  const auto way = path ? traj::whole_way(scene, file.flown) : std::nullopt;
+  say_allowance(file, report);
+  report.result = traj::judge(scene, file.flown, report.limits, rules_.clearance);
+  report.detail = takeoff_detail(scene, report.result);
+  if (report.result.looked) refuse_unmeasured(traj::begin_of(file.flown), report);
+  const auto way = legs ? traj::whole_way(scene, *legs) : std::nullopt;
   if (way && rules_.exact) report.exact = traj::check_exactly(exact_task(scene, {}), *way);
   if (!profile_.is_open()) return report;
   if (way) profile_.require_room(geom::length(*way));
   if (way) profile_.add(file.id, traj::clearance_profile(scene, *way, profile_.step()));
-  if (!path && report.result.duration > 0) {
+  if (!legs && report.result.duration > 0) {
     profile_.require_room(report.result.duration);
-    profile_.add(file.id, traj::clearance_profile(scene, file.flown.trajectory, profile_.step()));
+    profile_.add(file.id,
+                 traj::clearance_profile(scene, traj::trajectory_of(file.flown), profile_.step()));
   }
   return report;
 }
@@ -235,7 +239,7 @@ std::size_t Checker::each(cli::InputFile& file, const cli::DroneFileOptions& dro
   for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
     if (!shard.takes(total++)) continue;
     for (const std::string& note : one.notes) common_.warn(one.id + ": " + note);
-    const std::string corners = corner_note(one.flown);
+    const std::string corners = corner_note(traj::mission_of(one.flown));
     if (!corners.empty()) common_.warn(one.id + ": " + corners);
     answer(flown(one));
   }

@@ -20,10 +20,10 @@
 namespace checking {
 
 struct Rules {
-  traj::Limits limits;           // by the options
-  bool override_record = false;  // the options may be looser than what a record carries
-  bool exact = false;            // check once more in exact numbers
-  const cli::AutopilotOptions* autopilot = nullptr;       // of drone files
+  traj::Limits limits;                 // by the options
+  bool override_record = false;        // the options may be looser than what a record carries
+  bool exact = false;                  // check once more in exact numbers
+  const traj::Flier* flier = nullptr;  // of drone files
   traj::Clearance clearance = traj::Clearance::measured;  // in the reports
   cli::MetresOption metres = cli::MetresOption();         // whether records may be degrees
 };
@@ -48,11 +48,11 @@ class Checker {
                                 std::size_t line) const;
   traj::ReportRecord path(const geom::JsonFields& fields, const std::string& source,
                           std::size_t line) const;
-  traj::ReportRecord flown(const cli::DroneFile& file) const;
+  traj::ReportRecord flown(const traj::FileFlight& file) const;
   traj::Limits limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const;
   std::vector<std::string> loosened(const traj::TrajectoryRecord& record,
                                     const geom::Vehicle& vehicle, const traj::Limits& held) const;
-  void say_allowance(const cli::DroneFile& file, traj::ReportRecord& report) const;
+  void say_allowance(const traj::FileFlight& file, traj::ReportRecord& report) const;
   void refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& report) const;
 
   const cli::Common& common_;

@@ -36,14 +36,14 @@ struct Options {
   checking::FlightLogs flights;
   cli::MetresOption metres;
 
-  bool flight_log() const { return drone_file.format == "flight-log"; }
+  bool flight_log() const { return drone_file.is_flight_log(); }
   void add_to(CLI::App& app);
   void refuse_idle(const CLI::App& app) const;
   checking::Rules rules() const {
     return {limits.limits(),
             override_record,
             exact || !certificate.empty(),
-            &drone_file.autopilot,
+            &drone_file.autopilot.flier,
             no_clearance ? traj::Clearance::left_out : traj::Clearance::measured,
             metres};
   }
@@ -80,7 +80,7 @@ void Options::refuse_idle(const CLI::App& app) const {
   if (drone_file.format.empty()) {
     drone_file.require_used("records", "without --file-format, FILE is read as records");
   }
-  if (flight_log()) drone_file.require_used("flight-log", "--file-format is flight-log");
+  if (flight_log()) drone_file.require_used(cli::kFlightLog, "--file-format is flight-log");
 }
 
 // Writes what each record came to, and counts.

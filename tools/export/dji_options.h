@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
-#include "traj/drone_file/dji_mission.h"
+#include "traj/mission/dji/dji_mission.h"
 
 namespace exporting {
 

@@ -13,8 +13,6 @@
 #include "options.h"
 #include "outputs.h"
 #include "show.h"
-#include "traj/drone_file/crazyflie.h"
-#include "writer.h"
 
 namespace {
 
@@ -22,31 +20,30 @@ using exporting::Exporter;
 using exporting::Flight;
 using exporting::Options;
 using exporting::Outputs;
-using exporting::Task;
-using exporting::Written;
+using traj::WrittenMission;
 
-nlohmann::ordered_json statistics(const Task& task, const Written& written) {
-  nlohmann::ordered_json stats = {{"format", task.format}, {"bytes", written.text.size()}};
-  if (task.format != "crazyflie") return stats;
-  const traj::CrazyflieMemory memory = traj::crazyflie_memory(task.enu);
-  stats["segments"] = task.enu.segments.size();
-  stats["memory"] = memory.bytes;
-  stats["memory_fits"] = memory.fits;
-  stats["compressed_memory"] = memory.compressed_bytes;
-  stats["compressed_fits"] = memory.compressed_fits;
+nlohmann::ordered_json statistics(const Options& options, const Flight& flight,
+                                  const WrittenMission& written) {
+  nlohmann::ordered_json stats = {{"format", options.word}, {"bytes", written.text.size()}};
+  if (!written.memory) return stats;
+  stats["segments"] = flight.way.trajectory.segments.size();
+  stats["memory"] = written.memory->bytes;
+  stats["memory_fits"] = written.memory->fits;
+  stats["compressed_memory"] = written.memory->compressed_bytes;
+  stats["compressed_fits"] = written.memory->compressed_fits;
   return stats;
 }
 
 // Of missions: how long they take, beside the trajectories that they were made of.
 class Times {
  public:
-  void add(const Flight& flight, const Written& written) {
+  void add(const Flight& flight, const WrittenMission& written) {
     if (written.estimates.empty()) return;
     ++missions_;
-    if (flight.path.empty()) planned_ += traj::duration(flight.trajectory);
+    if (flight.way.path.empty()) planned_ += traj::duration(flight.way.trajectory);
     rests_ += written.estimates.front().time.rests;
     waypoints_ += written.estimates.front().time.waypoints;
-    for (const exporting::Estimate& one : written.estimates) {
+    for (const traj::MissionEstimate& one : written.estimates) {
       seconds_[one.autopilot] += one.time.seconds;
     }
   }
@@ -74,25 +71,25 @@ class Times {
 };
 
 // A file for the one record, or one for each.
-cli::Exit export_files(const cli::Common& common, Outputs& outputs, Exporter& exporter,
-                       const std::string& format, std::span<const Flight> flights) {
-  for (const Flight& flight : flights) outputs.add(flight.id);
+cli::Exit export_files(const cli::Common& common, const Options& options, Outputs& outputs,
+                       Exporter& exporter, std::span<const Flight> flights) {
+  for (const Flight& flight : flights) outputs.add(flight.way.id);
   std::size_t refused = 0;
   nlohmann::ordered_json stats;
   Times times;
   for (std::size_t i = 0; i < flights.size(); ++i) {
-    const auto [made, written] = exporter.make(flights[i]);
+    const std::optional<WrittenMission> written = exporter.make(flights[i]);
     if (!written) {
       ++refused;
       if (outputs.each()) exporting::warn_of_stale(common, outputs.stale(i));
       continue;
     }
-    outputs.save(i, made.format, *written);
+    outputs.save(i, options.format(), *written);
     times.add(flights[i], *written);
-    if (!outputs.each()) stats = statistics(made, *written);
+    if (!outputs.each()) stats = statistics(options, flights[i], *written);
   }
   if (outputs.each()) {
-    stats = {{"format", format}, {"records", flights.size()}, {"refused", refused}};
+    stats = {{"format", options.word}, {"records", flights.size()}, {"refused", refused}};
     if (refused) {
       cli::complain("skyway-export", fmt::format("{} of {} were refused: no file was written for "
                                                  "them",
@@ -110,19 +107,15 @@ int main(int argc, char** argv) {
   CLI::App app{"Write a trajectory as a drone file, proved as it will be flown.", "skyway-export"};
   cli::Common common(app);
   Options options;
-  Task task;
-  options.add_to(app, task);
+  options.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    options.require_sound(app, task);
-    task.autopilot.settle(options.vehicle.profile());
+    options.require_sound(app);
+    options.settle();
     Outputs outputs(options);
     const bool all = outputs.each() || !options.show.empty();
     const auto flights = exporting::read_flights(options.input(), options.id, all);
-    task.ned = options.axes == "ned";
-    task.lands = !options.hover;
-    task.checked = !options.unchecked;
-    Exporter exporter(common, options, task);
-    return options.show.empty() ? export_files(common, outputs, exporter, task.format, flights)
+    Exporter exporter(common, options);
+    return options.show.empty() ? export_files(common, options, outputs, exporter, flights)
                                 : export_show(common, options, exporter, flights);
   });
 }

@@ -3,110 +3,77 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
+#include "cli/content/drone_file.h"
 #include "cli/file/files.h"
-#include "cli/option/format_options.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
+#include "cli/option/placement_option.h"
 #include "cli/option/spacing_options.h"
 #include "cli/run.h"
 #include "dji_options.h"
 #include "output_names.h"
-#include "traj/airspace/flight_volumes.h"
+#include "traj/mission/airspace/flight_volumes.h"
 
 namespace exporting {
 namespace {
 
-using cli::FormatOption;
-
-const std::array kFormatOptions{
-    FormatOption{"--rate", {"setpoints"}},
-    FormatOption{"--axes", {"setpoints"}},
-    FormatOption{"--tolerance", {"tello", "wpl", "qgc-plan", "dji-wpml", "kml", "geojson", "gltf"}},
-    FormatOption{"--speed", {"tello", "wpl", "qgc-plan", "dji-wpml"}},
-    FormatOption{"--hover", {"tello", "wpl", "qgc-plan", "dji-wpml"}},
-    FormatOption{"--ground", {"tello", "wpl", "qgc-plan", "dji-wpml"}},
-    FormatOption{"--origin", {"wpl", "qgc-plan", "dji-wpml", "kml", "geojson", "volume4d"}},
-    FormatOption{"--geoid", {"wpl", "qgc-plan", "kml"}},
-    FormatOption{"--takeoff-height", {"tello"}},
-    FormatOption{"--heading", {"tello"}},
-    FormatOption{"--python", {"tello"}},
-    FormatOption{"--table", {"tello"}},
-    FormatOption{"--wpml-version", {"dji-wpml"}},
-    FormatOption{"--aircraft", {"dji-wpml"}},
-    FormatOption{"--turns", {"dji-wpml"}},
-    FormatOption{"--show", {"crazyflie"}},
-    FormatOption{"--autopilot", {"wpl", "qgc-plan"}},
-    FormatOption{"--params", {"wpl", "qgc-plan"}},
-    FormatOption{"--drag", {"wpl", "qgc-plan"}},
-    FormatOption{"--navigation",
-                 {"tello", "crazyflie", "wpl", "qgc-plan", "dji-wpml", "setpoints", "kml",
-                  "geojson", "gltf"}},
-    FormatOption{"--tracking",
-                 {"tello", "crazyflie", "dji-wpml", "setpoints", "kml", "geojson", "gltf"}},
-    FormatOption{"--volumes", {"volume4d"}},
-    FormatOption{"--buffer", {"volume4d"}}};
-
-void refuse_idle(const CLI::App& app, const std::string& format, bool unchecked) {
-  cli::require_used(app, kFormatOptions, format, "--format is " + format);
+void refuse_idle(const CLI::App& app, const std::string& word, bool unchecked) {
+  cli::require_used(app, cli::mission_option_rows(&traj::MissionFormat::writes_with), word,
+                    "--format is " + word);
   cli::only_for(app, !unchecked, {"--margin", "--spare", "--metres", "--navigation", "--tracking"},
                 "an export that is checked");
 }
 
 // A Tello's go and DJI's missions have no other speeds, so one that is asked for is not changed in
 // silence.
-void require_flyable(const Task& task) {
-  if (task.format == "tello" && task.speed.value_or(1) > 1) {
-    throw cli::UsageError(fmt::format(
-        "--speed: expected 0.1 to 1 m/s, as a Tello's go takes 10 to 100 cm/s, found {}",
-        *task.speed));
-  }
-  if (task.format == "dji-wpml" && task.speed.value_or(1) > traj::kDjiFastest) {
-    throw cli::UsageError(
-        fmt::format("--speed: expected at most {} m/s, as DJI's missions take, "
-                    "found {}",
-                    traj::kDjiFastest, *task.speed));
-  }
+void require_flyable(const traj::MissionFormat& format, const std::optional<double>& speed) {
+  if (format.fastest == 0 || speed.value_or(0) <= format.fastest) return;
+  throw cli::UsageError(
+      fmt::format("--speed: expected {}, found {}", format.fastest_because, *speed));
+}
+
+std::vector<std::string> format_words() {
+  const auto words = traj::written_mission_words();
+  return {words.begin(), words.end()};
 }
 
 }  // namespace
 
-void Options::add_to(CLI::App& app, Task& task) {
+void Options::add_to(CLI::App& app) {
   app.add_option("map_and_file", files,
                  "box map, then trajectories or paths (default: stdin); with "
                  "--unchecked no map")
       ->expected(0, 2);
-  app.add_option("--format", task.format, "what to write")
+  app.add_option("--format", word, "what to write")
       ->required()
-      ->check(CLI::IsMember({"tello", "crazyflie", "qgc-plan", "wpl", "dji-wpml", "setpoints",
-                             "kml", "geojson", "gltf", "volume4d"}));
-  app.add_option("--rate", task.rate, "setpoints: how many a second, Hz (default 50)")
+      ->check(CLI::IsMember(format_words()));
+  app.add_option("--rate", file.rate, "setpoints: how many a second, Hz (default 50)")
       ->check(CLI::Range(0.1, 10000.0));
   app.add_option("--axes", axes, "setpoints: axes, enu or ned (default enu)")
       ->check(CLI::IsMember({"enu", "ned"}));
-  app.add_option("--tolerance", task.tolerance,
+  app.add_option("--tolerance", file.tolerance,
                  "how far straight legs may be from the curve, metres (default 0.2); while the "
                  "check refuses them, their points are moved off obstacles, and this is halved; "
                  "how far the points of a path may be moved")
       ->check(CLI::Range(1e-3, 100.0));
-  app.add_option("--speed", task.speed,
+  app.add_option("--speed", file.speed,
                  "m/s along straight legs (default: what the limits allow; a Tello's are flown at "
                  "0.1 to 1, its default is 1 where the limits allow it)")
       ->check(CLI::Range(0.1, 100.0));
   app.add_flag("--hover", hover, "end a mission hovering, without landing");
-  add_dji_options(app, task.dji, task.turns);
-  app.add_option("--volumes", task.volumes,
+  add_dji_options(app, file.dji, file.turns);
+  app.add_option("--volumes", file.volumes,
                  "volume4d: how many volumes of airspace at most, one after the other (default 8)")
       ->check(CLI::Range(std::size_t{1}, traj::kMostVolumes));
-  app.add_option("--buffer", task.buffer,
+  app.add_option("--buffer", file.buffer,
                  "volume4d: metres around the vehicle and its margin on every side, for how far it "
                  "may stray (default 0)")
       ->check(CLI::Range(0.0, 1000.0));
-  task.autopilot.add_to(app);
-  task.autopilot.add_tracking_to(app);
-  task.placement.add_to(app);
+  autopilot.add_to(app);
+  autopilot.add_tracking_to(app);
+  cli::add_placement(app, file.placement);
   metres.add_to(app);
   app.add_option("--id", id, "which record of the stream (default: its only one)");
   app.add_flag("--unchecked", unchecked, "write without a map and without a proof");
@@ -130,8 +97,8 @@ void Options::add_to(CLI::App& app, Task& task) {
   cli::add_spacing(app, spacing, parked);
 }
 
-void Options::require_sound(const CLI::App& app, const Task& task) const {
-  if (unchecked && task.format == "volume4d") {
+void Options::require_sound(const CLI::App& app) const {
+  if (unchecked && !format().write) {
     throw cli::UsageError(
         "volumes of airspace are proved to hold the flight or not written at all: leave "
         "--unchecked out");
@@ -140,9 +107,17 @@ void Options::require_sound(const CLI::App& app, const Task& task) const {
   if (files.size() > map_files() + 1) throw cli::UsageError("--unchecked takes no map");
   if (!unchecked) cli::at_most_one_stdin({files[0], input()});
   require_outputs();
-  refuse_idle(app, task.format, unchecked);
+  refuse_idle(app, word, unchecked);
   cli::only_for(app, !show.empty() && !unchecked, cli::kSpacingOptions, "a --show that is checked");
-  require_flyable(task);
+  require_flyable(format(), file.speed);
+}
+
+void Options::settle() {
+  autopilot.settle(vehicle.profile());
+  file.flier = autopilot.flier;
+  file.ned = axes == "ned";
+  file.lands = !hover;
+  file.says_when = !show.empty();
 }
 
 void Options::require_outputs() const {

@@ -6,15 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "cli/option/autopilot_option.h"
 #include "cli/option/degrees.h"
 #include "cli/option/vehicle_option.h"
+#include "traj/mission/export_mission.h"
 #include "traj/together/spacing.h"
 #include "traj/together/timed_flight.h"
-#include "writer.h"
 
 namespace exporting {
 
 struct Options {
+  std::string word;          // of the format
+  traj::ExportOptions file;  // what is asked of each file; settle() gives the rest
+  cli::AutopilotOptions autopilot;
   std::vector<std::string> files;
   std::string output = "-";
   std::string python;  // of a Tello, beside its script; empty: not asked for
@@ -33,11 +37,16 @@ struct Options {
   std::string source() const { return input() == "-" ? "stdin" : input(); }  // for messages
   std::size_t map_files() const { return unchecked ? 0 : 1; }
 
-  // Both must outlive the app.
-  void add_to(CLI::App& app, Task& task);
+  const traj::MissionFormat& format() const { return *traj::mission_format_named(word); }
+
+  // Must outlive the app.
+  void add_to(CLI::App& app);
 
   // Throws cli::UsageError for options that do not go together, or mean nothing here.
-  void require_sound(const CLI::App& app, const Task& task) const;
+  void require_sound(const CLI::App& app) const;
+
+  // Completes `file`, with what the vehicle's profile and the autopilot's parameters say.
+  void settle();
 
  private:
   void require_outputs() const;

@@ -29,9 +29,9 @@ std::vector<std::string> Outputs::stale(std::size_t index) const {
   return stale;
 }
 
-void Outputs::save(std::size_t index, const std::string& format, const Written& written) const {
-  const bool binary = format == "gltf" || format == "dji-wpml";
-  const auto kind = binary ? cli::OutputKind::artefact : cli::OutputKind::text;
+void Outputs::save(std::size_t index, const traj::MissionFormat& format,
+                   const traj::WrittenMission& written) const {
+  const auto kind = format.is_binary ? cli::OutputKind::artefact : cli::OutputKind::text;
   const std::string* const texts[] = {&written.text, &written.python, &written.csv};
   std::list<cli::OutputFile> outputs;
   for (int i = 0; i < 3; ++i) {

@@ -26,7 +26,8 @@ class Outputs {
   std::vector<std::string> stale(std::size_t index) const;
 
   // Of the record that was added as the `index`-th. Of many, each appears as it is whole.
-  void save(std::size_t index, const std::string& format, const Written& written) const;
+  void save(std::size_t index, const traj::MissionFormat& format,
+            const traj::WrittenMission& written) const;
 
  private:
   using Files = std::array<std::string, 3>;

@@ -11,6 +11,8 @@
 #include "geom/text/counted.h"
 #include "output_names.h"
 #include "show_folder.h"
+#include "traj/curve/to_enu.h"
+#include "traj/mission/read_mission.h"
 #include "traj/record/pair_record.h"
 #include "traj/together/check_together.h"
 
@@ -21,15 +23,16 @@ constexpr std::size_t kMostTold = 5;  // refused pairs, on stderr
 
 // A flight as its file will be flown.
 struct Act {
-  const Flight* flight;
+  const traj::ExportFlight* flight;
   std::string file;
-  Exporter::Export made;
+  std::optional<traj::WrittenMission> made;
+  traj::Trajectory enu;
   traj::Trajectory flown;  // in the map's axes
   geom::Vec3 stray;        // what the drone's rounding adds to its half sizes with the margin
   geom::Vec3 room;         // both
 };
 
-geom::Vec3 stray_of(const traj::Flown& flown) {
+geom::Vec3 stray_of(const traj::FlownCurve& flown) {
   geom::Vec3 most = geom::Vec3::Zero();
   for (const traj::Stray& stray : flown.stray) most = most.cwiseMax(stray.position);
   return most;
@@ -39,13 +42,13 @@ geom::Vec3 sum_above(const geom::Vec3& a, const geom::Vec3& b) {
   return (a + b).unaryExpr([](double v) { return geom::next_up(v); });
 }
 
-void read_back(const geom::CollisionScene& scene, Act& act) {
-  const Written& written = *act.made.written;
-  auto read =
-      cli::read_drone_file(written.text, act.file, written.reading, scene.map().spec().frame);
-  act.stray = stray_of(read.front().flown);
+void read_back(const geom::CollisionScene& scene, const traj::MissionFormat& format, Act& act) {
+  const auto read = traj::read_mission(act.made->text, act.file, format, act.made->reading,
+                                       scene.map().spec().frame);
+  const auto& flown = std::get<traj::FlownCurve>(read.front().flown.way);
+  act.stray = stray_of(flown);
   act.room = sum_above(scene.half(), act.stray);
-  act.flown = std::move(read.front().flown.trajectory);
+  act.flown = flown.trajectory;
 }
 
 // Zones grown by what both files' rounding adds; rooms have it already.
@@ -68,15 +71,19 @@ class Show {
   std::size_t make(std::span<const Flight> flights) {
     OutputNames names("%s.csv", "--show");
     for (const Flight& flight : flights) {
-      geom::require_epoch_agrees(flight.time.epoch, flights.front().time.epoch, options_.source(),
-                                 0);
-      acts_.push_back({&flight, names.of(flight.id, options_.source()), {}, {}, {}, {}});
+      geom::require_epoch_agrees(flight.way.time.epoch, flights.front().way.time.epoch,
+                                 options_.source(), 0);
+      acts_.push_back(
+          {&flight.way, names.of(flight.way.id, options_.source()), {}, {}, {}, {}, {}});
     }
     std::size_t refused = 0;
-    for (Act& act : acts_) {
-      act.made = exporter_.make(*act.flight);
-      refused += !act.made.written;
-      if (act.made.written && !options_.unchecked) read_back(exporter_.scene_for(*act.flight), act);
+    for (std::size_t i = 0; i < flights.size(); ++i) {
+      Act& act = acts_[i];
+      act.made = exporter_.make(flights[i]);
+      refused += !act.made;
+      if (!act.made) continue;
+      act.enu = traj::to_enu(exporter_.frame_of(flights[i]).axes, act.flight->trajectory);
+      if (!options_.unchecked) read_back(exporter_.scene_for(flights[i]), options_.format(), act);
     }
     return refused;
   }
@@ -102,13 +109,13 @@ class Show {
 
   void save() const {
     ShowFolder folder(options_.show);
-    for (const Act& act : acts_) folder.add(act.file, act.made.written->text);
+    for (const Act& act : acts_) folder.add(act.file, act.made->text);
     folder.add("show.yaml", yaml());
     folder.commit();
   }
 
   nlohmann::ordered_json statistics(std::size_t refused) const {
-    return {{"format", "crazyflie"},
+    return {{"format", options_.word},
             {"records", acts_.size()},
             {"refused", refused},
             {"pairs", pairs_}};
@@ -180,11 +187,10 @@ class Show {
     });
     std::string out = head() + "flights:\n";
     for (const Act* act : order) {
-      const auto& segments = act->made.task.enu.segments;
+      const auto& segments = act->enu.segments;
       out += fmt::format("  - id: {}\n    file: {}\n    start: {}\n    duration: {}\n",
                          quoted(act->flight->id), quoted(act->file),
-                         number(act->flight->time.starts()),
-                         number(traj::duration(act->made.task.enu)));
+                         number(act->flight->time.starts()), number(traj::duration(act->enu)));
       out +=
           fmt::format("    initial_position: {}\n    final_position: {}\n",
                       point(segments.front().point.front()), point(segments.back().point.back()));

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "cli/content/drone_file.h"
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
+#include "cli/option/placement_option.h"
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "geom/base/error.h"
@@ -21,14 +21,14 @@ struct Options {
   std::string map;
   std::string id;
   std::string begin = "first";
-  cli::Placement placement;
+  traj::Placement placement;
 
   void add_to(CLI::App& app) {
     app.add_option("file", input, "PX4 log (.ulg); - for stdin")->required();
     CLI::Option* const map_option =
         app.add_option("--map", map, "box map that the flight is for: gives the origin");
-    placement.add_origin_to(app);
-    placement.add_ground_to(app);
+    cli::add_origin(app, placement);
+    cli::add_ground(app, placement);
     app.get_option("--origin")->excludes(map_option);
     app.add_option("--begin", begin,
                    "where the time counts from, rows before being left out: first (position), "

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "traj/ulog/px4_flight.h"
+#include "traj/mission/ulog/px4_flight.h"
 
 namespace importing {
 

@@ -7,6 +7,7 @@
 #include "cli/option/degrees.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
+#include "cli/option/placement_option.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "traj/record/trajectory_record.h"
@@ -21,8 +22,9 @@ struct Importer {
   geom::Provenance provenance;
   geom::FlightTime time;
 
-  std::string trajectory_line(const cli::DroneFile& file) const {
-    const traj::ClosedJoints closed = traj::close_joints(file.flown.trajectory, gap, source);
+  std::string trajectory_line(const traj::FileFlight& file) const {
+    const traj::ClosedJoints closed =
+        traj::close_joints(traj::trajectory_of(file.flown), gap, source);
     if (closed.largest_gap > 0) {
       common.warn(fmt::format("{}: closed gaps of up to {:.2g} m between segments", file.id,
                               closed.largest_gap));
@@ -36,30 +38,32 @@ struct Importer {
     return to_json_line(record);
   }
 
-  std::string path_line(const cli::DroneFile& file) const {
-    if (file.flown.speed) {
+  std::string path_line(const traj::FileFlight& file, const traj::FlownLegs& legs) const {
+    if (legs.speed) {
       common.warn(fmt::format(
           "{}: the file's speed, {} m/s, is left out: a path has none; give skyway-traj --vmax",
-          file.id, *file.flown.speed));
+          file.id, *legs.speed));
     }
     geom::PathRecord record;
     record.id = file.id;
     record.status = geom::PathStatus::found;
-    record.points = file.flown.path;
-    record.hold = file.flown.hold;
+    record.points = legs.path;
+    record.hold = legs.hold;
     record.provenance = provenance;
     record.time = time;
     return to_json_line(record);
   }
 
-  std::string line(const cli::DroneFile& file) const {
+  std::string line(const traj::FileFlight& file) const {
     for (const std::string& note : file.notes) common.warn(file.id + ": " + note);
-    if (!file.flown.sweeps.empty() || !file.flown.fences.empty() || file.flown.corners > 0) {
+    const traj::FlownMission* mission = traj::mission_of(file.flown);
+    if (mission && (!mission->sweeps.empty() || !mission->fences.empty() || mission->corners > 0)) {
       common.warn(file.id +
                   ": the record has the mission's straight legs, not its corners, curves and "
                   "fences: skyway-check --file-format looks at those");
     }
-    return file.flown.path.empty() ? trajectory_line(file) : path_line(file);
+    const traj::FlownLegs* legs = traj::legs_of(file.flown);
+    return legs ? path_line(file, *legs) : trajectory_line(file);
   }
 };
 
@@ -108,8 +112,7 @@ void add_gap(CLI::App& app, double& gap) {
 int main(int argc, char** argv) {
   CLI::App app{"Read a drone file as a trajectory or a path.", "skyway-import-trajectory"};
   cli::Common common(app);
-  cli::DroneFileOptions options;
-  options.format = "auto";
+  cli::DroneFileOptions options{.format = cli::kAuto};
   options.app = &app;
   cli::VehicleOptions vehicle;
   std::string input;
@@ -124,18 +127,17 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--format", options.format,
                  "what the file is (default: found out from its beginning)")
-      ->check(CLI::IsMember({"auto", "crazyflie", "wpl", "qgc-plan", "dji-wpml", "tello", "kml",
-                             "geojson", "gltf", "paths-csv"}));
+      ->check(CLI::IsMember(cli::drone_file_words("skyway-import-trajectory")));
   CLI::Option* const map_option =
       app.add_option("--map", map, "box map that the file is for: gives the axes and the origin");
   app.add_option("--frame", axes, "axes to write in: enu or neu (default enu)")
       ->check(CLI::IsMember({"enu", "neu"}))
       ->excludes(map_option);
   vehicle.add_to(app);
-  options.placement.add_to(app);
+  cli::add_placement(app, options.reading.placement);
   options.add_heights_to(app);
   cli::add_point(
-      app, "--start", options.start,
+      app, "--start", options.reading.start,
       "where a Tello stands before it takes off, along the axes of --frame or of the map");
   metres.add_to(app);
   add_gap(app, gap);
@@ -156,15 +158,17 @@ int main(int argc, char** argv) {
     if (!id.empty() && read.size() > 1) throw cli::UsageError("--id names one record, found more");
     if (!id.empty()) read.front().id = id;
     cli::OutputFile out(output, cli::OutputKind::text);
-    for (const cli::DroneFile& one : read) {
-      if (one.format == "setpoints") {
+    for (const traj::FileFlight& one : read) {
+      if (std::holds_alternative<traj::FlownSetpoints>(one.flown.way)) {
         throw cli::UsageError("setpoints are no trajectory: skyway-check reads them");
       }
-      if (one.format == "paths-csv") metres.check_input(frame, one.flown.path, one.id, 0);
+      if (!one.format->is_flown) {
+        metres.check_input(frame, traj::legs_of(one.flown)->path, one.id, 0);
+      }
       out.stream() << importer.line(one);
     }
     out.commit();
-    common.write_stats({{"records", read.size()}, {"format", read.front().format}});
+    common.write_stats({{"records", read.size()}, {"format", read.front().format->format.word}});
     return cli::Exit::yes;
   });
 }

@@ -18,7 +18,7 @@
 #include "geom/text/counted.h"
 #include "geom/text/instant.h"
 #include "geom/text/parse_json.h"
-#include "traj/drone_file/fence_file.h"
+#include "traj/mission/formats/fence_file.h"
 
 namespace verbs {
 namespace {

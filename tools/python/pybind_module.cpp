@@ -134,4 +134,5 @@ PYBIND11_MODULE(_skyway, module) {
   binding::bind_flight_log(module);
   binding::bind_planner(module);
   binding::bind_trajectories(module);
+  binding::bind_missions(module);
 }

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "cli/option/agreed_room.h"
 #include "cli/option/vehicle_option.h"
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"
@@ -26,6 +27,7 @@ void bind_records(py::module_& module);  // paths, trajectories, queries
 void bind_flight_log(py::module_& module);
 void bind_planner(py::module_& module);
 void bind_trajectories(py::module_& module);  // solve and check
+void bind_missions(py::module_& module);      // export_mission
 
 // A scene: the class that Python sees.
 struct Scene {
@@ -33,6 +35,14 @@ struct Scene {
 };
 
 geom::Execution on_threads(unsigned threads);  // 0: all
+
+// The scene's vehicle, with the limits that hold for the record. A record of another map must not
+// be taken for one of this: throws geom::InputError(id, …).
+geom::Vehicle agreed_vehicle(const geom::Provenance& record, const geom::CollisionScene& scene,
+                             cli::Differences differences, const std::string& id);
+
+// A path record, or an array of points.
+geom::PathRecord path_from(const py::object& object);
 
 // Throws geom::InputError(what, …) for points that look like degrees (cli::look_like_degrees).
 void require_metres(const geom::Frame& frame, std::span<const geom::Vec3> points,

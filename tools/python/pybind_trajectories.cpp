@@ -21,17 +21,12 @@
 #include "traj/record/solved_record.h"
 
 namespace binding {
-namespace {
-
-// The scene's vehicle, with the limits that hold for the record. A record of another map must not
-// be taken for one of this.
 geom::Vehicle agreed_vehicle(const geom::Provenance& record, const geom::CollisionScene& scene,
                              cli::Differences differences, const std::string& id) {
   geom::require_map_agrees(record, geom::provenance_of(scene), id, 0);
   return cli::agreed_room(record, {scene.vehicle(), scene.margin()}, differences, id, 0).vehicle;
 }
 
-// A path record, or an array of points.
 geom::PathRecord path_from(const py::object& object) {
   if (py::isinstance<geom::PathRecord>(object)) return object.cast<geom::PathRecord>();
   const auto list = points(object, "path");
@@ -41,6 +36,8 @@ geom::PathRecord path_from(const py::object& object) {
   record.points.assign(list.begin(), list.end());
   return record;
 }
+
+namespace {
 
 constexpr double kYawRate = std::numbers::pi / 2;  // rad/s, where none is asked for
 

@@ -8,6 +8,7 @@
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
+#include "cli/option/placement_option.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "geom/text/counted.h"
@@ -59,8 +60,7 @@ int main(int argc, char** argv) {
   std::string title = "Skyway";
   std::string output = "-";
   view::FrameFiles pictures;
-  cli::DroneFileOptions drone_files;
-  drone_files.format = "auto";
+  cli::DroneFileOptions drone_files{.format = cli::kAuto};
   cli::MetresOption metres;
   app.add_option(
          "files", files,
@@ -78,9 +78,9 @@ int main(int argc, char** argv) {
   poses_option->needs(frames_option);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
-  cli::add_point(app, "--start", drone_files.start,
+  cli::add_point(app, "--start", drone_files.reading.start,
                  "where a Tello stands before it takes off, along the map's axes");
-  drone_files.placement.add_to(app);
+  cli::add_placement(app, drone_files.reading.placement);
   drone_files.add_mission_to(app);
   metres.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {

@@ -227,6 +227,39 @@ def test_errors_carry_the_tools_messages(out, scene):
                                          limits={"speed": 1})
 
 
+def test_exports_are_those_of_the_tool(out, scene):
+    trajectories = skyway.read_trajectories(f"{out}/trajectory.jsonl")
+    for form, options in (("crazyflie", {}), ("setpoints", {"rate": 20.0, "axes": "ned"}), ("gltf", {"tolerance": 0.1}),
+                          ("wpl", {"origin": (47, 8, 400), "speed": 3.0, "hover": True}), ("qgc-plan", {"origin": (47, 8, 400)}),
+                          ("dji-wpml", {"origin": (47, 8, 400), "aircraft": "m3t", "turns": 2.0}), ("kml", {"origin": (47, 8, 400)}),
+                          ("geojson", {"origin": (47, 8, 400)})):
+        words = []
+        for key, value in options.items():
+            words += ["--" + key] if value is True else ["--" + key, ",".join(map(str, value)) if key == "origin" else value]
+        file = f"{out}/export.{form}"
+        pathlib.Path(file).unlink(missing_ok=True)
+        done = tool("skyway-export", f"{out}/city.boxmap", f"{out}/trajectory.jsonl", "--format", form, *words, "-o", file,
+                    code=(0, 1))
+        ours = skyway.export_mission(scene, trajectories[0], form, **options)
+        assert ours["ok"] == (done.returncode == 0), (form, ours, done.stderr)
+        if ours["ok"]:
+            assert ours["bytes"] == pathlib.Path(file).read_bytes(), form
+            assert all(warning in done.stderr for warning in ours["warnings"]), (form, ours["warnings"])
+        else:
+            assert ours["message"] in done.stderr and ours["reason"] and len(ours["place"]) == 3, (form, ours)
+    assert skyway.export_mission(scene, trajectories[0], "crazyflie")["ok"]
+    message = raises(skyway.UsageError, skyway.export_mission, scene, trajectories[0], "kml", origin=(47, 8, 0), heading=3.0)
+    assert message.startswith("heading is only for tello files"), message
+    assert "expected one of crazyflie" in raises(skyway.UsageError, skyway.export_mission, scene, trajectories[0], "paths-csv")
+    raises(TypeError, skyway.export_mission, scene, trajectories[0], "kml", colour="red")
+    raises(skyway.UsageError, skyway.export_mission, scene, trajectories[0], "setpoints", rate=-1.0)
+    path = skyway.read_paths(f"{out}/path.jsonl")[0]
+    assert "a path has none" in skyway.export_mission(scene, path, "crazyflie")["message"]
+    higher = numpy.array([[0.0, 0.0, -50.0], [9.0, 0.0, -50.0]])
+    refused = skyway.export_mission(scene, higher, "gltf")
+    assert not refused["ok"] and refused["reason"] == "bounds" and refused["place"][2] <= -49, refused
+
+
 def parameters(function):
     """Names as the first line of a bound function's text has them, or its signature."""
     text = re.match(r"\w+\((.*)\) -> ", function.__doc__ or "")
@@ -340,6 +373,7 @@ with tempfile.TemporaryDirectory() as folder:
     test_records_are_those_of_the_tools(folder, here)
     test_errors_carry_the_tools_messages(folder, here)
     test_limits_of_vehicles_hold(here.map)
+    test_exports_are_those_of_the_tool(folder, here)
     test_degrees_are_no_metres(folder)
     test_flight_logs(folder)
     test_stubs_name_what_is_there()

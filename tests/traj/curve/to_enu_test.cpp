@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "traj/drone_file/examples.h"
+#include "traj/mission/mavlink/examples.h"
 
 namespace traj {
 namespace {

@@ -104,7 +104,7 @@ void add_flights(InputFile& file, Contents& out) {
 }
 
 // The whole way of a path that is flown, as skyway-check counts its legs.
-geom::Polyline whole_way(const traj::Flown& flown) {
+geom::Polyline whole_way(const traj::FlownLegs& flown) {
   geom::Polyline way = flown.path;
   const auto at = [](const geom::Vec3& p, double z) { return geom::Vec3(p.x(), p.y(), z); };
   if (flown.ends.takeoff_from) way.insert(way.begin(), at(way.front(), *flown.ends.takeoff_from));
@@ -115,7 +115,7 @@ geom::Polyline whole_way(const traj::Flown& flown) {
 }
 
 traj::CorridorShape regions(const std::string& id, const geom::Provenance& provenance,
-                            const traj::Flown& flown) {
+                            const traj::FlownMission& flown) {
   traj::CorridorShape shape{id, provenance, {}};
   for (const traj::Sweep& sweep : flown.sweeps) {
     if (sweep.hull.size() < 3) continue;
@@ -125,6 +125,16 @@ traj::CorridorShape regions(const std::string& id, const geom::Provenance& prove
     std::iota(face.begin(), face.end(), 0u);
   }
   return shape;
+}
+
+traj::TrajectoryRecord trajectory_of(const traj::FileFlight& file,
+                                     const geom::Provenance& provenance) {
+  traj::TrajectoryRecord record;
+  record.id = file.id;
+  record.status = traj::TrajectoryStatus::solved;
+  record.provenance = provenance;
+  record.trajectory = traj::trajectory_of(file.flown);
+  return record;
 }
 
 // Paths, as long as there is a path to see; of a trajectory its record.
@@ -137,23 +147,22 @@ void add_drone_file(const std::string& path, const DroneFileOptions& options, Co
     provenance.map = out.map->record.hash();
   }
   provenance.frame = frame.axes;
-  for (DroneFile& one : read_drone_file(file.read_all(), file.name(), options, frame)) {
-    if (one.flown.path.empty()) {
-      traj::TrajectoryRecord record;
-      record.id = one.id;
-      record.status = traj::TrajectoryStatus::solved;
-      record.provenance = provenance;
-      record.trajectory = std::move(one.flown.trajectory);
-      out.trajectories.push_back({std::move(record), file.name(), 0});
+  for (const traj::FileFlight& one :
+       read_drone_file(file.read_all(), file.name(), options, frame)) {
+    const traj::FlownLegs* legs = traj::legs_of(one.flown);
+    if (!legs) {
+      out.trajectories.push_back({trajectory_of(one, provenance), file.name(), 0});
       continue;
     }
     geom::PathRecord record;
     record.id = one.id;
     record.status = geom::PathStatus::found;
     record.provenance = provenance;
-    record.points = whole_way(one.flown);
+    record.points = whole_way(*legs);
     out.paths.push_back({std::move(record), file.name(), 0});
-    traj::CorridorShape shape = regions(one.id, provenance, one.flown);
+    const traj::FlownMission* mission = traj::mission_of(one.flown);
+    if (!mission) continue;
+    traj::CorridorShape shape = regions(one.id, provenance, *mission);
     if (!shape.pieces.empty()) out.corridors.push_back({std::move(shape), file.name(), 0});
   }
 }

@@ -5,6 +5,7 @@
 #include "cli/answer/exit.h"
 #include "geom/base/error.h"
 #include "geom/record/made_for_another.h"
+#include "geom/vehicle/shown_limit.h"
 #include "limit_options.h"
 
 namespace cli {

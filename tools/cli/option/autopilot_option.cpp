@@ -7,7 +7,7 @@
 #include "cli/answer/exit.h"
 #include "cli/file/files.h"
 #include "numbers_option.h"
-#include "traj/drone_file/autopilot_settings.h"
+#include "traj/mission/firmware/autopilot_settings.h"
 
 namespace cli {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 constexpr double kFurthest = 100;  // m
 constexpr double kMostDrag = 2;    // 1/s: at 5 m/s that is the weight
 
-void add_uncertainty(CLI::App& app, const std::string& flag, std::optional<Uncertainty>& value,
-                     const std::string& description) {
+void add_uncertainty(CLI::App& app, const std::string& flag,
+                     std::optional<traj::Uncertainty>& value, const std::string& description) {
   app.add_option_function<std::string>(
          flag,
          [&value, flag](const std::string& text) {
@@ -29,7 +29,7 @@ void add_uncertainty(CLI::App& app, const std::string& flag, std::optional<Uncer
                  "0.5,1; found \"" +
                  text + '"');
            }
-           value = Uncertainty{(*v)[0], (*v)[1]};
+           value = traj::Uncertainty{(*v)[0], (*v)[1]};
          },
          description)
       ->type_name("H,V");
@@ -41,21 +41,16 @@ std::optional<double> drag_of(const std::optional<traj::VehicleProfile>& profile
   return profile->airframe.drag->maxCoeff() / *profile->airframe.mass;
 }
 
-geom::Vec3 box_of(const std::optional<Uncertainty>& value) {
-  const Uncertainty u = value.value_or(Uncertainty{});
-  return {u.across, u.across, u.vertical};
-}
-
 }  // namespace
 
 void AutopilotOptions::add_to(CLI::App& app) {
   app.add_option("--autopilot", word,
                  fmt::format("what flies a mission: {} (default any: what is proved holds for "
                              "each of them)",
-                             traj::kAutopilotWords))
+                             traj::autopilot_words()))
       ->check([](const std::string& text) {
         if (traj::autopilots_of(text)) return std::string();
-        return fmt::format("expected {}, found \"{}\"", traj::kAutopilotWords, text);
+        return fmt::format("expected {}, found \"{}\"", traj::autopilot_words(), text);
       });
   app.add_option("--params", params,
                  "the autopilot's parameters: .params of PX4 or QGroundControl, .param of "
@@ -67,49 +62,35 @@ void AutopilotOptions::add_to(CLI::App& app) {
                      "their stops (default: the profile's, else {})",
                      traj::kUsualDrag))
       ->check(CLI::Range(0.0, kMostDrag));
-  add_uncertainty(app, "--navigation", navigation,
+  add_uncertainty(app, "--navigation", flier.navigation,
                   "metres across, and up or down, by which the vehicle may be wrong about where it "
                   "is (default: the profile's navigation_m, else 0)");
 }
 
 void AutopilotOptions::add_tracking_to(CLI::App& app) {
-  add_uncertainty(app, "--tracking", tracking,
+  add_uncertainty(app, "--tracking", flier.tracking,
                   "metres across, and up or down, by which the vehicle may stray from setpoints or "
                   "a trajectory (default 0; a mission's is part of its autopilot)");
 }
 
 void AutopilotOptions::settle(const std::optional<traj::VehicleProfile>& profile) {
-  if (!navigation && profile && profile->navigation) {
-    navigation = Uncertainty{profile->navigation->x(), profile->navigation->y()};
+  if (!flier.navigation && profile && profile->navigation) {
+    flier.navigation = traj::Uncertainty{profile->navigation->x(), profile->navigation->y()};
   }
-  pilots = traj::autopilots_of(word).value();
+  flier.autopilots = traj::autopilots_of(word).value();
   if (!params.empty()) take_parameters();
   if (!drag) drag = drag_of(profile);
   if (!drag) return;
-  for (traj::Autopilot& one : pilots) traj::set_drag(one, *drag);
+  for (traj::Autopilot& one : flier.autopilots) traj::set_drag(one, *drag);
 }
 
 void AutopilotOptions::take_parameters() {
   InputFile file(params);
   const auto settings = traj::read_autopilot_settings(file.stream(), file.name());
-  traj::SetAutopilot set = traj::set_autopilot(settings, pilots, file.name());
-  pilots = {set.autopilot};
-  exactly = set.autopilot;
-  assumed = std::move(set.assumed);
-}
-
-traj::MissionRules AutopilotOptions::rules(traj::MissionRules rules) const {
-  if (!pilots.empty()) rules.autopilots = pilots;
-  if (!exactly) return rules;
-  if (!rules.acceptance) rules.acceptance = exactly->acceptance;
-  if (!rules.speed) rules.speed = exactly->speed;
-  rules.braking = std::min(rules.braking, exactly->acceleration);
-  if (!rules.return_height) rules.return_height = exactly->return_height;
-  return rules;
-}
-
-geom::Vec3 AutopilotOptions::allowance(bool tracks) const {
-  return box_of(navigation) + (tracks ? box_of(tracking) : geom::Vec3(geom::Vec3::Zero()));
+  traj::SetAutopilot set = traj::set_autopilot(settings, flier.autopilots, file.name());
+  flier.autopilots = {set.autopilot};
+  flier.exactly = set.autopilot;
+  flier.assumed = std::move(set.assumed);
 }
 
 }  // namespace cli

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/answer/exit.h"
+#include "geom/vehicle/shown_limit.h"
 
 namespace cli {
 
@@ -33,10 +34,6 @@ traj::Limits LimitOptions::limits() const {
     out[kind.limit] = *given * kind.in_unit;
   }
   return out;
-}
-
-std::string shown(const geom::LimitKind& kind, double value) {
-  return fmt::format("{:.10g} {}", value * (1 / kind.in_unit), kind.unit);
 }
 
 namespace {

@@ -22,9 +22,6 @@ class LimitOptions {
   geom::PerLimit<std::optional<double>> given_;  // in the options' units
 };
 
-// A limit as the options take it: "12 m/s", "35 degrees".
-std::string shown(const geom::LimitKind& kind, double value);
-
 // geom::limits_that_hold for a check. UsageError where --override asks for more tilt than the
 // vehicle's box holds.
 geom::Limits limits_to_check(const geom::LimitSources& sources, const std::string& vehicle);

@@ -1,7 +1,7 @@
 """Skyway in Python. Lengths are metres, times seconds, angles radians, in the map's frame; see docs/python.md."""
 
 import os
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Optional, Sequence, TypedDict, Union, Unpack
 
 import numpy
 from numpy.typing import NDArray
@@ -374,3 +374,31 @@ def check(scene: CollisionScene, what: Union[Path, Trajectory, _Floats], *,
           limits: Optional[dict[str, float]] = None, exact: bool = False) -> dict[str, Any]:
     """The report of skyway-check, as docs/formats.md has it. Of `limits`, the record's and both vehicles' the smallest
     hold; a scene of less room than the record's is refused."""
+
+
+class _ExportOptions(TypedDict, total=False):
+    """As the options of skyway-export; one that the format does not use is refused."""
+    origin: tuple[float, float, float]
+    geoid: float
+    ground: float
+    takeoff_height: float
+    heading: float
+    rate: float
+    axes: str
+    tolerance: float
+    speed: float
+    hover: bool
+    wpml_version: str
+    aircraft: str
+    turns: float
+    autopilot: str
+    navigation: tuple[float, float]
+    tracking: tuple[float, float]
+    volumes: int
+    buffer: float
+
+
+def export_mission(scene: CollisionScene, what: Union[Path, Trajectory, _Floats], format: str,
+                   **options: Unpack[_ExportOptions]) -> dict[str, Any]:
+    """The drone file of skyway-export, proved from its bytes: {"ok": True, "bytes": …, "warnings": […]}; of a Tello also
+    "python" and "table". Refused: {"ok": False, "message": …} and, where that is known, "reason" and "place"."""

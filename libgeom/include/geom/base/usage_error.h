@@ -1,0 +1,16 @@
+#pragma once
+
+// The exception for a wrong call by a user: an option that is missing, or that means nothing here.
+
+#include <stdexcept>
+
+namespace geom {
+
+// what() says which option, what was expected and what to do. The files may be sound; tools end
+// with exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace geom

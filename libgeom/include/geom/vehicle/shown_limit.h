@@ -1,0 +1,14 @@
+#pragma once
+
+// A limit in words.
+
+#include <string>
+
+#include "geom/vehicle/limits.h"
+
+namespace geom {
+
+// A value (SI) in the unit that options and messages use: "12 m/s", "35 degrees".
+std::string shown(const LimitKind& kind, double value);
+
+}  // namespace geom

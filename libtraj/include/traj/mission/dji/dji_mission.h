@@ -1,0 +1,147 @@
+#pragma once
+
+// Waypoint missions of DJI: what their WPML files hold, and what an aircraft makes of them.
+//
+// Example:
+//   const traj::MissionFrame frame{.origin = {47.4, 8.5, 400}};
+//   const std::vector<geom::Vec3> points = {{0, 0, 30}, {80, 0, 30}};
+//   const traj::DjiMission mission = traj::make_dji_mission(points, frame, {.speed = 6});
+//   const traj::FlownDji flown = traj::flown_dji(mission, frame, {.ground = 0}, "mission.kmz");
+//   assert(flown.path.size() >= points.size());
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/map/geographic_frame.h"
+#include "geom/shape/polyline.h"
+#include "traj/curve/mission_frame.h"
+#include "traj/mission/flown/flown.h"
+
+namespace traj {
+
+// executeHeightMode
+enum class DjiHeights { ellipsoid, above_takeoff };
+// flyToWaylineMode
+enum class DjiApproach { safely, point_to_point };
+// finishAction
+enum class DjiFinish { go_home, hover, land, first_waypoint };
+
+// waypointTurnMode: toPointAndStopWithDiscontinuityCurvature, coordinateTurn, and
+// toPointAndPassWithContinuityCurvature on straight legs.
+enum class DjiTurn { stop, early, through };
+
+struct DjiWaypoint {
+  double latitude = 0;   // degrees
+  double longitude = 0;  // degrees
+  double height = 0;     // m, as the wayline's heights count
+  double speed = 0;      // m/s from here to the next
+  double hover = 0;      // s, beside the stop to turn
+  std::size_t line = 0;  // where it was read
+  DjiTurn turn = DjiTurn::stop;
+  double damping = 0;  // m from the waypoint where a turn without a stop begins and ends
+};
+
+struct DjiWayline {
+  int template_id = 0;  // of what it was made of
+  DjiHeights heights = DjiHeights::above_takeoff;
+  std::vector<DjiWaypoint> waypoints;  // at least one
+};
+
+// droneEnumValue and droneSubEnumValue.
+struct DjiAircraft {
+  int type = 77;  // Mavic 3 Enterprise
+  int kind = 0;
+
+  bool operator==(const DjiAircraft&) const = default;
+};
+
+// The aircraft that have a name: DJI's enumeration, in its cloud API documentation of WPML (common
+// element).
+struct NamedDjiAircraft {
+  std::string_view name;
+  DjiAircraft aircraft;
+};
+inline constexpr NamedDjiAircraft kDjiAircraft[] = {
+    {"m30", {67, 0}}, {"m30t", {67, 1}}, {"m3e", {77, 0}}, {"m3t", {77, 1}},
+    {"m3m", {77, 2}}, {"m3d", {91, 0}},  {"m3td", {91, 1}}};
+
+// The versions of WPML that are written.
+inline constexpr std::string_view kWrittenWpmlVersions[] = {"1.0.2", "1.0.6"};
+
+struct DjiMission {
+  std::string version = "1.0.6";  // of WPML
+  DjiAircraft aircraft;
+  DjiApproach approach = DjiApproach::safely;
+  DjiFinish finish = DjiFinish::hover;
+  double security_height = 20;                 // m above the take-off
+  double transit_speed = 0;                    // m/s to the first waypoint of a wayline
+  std::optional<double> return_height;         // m above the take-off
+  std::optional<geom::GeodeticPlace> takeoff;  // that was planned with; height on the ellipsoid
+  std::string without_link;          // what it does when it loses the controller, as the file says
+  std::vector<DjiWayline> waylines;  // at least one, flown one after the other
+  std::size_t actions = 0;           // of cameras, gimbals and yaw: they move the aircraft nowhere
+};
+
+inline constexpr double kDjiFastest = 15;  // m/s, of globalTransitionalSpeed
+
+inline constexpr double kDjiLeastTurn = 0.2;  // m, of those that are written
+
+// How a mission is laid over a map: what may be asked for.
+struct DjiOptions {
+  double home = 0;              // z of the ground under the first point, m
+  bool lands = true;            // where the last point is; else it hovers there
+  std::vector<double> turns;    // m, one a point: the longest damping of its turn; 0: it stops
+  std::optional<double> speed;  // m/s, no more than kDjiFastest is written; absent: 5
+  std::string version = "1.0.6";
+  DjiAircraft aircraft;
+};
+
+// A take-off straight up to the first point, a stop at each, a landing: as the file will hold them,
+// degrees rounded to 1e-9, heights to millimetres, above the take-off. At least one point, in ENU.
+// Coordinated turns (options.turns may be empty: none) begin at most 0.45 of the shorter leg before
+// their point, and are stops where that is less than kDjiLeastTurn.
+DjiMission make_dji_mission(std::span<const Vec3> points, const MissionFrame& frame,
+                            const DjiOptions& options);
+
+// What an aircraft makes of a mission: straight legs in ENU, and the regions that it may fly
+// through anywhere where it does not stop. Items are waypoints, counted from 0 over all waylines.
+struct FlownDji : FlownMission {
+  std::optional<double> returns_at;  // m above home, where the path ends with a return
+  geom::GeodeticPlace home_place;    // home's; height on the ellipsoid
+  bool home_is_said = false;         // its place is the file's; else it is below the first waypoint
+};
+
+// What a file leaves open, as far as its user says it.
+struct DjiRules {
+  std::optional<double> ground;         // z of the ground at the take-off, m
+  std::optional<double> return_height;  // m above the take-off, where the file does not say it
+};
+
+// The model, after DJI's documentation of WPML (cloud-api: waylines.wpml, common element):
+// - The take-off is at the file's takeOffRefPoint, else below the first waypoint; `ground` goes
+//   before that point's height. Heights relative to the start count from there.
+// - It rises straight up to takeOffSecurityHeight, or "safely" to the first waypoint's height where
+//   that is more. "Safely" it then flies level to above the waypoint and sinks onto it; from point
+//   to point it flies straight there, or level first where that waypoint is lower.
+// - From one wayline to the next, "safely", it rises to the height of the next waypoint where that
+//   is more, flies level, and sinks; else straight.
+// - Legs are straight, with a stop at each waypoint. A coordinated turn stays in the triangle
+// between
+//   the waypoint and the places at waypointTurnDampingDist before and behind it; one that passes
+//   through the waypoint, which may swing wide, within that distance of it in plan and within the
+//   difference of these places' heights beyond them. No two turns of a leg may meet.
+// - goHome rises to globalRTHHeight (else `return_height`) where it is lower, flies level to above
+//   home, and lands. Within 50 m of home some aircraft do not rise: all heights between are swept.
+// A return from within 20 m of home, where some land at once, or without a height is no way that is
+// known (`returns`). Nor is gotoFirstWaypoint.
+// Throws geom::InputError(source, line, …) where no ground is known, for places that are not near
+// the origin, and where aircraft differ in how they begin: M300 and M350 do not rise to the
+// security height first.
+FlownDji flown_dji(const DjiMission& mission, const MissionFrame& frame, const DjiRules& rules,
+                   std::string_view source);
+
+}  // namespace traj

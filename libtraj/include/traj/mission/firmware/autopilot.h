@@ -1,0 +1,105 @@
+#pragma once
+
+// Autopilots as numbers: how far each strays from the way that a mission file describes.
+//
+// Example:
+//   const std::vector<traj::Autopilot> any = *traj::autopilots_of("any");
+//   assert(traj::names_of(any) == "px4:1.11-1.17, ardupilot:4.3-4.7");
+//   traj::Autopilot heavy = traj::px4("1.15");
+//   traj::set_drag(heavy, 0.2);  // 1/s: little drag for its mass, so that stops are overshot less
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/base/vec3.h"
+
+namespace traj {
+
+using geom::Vec3;
+
+// PX4 from 1.12 on leaves the line before an item whose radius is smaller, m.
+inline constexpr double kLeastLineRadius = 2;
+
+// The drag over the mass of an unknown airframe, 1/s: more than quadrotors in the
+// literature have (0.54: Faessler, Franchi and Scaramuzza 2018).
+inline constexpr double kUsualDrag = 0.6;
+
+enum class Firmware { px4, ardupilot };
+
+// How much of the next leg it takes until a deviation has decayed: metres, and seconds at its
+// speed.
+struct Settling {
+  double distance = 0;
+  double time = 0;
+};
+
+// One firmware with its parameters. The defaults are those of the firmware's own code; the numbers
+// under "measured" come from flights of the firmware (docs/firmware.md says which hold which).
+struct Autopilot {
+  Firmware firmware = Firmware::px4;
+  std::string name;  // in reports: "px4:1.11-1.17"
+
+  // Parameters, SI.
+  double acceptance = 0;         // m: NAV_ACC_RAD, WPNAV_RADIUS
+  double height_acceptance = 0;  // m: NAV_MC_ALT_RAD; ArduPilot has none
+  double speed = 0;              // m/s where the file says none: MPC_XY_CRUISE, WPNAV_SPEED
+  double climb = 0;              // m/s at most: MPC_Z_V_AUTO_UP, WPNAV_SPEED_UP
+  double descent = 0;            // m/s at most: MPC_Z_V_AUTO_DN, WPNAV_SPEED_DN
+  double acceleration = 0;       // m/s2: MPC_ACC_HOR, WPNAV_ACCEL
+  double jerk = 0;               // m/s3: MPC_JERK_AUTO, WPNAV_JERK
+  double takeoff_height = 0;     // m above home, at least: MIS_TAKEOFF_ALT
+  double return_height = 0;      // m above home: RTL_RETURN_ALT, RTL_ALT
+  double return_climb = 0;       // m that a return climbs at least: RTL_CLIMB_MIN
+  double return_slope = 0;       // height over distance of the cone; 0: none. RTL_CONE_*
+  bool rally_adds = false;       // to a rally point it returns so high above that point
+  bool returns_home = true;      // false: a return may go to a landing of the mission (RTL_TYPE)
+
+  // Whether an item's own radius counts, or the parameter alone.
+  bool heeds_item_radius = false;
+  // Whether a turn at a passed waypoint is two overlapping S-curves, or begins within the radius.
+  bool turns_by_s_curve = false;
+  // A leg whose item has a smaller radius than this is not followed, m.
+  double least_radius = 0;
+
+  // The airframe's drag over its mass, 1/s; set_drag changes it and what follows from it.
+  double drag = 0;
+
+  // Measured.
+  Vec3 tracking = Vec3::Zero();  // m from the way along each axis, navigation at its quietest
+  double overshoot_time = 0;     // s: a stop is overshot by this times the speed,
+  double overshoot = 0;          // m: and by this
+  Settling from_stop;            // until that has decayed
+  Settling from_corner;          // until a corner has decayed
+  double bulge = 0;              // s2/m: while it speeds up behind a corner it leaves the leg to
+                                 // either side by this times the square of the speed
+  bool climbs_ahead = false;     // on a sloping leg from a rest the height is ahead of the place
+  double run_on = 0;             // s: where it waits at a point that it would have passed, it runs
+                                 // on by this times the speed
+  double fall = 0;               // m that it sinks in a landing until it is above its place
+};
+
+// The autopilot on an airframe of that drag over mass, 1/s: the more drag, the further its
+// controller overshoots. Those of px4() and ardupilot() have kUsualDrag.
+void set_drag(Autopilot& autopilot, double drag);
+
+// The version must be one of those that are modelled (autopilot_words): of PX4 "1.17", of ArduPilot
+// Copter "4.7"; without one the union of these.
+Autopilot px4(std::string_view version = {});
+Autopilot ardupilot(std::string_view version = {});
+
+// "px4", "px4:1.17", "ardupilot", "ardupilot:4.7", or "any": all of them. Nothing for other words.
+std::optional<std::vector<Autopilot>> autopilots_of(std::string_view words);
+// The words, for a message: "any, px4, px4:1.11 to px4:1.17, …".
+std::string autopilot_words();
+
+// "px4:1.11-1.17, ardupilot:4.3-4.7"
+std::string names_of(std::span<const Autopilot> autopilots);
+
+// Metres in which an S-curve of the autopilot's acceleration and jerk reaches that speed, m/s:
+// v^2 / (2 a) + v a / (2 j).
+double s_curve_length(const Autopilot& autopilot, double speed);
+
+}  // namespace traj

@@ -1,0 +1,39 @@
+#pragma once
+
+// What flies a file, and how well.
+//
+//   Flier flier;
+//   flier.autopilots = {px4("1.17")};
+//   flier.navigation = Uncertainty{0.5, 1};
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "traj/mission/mavlink/mission_flight.h"
+
+namespace traj {
+
+// Metres that a vehicle may be from where it takes itself to be, or ought to be: in each horizontal
+// direction, and up or down.
+struct Uncertainty {
+  double across = 0;
+  double vertical = 0;
+};
+
+struct Flier {
+  std::vector<Autopilot> autopilots{px4(), ardupilot()};  // any of which may fly; not empty
+  std::optional<Autopilot> exactly = {};                  // the one whose parameters are known
+  std::vector<std::string> assumed = {};       // parameters of it that are the firmware's
+  std::optional<Uncertainty> navigation = {};  // how wrong it may be about its place
+  std::optional<Uncertainty> tracking = {};    // how far it may stray; missions have a model
+
+  // The rules with what is known of the autopilot; what the rules say already goes before it.
+  MissionRules rules(MissionRules rules) const;
+
+  // Metres along each axis that the vehicle's box is larger by: navigation, and with `tracks` what
+  // is allowed for tracking.
+  Vec3 allowance(bool tracks) const;
+};
+
+}  // namespace traj

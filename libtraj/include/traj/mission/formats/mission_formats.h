@@ -1,0 +1,29 @@
+#pragma once
+
+// The table of drone files' formats.
+//
+//   const MissionFormat* format = mission_format_named("wpl");
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "traj/mission/formats/mission_format.h"
+
+namespace traj {
+
+// In the order in which options and messages list them.
+std::span<const MissionFormat* const> mission_formats();
+
+// The format of this word; null where there is none.
+const MissionFormat* mission_format_named(std::string_view word);
+
+// What a whole text is, by its beginning; of one that nobody knows, the format whose reader says
+// best what is wrong with it. A hint: only the reader knows.
+const MissionFormat& recognised_mission_format(std::string_view text);
+
+// The words of those that a tool of this name reads, and of those that are written.
+std::vector<std::string_view> mission_words_of(std::string_view reader);
+std::vector<std::string_view> written_mission_words();
+
+}  // namespace traj

@@ -1,0 +1,33 @@
+#pragma once
+
+// A drone file as what it makes a vehicle fly over a map.
+//
+//   const MissionFormat& format = recognised_mission_format(text);
+//   for (const FileFlight& one : read_mission(text, "m.plan", format, reading, map.spec().frame))
+//     judge(scene, one.flown, limits);  // judge/judge.h
+
+#include <string>
+#include <vector>
+
+#include "traj/mission/formats/mission_formats.h"
+
+namespace traj {
+
+// One flight of a file.
+struct FileFlight {
+  std::string id;
+  const MissionFormat* format = nullptr;
+  Flown flown;                     // in the map's axes
+  std::vector<std::string> notes;  // what its user should know before flying it, for warnings
+};
+
+// All that is in a file of this text: one flight, or of lines (KML, GeoJSON, glTF) and tables of
+// paths several, at least one. The id is the source's name without folder and extension, with -1,
+// -2, … where there are several, or the table's. Throws geom::InputError for bad text and for what
+// cannot be flown or is not known, geom::UsageError where `reading` lacks what the format needs.
+// The format must be one that is read.
+std::vector<FileFlight> read_mission(const std::string& text, const std::string& source,
+                                     const MissionFormat& format, const MissionReading& reading,
+                                     const geom::Frame& frame);
+
+}  // namespace traj

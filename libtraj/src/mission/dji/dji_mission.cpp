@@ -1,0 +1,314 @@
+#include "traj/mission/dji/dji_mission.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/base/error.h"
+#include "mission/flown/flown_regions.h"
+
+namespace traj {
+namespace {
+
+constexpr double kLeastSecurity = 2;    // m, of takeOffSecurityHeight
+constexpr double kMostSecurity = 1500;  // m
+constexpr double kUsualSpeed = 5;       // m/s
+constexpr double kRises = 50;           // m from home: nearer, some return without a rise
+constexpr double kReturns = 20;         // m from home: nearer, some land where they are
+constexpr double kLegShare = 0.45;      // that a turn which is written may take
+constexpr double kSlack = 0.01;         // m, by which turns of a leg may seem to meet
+constexpr int kStartsLow[] = {60, 89};  // M300, M350: they do not rise to the security height
+
+double to_1e9(double degrees) { return std::round(degrees * 1e9) / 1e9; }
+double to_millimetres(double metres) { return std::round(metres * 1e3) / 1e3; }
+
+// Holds a turn through its waypoint, which may swing wide.
+Hull through_hull(const Vec3& from, const Vec3& corner, const Vec3& to, double radius) {
+  double low = corner.z();
+  double high = corner.z();
+  for (const Vec3& p : {before_corner(from, corner, radius), before_corner(to, corner, radius)}) {
+    low = std::min(low, p.z());
+    high = std::max(high, p.z());
+  }
+  const double swing = high - low;
+  Hull hull;
+  for (const double x : {-radius, radius}) {
+    for (const double y : {-radius, radius}) {
+      hull.emplace_back(corner.x() + x, corner.y() + y, low - swing);
+      hull.emplace_back(corner.x() + x, corner.y() + y, high + swing);
+    }
+  }
+  return hull;
+}
+
+class DjiFlight {
+ public:
+  DjiFlight(const DjiMission& mission, const MissionFrame& frame, const DjiRules& rules,
+            std::string_view source)
+      : mission_(mission), frame_(frame), rules_(rules), earth_(frame.origin), source_(source) {
+    set_home();
+  }
+
+  FlownDji fly() {
+    const DjiWaypoint* last = nullptr;
+    for (const DjiWayline& wayline : mission_.waylines) {
+      last ? go_on(wayline, *last) : begin(wayline);
+      fly(wayline);
+      last = &wayline.waypoints.back();
+    }
+    end();
+    for (const Turn& turn : turns_) sweep(turn);
+    flown_.path_stray = kMissionStray;
+    flown_.idle_items = mission_.actions;
+    return std::move(flown_);
+  }
+
+ private:
+  // At a point of the path.
+  struct Turn {
+    std::size_t at = 0;
+    std::size_t item = 0;
+    const DjiWaypoint* waypoint = nullptr;
+  };
+
+  [[noreturn]] void refuse(const DjiWaypoint& waypoint, geom::Fault fault) const {
+    throw geom::InputError(source_, waypoint.line, std::move(fault));
+  }
+
+  Vec3 on_map(double latitude, double longitude, double z, std::size_t line) const {
+    if (!is_near(frame_.origin, latitude, longitude)) {
+      throw geom::InputError(
+          source_, line,
+          {.expected = fmt::format("a place near the origin {} {}", frame_.origin.latitude,
+                                   frame_.origin.longitude),
+           .found = fmt::format("{} {}", latitude, longitude)});
+    }
+    Vec3 p = earth_.enu({latitude, longitude, 0});
+    p.z() = z;
+    return p;
+  }
+
+  void set_home() {
+    const DjiWaypoint& first = mission_.waylines.front().waypoints.front();
+    const auto& planned = mission_.takeoff;
+    if (!rules_.ground && !(planned && frame_.height_known)) {
+      refuse(first, {.says = fmt::format(
+                         "heights count from the take-off, and {}",
+                         planned ? "the map does not say how high above the ellipsoid its z = 0 is"
+                                 : "the file does not say where that is"),
+                     .advice = "give the map's z of the ground there (--ground)"});
+    }
+    const double z = rules_.ground ? *rules_.ground : planned->height - frame_.origin.height;
+    flown_.home_is_said = planned.has_value();
+    geom::GeodeticPlace& at = flown_.home_place;
+    at = planned ? *planned : geom::GeodeticPlace{first.latitude, first.longitude, 0};
+    at.height = z + frame_.origin.height;
+    home_ = on_map(at.latitude, at.longitude, z, planned ? 0 : first.line);
+    flown_.home = home_;
+    flown_.ends.takeoff_from = z;
+  }
+
+  Vec3 place(const DjiWayline& wayline, const DjiWaypoint& waypoint) const {
+    const bool above_takeoff = wayline.heights == DjiHeights::above_takeoff;
+    if (!above_takeoff && !frame_.height_known) {
+      refuse(
+          waypoint,
+          {.expected = "heights above the take-off",
+           .found =
+               "one above the ellipsoid, and the map does not say how high above it its z = 0 is",
+           .advice = "give --origin latitude,longitude,height"});
+    }
+    const double zero = above_takeoff ? home_.z() : -frame_.origin.height;
+    return on_map(waypoint.latitude, waypoint.longitude, zero + waypoint.height, waypoint.line);
+  }
+
+  static Vec3 at_height(const Vec3& p, double z) { return {p.x(), p.y(), z}; }
+
+  void go(const Vec3& p, Manoeuvre manoeuvre, double hold) {
+    flown_.path.push_back(p);
+    flown_.hold.push_back(hold);
+    flown_.legs.push_back({item_, manoeuvre});
+  }
+
+  // To a place where it may be already.
+  void reach(const Vec3& p, Manoeuvre manoeuvre) {
+    if (flown_.path.empty() || flown_.path.back() != p) go(p, manoeuvre, 0);
+  }
+
+  void begin(const DjiWayline& wayline) {
+    const DjiWaypoint& waypoint = wayline.waypoints.front();
+    const Vec3 first = place(wayline, waypoint);
+    const double security = home_.z() + mission_.security_height;
+    const bool safely = mission_.approach == DjiApproach::safely;
+    const bool starts_low = std::find(std::begin(kStartsLow), std::end(kStartsLow),
+                                      mission_.aircraft.type) != std::end(kStartsLow);
+    if (starts_low && (!safely || first.z() < security)) {
+      refuse(waypoint, {.says = fmt::format(
+                            "an aircraft of type {} does not rise to takeOffSecurityHeight before "
+                            "it flies to the first waypoint: expected flyToWaylineMode safely, and "
+                            "that waypoint at least {} m above the take-off",
+                            mission_.aircraft.type, mission_.security_height)});
+    }
+    const double rises_to = safely ? std::max(security, first.z()) : security;
+    reach(at_height(home_, rises_to), Manoeuvre::takeoff);
+    if (safely || first.z() < security) reach(at_height(first, rises_to), Manoeuvre::leg);
+    reach(first, Manoeuvre::leg);
+    if (flown_.path.size() > 1) say_speed(mission_.transit_speed);
+  }
+
+  void go_on(const DjiWayline& wayline, const DjiWaypoint& last) {
+    const Vec3 from = flown_.path.back();
+    const std::size_t begun = flown_.path.size() - 1;
+    const Vec3 first = place(wayline, wayline.waypoints.front());
+    if (mission_.approach == DjiApproach::safely) {
+      const double z = std::max(from.z(), first.z());
+      reach(at_height(from, z), Manoeuvre::climb);
+      reach(at_height(first, z), Manoeuvre::leg);
+    }
+    reach(first, Manoeuvre::leg);
+    require_room(begun, last, wayline.waypoints.front());
+    say_speed(mission_.transit_speed);
+  }
+
+  // For turns where one wayline ends and the next begins.
+  void require_room(std::size_t begun, const DjiWaypoint& last, const DjiWaypoint& first) const {
+    const auto leg = [&](std::size_t to) { return (flown_.path[to] - flown_.path[to - 1]).norm(); };
+    const std::size_t end = flown_.path.size() - 1;
+    if (end == begun) {
+      require_apart(last, first, 0);
+    } else if (end == begun + 1) {
+      require_apart(last, first, leg(end));
+    } else {
+      require_apart(last, {}, leg(begun + 1));
+      require_apart({}, first, leg(end));
+    }
+  }
+
+  void fly(const DjiWayline& wayline) {
+    const auto& waypoints = wayline.waypoints;
+    flown_.hold.back() += waypoints.front().hover;
+    take_turn(waypoints.front());
+    for (std::size_t i = 1; i < waypoints.size(); ++i) {
+      const Vec3 p = place(wayline, waypoints[i]);
+      require_apart(waypoints[i - 1], waypoints[i], (p - flown_.path.back()).norm());
+      go(p, Manoeuvre::leg, waypoints[i].hover);
+      take_turn(waypoints[i]);
+      say_speed(waypoints[i - 1].speed);
+    }
+  }
+
+  void require_apart(const DjiWaypoint& a, const DjiWaypoint& b, double leg) const {
+    const double turns = a.damping + b.damping;
+    if (turns <= leg + kSlack || turns == 0) return;
+    refuse(b, {.expected = "turns that do not meet",
+               .found = fmt::format(
+                   "a leg of {:.2f} m, of which turns take {} m (waypointTurnDampingDist)", leg,
+                   turns)});
+  }
+
+  // At the waypoint where it is; counts it.
+  void take_turn(const DjiWaypoint& waypoint) {
+    if (waypoint.turn != DjiTurn::stop) {
+      turns_.push_back({flown_.path.size() - 1, item_, &waypoint});
+    }
+    ++item_;
+  }
+
+  void sweep(const Turn& turn) {
+    if (turn.at == 0 || turn.at + 1 >= flown_.path.size()) return;
+    const Vec3& from = flown_.path[turn.at - 1];
+    const Vec3& corner = flown_.path[turn.at];
+    const Vec3& to = flown_.path[turn.at + 1];
+    const double radius = turn.waypoint->damping;
+    const bool early = turn.waypoint->turn == DjiTurn::early;
+    flown_.sweeps.push_back(
+        {early ? corner_hull(from, corner, to, radius, 0) : through_hull(from, corner, to, radius),
+         {turn.item, Manoeuvre::corner}});
+  }
+
+  void say_speed(double speed) { flown_.speed = std::max(flown_.speed.value_or(0), speed); }
+
+  void end() {
+    --item_;  // the last waypoint
+    flown_.lands_below = mission_.finish == DjiFinish::land;
+    flown_.returns = mission_.finish == DjiFinish::first_waypoint;
+    if (mission_.finish == DjiFinish::go_home) return_home();
+    if (flown_.lands_below || flown_.ends.landing_on) {
+      flown_.legs.push_back({item_, Manoeuvre::landing});
+    }
+  }
+
+  void return_home() {
+    const auto height = mission_.return_height ? mission_.return_height : rules_.return_height;
+    const Vec3 last = flown_.path.back();
+    const double away = (last - home_).head<2>().norm();
+    flown_.returns = !height || away < kReturns;
+    if (flown_.returns) return;
+    const double z = std::max(last.z(), home_.z() + *height);
+    reach(at_height(last, z), Manoeuvre::climb);
+    reach(at_height(home_, z), Manoeuvre::return_home);
+    if (away < kRises && z > last.z()) {
+      const Hull heights{last, at_height(last, z), at_height(home_, last.z()), at_height(home_, z)};
+      flown_.sweeps.push_back({heights, {item_, Manoeuvre::return_home}});
+    }
+    flown_.ends.landing_on = home_.z();
+    flown_.returns_at = height;
+    flown_.speed.reset();  // that of the return is the aircraft's own
+  }
+
+  const DjiMission& mission_;
+  const MissionFrame& frame_;
+  const DjiRules& rules_;
+  geom::GeographicFrame earth_;
+  std::string source_;
+  Vec3 home_ = Vec3::Zero();  // where it stands before
+  std::size_t item_ = 0;      // the waypoint that it flies to
+  std::vector<Turn> turns_;
+  FlownDji flown_;
+};
+
+// How far before a point it may turn, on legs that have room for it.
+double room_to_turn(std::span<const Vec3> points, std::size_t i, double most) {
+  const double before = (points[i] - points[i - 1]).norm();
+  const double behind = (points[i + 1] - points[i]).norm();
+  return std::floor(100 * std::min(most, kLegShare * std::min(before, behind))) / 100;
+}
+
+}  // namespace
+
+DjiMission make_dji_mission(std::span<const Vec3> points, const MissionFrame& frame,
+                            const DjiOptions& options) {
+  const geom::GeographicFrame earth(frame.origin);
+  const double speed = std::min(options.speed.value_or(kUsualSpeed), kDjiFastest);
+  DjiWayline wayline;
+  for (const Vec3& p : points) {
+    const geom::GeodeticPlace place = earth.place(p);
+    wayline.waypoints.push_back({to_1e9(place.latitude), to_1e9(place.longitude),
+                                 to_millimetres(p.z() - options.home), speed});
+  }
+  for (std::size_t i = 1; i + 1 < std::min(points.size(), options.turns.size()); ++i) {
+    const double damping = room_to_turn(points, i, options.turns[i]);
+    if (damping < kDjiLeastTurn) continue;
+    wayline.waypoints[i].turn = DjiTurn::early;
+    wayline.waypoints[i].damping = damping;
+  }
+  const DjiWaypoint& first = wayline.waypoints.front();
+  DjiMission mission;
+  mission.version = options.version;
+  mission.aircraft = options.aircraft;
+  mission.finish = options.lands ? DjiFinish::land : DjiFinish::hover;
+  mission.security_height = std::clamp(first.height, kLeastSecurity, kMostSecurity);
+  mission.transit_speed = speed;
+  mission.takeoff = {first.latitude, first.longitude,
+                     to_millimetres(frame.origin.height + options.home)};
+  mission.waylines.push_back(std::move(wayline));
+  return mission;
+}
+
+FlownDji flown_dji(const DjiMission& mission, const MissionFrame& frame, const DjiRules& rules,
+                   std::string_view source) {
+  return DjiFlight(mission, frame, rules, source).fly();
+}
+
+}  // namespace traj

@@ -1,0 +1,140 @@
+#include "traj/mission/formats/dji_wpml.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "mission/formats/mavlink_format.h"
+#include "mission/formats/text_head.h"
+#include "traj/mission/dji/dji_wpml.h"
+#include "traj/mission/formats/mission_format.h"
+
+namespace traj {
+namespace {
+
+std::vector<std::string> notes_of(const DjiMission& mission, const DjiRules& rules,
+                                  const FlownDji& flown) {
+  std::vector<std::string> notes;
+  notes.push_back(fmt::format(
+      "the take-off is assumed at latitude {:.7f}, longitude {:.7f} ({}), the ground at z = {:.3f}",
+      flown.home_place.latitude, flown.home_place.longitude,
+      flown.home_is_said ? "the file's takeOffRefPoint" : "below the first waypoint",
+      *flown.ends.takeoff_from));
+  if (mission.finish == DjiFinish::hover) {
+    notes.emplace_back("the flight ends without landing: the aircraft hovers");
+  }
+  if (flown.returns_at) {
+    notes.push_back(
+        fmt::format("the return to home is flown {:g} m above the take-off: set the "
+                    "aircraft to return at that height",
+                    *flown.returns_at));
+  }
+  if (flown.returns) {
+    notes.emplace_back(mission.finish == DjiFinish::first_waypoint
+                           ? "the way back to the first waypoint is left out: the file does not "
+                             "say it"
+                       : mission.return_height || rules.return_height
+                           ? "the return to home is left out: so near home, some aircraft land "
+                             "where they are"
+                           : "the return to home is left out: its height is a setting of the "
+                             "aircraft; give it with --return-height");
+  }
+  if (mission.without_link != "goContinue") {
+    notes.push_back(
+        fmt::format("what the aircraft does when it loses its controller ({}) is not "
+                    "looked at",
+                    mission.without_link));
+  }
+  return notes;
+}
+
+ReadFlights read(std::istream& in, const ReadTask& task) {
+  const DjiMission mission = read_dji_kmz(in, task.source);
+  const DjiRules rules{task.how.placement.ground, task.how.rules.return_height};
+  FlownDji flown =
+      flown_dji(mission, task.how.placement.mission_frame(task.frame), rules, task.source);
+  std::vector<std::string> notes = notes_of(mission, rules, flown);
+  return {{{FlownMission(std::move(flown))}}, std::move(notes)};
+}
+
+// Of the turns that were asked for, those that became stops.
+std::string note_of_stops(const DjiMission& mission) {
+  std::vector<std::size_t> stops;
+  const auto& waypoints = mission.waylines.front().waypoints;
+  for (std::size_t i = 1; i + 1 < waypoints.size(); ++i) {
+    if (waypoints[i].turn == DjiTurn::stop) stops.push_back(i);
+  }
+  if (stops.empty()) return "";
+  return fmt::format(
+      "no room to turn at {} of {} waypoints (counted from 0: {}{}): it stops there", stops.size(),
+      waypoints.size(),
+      fmt::join(stops.begin(), stops.begin() + std::min<long>(10, std::ssize(stops)), ", "),
+      stops.size() > 10 ? ", …" : "");
+}
+
+void turn_everywhere(MissionTask& task, const geom::Polyline& legs) {
+  if (task.options.turns) task.turns.assign(legs.size(), *task.options.turns);
+}
+
+// Turns without a stop that would be refused are made shorter, or stops.
+bool turn_less(const WrittenMission&, const CheckResult& result, MissionTask& task) {
+  if (!result.part || result.part->manoeuvre != Manoeuvre::corner) return false;
+  if (result.part->item >= task.turns.size()) return false;
+  double& most = task.turns[result.part->item];
+  if (most == 0) return false;
+  most = most > 2 * kDjiLeastTurn ? most / 2 : 0;
+  return true;
+}
+
+WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
+  DjiOptions options = task.options.dji;
+  options.home = task.ground;
+  options.lands = task.options.lands;
+  options.speed = task.options.speed ? task.options.speed : speed_limit(task.limits);
+  options.turns = task.turns;
+  if (task.options.turns && options.turns.empty()) {
+    options.turns.assign(legs.size(), *task.options.turns);
+  }
+  const MissionFrame over = task.options.placement.mission_frame(task.frame);
+  require_near_origin(legs, over.origin, task.flight->id);
+  const DjiMission mission = make_dji_mission(legs, over, options);
+  std::ostringstream text;
+  write_dji_kmz(text, mission, task.checked ? "skyway" : "skyway (UNCHECKED)");
+  WrittenMission written{text.str()};
+  written.reading.placement = placement_to_read(task, over);
+  if (task.options.turns) written.note = note_of_stops(mission);
+  return written;
+}
+
+}  // namespace
+
+constinit const MissionFormat kDjiWpml{
+    .format = {.word = "dji-wpml",
+               .what = "a DJI mission (KMZ with WPML)",
+               .begins =
+                   [](std::string_view text) {
+                     return text_head(text).starts_with("PK") &&
+                            text.find("wpmz/") != std::string_view::npos;
+                   },
+               .readers = kDroneReaders},
+    .read = read,
+    .write = write,
+    .prepare = turn_everywhere,
+    .mend = turn_less,
+    .reads_with = {MissionOption::origin, MissionOption::ground, MissionOption::return_height,
+                   MissionOption::navigation, MissionOption::tracking},
+    .writes_with = {MissionOption::tolerance, MissionOption::speed, MissionOption::hover,
+                    MissionOption::ground, MissionOption::origin, MissionOption::wpml_version,
+                    MissionOption::aircraft, MissionOption::turns, MissionOption::navigation,
+                    MissionOption::tracking},
+    .has_legs = true,
+    .is_binary = true,
+    .rounding = kMissionRounding,
+    .heights = FileHeights::absolute,
+    .fastest = kDjiFastest,
+    .fastest_because = "at most 15 m/s, as DJI's missions take"};
+
+}  // namespace traj

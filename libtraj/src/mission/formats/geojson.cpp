@@ -1,0 +1,38 @@
+#include "traj/mission/formats/geojson.h"
+
+#include "mission/formats/geo_format.h"
+#include "mission/formats/text_head.h"
+
+namespace traj {
+namespace {
+
+constexpr std::string_view kReaders[] = {"skyway-footprints",        "skyway-map",  "skyway-check",
+                                         "skyway-import-trajectory", "skyway-plan", "skyway-bench"};
+
+bool begins(std::string_view text) {
+  return text_head(text).starts_with("{") && text.find("\"fileType\"") == std::string_view::npos &&
+         text.find("\"coordinates\"") != std::string_view::npos;
+}
+
+ReadFlights read(std::istream& in, const ReadTask& task) {
+  const std::vector<GeoPoints> lines = read_geojson(in, task.source);
+  return fly_lines(lines, task.how.placement.mission_frame(task.frame), 0, task);
+}
+
+WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
+  return write_line(task, legs, task.options.placement.mission_frame(task.frame), 0, write_geojson);
+}
+
+}  // namespace
+
+constinit const MissionFormat kGeojson{
+    .format = {.word = "geojson", .what = "a GeoJSON file", .begins = begins, .readers = kReaders},
+    .read = read,
+    .write = write,
+    .reads_with = {MissionOption::origin, MissionOption::navigation, MissionOption::tracking},
+    .writes_with = {MissionOption::tolerance, MissionOption::origin, MissionOption::navigation,
+                    MissionOption::tracking},
+    .has_legs = true,
+    .heights = FileHeights::absolute};
+
+}  // namespace traj

@@ -1,0 +1,43 @@
+#include "traj/mission/formats/kml.h"
+
+#include "mission/formats/geo_format.h"
+#include "mission/formats/text_head.h"
+
+namespace traj {
+namespace {
+
+constexpr std::string_view kReaders[] = {"skyway-check", "skyway-import-trajectory",
+                                         "skyway-footprints"};
+
+ReadFlights read(std::istream& in, const ReadTask& task) {
+  const std::vector<GeoPoints> lines = read_kml(in, task.source);
+  const MissionFrame over = task.how.placement.mission_frame(task.frame);
+  return fly_lines(lines, over, over.geoid, task);
+}
+
+WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
+  const MissionFrame over = task.options.placement.mission_frame(task.frame);
+  return write_line(task, legs, over, over.geoid, write_kml);
+}
+
+}  // namespace
+
+constinit const MissionFormat kKml{
+    .format = {.word = "kml",
+               .what = "a KML file",
+               .begins =
+                   [](std::string_view text) {
+                     return text_head(text).starts_with("<") &&
+                            text.find("<kml") != std::string_view::npos;
+                   },
+               .readers = kReaders},
+    .read = read,
+    .write = write,
+    .reads_with = {MissionOption::origin, MissionOption::geoid, MissionOption::navigation,
+                   MissionOption::tracking},
+    .writes_with = {MissionOption::tolerance, MissionOption::origin, MissionOption::geoid,
+                    MissionOption::navigation, MissionOption::tracking},
+    .has_legs = true,
+    .heights = FileHeights::absolute};
+
+}  // namespace traj

@@ -1,0 +1,39 @@
+#pragma once
+
+// What the formats of MAVLink missions share.
+
+#include <optional>
+
+#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/mavlink/mission.h"
+
+namespace traj {
+
+// What may be said beside them.
+inline constexpr MissionOptionSet kMavlinkReading{
+    MissionOption::origin,        MissionOption::geoid,     MissionOption::ground,
+    MissionOption::return_height, MissionOption::terrain,   MissionOption::acceptance,
+    MissionOption::braking,       MissionOption::autopilot, MissionOption::params,
+    MissionOption::drag,          MissionOption::navigation};
+inline constexpr MissionOptionSet kMavlinkWriting{
+    MissionOption::tolerance, MissionOption::speed,  MissionOption::hover,
+    MissionOption::ground,    MissionOption::origin, MissionOption::geoid,
+    MissionOption::autopilot, MissionOption::params, MissionOption::drag,
+    MissionOption::navigation};
+
+inline constexpr double kMissionRounding = 0.03;  // m: MissionFormat::rounding
+
+ReadFlights fly_mission(const Mission& mission, const ReadTask& task);
+
+// `write` gives the text of the mission.
+WrittenMission write_mission(const MissionTask& task, const geom::Polyline& legs,
+                             std::string (*write)(const Mission& mission, const MissionTask& task));
+
+// At first no waypoint is a rest, but where the path has so many that trying each would take long.
+void pass_all(MissionTask& task, const geom::Polyline& legs);
+
+// A waypoint that is passed becomes a rest; before a stop that is overshot too far, the vehicle
+// slows down.
+bool rest_or_slow_down(const WrittenMission& written, const CheckResult& result, MissionTask& task);
+
+}  // namespace traj

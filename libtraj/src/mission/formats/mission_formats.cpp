@@ -1,0 +1,71 @@
+#include "traj/mission/formats/mission_formats.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mission/formats/text_head.h"
+#include "traj/mission/formats/crazyflie.h"
+#include "traj/mission/formats/dji_wpml.h"
+#include "traj/mission/formats/geojson.h"
+#include "traj/mission/formats/gltf_line.h"
+#include "traj/mission/formats/kml.h"
+#include "traj/mission/formats/paths_csv.h"
+#include "traj/mission/formats/qgc_plan.h"
+#include "traj/mission/formats/setpoints.h"
+#include "traj/mission/formats/tello.h"
+#include "traj/mission/formats/volume4d.h"
+#include "traj/mission/formats/wpl.h"
+
+namespace traj {
+namespace {
+
+constexpr const MissionFormat* kAll[] = {
+    &kCrazyflie, &kSetpoints, &kTello,    &kWpl,      &kQgcPlan,  &kDjiWpml,
+    &kKml,       &kGeojson,   &kGltfLine, &kPathsCsv, &kVolume4d,
+};
+
+// What a text that no format knows is taken for, by how it begins: the reader says what is wrong.
+constexpr std::pair<std::string_view, const MissionFormat*> kTakenFor[] = {
+    {"{", &kQgcPlan}, {"PK", &kDjiWpml}, {"<", &kKml}, {"", &kPathsCsv}};
+
+template <class Wanted>
+std::vector<std::string_view> words_where(const Wanted& wanted) {
+  std::vector<std::string_view> words;
+  for (const MissionFormat* one : kAll) {
+    if (wanted(*one)) words.push_back(one->format.word);
+  }
+  return words;
+}
+
+}  // namespace
+
+std::span<const MissionFormat* const> mission_formats() { return kAll; }
+
+const MissionFormat* mission_format_named(std::string_view word) {
+  const auto* const found = std::find_if(std::begin(kAll), std::end(kAll),
+                                         [&](const auto* one) { return one->format.word == word; });
+  return found == std::end(kAll) ? nullptr : *found;
+}
+
+const MissionFormat& recognised_mission_format(std::string_view text) {
+  for (const MissionFormat* one : kAll) {
+    if (one->format.begins && one->format.begins(text)) return *one;
+  }
+  const auto* const taken =
+      std::find_if(std::begin(kTakenFor), std::end(kTakenFor),
+                   [&](const auto& one) { return text_head(text).starts_with(one.first); });
+  return *taken->second;
+}
+
+std::vector<std::string_view> mission_words_of(std::string_view reader) {
+  return words_where([&](const MissionFormat& one) {
+    const auto& tools = one.format.readers;
+    return one.read && std::find(tools.begin(), tools.end(), reader) != tools.end();
+  });
+}
+
+std::vector<std::string_view> written_mission_words() {
+  return words_where([](const MissionFormat& one) { return one.write || one.prove; });
+}
+
+}  // namespace traj

@@ -1,0 +1,31 @@
+#include "traj/mission/formats/paths_csv.h"
+
+#include <utility>
+
+#include "geom/record/path_csv.h"
+#include "traj/curve/to_enu.h"
+#include "traj/mission/formats/mission_format.h"
+
+namespace traj {
+namespace {
+
+ReadFlights read(std::istream& in, const ReadTask& task) {
+  ReadFlights out;
+  for (geom::PathRecord& record : geom::read_path_csv(in, task.source)) {
+    out.ids.push_back(std::move(record.id));
+    out.flights.push_back({FlownLegs{to_enu(task.frame.axes, std::move(record.points))}});
+  }
+  return out;
+}
+
+}  // namespace
+
+constinit const MissionFormat kPathsCsv{
+    .format = {.word = "paths-csv",
+               .what = "a table of paths",
+               .begins = [](std::string_view text) { return text.starts_with("id,x,y,z"); },
+               .readers = kDroneReaders},
+    .read = read,
+    .is_flown = false};
+
+}  // namespace traj

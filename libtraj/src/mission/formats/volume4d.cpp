@@ -1,0 +1,77 @@
+#include "traj/mission/formats/volume4d.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "geom/base/usage_error.h"
+#include "geom/record/volume4d.h"
+#include "traj/mission/airspace/flight_volumes.h"
+#include "traj/mission/formats/mission_format.h"
+
+namespace traj {
+namespace {
+
+// Why none can be written: no trajectory, no start or no epoch.
+std::string unfit(const ExportFlight& flight) {
+  if (!flight.path.empty()) {
+    return "volumes of airspace have times, and a path has none: make a trajectory of it "
+           "(skyway-traj)";
+  }
+  const geom::FlightTime& time = flight.time;
+  if (time.start && time.epoch) return "";
+  return fmt::format(
+      "volumes of airspace say when, and the record has no \"{}\": give it to the query, or let "
+      "skyway-fleet choose departures",
+      time.epoch ? "start" : "epoch");
+}
+
+geom::GeodeticOrigin origin_of(const MissionTask& task) {
+  const geom::GeodeticOrigin origin = task.options.placement.mission_frame(task.frame).origin;
+  if (knows_height(task)) return origin;
+  throw geom::UsageError(
+      "altitudes of volumes are above the ellipsoid, and the map does not say how high above it "
+      "its z = 0 is (0 m, as maps have whose height nobody gave): give --origin "
+      "latitude,longitude,height");
+}
+
+FlightOnEarth on_earth(const geom::CollisionScene& scene, const MissionTask& task) {
+  return {{&task.enu, *task.flight->time.start,
+           geom::to_enu(task.frame.axes, Vec3(scene.half())).cwiseAbs() +
+               Vec3::Constant(task.options.buffer)},
+          *task.flight->time.epoch,
+          origin_of(task)};
+}
+
+// The details of an operational intent (ASTM F3548) for a flight that is clear of the map and
+// within its limits: volumes that hold the vehicle with its margin and the buffer at every instant,
+// read back from the text.
+MissionProof prove(const geom::CollisionScene& scene, const MissionTask& task) {
+  const FlightOnEarth flight = on_earth(scene, task);
+  CheckOptions options;
+  options.limits = task.limits;
+  options.clearance = Clearance::left_out;
+  MissionProof proof{{}, check(scene, task.flight->trajectory, options)};
+  if (!proof.result.ok) return proof;
+  const std::string& id = task.flight->id;
+  for (const Segment& s : task.enu.segments) {
+    require_near_origin({s.point.begin(), s.point.end()}, flight.origin, id);
+  }
+  const auto volumes = flight_volumes(flight, task.options.volumes, id);
+  proof.written.text = geom::operational_intent_details(volumes, task.flight->time.priority);
+  std::istringstream in(proof.written.text);
+  const auto read = geom::read_volumes_4d(in, "what was written");
+  if (const auto why = why_not_held(flight, read, "what was written")) proof.refusal = *why;
+  return proof;
+}
+
+}  // namespace
+
+constinit const MissionFormat kVolume4d{
+    .format = {.word = "volume4d", .what = "volumes of airspace (ASTM F3548)"},
+    .prove = prove,
+    .unfit = unfit,
+    .writes_with = {MissionOption::origin, MissionOption::volumes, MissionOption::buffer},
+    .says_when = true};
+
+}  // namespace traj

@@ -1,0 +1,25 @@
+#pragma once
+
+// Which autopilots a mission is for.
+
+#include <string_view>
+#include <vector>
+
+#include "traj/mission/mavlink/mission_flight.h"
+
+namespace traj {
+
+// The first item that PX4 does not fly as ArduPilot does: turns on a circle, splines, payload
+// places and auxiliary functions, with which PX4 loads no mission, and a take-off at latitude 0,
+// longitude 0, to which PX4 flies. Null: there is none.
+const MissionItem* not_for_px4(const Mission& mission);
+
+// Those of the rules' autopilots that fly the mission as it is read here. Throws
+// geom::InputError(source, line, …) where that is none of them.
+std::vector<Autopilot> autopilots_that_load(const Mission& mission, const MissionRules& rules,
+                                            std::string_view source);
+
+// Whether all autopilots of the rules are of that firmware.
+bool flown_by(Firmware firmware, const MissionRules& rules);
+
+}  // namespace traj

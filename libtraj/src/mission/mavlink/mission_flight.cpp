@@ -1,0 +1,489 @@
+#include "traj/mission/mavlink/mission_flight.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geom/base/error.h"
+#include "mission/flown/flown_regions.h"
+#include "mission_autopilots.h"
+#include "mission_jumps.h"
+#include "mission_places.h"
+#include "mission_track.h"
+
+namespace traj {
+namespace {
+
+constexpr double kSamePlace = 0.5;  // m: home and a take-off that mean the same
+
+// RC_Channel::AUX_FUNC of ArduPilot: cameras, grippers, relays, a sound.
+constexpr int kIdleFunctions[] = {9, 19, 28, 30, 34, 35, 36, 66, 67, 102, 166, 167, 168, 169};
+
+bool moves_nothing(const MissionItem& item) {
+  if (item.command != kAuxFunction) return traj::moves_nothing(item.command);
+  const auto& all = kIdleFunctions;
+  return std::find(std::begin(all), std::end(all), item.param[0]) != std::end(all);
+}
+
+// The path and regions of a flight, while it is being flown.
+class Flight {
+ public:
+  Flight(const Mission& mission, const MissionFrame& frame, const MissionRules& rules,
+         std::string_view source)
+      : mission_(mission),
+        frame_(frame),
+        rules_(rules),
+        places_(mission, frame, rules, source),
+        source_(source) {}
+
+  FlownMavlink fly() {
+    order_ = flown_order(mission_, source_, flown_.endless_jumps);
+    if (const MissionItem* item = not_for_px4(mission_)) flown_.not_for_px4 = item->command;
+    for (next_ = 0; next_ < order_.size();) {
+      item_ = &mission_.items[order_[next_++]];
+      take(*item_);
+    }
+    if (path().empty()) {
+      throw geom::InputError(source_, {.expected = "at least one waypoint", .found = "none"});
+    }
+    flown_.path_stray = kMissionStray;
+    say_home();
+    finish_track();
+    add_fences();
+    return std::move(flown_);
+  }
+
+ private:
+  [[noreturn]] void refuse(geom::Fault fault) const {
+    refuse_item(source_, *item_, std::move(fault));
+  }
+
+  // --- places -------------------------------------------------------------------------------
+
+  // A take-off or landing at null is where the vehicle is; so is a take-off at 0, 0, which is
+  // ArduPilot's (not_for_px4). PX4 moves
+  // to a landing's place, be it 0, 0 (MissionBase::handleLanding).
+  Vec3 place(const MissionItem& item) const {
+    const bool null = std::isnan(item.latitude) || std::isnan(item.longitude);
+    const bool lands_here = null || flown_by(Firmware::ardupilot, rules_);
+    const bool may_be_here = item.command == kTakeoff || (item.command == kLand && lands_here);
+    if (!MissionPlaces::is_here(item)) return places_.place(item, here());
+    if (!may_be_here) {
+      if (item.command != kLand) require_known_start("an item without a place");
+      return places_.place(item, here());
+    }
+    const double z = places_.height(item);
+    if (!path().empty()) return {path().back().x(), path().back().y(), z};
+    if (!mission_.home)
+      refuse({.expected = "a place of the take-off or of home", .found = "neither"});
+    return on_map(*mission_.home, z);
+  }
+
+  std::optional<Vec3> here() const {
+    return path().empty() ? std::nullopt : std::optional(path().back());
+  }
+
+  Vec3 on_map(const geom::GeodeticPlace& at, double z) const {
+    return places_.on_map(*item_, at, z);
+  }
+
+  // The place of the next item that has one, if there is any, after an item at `from`.
+  std::optional<Vec3> place_after(const Vec3& from) const {
+    for (std::size_t i = next_; i < order_.size(); ++i) {
+      const MissionItem& item = mission_.items[order_[i]];
+      if (moves_nothing(item) || item.command == kSpeed) continue;
+      if (!MissionPlaces::is_there(item)) return std::nullopt;
+      Vec3 p = places_.place(item, from);
+      if (item.command == kLand) p.z() = path().back().z();
+      return p;
+    }
+    return std::nullopt;
+  }
+
+  // --- holds and turns ----------------------------------------------------------------------
+
+  void go(const Vec3& p, double hold, Manoeuvre manoeuvre, const Turn& turn = {}) {
+    track_.go(p, hold, {item_->number, manoeuvre}, turn);
+  }
+
+  void sweep(Hull hull, Manoeuvre manoeuvre) {
+    track_.sweep(std::move(hull), {item_->number, manoeuvre});
+  }
+
+  const geom::Polyline& path() const { return track_.path(); }
+
+  void require_known_start(const char* what) const {
+    if (track_.starts_at_point()) return;
+    refuse({.expected =
+                fmt::format("a waypoint before {}, so that it is known where that begins", what),
+            .found = "loitering, a delay, a short hold or a take-off away from home"});
+  }
+
+  double hold_of(const MissionItem& item) const {
+    const double hold = std::isnan(item.param[0]) ? 0 : item.param[0];
+    if (!(hold >= 0) || !std::isfinite(hold)) {
+      refuse({.key = "a hold", .expected = ">= 0 s", .found = fmt::to_string(hold)});
+    }
+    return hold;
+  }
+
+  // To a point where it waits, and goes on from wherever it is by then.
+  void go_and_wait(const Vec3& p, double hold, Manoeuvre manoeuvre, const MissionItem& item) {
+    const Turn turn = turn_at(item, hold, rules_);
+    go(p, hold, manoeuvre, turn);
+    if (hold > 0 && turn.radius > 0) track_.leave_from(track_.reached());
+  }
+
+  // --- items --------------------------------------------------------------------------------
+
+  void take(const MissionItem& item) {
+    if (moves_nothing(item)) {
+      ++flown_.idle_items;
+      return;
+    }
+    last_ = item.number;
+    if (flown_.ended) {
+      refuse(
+          {.expected =
+               "nothing after the end of the flight (a landing, a return, loitering without end)",
+           .found = fmt::format("command {}", item.command),
+           .advice = "whether a vehicle goes on is a setting of it; check each flight as a file of "
+                     "its own"});
+    }
+    switch (item.command) {
+      case kTakeoff:
+        return take_off(item);
+      case kWaypoint:
+        return go_and_wait(place(item), hold_of(item), Manoeuvre::leg, item);
+      case kSplineWaypoint:
+        return fly_spline(item);
+      case kLoiterTime:
+      case kLoiterForever:
+        return loiter(item);
+      case kLoiterTurns:
+        return circle(item);
+      case kLoiterToHeight:
+        return climb(item);
+      case kLand:
+        return land(item);
+      case kReturn:
+        return return_home();
+      case kSpeed:
+        return take_speed(item);
+      case kDelay:
+        return wait(item);
+      case kPayloadPlace:
+        return place_payload(item);
+      case kAuxFunction:
+        refuse({.expected = fmt::format("an auxiliary function that moves nothing ({})",
+                                        fmt::join(kIdleFunctions, ", ")),
+                .found = fmt::to_string(item.param[0]),
+                .advice = "others change the mode or stop motors"});
+      default:
+        refuse({.expected = "waypoints (16, 82), take-offs (22), landings (21), loitering (17, 18, "
+                            "19, 31), a return (20), delays (93), payload places (94), jumps "
+                            "(177), speeds (178) or what is known to move nothing",
+                .found = fmt::format("command {}", item.command)});
+    }
+  }
+
+  // Straight up: at home, where the file says both and they differ, and then to the place it says.
+  void take_off(const MissionItem& item) {
+    if (!path().empty()) {
+      refuse({.expected = "one take-off, at the beginning", .found = "another command before it"});
+    }
+    const Vec3 p = place(item);
+    flown_.takes_off = true;
+    flown_.ends.takeoff_from = places_.above_home(item, 0);
+    if (mission_.home) {
+      const Vec3 above_home = on_map(*mission_.home, p.z());
+      const double away = (above_home - p).norm();
+      if (away > kSamePlace) {
+        flown_.takeoff_from_home = away;
+        go(above_home, 1, Manoeuvre::takeoff);  // it climbs to the height first
+      }
+    }
+    go(p, 0, Manoeuvre::takeoff);
+    // Some autopilots take no heed of the place, and go on from above home.
+    if (flown_.takeoff_from_home > 0) track_.leave_from({path().front(), p});
+  }
+
+  void fly_spline(const MissionItem& item) {
+    const Vec3 b = place(item);
+    const double hold = hold_of(item);
+    if (!path().empty()) {
+      require_known_start("a spline");
+      const Vec3 a = path().back();
+      std::vector<Vec3> leaving;
+      std::vector<Vec3> arriving;
+      if (path().size() > 1) {
+        const Vec3& before = path()[path().size() - 2];
+        leaving = {a - before, b - before};
+      }
+      if (const auto after = place_after(b)) arriving = {*after - a, *after - b};
+      sweep(spline_hull(a, b, leaving, arriving), Manoeuvre::spline);
+    }
+    go_and_wait(b, hold, Manoeuvre::spline, item);
+  }
+
+  // On the spot, or on a circle of that radius, or anywhere in it.
+  void loiter(const MissionItem& item) {
+    const bool forever = item.command == kLoiterForever;
+    const double hold = forever ? 0 : hold_of(item);
+    const double radius = std::abs(item.param[2]);
+    const Vec3 centre = place(item);
+    flown_.ended = forever;
+    if (!(radius > 0)) {
+      return forever ? go(centre, hold, Manoeuvre::hover)
+                     : go_and_wait(centre, hold, Manoeuvre::hover, item);
+    }
+    Hull disc = Circle{centre, require_radius(radius)}.disc();
+    if (!path().empty()) {
+      Hull in = track_.from_where();
+      in.insert(in.end(), disc.begin(), disc.end());
+      sweep(std::move(in), Manoeuvre::hover);
+    }
+    sweep(disc, Manoeuvre::hover);
+    go(centre, hold, Manoeuvre::hover);
+    track_.leave_from(std::move(disc));
+  }
+
+  double require_radius(double radius) const {
+    if (radius <= 1e4) return radius;
+    refuse({.key = "a radius", .expected = "within 1e4 m", .found = fmt::to_string(radius)});
+  }
+
+  void circle(const MissionItem& item) {
+    const double turns = item.param[0];
+    if (!(turns >= 1 && turns <= 1e6) || turns != std::floor(turns)) {
+      refuse({.expected = "whole turns on a circle, at least one", .found = fmt::to_string(turns)});
+    }
+    const Circle way{place(item), require_radius(std::abs(item.param[2]))};
+    if (!(way.radius > 0)) {
+      refuse({.expected = "the radius of the circle",
+              .found = "0",
+              .advice = "it would be the vehicle's own"});
+    }
+    const double unit = way.radius > 255 ? 10 : 1;
+    if (way.radius != unit * std::floor(way.radius / unit)) {
+      refuse({.expected = "a radius of whole metres, or of tens above 255, as ArduPilot keeps it",
+              .found = fmt::to_string(way.radius)});
+    }
+    if (path().empty()) refuse({.expected = "a waypoint or a take-off before the circle"});
+    require_known_start("a circle");
+    const Hull from = track_.reached();
+    if (from.size() > 2) {
+      refuse({.expected = "a waypoint with a hold before a circle",
+              .found = "several that count as reached at once"});
+    }
+    for (const Vec3& p : from) {
+      if ((p - way.centre).head<2>().norm() >= 0.5 * way.radius) continue;
+      refuse({.expected = "to come to the circle from outside of half its radius",
+              .found = "a point nearer to its centre",
+              .advice = "where the circle begins is uncertain"});
+    }
+    CircleFlight flight = fly_circle(way, from);
+    sweep(std::move(flight.entry), Manoeuvre::circle);
+    for (Hull& arc : flight.arcs) sweep(std::move(arc), Manoeuvre::circle);
+    for (const Vec3& p : flight.points) go(p, 0, Manoeuvre::circle);
+    track_.leave_from(std::move(flight.leaving));
+  }
+
+  // To the place, and up or down to its height, in whichever order.
+  void climb(const MissionItem& item) {
+    const Vec3 p = place(item);
+    if (path().empty()) refuse({.expected = "a waypoint or a take-off before the climb"});
+    const double radius = require_radius(std::abs(item.param[1]));
+    const double z = path().back().z();
+    Hull hull = track_.from_where();
+    for (const double height : {z, p.z()}) {
+      const Vec3 centre(p.x(), p.y(), height);
+      hull.push_back(centre);
+      const Hull disc = Circle{centre, radius}.disc();
+      if (radius > 0) hull.insert(hull.end(), disc.begin(), disc.end());
+    }
+    sweep(std::move(hull), Manoeuvre::climb);
+    go({p.x(), p.y(), z}, 0, Manoeuvre::climb);
+    go(p, 1, Manoeuvre::climb);
+    if (radius > 0) track_.leave_from(Circle{p, radius}.disc());
+  }
+
+  // Down until it touches, at home's height, and up again.
+  void place_payload(const MissionItem& item) {
+    if (path().empty()) refuse({.expected = "a waypoint or a take-off before the payload's place"});
+    require_known_start("a payload's place");
+    Vec3 above = path().back();
+    if (!MissionPlaces::is_here(item)) {
+      above = on_map({item.latitude, item.longitude, 0}, above.z());
+    }
+    const double ground = places_.above_home(item, 0);
+    go(above, 1, Manoeuvre::landing);
+    track_.sweep({above, {above.x(), above.y(), ground}}, {item.number, Manoeuvre::landing},
+                 ground);
+    flown_.touches.push_back(above);
+  }
+
+  // On the ground at the height it says, from the height it comes with.
+  void land(const MissionItem& item) {
+    const Vec3 ground = place(item);
+    if (path().empty()) refuse({.expected = "a waypoint or a take-off before the landing"});
+    // ArduPilot stops before it lands.
+    const bool stops = flown_by(Firmware::ardupilot, rules_) && track_.starts_at_point();
+    if (MissionPlaces::is_here(item) && !stops && !track_.rests()) {
+      refuse({.expected = "the place of the landing, or a waypoint with a hold before it",
+              .found = "neither",
+              .advice = "it lands where it is when it takes the waypoint for reached"});
+    }
+    const Vec3 above(ground.x(), ground.y(), path().back().z());
+    if (above != path().back()) go(above, 0, Manoeuvre::landing);
+    flown_.ends.landing_on = ground.z();
+    flown_.ended = true;
+  }
+
+  void return_home() {
+    flown_.ended = true;
+    // A mission with a landing of its own may be returned to instead of home.
+    const bool lands_elsewhere =
+        std::any_of(mission_.items.begin(), mission_.items.end(),
+                    [](const MissionItem& item) { return item.command == kLandingStart; });
+    const bool home_alone = std::all_of(rules_.autopilots.begin(), rules_.autopilots.end(),
+                                        [](const Autopilot& one) { return one.returns_home; });
+    flown_.returns = !rules_.return_height || lands_elsewhere || !home_alone;
+    if (flown_.returns || path().empty()) return;
+    const Vec3 end = path().back();
+    const double ground = places_.above_home(*item_, 0);
+    const double z = std::max(end.z() + most_return_climb(), ground + *rules_.return_height);
+    const Vec3 home =
+        mission_.home ? on_map(*mission_.home, z) : Vec3(path().front().x(), path().front().y(), z);
+    track_.say_no_speed();  // it returns with one of its own
+    const Hull low = track_.from_where();
+    sweep_return(low, home, ground);
+    go({end.x(), end.y(), z}, 0, Manoeuvre::return_home);
+    go(home, 0, Manoeuvre::return_home);
+    flown_.ends.landing_on = ground;
+    for (const geom::GeodeticPlace& rally : mission_.rally) {
+      const double to = ground + rally.height;
+      for (const Autopilot& one : rules_.autopilots) {
+        const double height =
+            one.rally_adds ? std::max(end.z(), to + *rules_.return_height) : std::max(z, to);
+        const Vec3 above = on_map(rally, height);
+        sweep_return(low, above, ground);
+        sweep({above, on_map(rally, to)}, Manoeuvre::return_home);
+      }
+      flown_.rally.push_back(on_map(rally, to));
+    }
+  }
+
+  void sweep_return(const Hull& low, const Vec3& above, double ground) {
+    for (Hull& hull : return_hulls(low, above, ground, least_slope())) {
+      sweep(std::move(hull), Manoeuvre::return_home);
+    }
+  }
+
+  double most_return_climb() const {
+    double most = 0;
+    for (const Autopilot& one : rules_.autopilots) most = std::max(most, one.return_climb);
+    return most;
+  }
+
+  // Of the cones within which a return stays low; 0: there is none.
+  double least_slope() const {
+    double least = 0;
+    for (const Autopilot& one : rules_.autopilots) {
+      if (one.return_slope > 0 && (least == 0 || one.return_slope < least)) {
+        least = one.return_slope;
+      }
+    }
+    return least;
+  }
+
+  // So long, or (0 or -1) to a time of day.
+  void wait(const MissionItem& item) {
+    if (path().empty()) return;
+    if (item.param[0] != -1) track_.stay(hold_of(item));
+    track_.leave_when_reached();
+  }
+
+  // -1: as it is; other values that are no speed: the vehicle's own, which the file does not say.
+  void take_speed(const MissionItem& item) {
+    constexpr double kClimb = 2;  // the types of rates of climb and descent
+    constexpr double kDescent = 3;
+    const double speed = item.param[1];
+    if (item.param[0] == kClimb && speed > 0) most_climb_ = std::max(most_climb_, speed);
+    if (item.param[0] == kDescent && speed > 0) most_descent_ = std::max(most_descent_, speed);
+    if (item.param[0] == kClimb || item.param[0] == kDescent) return;
+    if (speed > 0) {
+      track_.say_speed(speed);
+    } else if (speed != -1) {
+      track_.say_no_speed();
+    }
+  }
+
+  // --- what is left -------------------------------------------------------------------------
+
+  void finish_track() {
+    const double speed = track_.most_speed(rules_.speed.value_or(kUnsaidSpeed));
+    const std::vector<Autopilot> autopilots = as_set();
+    for (const Autopilot& one : autopilots) {
+      flown_.climb = std::max(flown_.climb, one.climb);
+      flown_.descent = std::max(flown_.descent, one.descent);
+      flown_.tight_radii = std::max(flown_.tight_radii, track_.tight_radii(one));
+    }
+    flown_.drift = track_.drift(autopilots, {last_, Manoeuvre::landing},
+                                rules_.return_height.value_or(0), flown_);
+    track_.finish({last_, Manoeuvre::landing}, speed * speed / (2 * rules_.braking), flown_);
+  }
+
+  // The autopilots with what the user says of their settings.
+  std::vector<Autopilot> as_set() const {
+    std::vector<Autopilot> out = rules_.autopilots;
+    for (Autopilot& one : out) {
+      if (one.heeds_item_radius) one.acceptance = rules_.acceptance.value_or(one.acceptance);
+      one.speed = rules_.speed.value_or(one.speed);
+      one.climb = std::max(one.climb, most_climb_);
+      one.descent = std::max(one.descent, most_descent_);
+    }
+    return out;
+  }
+
+  void add_fences() {
+    for (const GeodeticFence& fence : mission_.fences) {
+      flown_.fences.push_back(fence_on_map(fence, frame_.origin, source_));
+    }
+  }
+
+  void say_home() {
+    const auto z = places_.home();
+    if (!z) return;
+    flown_.home = mission_.home ? on_map(*mission_.home, *z) : path().front();
+    flown_.home->z() = *z;
+  }
+
+  const Mission& mission_;
+  const MissionFrame& frame_;
+  const MissionRules& rules_;
+  MissionPlaces places_;
+  std::string source_;
+  std::vector<std::size_t> order_;
+  std::size_t next_ = 0;  // into the order
+  const MissionItem* item_ = nullptr;
+  std::size_t last_ = 0;   // that moves something
+  double most_climb_ = 0;  // m/s that items ask for
+  double most_descent_ = 0;
+  FlownTrack track_;
+  FlownMavlink flown_;  // the track's parts when it is finished
+};
+
+}  // namespace
+
+FlownMavlink flown_mission(const Mission& mission, const MissionFrame& frame,
+                           const MissionRules& rules, std::string_view source) {
+  MissionRules loading = rules;
+  loading.autopilots = autopilots_that_load(mission, rules, source);
+  return Flight(mission, frame, loading, source).fly();
+}
+
+}  // namespace traj

@@ -1,0 +1,91 @@
+#include "prove.h"
+
+#include <utility>
+
+#include "geom/base/error.h"
+#include "traj/curve/to_enu.h"
+#include "traj/mission/judge/judge.h"
+#include "traj/mission/read_mission.h"
+#include "traj/mission/straight_legs.h"
+
+namespace traj {
+namespace {
+
+constexpr int kAttempts = 10;     // of tolerances, halved each time
+constexpr double kEndGap = 0.02;  // m: how well straight legs must meet the ends
+
+// What the bytes make the drone fly, judged.
+CheckResult judge_written(const geom::CollisionScene& scene, const MissionTask& task,
+                          const WrittenMission& written) {
+  const geom::Frame& frame = scene.map().spec().frame;
+  MissionReading reading = written.reading;
+  reading.flier = task.options.flier;
+  const auto read = read_mission(written.text, "what was written", *task.format, reading, frame);
+  if (read.size() != 1) throw geom::InputError("what was written", "expected one flight");
+  const Flown& flown = read.front().flown;
+  CheckResult result = judge(scene, flown, task.limits, Clearance::left_out);
+  const FlownLegs* legs = legs_of(flown);
+  if (!result.ok || !legs) return result;
+  const Vec3 end = geom::to_enu(frame.axes, task.enu.segments.back().point[kDegree]);
+  const double missed = (legs->path.back() - end).norm();
+  if (missed <= kEndGap) return result;
+  result.ok = false;
+  result.reason = Reason::end;
+  result.time = static_cast<double>(legs->path.size() - 1);
+  result.place = legs->path.back();
+  result.worst = missed;
+  return result;
+}
+
+geom::Polyline pushed_legs(const geom::CollisionScene& scene, const MissionTask& task,
+                           const geom::Polyline& legs, double distance) {
+  return to_enu(task.frame.axes, pushed_off(scene, to_enu(task.frame.axes, legs), distance));
+}
+
+// Writes the legs and judges what was written, until it is accepted or the format knows no more.
+MissionProof write_and_judge(const geom::CollisionScene& scene, MissionTask task,
+                             const geom::Polyline& legs) {
+  const MissionFormat& format = *task.format;
+  if (format.prepare) format.prepare(task, legs);
+  while (true) {
+    WrittenMission written = format.write(task, legs);
+    const CheckResult result = judge_written(scene, task, written);
+    if (result.ok || !format.mend || !format.mend(written, result, task)) {
+      return {std::move(written), result};
+    }
+  }
+}
+
+// Whether other legs would not help.
+bool is_settled(Reason reason) {
+  return reason != Reason::collision && reason != Reason::bounds && reason != Reason::end;
+}
+
+}  // namespace
+
+MissionProof write_proved(const geom::CollisionScene& scene, const MissionTask& task) {
+  const MissionFormat& format = *task.format;
+  if (format.prove) return format.prove(scene, task);
+  if (!format.has_legs) return write_and_judge(scene, task, {});
+  MissionProof made;
+  const auto attempt = [&](const geom::Polyline& legs) {
+    made = write_and_judge(scene, task, legs);
+    return is_settled(made.result.reason);
+  };
+  if (!task.path.empty()) {
+    if (attempt(task.path)) return made;
+    for (double off = format.rounding; off <= task.options.tolerance; off *= 2) {
+      if (attempt(pushed_legs(scene, task, task.path, off))) break;
+    }
+    return made;
+  }
+  double tolerance = task.options.tolerance;
+  for (int i = 0; i < kAttempts; ++i, tolerance /= 2) {
+    const geom::Polyline legs = straight_legs(task.enu, tolerance);
+    if (attempt(legs)) break;
+    if (attempt(pushed_legs(scene, task, legs, tolerance + format.rounding))) break;
+  }
+  return made;
+}
+
+}  // namespace traj

@@ -1,0 +1,125 @@
+#include "refusal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/vehicle/shown_limit.h"
+
+namespace traj {
+
+std::string in_words(std::string_view quantity) {
+  std::string out(quantity);
+  std::replace(out.begin(), out.end(), '_', ' ');
+  return out;
+}
+
+namespace {
+
+// What would go wrong, after "flown as the file says, " or its like.
+std::string fault(const CheckResult& result) {
+  for (const LimitKind& kind : kLimitKinds) {
+    const std::string quantity = in_words(kind.quantity);
+    if (result.reason == broken(kind.limit)) {
+      return fmt::format("the {} would be {}, above its limit", quantity,
+                         geom::shown(kind, result.worst));
+    }
+    if (result.reason == unmeasured(kind.limit)) {
+      return fmt::format("the {} would be unknown, and it has a limit", quantity);
+    }
+  }
+  switch (result.reason) {
+    case Reason::collision:
+      return fmt::format("the vehicle would touch an obstacle, {:.3g} m deep", result.worst);
+    case Reason::bounds:
+      return fmt::format("the vehicle would leave the bounds by {:.3g} m", result.worst);
+    case Reason::takeoff:
+      return fmt::format("the vehicle would begin only {:.3g} m above the ground", result.worst);
+    case Reason::landing:
+      return result.worst == 0
+                 ? "the vehicle would land on an edge, not on level ground"
+                 : fmt::format("the vehicle would land on ground {:.3g} m {} than the file says",
+                               std::abs(result.worst), result.worst > 0 ? "lower" : "higher");
+    case Reason::ceiling:
+      return fmt::format("the vehicle would be {:.3g} m high, above its ceiling", result.worst);
+    case Reason::range:
+      return fmt::format("the vehicle would be {:.3g} m from home, out of its range", result.worst);
+    case Reason::endurance:
+      return fmt::format("the vehicle would fly for {:.4g} s, longer than it can", result.worst);
+    case Reason::end:
+      return fmt::format("the vehicle would end {:.3g} m from the end of the trajectory",
+                         result.worst);
+    default:
+      return fmt::format("the check would say \"{}\" ({:.3g})", name(result.reason), result.worst);
+  }
+}
+
+// What it touched, where that is in the map for a time only.
+bool is_timed(const geom::CollisionScene& scene, const CheckResult& result) {
+  return result.reason == Reason::collision && result.box &&
+         !scene.map().time(*result.box).always();
+}
+
+// What to do about it.
+std::string remedy(const geom::CollisionScene& scene, const MissionTask& task,
+                   const CheckResult& result) {
+  if (is_timed(scene, result)) {
+    return "that obstacle is there for a time only, and counts as always there for what is "
+           "exported: prove the flight by time on this map (skyway-check), then export it with the "
+           "map as it was before boxes with times were added, and depart at its start";
+  }
+  const bool near = result.reason == Reason::collision || result.reason == Reason::bounds;
+  const bool limit =
+      std::any_of(kLimitKinds.begin(), kLimitKinds.end(),
+                  [&](const LimitKind& kind) { return result.reason == broken(kind.limit); });
+  if (task.format->remedy) {
+    const std::string own = task.format->remedy(task, result);
+    if (!own.empty()) return own;
+  }
+  if (near && !result.strayed.empty()) {
+    return fmt::format(
+        "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower "
+        "(--speed)",
+        std::ceil(100 * result.worst) / 100);
+  }
+  if (near) {
+    const double spare = std::ceil(100 * result.worst) / 100;  // in whole centimetres
+    return "make the path anew with more room (skyway-plan --margin)" +
+           (spare <= scene.margin()
+                ? fmt::format(", or ask for {:g} m less than its margin (--spare {:g})", spare,
+                              spare)
+                : "");
+  }
+  if (limit && task.format->has_legs) return "fly slower (--speed)";
+  if (limit) return "solve it again with stricter limits (skyway-traj)";
+  if (result.reason == Reason::takeoff) {
+    return "begin the path higher, or say where the ground is (--ground)";
+  }
+  if (result.reason == Reason::landing) {
+    return "end the path over level ground, or end the mission hovering (--hover)";
+  }
+  if (result.reason == Reason::ceiling) return "plan a lower path";
+  if (result.reason == Reason::range || result.reason == Reason::endurance) {
+    return "cut the flight into shorter ones";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string refusal(const geom::CollisionScene& scene, const MissionTask& task,
+                    const CheckResult& result) {
+  const std::string advice = remedy(scene, task, result);
+  const std::string when = task.format->has_legs
+                               ? fmt::format("on leg {:.0f}", std::floor(result.time))
+                               : fmt::format("at t = {:.3f} s", result.time);
+  const std::string how = result.strayed.empty() ? "as the file says"
+                          : result.part ? "by " + result.strayed + ", which may stray from its way"
+                                        : "with what is allowed for " + result.strayed;
+  return fmt::format("flown {}, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", how, fault(result),
+                     when, result.place[0], result.place[1], result.place[2],
+                     advice.empty() ? "" : ": ", advice);
+}
+
+}  // namespace traj

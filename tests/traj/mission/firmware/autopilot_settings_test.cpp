@@ -1,0 +1,103 @@
+#include "traj/mission/firmware/autopilot_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "support/refusal.h"
+
+namespace traj {
+namespace {
+
+AutopilotSettings read(const std::string& text) {
+  std::istringstream in(text);
+  return read_autopilot_settings(in, "p");
+}
+
+SetAutopilot set(const std::string& text, const std::string& asked = "any") {
+  return set_autopilot(read(text), *autopilots_of(asked), "p");
+}
+
+std::string refusal(const std::string& text, const std::string& asked = "any") {
+  return support::refusal_of([&] { set(text, asked); });
+}
+
+const std::string kPx4 =
+    "# Onboard parameters for Vehicle 1\n#\n# Stack: PX4 Pro\n# Vehicle: Multi-Rotor\n"
+    "# Version: 1.15.4 \n#\n# Vehicle-Id Component-Id Name Value Type\n"
+    "1\t1\tNAV_ACC_RAD\t2.000000000000000000\t9\n1\t1\tRTL_CONE_ANG\t65\t6\n"
+    "1\t1\tMC_ROLL_P\t6.5\t9\n1\t1\tRTL_RETURN_ALT\t30\t9\n";
+
+TEST(AutopilotSettings, AreReadAsQGroundControlWritesThem) {
+  const SetAutopilot made = set(kPx4);
+  EXPECT_EQ(made.autopilot.name, "px4:1.15");
+  EXPECT_EQ(made.autopilot.acceptance, 2);
+  EXPECT_EQ(made.autopilot.return_height, 30);
+  EXPECT_NEAR(made.autopilot.return_slope, 0.4663, 1e-4);
+  EXPECT_EQ(made.autopilot.height_acceptance, 0.8);
+  EXPECT_EQ(made.assumed.front(), "NAV_MC_ALT_RAD 0.8");
+  EXPECT_EQ(made.assumed.back(), "RTL_TYPE 0");
+  EXPECT_EQ(set(kPx4, "px4:1.17").autopilot.name, "px4:1.17") << "as asked";
+}
+
+TEST(AutopilotSettings, KnowArduPilotsCentimetresAndMetres) {
+  const Autopilot old = set("WPNAV_RADIUS,300\nRTL_ALT 4500\nWPNAV_SPEED_UP\t400\n").autopilot;
+  EXPECT_EQ(old.name, "ardupilot:4.3-4.7");
+  EXPECT_EQ(old.acceptance, 3);
+  EXPECT_EQ(old.return_height, 45);
+  EXPECT_EQ(old.climb, 4);
+  const Autopilot metres = set("WP_RADIUS_M,3\nRTL_ALT_M,45\nWP_SPD_UP,4\n").autopilot;
+  EXPECT_EQ(metres.acceptance, old.acceptance);
+  EXPECT_EQ(metres.return_height, old.return_height);
+  EXPECT_EQ(metres.climb, old.climb);
+  EXPECT_EQ(refusal("WP_RADIUS_M,3\nRTL_ALT,4500\n"),
+            "p: expected ArduPilot's parameters in centimetres (WPNAV_RADIUS …) or in metres "
+            "(WP_RADIUS_M …), found both");
+}
+
+TEST(AutopilotSettings, KnowWhatGoesBeforeOthers) {
+  const Autopilot px = set("NAV_ACC_RAD,2\nMPC_Z_VEL_ALL,5\nMPC_XY_VEL_ALL,-10\n").autopilot;
+  EXPECT_EQ(px.climb, 5);
+  EXPECT_EQ(px.descent, 5);
+  EXPECT_EQ(px.speed, 5) << "the default";
+  EXPECT_EQ(set("WPNAV_SPEED,500\nRTL_SPEED,1200\n").autopilot.speed, 12);
+}
+
+TEST(AutopilotSettings, SayWhereAReturnMayGo) {
+  EXPECT_TRUE(set("RTL_TYPE,0\nNAV_ACC_RAD,2\n").autopilot.returns_home);
+  EXPECT_FALSE(set("RTL_TYPE,1\nNAV_ACC_RAD,2\n").autopilot.returns_home);
+  EXPECT_EQ(set("RTL_CONE_ANG,0\nNAV_ACC_RAD,2\n").autopilot.return_slope, 0);
+}
+
+TEST(AutopilotSettings, RefuseOtherVehiclesAndVersions) {
+  EXPECT_EQ(refusal("WPNAV_RADIUS,200\nCRUISE_SPEED,2\n"),
+            "p: expected parameters of a multirotor, found CRUISE_SPEED, which another class of "
+            "vehicles has");
+  EXPECT_EQ(refusal("NAV_ACC_RAD,2\nMAV_TYPE,1\n"),
+            "p: expected MAV_TYPE of a multirotor (2, 3, 4, 13, 14, 15, 29), found 1");
+  EXPECT_EQ(refusal("# Vehicle: Fixed Wing\nNAV_ACC_RAD,2\n"),
+            "p: expected parameters of a multirotor, found those of \"Fixed Wing\"");
+  EXPECT_EQ(refusal("# Version: 1.9.2\nNAV_ACC_RAD,2\n"),
+            "p: expected parameters of a version that is modelled (px4:1.11-1.17), found version "
+            "1.9; --autopilot px4 takes all of them for possible");
+  EXPECT_EQ(refusal("NAV_ACC_RAD,2\n", "ardupilot"),
+            "p: expected parameters of ardupilot:4.3-4.7, found those of px4");
+  EXPECT_EQ(refusal("NAV_ACC_RAD,2\nWPNAV_RADIUS,200\n"),
+            "p: expected parameters of PX4 or of ArduPilot Copter, found both");
+  EXPECT_EQ(refusal("MC_ROLL_P,6.5\n").substr(0, 32), "p: expected parameters of PX4 (N");
+}
+
+TEST(AutopilotSettings, RefuseWhatIsNoParameter) {
+  EXPECT_EQ(refusal("NAV_ACC_RAD,200.5\n"), "p: NAV_ACC_RAD must be from 0.05 to 200, found 200.5");
+  EXPECT_EQ(refusal("NAV_ACC_RAD,-1\n"), "p: NAV_ACC_RAD must be from 0.05 to 200, found -1");
+  EXPECT_EQ(refusal("NAV_ACC_RAD,nan\n"), "p:1: NAV_ACC_RAD must be a finite number, found nan");
+  EXPECT_EQ(refusal("NAV_ACC_RAD,2\nNAV_ACC_RAD,3\n"),
+            "p:2: expected one value of NAV_ACC_RAD, found 3 after 2");
+  EXPECT_EQ(refusal("NAV_ACC_RAD\n"),
+            "p:1: expected a parameter (its name and its value, or five columns of "
+            "QGroundControl), found \"NAV_ACC_RAD\"");
+  EXPECT_EQ(refusal("# nothing\n"), "p: expected parameters, found none");
+}
+
+}  // namespace
+}  // namespace traj

@@ -1,0 +1,516 @@
+#include "traj/mission/mavlink/mission_flight.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "geom/shape/hull.h"
+#include "support/refusal.h"
+
+namespace traj {
+namespace {
+
+const MissionFrame kFrame{{47, 8, 400}, 0};
+
+// A mission about (47, 8), home on the ground at z 10. Places in metres from there.
+class Maker {
+ public:
+  Maker() {
+    mission_.home = geom::GeodeticPlace{47, 8, 410};
+    add(kTakeoff, {0, 0, 30});
+  }
+
+  Maker& add(int command, const Vec3& at, std::array<double, 4> param = {}) {
+    const geom::GeodeticPlace place = earth_.place(at);
+    MissionItem item;
+    item.command = command;
+    item.param = param;
+    item.latitude = place.latitude;
+    item.longitude = place.longitude;
+    item.altitude = at.z() - 10;
+    item.number = mission_.items.size() + 1;
+    mission_.items.push_back(item);
+    return *this;
+  }
+
+  // An item without a place.
+  Maker& just(int command, std::array<double, 4> param = {}) {
+    add(command, Vec3(0, 0, 10), param);
+    mission_.items.back().latitude = mission_.items.back().longitude = 0;
+    mission_.items.back().frame = kMissionFrame;
+    return *this;
+  }
+
+  // A landing where it is, which the file says by null.
+  Maker& land_here() {
+    just(kLand);
+    MissionItem& item = mission_.items.back();
+    item.latitude = item.longitude = std::numeric_limits<double>::quiet_NaN();
+    item.frame = kGlobalRelative;
+    return *this;
+  }
+
+  FlownMavlink fly(const MissionRules& rules = {}, const MissionFrame& frame = kFrame) const {
+    return flown_mission(mission_, frame, rules, "m");
+  }
+
+  std::string refusal(const MissionRules& rules = {}, const MissionFrame& frame = kFrame) const {
+    return support::refusal_of([&] { fly(rules, frame); });
+  }
+
+  Mission& mission() { return mission_; }
+
+ private:
+  Mission mission_;
+  geom::GeographicFrame earth_{kFrame.origin};
+};
+
+bool holds(const std::vector<Vec3>& hull, const Vec3& p) {
+  const Vec3 hair = Vec3::Constant(1e-6);
+  return geom::hull_meets(hull, {p - hair, p + hair}).has_value();
+}
+
+// Whether one of the sweeps of that kind holds the point.
+bool swept(const FlownMavlink& flown, Manoeuvre manoeuvre, const Vec3& p) {
+  for (const Sweep& sweep : flown.sweeps) {
+    if (sweep.part.manoeuvre == manoeuvre && holds(sweep.hull, p)) return true;
+  }
+  return false;
+}
+
+void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-6) << a.transpose(); }
+
+TEST(FlownMission, SweepsTheCornersOfWaypointsWithoutARest) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30}, {2, 0.2, 0, 0});
+  maker.add(kWaypoint, {0, 80, 30});
+  const FlownMavlink flown = maker.fly();
+  ASSERT_EQ(flown.path.size(), 4u);
+  EXPECT_EQ(flown.corners, 1u);
+  ASSERT_EQ(flown.sweeps.size(), 1u) << "it rests at the second, and the third is the end";
+  EXPECT_EQ(flown.sweeps[0].part, (FlightPart{2, Manoeuvre::corner}));
+  EXPECT_EQ(flown.legs[1], (FlightPart{2, Manoeuvre::leg}));
+  EXPECT_TRUE(holds(flown.sweeps[0].hull, {95, 5, 30})) << "10 m, the default";
+  EXPECT_FALSE(holds(flown.sweeps[0].hull, {94, 5, 30}));
+  EXPECT_TRUE(holds(flown.sweeps[0].hull, {106.6, 0, 30})) << "10 m/s and 3 m/s2";
+  EXPECT_FALSE(holds(flown.sweeps[0].hull, {106.7, 0, 30}));
+}
+
+TEST(FlownMission, TakesTheRadiusFromTheUserThenFromTheItem) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {0, 4, 0, 0}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {96.1, 0, 30}));
+  EXPECT_FALSE(swept(maker.fly(), Manoeuvre::corner, {95.9, 0, 30}));
+  EXPECT_TRUE(swept(maker.fly({.acceptance = 7}), Manoeuvre::corner, {93.1, 0, 30}));
+  EXPECT_TRUE(swept(maker.fly({.acceptance = 1}), Manoeuvre::corner, {96.1, 0, 30})) << "PX4's";
+  Maker narrow;
+  narrow.add(kWaypoint, {100, 0, 30}, {0, 0.1, 0, 0}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(swept(narrow.fly(), Manoeuvre::corner, {98.1, 0, 30})) << "ArduPilot's 2 m";
+  Maker plain;
+  plain.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(plain.fly({.acceptance = 0}).sweeps.empty());
+  EXPECT_EQ(maker.fly({.acceptance = 0}).corners, 1u);
+  EXPECT_FALSE(swept(maker.fly({.speed = 3, .braking = 3}), Manoeuvre::corner, {100.1, 0, 30}));
+}
+
+TEST(FlownMission, AStopMeansNoCornerAndADelayAWiderOne) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).just(kDelay, {5, 0, 0, 0}).add(kWaypoint, {100, 80, 30});
+  const FlownMavlink flown = maker.fly();
+  EXPECT_EQ(flown.hold[1], 5);
+  EXPECT_TRUE(swept(flown, Manoeuvre::leg, {95, 40, 30})) << "from where it waits, 10 m before";
+}
+
+TEST(FlownMission, AShortHoldIsNoRest) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {0.1, 6, 0, 0}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {96, 0, 30}));
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::leg, {97, 40, 30})) << "from wherever it is by then";
+  Maker longer;
+  longer.add(kWaypoint, {100, 0, 30}, {4.1, 6, 0, 0}).add(kWaypoint, {100, 80, 30});
+  EXPECT_TRUE(longer.fly().sweeps.empty()) << "twice the 2 s that it brakes from 6 m at 3 m/s2";
+  Maker here;
+  here.add(kWaypoint, {100, 0, 30}, {0.1, 30, 0, 0}).land_here();
+  here.mission().items.back().frame = kGlobalRelative;
+  EXPECT_NE(here.refusal(), "");
+}
+
+TEST(FlownMission, ADelayToATimeOfDayIsADelay) {
+  for (const double seconds : {0.0, -1.0}) {
+    Maker maker;
+    maker.add(kWaypoint, {100, 0, 30}).just(kDelay, {seconds, 12, 30, 0});
+    maker.add(kWaypoint, {100, 80, 30});
+    EXPECT_TRUE(swept(maker.fly(), Manoeuvre::leg, {95, 40, 30}));
+  }
+}
+
+TEST(FlownMission, RatesOfClimbAreNoSpeeds) {
+  Maker maker;
+  maker.just(kSpeed, {3, 0.1, -1, 0}).add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
+  EXPECT_FALSE(maker.fly().speed);
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {106, 0, 30}));
+}
+
+TEST(FlownMission, GoesAroundACircleFromItsNearestPoint) {
+  Maker maker;
+  maker.add(kWaypoint, {0, 20, 30}, {1, 0.2, 0, 0}).add(kLoiterTurns, {0, 100, 40}, {2, 0, 25, 0});
+  maker.add(kWaypoint, {80, 75, 40});
+  const FlownMavlink flown = maker.fly();
+  expect_near(flown.path[2], {0, 75, 40});
+  EXPECT_EQ(flown.path.size(), 2u + 33u + 1u);
+  for (double angle = 0; angle < 6.3; angle += 0.01) {
+    const Vec3 p(25 * std::cos(angle), 100 + 25 * std::sin(angle), 40);
+    EXPECT_TRUE(swept(flown, Manoeuvre::circle, p)) << angle;
+  }
+  EXPECT_FALSE(swept(flown, Manoeuvre::circle, {0, 100, 40})) << "a tower may stand in it";
+  expect_near(flown.path[flown.path.size() - 2], {0, 75, 40});
+  EXPECT_TRUE(swept(flown, Manoeuvre::leg, {40, 75, 40}));
+}
+
+TEST(FlownMission, RefusesCirclesThatItCannotPlace) {
+  const Vec3 centre(0, 100, 40);
+  EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1.5, 0, 25, 0}).refusal(),
+            "m: item 2: expected whole turns on a circle, at least one, found 1.5");
+  EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1, 0, 0, 0}).refusal(),
+            "m: item 2: expected the radius of the circle, found 0: it would be the vehicle's own");
+  EXPECT_EQ(
+      Maker().add(kLoiterTurns, centre, {1, 0, 10.9, 0}).refusal(),
+      "m: item 2: expected a radius of whole metres, or of tens above 255, as ArduPilot keeps "
+      "it, found 10.9");
+  EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1, 0, 2e4, 0}).refusal(),
+            "m: item 2: a radius must be within 1e4 m, found 20000");
+  EXPECT_EQ(Maker()
+                .add(kWaypoint, {0, 95, 40}, {1, 0.2, 0, 0})
+                .add(kLoiterTurns, centre, {1, 0, 25, 0})
+                .refusal(),
+            "m: item 3: expected to come to the circle from outside of half its radius, found a "
+            "point nearer to its centre: where the circle begins is uncertain");
+  EXPECT_EQ(
+      Maker()
+          .add(kLoiterTime, {0, 50, 30}, {9, 0, 5, 0})
+          .add(kLoiterTurns, centre, {1, 0, 25, 0})
+          .refusal(),
+      "m: item 3: expected a waypoint before a circle, so that it is known where that begins, "
+      "found loitering, a delay, a short hold or a take-off away from home");
+}
+
+TEST(FlownMission, LoitersOnTheSpotOrAnywhereInACircle) {
+  Maker spot;
+  spot.add(kLoiterTime, {0, 50, 30}, {9, 0, 0, 0}).add(kWaypoint, {50, 50, 30});
+  EXPECT_TRUE(spot.fly().sweeps.empty());
+  EXPECT_EQ(spot.fly().hold[1], 9);
+  Maker wide;
+  wide.add(kLoiterTime, {0, 50, 30}, {9, 0, -20, 0}).add(kWaypoint, {80, 50, 30});
+  const FlownMavlink flown = wide.fly();
+  EXPECT_TRUE(swept(flown, Manoeuvre::hover, {0, 70, 30}));
+  EXPECT_TRUE(swept(flown, Manoeuvre::hover, {10, 25, 30})) << "on the way to it";
+  EXPECT_TRUE(swept(flown, Manoeuvre::leg, {40, 59, 30})) << "from anywhere in it";
+}
+
+TEST(FlownMission, TurnsFromWhereverItComes) {
+  Maker maker;
+  maker.add(kLoiterTime, {0, 50, 30}, {9, 0, 20, 0}).add(kWaypoint, {80, 50, 30});
+  maker.add(kWaypoint, {200, 50, 30});
+  const FlownMavlink flown = maker.fly({.acceptance = 10, .speed = 10});
+  const Vec3 corner(80, 50, 30);
+  const Vec3 aside = (corner - Vec3(0, 30, 30)).normalized();
+  const double braking = 10 * 10 / (2 * 3.0);
+  EXPECT_TRUE(swept(flown, Manoeuvre::corner, corner - 9.9 * aside));
+  EXPECT_TRUE(swept(flown, Manoeuvre::corner, corner + (braking - 10.1) * aside)) << "too fast";
+  EXPECT_FALSE(swept(flown, Manoeuvre::corner, corner + (braking - 9.9) * aside));
+}
+
+TEST(FlownMission, ClimbsBeforeOrAfterTheWay) {
+  Maker maker;
+  maker.add(kLoiterToHeight, {100, 0, 80}).add(kWaypoint, {100, 50, 80});
+  const FlownMavlink flown = maker.fly();
+  EXPECT_TRUE(swept(flown, Manoeuvre::climb, {100, 0, 50}));
+  EXPECT_TRUE(swept(flown, Manoeuvre::climb, {50, 0, 50})) << "straight";
+  EXPECT_TRUE(swept(flown, Manoeuvre::climb, {50, 0, 30})) << "first across";
+  expect_near(flown.path.back(), {100, 50, 80});
+}
+
+TEST(FlownMission, SweepsSplines) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).add(kSplineWaypoint, {100, 90, 30});
+  maker.add(kSplineWaypoint, {0, 90, 30});
+  const FlownMavlink flown = maker.fly({.acceptance = 0});
+  ASSERT_EQ(flown.sweeps.size(), 2u);
+  EXPECT_EQ(flown.sweeps[0].part, (FlightPart{3, Manoeuvre::spline}));
+  EXPECT_TRUE(holds(flown.sweeps[0].hull, {133, 0, 30})) << "a third of the velocity it comes with";
+  EXPECT_TRUE(holds(flown.sweeps[0].hull, {133, 60, 30})) << "on to the next";
+}
+
+TEST(FlownMission, ReturnsAtTheHeightThatIsGiven) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).just(kReturn);
+  EXPECT_TRUE(maker.fly().returns);
+  const FlownMavlink flown = maker.fly({.return_height = 60});
+  EXPECT_FALSE(flown.returns);
+  ASSERT_EQ(flown.path.size(), 4u);
+  expect_near(flown.path[2], {100, 0, 70});
+  expect_near(flown.path[3], {0, 0, 70});
+  EXPECT_EQ(flown.ends.landing_on, 10);
+  EXPECT_EQ(flown.legs[4], (FlightPart{3, Manoeuvre::landing}));
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {90, 0, 50})) << "from 10 m before its end";
+  EXPECT_FALSE(swept(flown, Manoeuvre::return_home, {50, 0, 60})) << "100 m away, 60 m high";
+  EXPECT_FALSE(flown.speed) << "it returns with a speed of its own";
+  const FlownMavlink low = maker.fly({.return_height = 5});
+  expect_near(low.path[3], {0, 0, 30});
+}
+
+TEST(FlownMission, MayReturnLowerFromNear) {
+  Maker maker;
+  maker.add(kWaypoint, {20, 0, 20}, {1, 0.2, 0, 0}).just(kReturn);
+  const FlownMavlink flown = maker.fly({.return_height = 40});
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {10, 0, 25}));
+}
+
+TEST(FlownMission, ReturnsFromWhereSeveralPointsCountAsReached) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {0, 30, 0, 0}).add(kWaypoint, {102, 0, 30}, {0, 30, 0, 0});
+  maker.just(kReturn);
+  EXPECT_TRUE(swept(maker.fly({.return_height = 40}), Manoeuvre::return_home, {72, 0, 40}));
+}
+
+TEST(FlownMission, GoesOnFromHomeOrFromItsTakeOff) {
+  Maker maker;
+  maker.mission().items.clear();
+  maker.add(kTakeoff, {100, 0, 30}).add(kWaypoint, {100, 100, 30});
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::leg, {50, 50, 30}));
+}
+
+TEST(FlownMission, MayReturnToTheMissionsOwnLanding) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).just(kLandingStart).just(kReturn);
+  EXPECT_TRUE(maker.fly({.return_height = 60}).returns);
+}
+
+TEST(FlownMission, PassesPointsThatAreReachedAtOnce) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {103, 6, 30}).add(kWaypoint, {100, 100, 30});
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {95, 50, 30})) << "from 10 m before the first";
+  EXPECT_FALSE(swept(maker.fly({.acceptance = 3}), Manoeuvre::corner, {97.5, 50, 30}));
+}
+
+TEST(FlownMission, BrakesFromTheLargestSpeedThatMayBe) {
+  Maker maker;
+  maker.add(kWaypoint, {50, 0, 30}, {1, 0.2, 0, 0}).just(kSpeed, {1, 15, -1, 0});
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
+  EXPECT_FALSE(maker.fly().speed) << "a leg was flown before any was said";
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {127.4, 0, 30}));
+}
+
+TEST(FlownMission, MayReturnToRallyPoints) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kReturn);
+  const geom::GeographicFrame earth(kFrame.origin);
+  geom::GeodeticPlace rally = earth.place({0, 200, 0});
+  rally.height = 15;
+  maker.mission().rally = {rally};
+  const FlownMavlink flown = maker.fly({.return_height = 60});
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {50, 100, 70}));
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {0, 200, 25}));
+  ASSERT_EQ(flown.rally.size(), 1u);
+  expect_near(flown.rally[0], {0, 200, 25});
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {50, 100, 85})) << "PX4 adds the return height";
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {100, 0, 85}));
+  MissionRules rules{.return_height = 60};
+  rules.autopilots = {ardupilot()};
+  EXPECT_FALSE(swept(maker.fly(rules), Manoeuvre::return_home, {50, 100, 75}));
+}
+
+TEST(FlownMission, MayReturnToRallyPointsAboveTheReturnHeight) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kReturn);
+  geom::GeodeticPlace rally = geom::GeographicFrame(kFrame.origin).place({0, 200, 0});
+  rally.height = 90;
+  maker.mission().rally = {rally};
+  const FlownMavlink flown = maker.fly({.return_height = 60});
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {100, 0, 100})) << "up where it is";
+  EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {50, 100, 100}));
+}
+
+TEST(FlownMission, LandsWhereItsPlaceIsKnown) {
+  Maker unsaid;
+  unsaid.add(kWaypoint, {100, 0, 30}).land_here();
+  EXPECT_EQ(unsaid.refusal(),
+            "m: item 3: expected the place of the landing, or a waypoint with a hold before it, "
+            "found neither: it lands where it is when it takes the waypoint for reached");
+  EXPECT_EQ(unsaid.refusal({.acceptance = 0}), "");
+  Maker rested;
+  rested.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).land_here();
+  EXPECT_EQ(rested.fly().ends.landing_on, 10);
+}
+
+TEST(FlownMission, TakesHeightsAboveFlatTerrain) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30});
+  maker.mission().items.back().frame = kGlobalTerrain;
+  EXPECT_EQ(maker.refusal(),
+            "m: item 2: expected heights above sea level or home, found one above terrain: where "
+            "the ground is flat, give its height");
+  EXPECT_NEAR(maker.fly({.ground = 3}).path.back().z(), 23, 1e-9);
+}
+
+TEST(FlownMission, SaysTheHomeThatItAssumed) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30});
+  expect_near(*maker.fly().home, {0, 0, 10});
+  expect_near(*maker.fly({.home = 12}).home, {0, 0, 12});
+  maker.mission().home.reset();
+  expect_near(*maker.fly({.home = 12}).home, {0, 0, 12});
+}
+
+TEST(FlownMission, CountsWhatMovesNothing) {
+  Maker maker;
+  maker.just(201).just(2000).add(kWaypoint, {100, 0, 30});
+  EXPECT_EQ(maker.fly().idle_items, 2u);
+}
+
+// Its home is 410 m above the sea, and that says nothing of the map's z.
+TEST(FlownMission, CountsFromTheGroundThatIsGivenWhereTheMapsHeightIsNotKnown) {
+  const MissionFrame unknown{{47, 8, 0}, 0, false};
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}, {2, 0, 0, 0});
+  EXPECT_EQ(maker.refusal({}, unknown),
+            "m: item 1: heights count from home, which the file gives above the sea, and the map "
+            "does not say how high its z = 0 is: give the map's z of the ground there (--ground)");
+  const FlownMavlink flown = maker.fly({.home = 3}, unknown);
+  EXPECT_EQ(flown.ends.takeoff_from, 3);
+  EXPECT_NEAR(flown.path.back().z(), 23, 1e-9);
+}
+
+TEST(FlownMission, RefusesHeightsAboveTheSeaWhereTheMapsHeightIsNotKnown) {
+  const MissionFrame unknown{{47, 8, 0}, 0, false};
+  for (const int frame : {kGlobal, kGlobalInt}) {
+    Maker maker;
+    maker.add(kWaypoint, {100, 0, 30});
+    maker.mission().items.back().frame = frame;
+    EXPECT_EQ(maker.refusal({.home = 3}, unknown),
+              "m: item 2: expected heights above home, found one above the sea, and the map does "
+              "not say how high its z = 0 is: give --origin latitude,longitude,height");
+  }
+}
+
+// Else the way up from the ground would be left out.
+TEST(FlownMission, RefusesATakeOffFromAGroundThatNobodyGave) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 430}, {2, 0, 0, 0});
+  maker.mission().items[0].altitude = 430;
+  for (MissionItem& item : maker.mission().items) item.frame = kGlobal;
+  EXPECT_EQ(maker.fly().ends.takeoff_from, 10);
+  maker.mission().home.reset();
+  EXPECT_EQ(maker.refusal(),
+            "m: item 1: heights count from home, and the file has no home: give the height of the "
+            "ground there (--ground)");
+  EXPECT_EQ(maker.fly({.home = 12}).ends.takeoff_from, 12);
+}
+
+const MissionRules kArduPilot{.autopilots = {ardupilot()}};
+const MissionRules kPx4{.autopilots = {px4()}};
+
+TEST(FlownMission, TakesZerosAsTheAutopilotDoes) {
+  Maker height;
+  height.add(kWaypoint, {100, 0, 40}).add(kWaypoint, {100, 80, 10});
+  expect_near(height.fly(kArduPilot).path.back(), {100, 80, 40});
+  expect_near(height.fly(kPx4).path.back(), {100, 80, 10});
+  EXPECT_EQ(height.refusal(),
+            "m: item 3: expected an altitude, found 0: ArduPilot then keeps its height, and PX4 "
+            "flies at that of home: say which of them flies it (--autopilot)");
+  height.mission().items.back().altitude = 0.0099;
+  expect_near(height.fly(kArduPilot).path.back(), {100, 80, 40});
+  Maker place;
+  place.add(kWaypoint, {100, 0, 40}).add(kLoiterTime, {0, 0, 50}, {5, 0, 0, 0});
+  place.mission().items.back().latitude = place.mission().items.back().longitude = 0;
+  expect_near(place.fly(kArduPilot).path.back(), {100, 0, 50});
+  EXPECT_EQ(place.refusal(),
+            "m: item 3: expected a place, found latitude 0, longitude 0: ArduPilot then stays "
+            "where it is, and PX4 flies there: say which of them flies it (--autopilot)");
+  EXPECT_EQ(place.refusal(kPx4), "m: item 3: expected a place near the origin 47 8, found 0 0");
+}
+
+TEST(FlownMission, ClimbsToTheHeightOfHomeWhereThatIsSaid) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 40}).add(kLoiterToHeight, {100, 80, 10});
+  expect_near(maker.fly(kArduPilot).path.back(), {100, 80, 10});
+}
+
+TEST(FlownMission, IsArduPilotsAloneWherePx4DoesNotLoadIt) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 40}, {1, 0, 0, 0}).add(kSplineWaypoint, {100, 90, 10});
+  const FlownMavlink flown = maker.fly();
+  EXPECT_EQ(flown.not_for_px4, kSplineWaypoint);
+  ASSERT_EQ(flown.drift.size(), 1u);
+  EXPECT_EQ(flown.drift[0].autopilot, "ardupilot:4.3-4.7");
+  expect_near(flown.path.back(), {100, 90, 40});
+  EXPECT_EQ(maker.refusal(kPx4),
+            "m: item 3: expected what PX4 flies, found command 82: PX4 loads no mission with it, "
+            "and no other autopilot is asked for (--autopilot)");
+}
+
+TEST(FlownMission, IsArduPilotsAloneWhereItsTakeOffIsAtZero) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 40});
+  MissionItem& takeoff = maker.mission().items.front();
+  takeoff.latitude = takeoff.longitude = 0;
+  const FlownMavlink flown = maker.fly();
+  EXPECT_EQ(flown.not_for_px4, kTakeoff);
+  ASSERT_EQ(flown.drift.size(), 1u);
+  EXPECT_EQ(flown.drift[0].autopilot, "ardupilot:4.3-4.7");
+  EXPECT_EQ(maker.refusal(kPx4),
+            "m: item 1: expected a place, found a take-off at latitude 0, longitude 0: PX4 flies "
+            "there when it has climbed");
+  takeoff.latitude = takeoff.longitude = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(maker.fly().not_for_px4, 0);
+}
+
+TEST(FlownMission, SetsAPayloadDownAndGoesOnFromAbove) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 40}).add(kPayloadPlace, {100, 80, 70});
+  maker.add(kWaypoint, {0, 80, 40});
+  const FlownMavlink flown = maker.fly();
+  ASSERT_EQ(flown.path.size(), 4u);
+  expect_near(flown.path[2], {100, 80, 40});
+  EXPECT_TRUE(swept(flown, Manoeuvre::landing, {100, 80, 11}));
+  ASSERT_EQ(flown.touches.size(), 1u);
+  expect_near(flown.touches[0], {100, 80, 40});
+  bool off = false;
+  for (const Sweep& sweep : flown.drift[0].sweeps) {
+    off = off || (sweep.stands_on == 10.0 && holds(sweep.hull, {100, 80.9, 38}));
+  }
+  EXPECT_TRUE(off) << "it sinks before what it overshot has decayed";
+}
+
+TEST(FlownMission, TakesAuxiliaryFunctionsThatMoveNothing) {
+  EXPECT_EQ(Maker().add(kWaypoint, {100, 0, 40}).just(kAuxFunction, {9, 2, 0, 0}).fly().idle_items,
+            1u);
+  EXPECT_EQ(Maker().add(kWaypoint, {100, 0, 40}).just(kAuxFunction, {70, 2, 0, 0}).refusal(),
+            "m: item 3: expected an auxiliary function that moves nothing (9, 19, 28, 30, 34, 35, "
+            "36, 66, 67, 102, 166, 167, 168, 169), found 70: others change the mode or stop "
+            "motors");
+}
+
+TEST(FlownMission, LandsWhereArduPilotStops) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).just(kLand);
+  maker.mission().items.back().frame = kGlobalRelative;
+  EXPECT_EQ(maker.fly(kArduPilot).ends.landing_on, 10);
+  EXPECT_EQ(maker.refusal(),
+            "m: item 3: expected a place, found latitude 0, longitude 0: ArduPilot then stays "
+            "where it is, and PX4 flies there: say which of them flies it (--autopilot)");
+}
+
+TEST(FlownMission, FliesWhatIsRepeatedForEverTwice) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30}).add(kWaypoint, {0, 80, 30});
+  maker.just(kJump, {2, -1, 0, 0});
+  const FlownMavlink flown = maker.fly();
+  EXPECT_EQ(flown.endless_jumps, 1u);
+  ASSERT_EQ(flown.path.size(), 1u + 3u * 3u) << "once, and twice again";
+  EXPECT_TRUE(swept(flown, Manoeuvre::corner, {5, 78, 30}))
+      << "the turn that each round begins with";
+}
+
+}  // namespace
+}  // namespace traj

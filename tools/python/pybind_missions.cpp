@@ -1,0 +1,236 @@
+// Drone files that are proved.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geom/base/usage_error.h"
+#include "pybind_arrays.h"
+#include "pybind_module.h"
+#include "traj/mission/airspace/flight_volumes.h"
+#include "traj/mission/export_mission.h"
+#include "traj/record/trajectory_record.h"
+
+namespace binding {
+namespace {
+
+using traj::ExportOptions;
+using traj::MissionOption;
+
+// One keyword, and what was given for it.
+struct Given {
+  std::string_view word;
+  py::handle value;
+
+  [[noreturn]] void refuse(std::string_view expected) const {
+    throw geom::UsageError(fmt::format("{}: expected {}, found {}", word, expected,
+                                       std::string(py::str(py::repr(value)))));
+  }
+
+  double number(double least, double most) const {
+    const double v = value.cast<double>();
+    if (!(v >= least && v <= most)) refuse(fmt::format("a number from {} to {}", least, most));
+    return v;
+  }
+
+  std::string text() const { return value.cast<std::string>(); }
+
+  traj::Uncertainty uncertainty() const {
+    const auto v = value.cast<std::array<double, 2>>();
+    const auto fits = [](double metres) { return metres >= 0 && metres <= 100; };
+    if (!fits(v[0]) || !fits(v[1])) refuse("metres across and up or down, each from 0 to 100");
+    return {v[0], v[1]};
+  }
+
+  geom::GeodeticOrigin origin() const {
+    const auto v = value.cast<std::array<double, 3>>();
+    if (!(std::abs(v[0]) <= 90 && std::abs(v[1]) <= 180 && std::isfinite(v[2]))) {
+      refuse("latitude, longitude and height");
+    }
+    return {v[0], v[1], v[2]};
+  }
+
+  std::vector<traj::Autopilot> autopilots() const {
+    auto known = traj::autopilots_of(text());
+    if (!known) refuse(traj::autopilot_words());
+    return *known;
+  }
+
+  traj::DjiAircraft aircraft() const {
+    for (const auto& [name, aircraft] : traj::kDjiAircraft) {
+      if (text() == name) return aircraft;
+    }
+    refuse("an aircraft such as m3e");
+  }
+
+  std::string wpml_version() const {
+    for (const std::string_view version : traj::kWrittenWpmlVersions) {
+      if (text() == version) return text();
+    }
+    refuse("1.0.2 or 1.0.6");
+  }
+};
+
+// Obeys one keyword. False for one that says nothing of an export.
+bool set(MissionOption option, const Given& given, ExportOptions& out) {
+  traj::Placement& placement = out.placement;
+  switch (option) {
+    case MissionOption::origin:
+      return placement.origin = given.origin(), true;
+    case MissionOption::geoid:
+      return placement.geoid = given.number(-200, 200), true;
+    case MissionOption::ground:
+      return placement.ground = given.number(-1e6, 1e6), true;
+    case MissionOption::takeoff_height:
+      return placement.takeoff_height = given.number(0.2, 10), true;
+    case MissionOption::heading:
+      return placement.heading = given.number(-360, 360), true;
+    case MissionOption::rate:
+      return out.rate = given.number(0.1, 1e4), true;
+    case MissionOption::axes:
+      if (given.text() != "enu" && given.text() != "ned") given.refuse("enu or ned");
+      return out.ned = given.text() == "ned", true;
+    case MissionOption::tolerance:
+      return out.tolerance = given.number(1e-3, 100), true;
+    case MissionOption::speed:
+      return out.speed = given.number(0.1, 100), true;
+    case MissionOption::hover:
+      return out.lands = !given.value.cast<bool>(), true;
+    case MissionOption::aircraft:
+      return out.dji.aircraft = given.aircraft(), true;
+    case MissionOption::wpml_version:
+      return out.dji.version = given.wpml_version(), true;
+    case MissionOption::turns:
+      return out.turns = given.number(traj::kDjiLeastTurn, 1000), true;
+    case MissionOption::autopilot:
+      return out.flier.autopilots = given.autopilots(), true;
+    case MissionOption::navigation:
+      return out.flier.navigation = given.uncertainty(), true;
+    case MissionOption::tracking:
+      return out.flier.tracking = given.uncertainty(), true;
+    case MissionOption::volumes:
+      return out.volumes = static_cast<std::size_t>(given.number(1, traj::kMostVolumes)), true;
+    case MissionOption::buffer:
+      return out.buffer = given.number(0, 1000), true;
+    default:
+      return false;
+  }
+}
+
+// Which formats take heed of an option.
+std::string formats_with(MissionOption option) {
+  std::vector<std::string_view> words;
+  for (const traj::MissionFormat* one : traj::mission_formats()) {
+    if (one->writes_with.has(option)) words.push_back(one->format.word);
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+ExportOptions options_from(const py::kwargs& asked, const traj::MissionFormat& format) {
+  ExportOptions out;
+  for (const auto& [key, value] : asked) {
+    const auto name = key.cast<std::string>();
+    std::string word = name;
+    std::replace(word.begin(), word.end(), '_', '-');
+    const auto option = geom::value_of(traj::kMissionOptionWords, word);
+    if (!option || !set(*option, {name, value}, out)) {
+      throw py::type_error("export_mission() has no keyword \"" + name + '"');
+    }
+    if (format.writes_with.has(*option)) continue;
+    throw geom::UsageError(
+        fmt::format("{} is only for {} files: it would change nothing here, so "
+                    "leave it out",
+                    name, formats_with(*option)));
+  }
+  if (out.speed && format.fastest > 0 && *out.speed > format.fastest) {
+    throw geom::UsageError(
+        fmt::format("speed: expected {}, found {}", format.fastest_because, *out.speed));
+  }
+  return out;
+}
+
+const traj::MissionFormat& format_from(const std::string& word) {
+  const auto words = traj::written_mission_words();
+  if (std::find(words.begin(), words.end(), word) == words.end()) {
+    throw geom::UsageError(
+        fmt::format("format: expected one of {}, found \"{}\"", fmt::join(words, ", "), word));
+  }
+  return *traj::mission_format_named(word);
+}
+
+// A record as what is to be exported, and who it was made for.
+struct Exported {
+  traj::ExportFlight flight;
+  geom::Provenance provenance;
+  std::string missing;  // why there is nothing to fly; empty otherwise
+};
+
+Exported exported_from(const py::object& what) {
+  if (py::isinstance<traj::TrajectoryRecord>(what)) {
+    const auto& record = what.cast<const traj::TrajectoryRecord&>();
+    const bool solved = record.status == traj::TrajectoryStatus::solved;
+    return {traj::export_flight(record), record.provenance,
+            solved
+                ? ""
+                : fmt::format("the record holds no trajectory (status {})", name(record.status))};
+  }
+  const geom::PathRecord record = path_from(what);
+  const bool found = record.status == geom::PathStatus::found;
+  return {traj::export_flight(record), record.provenance,
+          found ? "" : fmt::format("the record holds no path (status {})", name(record.status))};
+}
+
+py::dict refused(const traj::MissionExport& made) {
+  py::dict out;
+  out["ok"] = false;
+  out["message"] = made.refusal;
+  if (made.result.reason == traj::Reason::none) return out;
+  out["reason"] = std::string(name(made.result.reason));
+  out["place"] = tuple_of(made.result.place);
+  return out;
+}
+
+py::dict accepted(const traj::MissionExport& made) {
+  py::dict out;
+  out["ok"] = true;
+  out["bytes"] = py::bytes(made.written->text);
+  out["warnings"] = made.warnings;
+  if (!made.written->python.empty()) out["python"] = made.written->python;
+  if (!made.written->csv.empty()) out["table"] = made.written->csv;
+  return out;
+}
+
+traj::MissionExport export_one(const Scene& self, Exported one, const traj::MissionFormat& format,
+                               const ExportOptions& options) {
+  const py::gil_scoped_release released;
+  const std::string& id = one.flight.id;
+  self.scene.map().require(geom::Verified::contents, on_threads(0));
+  agreed_vehicle(one.provenance, self.scene, cli::Differences::refused, id);
+  for (const traj::Segment& s : one.flight.trajectory.segments) {
+    require_metres(self.scene.map().spec().frame, s.point, id);
+  }
+  return traj::export_mission(self.scene, one.flight, format, options);
+}
+
+// The file as skyway-export writes it.
+py::dict export_mission(const Scene& self, const py::object& what, const std::string& format,
+                        const py::kwargs& asked) {
+  const traj::MissionFormat& to = format_from(format);
+  const ExportOptions options = options_from(asked, to);
+  Exported one = exported_from(what);
+  if (!one.missing.empty()) return refused({{}, one.missing});
+  const traj::MissionExport made = export_one(self, std::move(one), to, options);
+  return made.written ? accepted(made) : refused(made);
+}
+
+}  // namespace
+
+void bind_missions(py::module_& module) {
+  module.def("export_mission", &export_mission, py::arg("scene"), py::arg("what"),
+             py::arg("format"));
+}
+
+}  // namespace binding
