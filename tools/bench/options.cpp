@@ -9,10 +9,14 @@
 #include "cli/option/output_option.h"
 #include "cli/option/quality_option.h"
 #include "cli/run.h"
+#include "cpu_clock.h"
 #include "geom/base/error.h"
+#include "methods.h"
 
 namespace bench {
 namespace {
+
+using plan::bench::Ends;
 
 const std::map<std::string, Ends> kSets = {
     {"uniform", Ends::uniform}, {"street", Ends::street}, {"street-blocked", Ends::street_blocked}};
@@ -55,7 +59,7 @@ void add_queries(CLI::App& app, Files& files, Options& options) {
 
 void add_methods(CLI::App& app, Files& files, Options& options) {
   std::vector<std::string> names;
-  for (const auto& known : known_methods()) names.emplace_back(known.name);
+  for (const auto& known : methods()) names.emplace_back(known.name);
   app.add_option("--method", options.methods,
                  fmt::format("what to compare, by commas; the others are compared with the first: "
                              "{} (default auto)",
@@ -75,7 +79,7 @@ void add_methods(CLI::App& app, Files& files, Options& options) {
   app.add_option("--connectivity", options.connect, "astar: 6, 18 or 26 neighbours (default 6)")
       ->check(CLI::IsMember({6, 18, 26}));
   app.add_option(
-         "--ompl-seconds", options.method.ompl_seconds,
+         "--ompl-seconds", options.method.seconds,
          "planners of OMPL: seconds for a query; for Informed RRT*, of CPU time (default 1)")
       ->check(CLI::Range(1e-3, 1e5));
 }
@@ -121,6 +125,7 @@ void complete(Options& options, const geom::BoxMap& map) {
     options.random.length = {options.length[0], options.length[1]};
   }
   options.rule.within = options.within / 100;
+  options.rule.clock = cpu_seconds;
   options.method.seed = options.random.seed;
   options.method.spec.connectivity = static_cast<plan::Connectivity>(options.connect);
   options.method.spec.origin = map.spec().bounds.min;

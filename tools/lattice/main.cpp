@@ -30,8 +30,7 @@ plan::LatticeCounts write_shard(const cli::Sharding& sharding, const std::string
                                 const geom::Execution& run) {
   spec.origin = origin.value_or(scene.map().spec().bounds.min);
   const plan::LatticePart part = plan::build_lattice_part(scene, spec, sharding.shard(), run);
-  const plan::PartArrays written = plan::arrays_of(part);
-  sharding.write(output, "output", "lattice", written.meta, written.arrays, cli::Exit::yes);
+  sharding.write(output, "output", "lattice", plan::arrays_of(part));
   return part.blocks.counts;
 }
 

@@ -2,16 +2,16 @@
 
 // The exit codes of every tool, and the error that means wrong usage.
 
-#include <stdexcept>
+#include "geom/base/option_error.h"
 
 namespace cli {
 
 enum class Exit { yes = 0, no = 1, usage = 2, bad_input = 3, failed = 4 };
 
 // Wrong usage found after parsing: exit 2.
-class UsageError : public std::runtime_error {
+class UsageError : public geom::OptionError {
  public:
-  using std::runtime_error::runtime_error;
+  using geom::OptionError::OptionError;
 };
 
 }  // namespace cli

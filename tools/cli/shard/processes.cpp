@@ -60,7 +60,7 @@ Frame run(const std::function<std::string(std::size_t)>& work, std::size_t i) {
     return {Kind::result, work(i)};
   } catch (const geom::InputError& error) {
     return {Kind::bad_input, error.what()};
-  } catch (const UsageError& error) {
+  } catch (const geom::OptionError& error) {
     return {Kind::usage, error.what()};
   } catch (const std::bad_alloc&) {
     return {Kind::out_of_memory, {}};
