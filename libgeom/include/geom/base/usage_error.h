@@ -1,6 +1,13 @@
 #pragma once
 
 // The exception for a wrong call by a user: an option that is missing, or that means nothing here.
+//
+// Example:
+//   try {
+//     throw geom::UsageError("--pad: the file has bounds of its own: leave the option out");
+//   } catch (const geom::UsageError& error) {
+//     assert(std::string_view(error.what()).starts_with("--pad"));
+//   }
 
 #include <stdexcept>
 

@@ -2,8 +2,13 @@
 
 // The formats that point clouds come in, as a table of their readers.
 //
-//   const geom::CloudFormat* const format = geom::row_recognised(head, geom::cloud_formats());
-//   const geom::CloudCounts counts = format->read(in, name, sink, {}, {});
+// Example:
+//   std::istringstream in("0 0 0\n1 2 3\n");
+//   const geom::CloudFormat* const format = geom::row_recognised("0 0 0\n", geom::cloud_formats());
+//   const auto none = [](std::span<const geom::CloudPoint>) {};
+//   const auto reference = [](const geom::CoordinateReference&) {};
+//   assert(format == &geom::kXyzCloud);
+//   assert(format->read(in, "scan.xyz", none, reference, {}).read == 2);
 
 #include "geom/base/format.h"
 #include "geom/cloud/point_cloud.h"

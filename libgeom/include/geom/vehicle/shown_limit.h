@@ -1,6 +1,10 @@
 #pragma once
 
 // A limit in words.
+//
+// Example:
+//   const geom::LimitKind& speed = geom::kLimitKinds[0];
+//   std::cout << speed.option << ": " << geom::shown(speed, 12) << '\n';
 
 #include <string>
 
