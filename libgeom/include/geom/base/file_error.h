@@ -1,6 +1,13 @@
 #pragma once
 
 // The exception for a file that the system does not let us read or write.
+//
+// Example:
+//   try {
+//     throw geom::FileError(geom::FileUse::reading, "city.csv", ENOENT);
+//   } catch (const geom::FileError& error) {
+//     assert(error.path() == "city.csv");
+//   }
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,9 @@
 #pragma once
 
 // The exception for a wrong call by a user: an option that is missing, or that means nothing here.
+//
+// Example:
+//   throw geom::UsageError("--origin: expected latitude,longitude,height, found none");
 
 #include <stdexcept>
 

@@ -2,8 +2,13 @@
 
 // The formats that point clouds come in, as a table of their readers.
 //
-//   const geom::CloudFormat* const format = geom::row_recognised(head, geom::cloud_formats());
-//   const geom::CloudCounts counts = format->read(in, name, sink, {}, {});
+// Example:
+//   std::istringstream in("1 2 3\n4 5 6\n");
+//   const geom::CloudFormat* const format =
+//       geom::row_recognised("1 2 3\n4 5 6\n", geom::cloud_formats());
+//   const auto sink = [](const geom::CloudPoint&) {};
+//   const geom::CloudCounts counts =
+//       format->read(in, "scan.xyz", sink, [](const geom::CoordinateReference&) {}, {});
 
 #include "geom/base/format.h"
 #include "geom/cloud/point_cloud.h"

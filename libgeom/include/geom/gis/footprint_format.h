@@ -1,7 +1,13 @@
 #pragma once
 
-// The formats that footprints, city models and height models come in. Their readers are in
-// read_footprints.h, which needs further libraries; this table does not.
+// The formats that footprints, city models and height models come in.
+//
+// Example:
+//   for (const geom::gis::FootprintFormat* one : geom::gis::footprint_formats()) {
+//     std::cout << one->format->word << '\n';
+//   }
+//
+// The readers are in read_footprints.h, which needs further libraries; this table does not.
 
 #include "geom/base/format.h"
 

@@ -1,6 +1,8 @@
 #pragma once
 
 // What a reader of boxes gives, whatever its format, and the row of it in the table of formats.
+//
+// No example: import_boxes.h shows how the rows are used.
 
 #include <cstddef>
 #include <iosfwd>

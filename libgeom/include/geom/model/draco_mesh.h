@@ -4,7 +4,7 @@
 //
 // Example:
 //   const geom::DracoDecoder none = [](std::string_view bytes, const std::string& source) {
-//     if (!bytes.empty()) throw geom::InputError(source, "Draco is not supported here");
+//     if (!bytes.empty()) throw geom::InputError(source, {.says = "Draco is not supported here"});
 //     return geom::DracoMesh();
 //   };
 //

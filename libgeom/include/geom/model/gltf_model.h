@@ -6,7 +6,7 @@
 //   std::ifstream file("house.glb", std::ios::binary);
 //   const std::string bytes(std::istreambuf_iterator<char>(file), {});
 //   const auto files = [](const std::string& name) -> std::string {
-//     throw geom::InputError(name, "expected a file without others beside it");
+//     throw geom::InputError(name, {.says = "a file beside it is not read here"});
 //   };
 //   const geom::GltfModel house = geom::read_gltf(bytes, "house.glb", files);
 

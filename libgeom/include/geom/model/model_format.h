@@ -2,8 +2,9 @@
 
 // The formats that models of triangles come in, as a table of their readers.
 //
-//   const geom::ModelFormat& format = geom::model_format_of(bytes, "house.obj");
-//   const geom::LoadedModel house = format.read({bytes, "house.obj", "house.obj", files, {}});
+// Example:
+//   const geom::ModelFormat& format = geom::model_format_of("v 0 0 0\n", "house.obj");
+//   assert(format.format->word == "obj");
 
 #include <cstddef>
 #include <functional>

@@ -1,6 +1,10 @@
 #pragma once
 
 // What a planner tells of its search: for reports, not for decisions.
+//
+// Example:
+//   const geom::SearchReport report{.method = "lattice", .expanded = 7067, .resolution = 0.3125};
+//   std::cout << geom::json_of(report).line();
 
 #include <cstddef>
 #include <optional>

@@ -2,8 +2,10 @@
 
 // How files begin: the conditions that tables of formats are made of (geom/base/format.h).
 //
-//   constexpr geom::Format kParquet{.what = "a Parquet table", .begins =
-//   geom::begins_with<"PAR1">};
+// Example:
+//   constexpr geom::Format kParquet{.what = "a Parquet table",
+//                                   .begins = geom::begins_with<"PAR1">};
+//   assert(kParquet.begins("PAR1..."));
 
 #include <cstddef>
 #include <string_view>

@@ -1,6 +1,10 @@
 #pragma once
 
 // A limit in words.
+//
+// Example:
+//   const geom::LimitKind& speed = geom::kind_of(geom::Limit::speed);
+//   std::cout << geom::shown(speed, 12) << '\n';  // 12 m/s
 
 #include <string>
 

@@ -2,9 +2,12 @@
 
 // Drone files that are proved: the bytes are read again as the drone will fly them, and judged.
 //
-//   const MissionExport made = export_mission(scene, trajectory, kWpl);
-//   if (made.written) out << made.written->text;
-//   else report(made.refusal);
+// Example:
+//   traj::ExportOptions options;
+//   options.placement.origin = geom::GeodeticOrigin{47.4, 8.5, 400};
+//   const traj::MissionFormat& format = *traj::mission_format_named("crazyflie");
+//   const traj::MissionExport made = traj::export_mission(scene, trajectory, format, options);
+//   std::cout << (made.written ? made.written->text : made.refusal);
 
 #include <optional>
 #include <string>

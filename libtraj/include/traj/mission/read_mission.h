@@ -2,9 +2,15 @@
 
 // A drone file as what it makes a vehicle fly over a map.
 //
-//   const MissionFormat& format = recognised_mission_format(text);
-//   for (const FileFlight& one : read_mission(text, "m.plan", format, reading, map.spec().frame))
-//     judge(scene, one.flown, limits);  // judge/judge.h
+// Example, not run:
+//   std::ifstream in("mission.plan");
+//   const std::string text(std::istreambuf_iterator<char>(in), {});
+//   traj::MissionReading reading;
+//   reading.placement.origin = geom::GeodeticOrigin{47.4, 8.5, 400};
+//   reading.rules.return_height = 30;
+//   const traj::MissionFormat& format = traj::recognised_mission_format(text);
+//   const auto flights =
+//       traj::read_mission(text, "mission.plan", format, reading, map.spec().frame);
 
 #include <string>
 #include <vector>

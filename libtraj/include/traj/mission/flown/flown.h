@@ -2,10 +2,12 @@
 
 // The flight of a vehicle that gets a file: a curve, setpoints, legs, or the regions of a mission.
 //
-//   FlownLegs legs;
-//   legs.path = {{0, 0, 10}, {40, 0, 10}};
-//   legs.ends.takeoff_from = 0;
-//   const CheckResult result = judge(scene, {legs}, limits);  // judge.h
+// Example:
+//   traj::FlownLegs legs;
+//   legs.path = path;
+//   legs.ends.takeoff_from = 0;  // from the ground, straight up
+//   const traj::Flown flown{legs};
+//   assert(traj::begin_of(flown) == path.front() && !traj::mission_of(flown));
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,10 @@
 #pragma once
 
 // Regions that a vehicle may fly through anywhere: what it makes of a corner, a circle, a spline.
+//
+// Example:
+//   const traj::Sweep corner{.hull = {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}}};
+//   const traj::Drift drift{"px4:1.11-1.17", {corner}, {0.3, 0.3, 0.2}};
 
 #include <optional>
 #include <string>

@@ -1,6 +1,11 @@
 #pragma once
 
 // A flight that is to become a drone file.
+//
+// Example:
+//   const geom::PathRecord record{.id = "q1", .status = geom::PathStatus::found, .points = path};
+//   const traj::ExportFlight flight = traj::export_flight(record);
+//   assert(flight.path == path);
 
 #include <string>
 

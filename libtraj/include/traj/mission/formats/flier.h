@@ -2,9 +2,10 @@
 
 // What flies a file, and how well.
 //
-//   Flier flier;
-//   flier.autopilots = {px4("1.17")};
-//   flier.navigation = Uncertainty{0.5, 1};
+// Example:
+//   traj::Flier flier;
+//   flier.autopilots = {traj::px4("1.17")};
+//   flier.navigation = traj::Uncertainty{0.5, 1};  // metres that it may be wrong about its place
 
 #include <optional>
 #include <string>

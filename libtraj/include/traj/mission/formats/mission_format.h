@@ -1,11 +1,12 @@
 #pragma once
 
-// A format of the files that drones and ground stations use, as one value: what it is, how it is
-// read and written, and what it can hold.
+// Formats of drones' files as values: what each is, how it is read and written, what it holds.
 //
-//   const MissionFormat kFormat{
-//       .format = {.word = "csv", .what = "a table", .readers = kDroneReaders},
-//       .read = read_table, .write = write_table, .has_legs = true};
+// Example:
+//   const traj::MissionFormat table{
+//       .format = {.word = "csv", .what = "a table", .readers = traj::kDroneReaders},
+//       .has_legs = true};
+//   assert(!table.write);  // it is not written
 
 #include <iosfwd>
 #include <string>

@@ -2,7 +2,9 @@
 
 // The table of drone files' formats.
 //
-//   const MissionFormat* format = mission_format_named("wpl");
+// Example:
+//   const traj::MissionFormat* const wpl = traj::mission_format_named("wpl");
+//   assert(wpl && wpl->has_legs && !traj::mission_format_named("doc"));
 
 #include <span>
 #include <string_view>

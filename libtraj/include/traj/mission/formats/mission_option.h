@@ -1,6 +1,10 @@
 #pragma once
 
 // What may be said beside a drone file, and which formats take heed of it.
+//
+// Example:
+//   constexpr traj::MissionOptionSet set{traj::MissionOption::ground, traj::MissionOption::speed};
+//   static_assert(set.has(traj::MissionOption::speed) && !set.has(traj::MissionOption::rate));
 
 #include <cstddef>
 #include <initializer_list>

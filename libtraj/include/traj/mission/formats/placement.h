@@ -2,9 +2,11 @@
 
 // Where a drone file's coordinates count from, if the file does not say it.
 //
-//   Placement placement;
-//   placement.origin = geom::GeodeticOrigin{47, 8, 400};
-//   const MissionFrame frame = placement.mission_frame(map.spec().frame);
+// Example:
+//   traj::Placement placement;
+//   placement.origin = geom::GeodeticOrigin{47.4, 8.5, 400};
+//   const traj::MissionFrame frame = placement.mission_frame(map.spec().frame);
+//   assert(frame.origin.height == 400);
 
 #include <optional>
 #include <string>

@@ -1,6 +1,11 @@
 #pragma once
 
 // What reading a drone file takes beside its text, and what comes out.
+//
+// Example:
+//   traj::MissionReading reading;
+//   reading.placement.origin = geom::GeodeticOrigin{47.4, 8.5, 400};
+//   reading.flier.autopilots = {traj::px4("1.17")};
 
 #include <optional>
 #include <string>

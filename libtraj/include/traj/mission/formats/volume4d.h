@@ -1,6 +1,8 @@
 #pragma once
 
 // Flights as volumes of airspace for other operators (ASTM F3548): flight_volumes.h makes them.
+//
+// No example: a constant; traj/mission/export_mission.h shows how to write in a format.
 
 namespace traj {
 

@@ -1,6 +1,12 @@
 #pragma once
 
 // What writing a drone file takes, and what comes out.
+//
+// Example:
+//   traj::ExportOptions options;
+//   options.placement.origin = geom::GeodeticOrigin{47.4, 8.5, 400};
+//   options.speed = 5;  // m/s along straight legs
+//   assert(traj::speed_limit({{traj::Limit::speed, 8}}) == 8);
 
 #include <cstddef>
 #include <optional>

@@ -1,6 +1,12 @@
 #pragma once
 
 // Whether what a vehicle flies when it gets a file is clear of the map and within limits.
+//
+// Example:
+//   traj::FlownLegs legs;
+//   legs.path = path;
+//   legs.ends.takeoff_from = 0;
+//   assert(traj::judge(scene, {legs}, limits).ok);
 
 #include <optional>
 
