@@ -68,7 +68,7 @@ const ModelFormat* model_format_by_ending(const std::string& path) {
 }
 
 const ModelFormat& model_format_of(std::string_view bytes, const std::string& path) {
-  if (bytes.empty()) throw InputError(path, "the file is empty");
+  if (bytes.empty()) throw InputError(path, {.says = "the file is empty"});
   if (const Format* const format = recognise(bytes, formats_of(model_formats()))) {
     return *row_of(*format, model_formats());
   }
@@ -76,13 +76,12 @@ const ModelFormat& model_format_of(std::string_view bytes, const std::string& pa
     if (format->may_be && format->may_be(bytes, path)) return *format;
   }
   if (kTileFile.begins(bytes)) {
-    throw InputError(path,
-                     "this is one tile, which does not say where it stands: give the "
-                     "tileset.json that names it");
+    throw InputError(path, {.says = "this is one tile, which does not say where it stands",
+                            .advice = "give the tileset.json that names it"});
   }
   if (const ModelFormat* const format = model_format_by_ending(path)) return *format;
-  throw InputError(path, "expected a file whose name ends in " + any_ending() +
-                             ", a glTF file or a tileset.json; --format says what it is");
+  throw InputError(path, {.expected = "a file whose name ends in " + any_ending() +
+                                      ", a glTF file or a tileset.json; --format says what it is"});
 }
 
 }  // namespace geom

@@ -21,7 +21,7 @@ CheckResult judge_written(const geom::CollisionScene& scene, const MissionTask& 
   MissionReading reading = written.reading;
   reading.flier = task.options.flier;
   const auto read = read_mission(written.text, "what was written", *task.format, reading, frame);
-  if (read.size() != 1) throw geom::InputError("what was written", "expected one flight");
+  if (read.size() != 1) throw geom::InputError("what was written", {.expected = "one flight"});
   const Flown& flown = read.front().flown;
   CheckResult result = judge(scene, flown, task.limits, Clearance::left_out);
   const FlownLegs* legs = legs_of(flown);

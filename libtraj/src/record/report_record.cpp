@@ -82,8 +82,9 @@ JsonLine object_of(const ExactResult& exact, const ReportRecord& record, const g
 
 bool flag(const geom::JsonFields& fields, const nlohmann::json& object, const std::string& what) {
   if (!object.contains("ok") || !object["ok"].is_boolean()) {
-    fields.refuse(fmt::format("{} must be true or false, found {}", what,
-                              object.contains("ok") ? object["ok"].dump() : "none"));
+    fields.refuse({.key = what,
+                   .expected = "true or false",
+                   .found = object.contains("ok") ? object["ok"].dump() : "none"});
   }
   return object["ok"].get<bool>();
 }
@@ -92,7 +93,7 @@ std::optional<std::uint64_t> parse_count(const geom::JsonFields& fields, const c
   if (!fields.has(key)) return std::nullopt;
   const nlohmann::json& value = fields.value(key);
   if (!value.is_number_unsigned()) {
-    fields.refuse(fmt::format("{} must be a whole number >= 0, found {}", key, value.dump()));
+    fields.refuse({.key = key, .expected = "a whole number >= 0", .found = value.dump()});
   }
   return value.get<std::uint64_t>();
 }
@@ -203,7 +204,9 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
   report.extremes = parse_extremes(fields);
   if (fields.has("exact")) {
     const nlohmann::json& exact = fields.value("exact");
-    if (!exact.is_object()) fields.refuse("exact must be an object, found " + exact.dump());
+    if (!exact.is_object()) {
+      fields.refuse({.key = "exact", .expected = "an object", .found = exact.dump()});
+    }
     report.exact_ok = flag(fields, exact, "exact.ok");
   }
   report.provenance = geom::read_provenance(fields);

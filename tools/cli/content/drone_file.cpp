@@ -14,6 +14,12 @@
 namespace cli {
 namespace {
 
+// "--origin" and so on, in the order of the words.
+const std::vector<std::string>& option_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> out;
+    for (const auto& [option, word] : traj::kMissionOptionWords) {
+      out.push_back(fmt::format("--{}", word));
     }
     return out;
   }();

@@ -1,18 +1,16 @@
 #pragma once
 
-// The files that drones and ground stations fly, as a table of formats.
+// The drone files of libtraj, as a table of formats beside the other tables.
 
 #include "geom/base/format.h"
 
 namespace cli {
 
-// Those that --file-format names and that their beginning tells.
+// Those that --file-format names and that their beginning tells. KML, GeoJSON and binary glTF are
+// sources of obstacles, too: the row of those stands for both.
 geom::Formats drone_formats();
 
 // Whether it is one of these; not where it is null.
 bool is_flown(const geom::Format* format);
-
-extern const geom::Format kWplMission;
-extern const geom::Format kQgcPlan;
 
 }  // namespace cli

@@ -1,8 +1,8 @@
 #include "foreign_formats.h"
 
-#include "fence_text.h"
 #include "geom/model/model_format.h"
 #include "geom/text/beginning.h"
+#include "traj/mission/formats/fence_file.h"
 
 namespace cli {
 namespace {
@@ -118,7 +118,7 @@ constexpr Format kXml{.what = "an XML file", .begins = xml_with<"<?xml">};
 }  // namespace
 
 constinit const Format kFenceText{.what = "a fence or rally points without a mission",
-                                  .begins = is_fence_text,
+                                  .begins = traj::is_fence_text,
                                   .readers = kMapTool,
                                   .advice = "skyway-map patch --fence makes a fence part of a map"};
 constinit const Format kPx4Log{.what = "a PX4 flight log (ULog)",

@@ -14,6 +14,9 @@
 #include "own_formats.h"
 #include "recognise.h"
 #include "run_files.h"
+#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/qgc_plan.h"
+#include "traj/mission/formats/wpl.h"
 
 namespace cli {
 namespace {
@@ -49,7 +52,7 @@ const std::array kPlaces = {
     Place{"skyway-join", "shards", {&kShard}},
     Place{"skyway-map", "--add", {geom::kBoxCsv.format}},
     Place{"skyway-map", "--keep-out", {&kGeoJsonFile, &kGeoJsonFeature}},
-    Place{"skyway-map", "--fence", {&kQgcPlan, &kWplMission, &kFenceText}},
+    Place{"skyway-map", "--fence", {&traj::kQgcPlan.format, &traj::kWpl.format, &kFenceText}},
 };
 
 // Of two files that one argument takes, a map and what flies.

@@ -4,9 +4,8 @@
 //
 // Example:
 //   const geom::InputError error("city.csv", 17,
-//                                {.key = "half size y", .expected = ">= 0", .found = "\"-2\""});
-//   assert(error.fault().key == "half size y");
-//   assert(std::string(error.what()) == "city.csv:17: half size y must be >= 0, found \"-2\"");
+//                                {.key = "half size y", .expected = ">= 0", .found = "-2"});
+//   assert(std::string(error.what()) == "city.csv:17: half size y must be >= 0, found -2");
 
 #include <cstddef>
 #include <memory>

@@ -3,11 +3,7 @@
 // The exception for a wrong call by a user: an option that is missing, or that means nothing here.
 //
 // Example:
-//   try {
-//     throw geom::UsageError("--pad: the file has bounds of its own: leave the option out");
-//   } catch (const geom::UsageError& error) {
-//     assert(std::string_view(error.what()).starts_with("--pad"));
-//   }
+//   throw geom::UsageError("--origin: expected latitude,longitude,height, found none");
 
 #include <stdexcept>
 

@@ -3,12 +3,12 @@
 // The formats that point clouds come in, as a table of their readers.
 //
 // Example:
-//   std::istringstream in("0 0 0\n1 2 3\n");
-//   const geom::CloudFormat* const format = geom::row_recognised("0 0 0\n", geom::cloud_formats());
-//   const auto none = [](std::span<const geom::CloudPoint>) {};
-//   const auto reference = [](const geom::CoordinateReference&) {};
-//   assert(format == &geom::kXyzCloud);
-//   assert(format->read(in, "scan.xyz", none, reference, {}).read == 2);
+//   std::istringstream in("1 2 3\n4 5 6\n");
+//   const geom::CloudFormat* const format =
+//       geom::row_recognised("1 2 3\n4 5 6\n", geom::cloud_formats());
+//   const auto sink = [](const geom::CloudPoint&) {};
+//   const geom::CloudCounts counts =
+//       format->read(in, "scan.xyz", sink, [](const geom::CoordinateReference&) {}, {});
 
 #include "geom/base/format.h"
 #include "geom/cloud/point_cloud.h"

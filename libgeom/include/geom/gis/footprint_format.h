@@ -1,13 +1,13 @@
 #pragma once
 
-// The formats that footprints, city models and height models come in, as a table.
+// The formats that footprints, city models and height models come in.
 //
 // Example:
-//   for (const geom::gis::FootprintFormat* row : geom::gis::footprint_formats()) {
-//     std::cout << row->format->word << ": " << row->format->what << '\n';
+//   for (const geom::gis::FootprintFormat* one : geom::gis::footprint_formats()) {
+//     std::cout << one->format->word << '\n';
 //   }
 //
-// Their readers are in read_footprints.h, which needs further libraries; this table does not.
+// The readers are in read_footprints.h, which needs further libraries; this table does not.
 
 #include "geom/base/format.h"
 

@@ -2,11 +2,7 @@
 
 // What a reader of boxes gives, whatever its format, and the row of it in the table of formats.
 //
-// Example:
-//   const geom::BoxFormat& format = geom::kBlockText;  // import_boxes.h has the table
-//   std::istringstream in("boundary 0 0 0 10 10 10\nblock 4 0 0 5 8 8\n");
-//   const geom::ImportedBoxes boxes = format.read(in, "city.txt", {});
-//   assert(boxes.table.boxes.size() == 1 && boxes.bounds);
+// No example: import_boxes.h shows how the rows are used.
 
 #include <cstddef>
 #include <iosfwd>

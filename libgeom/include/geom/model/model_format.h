@@ -3,9 +3,8 @@
 // The formats that models of triangles come in, as a table of their readers.
 //
 // Example:
-//   const std::string bytes = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-//   const geom::ModelFormat& format = geom::model_format_of(bytes, "house.obj");
-//   assert(&format == &geom::kObjModel);
+//   const geom::ModelFormat& format = geom::model_format_of("v 0 0 0\n", "house.obj");
+//   assert(format.format->word == "obj");
 
 #include <cstddef>
 #include <functional>

@@ -3,9 +3,9 @@
 // How files begin: the conditions that tables of formats are made of (geom/base/format.h).
 //
 // Example:
-//   static constexpr geom::Format parquet{.what = "a Parquet table",
-//                                         .begins = geom::begins_with<"PAR1">};
-//   assert(parquet.begins("PAR1...") && !parquet.begins("id,x,y,z"));
+//   constexpr geom::Format kParquet{.what = "a Parquet table",
+//                                   .begins = geom::begins_with<"PAR1">};
+//   assert(kParquet.begins("PAR1..."));
 
 #include <cstddef>
 #include <string_view>

@@ -3,8 +3,8 @@
 // A limit in words.
 //
 // Example:
-//   const geom::LimitKind& speed = geom::kLimitKinds[0];
-//   std::cout << speed.option << ": " << geom::shown(speed, 12) << '\n';
+//   const geom::LimitKind& speed = geom::kind_of(geom::Limit::speed);
+//   std::cout << geom::shown(speed, 12) << '\n';  // 12 m/s
 
 #include <string>
 

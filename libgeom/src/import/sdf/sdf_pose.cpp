@@ -101,8 +101,9 @@ bool is_quaternion(const SdfNode& pose) {
   const std::string said = pose.attribute("rotation_format");
   if (said == "quat_xyzw") return true;
   if (said.empty() || said == "euler_rpy") return false;
-  pose.refuse(fmt::format("rotation_format must be euler_rpy or quat_xyzw, found \"{}\"",
-                          said.substr(0, 40)));
+  pose.refuse({.key = "rotation_format",
+               .expected = "euler_rpy or quat_xyzw",
+               .found = in_quotes(said.substr(0, 40))});
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 
 #include "curve/curve_piece.h"
 #include "geom/base/error.h"
+#include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "mission/formats/text_head.h"
 #include "traj/mission/formats/mission_format.h"
@@ -375,12 +376,13 @@ std::vector<std::string> warnings(const MissionTask& task, const CheckResult* re
 constinit const MissionFormat kCrazyflie{
     .format = {.word = "crazyflie",
                .what = "a Crazyflie trajectory",
-               .begins =
-                   [](std::string_view text) {
-                     const std::string_view head = text_head(text);
-                     return head.starts_with("duration") || head.starts_with("Duration");
-                   },
+               .begins = geom::text_begins_with<"duration,x^0,">,
                .readers = kDroneReaders},
+    .may_be =
+        [](std::string_view text) {
+          const std::string_view head = text_head(text);
+          return head.starts_with("duration") || head.starts_with("Duration");
+        },
     .read = read,
     .write = write,
     .warnings = warnings,

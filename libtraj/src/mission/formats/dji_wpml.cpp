@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "geom/text/beginning.h"
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
 #include "traj/mission/dji/dji_wpml.h"
@@ -114,12 +115,12 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
 constinit const MissionFormat kDjiWpml{
     .format = {.word = "dji-wpml",
                .what = "a DJI mission (KMZ with WPML)",
-               .begins =
-                   [](std::string_view text) {
-                     return text_head(text).starts_with("PK") &&
-                            text.find("wpmz/") != std::string_view::npos;
-                   },
+               .begins = geom::any_of<geom::zip_with<"wpmz/">, geom::zip_with<".wpml">>,
                .readers = kDroneReaders},
+    .may_be =
+        [](std::string_view text) {
+          return text_head(text).starts_with("PK") && text.find("wpmz/") != std::string_view::npos;
+        },
     .read = read,
     .write = write,
     .prepare = turn_everywhere,

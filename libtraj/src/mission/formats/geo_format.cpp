@@ -15,20 +15,19 @@ constexpr double kGeodesy = 1e-8;  // m: what a projection may be off by
 geom::Polyline on_map(const GeoPoints& places, const MissionFrame& over, double geoid,
                       std::string_view source) {
   if (!over.height_known) {
-    throw geom::InputError(
-        source,
-        "its heights are above the sea or the ellipsoid, and the map does not say how high "
-        "its z = 0 is: give --origin latitude,longitude,height");
+    throw geom::InputError(source, {.says = "its heights are above the sea or the ellipsoid, and "
+                                            "the map does not say how high its z = 0 is",
+                                    .advice = "give --origin latitude,longitude,height"});
   }
   const geom::GeographicFrame earth(over.origin);
   geom::Polyline path;
   for (geom::GeodeticPlace place : places) {
     if (!is_near(over.origin, place.latitude, place.longitude)) {
       throw geom::InputError(
-          source, fmt::format("expected a place near the origin, latitude {} longitude {}, found "
-                              "latitude {} longitude {}",
-                              over.origin.latitude, over.origin.longitude, place.latitude,
-                              place.longitude));
+          source,
+          {.expected = fmt::format("a place near the origin, latitude {} longitude {}",
+                                   over.origin.latitude, over.origin.longitude),
+           .found = fmt::format("latitude {} longitude {}", place.latitude, place.longitude)});
     }
     place.height += geoid;
     path.push_back(earth.enu(place));

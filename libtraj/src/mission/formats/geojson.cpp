@@ -1,5 +1,6 @@
 #include "traj/mission/formats/geojson.h"
 
+#include "geom/gis/footprint_format.h"
 #include "mission/formats/geo_format.h"
 #include "mission/formats/text_head.h"
 
@@ -26,7 +27,11 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
 }  // namespace
 
 constinit const MissionFormat kGeojson{
-    .format = {.word = "geojson", .what = "a GeoJSON file", .begins = begins, .readers = kReaders},
+    .format = {.word = "geojson",
+               .what = "a GeoJSON file",
+               .begins = [](std::string_view head) { return geom::gis::kGeoJsonFile.begins(head); },
+               .readers = kReaders},
+    .may_be = begins,
     .read = read,
     .write = write,
     .reads_with = {MissionOption::origin, MissionOption::navigation, MissionOption::tracking},

@@ -14,6 +14,7 @@
 
 #include "geom/base/error.h"
 #include "geom/mesh/gltf.h"
+#include "geom/model/model_format.h"
 #include "geom/text/parse_json.h"
 #include "mission/formats/text_head.h"
 #include "traj/mission/formats/mission_format.h"
@@ -264,8 +265,9 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
 constinit const MissionFormat kGltfLine{
     .format = {.word = "gltf",
                .what = "a binary glTF",
-               .begins = [](std::string_view text) { return text_head(text).starts_with("glTF"); },
+               .begins = [](std::string_view head) { return geom::kGlbFile.begins(head); },
                .readers = kReaders},
+    .may_be = [](std::string_view text) { return text_head(text).starts_with("glTF"); },
     .read = read,
     .write = write,
     .reads_with = {MissionOption::navigation, MissionOption::tracking},

@@ -1,5 +1,6 @@
 #include "traj/mission/formats/kml.h"
 
+#include "geom/gis/footprint_format.h"
 #include "mission/formats/geo_format.h"
 #include "mission/formats/text_head.h"
 
@@ -25,12 +26,12 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
 constinit const MissionFormat kKml{
     .format = {.word = "kml",
                .what = "a KML file",
-               .begins =
-                   [](std::string_view text) {
-                     return text_head(text).starts_with("<") &&
-                            text.find("<kml") != std::string_view::npos;
-                   },
+               .begins = [](std::string_view head) { return geom::gis::kKmlFile.begins(head); },
                .readers = kReaders},
+    .may_be =
+        [](std::string_view text) {
+          return text_head(text).starts_with("<") && text.find("<kml") != std::string_view::npos;
+        },
     .read = read,
     .write = write,
     .reads_with = {MissionOption::origin, MissionOption::geoid, MissionOption::navigation,

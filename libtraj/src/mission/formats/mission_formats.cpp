@@ -48,8 +48,12 @@ const MissionFormat* mission_format_named(std::string_view word) {
 }
 
 const MissionFormat& recognised_mission_format(std::string_view text) {
+  const std::string_view head = text.substr(0, geom::kFormatHead);
   for (const MissionFormat* one : kAll) {
-    if (one->format.begins && one->format.begins(text)) return *one;
+    if (one->format.begins && one->format.begins(head)) return *one;
+  }
+  for (const MissionFormat* one : kAll) {
+    if (one->may_be && one->may_be(text)) return *one;
   }
   const auto* const taken =
       std::find_if(std::begin(kTakenFor), std::end(kTakenFor),

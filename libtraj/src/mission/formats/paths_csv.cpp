@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "geom/record/path_csv.h"
+#include "geom/text/beginning.h"
 #include "traj/curve/to_enu.h"
 #include "traj/mission/formats/mission_format.h"
 
@@ -23,8 +24,9 @@ ReadFlights read(std::istream& in, const ReadTask& task) {
 constinit const MissionFormat kPathsCsv{
     .format = {.word = "paths-csv",
                .what = "a table of paths",
-               .begins = [](std::string_view text) { return text.starts_with("id,x,y,z"); },
+               .begins = geom::text_begins_with<"id,x,y,z">,
                .readers = kDroneReaders},
+    .may_be = [](std::string_view text) { return text.starts_with("id,x,y,z"); },
     .read = read,
     .is_flown = false};
 

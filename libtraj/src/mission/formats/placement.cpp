@@ -35,10 +35,11 @@ void require_near_origin(const geom::Polyline& enu, const geom::GeodeticOrigin& 
   for (const geom::Vec3& p : enu) {
     if (p.head<2>().norm() <= kFurthest) continue;
     throw geom::InputError(
-        id, fmt::format(
-                "expected a flight within 200 km of the origin, latitude {}, longitude {}, "
-                "found [{}, {}] m from it: give the origin from which the map's coordinates count",
-                origin.latitude, origin.longitude, p.x(), p.y()));
+        id,
+        {.expected = fmt::format("a flight within 200 km of the origin, latitude {}, longitude {}",
+                                 origin.latitude, origin.longitude),
+         .found = fmt::format("[{}, {}] m from it", p.x(), p.y()),
+         .advice = "give the origin from which the map's coordinates count"});
   }
 }
 

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/text/beginning.h"
 #include "geom/text/parse_json.h"
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
@@ -389,12 +390,13 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
 constinit const MissionFormat kQgcPlan{
     .format = {.word = "qgc-plan",
                .what = "a QGroundControl plan",
-               .begins =
-                   [](std::string_view text) {
-                     return text_head(text).starts_with("{") &&
-                            text.find("\"fileType\"") != std::string_view::npos;
-                   },
+               .begins = geom::json_with<R"("fileType":"Plan")">,
                .readers = kDroneReaders},
+    .may_be =
+        [](std::string_view text) {
+          return text_head(text).starts_with("{") &&
+                 text.find("\"fileType\"") != std::string_view::npos;
+        },
     .read = [](std::istream& in,
                const ReadTask& task) { return fly_mission(read_qgc_plan(in, task.source), task); },
     .write = write,

@@ -14,6 +14,7 @@
 
 #include "geom/base/error.h"
 #include "geom/base/usage_error.h"
+#include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "mission/formats/text_head.h"
 #include "traj/curve/yaw.h"
@@ -204,8 +205,10 @@ std::string remedy(const MissionTask& task, const CheckResult& result) {
 constinit const MissionFormat kSetpoints{
     .format = {.word = "setpoints",
                .what = "a table of setpoints",
-               .begins = [](std::string_view text) { return text_head(text).starts_with("t_s,"); },
+               .begins = geom::any_of<geom::text_begins_with<"t_s,east_m,">,
+                                      geom::text_begins_with<"t_s,x_m,">>,
                .readers = kReaders},
+    .may_be = [](std::string_view text) { return text_head(text).starts_with("t_s,"); },
     .read = [](std::istream& in, const ReadTask& task) -> ReadFlights {
       return {{{FlownSetpoints{read_setpoints(in, task.source)}}}};
     },

@@ -15,6 +15,7 @@
 #include "geom/base/error.h"
 #include "geom/base/usage_error.h"
 #include "geom/map/frame.h"
+#include "geom/text/beginning.h"
 #include "mission/formats/text_head.h"
 #include "traj/mission/formats/mission_format.h"
 
@@ -304,12 +305,13 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
 constinit const MissionFormat kTello{
     .format = {.word = "tello",
                .what = "a Tello script",
-               .begins =
-                   [](std::string_view text) {
-                     const std::string_view head = text_head(text);
-                     return head.starts_with("command") || head.starts_with("takeoff");
-                   },
+               .begins = geom::text_begins_with<"command\n">,
                .readers = kDroneReaders},
+    .may_be =
+        [](std::string_view text) {
+          const std::string_view head = text_head(text);
+          return head.starts_with("command") || head.starts_with("takeoff");
+        },
     .read = read,
     .write = write,
     .remedy = [](const MissionTask&, const CheckResult& result) -> std::string {

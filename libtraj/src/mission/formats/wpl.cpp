@@ -9,9 +9,11 @@
 #include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
+#include "traj/mission/formats/fence_file.h"
 #include "traj/mission/formats/mission_format.h"
 #include "traj/mission/mavlink/mission_flight.h"
 
@@ -290,8 +292,11 @@ constinit const MissionFormat kWpl{
     .format = {.word = "wpl",
                .what = "a mission (WPL)",
                .begins =
-                   [](std::string_view text) { return text_head(text).starts_with("QGC WPL"); },
+                   [](std::string_view head) {
+                     return geom::begins_with<"QGC WPL">(head) && !is_fence_text(head);
+                   },
                .readers = kDroneReaders},
+    .may_be = [](std::string_view text) { return text_head(text).starts_with("QGC WPL"); },
     .read = [](std::istream& in,
                const ReadTask& task) { return fly_mission(read_wpl(in, task.source), task); },
     .write = write,

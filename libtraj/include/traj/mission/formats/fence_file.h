@@ -20,4 +20,8 @@ namespace traj {
 // has no fence.
 std::vector<GeodeticFence> read_fences(std::istream& in, std::string_view source);
 
+// Whether a text that begins like this has no items but home, fences (MAV_CMD 5000 to 5004) and
+// rally points (5100), as far as it is there: Mission Planner writes them as it writes missions.
+bool is_fence_text(std::string_view head);
+
 }  // namespace traj

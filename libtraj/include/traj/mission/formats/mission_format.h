@@ -40,6 +40,9 @@ struct MissionProof {
 // without it.
 struct MissionFormat {
   geom::Format format;
+  // Whether a whole text may be one, where no format's beginning tells: its reader says what is
+  // wrong.
+  bool (*may_be)(std::string_view text) = nullptr;
 
   // All flights of a text. Throws geom::InputError(source, …) for bad text and for what cannot be
   // flown or is not known, geom::UsageError where something of the task is missing. Null: it is not
