@@ -67,7 +67,7 @@ geom::Formats drone_formats() {
   return kTable;
 }
 
-bool is_flown(const geom::Format* format) {
+bool is_drone_format(const geom::Format* format) {
   const geom::Formats table = drone_formats();
   return std::find(table.begin(), table.end(), format) != table.end();
 }
