@@ -96,14 +96,15 @@ std::string to_json_lines(const std::vector<geom::PlanQuery>& queries) {
   return out;
 }
 
-Run judge_command(const std::string& command, const CommandOutput& output,
-                  const geom::CollisionScene& scene, const std::vector<geom::PlanQuery>& queries,
-                  const std::function<void(const geom::PathRecord&, std::size_t line)>& check) {
-  Run run;
+plan::bench::Run judge_command(
+    const std::string& command, const CommandOutput& output, const geom::CollisionScene& scene,
+    const std::vector<geom::PlanQuery>& queries,
+    const std::function<void(const geom::PathRecord&, std::size_t line)>& check) {
+  plan::bench::Run run;
   run.method = command;
   run.one_process = true;
   run.peak_rss = output.peak_rss;
-  std::map<std::string, Answer> answers;
+  std::map<std::string, plan::bench::Answer> answers;
   for (const geom::PlanQuery& query : queries) answers[query.id];
   std::map<std::string, bool> answered;
   for (std::size_t i = 0; i < output.lines.size(); ++i) {
@@ -118,7 +119,7 @@ Run judge_command(const std::string& command, const CommandOutput& output,
   }
   const double mean = output.seconds / static_cast<double>(queries.size());
   for (const geom::PlanQuery& query : queries) {
-    run.trials.push_back(trial_of(scene, query, answers.at(query.id), mean));
+    run.trials.push_back(plan::bench::trial_of(scene, query, answers.at(query.id), mean));
   }
   run.missing = queries.size() - (output.lines.size() - run.extra);
   return run;

@@ -8,7 +8,7 @@
 
 #include "geom/base/execution.h"
 #include "geom/record/record.h"
-#include "trial.h"
+#include "plan/bench/trial.h"
 
 namespace bench {
 
@@ -29,8 +29,9 @@ std::string to_json_lines(const std::vector<geom::PlanQuery>& queries);
 
 // Answers matched by id. Every trial takes the mean of the whole time. Throws InputError for a line
 // that is no path record; `check` may do so for records made for another map or vehicle.
-Run judge_command(const std::string& command, const CommandOutput& output,
-                  const geom::CollisionScene& scene, const std::vector<geom::PlanQuery>& queries,
-                  const std::function<void(const geom::PathRecord&, std::size_t line)>& check);
+plan::bench::Run judge_command(
+    const std::string& command, const CommandOutput& output, const geom::CollisionScene& scene,
+    const std::vector<geom::PlanQuery>& queries,
+    const std::function<void(const geom::PathRecord&, std::size_t line)>& check);
 
 }  // namespace bench

@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 
-#include "bounds.h"
 #include "cli/content/artefacts.h"
 #include "cli/file/files.h"
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "command.h"
+#include "methods.h"
 #include "options.h"
 #include "peak_memory.h"
-#include "report.h"
+#include "plan/bench/trial_bounds.h"
+#include "plan/bench/trial_report.h"
 
 namespace {
 
@@ -29,10 +31,10 @@ Json describe(const geom::CollisionScene& scene) {
           {"margin", scene.margin()}};
 }
 
-Json describe(const bench::QuerySet& queries, const bench::Files& files,
+Json describe(const plan::bench::QuerySet& queries, const bench::Files& files,
               const bench::Options& options) {
   if (queries.size()) return {{"queries", files.queries}, {"count", *queries.size()}};
-  Json out = {{"name", geom::word_of(bench::kEndsWords, options.random.ends)}};
+  Json out = {{"name", geom::word_of(plan::bench::kEndsWords, options.random.ends)}};
   if (options.random.length) out["length"] = options.length;
   out["seed"] = options.random.seed;
   out["rejected"] = {{"outside", queries.rejected().outside},
@@ -52,29 +54,37 @@ void require_ours(const geom::PathRecord& record, const geom::CollisionScene& sc
   cli::require_same(said, scene, fmt::format("planner-cmd:{}", line), "path");
 }
 
-bench::Run run_method(const std::string& name, const geom::CollisionScene& scene,
-                      bench::QuerySet& queries, const bench::Options& options,
-                      const cli::Common& common) {
-  const auto known = bench::known_methods();
-  const auto method =
-      std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.name == name; });
+plan::bench::Run run_method(const std::string& name, const geom::CollisionScene& scene,
+                            plan::bench::QuerySet& queries, const bench::Options& options,
+                            const cli::Common& common) {
+  const std::vector<plan::bench::KnownMethod> all = bench::methods();
+  const auto known =
+      std::find_if(all.begin(), all.end(), [&](const auto& k) { return k.name == name; });
   bench::reset_peak_memory();
-  return bench::measure(name, method->make(scene, options.method), scene, queries, options.rule,
-                        common.execution(name));
+  const auto begin = std::chrono::steady_clock::now();
+  const plan::bench::Method method = known->make(scene, options.method);
+  const std::chrono::duration<double> built = std::chrono::steady_clock::now() - begin;
+  plan::bench::Run run =
+      plan::bench::measure(name, method, scene, queries, options.rule, common.execution(name));
+  if (known->builds) run.build_seconds = built.count();
+  run.peak_rss = bench::peak_memory();
+  return run;
 }
 
 // The queries that the longest run before it had, or the fewest trials.
-std::vector<geom::PlanQuery> for_command(bench::QuerySet& queries, const bench::Options& options,
-                                         const std::vector<bench::Run>& before) {
+std::vector<geom::PlanQuery> for_command(plan::bench::QuerySet& queries,
+                                         const bench::Options& options,
+                                         const std::vector<plan::bench::Run>& before) {
   std::size_t count = queries.size().value_or(std::min(options.rule.least, options.rule.most));
-  for (const bench::Run& run : before) count = std::max(count, run.trials.size());
+  for (const plan::bench::Run& run : before) count = std::max(count, run.trials.size());
   std::vector<geom::PlanQuery> out;
   for (std::size_t i = 0; i < count; ++i) out.push_back(queries.at(i));
   return out;
 }
 
-bench::Run run_command(const std::string& command, const geom::CollisionScene& scene,
-                       const std::vector<geom::PlanQuery>& queries, const cli::Common& common) {
+plan::bench::Run run_command(const std::string& command, const geom::CollisionScene& scene,
+                             const std::vector<geom::PlanQuery>& queries,
+                             const cli::Common& common) {
   const bench::CommandOutput output = bench::run_command(
       command, bench::to_json_lines(queries), queries.size(), common.execution("planner-cmd"));
   if (output.status > 1) {
@@ -86,9 +96,10 @@ bench::Run run_command(const std::string& command, const geom::CollisionScene& s
       [&](const geom::PathRecord& record, std::size_t line) { require_ours(record, scene, line); });
 }
 
-std::vector<bench::Run> run_all(const geom::CollisionScene& scene, bench::QuerySet& queries,
-                                const bench::Options& options, const cli::Common& common) {
-  std::vector<bench::Run> runs;
+std::vector<plan::bench::Run> run_all(const geom::CollisionScene& scene,
+                                      plan::bench::QuerySet& queries, const bench::Options& options,
+                                      const cli::Common& common) {
+  std::vector<plan::bench::Run> runs;
   for (const std::string& name : options.methods) {
     runs.push_back(run_method(name, scene, queries, options, common));
   }
@@ -100,8 +111,8 @@ std::vector<bench::Run> run_all(const geom::CollisionScene& scene, bench::QueryS
   return runs;
 }
 
-bool sound(const bench::Run& run) {
-  return bench::count(run, bench::Verdict::invalid) == 0 && !run.missing && !run.extra;
+bool sound(const plan::bench::Run& run) {
+  return plan::bench::count(run, plan::bench::Verdict::invalid) == 0 && !run.missing && !run.extra;
 }
 
 struct Compared {
@@ -114,21 +125,21 @@ Compared compare_all(const geom::CollisionScene& scene, const bench::Files& file
                      bench::Options& options, const cli::Common& common) {
   bench::complete(options, scene.map());
   options.method.build = common.execution("layers");
-  bench::QuerySet queries = files.queries.empty()
-                                ? bench::QuerySet(scene, options.random)
-                                : bench::QuerySet(bench::read_queries(files, scene.map()));
-  std::vector<bench::Run> runs = run_all(scene, queries, options, common);
+  plan::bench::QuerySet queries =
+      files.queries.empty() ? plan::bench::QuerySet(scene, options.random)
+                            : plan::bench::QuerySet(bench::read_queries(files, scene.map()));
+  std::vector<plan::bench::Run> runs = run_all(scene, queries, options, common);
   if (options.bound) {
-    bench::add_bounds(runs, scene, queries, *options.bound, common.execution("bounds"));
+    plan::bench::add_bounds(runs, scene, queries, *options.bound, common.execution("bounds"));
   }
   const Json set = describe(queries, files, options);
   Compared done{{{"set", set}}, {{"set", set}}};
-  for (const bench::Run& run : runs) {
-    done.report["methods"].push_back(bench::report(run, runs.front()));
-    done.counts["methods"].push_back(bench::counts(run));
+  for (const plan::bench::Run& run : runs) {
+    done.report["methods"].push_back(plan::bench::report(run, runs.front()));
+    done.counts["methods"].push_back(plan::bench::counts(run));
     done.sound = done.sound && sound(run);
   }
-  common.note(bench::table(runs));
+  common.note(plan::bench::table(runs));
   return done;
 }
 

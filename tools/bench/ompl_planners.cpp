@@ -95,7 +95,7 @@ OmplAdapter::OmplAdapter(const geom::CollisionScene& scene, OmplPlanner planner,
 
 OmplAdapter::~OmplAdapter() = default;
 
-Answer OmplAdapter::plan(const geom::PlanQuery& query) {
+plan::bench::Answer OmplAdapter::plan(const geom::PlanQuery& query) {
   og::SimpleSetup& setup = impl_->setup;
   setup.clear();
   ob::ScopedState<Space> start(setup.getStateSpace());
@@ -113,7 +113,7 @@ Answer OmplAdapter::plan(const geom::PlanQuery& query) {
   }
   if (!setup.haveExactSolutionPath()) return {geom::PathStatus::stopped, {}, std::nullopt};
   if (impl_->planner == OmplPlanner::rrt_connect) setup.simplifySolution();
-  Answer answer{geom::PathStatus::found, {}, std::nullopt};
+  plan::bench::Answer answer{geom::PathStatus::found, {}, std::nullopt};
   for (const ob::State* state : setup.getSolutionPath().getStates()) {
     answer.path.push_back(position(state));
   }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "trial.h"
+#include "plan/bench/trial.h"
 
 namespace bench {
 
@@ -22,7 +22,8 @@ class OmplAdapter {
               std::uint64_t seed);
   ~OmplAdapter();
 
-  Answer plan(const geom::PlanQuery& query);  // "stopped" where the time was not enough
+  plan::bench::Answer plan(
+      const geom::PlanQuery& query);  // "stopped" where the time was not enough
 
  private:
   struct Impl;

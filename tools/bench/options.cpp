@@ -8,7 +8,9 @@
 #include "cli/option/quality_option.h"
 #include "cli/option/word_for.h"
 #include "cli/run.h"
+#include "cpu_clock.h"
 #include "geom/base/error.h"
+#include "methods.h"
 
 namespace bench {
 namespace {
@@ -20,7 +22,7 @@ void add_queries(CLI::App& app, Files& files, Options& options) {
   app.add_option("--reference", files.reference,
                  "CSV of the best lengths known, with columns id and length")
       ->needs(queries);
-  cli::add_word(app, "--set", options.random.ends, kEndsWords,
+  cli::add_word(app, "--set", options.random.ends, plan::bench::kEndsWords,
                 "random queries: uniform in free space (default); street: within 30 m of the "
                 "floor; street-blocked: as street, and the straight line is blocked")
       ->excludes(queries);
@@ -50,7 +52,7 @@ void add_queries(CLI::App& app, Files& files, Options& options) {
 
 void add_methods(CLI::App& app, Files& files, Options& options) {
   std::vector<std::string_view> names;
-  for (const KnownMethod& known : known_methods()) names.push_back(known.name);
+  for (const plan::bench::KnownMethod& known : methods()) names.push_back(known.name);
   app.add_option("--method", options.methods,
                  fmt::format("what to compare, by commas; the others are compared with the first: "
                              "{} (default auto)",
@@ -70,7 +72,7 @@ void add_methods(CLI::App& app, Files& files, Options& options) {
   app.add_option("--connectivity", options.connect, "astar: 6, 18 or 26 neighbours (default 6)")
       ->check(CLI::IsMember({6, 18, 26}));
   app.add_option(
-         "--ompl-seconds", options.method.ompl_seconds,
+         "--ompl-seconds", options.method.seconds,
          "planners of OMPL: seconds for a query; for Informed RRT*, of CPU time (default 1)")
       ->check(CLI::Range(1e-3, 1e5));
 }
@@ -98,6 +100,7 @@ void complete(Options& options, const geom::BoxMap& map) {
     options.random.length = {options.length[0], options.length[1]};
   }
   options.rule.within = options.within / 100;
+  options.rule.clock = cpu_seconds;
   options.method.seed = options.random.seed;
   options.method.spec.connectivity = static_cast<plan::Connectivity>(options.connect);
   options.method.spec.origin = map.spec().bounds.min;

@@ -9,9 +9,9 @@
 
 #include "cli/content/artefacts.h"
 #include "cli/option/degrees.h"
-#include "measure.h"
-#include "method.h"
-#include "query_set.h"
+#include "plan/bench/measure.h"
+#include "plan/bench/method.h"
+#include "plan/bench/query_set.h"
 
 namespace bench {
 
@@ -25,11 +25,11 @@ struct Files {
 };
 
 struct Options {
-  RandomSpec random;
-  TrialRule rule;
-  MethodOptions method;
+  plan::bench::RandomSpec random;
+  plan::bench::TrialRule rule;
+  plan::bench::MethodOptions method;
   std::vector<double> length;         // metres, least and most; or empty
-  std::vector<std::string> methods;   // names in known_methods()
+  std::vector<std::string> methods;   // names in bench::methods()
   std::vector<std::string> commands;  // for the shell
   double within = 1;                  // percent
   int connect = 6;                    // neighbours of a node

@@ -59,7 +59,7 @@ Exit run(const CLI::App& app, const std::function<Exit()>& body) {
 int guarded(CLI::App& app, std::string_view last_word, const std::function<int()>& body) {
   try {
     return body();
-  } catch (const UsageError& error) {
+  } catch (const geom::UsageError& error) {
     return usage(app, error.what());
   } catch (const CLI::ParseError& error) {
     return usage(app, in_words(app, error, last_word));

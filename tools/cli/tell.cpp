@@ -10,4 +10,9 @@ void tell(const Common& common, std::string_view tool, std::string_view message)
   common.note(fmt::format("{}: {}\n", tool, shown_message(message)));
 }
 
+geom::Notes notes_of(const Common& common, std::string tool) {
+  return {[&common, tool](const std::string& text) { tell(common, tool, text); },
+          [&common](const std::string& text) { common.warn(text); }};
+}
+
 }  // namespace cli

@@ -1,10 +1,13 @@
 #include "options.h"
 
+#include <cmath>
+
 #include "cli/option/format_options.h"
+#include "cli/option/map_output.h"
+#include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
 #include "cli/run.h"
 #include "geom/cloud/las_class.h"
-#include "geom/text/text_table.h"
 
 namespace cloud {
 namespace {
@@ -22,60 +25,58 @@ std::vector<cli::FormatOption> format_options() {
 
 // A class by number or name, or a group of classes.
 void add_class(const std::string& word, std::bitset<256>& classes) {
-  const auto named = geom::las_classes(word);
-  for (const std::uint8_t cls : named) classes.set(cls);
-  if (!named.empty()) return;
-  const auto number = geom::parse_number(word);
-  if (!number || !(*number >= 0 && *number <= 255) || *number != static_cast<int>(*number)) {
+  const std::bitset<256> named = geom::las_class_set(word);
+  if (named.none()) {
     throw cli::UsageError("--classes: expected numbers from 0 to 255 or names (" +
                           std::string(geom::las_class_names()) + "), found \"" + word + '"');
   }
-  classes.set(static_cast<std::size_t>(*number));
+  classes |= named;
 }
 
 void add_ground(CLI::App& app, Options& options) {
   app.add_option("--ground", options.ground, "keep (default) the ground as boxes, or drop it")
       ->check(CLI::IsMember({"keep", "drop"}));
-  app.add_option("--ground-by", options.ground_by,
+  app.add_option("--ground-by", options.draft.ground_by,
                  "what tells the ground: the file's class, its shape, or (auto, the default) the "
                  "class where a point has it, else the shape")
       ->check(CLI::IsMember({"auto", "class", "shape"}));
-  app.add_option("--ground-cell", options.ground_spec.cell,
+  app.add_option("--ground-cell", options.draft.ground.cell,
                  "cells whose lowest returns make the ground, metres (default 2)")
       ->check(CLI::Range(0.1, 1000.0));
-  app.add_option("--ground-slope", options.ground_spec.slope,
+  app.add_option("--ground-slope", options.draft.ground.slope,
                  "metres that ground may rise in a metre (default 0.1)")
       ->check(CLI::Range(0.0, 100.0));
-  app.add_option("--ground-height", options.ground_spec.height,
+  app.add_option("--ground-height", options.draft.ground.height,
                  "metres above the ground that still count as ground (default 0.3)")
       ->check(CLI::Range(0.0, 100.0));
-  app.add_option("--ground-step", options.ground_spec.step,
+  app.add_option("--ground-step", options.draft.ground.step,
                  "metres, on top of the slope, from one cell of the ground to the next (default "
                  "1): what is behind a higher step is no ground")
       ->check(CLI::Range(0.0, 100.0));
   app.add_option(
-         "--ground-widest", options.ground_spec.widest,
+         "--ground-widest", options.draft.ground.widest,
          "metres: ground is grown from the lowest places this far around, and from surfaces "
          "wider than this (default 200)")
       ->check(CLI::Range(1.0, 1e6));
 }
 
 void add_objects(CLI::App& app, Options& options) {
-  app.add_option("--tolerance", options.tolerance,
+  app.add_option("--tolerance", options.draft.tolerance,
                  "points this near to each other, metres, are one object (default 1)")
       ->check(CLI::Range(0.001, 1000.0));
-  app.add_option("--min-points", options.min_points, "drop objects of fewer points (default 1)")
+  app.add_option("--min-points", options.draft.min_points,
+                 "drop objects of fewer points (default 1)")
       ->check(CLI::Range(1, 1000000));
 }
 
 void add_columns(CLI::App& app, Options& options) {
-  app.add_option("--cell", options.columns.cell, "side of a column, metres (default 1)")
+  app.add_option("--cell", options.draft.columns.cell, "side of a column, metres (default 1)")
       ->check(CLI::Range(0.05, 1000.0));
   app.add_option(
-         "--step", options.columns.step,
+         "--step", options.draft.columns.step,
          "heights of columns are rounded outward to multiples of this, metres (default 0.5)")
       ->check(CLI::Range(0.05, 1000.0));
-  app.add_option("--gap", options.columns.gap,
+  app.add_option("--gap", options.draft.columns.gap,
                  "returns of a column that are further apart than this, metres, have free space "
                  "between them (default 2)")
       ->check(CLI::Range(0.0, 1e6));
@@ -92,7 +93,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option_function<std::vector<std::string>>(
          "--classes",
          [this](const std::vector<std::string>& words) {
-           for (const std::string& word : words) add_class(word, classes);
+           for (const std::string& word : words) add_class(word, draft.classes);
          },
          "keep only these LAS classes, by name or number: ground,building,9,…")
       ->delimiter(',')
@@ -102,9 +103,9 @@ void Options::add_to(CLI::App& app) {
       ->check(CLI::IsMember({"keep", "drop"}));
   app.add_option("--outliers", outliers,
                  "NEIGHBOURS,DEVIATIONS: drop points far from their neighbours");
-  app.add_option("--voxel", voxel, "keep one point per cube of this side, metres")
+  app.add_option("--voxel", draft.voxel, "keep one point per cube of this side, metres")
       ->check(CLI::Range(0.001, 1000.0));
-  app.add_option("--resolution", resolution,
+  app.add_option("--resolution", draft.resolution,
                  "of a COPC file: read points only until they are this near to each other, metres; "
                  "needs --allow-skipped, and grows boxes by that distance")
       ->check(CLI::Range(0.001, 1000.0));
@@ -113,28 +114,27 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--unknown", unknown, "space that was not scanned: free (default) or blocked")
       ->check(CLI::IsMember({"free", "blocked"}));
   place.add_to(app);
-  skipped.add_to(app);
-  map.add_to(app);
+  cli::add_allow_skipped(app, draft.allow_skipped);
+  cli::add_map_options(app, draft.map);
 }
 
 void Options::settle() {
-  placement = geom::CloudPlace(place.options());
-  columns.unknown_blocked = unknown == "blocked";
+  draft.place = place.options();
+  draft.columns.unknown_blocked = unknown == "blocked";
+  draft.drop_noise = noise == "drop";
+  draft.drop_ground = ground == "drop";
+  draft.objects = mode == "objects";
+  draft.ground_told = [this](const std::string& by) { require_used_ground(by); };
+  settle_outliers();
   cli::only_for(*app_, mode == "columns", {"--cell", "--step", "--gap", "--unknown"},
                 "--mode columns");
   cli::only_for(*app_, mode == "objects", {"--tolerance", "--min-points"}, "--mode objects");
-  cli::only_for(*app_, drops_ground(), {"--ground-by"}, "--ground drop");
-  if (!drops_ground() || ground_by == "class") require_used_ground("");
-  if (resolution > 0 && !each_point_alone()) {
-    throw cli::UsageError(
-        "--resolution leaves points out, so it does not go with what looks at all of them: "
-        "--outliers, --voxel, --mode objects, --unknown blocked, --scale, --bloat-percent, and "
-        "--ground drop unless by class");
-  }
+  cli::only_for(*app_, draft.drop_ground, {"--ground-by"}, "--ground drop");
+  if (!draft.drop_ground || draft.ground_by == "class") require_used_ground("");
 }
 
 void Options::settle_format(const geom::CloudFormat& known, const std::string& name) {
-  format = &known;
+  draft.format = format = &known;
   const std::string_view word = known.format->word;
   cli::require_used(*app_, format_options(), word, cli::read_as(name, word));
 }
@@ -147,45 +147,14 @@ void Options::require_used_ground(const std::string& told_by) const {
       "that of ground)");
 }
 
-bool Options::each_point_alone() const {
-  const bool whole_ground = drops_ground() && ground_by != "class";
-  return !in_memory() && !whole_ground && !columns.unknown_blocked && map.map.scale == 1 &&
-         map.map.bloat_percent == 0;
-}
-
-nlohmann::ordered_json step_of(const Options& options, const nlohmann::ordered_json& input,
-                               const std::string& ground_by, const geom::MakeMapOptions& map) {
-  nlohmann::ordered_json step = {{"tool", "skyway-cloud"}};
-  step.update(input);
-  step.update({{"format", options.format->format->word},
-               {"mode", options.mode},
-               {"cell", options.columns.cell},
-               {"step", options.columns.step},
-               {"gap", options.columns.gap},
-               {"ground", options.ground},
-               {"unknown", options.unknown}});
-  if (options.resolution > 0) step["resolution"] = options.resolution;
-  if (!options.outliers.empty()) step["outliers"] = options.outliers;
-  if (options.voxel > 0) step["voxel"] = options.voxel;
-  for (std::size_t cls = 0; cls < options.classes.size(); ++cls) {
-    if (options.classes[cls]) step["classes"].push_back(cls);
+void Options::settle_outliers() {
+  if (outliers.empty()) return;
+  const auto numbers = cli::parse_numbers(outliers, 2);
+  const double k = numbers ? (*numbers)[0] : 0;
+  if (!(k >= 1 && k <= 1000) || k != std::floor(k) || !((*numbers)[1] > 0)) {
+    throw cli::UsageError("--outliers must be NEIGHBOURS,DEVIATIONS, found \"" + outliers + "\"");
   }
-  if (options.noise == "drop") step["noise"] = options.noise;
-  if (options.drops_ground()) step["ground_by"] = ground_by;
-  if (options.drops_ground() && ground_by == "shape") {
-    step["ground_cell"] = options.ground_spec.cell;
-    step["ground_slope"] = options.ground_spec.slope;
-    step["ground_height"] = options.ground_spec.height;
-    step["ground_step"] = options.ground_spec.step;
-    step["ground_widest"] = options.ground_spec.widest;
-  }
-  if (options.mode == "objects") {
-    step["tolerance"] = options.tolerance;
-    step["min_points"] = options.min_points;
-  }
-  options.place.record(options.placement, step);
-  step.update(cli::history_of(map));
-  return step;
+  draft.outliers = {static_cast<int>(k), (*numbers)[1]};
 }
 
 }  // namespace cloud

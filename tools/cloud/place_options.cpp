@@ -62,14 +62,4 @@ geom::CloudPlaceOptions PlaceOptions::options() const {
   return out;
 }
 
-void PlaceOptions::record(const geom::CloudPlace& place, nlohmann::ordered_json& step) const {
-  if (!options_.crs.empty()) step["crs"] = options_.crs;
-  if (!place.projected_from().empty()) step["projected_from"] = place.projected_from();
-  if (place.metres().x() != 1) step["units_m"] = place.metres().x();
-  if (place.metres().z() != 1) step["vertical_units_m"] = place.metres().z();
-  if (const auto& origin = place.origin()) {
-    step["origin"] = {origin->latitude, origin->longitude, origin->height};
-  }
-}
-
 }  // namespace cloud

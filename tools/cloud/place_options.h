@@ -3,7 +3,6 @@
 // What skyway-cloud is asked of a cloud's coordinates: their unit, reference system and origin.
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "geom/cloud/cloud_place.h"
@@ -12,11 +11,8 @@ namespace cloud {
 
 class PlaceOptions {
  public:
-  void add_to(CLI::App& app);              // --crs, --units, --vertical-units, --origin
+  void add_to(CLI::App& app);               // --crs, --units, --vertical-units, --origin
   geom::CloudPlaceOptions options() const;  // throws cli::UsageError
-
-  // In the map's history, once the first points are placed.
-  void record(const geom::CloudPlace& place, nlohmann::ordered_json& step) const;
 
  private:
   void parse_origin(const std::string& text);

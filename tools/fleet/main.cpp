@@ -12,11 +12,12 @@
 #include "cli/option/output_option.h"
 #include "cli/option/spacing_options.h"
 #include "cli/run.h"
-#include "cli/shard/departure_shard.h"
+#include "cli/shard/sharding.h"
 #include "cli/tell.h"
 #include "obstacles.h"
 #include "schedule.h"
 #include "stream.h"
+#include "traj/fleet/departure_part.h"
 
 namespace {
 
@@ -173,14 +174,15 @@ cli::Exit schedule_fleet(const Options& options, const cli::Sharding& sharding,
   fleet::Obstacles obstacles = read_obstacles(options, stream, common);
   obstacles.close(flights);
   const double read_s = clock.lap();
-  const std::vector<cli::ShardFile> shards = sharding.shards();
+  const std::vector<geom::ShardFile> shards = sharding.shards();
   const traj::FleetConflicts conflicts =
       shards.empty() ? traj::fleet_conflicts(flights, options.spacing, options.parked,
                                              sharding.shard(), common.execution("pairs"))
-                     : cli::joined_departures(shards, flights.size());
+                     : traj::joined_departures(shards, flights.size());
   const double pairs_s = clock.lap();
   if (sharding.asked()) {
-    cli::write_shard(sharding, options.output, conflicts, flights.size());
+    sharding.write(options.output, "output", "departures",
+                   traj::arrays_of(conflicts, flights.size()));
     common.write_stats({{"near", conflicts.looked_at}, {"pairs_s", pairs_s}});
     return cli::Exit::yes;
   }

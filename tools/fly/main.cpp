@@ -78,7 +78,7 @@ void write_gains(const cli::Common& common, const fly::Mission& mission, const s
 void write_runs(const cli::Common& common, const fly::Mission& mission,
                 const cli::Sharding& sharding, int runs, const std::string& output) {
   const auto flown = mission.fly_runs(sharding.shard(), common.execution("trajectories"));
-  cli::write_shard(sharding, output, flown, runs);
+  sharding.write(output, "output", "runs", traj::arrays_of(flown, runs));
   common.write_stats({{"trajectories", flown.size()}});
 }
 
@@ -140,12 +140,12 @@ int main(int argc, char** argv) {
       map = cli::open_map(inputs.map, geom::Verified::contents, common.execution("verify"));
     }
     if (const auto done = sharding.finished(common)) return *done;
-    std::vector<cli::ShardFile> shards = sharding.shards();
+    std::vector<geom::ShardFile> shards = sharding.shards();
     const bool runs_only = sharding.asked() && options.runs > 0;
     fly::Mission mission(options, vehicle, map);
     cli::InputFile file(inputs.trajectories);
     const std::size_t total = mission.read(file, runs_only ? geom::Shard() : sharding.shard());
-    if (!shards.empty()) mission.take(cli::JoinedRuns(std::move(shards)));
+    if (!shards.empty()) mission.take(traj::JoinedRuns(std::move(shards)));
     if (!options.tune && !runs_only) {
       return write_flights(common, mission, sharding, total, output, report);
     }

@@ -167,7 +167,7 @@ std::vector<std::vector<traj::RunOutcome>> Mission::fly_runs(const geom::Shard& 
   return out;
 }
 
-void Mission::take(cli::JoinedRuns runs) {
+void Mission::take(traj::JoinedRuns runs) {
   const auto solved = static_cast<std::size_t>(std::count_if(
       entries_.begin(), entries_.end(),
       [](const Entry& entry) { return entry.record.status == traj::TrajectoryStatus::solved; }));

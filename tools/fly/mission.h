@@ -11,8 +11,8 @@
 #include "cli/file/files.h"
 #include "cli/option/scenes.h"
 #include "cli/shard/record_output.h"
-#include "cli/shard/run_shard.h"
 #include "options.h"
+#include "traj/flight/run_part.h"
 #include "traj/record/flight_report.h"
 #include "traj/record/trajectory_record.h"
 
@@ -39,7 +39,7 @@ class Mission {
                                                       const geom::Execution& run) const;
 
   // Runs that need not be flown. Throws geom::InputError where they are not of these trajectories.
-  void take(cli::JoinedRuns runs);
+  void take(traj::JoinedRuns runs);
 
   // The log's rows of each flight and a line of the report each, in order.
   Tally fly(const geom::Execution& run, cli::RecordOutput& log, cli::RecordOutput* report);
@@ -70,7 +70,7 @@ class Mission {
   std::optional<cli::Scenes> scenes_;
   std::string source_;
   std::vector<Entry> entries_;
-  std::optional<cli::JoinedRuns> joined_;
+  std::optional<traj::JoinedRuns> joined_;
 };
 
 }  // namespace fly

@@ -1,22 +1,18 @@
 // skyway-footprints: building footprints, city models and height models become box maps.
 
-#include <fmt/format.h>
-
-#include <filesystem>
-
-#include "cli/file/hashed_input.h"
+#include "cli/file/files.h"
 #include "cli/option/format_options.h"
 #include "cli/option/map_output.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
-#include "cli/option/skipped_option.h"
 #include "cli/option/units.h"
 #include "cli/run.h"
-#include "cli/shard/map_shard.h"
+#include "cli/shard/sharding.h"
 #include "cli/tell.h"
 #include "geom/base/error.h"
-#include "geom/gis/place_footprints.h"
+#include "geom/gis/draft_footprints.h"
 #include "geom/gis/read_footprints.h"
+#include "geom/map/map_part.h"
 
 namespace {
 
@@ -41,31 +37,26 @@ std::vector<cli::FormatOption> format_options() {
 struct Options {
   std::string input;
   std::string output = "-";
-  const geom::gis::FootprintFormat* format = nullptr;  // null: found out
-  geom::gis::ReadOptions read;
-  double slack = 0.5;  // metres
-  std::string terrain;
+  geom::gis::FootprintDraftOptions draft;
   std::string origin;
   std::string height_units;
   std::string axes;
-  bool metres = false;
   CLI::Option* default_height = nullptr;
-  cli::SkippedOption skipped;
-  cli::MapOptions map;
 
   void add_to(CLI::App& app);
-  std::optional<geom::Vec2> place() const;  // latitude, longitude of the origin, where given
+  void settle();  // once parsed; throws cli::UsageError
 };
 
 void Options::add_to(CLI::App& app) {
+  geom::gis::ReadOptions& read = draft.read;
   app.add_option(
          "file", input,
          "GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OSM .pbf, CityJSON, CityGML or a GeoTIFF "
          "of heights")
       ->required();
   cli::add_output(app, "-o,--output", output, "box map to write (default: stdout)");
-  cli::add_format(app, geom::gis::footprint_formats(), format);
-  app.add_option("--slack", slack,
+  cli::add_format(app, geom::gis::footprint_formats(), draft.format);
+  app.add_option("--slack", read.slack,
                  "how far boxes may reach outside a footprint, metres (default 0.5)")
       ->check(CLI::Range(0.01, 100.0));
   app.add_option("--height-attribute", read.height.attribute,
@@ -81,7 +72,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--height-step", read.height_step,
                  "round the cells of a height model up to multiples of this, metres (default 0.5)")
       ->check(CLI::Range(0.0, 100.0));
-  app.add_option("--terrain", terrain, "GeoTIFF of the ground that footprints stand on");
+  app.add_option("--terrain", draft.terrain, "GeoTIFF of the ground that footprints stand on");
   app.add_option("--origin", origin,
                  "LATITUDE,LONGITUDE of the map's origin (default: the middle)");
   app.add_option("--height-units", height_units,
@@ -92,14 +83,14 @@ void Options::add_to(CLI::App& app) {
                  "which coordinate of a city model comes first (default: what its coordinate "
                  "reference system says)")
       ->check(CLI::IsMember({"east-north", "north-east"}));
-  app.add_flag("--metres", metres,
+  app.add_flag("--metres", draft.metres,
                "numbers without a coordinate reference system are metres even if they look like "
                "degrees");
-  skipped.add_to(app);
-  map.add_to(app);
+  cli::add_allow_skipped(app, draft.allow_skipped);
+  cli::add_map_options(app, draft.map);
 }
 
-std::optional<geom::Vec2> Options::place() const {
+std::optional<geom::Vec2> place_of(const std::string& origin) {
   if (origin.empty()) return std::nullopt;
   const auto numbers = cli::parse_numbers(origin, 2);
   if (!numbers || std::abs((*numbers)[0]) > 90 || std::abs((*numbers)[1]) > 180) {
@@ -109,91 +100,16 @@ std::optional<geom::Vec2> Options::place() const {
   return geom::Vec2((*numbers)[0], (*numbers)[1]);
 }
 
-std::string hash_of(const std::string& path) {
-  cli::InputFile file(path);
-  return cli::HashedInput(file).hash();
-}
-
-// By their names alone, which are the same in any folder.
-nlohmann::ordered_json hashes_of(const std::vector<std::string>& paths) {
-  nlohmann::ordered_json out;
-  for (const std::string& path : paths) {
-    out[std::filesystem::path(path).filename().string()] = hash_of(path);
+void Options::settle() {
+  draft.read.origin = place_of(origin);
+  if (!height_units.empty()) draft.read.height_unit = cli::kMetres.at(height_units);
+  if (!axes.empty()) {
+    draft.read.axes =
+        axes == "east-north" ? geom::gis::Axes::east_north : geom::gis::Axes::north_east;
   }
-  return out;
-}
-
-nlohmann::ordered_json step_of(const std::string& hash, const Options& options,
-                               const geom::gis::Source& source, const geom::MakeMapOptions& map) {
-  nlohmann::ordered_json step = {{"tool", "skyway-footprints"},
-                                 {"input", hash},
-                                 {"format", options.format->format->word},
-                                 {"slack", options.slack},
-                                 {"storey", options.read.height.storey},
-                                 {"default_height", options.read.height.default_height}};
-  if (!source.beside.empty()) step["beside"] = hashes_of(source.beside);
-  if (!options.terrain.empty()) step["terrain"] = hash_of(options.terrain);
-  if (options.read.height_unit) step["height_units_m"] = *options.read.height_unit;
-  step.update(cli::history_of(map));
-  return step;
-}
-
-// What was read, in numbers; warns of what is worth knowing.
-nlohmann::ordered_json counts_of(const geom::gis::Source& source, const Options& options,
-                                 const std::string& name, const cli::Common& common) {
-  nlohmann::ordered_json counts = {{"format", options.format->format->word},
-                                   {"footprints", source.footprints.size()}};
-  std::string report;
-  for (const auto& [what, n] : source.counts) {
-    counts[what] = n;
-    report += fmt::format("; {}: {}", what, n);
-  }
-  if (!report.empty()) {
-    cli::tell(common, "skyway-footprints",
-              fmt::format("{}: footprints: {}{}", name, source.footprints.size(), report));
-  }
-  for (const std::string& warning : source.warnings) common.warn(name + ": " + warning);
-  if (!source.defaults.empty()) {
-    common.warn(fmt::format("{}: {} m is taken where nothing tells the height: {}", name,
-                            options.read.height.default_height, source.defaults.text()));
-  }
-  if (!source.skipped.empty()) counts["skipped"] = source.skipped.count();
-  return counts;
-}
-
-// A source in the coordinates of the map.
-struct City {
-  geom::gis::Source source;
-  geom::Frame frame;
-};
-
-// The shard's part of the source, on the ground where there is a terrain.
-City city_of(geom::gis::Source source, const Options& options,
-             const std::optional<geom::Vec2>& origin, const std::string& name,
-             const cli::Sharding& sharding) {
-  if (options.metres && !source.crs.empty()) {
-    throw cli::UsageError(
-        fmt::format("--metres is for numbers without a coordinate reference "
-                    "system, and {} names one: leave it out",
-                    name));
-  }
-  const geom::gis::Projector projector(source, name, origin, options.metres);
-  const geom::MakeMapOptions map = options.map.make();
-  std::optional<double> floor = map.floor;
-  if (map.bounds) floor = map.bounds->min.z();
-  if (floor) *floor /= map.scale;
-  geom::gis::sink_ground(source.footprints, floor);
-  if (sharding.asked()) geom::gis::keep_shard(source.footprints, sharding.shard());
-  geom::gis::project(source, projector, options.slack);
-  if (!options.terrain.empty()) {
-    const geom::gis::Terrain terrain(options.terrain, options.terrain, options.read);
-    geom::gis::lift(source, terrain, projector.frame().crs);
-  }
-  geom::gis::check_sizes(source, options.slack, name);
-  for (const geom::Footprint& f : source.footprints) {
-    if (geom::uneven_by(f, options.slack) > options.slack / 2) ++source.counts["surfaces_uneven"];
-  }
-  return {std::move(source), projector.frame()};
+  draft.default_height_chosen = default_height->count() > 0;
+  draft.open = cli::open_input;
+  if (input == "-") throw cli::UsageError("footprints are read from a file, not from stdin");
 }
 
 }  // namespace
@@ -207,50 +123,28 @@ int main(int argc, char** argv) {
   cli::Sharding sharding;
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    const std::optional<geom::Vec2> origin = options.place();
-    options.read.origin = origin;
-    options.read.slack = options.slack;
-    if (!options.height_units.empty()) {
-      options.read.height_unit = cli::kMetres.at(options.height_units);
-    }
-    if (!options.axes.empty())
-      options.read.axes =
-          options.axes == "east-north" ? geom::gis::Axes::east_north : geom::gis::Axes::north_east;
-    if (options.input == "-")
-      throw cli::UsageError("footprints are read from a file, not from stdin");
-    sharding.begin(app, {{"file", options.input}, {"terrain", options.terrain}},
+    options.settle();
+    sharding.begin(app, {{"file", options.input}, {"terrain", options.draft.terrain}},
                    {{"output", options.output}});
     if (const auto done = sharding.finished(common)) return *done;
     cli::InputFile file(options.input);
-    cli::HashedInput hashed(file);
+    geom::HashedStream hashed(file.stream());
     if (hashed.head().empty()) throw geom::InputError(file.name(), {.says = "the file is empty"});
-    if (!options.format) {
-      options.format = &geom::gis::footprint_format_of(hashed.head(), options.input);
+    if (!options.draft.format) {
+      options.draft.format = &geom::gis::footprint_format_of(hashed.head(), options.input);
     }
-    const std::string_view word = options.format->format->word;
+    const std::string_view word = options.draft.format->format->word;
     cli::require_used(app, format_options(), word, cli::read_as(file.name(), word));
-    const City city =
-        city_of(geom::gis::read(*options.format, {options.input, file.name(), hashed.stream()},
-                                options.read),
-                options, origin, file.name(), sharding);
-    const geom::MakeMapOptions map = options.map.make();
-    nlohmann::ordered_json stats = counts_of(city.source, options, file.name(), common);
-    nlohmann::ordered_json step = step_of(hashed.hash(), options, city.source, map);
-    options.skipped.settle(city.source.skipped, file.name(), common, step);
-    if (options.default_height->count() == 0) {
-      geom::gis::require_heights(city.source, file.name());
-    }
-    const std::string history = nlohmann::ordered_json::array({step}).dump();
-    geom::BoxTable table =
-        geom::boxes_of(city.source.footprints, options.slack, common.execution("footprints"));
+    options.draft.shard = sharding.shard();
+    geom::MapDraft draft = geom::gis::draft_footprints(options.input, hashed, options.draft,
+                                                       cli::notes_of(common, "skyway-footprints"),
+                                                       common.execution("footprints"));
     if (sharding.asked()) {
-      cli::write_shard(sharding, options.output, table, {city.frame, history, map});
-      common.write_stats(std::move(stats));
-      return cli::Exit::yes;
+      sharding.write(options.output, "output", "boxes", geom::arrays_of(draft));
+      common.write_stats(cli::to_json(draft.facts));
+    } else {
+      cli::write_map(common, options.output, std::move(draft));
     }
-    const geom::MadeMap made =
-        geom::make_map(std::move(table), city.frame, history, file.name(), map);
-    cli::write_map(common, options.output, made, file.name(), stats);
     return cli::Exit::yes;
   });
 }

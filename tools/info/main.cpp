@@ -7,14 +7,14 @@
 #include <map>
 #include <sstream>
 
-#include "cli/content/describe.h"
 #include "cli/file/files.h"
-#include "cli/file/hashed_input.h"
 #include "cli/file/recognise.h"
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
 #include "geom/base/error.h"
+#include "geom/base/hashed_stream.h"
 #include "geom/map/box_map_file.h"
+#include "geom/map/description.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
 #include "plan/lattice/lattice_file.h"
@@ -49,7 +49,7 @@ Json describe_roadmap(const geom::ArrayArchive& archive, bool verify) {
 }
 
 Json describe_shard(const geom::ArrayArchive& archive) {
-  const cli::ShardFile shard = cli::read_shard(archive);
+  const geom::ShardFile shard = geom::read_shard(archive);
   return {{"type", "shard"},
           {"shard", fmt::format("{}/{}", shard.shard.index + 1, shard.shard.count)},
           {"tool", shard.work.tool},
@@ -58,7 +58,7 @@ Json describe_shard(const geom::ArrayArchive& archive) {
           {"inputs", shard.work.inputs},
           {"output", shard.output},
           {"kind", shard.kind},
-          {"exit", static_cast<int>(shard.exit)}};
+          {"exit", shard.yes ? 0 : 1}};
 }
 
 Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
@@ -66,13 +66,13 @@ Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
   Json out;
   if (geom::is_box_map(archive)) {
     const geom::BoxMap map = geom::read_box_map(archive);
-    out = cli::describe(map);
+    out = geom::description(map);
     if (verify) map.require(geom::Verified::contents, cli::all_cores());
   } else if (plan::is_lattice(archive)) {
     out = describe_lattice(archive, verify);
   } else if (plan::is_roadmap(archive)) {
     out = describe_roadmap(archive, verify);
-  } else if (cli::is_shard(archive)) {
+  } else if (geom::is_shard(archive)) {
     out = describe_shard(archive);
   } else {
     throw geom::InputError(
@@ -113,7 +113,7 @@ Json describe_foreign(const geom::Format& format, std::string_view head) {
 
 Json describe_file(const std::string& input, bool verify) {
   cli::InputFile file(input);
-  cli::HashedInput in(file);
+  geom::HashedStream in(file.stream());
   const geom::Format* format = cli::recognise_file(input);
   if (!format) format = cli::recognise(in.head());
   const bool archive = in.head().starts_with("PK");
@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     const Json out = describe_file(input, verify);
     cli::OutputFile print("-", cli::OutputKind::text);
-    print.stream() << (json ? out.dump() + '\n' : cli::as_lines(out));
+    print.stream() << (json ? out.dump() + '\n' : geom::as_lines(out));
     print.commit();
     return cli::Exit::yes;
   });

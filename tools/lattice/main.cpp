@@ -20,8 +20,7 @@ plan::LatticeCounts write_shard(const cli::Sharding& sharding, const std::string
                                 const geom::CollisionScene& scene, const plan::LatticeSpec& spec,
                                 const geom::Execution& run) {
   const plan::LatticePart part = plan::build_lattice_part(scene, spec, sharding.shard(), run);
-  const plan::PartArrays written = plan::arrays_of(part);
-  sharding.write(output, "output", "lattice", written.meta, written.arrays, cli::Exit::yes);
+  sharding.write(output, "output", "lattice", plan::arrays_of(part));
   return part.blocks.counts;
 }
 

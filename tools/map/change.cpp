@@ -3,12 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <iterator>
 #include <set>
-#include <span>
 #include <vector>
 
 #include "cli/file/files.h"
@@ -16,6 +12,8 @@
 #include "cli/option/output_option.h"
 #include "geom/base/error.h"
 #include "geom/import/box_csv.h"
+#include "geom/map/derive.h"
+#include "geom/map/difference.h"
 #include "geom/map/join.h"
 #include "geom/record/flight_time.h"
 #include "geom/text/json_line.h"
@@ -30,68 +28,24 @@ using geom::BoxMap;
 using geom::BoxTable;
 using Json = nlohmann::ordered_json;
 
-// A box with its label, in an order that no tile size changes.
-struct Entry {
-  std::array<double, 6> box;
-  std::string label;
-  geom::TimeSpan time;
-  std::uint64_t id;
-
-  friend bool operator<(const Entry& a, const Entry& b) {
-    return std::tie(a.box, a.label, a.time) < std::tie(b.box, b.label, b.time);
-  }
-};
-
-std::vector<Entry> entries(const BoxMap& map) {
-  std::vector<Entry> out;
-  const auto boxes = map.boxes();
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Aabb& b = boxes[i];
-    out.push_back({{b.min[0], b.min[1], b.min[2], b.max[0], b.max[1], b.max[2]},
-                   map.labels()[map.label()[i]],
-                   map.time(i),
-                   map.ids()[i]});
-  }
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
-std::string line_of(const char* change, const Entry& entry) {
-  geom::JsonLine line;
-  line.add("type", "box").add("change", change).add("id", entry.id);
-  line.add("min", std::span(entry.box).first(3)).add("max", std::span(entry.box).last(3));
-  line.add("label", entry.label);
-  if (std::isfinite(entry.time.from)) line.add("from", entry.time.from);
-  if (std::isfinite(entry.time.until)) line.add("until", entry.time.until);
-  return line.line();
-}
-
 cli::Exit run_diff(const std::string& before, const std::string& after, const std::string& output,
                    const cli::Common& common) {
   cli::at_most_one_stdin({before, after});
   const BoxMap a = open(before, common);
   const BoxMap b = open(after, common);
-  const bool same_place = a.spec().frame == b.spec().frame;
-  const bool same_bounds = a.spec().bounds == b.spec().bounds;
-  const bool same_epoch = a.spec().epoch == b.spec().epoch;
-  const auto was = entries(a);
-  const auto is = entries(b);
-  std::vector<Entry> removed;
-  std::vector<Entry> added;
-  std::set_difference(was.begin(), was.end(), is.begin(), is.end(), std::back_inserter(removed));
-  std::set_difference(is.begin(), is.end(), was.begin(), was.end(), std::back_inserter(added));
+  const geom::MapDifference change = geom::difference(a, b);
   cli::OutputFile out(output, cli::OutputKind::text);
-  for (const Entry& entry : removed) out.stream() << line_of("removed", entry);
-  for (const Entry& entry : added) out.stream() << line_of("added", entry);
+  for (const auto& box : change.removed) out.stream() << geom::to_json_line("removed", box);
+  for (const auto& box : change.added) out.stream() << geom::to_json_line("added", box);
   geom::JsonLine summary;
-  summary.add("type", "diff").add("removed", removed.size()).add("added", added.size());
-  summary.add("same_frame", same_place).add("same_bounds", same_bounds);
-  if (a.spec().epoch || b.spec().epoch) summary.add("same_epoch", same_epoch);
+  summary.add("type", "diff").add("removed", change.removed.size());
+  summary.add("added", change.added.size()).add("same_frame", change.same_frame);
+  summary.add("same_bounds", change.same_bounds);
+  if (a.spec().epoch || b.spec().epoch) summary.add("same_epoch", change.same_epoch);
   out.stream() << summary.line();
   out.commit();
-  common.write_stats({{"removed", removed.size()}, {"added", added.size()}});
-  const bool same = removed.empty() && added.empty() && same_place && same_bounds && same_epoch;
-  return same ? cli::Exit::yes : cli::Exit::no;
+  common.write_stats({{"removed", change.removed.size()}, {"added", change.added.size()}});
+  return change.none() ? cli::Exit::yes : cli::Exit::no;
 }
 
 struct Changes {
@@ -100,11 +54,8 @@ struct Changes {
   std::string keep_out;
   std::string fence;
   std::string epoch;
-  bool local = false;
-  bool far = false;
+  geom::VolumeOptions volumes;
   cli::MetresOption metres;
-  double slack = 0.5;
-  std::optional<double> zero_height;
 };
 
 // "1,2,3", or a file of ids between white space and commas.
@@ -193,7 +144,7 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   cli::at_most_one_stdin({files.map, changes.add, changes.keep_out, changes.fence});
   const BoxMap map = open(files.map, common);
   BoxTable table = geom::table_of(map);
-  Json step = {{"tool", "skyway-map patch"}, {"input", map.hash()}};
+  Json step = geom::derived_step("patch", map);
   Json stats;
   if (!changes.remove.empty()) {
     step["removed"] = stats["removed"] = remove(table, changes.remove, files.map);
@@ -211,17 +162,16 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   }
   geom::BoxMapSpec spec = map.spec();
   if (!changes.epoch.empty()) set_epoch(spec, changes.epoch, files.map, step);
-  if (changes.zero_height && changes.keep_out.empty()) {
+  if (changes.volumes.zero_height && changes.keep_out.empty()) {
     throw cli::UsageError("--zero-height: expected --keep-out with volumes of ASTM F3548");
   }
-  const Volumes volumes{spec, changes.slack, changes.zero_height, changes.far};
   if (!changes.keep_out.empty()) {
-    add("keep_out", volumes.keep_out(changes.keep_out, changes.local, changes.metres, common));
+    add("keep_out", keep_out(changes.keep_out, spec, changes.volumes, changes.metres, common));
   }
-  if (!changes.fence.empty()) add("fence", volumes.fence(changes.fence));
+  if (!changes.fence.empty()) add("fence", fence(changes.fence, spec, changes.volumes));
   if (table.boxes.empty())
     throw geom::InputError(files.map, {.says = "the patch leaves no boxes at all"});
-  write(files, spec, table, step);
+  write(files, geom::derived(std::move(spec), table, std::move(step)));
   common.write_stats(stats);
 }
 
@@ -256,21 +206,21 @@ Verb patch(CLI::App& app, const cli::Common& common) {
       "no-fly volumes: GeoJSON (lower, upper: metres; from, until: times), or Volume4D "
       "of ASTM F3548; they become boxes labelled keep-out");
   verb->add_option(
-          "--zero-height", changes->zero_height,
+          "--zero-height", changes->volumes.zero_height,
           "height of the map's z = 0 above the ellipsoid, metres, for volumes of ASTM F3548")
       ->check(CLI::Range(-1e4, 1e5));
   verb->add_option("--epoch", changes->epoch,
                    "the instant that the map's times count from (RFC 3339, UTC)");
-  verb->add_flag("--keep-out-local", changes->local,
+  verb->add_flag("--keep-out-local", changes->volumes.local,
                  "its coordinates are the map's metres, not longitude and latitude");
-  verb->add_flag("--far", changes->far,
+  verb->add_flag("--far", changes->volumes.far,
                  "volumes and fences may lie anywhere; without it, those are refused that are not "
                  "near the map");
   changes->metres.add_to(*verb);
   verb->add_option("--fence", changes->fence,
                    "fences of a QGroundControl plan or a WPL file; what they forbid becomes boxes "
                    "labelled fence, from the bottom of the map to its top");
-  verb->add_option("--slack", changes->slack,
+  verb->add_option("--slack", changes->volumes.slack,
                    "how far boxes may reach outside a volume, metres (default 0.5)")
       ->check(CLI::Range(0.01, 100.0));
   return {verb, [=, &common] {

@@ -1,12 +1,11 @@
 // Looking at maps: info, to-csv, to-geojson, to-sdf.
 
-#include "cli/content/describe.h"
 #include "cli/file/files.h"
 #include "geom/import/box_csv.h"
 #include "geom/map/box_geojson.h"
 #include "geom/map/box_sdf.h"
+#include "geom/map/description.h"
 #include "geom/map/join.h"
-#include "geom/map/statistics.h"
 #include "geom/text/counted.h"
 #include "verbs.h"
 
@@ -14,45 +13,8 @@ namespace verbs {
 namespace {
 
 using geom::BoxMap;
-using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kCollisionBytes = 150;  // a box, about
-constexpr std::size_t kManyBoxes = 1000000;   // beyond, overlaps are counted when asked for
-
-Json quartet(const geom::Quartet& q) {
-  return {{"min", q.least}, {"median", q.median}, {"mean", q.mean}, {"max", q.most}};
-}
-
-// The steps of the history that say what unknown space became.
-Json unknown_of(const BoxMap& map) {
-  Json out = Json::array();
-  for (const Json& step : cli::history_of(map)) {
-    if (step.is_object() && step.contains("unknown")) out.push_back(step["unknown"]);
-  }
-  return out;
-}
-
-Json description(const BoxMap& map, bool all) {
-  Json out = cli::describe(map);
-  const Json history = out["history"];
-  out.erase("history");
-  const geom::MapStatistics stats = geom::statistics(map);
-  out["heights_m"] = quartet(stats.height);
-  out["boxes_per_tile"] = quartet(stats.boxes_per_tile);
-  out["flat"] = stats.flat;
-  if (all || map.size() <= kManyBoxes) {
-    const geom::Overlaps overlaps = geom::overlaps(map);
-    out["overlapping_pairs"] = overlaps.pairs;
-    out["contained"] = overlaps.contained;
-  }
-  const Json unknown = unknown_of(map);
-  if (!unknown.empty()) out["unknown"] = unknown;
-  if (stats.unknown > 0) out["unknown_boxes"] = stats.unknown;
-  out["file_bytes"] = map.size() * (sizeof(geom::Aabb) + 12);
-  out["collision_bytes"] = map.size() * kCollisionBytes;  // once every tile is touched
-  out["history"] = history;
-  return out;
-}
+constexpr std::size_t kManyBoxes = 1000000;  // beyond, overlaps are counted when asked for
 
 }  // namespace
 
@@ -75,9 +37,9 @@ Verb info(CLI::App& app, const cli::Common& common) {
   return {verb, [=, &common] {
             const BoxMap map =
                 cli::open_map(files->map, geom::Verified::extents, common.execution("verify"));
-            const Json out = description(map, flags->all);
+            const auto out = geom::full_description(map, flags->all || map.size() <= kManyBoxes);
             cli::OutputFile file(files->output, cli::OutputKind::text);
-            file.stream() << (flags->json ? out.dump() + '\n' : cli::as_lines(out));
+            file.stream() << (flags->json ? out.dump() + '\n' : geom::as_lines(out));
             file.commit();
             return cli::Exit::yes;
           }};

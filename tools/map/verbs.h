@@ -45,8 +45,7 @@ geom::BoxMap open(const std::string& map, const cli::Common& common);
 // Says of what has no times that boxes which the map has for a time are in it as always there.
 void warn_of_times(const std::string& name, const geom::BoxMap& map, const cli::Common& common);
 
-// Writes a map made of files.map, whose place it may take, with one more step in its history.
-void write(const Files& files, geom::BoxMapSpec spec, const geom::BoxTable& table,
-           nlohmann::ordered_json step);
+// Writes a map made of files.map, whose place it may take.
+void write(const Files& files, const geom::BoxMap& made);
 
 }  // namespace verbs

@@ -64,6 +64,14 @@ void bind_map(py::module_& module) {
       "read_box_map",
       [](const std::string& path) { return cli::open_map(path, geom::Verified::extents); },
       py::arg("path"), py::call_guard<py::gil_scoped_release>());
+  module.def(
+      "write_box_map",
+      [](const std::string& path, const BoxMap& map) {
+        cli::OutputFile out(path, cli::OutputKind::artefact);
+        geom::write_box_map(out.stream(), map);
+        out.commit();
+      },
+      py::arg("path"), py::arg("map"), py::call_guard<py::gil_scoped_release>());
 }
 
 // The masks of all nodes, x fastest: what docs/formats.md packs, and bit 31 for the node itself.

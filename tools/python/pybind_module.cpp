@@ -6,17 +6,12 @@
 
 #include <cmath>
 #include <system_error>
-#include <thread>
 
 #include "cli/option/degrees.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
 
 namespace binding {
-
-geom::Execution on_threads(unsigned threads) {
-  return {threads ? threads : std::max(1u, std::thread::hardware_concurrency()), {}};
-}
 
 void require_metres(const geom::Frame& frame, std::span<const geom::Vec3> points,
                     const std::string& what) {
@@ -111,7 +106,7 @@ void bind_input_error(py::module_& module) {
 
 void bind_errors(py::module_& module) {
   bind_input_error(module);
-  py::register_exception<cli::UsageError>(module, "UsageError", PyExc_ValueError);
+  py::register_exception<geom::UsageError>(module, "UsageError", PyExc_ValueError);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
@@ -129,6 +124,7 @@ PYBIND11_MODULE(_skyway, module) {
   module.attr("__version__") = SKYWAY_VERSION;
   binding::bind_errors(module);
   binding::bind_artefacts(module);
+  binding::bind_import_boxes(module);
   binding::bind_scene(module);
   binding::bind_records(module);
   binding::bind_flight_log(module);

@@ -22,6 +22,7 @@ namespace py = pybind11;
 
 void bind_errors(py::module_& module);
 void bind_artefacts(py::module_& module);  // box maps, lattices, roadmaps
+void bind_import_boxes(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_records(py::module_& module);  // paths, trajectories, queries
 void bind_flight_log(py::module_& module);

@@ -76,8 +76,7 @@ void write_shard(const cli::Sharding& sharding, const cli::Common& common,
                  const plan::RoadmapSpec& spec) {
   const plan::Roadmap part =
       plan::build_roadmap_part(scene, spec, sharding.shard(), common.execution("bends"));
-  const plan::PartArrays written = plan::arrays_of(part);
-  sharding.write(output, "output", "roadmap", written.meta, written.arrays, cli::Exit::yes);
+  sharding.write(output, "output", "roadmap", plan::arrays_of(part));
   common.write_stats({{"bends", part.bends()}, {"edges", part.edge_to.size()}});
 }
 

@@ -1,6 +1,9 @@
 #include "geom/cloud/las_class.h"
 
 #include <array>
+#include <cmath>
+
+#include "geom/text/text_table.h"
 
 namespace geom {
 namespace {
@@ -45,6 +48,16 @@ std::span<const std::uint8_t> las_classes(std::string_view name) {
     if (named.name == name) return {named.classes.data(), named.count};
   }
   return {};
+}
+
+std::bitset<256> las_class_set(std::string_view word) {
+  std::bitset<256> out;
+  for (const std::uint8_t cls : las_classes(word)) out.set(cls);
+  if (out.any()) return out;
+  const auto number = parse_number(word);
+  const bool known = number && *number >= 0 && *number <= 255 && *number == std::floor(*number);
+  if (known) out.set(static_cast<std::size_t>(*number));
+  return out;
 }
 
 std::string_view las_class_names() { return kText; }

@@ -40,7 +40,7 @@ class ShardingTest : public testing::Test {
     const auto done = sharding.finished(common);
     const std::vector<std::uint8_t> bytes = {1, 2, 3};
     const geom::NamedArray array = geom::named_array<std::uint8_t>("text", bytes);
-    if (!done) sharding.write(output, "output", "records", "{}", {&array, 1}, exit);
+    if (!done) sharding.write(output, "output", "records", {"{}", {array}, {}}, exit);
     return done;
   }
 
@@ -76,7 +76,7 @@ TEST_F(ShardingTest, NamesNoPath) {
   run("--shard 1/2 --size 5 --vehicle " + path("craft.json"));
   const geom::ArrayArchive archive = open_archive(path("shard"));
   EXPECT_EQ(archive.meta().find("sharding_test"), std::string_view::npos) << archive.meta();
-  const ShardFile shard = read_shard(archive);
+  const geom::ShardFile shard = geom::read_shard(archive);
   EXPECT_EQ(shard.work.options.dump(), R"({"size":["5"]})");
   EXPECT_TRUE(shard.work.inputs.contains("vehicle"));
   EXPECT_EQ(shard.shard, (geom::Shard{0, 2}));

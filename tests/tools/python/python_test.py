@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import warnings
 
 import numpy
 
@@ -260,6 +261,118 @@ def test_exports_are_those_of_the_tool(out, scene):
     assert not refused["ok"] and refused["reason"] == "bounds" and refused["place"][2] <= -49, refused
 
 
+def option(name, value):
+    """A keyword argument as the option of a tool."""
+    if value is True:
+        return [f"--{name.replace('_', '-')}"]
+    words = list(value) if isinstance(value, (list, tuple)) else [value]
+    if name == "bounds":
+        words = [x for corner in value for x in corner]
+    if isinstance(value, (list, tuple)):
+        words = [",".join(map(str, words))]
+    return [f"--{name.replace('_', '-')}={word}" for word in words]
+
+
+OBJ = "o house\n" + "".join(f"v {x} {y} {z}\n" for x in (0, 8) for y in (0, 6) for z in (0, 3)) + \
+    "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n"
+WORLD = """<sdf version="1.9"><world name="w"><include><uri>model://hut</uri></include></world></sdf>"""
+HUT = """<sdf version="1.9"><model name="hut"><static>true</static><pose>3 4 1 0 0 0.3</pose><link name="l">
+  <collision name="c"><geometry><box><size>2 3 2</size></box></geometry></collision></link></model></sdf>"""
+SHIPPED = source_dir / "tests/golden/data"
+
+
+def test_maps_are_those_of_the_tools(out):
+    """The same boxes and history, and so the same hash, of every kind of source, whatever the options."""
+    (pathlib.Path(out) / "house.obj").write_text(OBJ)
+    (pathlib.Path(out) / "hut.world").write_text(WORLD)
+    (pathlib.Path(out) / "models/hut").mkdir(parents=True)
+    (pathlib.Path(out) / "models/hut/model.sdf").write_text(HUT)
+    box = ((0, 0, 0), (60, 60, 30))
+    cases = [
+        ("import", skyway.import_boxes, "village.csv", {}),
+        ("import", skyway.import_boxes, "village.csv", {"frame": "enu", "seal": 0, "ceiling": 90, "inflate": 0.5}),
+        ("import", skyway.import_boxes, "boxes.csv", {"format": "box-csv", "units": "ft", "pad": 3, "tile": 50}),
+        ("import", skyway.import_boxes, "corner.bt", {"unknown": "blocked"}),
+        ("import", skyway.import_boxes, "voxels.3dmap", {"scale": 0.5, "bloat_percent": 10}),
+        ("import", skyway.import_boxes, "pocket.txt", {}),
+        ("import", skyway.import_boxes, f"{out}/hut.world", {"model_path": [f"{out}/models"], "slack": 0.05,
+                                                             "ceiling": 20}),
+        ("footprints", skyway.import_footprints, "blocks.geojson", {"allow_skipped": True, "default_height": 12}),
+        ("footprints", skyway.import_footprints, "blocks.geojson", {"slack": 0.25, "floor": -1, "threads": 2,
+                                                                    "allow_skipped": True, "default_height": 9}),
+        ("footprints", skyway.import_footprints, "block.osm", {"origin": (60.17, 24.94)}),
+        ("footprints", skyway.import_footprints, "house.city.json", {}),
+        ("footprints", skyway.import_footprints, "house.gml", {"storey": 2.8}),
+        ("footprints", skyway.import_footprints, "surface.tif", {"height_step": 1.0}),
+        ("cloud", skyway.import_cloud, "scan.laz", {}),
+        ("cloud", skyway.import_cloud, "scan.las", {"ground": "drop", "ground_by": "shape", "ground_cell": 4.0}),
+        ("cloud", skyway.import_cloud, "scan.copc.laz", {"bounds": box, "cell": 2.0}),
+        ("cloud", skyway.import_cloud, "scan.pcd", {"mode": "objects", "tolerance": 2.0}),
+        ("cloud", skyway.import_cloud, "scan.ply", {"voxel": 0.5, "outliers": (8, 1.5)}),
+        ("cloud", skyway.import_cloud, "scan.xyz", {"units": "ft", "unknown": "blocked"}),
+        ("mesh", skyway.import_model, f"{out}/house.obj", {"solid": True, "up": "z", "units": "m"}),
+    ]
+    for name, function, file, options in cases:
+        path = SHIPPED / file
+        words = [word for key, value in options.items() for word in option(key, value)]
+        said = tool(f"skyway-{name}", path, "-o", f"{out}/theirs.boxmap", *words).stderr
+        with warnings.catch_warnings(record=True) as warned:
+            warnings.simplefilter("always")
+            ours = function(path, **options)
+        theirs = skyway.read_box_map(f"{out}/theirs.boxmap")
+        assert ours.hash == theirs.hash and len(ours) > 0, (file, options)
+        assert ours.history == theirs.history, (file, ours.history, theirs.history)
+        assert [str(w.message) for w in warned] == re.findall(r"warning: (.*)", said), (file, said)
+    skyway.write_box_map(f"{out}/ours.boxmap", ours)
+    tool("skyway-map", "diff", f"{out}/ours.boxmap", f"{out}/theirs.boxmap")
+
+
+def test_maps_are_refused_as_by_the_tools(out):
+    torn = pathlib.Path(out) / "torn.geojson"
+    torn.write_bytes((SHIPPED / "blocks.geojson").read_bytes()[:200])
+    cases = [
+        ("import", skyway.import_boxes, "word.csv", {}, 3),
+        ("import", skyway.import_boxes, "header_only.csv", {}, 3),
+        ("import", skyway.import_boxes, "window.txt", {}, 3),  # a possible obstacle that cannot be built
+        ("import", skyway.import_boxes, "pocket.txt", {"pad": 3}, 2),
+        ("footprints", skyway.import_footprints, "torn.osm", {}, 3),
+        ("footprints", skyway.import_footprints, torn, {}, 3),
+        ("footprints", skyway.import_footprints, "blocks.geojson", {}, 3),
+        ("footprints", skyway.import_footprints, "blocks.geojson", {"metres": True}, 2),
+        ("cloud", skyway.import_cloud, "scan.laz", {"resolution": 2.0}, 3),
+        ("cloud", skyway.import_cloud, "scan.laz", {"resolution": 2.0, "voxel": 1.0}, 2),
+        ("cloud", skyway.import_cloud, "empty.csv", {}, 3),
+        ("mesh", skyway.import_model, "scan.ply", {}, 3),
+    ]
+    for name, function, file, options, code in cases:
+        path = SHIPPED / file
+        words = [word for key, value in options.items() for word in option(key, value)]
+        said = tool(f"skyway-{name}", path, "-o", f"{out}/none.boxmap", *words, code=code).stderr
+        kind = skyway.UsageError if code == 2 else skyway.InputError
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            assert f"skyway-{name}: {raises(kind, function, path, **options)}\n" in said, (file, options, said)
+    raises(FileNotFoundError, skyway.import_cloud, f"{out}/none.laz")
+    village = SHIPPED / "village.csv"
+    for wrong, kind in (({"pad": -1}, skyway.UsageError), ({"pad": "x"}, TypeError), ({"units": "yd"}, skyway.UsageError),
+                        ({"bounds": ((0, 0, 0), (1, 1))}, skyway.UsageError), ({"frame": "ned"}, skyway.UsageError),
+                        ({"format": "dxf"}, skyway.UsageError), ({"height": 3}, TypeError),
+                        ({"bounds": ((0, 0, 0), (9, 9, 9)), "floor": 0}, skyway.UsageError)):
+        raises(kind, skyway.import_boxes, village, **wrong)
+    raises(skyway.UsageError, skyway.import_cloud, SHIPPED / "scan.laz", classes=["house"])
+    raises(skyway.UsageError, skyway.import_footprints, SHIPPED / "blocks.geojson", origin=(95, 0))
+
+
+def test_a_missing_package_is_named(out):
+    for part, package, call in (("_gis", "skyway-footprints", "import_footprints"), ("_cloud", "skyway-cloud", "import_cloud"),
+                                ("_mesh", "skyway-mesh", "import_model")):
+        text = f"import sys, skyway; sys.modules['skyway.{part}'] = None\ntry:\n  skyway.{call}('x')\n" \
+               "except ImportError as error:\n  print(error)"
+        assert package in run_python(text, out)
+    text = "import sys, skyway; sys.modules['skyway._mesh'] = None; print(len(skyway.import_boxes(sys.argv[1])))"
+    assert int(run_python(text, out, str(SHIPPED / "village.csv"))) > 0  # needs no other package
+
+
 def parameters(function):
     """Names as the first line of a bound function's text has them, or its signature."""
     text = re.match(r"\w+\((.*)\) -> ", function.__doc__ or "")
@@ -376,6 +489,9 @@ with tempfile.TemporaryDirectory() as folder:
     test_exports_are_those_of_the_tool(folder, here)
     test_degrees_are_no_metres(folder)
     test_flight_logs(folder)
+    test_maps_are_those_of_the_tools(folder)
+    test_maps_are_refused_as_by_the_tools(folder)
+    test_a_missing_package_is_named(folder)
     test_stubs_name_what_is_there()
     test_examples_and_pages(folder)
 print("the module agrees with the tools")

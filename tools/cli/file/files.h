@@ -39,6 +39,9 @@ class InputFile {
   std::shared_ptr<Source> source_;  // all of stdin have the same
 };
 
+// A file that a reader asks for, as the inputs of the run that it is (geom::OpenFile).
+std::shared_ptr<std::istream> open_input(const std::string& path);
+
 geom::ArrayArchive open_archive(const std::string& path);  // mapped; "-" is read into memory
 
 geom::Execution all_cores();

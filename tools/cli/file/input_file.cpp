@@ -118,6 +118,11 @@ void InputFile::for_each_line(const std::function<void(const std::string&, std::
 
 std::string InputFile::read_all() { return {std::istreambuf_iterator<char>(stream()), {}}; }
 
+std::shared_ptr<std::istream> open_input(const std::string& path) {
+  const auto file = std::make_shared<InputFile>(path);
+  return {file, &file->stream()};
+}
+
 geom::ArrayArchive open_archive(const std::string& path) {
   if (path != "-") {
     if (access(path.c_str(), R_OK) != 0) cannot_read(path, errno);

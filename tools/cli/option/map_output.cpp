@@ -11,9 +11,9 @@
 
 namespace cli {
 
-void MapOptions::add_to(CLI::App& app, const std::string& seal_default) {
+void add_map_options(CLI::App& app, geom::MakeMapOptions& map, const std::string& seal_default) {
   app.add_option(
-         "--seal", seal,
+         "--seal", map.seal,
          "extend obstacles that hang less than this above the floor down to it, metres (default: " +
              seal_default + ")")
       ->check(CLI::Range(0.0, 1e6));
@@ -36,20 +36,18 @@ void MapOptions::add_to(CLI::App& app, const std::string& seal_default) {
       ->check(CLI::Range(1.0, 1e6));
 }
 
-geom::MakeMapOptions MapOptions::make(double seal_default) const {
-  geom::MakeMapOptions made = map;
-  made.seal = seal.value_or(seal_default);
-  return made;
+void add_allow_skipped(CLI::App& app, bool& allowed) {
+  app.add_flag("--allow-skipped", allowed,
+               "leave out what is or may be an obstacle and cannot be built; the map's history "
+               "says how many");
 }
 
-nlohmann::ordered_json history_of(const geom::MakeMapOptions& options) {
-  nlohmann::ordered_json step = {{"seal", options.seal.value_or(0)}, {"pad", options.pad}};
-  if (options.scale != 1) step["scale"] = options.scale;
-  if (options.bloat_percent > 0) step["bloat_percent"] = options.bloat_percent;
-  if (options.inflate > 0) step["inflate"] = options.inflate;
-  if (options.floor) step["floor"] = *options.floor;
-  if (options.ceiling) step["ceiling"] = *options.ceiling;
-  return step;
+nlohmann::ordered_json to_json(const std::vector<geom::Fact>& facts) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::object();
+  for (const auto& [what, value] : facts) {
+    std::visit([&, &what = what](const auto& one) { out[what] = one; }, value);
+  }
+  return out;
 }
 
 void write_map(const Common& common, const std::string& output, const geom::MadeMap& made,
@@ -75,6 +73,12 @@ void write_map(const Common& common, const std::string& output, const geom::Made
                 {"tiles", made.map.tile_count()},
                 {"hash", made.map.hash()}});
   common.write_stats(std::move(stats));
+}
+
+void write_map(const Common& common, const std::string& output, geom::MapDraft draft) {
+  const std::string source = draft.source;
+  nlohmann::ordered_json stats = to_json(draft.facts);
+  write_map(common, output, geom::make_map(std::move(draft)), source, std::move(stats));
 }
 
 }  // namespace cli

@@ -4,29 +4,29 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "cli/option/common.h"
-#include "geom/map/make_map.h"
+#include "geom/map/map_draft.h"
 
 namespace cli {
 
-struct MapOptions {
-  geom::MakeMapOptions map;
-  std::optional<double> seal;  // --seal
+// `seal_default` in words, for the help.
+void add_map_options(CLI::App& app, geom::MakeMapOptions& map,
+                     const std::string& seal_default = "0");
 
-  // `seal_default` in words, for the help.
-  void add_to(CLI::App& app, const std::string& seal_default = "0");
-  geom::MakeMapOptions make(double seal_default = 0) const;
-};
+// --allow-skipped
+void add_allow_skipped(CLI::App& app, bool& allowed);
 
-// What a map's history records of them.
-nlohmann::ordered_json history_of(const geom::MakeMapOptions& options);
+// Facts about what was read, as --stats writes them.
+nlohmann::ordered_json to_json(const std::vector<geom::Fact>& facts);
 
 // Writes the map and, where --stats asks for it, its counts after those of `stats`; warns of boxes
 // beyond the bounds.
 void write_map(const Common& common, const std::string& output, const geom::MadeMap& made,
                const std::string& source, nlohmann::ordered_json stats);
+
+// Makes the map of the draft, and writes it.
+void write_map(const Common& common, const std::string& output, geom::MapDraft draft);
 
 }  // namespace cli

@@ -11,7 +11,7 @@ void RecordOutput::head(std::string_view text) {
   if (stream_) {
     stream_->stream() << text;
   } else {
-    head_ = text;
+    part_.head = text;
   }
 }
 
@@ -19,8 +19,8 @@ void RecordOutput::add(std::string_view record) {
   if (stream_) {
     stream_->stream() << record;
   } else {
-    text_ += record;
-    ends_.push_back(text_.size());
+    part_.text += record;
+    part_.ends.push_back(part_.text.size());
   }
 }
 
@@ -33,11 +33,7 @@ void RecordOutput::commit(std::size_t total, Exit exit) {
     stream_->commit();
     return;
   }
-  const nlohmann::json content = {{"head", head_}, {"total", total}};
-  const std::span bytes(reinterpret_cast<const std::uint8_t*>(text_.data()), text_.size());
-  const geom::NamedArray arrays[] = {geom::named_array<std::uint8_t>("text", bytes),
-                                     geom::named_array<std::uint64_t>("ends", ends_)};
-  sharding_.write(file_, name_, "records", content.dump(), arrays, exit);
+  sharding_.write(file_, name_, "records", geom::arrays_of(part_, total), exit);
 }
 
 }  // namespace cli

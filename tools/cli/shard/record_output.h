@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/shard/sharding.h"
+#include "geom/archive/record_part.h"
 
 namespace cli {
 
@@ -29,9 +30,7 @@ class RecordOutput {
   std::string file_;
   std::string name_;
   std::optional<OutputFile> stream_;  // without --shard
-  std::string head_;
-  std::string text_;
-  std::vector<std::uint64_t> ends_;
+  geom::RecordPart part_;
 };
 
 }  // namespace cli

@@ -7,10 +7,10 @@
 #include <charconv>
 #include <filesystem>
 
-#include "cli/file/hashed_input.h"
+#include "cli/file/files.h"
 #include "geom/base/error.h"
+#include "geom/base/hashed_stream.h"
 #include "geom/base/sha256.h"
-#include "geom/text/parse_json.h"
 
 namespace cli {
 namespace {
@@ -27,9 +27,9 @@ geom::Shard parse_shard(const std::string& word) {
   const bool slash = first.ec == std::errc() && first.ptr < end && *first.ptr == '/';
   const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
   if (!slash || second.ec != std::errc() || second.ptr != end || number < 1 ||
-      number > shard.count || shard.count > kMostShards) {
+      number > shard.count || shard.count > geom::kMostShards) {
     throw UsageError(fmt::format("--shard: expected K/N with 1 <= K <= N <= {}, found \"{}\"",
-                                 kMostShards, word));
+                                 geom::kMostShards, word));
   }
   shard.index = number - 1;
   return shard;
@@ -51,18 +51,17 @@ std::string hash_of_archive(const std::string& file) {
 
 std::string hash_of(const std::string& file) {
   InputFile input(file);
-  HashedInput hashed(input);
+  geom::HashedStream hashed(input.stream());
   return hashed.head().starts_with("PK") ? hash_of_archive(file) : hashed.hash();
 }
 
-nlohmann::json to_json(const Work& work) {
-  return {{"tool", work.tool},
-          {"release", work.release},
-          {"options", work.options},
-          {"inputs", work.inputs}};
-}
-
 }  // namespace
+
+std::vector<geom::ShardFile> open_shards(const std::vector<std::string>& files) {
+  std::vector<geom::ShardFile> shards;
+  for (const std::string& file : files) shards.push_back(geom::read_shard(open_archive(file)));
+  return geom::complete_shards(std::move(shards));
+}
 
 CLI::Option* Sharding::add_to(CLI::App& app) {
   return app.add_option("--shard", word_,
@@ -107,10 +106,10 @@ void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outp
   }
 }
 
-std::vector<ShardFile> Sharding::shards() const {
+std::vector<geom::ShardFile> Sharding::shards() const {
   if (join_.empty()) return {};
-  std::vector<ShardFile> shards = open_shards(join_);
-  const std::string why = difference(work_, shards.front().work);
+  std::vector<geom::ShardFile> shards = open_shards(join_);
+  const std::string why = geom::difference(work_, shards.front().work);
   if (!why.empty()) {
     throw geom::InputError(
         shards.front().archive.name(),
@@ -126,11 +125,12 @@ std::optional<Exit> Sharding::finished(const Common& common) const {
     if (file.empty()) continue;
     if (file == "-" || !std::filesystem::is_regular_file(file)) return std::nullopt;
     try {
-      const ShardFile there = read_shard(geom::ArrayArchive::map(file));  // no input of the run
+      const geom::ShardFile there =
+          geom::read_shard(geom::ArrayArchive::map(file));  // no input of the run
       const bool same = there.work == work_ && there.shard == shard_ && there.output == name;
       if (!same) return std::nullopt;
       there.archive.verify();
-      worst = std::max(worst, there.exit);
+      if (!there.yes) worst = Exit::no;
     } catch (const geom::InputError&) {
       return std::nullopt;  // something else, or damaged: it will be written anew
     }
@@ -141,18 +141,9 @@ std::optional<Exit> Sharding::finished(const Common& common) const {
 }
 
 void Sharding::write(const std::string& file, const std::string& output, const std::string& kind,
-                     const std::string& content, std::span<const geom::NamedArray> arrays,
-                     Exit exit) const {
-  nlohmann::json meta = to_json(work_);
-  meta.update({{"format", "skyway-shard"},
-               {"version", kShardVersion},
-               {"shard", {shard_.index + 1, shard_.count}},
-               {"output", output},
-               {"kind", kind},
-               {"content", geom::parse_json(content, file)},
-               {"exit", static_cast<int>(exit)}});
+                     const geom::PartArrays& part, Exit exit) const {
   OutputFile out(file, OutputKind::artefact);
-  geom::write_array_archive(out.stream(), meta.dump() + '\n', arrays);
+  geom::write_shard(out.stream(), {work_, shard_, output, kind, exit == Exit::yes}, part);
   out.commit();
 }
 

@@ -13,9 +13,13 @@
 #include "cli/answer/exit.h"
 #include "cli/file/files.h"
 #include "cli/option/common.h"
-#include "shard_file.h"
+#include "geom/archive/shard_file.h"
 
 namespace cli {
+
+// All shards of one output of one run, in their order. Throws geom::InputError where one is
+// damaged, missing, there twice or of another run.
+std::vector<geom::ShardFile> open_shards(const std::vector<std::string>& files);
 
 class Sharding {
  public:
@@ -26,7 +30,7 @@ class Sharding {
 
   // The shards to join, empty without --join. Throws geom::InputError where they are not all of
   // them, or not those of this very command.
-  std::vector<ShardFile> shards() const;
+  std::vector<geom::ShardFile> shards() const;
 
   using Files = std::vector<std::pair<std::string, std::string>>;  // by option; empty: not given
 
@@ -37,15 +41,15 @@ class Sharding {
   // The exit code of an earlier run where all outputs are this very shard already, undamaged.
   std::optional<Exit> finished(const Common& common) const;
 
-  // `output` is the option that names it, `content` JSON.
+  // A share of this kind, of the output that this option names.
   void write(const std::string& file, const std::string& output, const std::string& kind,
-             const std::string& content, std::span<const geom::NamedArray> arrays, Exit exit) const;
+             const geom::PartArrays& part, Exit exit = Exit::yes) const;
 
  private:
   std::string word_;
   std::vector<std::string> join_;
   geom::Shard shard_;
-  Work work_;
+  geom::Work work_;
   Files outputs_;
 };
 

@@ -10,6 +10,8 @@ _Floats = NDArray[numpy.float64]
 _Bools = NDArray[numpy.bool_]
 _Point = Union[Sequence[float], _Floats]
 _Tuple3 = tuple[float, float, float]
+_Corners = tuple[_Point, _Point]
+_Path = Union[str, os.PathLike[str]]
 
 __version__: str
 
@@ -330,6 +332,57 @@ class Planner:
                    seed: int = 0, threads: int = 0) -> list[Path]: ...
 
 
+# Arguments of these four are those of the tools' options, `import_boxes(path, model_path=[…])` for --model-path. A value
+# out of its range is a UsageError. What a tool warns of is warned of by `warnings`. `bounds` are the two corners.
+
+
+def import_boxes(path: _Path, *, format: str = "auto", frame: Optional[str] = None, units: str = "m",
+                 unknown: str = "free", slack: float = 0.1, collisions_only: bool = False,
+                 without: Sequence[str] = (), model_path: Sequence[str] = (), allow_skipped: bool = False,
+                 seal: Optional[float] = None, floor: Optional[float] = None, ceiling: Optional[float] = None,
+                 pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
+                 bounds: Optional[_Corners] = None, tile: float = 100.0) -> BoxMap:
+    """A table, block text, world, voxel map or octree, as skyway-import makes it."""
+
+
+def import_footprints(path: _Path, *, format: str = "auto", slack: float = 0.5,
+                      height_attribute: Optional[str] = None, storey: float = 3.0,
+                      default_height: Optional[float] = None, where: Optional[str] = None, height_step: float = 0.5,
+                      terrain: Optional[str] = None, origin: Optional[Sequence[float]] = None,
+                      height_units: Optional[str] = None, axes: Optional[str] = None, metres: bool = False,
+                      allow_skipped: bool = False, seal: Optional[float] = None, floor: Optional[float] = None,
+                      ceiling: Optional[float] = None, pad: float = 0.0, scale: float = 1.0,
+                      bloat_percent: float = 0.0, inflate: float = 0.0, bounds: Optional[_Corners] = None,
+                      tile: float = 100.0, threads: int = 0) -> BoxMap:
+    """GeoJSON, OpenStreetMap, CityJSON, CityGML, height models and more, as skyway-footprints makes it. ImportError
+    where the package skyway-footprints is not installed. `origin`: latitude, longitude."""
+
+
+def import_cloud(path: _Path, *, format: str = "auto", mode: str = "columns", cell: float = 1.0, step: float = 0.5,
+                 gap: float = 2.0, unknown: str = "free", classes: Sequence[Union[str, int]] = (),
+                 noise: str = "keep", outliers: Optional[tuple[int, float]] = None, voxel: Optional[float] = None,
+                 resolution: Optional[float] = None, ground: str = "keep", ground_by: str = "auto",
+                 ground_cell: float = 2.0, ground_slope: float = 0.1, ground_height: float = 0.3,
+                 ground_step: float = 1.0, ground_widest: float = 200.0, tolerance: float = 1.0, min_points: int = 1,
+                 crs: Optional[str] = None, units: Optional[str] = None, vertical_units: Optional[str] = None,
+                 origin: Union[None, str, Sequence[float]] = None, allow_skipped: bool = False,
+                 seal: Optional[float] = None, floor: Optional[float] = None, ceiling: Optional[float] = None,
+                 pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
+                 bounds: Optional[_Corners] = None, tile: float = 100.0, threads: int = 0) -> BoxMap:
+    """LAS, LAZ, PCD, PLY or XYZ, as skyway-cloud makes it. ImportError where the package skyway-cloud is not installed.
+    `origin`: latitude, longitude and perhaps height, or "auto"."""
+
+
+def import_model(path: _Path, *, format: str = "auto", slack: float = 0.25, solid: bool = False,
+                 up: Optional[str] = None, units: Optional[str] = None, origin: Optional[Sequence[float]] = None,
+                 allow_skipped: bool = False, seal: Optional[float] = None, floor: Optional[float] = None,
+                 ceiling: Optional[float] = None, pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0,
+                 inflate: float = 0.0, bounds: Optional[_Corners] = None, tile: float = 100.0,
+                 threads: int = 0) -> BoxMap:
+    """OBJ, PLY, STL, glTF, COLLADA, 3DS or 3D Tiles, as skyway-mesh makes it. ImportError where the package skyway-mesh is
+    not installed. `origin`: latitude, longitude and perhaps height."""
+
+
 def read_box_map(path: str) -> BoxMap: ...
 
 
@@ -354,6 +407,9 @@ def read_reports(path: Union[str, os.PathLike[str]]) -> NDArray[Any]:
 
 
 def read_flight_logs(path: str) -> list[FlightLog]: ...
+
+
+def write_box_map(path: str, map: BoxMap) -> None: ...
 
 
 def write_paths(path: str, records: Sequence[Path]) -> None: ...

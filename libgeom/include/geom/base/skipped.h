@@ -17,7 +17,7 @@
 namespace geom {
 
 // Counts by kind, and the names of the first few of each. Code that makes a map of the rest
-// either refuses, or writes the count into the map (cli::SkippedOption).
+// either refuses, or writes the count into the map (`allow_skipped` of the readers).
 class Skipped {
  public:
   // `kind`: "unknown keyword"; `which`: "line 7: window".

@@ -26,6 +26,7 @@ struct KeepOut {
   std::vector<std::string> labels;  // "keep-out: NAME", one a volume
   std::vector<double> bulge;        // metres the true outline may reach outside the polygon
   std::vector<TimeSpan> times;      // when each is there, rounded outward
+  bool longitude_first = false;     // whether the file should have it so, and may have it wrong
   // Names that speak of heights or times and are not read, as ED-318 and others have them, and how
   // many features have each.
   std::map<std::string, std::size_t> unread;

@@ -12,17 +12,12 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/archive/array_archive.h"
+#include "geom/archive/shard_file.h"
 #include "plan/lattice/lattice_part.h"
 
 namespace plan {
 
-// A part as one JSON object and arrays that own their bytes or refer to the part's.
-struct PartArrays {
-  std::string meta;
-  std::vector<geom::NamedArray> arrays;
-  std::shared_ptr<const void> keep_alive;  // of those that are not the part's
-};
+using geom::PartArrays;
 
 PartArrays arrays_of(const LatticePart& part);
 

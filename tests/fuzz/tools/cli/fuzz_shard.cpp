@@ -1,12 +1,12 @@
 #include <sstream>
 
-#include "cli/shard/map_shard.h"
-#include "cli/shard/run_shard.h"
 #include "fuzz/readers.h"
+#include "geom/map/map_part.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
 #include "plan/roadmap/part_file.h"
 #include "plan/roadmap/roadmap_file.h"
+#include "traj/flight/run_part.h"
 
 namespace {
 
@@ -16,7 +16,7 @@ bool small(const geom::ArrayArchive& archive) {
          archive.array<std::uint32_t>("block_record").size() <= 32768;
 }
 
-void join(const cli::ShardFile& shard) {
+void join(const geom::ShardFile& shard) {
   const std::string content = shard.content.dump();
   if (shard.kind == "lattice" && small(shard.archive)) {
     const auto part = plan::read_lattice_part(shard.archive, content, shard.shard);
@@ -26,11 +26,11 @@ void join(const cli::ShardFile& shard) {
     std::ostringstream joined;
     plan::write_roadmap(joined, {&part, 1});
     plan::verify_roadmap(part);
-  } else if (cli::is_map_shard(shard) &&
+  } else if (geom::is_map_part(shard) &&
              shard.content.value("unknown_blocked", nlohmann::json()) != 1) {
-    cli::join_map({&shard, 1});
+    geom::join_map({&shard, 1});
   } else if (shard.kind == "runs" && shard.shard.count == 1) {
-    const cli::JoinedRuns runs({shard});
+    const traj::JoinedRuns runs({shard});
     for (std::size_t i = 0; i < runs.trajectories(); ++i) runs.outcomes(i, 0.75);
   }
 }
@@ -40,6 +40,6 @@ void join(const cli::ShardFile& shard) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto bytes = std::as_bytes(std::span(data, size));
   return refuses_or_reads(data, size, [&](std::istream&) {
-    join(cli::read_shard(geom::ArrayArchive::from_bytes(bytes, "fuzz")));
+    join(geom::read_shard(geom::ArrayArchive::from_bytes(bytes, "fuzz")));
   });
 }

@@ -1,0 +1,51 @@
+#pragma once
+
+// Maps made of other maps. The history of each says so in one more step.
+//
+// Example:
+//   const geom::BoxMap part = geom::crop(map, {{0, 0, 0}, {6, 6, 10}}, "city.boxmap");
+//   const geom::BoxMap grown = geom::inflate(part, 0.5);
+//   assert(grown.box(0).min.x() <= 3.5);
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "geom/base/execution.h"
+#include "geom/map/box_map.h"
+#include "geom/map/merge.h"
+#include "geom/map/simplify.h"
+
+namespace geom {
+
+// A map and what messages call it.
+struct SourceMap {
+  std::string name;
+  BoxMap map;
+};
+
+// A step of a history: "crop" of this map.
+nlohmann::ordered_json derived_step(const char* verb, const BoxMap& input);
+
+// Of this table; `step` comes after those of the spec's history.
+BoxMap derived(BoxMapSpec spec, const BoxTable& table, nlohmann::ordered_json step);
+
+// The boxes that meet the region, and the bounds inside it. Throws InputError(source, …) where the
+// region does not meet the bounds.
+BoxMap crop(const BoxMap& map, const Aabb& region, const std::string& source);
+
+// All boxes of the maps, at least one, in the frame of the first; the bounds are around all bounds.
+// Throws InputError as in_frame() does, and where two have different epochs.
+BoxMap join(std::span<const SourceMap> maps);
+
+// Each box grown by so many metres on every side, rounded outward.
+BoxMap inflate(const BoxMap& map, double by);
+
+// The same in tiles of another size, metres.
+BoxMap tile(const BoxMap& map, double size);
+
+// Of merge() and simplify() (merge.h, simplify.h).
+BoxMap derived(const BoxMap& map, const Merged& merged);
+BoxMap derived(const BoxMap& map, const Simplified& simple, double slack);
+
+}  // namespace geom

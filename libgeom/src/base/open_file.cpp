@@ -1,0 +1,51 @@
+#include "geom/base/open_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+
+#include "geom/base/file_error.h"
+
+namespace geom {
+namespace {
+
+[[noreturn]] void cannot_read(const std::string& path) {
+  throw FileError(FileUse::reading, path, errno);
+}
+
+}  // namespace
+
+std::shared_ptr<std::istream> open_file(const std::string& path) {
+  auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
+  if (!file->is_open()) cannot_read(path);
+  file->exceptions(std::ios::badbit);
+  return file;
+}
+
+RandomFile::RandomFile(const std::string& path)
+    : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (descriptor_ < 0) cannot_read(path);
+  struct stat info {};
+  if (fstat(descriptor_, &info) == 0) size_ = static_cast<std::uint64_t>(info.st_size);
+}
+
+RandomFile::~RandomFile() { ::close(descriptor_); }
+
+std::size_t RandomFile::read(std::uint64_t at, std::span<unsigned char> to) const {
+  std::size_t done = 0;
+  // No file reaches as far as an offset of the system's kind does.
+  while (done < to.size() && at + done < std::uint64_t{1} << 62) {
+    const ssize_t n =
+        ::pread(descriptor_, to.data() + done, to.size() - done, static_cast<off_t>(at + done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) cannot_read(path_);
+    if (n == 0) break;
+    done += static_cast<std::size_t>(n);
+  }
+  return done;
+}
+
+}  // namespace geom

@@ -1,0 +1,131 @@
+#include "geom/gis/draft_footprints.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "geom/base/error.h"
+#include "geom/base/usage_error.h"
+#include "geom/gis/place_footprints.h"
+#include "geom/gis/read_footprints.h"
+#include "map/history_step.h"
+
+namespace geom::gis {
+namespace {
+
+std::string hash_of(const std::string& path, const OpenFile& open) {
+  const auto file = open(path);
+  return HashedStream(*file).hash();
+}
+
+// By their names alone, which are the same in any folder.
+HistoryStep hashes_of(const std::vector<std::string>& paths, const OpenFile& open) {
+  HistoryStep out;
+  for (const std::string& path : paths) {
+    out[std::filesystem::path(path).filename().string()] = hash_of(path, open);
+  }
+  return out;
+}
+
+HistoryStep step_of(const std::string& hash, const FootprintDraftOptions& options,
+                    const Source& source) {
+  HistoryStep step = {{"tool", "skyway-footprints"},
+                      {"input", hash},
+                      {"format", options.format->format->word},
+                      {"slack", options.read.slack},
+                      {"storey", options.read.height.storey},
+                      {"default_height", options.read.height.default_height}};
+  if (!source.beside.empty()) step["beside"] = hashes_of(source.beside, options.open);
+  if (!options.terrain.empty()) step["terrain"] = hash_of(options.terrain, options.open);
+  if (options.read.height_unit) step["height_units_m"] = *options.read.height_unit;
+  add_options(step, options.map);
+  return step;
+}
+
+std::vector<Fact> facts_of(const Source& source, const FootprintFormat& format) {
+  std::vector<Fact> facts = {{"format", std::string(format.format->word)},
+                             {"footprints", source.footprints.size()}};
+  for (const auto& [what, n] : source.counts) facts.emplace_back(what, n);
+  if (!source.skipped.empty()) facts.emplace_back("skipped", source.skipped.count());
+  return facts;
+}
+
+// What was read, in numbers, and what is worth knowing of it.
+void tell(const Source& source, const std::string& name, double default_height,
+          const Notes& notes) {
+  std::string report;
+  for (const auto& [what, n] : source.counts) report += fmt::format("; {}: {}", what, n);
+  if (!report.empty()) {
+    notes.remark(fmt::format("{}: footprints: {}{}", name, source.footprints.size(), report));
+  }
+  for (const std::string& warning : source.warnings) notes.warning(name + ": " + warning);
+  if (!source.defaults.empty()) {
+    notes.warning(fmt::format("{}: {} m is taken where nothing tells the height: {}", name,
+                              default_height, source.defaults.text()));
+  }
+}
+
+// The floor that the options give, in the footprints' own units.
+std::optional<double> floor_of(const MakeMapOptions& map) {
+  std::optional<double> floor = map.floor;
+  if (map.bounds) floor = map.bounds->min.z();
+  if (floor) *floor /= map.scale;
+  return floor;
+}
+
+// The shard's part of the source in the coordinates of the map, on the ground where there is a
+// terrain.
+Frame place(Source& source, const FootprintDraftOptions& options, const std::string& name) {
+  if (options.metres && !source.crs.empty()) {
+    throw UsageError(
+        fmt::format("--metres is for numbers without a coordinate reference "
+                    "system, and {} names one: leave it out",
+                    name));
+  }
+  const double slack = options.read.slack;
+  const Projector projector(source, name, options.read.origin, options.metres);
+  sink_ground(source.footprints, floor_of(options.map));
+  keep_shard(source.footprints, options.shard);
+  project(source, projector, slack);
+  if (!options.terrain.empty()) {
+    const Terrain terrain(options.terrain, options.terrain, options.read);
+    lift(source, terrain, projector.frame().crs);
+  }
+  check_sizes(source, slack, name);
+  for (const Footprint& f : source.footprints) {
+    if (uneven_by(f, slack) > slack / 2) ++source.counts["surfaces_uneven"];
+  }
+  return projector.frame();
+}
+
+}  // namespace
+
+MapDraft draft_footprints(const std::string& path, HashedStream& file,
+                          const FootprintDraftOptions& asked, const Notes& notes,
+                          const Execution& run) {
+  if (file.head().empty()) throw InputError(path, {.says = "the file is empty"});
+  FootprintDraftOptions options = asked;
+  if (!options.format) options.format = &footprint_format_of(file.head(), path);
+  Source source = read(*options.format, {path, path, file.stream()}, options.read);
+  MapDraft draft;
+  draft.source = path;
+  draft.frame = place(source, options, path);
+  tell(source, path, options.read.height.default_height, notes);
+  draft.facts = facts_of(source, *options.format);
+  HistoryStep step = step_of(file.hash(), options, source);
+  settle_skipped(source.skipped, options.allow_skipped, path, notes, step);
+  if (!options.default_height_chosen) require_heights(source, path);
+  draft.history = history_of(step);
+  draft.options = options.map;
+  draft.table = boxes_of(source.footprints, options.read.slack, run);
+  return draft;
+}
+
+MapDraft draft_footprints(const std::string& path, const FootprintDraftOptions& options,
+                          const Notes& notes, const Execution& run) {
+  const auto in = options.open(path);
+  HashedStream file(*in);
+  return draft_footprints(path, file, options, notes, run);
+}
+
+}  // namespace geom::gis

@@ -1,0 +1,118 @@
+#include "geom/map/derive.h"
+
+#include <fmt/format.h>
+
+#include "geom/base/error.h"
+#include "geom/map/join.h"
+#include "geom/map/map_draft.h"
+#include "geom/text/parse_json.h"
+
+namespace geom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numbers(const Aabb& box) {
+  return {box.min[0], box.min[1], box.min[2], box.max[0], box.max[1], box.max[2]};
+}
+
+Json steps_of(const BoxMapSpec& spec, const std::string& name) {
+  return parse_ordered_json(spec.history.empty() ? "[]" : spec.history, name);
+}
+
+// Seconds after different instants cannot stand in one map.
+void join_epoch(BoxMapSpec& spec, const SourceMap& other) {
+  const auto& epoch = other.map.spec().epoch;
+  if (!epoch || spec.epoch == epoch) return;
+  if (spec.epoch) {
+    throw InputError(other.name,
+                     {.expected = fmt::format("the epoch of the maps before, {}", *spec.epoch),
+                      .found = std::string(*epoch)});
+  }
+  spec.epoch = epoch;
+}
+
+// Bounds move as a box does.
+Aabb bounds_in(const Frame& frame, const SourceMap& other) {
+  BoxMapSpec moved = other.map.spec();
+  BoxTable corner;
+  corner.boxes = {moved.bounds};
+  corner.ids = {0};
+  corner.label = {0};
+  return in_frame(frame, BoxMap(std::move(moved), corner), other.name).boxes.front();
+}
+
+}  // namespace
+
+Json derived_step(const char* verb, const BoxMap& input) {
+  return {{"tool", std::string("skyway-map ") + verb}, {"input", input.hash()}};
+}
+
+BoxMap derived(BoxMapSpec spec, const BoxTable& table, Json step) {
+  Json history = steps_of(spec, "the map's history");
+  history.push_back(std::move(step));
+  spec.history = history.dump();
+  return {std::move(spec), table};
+}
+
+BoxMap crop(const BoxMap& map, const Aabb& region, const std::string& source) {
+  BoxMapSpec spec = map.spec();
+  spec.bounds = {spec.bounds.min.cwiseMax(region.min), spec.bounds.max.cwiseMin(region.max)};
+  if ((spec.bounds.min.array() >= spec.bounds.max.array()).any()) {
+    throw InputError(source, {.expected = "--bounds that meet the bounds of the map",
+                              .found = "a region apart from them"});
+  }
+  Json step = derived_step("crop", map);
+  step["bounds"] = numbers(region);
+  return derived(std::move(spec), table_of(map, &region), std::move(step));
+}
+
+BoxMap join(std::span<const SourceMap> maps) {
+  const BoxMap& first = maps.front().map;
+  BoxMapSpec spec = first.spec();
+  BoxTable table = table_of(first);
+  Json step = derived_step("join", first);
+  Json others = Json::array();
+  Json histories = Json::array();
+  std::size_t skipped = 0;  // that the others know of; the first has its own history
+  for (const SourceMap& other : maps.subspan(1)) {
+    others.push_back(other.map.hash());
+    histories.push_back(steps_of(other.map.spec(), other.name));
+    skipped += skipped_in(other.map.spec());
+    append(table, in_frame(spec.frame, other.map, other.name));
+    join_epoch(spec, other);
+    spec.bounds = merged(spec.bounds, bounds_in(spec.frame, other));
+  }
+  step["others"] = others;
+  step["histories"] = histories;
+  if (skipped > 0) step["skipped"] = skipped;
+  return derived(std::move(spec), table, std::move(step));
+}
+
+BoxMap inflate(const BoxMap& map, double by) {
+  BoxTable table = table_of(map);
+  for (Aabb& box : table.boxes) box = grow(box, Vec3::Constant(by));
+  Json step = derived_step("inflate", map);
+  step["by"] = by;
+  return derived(map.spec(), table, std::move(step));
+}
+
+BoxMap tile(const BoxMap& map, double size) {
+  BoxMapSpec spec = map.spec();
+  spec.tile_size = size;
+  Json step = derived_step("tile", map);
+  step["size"] = size;
+  return derived(std::move(spec), table_of(map), std::move(step));
+}
+
+BoxMap derived(const BoxMap& map, const Merged& merged) {
+  return derived(map.spec(), merged.table, derived_step("merge", map));
+}
+
+BoxMap derived(const BoxMap& map, const Simplified& simple, double slack) {
+  Json step = derived_step("simplify", map);
+  step["slack"] = slack;
+  return derived(map.spec(), simple.table, std::move(step));
+}
+
+}  // namespace geom
