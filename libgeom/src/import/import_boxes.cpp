@@ -5,6 +5,7 @@
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
 #include "geom/text/json_line.h"
+#include "geom/text/spoken_list.h"
 #include "import/block_text.h"
 #include "import/jps3d_map.h"
 #include "import/octomap.h"
@@ -18,14 +19,11 @@ namespace {
 constexpr const BoxFormat* kTable[] = {&kBoxCsv,      &kBlockText,   &kRotorPyWorld, &kVoxelMap,
                                        &kOctomapTree, &kGazeboWorld, &kJps3d,        &kFcnd};
 
-// "a block text, a jps3d map or an FCND table of boxes".
+// "a block text, a jps3d map or an FCND table of boxes"
 std::string any_format() {
-  std::string out;
-  for (const BoxFormat* const& format : kTable) {
-    out += &format == kTable ? "" : &format + 1 == std::end(kTable) ? " or " : ", ";
-    out += format->format->what;
-  }
-  return out;
+  std::vector<std::string_view> names;
+  for (const BoxFormat* format : kTable) names.push_back(format->format->what);
+  return spoken_list(names, "or");
 }
 
 }  // namespace

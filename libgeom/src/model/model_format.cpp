@@ -6,6 +6,7 @@
 
 #include "geom/base/error.h"
 #include "geom/text/beginning.h"
+#include "geom/text/spoken_list.h"
 
 namespace geom {
 namespace {
@@ -27,18 +28,13 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-// ".obj, .stl or .ply".
+// ".obj, .ply or .stl"
 std::string any_ending() {
   std::vector<std::string_view> endings;
   for (const ModelFormat* format : kTable) {
     if (!format->ending.empty()) endings.push_back(format->ending);
   }
-  std::string out;
-  for (std::size_t i = 0; i < endings.size(); ++i) {
-    out += i == 0 ? "" : i + 1 == endings.size() ? " or " : ", ";
-    out += endings[i];
-  }
-  return out;
+  return spoken_list(endings, "or");
 }
 
 }  // namespace

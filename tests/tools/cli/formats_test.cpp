@@ -291,12 +291,12 @@ TEST(Formats, AreReadAsWhatTheyAreCalled) {
 }
 
 TEST(Formats, OfDronesAreThoseThatAreFlown) {
-  for (const Format* format : drone_formats()) EXPECT_TRUE(is_flown(format)) << format->what;
+  for (const Format* format : drone_formats()) EXPECT_TRUE(is_drone_format(format)) << format->what;
   for (const Format* format : all_formats()) {
-    if (!is_flown(format)) continue;
+    if (!is_drone_format(format)) continue;
     EXPECT_TRUE(geom::reads("skyway-import-trajectory", *format)) << format->what;
   }
-  EXPECT_FALSE(is_flown(nullptr));
+  EXPECT_FALSE(is_drone_format(nullptr));
 }
 
 TEST(Formats, ThatNobodyReadsHaveNoWord) {

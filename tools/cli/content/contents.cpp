@@ -224,7 +224,7 @@ Contents read_contents(const std::vector<std::string>& inputs, const ContentKind
   Contents out;
   std::vector<std::string> drone_files;
   for (const std::string& path : inputs) {
-    if (kinds.drone_files && is_flown(recognise_file(path))) {
+    if (kinds.drone_files && is_drone_format(recognise_file(path))) {
       drone_files.push_back(path);
     } else {
       add_input(path, kinds, out);

@@ -32,7 +32,7 @@ geom::Formats drone_formats() {
   return rows;
 }
 
-bool is_flown(const Format* format) {
+bool is_drone_format(const Format* format) {
   const geom::Formats rows = drone_formats();
   return std::find(rows.begin(), rows.end(), format) != rows.end();
 }

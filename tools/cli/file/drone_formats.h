@@ -11,6 +11,6 @@ namespace cli {
 geom::Formats drone_formats();
 
 // Whether it is one of these; not where it is null.
-bool is_flown(const geom::Format* format);
+bool is_drone_format(const geom::Format* format);
 
 }  // namespace cli

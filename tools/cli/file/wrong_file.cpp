@@ -11,6 +11,7 @@
 #include "foreign_formats.h"
 #include "geom/gis/footprint_format.h"
 #include "geom/import/import_boxes.h"
+#include "geom/text/spoken_list.h"
 #include "own_formats.h"
 #include "recognise.h"
 #include "run_files.h"
@@ -177,11 +178,7 @@ std::string listed(std::span<const std::string_view> tools) {
     words.resize(3);
     words.push_back("others");
   }
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    out += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + std::string(words[i]);
-  }
-  return out;
+  return geom::spoken_list(words, "and");
 }
 
 // Where another argument is what is expected here.
@@ -215,10 +212,10 @@ std::string map_of(const Format& format) {
 std::string made_of(const Place& place, const Format& format) {
   const Format* const wanted = place.takes.front();
   if (wanted == &kBoxMap && &format != &kShard) return map_of(format);
-  if (is_flown(&format) && !place.unless.empty()) {
+  if (is_drone_format(&format) && !place.unless.empty()) {
     return fmt::format("{} auto reads it", place.unless.front());
   }
-  if (is_flown(&format) && (wanted == &kPaths || wanted == &kTrajectories)) {
+  if (is_drone_format(&format) && (wanted == &kPaths || wanted == &kTrajectories)) {
     return "skyway-import-trajectory makes records of it";
   }
   for (const Step& step : kSteps) {
@@ -243,19 +240,16 @@ struct Found {
 
 std::string refusal_here(const CLI::App& app, const Place& place, const Found& found) {
   const Format& format = found.format;
-  std::string expected(place.takes.front()->what);
-  for (std::size_t i = 1; i < place.takes.size(); ++i) {
-    expected += i + 1 < place.takes.size() ? ", " : " or ";
-    expected += place.takes[i]->what;
-  }
+  std::vector<std::string_view> taken;
+  for (const Format* one : place.takes) taken.push_back(one->what);
   std::string advice = swapped(app, place, found.path, format);
   if (advice.empty()) advice = made_of(place, format);
   if (advice.empty() && !format.readers.empty()) {
     advice = fmt::format("{} {} it", listed(format.readers),
                          format.readers.size() == 1 ? "reads" : "read");
   }
-  return fmt::format("{}: expected {}, found {}{}{}", found.path, expected, found.what,
-                     advice.empty() ? "" : "; ", advice);
+  return fmt::format("{}: expected {}, found {}{}{}", found.path, geom::spoken_list(taken, "or"),
+                     found.what, advice.empty() ? "" : "; ", advice);
 }
 
 std::string refusal_by_tool(const std::string& tool, const Found& found) {
