@@ -100,7 +100,7 @@ Written write_unchecked(const Options& options, const Flight& flight, Task& task
   const auto asked = options.vehicle.asked(options.vehicle.profile());
   if (asked.vehicle || flight.provenance.vehicle) {
     const auto room =
-        cli::agreed_room(flight.provenance, asked, cli::Differences::refused, options.input(), 0);
+        geom::agreed_room(flight.provenance, asked, geom::Differences::refused, options.input(), 0);
     task.limits = geom::limits_that_hold({{}, flight.limits, room.vehicle.limits});
   }
   require_slow_enough(task);

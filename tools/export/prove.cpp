@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/option/limit_options.h"
 #include "geom/base/error.h"
+#include "geom/record/made_for_another.h"
 #include "traj/curve/to_enu.h"
 #include "traj/drone_file/straight_legs.h"
 #include "traj/proof/flown.h"
@@ -162,7 +162,7 @@ std::string fault(const traj::CheckResult& result) {
     const std::string quantity = in_words(kind.quantity);
     if (result.reason == traj::broken(kind.limit)) {
       return fmt::format("the {} would be {}, above its limit", quantity,
-                         cli::shown(kind, result.worst));
+                         geom::in_words(kind, result.worst));
     }
     if (result.reason == traj::unmeasured(kind.limit)) {
       return fmt::format("the {} would be unknown, and it has a limit", quantity);
@@ -222,7 +222,8 @@ std::string remedy(const geom::CollisionScene& scene, const Task& task,
   }
   if (near && !result.strayed.empty()) {
     return fmt::format(
-        "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower (--speed)",
+        "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower "
+        "(--speed)",
         std::ceil(100 * result.worst) / 100);
   }
   if (near) {
@@ -260,10 +261,9 @@ std::string refusal(const geom::CollisionScene& scene, const Task& task,
   const std::string how = result.strayed.empty() ? "as the file says"
                           : result.part ? "by " + result.strayed + ", which may stray from its way"
                                         : "with what is allowed for " + result.strayed;
-  return fmt::format(
-      "{}: refused: flown {}, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", task.id, how,
-      fault(result), when, result.place[0], result.place[1], result.place[2],
-      advice.empty() ? "" : ": ", advice);
+  return fmt::format("{}: refused: flown {}, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", task.id,
+                     how, fault(result), when, result.place[0], result.place[1], result.place[2],
+                     advice.empty() ? "" : ": ", advice);
 }
 
 }  // namespace exporting

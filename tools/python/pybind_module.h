@@ -35,7 +35,7 @@ struct Scene {
 
 geom::Execution on_threads(unsigned threads);  // 0: all
 
-// Throws geom::InputError(what, …) for points that look like degrees (cli::look_like_degrees).
+// Throws geom::InputError(what, …) for points that look like degrees (geom::look_like_degrees).
 void require_metres(const geom::Frame& frame, std::span<const geom::Vec3> points,
                     const std::string& what);
 

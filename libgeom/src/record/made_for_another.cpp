@@ -29,4 +29,8 @@ std::optional<std::string> made_for_another(const Provenance& made_for, const Pr
                      value_of(ours, *what, exact));
 }
 
+std::string in_words(const LimitKind& kind, double value) {
+  return fmt::format("{:.10g} {}", value * (1 / kind.in_unit), kind.unit);
+}
+
 }  // namespace geom

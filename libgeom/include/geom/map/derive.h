@@ -5,7 +5,7 @@
 //   const geom::BoxMap centre = geom::crop(city, {{-200, -200, 0}, {200, 200, 120}},
 //   "city.boxmap"); const geom::BoxMap grown = geom::inflate(centre, 0.5);
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -26,7 +26,7 @@ struct SourceMap {
 nlohmann::ordered_json derived_step(const char* verb, const BoxMap& input);
 
 // Of this table; `step` comes after those of the spec's history.
-BoxMap derived(BoxMapSpec spec, const BoxTable& table, nlohmann::ordered_json step);
+BoxMap derived(BoxMapSpec spec, const BoxTable& table, const nlohmann::ordered_json& step);
 
 // The boxes that meet the region, and the bounds inside it. Throws InputError(source, …) where the
 // region does not meet the bounds.

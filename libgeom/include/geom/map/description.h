@@ -2,7 +2,7 @@
 
 // What a map is, as JSON for people and programs.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "geom/map/box_map.h"

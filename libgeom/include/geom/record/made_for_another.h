@@ -1,6 +1,6 @@
 #pragma once
 
-// Words for a record or file that was made for another map, vehicle or margin.
+// Words for a record or file that was made for another map, vehicle or margin, and for limits.
 
 #include <optional>
 #include <string>
@@ -16,5 +16,8 @@ std::optional<std::string> made_for_another(const Provenance& made_for, const Pr
 // "tello (half sizes 0.1, 0.1, 0.03 m)". Sizes have as many digits as people read, or `exact`, for
 // where that would hide how two vehicles differ.
 std::string in_words(const Vehicle& vehicle, bool exact);
+
+// A limit in the unit of its option: "12 m/s", "35 degrees".
+std::string in_words(const LimitKind& kind, double value);
 
 }  // namespace geom

@@ -2,7 +2,7 @@
 
 // What came of the trials, in numbers and as a table.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 

@@ -10,24 +10,24 @@
 #include "geom/map/box_map.h"
 #include "geom/record/record.h"
 
-namespace cli {
+namespace geom {
 
 class NamedMap {
  public:
-  explicit NamedMap(geom::BoxMap map) : map_(std::move(map)) {}
+  explicit NamedMap(BoxMap map) : map_(std::move(map)) {}
 
-  const geom::BoxMap& map() const { return map_; }
+  const BoxMap& map() const { return map_; }
 
-  // Throws geom::InputError(source, line, …) where the record names another map or frame. One of
+  // Throws InputError(source, line, …) where the record names another map or frame. One of
   // the map without its boxes that are there for a time is of this one: whoever decides looks at
   // them.
-  void require(const geom::Provenance& record, std::string_view source, std::size_t line);
+  void require(const Provenance& record, std::string_view source, std::size_t line);
 
  private:
-  bool is_of_always_there(const geom::Provenance& record);
+  bool is_of_always_there(const Provenance& record);
 
-  geom::BoxMap map_;
+  BoxMap map_;
   std::optional<std::string> always_there_;  // the hash, once it was asked for
 };
 
-}  // namespace cli
+}  // namespace geom
