@@ -23,19 +23,19 @@ namespace geom {
 // that breaks off never looks like one that ends. A program passes its own where it counts files.
 using OpenFile = std::function<std::shared_ptr<std::istream>(const std::string& path)>;
 
-// Throws std::system_error where the file cannot be opened.
+// Throws FileError where the file cannot be opened.
 std::shared_ptr<std::istream> open_file(const std::string& path);
 
 // A regular file of which parts are read, anywhere. Threads may share it.
 class RandomFile {
  public:
-  // Throws std::system_error where it cannot be opened.
+  // Throws FileError where it cannot be opened.
   explicit RandomFile(const std::string& path);
   ~RandomFile();
   RandomFile(const RandomFile&) = delete;
   RandomFile& operator=(const RandomFile&) = delete;
 
-  // How many bytes there were, up to those asked for. Throws std::system_error where reading fails.
+  // How many bytes there were, up to those asked for. Throws FileError where reading fails.
   std::size_t read(std::uint64_t at, std::span<unsigned char> to) const;
 
   std::uint64_t size() const { return size_; }  // bytes, when it was opened

@@ -38,7 +38,7 @@ struct FootprintDraftOptions {
 // Reads the file, brings it to the map's coordinates and onto the ground, and covers it with boxes.
 // Throws InputError where the file is refused, where a possible obstacle cannot be built and that
 // is not allowed, and where too many heights are unknown; UsageError where `metres` meets a file
-// that names its reference system; std::system_error where a file cannot be opened.
+// that names its reference system; FileError where a file cannot be opened.
 MapDraft draft_footprints(const std::string& path, const FootprintDraftOptions& options = {},
                           const Notes& notes = {}, const Execution& run = {});
 

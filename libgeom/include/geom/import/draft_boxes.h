@@ -41,7 +41,7 @@ struct BoxDraftOptions {
 
 // Throws InputError where the file is refused, where a possible obstacle cannot be built and that
 // is not allowed, and where a model of `without` is not there; UsageError where `map.pad` meets a
-// file with bounds of its own; std::system_error where a file cannot be opened. `source` is for
+// file with bounds of its own; FileError where a file cannot be opened. `source` is for
 // messages, and what the paths in a world are relative to.
 MapDraft draft_boxes(HashedStream& file, const std::string& source,
                      const BoxDraftOptions& options = {}, const Notes& notes = {});
