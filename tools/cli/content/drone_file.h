@@ -41,7 +41,7 @@ struct DroneFileOptions {
 std::vector<std::string> drone_file_words(std::string_view tool);
 
 // Which formats use which option when they are read or written, for require_used().
-std::vector<FormatOption> mission_option_rows(traj::MissionOptionSet traj::MissionFormat::*used);
+std::vector<FormatOption> file_option_rows(traj::FileOptionSet traj::MissionFormat::*used);
 
 // traj::read_mission of a file's text, in the format that the options name or that it begins as.
 // Throws UsageError for options that this does not use.

@@ -33,10 +33,10 @@ constinit const MissionFormat kKml{
                .readers = kReaders},
     .read = read,
     .write = write,
-    .reads_with = {MissionOption::origin, MissionOption::geoid, MissionOption::navigation,
-                   MissionOption::tracking},
-    .writes_with = {MissionOption::tolerance, MissionOption::origin, MissionOption::geoid,
-                    MissionOption::navigation, MissionOption::tracking},
+    .reads_with = {FileOption::origin, FileOption::geoid, FileOption::navigation,
+                   FileOption::tracking},
+    .writes_with = {FileOption::tolerance, FileOption::origin, FileOption::geoid,
+                    FileOption::navigation, FileOption::tracking},
     .has_legs = true,
     .heights = FileHeights::absolute};
 
