@@ -81,7 +81,7 @@ void Options::refuse_idle(const CLI::App& app) const {
   if (drone_file.format.empty()) {
     drone_file.require_used("records", "without --file-format, FILE is read as records");
   }
-  if (flight_log()) drone_file.require_used(cli::kFlightLog, "--file-format is flight-log");
+  if (flight_log()) drone_file.require_used(cli::kFlightLogWord, "--file-format is flight-log");
 }
 
 // Writes what each record came to, and counts.

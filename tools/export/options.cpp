@@ -20,7 +20,7 @@ namespace exporting {
 namespace {
 
 void refuse_idle(const CLI::App& app, const std::string& word, bool unchecked) {
-  cli::require_used(app, cli::mission_option_rows(&traj::MissionFormat::writes_with), word,
+  cli::require_used(app, cli::file_option_rows(&traj::MissionFormat::writes_with), word,
                     "--format is " + word);
   cli::only_for(app, !unchecked, {"--margin", "--spare", "--metres", "--navigation", "--tracking"},
                 "an export that is checked");

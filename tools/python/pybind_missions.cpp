@@ -18,7 +18,7 @@ namespace binding {
 namespace {
 
 using traj::ExportOptions;
-using traj::MissionOption;
+using traj::FileOption;
 
 // One keyword, and what was given for it.
 struct Given {
@@ -75,45 +75,45 @@ struct Given {
 };
 
 // Obeys one keyword. False for one that says nothing of an export.
-bool set(MissionOption option, const Given& given, ExportOptions& out) {
+bool set(FileOption option, const Given& given, ExportOptions& out) {
   traj::Placement& placement = out.placement;
   switch (option) {
-    case MissionOption::origin:
+    case FileOption::origin:
       return placement.origin = given.origin(), true;
-    case MissionOption::geoid:
+    case FileOption::geoid:
       return placement.geoid = given.number(-200, 200), true;
-    case MissionOption::ground:
+    case FileOption::ground:
       return placement.ground = given.number(-1e6, 1e6), true;
-    case MissionOption::takeoff_height:
+    case FileOption::takeoff_height:
       return placement.takeoff_height = given.number(0.2, 10), true;
-    case MissionOption::heading:
+    case FileOption::heading:
       return placement.heading = given.number(-360, 360), true;
-    case MissionOption::rate:
+    case FileOption::rate:
       return out.rate = given.number(0.1, 1e4), true;
-    case MissionOption::axes:
+    case FileOption::axes:
       if (given.text() != "enu" && given.text() != "ned") given.refuse("enu or ned");
       return out.ned = given.text() == "ned", true;
-    case MissionOption::tolerance:
+    case FileOption::tolerance:
       return out.tolerance = given.number(1e-3, 100), true;
-    case MissionOption::speed:
+    case FileOption::speed:
       return out.speed = given.number(0.1, 100), true;
-    case MissionOption::hover:
+    case FileOption::hover:
       return out.lands = !given.value.cast<bool>(), true;
-    case MissionOption::aircraft:
+    case FileOption::aircraft:
       return out.dji.aircraft = given.aircraft(), true;
-    case MissionOption::wpml_version:
+    case FileOption::wpml_version:
       return out.dji.version = given.wpml_version(), true;
-    case MissionOption::turns:
+    case FileOption::turns:
       return out.turns = given.number(traj::kDjiLeastTurn, 1000), true;
-    case MissionOption::autopilot:
+    case FileOption::autopilot:
       return out.flier.autopilots = given.autopilots(), true;
-    case MissionOption::navigation:
+    case FileOption::navigation:
       return out.flier.navigation = given.uncertainty(), true;
-    case MissionOption::tracking:
+    case FileOption::tracking:
       return out.flier.tracking = given.uncertainty(), true;
-    case MissionOption::volumes:
+    case FileOption::volumes:
       return out.volumes = static_cast<std::size_t>(given.number(1, traj::kMostVolumes)), true;
-    case MissionOption::buffer:
+    case FileOption::buffer:
       return out.buffer = given.number(0, 1000), true;
     default:
       return false;
@@ -121,7 +121,7 @@ bool set(MissionOption option, const Given& given, ExportOptions& out) {
 }
 
 // Which formats take heed of an option.
-std::string formats_with(MissionOption option) {
+std::string formats_with(FileOption option) {
   std::vector<std::string_view> words;
   for (const traj::MissionFormat* one : traj::mission_formats()) {
     if (one->writes_with.has(option)) words.push_back(one->format.word);
@@ -135,7 +135,7 @@ ExportOptions options_from(const py::kwargs& asked, const traj::MissionFormat& f
     const auto name = key.cast<std::string>();
     std::string word = name;
     std::replace(word.begin(), word.end(), '_', '-');
-    const auto option = geom::value_of(traj::kMissionOptionWords, word);
+    const auto option = geom::value_of(traj::kFileOptionWords, word);
     if (!option || !set(*option, {name, value}, out)) {
       throw py::type_error("export_mission() has no keyword \"" + name + '"');
     }

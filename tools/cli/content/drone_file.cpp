@@ -18,7 +18,7 @@ namespace {
 const std::vector<std::string>& option_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> out;
-    for (const auto& [option, word] : traj::kMissionOptionWords) {
+    for (const auto& [option, word] : traj::kFileOptionWords) {
       out.push_back(fmt::format("--{}", word));
     }
     return out;
@@ -29,8 +29,8 @@ const std::vector<std::string>& option_names() {
 // What the tools that read drone files take.
 const std::vector<FormatOption>& reading_options() {
   static const std::vector<FormatOption> rows = [] {
-    auto out = mission_option_rows(&traj::MissionFormat::reads_with);
-    FormatOption& metres = out.emplace_back(FormatOption{"--metres", {"records", kFlightLog}});
+    auto out = file_option_rows(&traj::MissionFormat::reads_with);
+    FormatOption& metres = out.emplace_back(FormatOption{"--metres", {"records", kFlightLogWord}});
     for (const traj::MissionFormat* one : traj::mission_formats()) {
       if (!one->is_flown) metres.formats.push_back(one->format.word);
     }
@@ -41,12 +41,12 @@ const std::vector<FormatOption>& reading_options() {
 
 }  // namespace
 
-std::vector<FormatOption> mission_option_rows(traj::MissionOptionSet traj::MissionFormat::*used) {
+std::vector<FormatOption> file_option_rows(traj::FileOptionSet traj::MissionFormat::*used) {
   std::vector<FormatOption> rows;
-  for (std::size_t i = 0; i < traj::kMissionOptionWords.size(); ++i) {
+  for (std::size_t i = 0; i < traj::kFileOptionWords.size(); ++i) {
     FormatOption row{option_names()[i].c_str(), {}};
     for (const traj::MissionFormat* one : traj::mission_formats()) {
-      if ((one->*used).has(traj::kMissionOptionWords[i].value)) {
+      if ((one->*used).has(traj::kFileOptionWords[i].value)) {
         row.formats.push_back(one->format.word);
       }
     }
@@ -64,7 +64,7 @@ std::vector<std::string> drone_file_words(std::string_view tool) {
 void DroneFileOptions::add_to(CLI::App& parser) {
   app = &parser;
   std::vector<std::string> words = drone_file_words("skyway-check");
-  words.emplace_back(kFlightLog);
+  words.emplace_back(kFlightLogWord);
   parser
       .add_option("--file-format", format,
                   "FILE is a drone file, to be checked as it will be flown; auto: found out from "

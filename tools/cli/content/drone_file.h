@@ -16,7 +16,7 @@ namespace cli {
 // The word of --format and --file-format for what is found out from the beginning of a file.
 inline constexpr const char* kAuto = "auto";
 // Of --file-format: a flight log, which is no drone file.
-inline constexpr const char* kFlightLog = "flight-log";
+inline constexpr const char* kFlightLogWord = "flight-log";
 
 struct DroneFileOptions {
   std::string format = {};  // a word of traj::mission_formats() or kAuto; empty: not asked for
@@ -25,7 +25,7 @@ struct DroneFileOptions {
   // Where it is set, read_drone_file() refuses what the format of the file does not use.
   const CLI::App* app = nullptr;
 
-  bool is_flight_log() const { return format == kFlightLog; }
+  bool is_flight_log() const { return format == kFlightLogWord; }
 
   // --file-format, --paths-csv, --start, those of the placement and all of missions; sets `app`.
   void add_to(CLI::App& parser);
@@ -41,7 +41,7 @@ struct DroneFileOptions {
 std::vector<std::string> drone_file_words(std::string_view tool);
 
 // Which formats use which option when they are read or written, for require_used().
-std::vector<FormatOption> mission_option_rows(traj::MissionOptionSet traj::MissionFormat::*used);
+std::vector<FormatOption> file_option_rows(traj::FileOptionSet traj::MissionFormat::*used);
 
 // traj::read_mission of a file's text, in the format that the options name or that it begins as.
 // Throws UsageError for options that this does not use.

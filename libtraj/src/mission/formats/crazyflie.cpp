@@ -386,7 +386,7 @@ constinit const MissionFormat kCrazyflie{
     .read = read,
     .write = write,
     .warnings = warnings,
-    .reads_with = {MissionOption::navigation, MissionOption::tracking, MissionOption::gap},
-    .writes_with = {MissionOption::show, MissionOption::navigation, MissionOption::tracking}};
+    .reads_with = {FileOption::navigation, FileOption::tracking, FileOption::gap},
+    .writes_with = {FileOption::show, FileOption::navigation, FileOption::tracking}};
 
 }  // namespace traj

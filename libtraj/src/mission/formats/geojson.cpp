@@ -34,9 +34,9 @@ constinit const MissionFormat kGeojson{
     .may_be = begins,
     .read = read,
     .write = write,
-    .reads_with = {MissionOption::origin, MissionOption::navigation, MissionOption::tracking},
-    .writes_with = {MissionOption::tolerance, MissionOption::origin, MissionOption::navigation,
-                    MissionOption::tracking},
+    .reads_with = {FileOption::origin, FileOption::navigation, FileOption::tracking},
+    .writes_with = {FileOption::tolerance, FileOption::origin, FileOption::navigation,
+                    FileOption::tracking},
     .has_legs = true,
     .heights = FileHeights::absolute};
 

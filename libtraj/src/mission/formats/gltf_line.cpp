@@ -270,8 +270,8 @@ constinit const MissionFormat kGltfLine{
     .may_be = [](std::string_view text) { return text_head(text).starts_with("glTF"); },
     .read = read,
     .write = write,
-    .reads_with = {MissionOption::navigation, MissionOption::tracking},
-    .writes_with = {MissionOption::tolerance, MissionOption::navigation, MissionOption::tracking},
+    .reads_with = {FileOption::navigation, FileOption::tracking},
+    .writes_with = {FileOption::tolerance, FileOption::navigation, FileOption::tracking},
     .has_legs = true,
     .is_binary = true};
 

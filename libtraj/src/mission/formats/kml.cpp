@@ -34,10 +34,10 @@ constinit const MissionFormat kKml{
         },
     .read = read,
     .write = write,
-    .reads_with = {MissionOption::origin, MissionOption::geoid, MissionOption::navigation,
-                   MissionOption::tracking},
-    .writes_with = {MissionOption::tolerance, MissionOption::origin, MissionOption::geoid,
-                    MissionOption::navigation, MissionOption::tracking},
+    .reads_with = {FileOption::origin, FileOption::geoid, FileOption::navigation,
+                   FileOption::tracking},
+    .writes_with = {FileOption::tolerance, FileOption::origin, FileOption::geoid,
+                    FileOption::navigation, FileOption::tracking},
     .has_legs = true,
     .heights = FileHeights::absolute};
 

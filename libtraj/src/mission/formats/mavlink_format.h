@@ -10,16 +10,14 @@
 namespace traj {
 
 // What may be said beside them.
-inline constexpr MissionOptionSet kMavlinkReading{
-    MissionOption::origin,        MissionOption::geoid,     MissionOption::ground,
-    MissionOption::return_height, MissionOption::terrain,   MissionOption::acceptance,
-    MissionOption::braking,       MissionOption::autopilot, MissionOption::params,
-    MissionOption::drag,          MissionOption::navigation};
-inline constexpr MissionOptionSet kMavlinkWriting{
-    MissionOption::tolerance, MissionOption::speed,  MissionOption::hover,
-    MissionOption::ground,    MissionOption::origin, MissionOption::geoid,
-    MissionOption::autopilot, MissionOption::params, MissionOption::drag,
-    MissionOption::navigation};
+inline constexpr FileOptionSet kMavlinkReading{
+    FileOption::origin,  FileOption::geoid,      FileOption::ground,    FileOption::return_height,
+    FileOption::terrain, FileOption::acceptance, FileOption::braking,   FileOption::autopilot,
+    FileOption::params,  FileOption::drag,       FileOption::navigation};
+inline constexpr FileOptionSet kMavlinkWriting{
+    FileOption::tolerance, FileOption::speed,     FileOption::hover,     FileOption::ground,
+    FileOption::origin,    FileOption::geoid,     FileOption::autopilot, FileOption::params,
+    FileOption::drag,      FileOption::navigation};
 
 inline constexpr double kMissionRounding = 0.03;  // m: MissionFormat::rounding
 

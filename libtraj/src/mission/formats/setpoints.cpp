@@ -215,8 +215,8 @@ constinit const MissionFormat kSetpoints{
     .write = write,
     .warnings = warnings,
     .remedy = remedy,
-    .reads_with = {MissionOption::navigation, MissionOption::tracking},
-    .writes_with = {MissionOption::rate, MissionOption::axes, MissionOption::navigation,
-                    MissionOption::tracking}};
+    .reads_with = {FileOption::navigation, FileOption::tracking},
+    .writes_with = {FileOption::rate, FileOption::axes, FileOption::navigation,
+                    FileOption::tracking}};
 
 }  // namespace traj

@@ -317,12 +317,11 @@ constinit const MissionFormat kTello{
     .remedy = [](const MissionTask&, const CheckResult& result) -> std::string {
       return result.reason == Reason::takeoff ? "take off higher (--takeoff-height)" : "";
     },
-    .reads_with = {MissionOption::start, MissionOption::takeoff_height, MissionOption::heading,
-                   MissionOption::navigation, MissionOption::tracking},
-    .writes_with = {MissionOption::tolerance, MissionOption::speed, MissionOption::hover,
-                    MissionOption::ground, MissionOption::takeoff_height, MissionOption::heading,
-                    MissionOption::python, MissionOption::table, MissionOption::navigation,
-                    MissionOption::tracking},
+    .reads_with = {FileOption::start, FileOption::takeoff_height, FileOption::heading,
+                   FileOption::navigation, FileOption::tracking},
+    .writes_with = {FileOption::tolerance, FileOption::speed, FileOption::hover, FileOption::ground,
+                    FileOption::takeoff_height, FileOption::heading, FileOption::python,
+                    FileOption::table, FileOption::navigation, FileOption::tracking},
     .has_legs = true,
     .fastest = 0.01 * kTelloFastest,
     .fastest_because = "0.1 to 1 m/s, as a Tello's go takes 10 to 100 cm/s"};

@@ -71,7 +71,7 @@ constinit const MissionFormat kVolume4d{
     .format = {.word = "volume4d", .what = "volumes of airspace (ASTM F3548)"},
     .prove = prove,
     .unfit = unfit,
-    .writes_with = {MissionOption::origin, MissionOption::volumes, MissionOption::buffer},
+    .writes_with = {FileOption::origin, FileOption::volumes, FileOption::buffer},
     .says_when = true};
 
 }  // namespace traj

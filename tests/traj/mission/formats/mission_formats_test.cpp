@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "traj/mission/formats/paths_csv.h"
 #include "traj/mission/formats/qgc_plan.h"
@@ -13,7 +14,7 @@ namespace traj {
 namespace {
 
 TEST(MissionFormats, HaveWordsOfTheirOwnAndAreReadOrWritten) {
-  std::set<std::string_view> words;
+  std::set<std::string> words;
   for (const MissionFormat* one : mission_formats()) {
     const std::string word(one->format.word);
     EXPECT_FALSE(one->format.what.empty()) << word;
@@ -29,7 +30,7 @@ TEST(MissionFormats, HaveWordsOfTheirOwnAndAreReadOrWritten) {
 
 // An option that no format uses would be refused beside every file.
 TEST(MissionFormats, UseEveryOptionSomewhere) {
-  for (const auto& [option, word] : kMissionOptionWords) {
+  for (const auto& [option, word] : kFileOptionWords) {
     const auto all = mission_formats();
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const MissionFormat* one) {
       return one->reads_with.has(option) || one->writes_with.has(option);

@@ -16,7 +16,7 @@
 
 #include "geom/base/format.h"
 #include "geom/collision/collision.h"
-#include "traj/mission/formats/mission_option.h"
+#include "traj/mission/formats/file_option.h"
 #include "traj/mission/formats/reading.h"
 #include "traj/mission/formats/writing.h"
 
@@ -28,8 +28,8 @@ inline constexpr std::string_view kDroneReaders[] = {"skyway-check", "skyway-imp
 // The heights that a file has on Earth: none, above the sea or the ellipsoid, or above home.
 enum class FileHeights { none, absolute, above_home };
 
-// What a file's bytes, read again, came to: `result` is not ok where they are refused. `refusal`:
-// why, where it is no result of a check.
+// A file and the verdict on its bytes. Where `result` is ok and `refusal` is not empty, something
+// else than a check refused it.
 struct MissionProof {
   WrittenMission written;
   CheckResult result;
@@ -55,13 +55,14 @@ struct MissionFormat {
 
   // Before a file of `legs` is written for the first time: what is tried first.
   void (*prepare)(MissionTask& task, const geom::Polyline& legs) = nullptr;
-  // After a refusal: changes what may help; false where nothing would.
+  // After a refusal: changes the task so that the next file may pass; false where nothing would
+  // help.
   bool (*mend)(const WrittenMission& written, const CheckResult& result,
                MissionTask& task) = nullptr;
   // In place of reading the bytes again and judging what they make a vehicle fly.
   MissionProof (*prove)(const geom::CollisionScene& scene, const MissionTask& task) = nullptr;
 
-  // Why it cannot have the flight; empty: it can.
+  // Why the format cannot hold the flight; empty: it can.
   std::string (*unfit)(const ExportFlight& flight) = nullptr;
   // What the user of a file should know; `result` null: it was not checked.
   std::vector<std::string> (*warnings)(const MissionTask& task,
@@ -69,13 +70,13 @@ struct MissionFormat {
   // What to do about a refusal; empty: what holds for every format.
   std::string (*remedy)(const MissionTask& task, const CheckResult& result) = nullptr;
 
-  MissionOptionSet reads_with = {};   // what may be said beside a file that is read
-  MissionOptionSet writes_with = {};  // and beside one that is written
-  bool has_legs = false;              // straight legs, rather than the curve itself
+  FileOptionSet reads_with = {};   // what may be said beside a file that is read
+  FileOptionSet writes_with = {};  // and beside one that is written
+  bool has_legs = false;           // straight legs, rather than the curve itself
   bool is_binary = false;
   bool is_flown = true;     // a vehicle takes it; else it is a table of paths
   bool says_when = false;   // the file has the instant at which the flight begins
-  double rounding = 0.012;  // m: more than the file's numbers round a point by, and vehicles those
+  double rounding = 0.012;  // m by which the file's numbers, and vehicles, move a point at most
   FileHeights heights = FileHeights::none;
   double fastest = 0;                     // m/s along legs; 0: any
   std::string_view fastest_because = {};  // "at most 15 m/s, as DJI's missions take"

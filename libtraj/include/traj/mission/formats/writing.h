@@ -64,7 +64,7 @@ struct MissionEstimate {
 };
 
 struct WrittenMission {
-  std::string text;
+  std::string text;                             // the bytes of the file
   std::string python = {};                      // of a Tello: a program, and
   std::string csv = {};                         // a table, for those who ask for them
   std::vector<std::size_t> points = {};         // of a mission: the path's point of each item

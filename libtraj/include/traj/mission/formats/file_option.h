@@ -1,0 +1,96 @@
+#pragma once
+
+// What may be said beside a drone file, and which formats take heed of it.
+//
+// Example:
+//   constexpr traj::FileOptionSet set{traj::FileOption::ground, traj::FileOption::speed};
+//   static_assert(set.has(traj::FileOption::speed) && !set.has(traj::FileOption::rate));
+
+#include <cstddef>
+#include <initializer_list>
+
+#include "geom/text/words.h"
+
+namespace traj {
+
+enum class FileOption {
+  start,
+  takeoff_height,
+  heading,
+  origin,
+  geoid,
+  ground,
+  return_height,
+  terrain,
+  acceptance,
+  braking,
+  autopilot,
+  params,
+  drag,
+  navigation,
+  tracking,
+  gap,
+  rate,
+  axes,
+  tolerance,
+  speed,
+  hover,
+  python,
+  table,
+  wpml_version,
+  aircraft,
+  turns,
+  show,
+  volumes,
+  buffer
+};
+inline constexpr std::size_t kFileOptions = 29;
+
+// As the tools' options name them, without "--".
+inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
+    {FileOption::start, "start"},
+    {FileOption::takeoff_height, "takeoff-height"},
+    {FileOption::heading, "heading"},
+    {FileOption::origin, "origin"},
+    {FileOption::geoid, "geoid"},
+    {FileOption::ground, "ground"},
+    {FileOption::return_height, "return-height"},
+    {FileOption::terrain, "terrain"},
+    {FileOption::acceptance, "acceptance"},
+    {FileOption::braking, "braking"},
+    {FileOption::autopilot, "autopilot"},
+    {FileOption::params, "params"},
+    {FileOption::drag, "drag"},
+    {FileOption::navigation, "navigation"},
+    {FileOption::tracking, "tracking"},
+    {FileOption::gap, "gap"},
+    {FileOption::rate, "rate"},
+    {FileOption::axes, "axes"},
+    {FileOption::tolerance, "tolerance"},
+    {FileOption::speed, "speed"},
+    {FileOption::hover, "hover"},
+    {FileOption::python, "python"},
+    {FileOption::table, "table"},
+    {FileOption::wpml_version, "wpml-version"},
+    {FileOption::aircraft, "aircraft"},
+    {FileOption::turns, "turns"},
+    {FileOption::show, "show"},
+    {FileOption::volumes, "volumes"},
+    {FileOption::buffer, "buffer"},
+}};
+
+// A set of them.
+class FileOptionSet {
+ public:
+  constexpr FileOptionSet() = default;
+  constexpr FileOptionSet(std::initializer_list<FileOption> options) {
+    for (const FileOption one : options) bits_ |= bit(one);
+  }
+  constexpr bool has(FileOption option) const { return (bits_ & bit(option)) != 0; }
+
+ private:
+  static constexpr unsigned bit(FileOption option) { return 1u << static_cast<int>(option); }
+  unsigned bits_ = 0;
+};
+
+}  // namespace traj
