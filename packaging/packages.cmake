@@ -88,11 +88,12 @@ endif()
 if(SKYWAY_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
   skyway_package(python python3-skyway python "Python module of the Skyway toolkit
-Reads box maps, lattices, roadmaps, paths, trajectories and reports into NumPy
-arrays, answers collision queries in batches without copying, plans, solves
-and checks.")
+Makes box maps, reads them, lattices, roadmaps, paths, trajectories and reports
+into NumPy arrays, answers collision queries in batches without copying, plans,
+solves and checks.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${SKYWAY_PYTHON_DEPENDS}")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS skyway)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, skyway-mesh")
 endif()
 
 include(CPack)

@@ -51,7 +51,7 @@ void require_ours(const geom::PathRecord& record, const geom::CollisionScene& sc
   if (record.provenance.frame) said.frame = record.provenance.frame;
   if (record.provenance.vehicle) said.vehicle = record.provenance.vehicle;
   if (record.provenance.margin) said.margin = record.provenance.margin;
-  cli::require_same(said, scene, fmt::format("planner-cmd:{}", line), "path");
+  geom::require_same(said, scene, fmt::format("planner-cmd:{}", line), "path");
 }
 
 plan::bench::Run run_method(const std::string& name, const geom::CollisionScene& scene,

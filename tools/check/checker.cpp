@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/option/limit_options.h"
 #include "cli/run.h"
+#include "geom/record/agreed_room.h"
 #include "geom/record/start_on_map.h"
 #include "geom/text/json_fields.h"
 #include "traj/mission/judge/judge.h"
@@ -23,7 +23,7 @@ traj::ExactTask exact_task(const geom::CollisionScene& scene, const traj::Limits
 
 // Only --override allows it.
 bool has_less_room(const geom::CollisionScene& scene, const geom::Provenance& record) {
-  return cli::smaller_than_asked({scene.vehicle(), scene.margin()}, record);
+  return geom::smaller_than_asked({scene.vehicle(), scene.margin()}, record);
 }
 
 // How the corners of a mission were taken; empty where it has none.
@@ -72,8 +72,8 @@ std::string takeoff_detail(const geom::CollisionScene& scene, const traj::CheckR
 }  // namespace
 
 traj::Limits Checker::limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const {
-  return cli::limits_to_check({rules_.limits, record, vehicle.limits, rules_.override_record},
-                              vehicle.name);
+  return geom::limits_to_check({rules_.limits, record, vehicle.limits, rules_.override_record},
+                               vehicle.name);
 }
 
 // The limits that --override loosens.

@@ -13,9 +13,10 @@
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "flight_logs.h"
-#include "junit_file.h"
+#include "geom/record/agreed_room.h"
 #include "together.h"
 #include "traj/record/certificate_record.h"
+#include "traj/record/junit_suite.h"
 
 namespace {
 
@@ -25,7 +26,7 @@ struct Options {
   std::string output = "-";
   std::string certificate;
   checking::ProfileFile profile;
-  checking::JUnitFile junit;
+  std::string junit;
   cli::VehicleOptions vehicle;
   cli::LimitOptions limits;
   bool override_record = false;
@@ -63,7 +64,7 @@ void Options::add_to(CLI::App& app) {
   app.add_flag("--no-clearance", no_clearance,
                "leave the clearance out of the reports: it costs more than the verdict");
   profile.add_to(app);
-  junit.add_to(app);
+  cli::add_output(app, "--junit", junit, "write the verdicts as a JUnit test suite, XML");
   cli::add_output(
       app, "--certificate", certificate,
       "write the reasons why each accepted record is clear, JSON Lines; implies --exact");
@@ -90,13 +91,12 @@ class Reports {
   Reports(Options& options, const cli::Sharding& sharding, const geom::BoxMap& map)
       : map_(map),
         profile_(options.profile),
-        junit_(options.junit),
         parks_(options.together.parks()),
         out_(options.output, "output", sharding) {
     if (!options.certificate.empty())
       certificates_.emplace(options.certificate, "certificate", sharding);
     profile_.open(sharding);
-    junit_.open();
+    if (!options.junit.empty()) junit_.emplace(options.junit, cli::OutputKind::text);
   }
 
   void add(const traj::ReportRecord& report) {
@@ -107,7 +107,7 @@ class Reports {
        : batch_.add_failed(report.result.ok ? "exact" : name(report.result.reason));
     if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
     profile_.finish_record();
-    junit_.add(report, map_);
+    suite_.add(report, map_);
     out_.add(traj::to_json_line(report, map_));
     out_.flush();
   }
@@ -115,7 +115,7 @@ class Reports {
   // Of all flights against one another.
   void add(const checking::Together& together, const traj::TogetherResult& result) {
     failed_ += !result.ok() || together.left_out() > 0;
-    junit_.add(result, together.task(), together.left_out());
+    suite_.add(result, together.task(), together.left_out());
     for (const traj::RefusedPair& pair : result.refused) {
       out_.add(traj::to_json_line(pair, together.task()));
     }
@@ -130,9 +130,9 @@ class Reports {
   }
 
   // Of all flights against obstacles that move.
-  void add(const cli::Moving::Found& found) {
+  void add(const traj::MovingObstacles::Found& found) {
     failed_ += !found.summary.ok();
-    junit_.add(found.conflicts, found.summary);
+    suite_.add(found.conflicts, found.summary);
     for (const traj::MovingConflict& one : found.conflicts) {
       out_.add(traj::to_json_line(one, found.summary.epoch));
     }
@@ -150,7 +150,10 @@ class Reports {
     out_.commit(total, exit);
     if (certificates_) certificates_->commit(total, exit);
     profile_.commit(total, exit);
-    junit_.commit();
+    if (junit_) {
+      junit_->stream() << suite_.xml();
+      junit_->commit();
+    }
     return exit;
   }
 
@@ -173,7 +176,8 @@ class Reports {
 
   const geom::BoxMap& map_;
   checking::ProfileFile& profile_;
-  checking::JUnitFile& junit_;
+  std::optional<cli::OutputFile> junit_;
+  traj::JUnitSuite suite_;
   bool parks_;
   cli::RecordOutput out_;
   std::optional<cli::RecordOutput> certificates_;
@@ -195,16 +199,18 @@ void check_together(const cli::Common& common, checking::Together& together, boo
                         result.pairs, traj::in_words(*nearest, together.task())));
 }
 
-void read_moving(cli::Moving& moving, const geom::BoxMap& map, const cli::MetresOption& metres) {
-  moving.read();
-  cli::NamedMap named(map);
-  moving.require_of(named, metres);
+traj::MovingObstacles read_moving(const cli::Moving& option, const geom::BoxMap& map,
+                                  const cli::MetresOption& metres) {
+  traj::MovingObstacles moving = option.read();
+  geom::NamedMap named(map);
+  moving.require_of(named, cli::look_at_boxes(metres, map.spec().frame));
+  return moving;
 }
 
-void check_moving(const cli::Common& common, checking::Together& together, bool exact,
-                  Reports& reports) {
-  const auto found = together.moving().check(
-      together.flights(), together.task(), together.left_out(), exact, common.execution("flights"));
+void check_moving(const cli::Common& common, const traj::MovingObstacles& moving,
+                  const checking::Together& together, bool exact, Reports& reports) {
+  const auto found = moving.check(together.flights(), together.task(), together.left_out(), exact,
+                                  common.execution("flights"));
   reports.add(found);
   if (found.conflicts.empty()) return;
   cli::tell(common, "skyway-check",
@@ -224,7 +230,7 @@ void refuse_together(const Options& options, bool shard) {
         "--moving says how all flights came out, and a shard holds some: leave --shard or "
         "--moving out");
   }
-  if (shard && !options.junit.file().empty()) {
+  if (shard && !options.junit.empty()) {
     throw cli::UsageError(
         "--junit says how all records came out, and a shard holds some: leave "
         "--shard or --junit out");
@@ -266,8 +272,9 @@ int main(int argc, char** argv) {
       return options.flights.check(common, options.input, scenes, options.metres, sharding,
                                    options.output);
     }
+    std::optional<traj::MovingObstacles> moving;
     if (options.together.moving().asked()) {
-      read_moving(options.together.moving(), scenes.map(), options.metres);
+      moving = read_moving(options.together.moving(), scenes.map(), options.metres);
     }
     if (!options.drone_file.format.empty()) {
       options.drone_file.autopilot.settle(options.vehicle.profile());
@@ -281,8 +288,7 @@ int main(int argc, char** argv) {
                      [&](const traj::ReportRecord& report) { reports.add(report); });
     if (options.together.asked())
       check_together(common, options.together, options.rules().exact, reports);
-    if (options.together.moving().asked())
-      check_moving(common, options.together, options.rules().exact, reports);
+    if (moving) check_moving(common, *moving, options.together, options.rules().exact, reports);
     const cli::Exit exit = reports.commit(total);
     reports.batch().tell(common, "skyway-check", "records failed");
     common.write_stats({{"records", reports.count()},

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/option/agreed_room.h"
 #include "cli/option/option_check.h"
 #include "cli/option/spacing_options.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
+#include "geom/record/agreed_room.h"
 #include "traj/proof/domain.h"
 #include "traj/together/flights_hash.h"
 
@@ -68,7 +68,7 @@ void Together::add(const traj::TrajectoryRecord& record, const geom::CollisionSc
   task_.map = scene->map().hash();
   task_.overridden =
       task_.overridden ||
-      cli::smaller_than_asked({scene->vehicle(), scene->margin()}, record.provenance);
+      geom::smaller_than_asked({scene->vehicle(), scene->margin()}, record.provenance);
   traj::TimedFlight flight{nullptr, record.time.starts(), scene->half()};
   require_room(flight, source, line);
   flight.trajectory = &trajectories_.emplace_back(record.trajectory);

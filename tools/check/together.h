@@ -26,7 +26,6 @@ class Together {
   bool collects() const { return asked_ || moving_.asked(); }  // the flights
   // Whether flights stand at their ends before and after.
   bool parks() const { return collects() && task_.rule.parked == traj::Parked::pad; }
-  cli::Moving& moving() { return moving_; }
   const cli::Moving& moving() const { return moving_; }
   // Throws cli::UsageError for options that mean nothing, alone or with files of drones.
   void refuse_idle(const CLI::App& app, bool drone_file) const;

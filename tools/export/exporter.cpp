@@ -42,8 +42,8 @@ traj::MissionExport Exporter::export_unchecked(const Flight& flight) {
   traj::Limits limits = flight.way.limits;
   const auto asked = options_.vehicle.asked(options_.vehicle.profile());
   if (asked.vehicle || flight.provenance.vehicle) {
-    const auto room =
-        cli::agreed_room(flight.provenance, asked, cli::Differences::refused, options_.input(), 0);
+    const auto room = geom::agreed_room(flight.provenance, asked, geom::Differences::refused,
+                                        options_.input(), 0);
     limits = geom::limits_that_hold({{}, limits, room.vehicle.limits});
   }
   return traj::export_unchecked(flight.way, limits, frame_of(flight), options_.format(),

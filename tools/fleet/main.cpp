@@ -11,13 +11,12 @@
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/spacing_options.h"
+#include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
 #include "cli/tell.h"
-#include "obstacles.h"
-#include "schedule.h"
-#include "stream.h"
 #include "traj/fleet/departure_part.h"
+#include "traj/schedule/fleet_schedule.h"
 
 namespace {
 
@@ -110,25 +109,48 @@ class Clock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-fleet::Stream read_stream(const Options& options, const cli::Common& common) {
-  fleet::Stream stream({options.max_delay, !options.spacing.zone, options.moving.asked(),
-                        options.vehicle.asked(options.vehicle.profile())},
-                       {common.execution("read").threads, {}});
-  stream.read(options.input);
-  for (const std::string& file : options.alternatives) stream.read_ways(file);
-  if (!options.others.empty()) stream.read_others(options.others);
+traj::FleetStream read_stream(const Options& options, const cli::Common& common) {
+  traj::FleetStream stream({options.max_delay, !options.spacing.zone, options.moving.asked(),
+                            options.vehicle.asked(options.vehicle.profile())},
+                           {common.execution("read").threads, {}});
+  cli::InputFile flights(options.input);
+  stream.read(flights.stream(), flights.name());
+  for (const std::string& path : options.alternatives) {
+    cli::InputFile ways(path);
+    stream.read_ways(ways.stream(), ways.name());
+  }
+  if (options.others.empty()) return stream;
+  cli::InputFile others(options.others);
+  stream.read_others(others.stream(), others.name());
   return stream;
 }
 
-fleet::Obstacles read_obstacles(const Options& options, const fleet::Stream& stream,
-                                const cli::Common& common) {
-  fleet::Obstacles obstacles(common, stream, options.parked, options.metres);
-  if (!options.map.empty()) obstacles.add_map(options.map, options.vehicle);
-  if (options.moving.asked()) obstacles.add_moving(options.moving);
+traj::TimedMap open_map(const Options& options, const cli::Common& common) {
+  return {cli::open_map(options.map, geom::Verified::contents, common.execution("verify")),
+          options.map, options.vehicle.asked(options.vehicle.profile()), options.vehicle.budget(),
+          common.execution("map")};
+}
+
+traj::FleetObstacles read_obstacles(const Options& options, const traj::FleetStream& stream,
+                                    const cli::Common& common) {
+  traj::FleetObstacles obstacles(stream, options.parked, common.execution("moving"));
+  const cli::MetresOption& metres = options.metres;
+  geom::Frame frame;
+  if (!options.map.empty()) {
+    traj::TimedMap map = open_map(options, common);
+    frame = map.map().spec().frame;
+    obstacles.add_map(std::move(map), [&metres, frame](const auto& trajectory, const auto& id) {
+      metres.check_input(frame, trajectory, id, 0);
+    });
+  }
+  if (options.moving.asked()) {
+    obstacles.add_moving(options.moving.read(), cli::look_at_boxes(metres, frame));
+  }
   return obstacles;
 }
 
-void write(const fleet::Schedule& schedule, const fleet::Proof& proof, const Options& options) {
+void write(const traj::FleetSchedule& schedule, const traj::FleetProof& proof,
+           const Options& options) {
   cli::OutputFile out(options.output, cli::OutputKind::text);
   for (const std::string& record : schedule.records()) out.stream() << record;
   out.commit();
@@ -138,11 +160,12 @@ void write(const fleet::Schedule& schedule, const fleet::Proof& proof, const Opt
   report.commit();
 }
 
-void tell(const cli::Common& common, const fleet::Stream& stream, const fleet::Schedule& schedule,
-          const fleet::Proof& proof, const traj::Departures& departures) {
+void tell(const cli::Common& common, const traj::FleetStream& stream,
+          const traj::FleetSchedule& schedule, const traj::FleetProof& proof,
+          const traj::Departures& departures) {
   cli::Batch batch;
   std::size_t shown = 0;
-  for (const fleet::Stream::Entry& entry : stream.entries()) {
+  for (const traj::FleetStream::Entry& entry : stream.entries()) {
     if (!entry.number) {
       batch.add_failed(name(entry.record->status));
     } else if (departures.of[*entry.number].start) {
@@ -169,9 +192,9 @@ void tell(const cli::Common& common, const fleet::Stream& stream, const fleet::S
 cli::Exit schedule_fleet(const Options& options, const cli::Sharding& sharding,
                          const cli::Common& common) {
   Clock clock;
-  const fleet::Stream stream = read_stream(options, common);
+  const traj::FleetStream stream = read_stream(options, common);
   std::vector<traj::FleetFlight> flights = stream.flights();
-  fleet::Obstacles obstacles = read_obstacles(options, stream, common);
+  traj::FleetObstacles obstacles = read_obstacles(options, stream, common);
   obstacles.close(flights);
   const double read_s = clock.lap();
   const std::vector<geom::ShardFile> shards = sharding.shards();
@@ -189,9 +212,9 @@ cli::Exit schedule_fleet(const Options& options, const cli::Sharding& sharding,
   const traj::Departures departures =
       traj::choose_departures(flights, conflicts, options.departures);
   const double choose_s = clock.lap();
-  const fleet::Schedule schedule({stream, obstacles, flights, conflicts, departures},
-                                 options.spacing, options.parked);
-  const fleet::Proof proof = schedule.prove(common.execution("proof"));
+  const traj::FleetSchedule schedule({stream, obstacles, flights, conflicts, departures},
+                                     options.spacing, options.parked);
+  const traj::FleetProof proof = schedule.prove(common.execution("proof"));
   const double prove_s = clock.lap();
   write(schedule, proof, options);
   tell(common, stream, schedule, proof, departures);

@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
+#include <sstream>
 
+#include "cli/batch.h"
 #include "cli/file/files.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
+#include "cli/option/scenes.h"
 #include "cli/run.h"
-#include "mission.h"
+#include "cli/shard/record_output.h"
 #include "options.h"
 #include "traj/flight/gains_record.h"
+#include "traj/record/simulated_flights.h"
 
 namespace {
 
@@ -55,14 +59,14 @@ std::string shown(const std::optional<double>& cost) {
   return cost ? fmt::format("{:.4g}", *cost) : "a lost flight";
 }
 
-void write_gains(const cli::Common& common, const fly::Mission& mission, const std::string& cost,
-                 const std::string& output) {
+void write_gains(const cli::Common& common, const traj::SimulatedFlights& mission,
+                 const fly::Options& options, const std::string& output) {
   cli::OutputFile out(output, cli::OutputKind::text);
-  const traj::TuneResult tuned = mission.tune(common.execution("flights"));
+  const traj::TuneResult tuned = mission.tune(options.flight_cost(), common.execution("flights"));
   out.stream() << traj::to_json(tuned.gains);
   out.commit();
   common.note(fmt::format(
-      "cost ({}) before: {}, after: {}{}\n", cost, shown(tuned.before), shown(tuned.cost),
+      "cost ({}) before: {}, after: {}{}\n", options.cost, shown(tuned.before), shown(tuned.cost),
       tuned.improved ? "" : "; no better gains were found, so none were changed"));
   nlohmann::ordered_json stats = {{"flights", tuned.flights},
                                   {"velocity_cost", tuned.velocity_cost},
@@ -75,31 +79,84 @@ void write_gains(const cli::Common& common, const fly::Mission& mission, const s
 }
 
 // The runs of a share, for --join.
-void write_runs(const cli::Common& common, const fly::Mission& mission,
+void write_runs(const cli::Common& common, const traj::SimulatedFlights& mission,
                 const cli::Sharding& sharding, int runs, const std::string& output) {
   const auto flown = mission.fly_runs(sharding.shard(), common.execution("trajectories"));
   sharding.write(output, "output", "runs", traj::arrays_of(flown, runs));
   common.write_stats({{"trajectories", flown.size()}});
 }
 
-// `total`: how many trajectories all shards have.
-cli::Exit write_flights(const cli::Common& common, fly::Mission& mission,
-                        const cli::Sharding& sharding, std::size_t total, const std::string& output,
-                        const std::string& report) {
-  cli::RecordOutput out(output, "output", sharding);
-  std::optional<cli::RecordOutput> told;
-  if (!report.empty()) told.emplace(report, "report", sharding);
-  const fly::Tally tally = mission.fly(common.execution("flights"), out, told ? &*told : nullptr);
-  const cli::Exit exit = tally.failed ? cli::Exit::no : cli::Exit::yes;
-  out.commit(total, exit);
-  if (told) told->commit(total, exit);
-  tally.batch.tell(common, "skyway-fly", "flights failed");
-  common.write_stats({{"records", tally.records},
-                      {"failed", tally.failed},
-                      {"flown_s", tally.flown},
-                      {"cpu_s", tally.cpu},
-                      {"times_real_time", tally.cpu > 0 ? tally.flown / tally.cpu : 0}});
-  return exit;
+double thread_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Log and reports of what is flown, and what it came to.
+class Flights {
+ public:
+  Flights(const std::string& output, const std::string& report, const cli::Sharding& sharding,
+          const traj::Airframe& airframe, const geom::BoxMap* map)
+      : out_(output, "output", sharding), airframe_(airframe), map_(map) {
+    if (!report.empty()) told_.emplace(report, "report", sharding);
+    std::ostringstream head;
+    traj::write_flight_log_header(head);
+    out_.head(head.str());
+  }
+
+  void add(const traj::SimulatedFlight& flight) {
+    std::ostringstream rows;
+    traj::write_flight(rows, flight.log);
+    out_.add(rows.str());
+    if (told_) told_->add(traj::to_json_line(flight.report, airframe_, map_));
+    ++records_;
+    if (flight.seconds) {
+      flown_ += *flight.seconds;
+      cpu_ += flight.cpu;
+    }
+    if (traj::accepted(flight.report)) {
+      batch_.add_good();
+    } else {
+      ++failed_;
+      batch_.add_failed(traj::reason(flight.report));
+    }
+  }
+
+  // `total`: how many trajectories all shards have.
+  cli::Exit commit(const cli::Common& common, std::size_t total) {
+    const cli::Exit exit = failed_ ? cli::Exit::no : cli::Exit::yes;
+    out_.commit(total, exit);
+    if (told_) told_->commit(total, exit);
+    batch_.tell(common, "skyway-fly", "flights failed");
+    common.write_stats({{"records", records_},
+                        {"failed", failed_},
+                        {"flown_s", flown_},
+                        {"cpu_s", cpu_},
+                        {"times_real_time", cpu_ > 0 ? flown_ / cpu_ : 0}});
+    return exit;
+  }
+
+ private:
+  cli::RecordOutput out_;
+  std::optional<cli::RecordOutput> told_;
+  const traj::Airframe& airframe_;
+  const geom::BoxMap* map_;
+  cli::Batch batch_;
+  std::size_t records_ = 0;
+  std::size_t failed_ = 0;
+  double flown_ = 0;  // s of simulated flight, hovering included
+  double cpu_ = 0;    // s that simulating it took, of all threads
+};
+
+traj::SimulationOptions simulation(const fly::Options& options,
+                                   const cli::VehicleOptions& vehicle) {
+  const traj::VehicleProfile profile = *vehicle.profile();
+  traj::SimulationOptions out{profile, options.flight(profile)};
+  if (options.runs > 0) out.spread = options.spread();
+  out.tube = options.tube;
+  out.log_period = options.log_period();
+  out.clock = thread_seconds;
+  return out;
 }
 
 }  // namespace
@@ -142,14 +199,26 @@ int main(int argc, char** argv) {
     if (const auto done = sharding.finished(common)) return *done;
     std::vector<geom::ShardFile> shards = sharding.shards();
     const bool runs_only = sharding.asked() && options.runs > 0;
-    fly::Mission mission(options, vehicle, map);
+    std::optional<cli::Scenes> scenes;
+    cli::VehicleOptions flown = vehicle;
+    flown.margin = vehicle.margin.value_or(0);  // a record's was kept for what happens here
+    if (map) scenes.emplace(*map, flown, cli::Scenes::Differences::allowed);
+    const traj::SimulationOptions asked = simulation(options, vehicle);
+    traj::SimulatedFlights mission(asked, scenes ? &*scenes : nullptr);
     cli::InputFile file(inputs.trajectories);
-    const std::size_t total = mission.read(file, runs_only ? geom::Shard() : sharding.shard());
+    const std::size_t total =
+        mission.read(file.stream(), file.name(), runs_only ? geom::Shard() : sharding.shard(),
+                     [&](const traj::Trajectory& trajectory, std::size_t line) {
+                       options.metres.check_input(map->spec().frame, trajectory, file.name(), line);
+                     });
     if (!shards.empty()) mission.take(traj::JoinedRuns(std::move(shards)));
     if (!options.tune && !runs_only) {
-      return write_flights(common, mission, sharding, total, output, report);
+      Flights flights(output, report, sharding, asked.profile.airframe, mission.map());
+      mission.fly(common.execution("flights"),
+                  [&](const traj::SimulatedFlight& flight) { flights.add(flight); });
+      return flights.commit(common, total);
     }
-    if (options.tune) write_gains(common, mission, options.cost, output);
+    if (options.tune) write_gains(common, mission, options, output);
     if (runs_only) write_runs(common, mission, sharding, options.runs, output);
     return cli::Exit::yes;
   });

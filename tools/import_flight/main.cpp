@@ -11,7 +11,7 @@
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "geom/base/error.h"
-#include "notes.h"
+#include "traj/mission/ulog/flight_notes.h"
 
 namespace {
 
@@ -119,8 +119,8 @@ int main(int argc, char** argv) {
     cli::InputFile file(options.input);
     traj::Px4Flight flight = traj::read_px4_flight(file.stream(), file.name(), target.options);
     const auto geoid = placed ? std::optional(options.placement.geoid) : std::nullopt;
-    for (const std::string& text : importing::warnings(flight, geoid)) common.warn(text);
-    importing::require_positions(flight, file.name(), placed);
+    for (const std::string& text : traj::warnings(flight, geoid)) common.warn(text);
+    traj::require_positions(flight, file.name(), placed);
     set_ground(options, common, file.name(), flight);
     traj::begin_at(begin_of(options, flight, file.name()), flight);
     if (flight.log.samples.empty()) {
@@ -134,8 +134,8 @@ int main(int argc, char** argv) {
     traj::write_flight_log(out.stream(), {&flight.log, 1});
     out.commit();
     cli::tell(common, "skyway-import-flight",
-              importing::told(flight, words_of(options), words_of(options.begin)));
-    common.write_stats(importing::stats(flight));
+              traj::told(flight, words_of(options), words_of(options.begin)));
+    common.write_stats(traj::stats(flight));
     return cli::Exit::yes;
   });
 }

@@ -151,7 +151,7 @@ int main(int argc, char** argv) {
     cli::InputFile file(input);
     Importer importer{common, file.name(), gap, {}, time};
     const geom::Frame frame = frame_of(map, axes, importer.provenance);
-    const cli::AskedRoom room = vehicle.asked(vehicle.profile());
+    const geom::AskedRoom room = vehicle.asked(vehicle.profile());
     importer.provenance.vehicle = room.vehicle;
     importer.provenance.margin = room.margin;
     auto read = cli::read_drone_file(file.read_all(), file.name(), options, frame);

@@ -54,8 +54,8 @@ Json describe_shard(const geom::ArrayArchive& archive) {
           {"shard", fmt::format("{}/{}", shard.shard.index + 1, shard.shard.count)},
           {"tool", shard.work.tool},
           {"release", shard.work.release},
-          {"options", shard.work.options},
-          {"inputs", shard.work.inputs},
+          {"options", geom::parse_json(shard.work.options, archive.name())},
+          {"inputs", geom::parse_json(shard.work.inputs, archive.name())},
           {"output", shard.output},
           {"kind", shard.kind},
           {"exit", shard.yes ? 0 : 1}};

@@ -21,7 +21,7 @@ using geom::ShardFile;
 void join_lattices(std::ostream& out, const std::vector<ShardFile>& shards) {
   std::vector<plan::LatticePart> parts;
   for (const ShardFile& s : shards) {
-    parts.push_back(plan::read_lattice_part(s.archive, s.content.dump(), s.shard));
+    parts.push_back(plan::read_lattice_part(s.archive, s.content, s.shard));
   }
   plan::write_lattice(out, parts);
 }
@@ -29,7 +29,7 @@ void join_lattices(std::ostream& out, const std::vector<ShardFile>& shards) {
 void join_roadmaps(std::ostream& out, const std::vector<ShardFile>& shards) {
   std::vector<plan::Roadmap> parts;
   for (const ShardFile& s : shards) {
-    parts.push_back(plan::read_roadmap_part(s.archive, s.content.dump()));
+    parts.push_back(plan::read_roadmap_part(s.archive, s.content));
   }
   plan::write_roadmap(out, parts);
 }

@@ -171,7 +171,7 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   if (!changes.fence.empty()) add("fence", fence(changes.fence, spec, changes.volumes));
   if (table.boxes.empty())
     throw geom::InputError(files.map, {.says = "the patch leaves no boxes at all"});
-  write(files, geom::derived(std::move(spec), table, std::move(step)));
+  write(files, geom::derived(std::move(spec), table, step));
   common.write_stats(stats);
 }
 

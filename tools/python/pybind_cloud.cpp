@@ -99,7 +99,7 @@ py::tuple import_cloud(const std::string& path, const py::dict& keywords) {
 }  // namespace
 }  // namespace binding
 
-PYBIND11_MODULE(_cloud, module) {
+PYBIND11_MODULE(_skyway_cloud, module) {
   module.def("import_cloud", &binding::import_cloud, binding::py::arg("path"),
              binding::py::arg("keywords"));
 }

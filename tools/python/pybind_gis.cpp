@@ -46,7 +46,7 @@ py::tuple import_footprints(const std::string& path, const py::dict& keywords) {
 }  // namespace
 }  // namespace binding
 
-PYBIND11_MODULE(_gis, module) {
+PYBIND11_MODULE(_skyway_gis, module) {
   module.def("import_footprints", &binding::import_footprints, binding::py::arg("path"),
              binding::py::arg("keywords"));
 }

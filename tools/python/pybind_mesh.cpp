@@ -32,7 +32,7 @@ py::tuple import_model(const std::string& path, const py::dict& keywords) {
 }  // namespace
 }  // namespace binding
 
-PYBIND11_MODULE(_mesh, module) {
+PYBIND11_MODULE(_skyway_mesh, module) {
   module.def("import_model", &binding::import_model, binding::py::arg("path"),
              binding::py::arg("keywords"));
   binding::bind_import_boxes(module);  // with the meshes of COLLADA, which Gazebo worlds name too

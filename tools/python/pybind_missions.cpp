@@ -208,7 +208,7 @@ traj::MissionExport export_one(const Scene& self, Exported one, const traj::Miss
   const py::gil_scoped_release released;
   const std::string& id = one.flight.id;
   self.scene.map().require(geom::Verified::contents, on_threads(0));
-  agreed_vehicle(one.provenance, self.scene, cli::Differences::refused, id);
+  agreed_vehicle(one.provenance, self.scene, geom::Differences::refused, id);
   for (const traj::Segment& s : one.flight.trajectory.segments) {
     require_metres(self.scene.map().spec().frame, s.point, id);
   }

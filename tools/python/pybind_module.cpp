@@ -15,7 +15,7 @@ namespace binding {
 
 void require_metres(const geom::Frame& frame, std::span<const geom::Vec3> points,
                     const std::string& what) {
-  if (!cli::look_like_degrees(frame, points)) return;
+  if (!geom::look_like_degrees(frame, points)) return;
   const geom::Vec3& p = points.front();
   throw geom::InputError(what,
                          {.expected = "metres",

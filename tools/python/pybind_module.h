@@ -9,7 +9,6 @@
 #include <span>
 #include <string>
 
-#include "cli/option/agreed_room.h"
 #include "cli/option/vehicle_option.h"
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"
@@ -40,12 +39,12 @@ geom::Execution on_threads(unsigned threads);  // 0: all
 // The scene's vehicle, with the limits that hold for the record. A record of another map must not
 // be taken for one of this: throws geom::InputError(id, …).
 geom::Vehicle agreed_vehicle(const geom::Provenance& record, const geom::CollisionScene& scene,
-                             cli::Differences differences, const std::string& id);
+                             geom::Differences differences, const std::string& id);
 
 // A path record, or an array of points.
 geom::PathRecord path_from(const py::object& object);
 
-// Throws geom::InputError(what, …) for points that look like degrees (cli::look_like_degrees).
+// Throws geom::InputError(what, …) for points that look like degrees (geom::look_like_degrees).
 void require_metres(const geom::Frame& frame, std::span<const geom::Vec3> points,
                     const std::string& what);
 

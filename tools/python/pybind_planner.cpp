@@ -42,8 +42,8 @@ double resample_step(double value) {
 struct Planner {
   Planner(const Scene& of, const plan::Lattice* lattice, const plan::Roadmap* roadmap)
       : scene(of.scene), planner(scene, lattice, roadmap) {
-    if (lattice) cli::require_same(lattice->made_for(), scene, "lattice", "lattice");
-    if (roadmap) cli::require_same(roadmap->made_for, scene, roadmap->source, "roadmap");
+    if (lattice) geom::require_same(lattice->made_for(), scene, "lattice", "lattice");
+    if (roadmap) geom::require_same(roadmap->made_for, scene, roadmap->source, "roadmap");
   }
 
   const geom::CollisionScene& scene;

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "cli/option/agreed_room.h"
-#include "cli/option/limit_options.h"
 #include "cli/option/solver_words.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
+#include "geom/record/agreed_room.h"
 #include "geom/record/start_on_map.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
@@ -22,9 +21,9 @@
 
 namespace binding {
 geom::Vehicle agreed_vehicle(const geom::Provenance& record, const geom::CollisionScene& scene,
-                             cli::Differences differences, const std::string& id) {
+                             geom::Differences differences, const std::string& id) {
   geom::require_map_agrees(record, geom::provenance_of(scene), id, 0);
-  return cli::agreed_room(record, {scene.vehicle(), scene.margin()}, differences, id, 0).vehicle;
+  return geom::agreed_room(record, {scene.vehicle(), scene.margin()}, differences, id, 0).vehicle;
 }
 
 geom::PathRecord path_from(const py::object& object) {
@@ -72,11 +71,11 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   const geom::PathRecord record = path_from(path);
   require_metres(self.scene.map().spec().frame, record.points, record.id);
   const geom::Vehicle vehicle =
-      agreed_vehicle(record.provenance, self.scene, cli::Differences::refused, record.id);
+      agreed_vehicle(record.provenance, self.scene, geom::Differences::refused, record.id);
   const traj::Limits asked = limits_from(limits);
   traj::SolveOptions options;
   cli::choose_solver(solver, times.value_or(""), options);
-  options.limits = cli::limits_to_solve(asked, vehicle);
+  options.limits = geom::limits_to_solve(asked, vehicle);
   const auto kind = geom::value_of(traj::kCorridorWords, corridor);
   if (!kind) {
     throw py::value_error("corridor: expected planes or boxes, found \"" + corridor + "\"");
@@ -116,7 +115,7 @@ std::vector<geom::Vec3> control_points(const traj::Trajectory& trajectory) {
 traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRecord& record,
                                     const traj::Limits& asked, bool exact) {
   const geom::Vehicle vehicle =
-      agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
+      agreed_vehicle(record.provenance, self.scene, geom::Differences::stricter_allowed, record.id);
   traj::ReportRecord report{record.id, "trajectory", {}, geom::provenance_of(self.scene),
                             {},        {},           {}};
   report.time = record.time;
@@ -145,7 +144,7 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
 
 traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record,
                               const traj::Limits& asked, bool exact) {
-  agreed_vehicle(record.provenance, self.scene, cli::Differences::stricter_allowed, record.id);
+  agreed_vehicle(record.provenance, self.scene, geom::Differences::stricter_allowed, record.id);
   geom::start_on(self.scene.map(), {.epoch = record.time.epoch}, record.id, 0);
   traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}, {}};
   report.time = record.time;

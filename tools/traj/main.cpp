@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
                    {{"output", output}, {"corridor-file", options.corridor_file}});
     if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
-                       vehicle, cli::Differences::refused);
+                       vehicle, geom::Differences::refused);
     if (scenes.profile()) options.task(scenes.profile()->vehicle);  // refuses before it reads
     const Share share = read_share(input, sharding.shard());
     Outputs out{{output, "output", sharding}, std::nullopt};

@@ -75,7 +75,7 @@ geom::Limits Options::limits_for(const geom::Vehicle& vehicle) const {
 Task Options::task(const geom::Vehicle& vehicle) const {
   const geom::Limits asked = limits.limits();
   Task task{solve, std::nullopt};
-  task.options.limits = cli::limits_to_solve(asked, vehicle);
+  task.options.limits = geom::limits_to_solve(asked, vehicle);
   task.yaw = yaw_options(yaw, asked[traj::Limit::yaw_rate].has_value(), task.options.limits);
   return task;
 }

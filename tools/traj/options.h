@@ -8,6 +8,7 @@
 
 #include "cli/option/degrees.h"
 #include "cli/option/limit_options.h"
+#include "geom/record/agreed_room.h"
 #include "traj/curve/yaw.h"
 #include "traj/solve/solve.h"
 
@@ -36,8 +37,8 @@ struct Options {
   // What a trajectory of that vehicle would be held to; throws cli::UsageError for a wrong yaw.
   geom::Limits limits_for(const geom::Vehicle& vehicle) const;
 
-  // For a path of that vehicle. Throws cli::UsageError for limits as cli::limits_to_solve does, and
-  // for a wrong yaw.
+  // For a path of that vehicle. Throws cli::UsageError for limits as geom::limits_to_solve does,
+  // and for a wrong yaw.
   Task task(const geom::Vehicle& vehicle) const;
 };
 

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
+#include "geom/text/parse_json.h"
 
 namespace geom {
 namespace {
@@ -49,7 +52,7 @@ PartArrays arrays_of(const RecordPart& part, std::size_t total) {
 }
 
 void join_records(std::ostream& out, std::span<const ShardFile> shards) {
-  const nlohmann::json& content = shards.front().content;
+  const nlohmann::json content = parse_json(shards.front().content, shards.front().archive.name());
   if (!content.contains("head") || !content["head"].is_string() || !content.contains("total") ||
       !content["total"].is_number_unsigned()) {
     throw InputError(shards.front().archive.name(),
@@ -60,7 +63,7 @@ void join_records(std::ostream& out, std::span<const ShardFile> shards) {
   for (const ShardFile& shard : shards) {
     records.emplace_back(shard);
     const std::size_t expected = shard.shard.taken(total);
-    if (shard.content != content || records.back().count() != expected) {
+    if (shard.content != shards.front().content || records.back().count() != expected) {
       throw InputError(
           shard.archive.name(),
           {.expected = fmt::format("{}, of {} in all", counted(expected, "record"), total),

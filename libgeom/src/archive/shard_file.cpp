@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
 #include "geom/text/parse_json.h"
@@ -75,8 +76,8 @@ void check_complete(const std::vector<ShardFile>& shards) {
 void write_shard(std::ostream& out, const ShardLabel& label, const PartArrays& part) {
   const Json meta = {{"tool", label.work.tool},
                      {"release", label.work.release},
-                     {"options", label.work.options},
-                     {"inputs", label.work.inputs},
+                     {"options", parse_json(label.work.options, label.kind)},
+                     {"inputs", parse_json(label.work.inputs, label.kind)},
                      {"format", "skyway-shard"},
                      {"version", kShardVersion},
                      {"shard", {label.shard.index + 1, label.shard.count}},
@@ -112,11 +113,11 @@ ShardFile read_shard(const ArrayArchive& archive) {
   }
   ShardFile out{archive,
                 {find("tool", Type::string), find("release", Type::string),
-                 find("options", Type::object), find("inputs", Type::object)},
+                 find("options", Type::object).dump(), find("inputs", Type::object).dump()},
                 {},
                 find("output", Type::string),
                 find("kind", Type::string),
-                find("content", Type::object),
+                find("content", Type::object).dump(),
                 find("exit", Type::number_unsigned) == 0};
   const auto pair = find("shard", Type::array);
   if (pair.size() != 2 || !pair[0].is_number_unsigned() || !pair[1].is_number_unsigned()) {
@@ -138,9 +139,13 @@ std::string difference(const Work& expected, const Work& found) {
     return differ("the release", expected.release, found.release);
   }
   if (expected.options != found.options) {
-    return differ_in("the option", expected.options, found.options);
+    return differ_in("the option", parse_json(expected.options, "options"),
+                     parse_json(found.options, "options"));
   }
-  if (expected.inputs != found.inputs) return differ_in("the input", expected.inputs, found.inputs);
+  if (expected.inputs != found.inputs) {
+    return differ_in("the input", parse_json(expected.inputs, "inputs"),
+                     parse_json(found.inputs, "inputs"));
+  }
   return {};
 }
 

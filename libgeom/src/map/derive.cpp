@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "geom/base/error.h"
 #include "geom/map/join.h"
 #include "geom/map/map_draft.h"
@@ -48,9 +50,9 @@ Json derived_step(const char* verb, const BoxMap& input) {
   return {{"tool", std::string("skyway-map ") + verb}, {"input", input.hash()}};
 }
 
-BoxMap derived(BoxMapSpec spec, const BoxTable& table, Json step) {
+BoxMap derived(BoxMapSpec spec, const BoxTable& table, const Json& step) {
   Json history = steps_of(spec, "the map's history");
-  history.push_back(std::move(step));
+  history.push_back(step);
   spec.history = history.dump();
   return {std::move(spec), table};
 }
@@ -64,7 +66,7 @@ BoxMap crop(const BoxMap& map, const Aabb& region, const std::string& source) {
   }
   Json step = derived_step("crop", map);
   step["bounds"] = numbers(region);
-  return derived(std::move(spec), table_of(map, &region), std::move(step));
+  return derived(std::move(spec), table_of(map, &region), step);
 }
 
 BoxMap join(std::span<const SourceMap> maps) {
@@ -86,7 +88,7 @@ BoxMap join(std::span<const SourceMap> maps) {
   step["others"] = others;
   step["histories"] = histories;
   if (skipped > 0) step["skipped"] = skipped;
-  return derived(std::move(spec), table, std::move(step));
+  return derived(std::move(spec), table, step);
 }
 
 BoxMap inflate(const BoxMap& map, double by) {
@@ -94,7 +96,7 @@ BoxMap inflate(const BoxMap& map, double by) {
   for (Aabb& box : table.boxes) box = grow(box, Vec3::Constant(by));
   Json step = derived_step("inflate", map);
   step["by"] = by;
-  return derived(map.spec(), table, std::move(step));
+  return derived(map.spec(), table, step);
 }
 
 BoxMap tile(const BoxMap& map, double size) {
@@ -102,7 +104,7 @@ BoxMap tile(const BoxMap& map, double size) {
   spec.tile_size = size;
   Json step = derived_step("tile", map);
   step["size"] = size;
-  return derived(std::move(spec), table_of(map), std::move(step));
+  return derived(std::move(spec), table_of(map), step);
 }
 
 BoxMap derived(const BoxMap& map, const Merged& merged) {
@@ -112,7 +114,7 @@ BoxMap derived(const BoxMap& map, const Merged& merged) {
 BoxMap derived(const BoxMap& map, const Simplified& simple, double slack) {
   Json step = derived_step("simplify", map);
   step["slack"] = slack;
-  return derived(map.spec(), simple.table, std::move(step));
+  return derived(map.spec(), simple.table, step);
 }
 
 }  // namespace geom

@@ -1,5 +1,7 @@
 #include "geom/map/description.h"
 
+#include <nlohmann/json.hpp>
+
 #include "geom/map/map_draft.h"
 #include "geom/map/statistics.h"
 #include "geom/text/excerpt.h"

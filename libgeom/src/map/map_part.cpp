@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "geom/base/error.h"
 #include "geom/map/join.h"
 #include "geom/text/json_fields.h"
@@ -162,7 +164,7 @@ bool is_map_part(const ShardFile& shard) {
 
 MadeMap join_map(std::span<const ShardFile> shards) {
   const std::string& name = shards.front().archive.name();
-  const JsonFields fields(shards.front().content.dump(), name, 0);
+  const JsonFields fields(shards.front().content, name, 0);
   MapDraft draft = read_draft(fields);
   draft.source = name;
   for (const ShardFile& shard : shards) {

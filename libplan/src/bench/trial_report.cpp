@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "geom/base/percentile.h"
 #include "plan/bench/measure.h"

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
+#include "geom/text/parse_json.h"
 
 namespace traj {
 namespace {
@@ -26,7 +28,7 @@ bool are_pairs(const std::vector<FlightPair>& pairs, std::size_t flights) {
 
 // The conflicts of one shard.
 FleetConflicts read(const geom::ShardFile& shard, std::size_t flights) {
-  const nlohmann::json& content = shard.content;
+  const nlohmann::json content = geom::parse_json(shard.content, shard.archive.name());
   if (shard.kind != "departures") {
     throw geom::InputError(shard.archive.name(),
                            {.expected = "a shard of skyway-fleet", .found = "one of another kind"});

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
+#include "geom/text/parse_json.h"
 
 namespace traj {
 namespace {
@@ -68,10 +70,10 @@ geom::PartArrays arrays_of(std::span<const std::vector<RunOutcome>> outcomes, in
 
 JoinedRuns::JoinedRuns(std::vector<geom::ShardFile> shards) : shards_(std::move(shards)) {
   const geom::ShardFile& first = shards_.front();
+  const nlohmann::json content = geom::parse_json(first.content, first.archive.name());
   const auto count = [&](const char* key) {
-    const auto at = first.content.find(key);
-    const bool known =
-        first.kind == "runs" && at != first.content.end() && at->is_number_unsigned();
+    const auto at = content.find(key);
+    const bool known = first.kind == "runs" && at != content.end() && at->is_number_unsigned();
     if (!known)
       throw geom::InputError(
           first.archive.name(),

@@ -15,25 +15,6 @@ geom::Frame city() {
   return frame;
 }
 
-bool looks(std::vector<Vec3> points) { return look_like_degrees(city(), points); }
-
-TEST(LookLikeDegrees, InEitherOrderNearTheOrigin) {
-  EXPECT_TRUE(looks({{37.793, -122.397, 5}, {37.794, -122.396, 5}}));
-  EXPECT_TRUE(looks({{-122.397, 37.793, 5}}));
-  EXPECT_FALSE(looks({{37.793, -122.397, 5}, {-122.396, 37.794, 5}}));
-}
-
-TEST(LookLikeDegrees, NotWhereOnePointIsMetres) {
-  EXPECT_FALSE(looks({{37.793, -122.397, 5}, {12.5, 30.5, 5}}));
-  EXPECT_FALSE(looks({{37.793, -122, 5}}));  // a whole number
-  EXPECT_FALSE(looks({{38.4, -122.397, 5}}));
-  EXPECT_FALSE(looks({}));
-}
-
-TEST(LookLikeDegrees, NotOnAMapWithoutAnOrigin) {
-  EXPECT_FALSE(look_like_degrees({}, std::vector<Vec3>{{37.793, -122.397, 5}}));
-}
-
 TEST(MetresOption, RefusesAFlightLogInDegrees) {
   traj::FlightLog flight;
   flight.samples.resize(2);

@@ -77,8 +77,8 @@ TEST_F(ShardingTest, NamesNoPath) {
   const geom::ArrayArchive archive = open_archive(path("shard"));
   EXPECT_EQ(archive.meta().find("sharding_test"), std::string_view::npos) << archive.meta();
   const geom::ShardFile shard = geom::read_shard(archive);
-  EXPECT_EQ(shard.work.options.dump(), R"({"size":["5"]})");
-  EXPECT_TRUE(shard.work.inputs.contains("vehicle"));
+  EXPECT_EQ(shard.work.options, R"({"size":["5"]})");
+  EXPECT_TRUE(shard.work.inputs.find("\"vehicle\":") != std::string::npos);
   EXPECT_EQ(shard.shard, (geom::Shard{0, 2}));
 }
 

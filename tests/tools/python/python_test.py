@@ -364,12 +364,12 @@ def test_maps_are_refused_as_by_the_tools(out):
 
 
 def test_a_missing_package_is_named(out):
-    for part, package, call in (("_gis", "skyway-footprints", "import_footprints"), ("_cloud", "skyway-cloud", "import_cloud"),
-                                ("_mesh", "skyway-mesh", "import_model")):
-        text = f"import sys, skyway; sys.modules['skyway.{part}'] = None\ntry:\n  skyway.{call}('x')\n" \
+    for part, package, call in (("_skyway_gis", "skyway-footprints", "import_footprints"), ("_skyway_cloud", "skyway-cloud", "import_cloud"),
+                                ("_skyway_mesh", "skyway-mesh", "import_model")):
+        text = f"import sys, skyway; sys.modules['{part}'] = None\ntry:\n  skyway.{call}('x')\n" \
                "except ImportError as error:\n  print(error)"
         assert package in run_python(text, out)
-    text = "import sys, skyway; sys.modules['skyway._mesh'] = None; print(len(skyway.import_boxes(sys.argv[1])))"
+    text = "import sys, skyway; sys.modules['_skyway_mesh'] = None; print(len(skyway.import_boxes(sys.argv[1])))"
     assert int(run_python(text, out, str(SHIPPED / "village.csv"))) > 0  # needs no other package
 
 

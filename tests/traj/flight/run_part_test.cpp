@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <span>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "support/shards.h"
 
 namespace traj {
 namespace {
@@ -45,29 +43,12 @@ void expect_equal(const RunOutcome& a, const RunOutcome& b) {
   EXPECT_EQ(a.largest, b.largest);
 }
 
-// The shards that `part` gives, through their bytes.
-std::vector<geom::ShardFile> shards(std::size_t count,
-                                    const std::function<geom::PartArrays(const geom::Shard&)>& part,
-                                    const std::string& kind = "runs") {
-  std::vector<geom::ShardFile> out;
-  for (std::size_t k = 0; k < count; ++k) {
-    const geom::Shard shard{k, count};
-    std::ostringstream bytes;
-    const geom::Work work{"tool", "1", nlohmann::json::object(), nlohmann::json::object()};
-    geom::write_shard(bytes, {work, shard, "output", kind}, part(shard));
-    const std::string text = bytes.str();
-    out.push_back(geom::read_shard(geom::ArrayArchive::from_bytes(
-        std::as_bytes(std::span(text)), "shard " + std::to_string(k + 1))));
-  }
-  return geom::complete_shards(std::move(out));
-}
-
 TEST(RunPart, JoinsToAllRuns) {
   const std::vector<Outcomes> all = {
       {outcome(1, true), outcome(2, false), lost(), outcome(4, true), outcome(5, true)},
       {lost(), outcome(7, false), outcome(8, true), outcome(9, true), outcome(10, false)}};
   for (const std::size_t count : {1u, 2u, 5u, 7u}) {
-    const JoinedRuns joined(shards(count, [&](const geom::Shard& shard) {
+    const JoinedRuns joined(support::shards(count, "runs", [&](const geom::Shard& shard) {
       std::vector<Outcomes> share(all.size());
       for (std::size_t t = 0; t < all.size(); ++t) {
         for (const std::size_t i : shard.items(5)) share[t].push_back(all[t][i]);
@@ -102,7 +83,7 @@ TEST(RunPart, RefusesWhatCannotBe) {
                geom::named_array<std::uint64_t>("ends", c.ends)},
               {}};
     };
-    return JoinedRuns(shards(1, part, c.kind)).outcomes(0, kDuration);
+    return JoinedRuns(support::shards(1, c.kind, part)).outcomes(0, kDuration);
   };
   EXPECT_EQ(read({}).size(), 1u);
   const double nan = std::nan("");

@@ -9,9 +9,9 @@
 #include "cli/file/drone_formats.h"
 #include "cli/file/files.h"
 #include "cli/file/recognise.h"
-#include "cli/option/named_map.h"
 #include "geom/base/error.h"
 #include "geom/map/box_map_file.h"
+#include "geom/record/named_map.h"
 #include "geom/text/json_fields.h"
 #include "plan/lattice/lattice_file.h"
 
@@ -201,7 +201,7 @@ class SameMap {
   }
 
  private:
-  std::optional<NamedMap> map_;
+  std::optional<geom::NamedMap> map_;
   geom::Provenance first_;  // its map and, where there is a map, its frame
 };
 

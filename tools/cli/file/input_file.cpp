@@ -14,6 +14,7 @@
 #include "files.h"
 #include "geom/base/error.h"
 #include "geom/map/box_map_file.h"
+#include "geom/text/record_lines.h"
 #include "io_failure.h"
 #include "run_files.h"
 #include "verified_mark.h"
@@ -23,10 +24,6 @@ namespace {
 
 void note_input(const std::string& path) {
   if (RunFiles* const files = RunFiles::current()) files->add_input(path);
-}
-
-bool is_blank(const std::string& line) {
-  return line.find_first_not_of(" \t\r") == std::string::npos;
 }
 
 }  // namespace
@@ -96,24 +93,7 @@ InputFile::InputFile(const std::string& path) : name_(path == "-" ? "stdin" : pa
 std::istream& InputFile::stream() { return source_->stream; }
 
 void InputFile::for_each_line(const std::function<void(const std::string&, std::size_t)>& f) {
-  std::string line;
-  std::size_t number = 0;
-  bool any = false;
-  while (std::getline(stream(), line)) {
-    ++number;
-    if (is_blank(line)) continue;
-    if (!any && line.starts_with("PK\x03\x04")) {
-      throw geom::InputError(name_, {.expected = "JSON Lines",
-                                     .found = "an archive",
-                                     .advice = "skyway-info says what is in it"});
-    }
-    any = true;
-    f(line, number);
-  }
-  if (!any)
-    throw geom::InputError(name_, {.expected = "at least one record",
-                                   .found = "an empty stream",
-                                   .advice = "look at what the tool before said"});
+  geom::for_each_line(stream(), name_, f);
 }
 
 std::string InputFile::read_all() { return {std::istreambuf_iterator<char>(stream()), {}}; }

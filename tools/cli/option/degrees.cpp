@@ -2,36 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "cli/answer/exit.h"
 #include "geom/base/error.h"
 
 namespace cli {
-namespace {
-
-constexpr double kNear = 0.5;  // degrees
-
-bool near_place(double latitude, double longitude, const geom::GeodeticOrigin& origin) {
-  return std::abs(latitude - origin.latitude) <= kNear &&
-         std::abs(longitude - origin.longitude) <= kNear;
-}
-
-bool fractional(double v) { return v != std::floor(v); }
-
-}  // namespace
-
-bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> points) {
-  if (!frame.origin || points.empty()) return false;
-  const geom::GeodeticOrigin& at = *frame.origin;
-  const auto all = [&](int latitude, int longitude) {
-    return std::all_of(points.begin(), points.end(), [&](const geom::Vec3& p) {
-      return near_place(p[latitude], p[longitude], at) && fractional(p.x()) && fractional(p.y());
-    });
-  };
-  return all(0, 1) || all(1, 0);
-}
 
 std::vector<geom::Vec3> ends_in_metres(const geom::PlanQuery& query) {
   std::vector<geom::Vec3> ends;
@@ -57,20 +31,20 @@ void MetresOption::add_to(CLI::App& app) {
 
 void MetresOption::check_option(const geom::Frame& frame, std::span<const geom::Vec3> points,
                                 const std::string& option) const {
-  if (insisted_ || !look_like_degrees(frame, points)) return;
+  if (insisted_ || !geom::look_like_degrees(frame, points)) return;
   throw UsageError(option + ": " + sentence(what_stood_there(frame, points.front())));
 }
 
 void MetresOption::check_input(const geom::Frame& frame, std::span<const geom::Vec3> points,
                                const std::string& source, std::size_t line) const {
-  if (insisted_ || !look_like_degrees(frame, points)) return;
+  if (insisted_ || !geom::look_like_degrees(frame, points)) return;
   throw geom::InputError(source, line, what_stood_there(frame, points.front()));
 }
 
 void MetresOption::check_input(const geom::Frame& frame, const traj::Trajectory& trajectory,
                                const std::string& source, std::size_t line) const {
   for (const traj::Segment& s : trajectory.segments) {
-    if (!look_like_degrees(frame, s.point)) return;
+    if (!geom::look_like_degrees(frame, s.point)) return;
   }
   if (!trajectory.segments.empty()) {
     check_input(frame, std::span(trajectory.segments[0].point), source, line);
@@ -86,22 +60,16 @@ void MetresOption::check_input(const geom::Frame& frame, const traj::FlightLog& 
 
 void MetresOption::check_outline(const geom::Frame& frame, std::span<const geom::Vec3> corners,
                                  const std::string& source) const {
-  constexpr double kSmall = 2;  // m, or degrees: a country
   check_input(frame, corners, source, 0);
   if (insisted_) return;
-  geom::Vec3 low = corners.front();
-  geom::Vec3 high = corners.front();
-  for (const geom::Vec3& p : corners) {
-    if (!fractional(p.x()) || !fractional(p.y())) return;
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  if (std::max((high - low).x(), (high - low).y()) >= kSmall) return;
+  const auto small = geom::may_be_degrees(corners);
+  if (!small) return;
+  const geom::Vec3 size = small->high - small->low;
   throw geom::InputError(
       source, {.expected = "a volume in metres",
                .found = fmt::format("one of {:.3g} by {:.3g} m about [{}, {}], which may be "
                                     "degrees; give metres, or insist with --metres",
-                                    (high - low).x(), (high - low).y(), low.x(), low.y())});
+                                    size.x(), size.y(), small->low.x(), small->low.y())});
 }
 
 }  // namespace cli

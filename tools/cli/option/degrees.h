@@ -8,17 +8,12 @@
 #include <vector>
 
 #include "geom/base/error.h"
-#include "geom/map/frame.h"
+#include "geom/map/degrees.h"
 #include "geom/record/query_record.h"
 #include "traj/curve/trajectory.h"
 #include "traj/flight/flight_log.h"
 
 namespace cli {
-
-// Whether all points, of which there is one at least, read as the latitude and longitude (in either
-// order) of places within half a degree of the frame's origin, and none of these numbers is whole.
-// Of points that are metres, spread over a square kilometre, one in a million reads so.
-bool look_like_degrees(const geom::Frame& frame, std::span<const geom::Vec3> points);
 
 // The ends of a query that were given in metres, not in degrees.
 std::vector<geom::Vec3> ends_in_metres(const geom::PlanQuery& query);

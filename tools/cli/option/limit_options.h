@@ -1,6 +1,6 @@
 #pragma once
 
-// The options that name a vehicle's limits, and which limits hold then.
+// The options that name a vehicle's limits.
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -21,13 +21,5 @@ class LimitOptions {
  private:
   geom::PerLimit<std::optional<double>> given_;  // in the options' units
 };
-
-// geom::limits_that_hold for a check. UsageError where --override asks for more tilt than the
-// vehicle's box holds.
-geom::Limits limits_to_check(const geom::LimitSources& sources, const std::string& vehicle);
-
-// Those to solve for: what is asked and what the vehicle may do. UsageError where more is asked
-// than the vehicle may do, and where both say too little to solve for.
-geom::Limits limits_to_solve(const geom::Limits& asked, const geom::Vehicle& vehicle);
 
 }  // namespace cli

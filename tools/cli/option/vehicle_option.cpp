@@ -45,7 +45,7 @@ std::optional<traj::VehicleProfile> VehicleOptions::profile() const {
   return parse_vehicle(word);
 }
 
-AskedRoom VehicleOptions::asked(const std::optional<traj::VehicleProfile>& profile) const {
+geom::AskedRoom VehicleOptions::asked(const std::optional<traj::VehicleProfile>& profile) const {
   if (margin && !std::isfinite(*margin)) {
     throw UsageError(fmt::format("--margin: expected metres, found {}", *margin));
   }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "agreed_room.h"
+#include "geom/record/agreed_room.h"
 #include "vehicle_word.h"
 
 namespace cli {
@@ -23,7 +23,7 @@ struct VehicleOptions {
   void add_memory_to(CLI::App& app);
   std::size_t budget() const;  // geom::CollisionOptions; a fair share where none was asked for
   std::optional<traj::VehicleProfile> profile() const;
-  AskedRoom asked(
+  geom::AskedRoom asked(
       const std::optional<traj::VehicleProfile>& profile) const;  // with what profile() gave
 };
 

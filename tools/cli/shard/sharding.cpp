@@ -75,18 +75,19 @@ CLI::Option* Sharding::add_join_to(CLI::App& app, const std::string& what) {
 void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outputs) {
   if (!asked() && join_.empty()) return;
   if (asked()) shard_ = parse_shard(word_);
-  work_ = {app.get_name(), SKYWAY_VERSION, nlohmann::json::object(), nlohmann::json::object()};
+  nlohmann::json options_given = nlohmann::json::object();
+  nlohmann::json hashes = nlohmann::json::object();
   for (const auto& [name, file] : inputs) {
     if (file == "-") {
       throw UsageError(fmt::format("{} reads its inputs from files: give a file for {}, not stdin",
                                    asked() ? "--shard" : "--join", name));
     }
-    if (!file.empty()) work_.inputs[name] = hash_of(file);
+    if (!file.empty()) hashes[name] = hash_of(file);
   }
   outputs_ = outputs;
   for (const auto& [name, file] : outputs) {
     const bool beside = asked() && !file.empty() && name != "output";
-    if (beside) work_.options[name] = true;  // that, not where
+    if (beside) options_given[name] = true;  // that, not where
   }
   const auto is_input = [&](const std::string& value) {
     return std::any_of(inputs.begin(), inputs.end(),
@@ -96,14 +97,15 @@ void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outp
     const std::string name = option->get_single_name();
     const auto values = option->results();
     const bool idle = std::find(kIdle.begin(), kIdle.end(), name) != kIdle.end();
-    if (values.empty() || idle || work_.options.contains(name)) continue;
+    if (values.empty() || idle || options_given.contains(name)) continue;
     if (std::all_of(values.begin(), values.end(), is_input)) continue;
     if (values.size() == 1 && std::filesystem::is_regular_file(values[0])) {  // of a vehicle, say
-      work_.inputs[name] = hash_of(values[0]);
+      hashes[name] = hash_of(values[0]);
     } else {
-      work_.options[name] = values;
+      options_given[name] = values;
     }
   }
+  work_ = {app.get_name(), SKYWAY_VERSION, options_given.dump(), hashes.dump()};
 }
 
 std::vector<geom::ShardFile> Sharding::shards() const {

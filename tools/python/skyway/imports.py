@@ -6,13 +6,13 @@ import warnings
 
 from . import _skyway
 
-_PACKAGES = {"_gis": "skyway-footprints", "_cloud": "skyway-cloud", "_mesh": "skyway-mesh"}
+_PACKAGES = {"_skyway_gis": "skyway-footprints", "_skyway_cloud": "skyway-cloud", "_skyway_mesh": "skyway-mesh"}
 
 
 def _part(name):
     """A module that is there only where its package is installed."""
     try:
-        return importlib.import_module("." + name, __package__)
+        return importlib.import_module(name)
     except ModuleNotFoundError as error:
         message = f"this needs the Debian package {_PACKAGES[name]}, or a build with its readers: {error}"
         raise ImportError(message, name=error.name) from None
@@ -32,7 +32,7 @@ def import_boxes(path, *, format="auto", frame=None, units="m", unknown="free", 
     """A table, block text, world, voxel map or octree as a BoxMap, as skyway-import makes it."""
     keywords = locals()
     try:
-        reader = _part("_mesh")  # which reads meshes of COLLADA, too
+        reader = _part("_skyway_mesh")  # which reads meshes of COLLADA, too
     except ImportError:
         reader = _skyway
     return _made(reader.import_boxes, keywords)
@@ -44,7 +44,7 @@ def import_footprints(path, *, format="auto", slack=0.5, height_attribute=None, 
                       bloat_percent=0.0, inflate=0.0, bounds=None, tile=100.0, threads=0):
     """Footprints, a city model or a height model as a BoxMap, as skyway-footprints makes it."""
     keywords = locals()
-    return _made(_part("_gis").import_footprints, keywords)
+    return _made(_part("_skyway_gis").import_footprints, keywords)
 
 
 def import_cloud(path, *, format="auto", mode="columns", cell=1.0, step=0.5, gap=2.0, unknown="free", classes=(),
@@ -55,7 +55,7 @@ def import_cloud(path, *, format="auto", mode="columns", cell=1.0, step=0.5, gap
                  inflate=0.0, bounds=None, tile=100.0, threads=0):
     """A point cloud as a BoxMap, as skyway-cloud makes it."""
     keywords = locals()
-    return _made(_part("_cloud").import_cloud, keywords)
+    return _made(_part("_skyway_cloud").import_cloud, keywords)
 
 
 def import_model(path, *, format="auto", slack=0.25, solid=False, up=None, units=None, origin=None,
@@ -63,4 +63,4 @@ def import_model(path, *, format="auto", slack=0.25, solid=False, up=None, units
                  inflate=0.0, bounds=None, tile=100.0, threads=0):
     """A model of triangles or 3D Tiles as a BoxMap, as skyway-mesh makes it."""
     keywords = locals()
-    return _made(_part("_mesh").import_model, keywords)
+    return _made(_part("_skyway_mesh").import_model, keywords)

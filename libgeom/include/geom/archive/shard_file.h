@@ -15,7 +15,6 @@
 //   assert(shard.kind == "records");
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <span>
 #include <string>
@@ -29,12 +28,12 @@ namespace geom {
 inline constexpr int kShardVersion = 1;
 inline constexpr std::size_t kMostShards = 1000000;
 
-// What a shard is a shard of: runs of equal works give equal bytes.
+// What a shard is a shard of: runs of equal works give equal bytes. Keys of JSON are sorted.
 struct Work {
   std::string tool;
   std::string release;
-  nlohmann::json options;  // those that were given and can change a byte, by name
-  nlohmann::json inputs;   // a hash of each input file, by the option that named it
+  std::string options;  // JSON: those that were given and can change a byte, by name
+  std::string inputs;   // JSON: a hash of each input file, by the option that named it
 
   friend bool operator==(const Work&, const Work&) = default;
 };
@@ -44,10 +43,10 @@ struct ShardFile {
   ArrayArchive archive;
   Work work;
   Shard shard;
-  std::string output;      // which of the tool's, by its option
-  std::string kind;        // "records", "lattice", "roadmap", "boxes", "columns" or "runs"
-  nlohmann::json content;  // what its arrays need besides
-  bool yes = true;         // whether the answer of this share is yes
+  std::string output;   // which of the tool's, by its option
+  std::string kind;     // "records", "lattice", "roadmap", "boxes", "columns", "runs", …
+  std::string content;  // JSON: what its arrays need besides
+  bool yes = true;      // whether the answer of this share is yes
 };
 
 // The share itself: one JSON object, and arrays that own their bytes or refer to others'.

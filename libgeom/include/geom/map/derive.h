@@ -7,7 +7,7 @@
 //   const geom::BoxMap grown = geom::inflate(part, 0.5);
 //   assert(grown.box(0).min.x() <= 3.5);
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -28,7 +28,7 @@ struct SourceMap {
 nlohmann::ordered_json derived_step(const char* verb, const BoxMap& input);
 
 // Of this table; `step` comes after those of the spec's history.
-BoxMap derived(BoxMapSpec spec, const BoxTable& table, nlohmann::ordered_json step);
+BoxMap derived(BoxMapSpec spec, const BoxTable& table, const nlohmann::ordered_json& step);
 
 // The boxes that meet the region, and the bounds inside it. Throws InputError(source, …) where the
 // region does not meet the bounds.

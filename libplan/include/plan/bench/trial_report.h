@@ -7,7 +7,7 @@
 //   run.trials.push_back({.verdict = plan::bench::Verdict::found, .seconds = 0.1, .length = 9});
 //   std::cout << plan::bench::table({{run}});
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 

@@ -1,25 +1,16 @@
-#include "cli/option/agreed_room.h"
+#include "geom/record/agreed_room.h"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <random>
 
-#include "cli/option/limit_options.h"
-#include "cli/option/vehicle_word.h"
-#include "cli/run.h"
 #include "geom/base/error.h"
+#include "geom/base/usage_error.h"
 #include "support/cases.h"
 #include "support/refusal.h"
-#include "support/temporary_folder.h"
 
-namespace cli {
+namespace geom {
 namespace {
-
-using geom::Limit;
-using geom::Limits;
-using geom::Vec3;
-using geom::Vehicle;
 
 Limits vmax(double value) {
   Limits out;
@@ -31,16 +22,16 @@ Vehicle quad(const Limits& limits = {}, double half = 1) {
   return {"quad", Vec3::Constant(half), limits};
 }
 
-geom::Provenance record_of(const std::optional<Vehicle>& vehicle,
-                           const std::optional<double>& margin = {}) {
+Provenance record_of(const std::optional<Vehicle>& vehicle,
+                     const std::optional<double>& margin = {}) {
   return {{}, {}, vehicle, margin};
 }
 
-Room agreed(const geom::Provenance& record, const AskedRoom& asked, Differences differences) {
+Room agreed(const Provenance& record, const AskedRoom& asked, Differences differences) {
   return agreed_room(record, asked, differences, "paths.jsonl", 7);
 }
 
-std::string refusal(const geom::Provenance& record, const AskedRoom& asked,
+std::string refusal(const Provenance& record, const AskedRoom& asked,
                     Differences differences = Differences::refused) {
   return support::refusal_of([&] { agreed(record, asked, differences); });
 }
@@ -129,85 +120,16 @@ TEST(AgreedRoom, NeverHasLessRoomOrLooserLimitsThanEither) {
     Room room;
     try {
       room = agreed(record_of(had, margin), asked, Differences::stricter_allowed);
-    } catch (const geom::InputError&) {
+    } catch (const InputError&) {
       continue;
     }
     ++passed;
     ASSERT_GE(room.vehicle.half.x() + room.margin, had.half.x() + margin) << "case " << i;
     ASSERT_GE(room.vehicle.half.x(), asked.vehicle->half.x()) << "case " << i;
-    ASSERT_EQ(geom::first_looser(room.vehicle.limits, had.limits), std::nullopt) << "case " << i;
-    ASSERT_EQ(geom::first_looser(room.vehicle.limits, asked.vehicle->limits), std::nullopt);
+    ASSERT_EQ(first_looser(room.vehicle.limits, had.limits), std::nullopt) << "case " << i;
+    ASSERT_EQ(first_looser(room.vehicle.limits, asked.vehicle->limits), std::nullopt);
   }
   EXPECT_GT(passed, 3000);
-}
-
-// --- profiles -----------------------------------------------------------------------------------
-
-class Profiles : public ::testing::Test {
- protected:
-  traj::VehicleProfile parsed(const std::string& json) {
-    const std::string path = folder_ / "v.json";
-    std::ofstream(path) << json;
-    return parse_vehicle(path);
-  }
-  std::string refused(const std::string& json) {
-    return support::refusal_of([&] { parsed(json); });
-  }
-  support::TemporaryFolder folder_;
-};
-
-TEST_F(Profiles, HaveTheLimitsTheyStateAndThoseOfTheirMotors) {
-  const traj::VehicleProfile profile =
-      parsed(R"({"body":[1,1,0.5],"tilt_max_deg":35,"limits":{"vmax":12,"vmax_v":4},"mass_kg":2,)"
-             R"("thrust_n":[0,30],"body_rate_max_rad_s":[3,4,2]})");
-  const Limits& limits = profile.vehicle.limits;
-  EXPECT_EQ(limits[Limit::speed], 12);
-  EXPECT_EQ(limits[Limit::vertical_speed], 4);
-  EXPECT_NEAR(*limits[Limit::tilt], 0.6108652381980153, 1e-15);
-  EXPECT_EQ(limits[Limit::thrust], 15);
-  EXPECT_EQ(limits[Limit::body_rate], 3);
-  EXPECT_EQ(limits[Limit::yaw_rate], 2);
-  EXPECT_EQ(profile.vehicle.half, geom::attitude_half_sizes({1, 1, 0.5}, *limits[Limit::tilt]));
-}
-
-TEST_F(Profiles, MayStateTighterLimitsThanTheirMotors) {
-  const auto profile =
-      parsed(R"({"body":[1,1,1],"limits":{"thrust":12,"tilt":0.5},"tilt_max_deg":35,"mass_kg":1,)"
-             R"("thrust_n":[0,30]})");
-  EXPECT_EQ(profile.vehicle.limits[Limit::thrust], 12);
-  EXPECT_EQ(profile.vehicle.limits[Limit::tilt], 0.5);
-  EXPECT_EQ(profile.vehicle.half, geom::attitude_half_sizes({1, 1, 1}, 0.5));
-}
-
-TEST_F(Profiles, WithoutATiltHaveABoxThatHoldsEveryAttitude) {
-  const Vehicle vehicle = parsed(R"({"body":[0.3,0.4,0.2]})").vehicle;
-  EXPECT_EQ(vehicle.limits, Limits{});
-  const double reach = std::sqrt(0.09 + 0.16 + 0.04);
-  EXPECT_GE(vehicle.half.x(), reach);
-  EXPECT_GE(vehicle.half.z(), reach);
-  EXPECT_NEAR(vehicle.half.z(), reach, 1e-12);
-}
-
-TEST_F(Profiles, AreRefusedWhereALimitWouldBePassedOver) {
-  EXPECT_NE(refused(R"({"body":[1,1,1],"limit":{"vmax":3}})").find("\"limit\" is no key"),
-            std::string::npos);
-  EXPECT_NE(refused(R"({"body":[1,1,1],"vmax":3})").find("\"vmax\" is no key"), std::string::npos);
-  EXPECT_NE(refused(R"({"body":[1,1,1],"limits":{"climb":3}})").find("\"climb\""),
-            std::string::npos);
-  EXPECT_NE(refused(R"({"body":[1,1,1],"tilt_max_deg":0})").find("above 0 and at most 80, found 0"),
-            std::string::npos);
-}
-
-TEST(Profile, IsTheSameByNameAndByFile) {
-  for (const std::string name : {"tello", "crazyflie"}) {
-    const auto file = std::string(SKYWAY_SOURCE_DIR) + "/data/vehicles/" + name + ".json";
-    EXPECT_EQ(parse_vehicle(name).vehicle, parse_vehicle(file).vehicle) << name;
-  }
-}
-
-TEST(Profile, OfABoxOrSphereLimitsNothing) {
-  EXPECT_EQ(parse_vehicle("box:1,2,3").vehicle.limits, Limits{});
-  EXPECT_EQ(parse_vehicle("sphere:1").vehicle.limits, Limits{});
 }
 
 // --- what is solved and checked for -------------------------------------------------------------
@@ -240,4 +162,4 @@ TEST(LimitsToCheck, RefuseToTiltBeyondTheBox) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace geom

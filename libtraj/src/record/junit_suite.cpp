@@ -1,16 +1,15 @@
-#include "junit_file.h"
+#include "traj/record/junit_suite.h"
 
 #include <fmt/format.h>
 
-#include "cli/option/output_option.h"
 #include "geom/text/markup.h"
 
-namespace checking {
+namespace traj {
 namespace {
 
 // "collision, 0.413 m, box 7, item 3 (corner), near [1.000, 2.000, 3.000]".
-std::string in_words(const traj::ReportRecord& report, const geom::BoxMap& map) {
-  const traj::CheckResult& result = report.result;
+std::string failure_of(const ReportRecord& report, const geom::BoxMap& map) {
+  const CheckResult& result = report.result;
   if (result.ok) return "the exact check refuses what the other accepts";
   std::string words(name(result.reason));
   if (!result.looked) return words;
@@ -27,24 +26,13 @@ std::string in_words(const traj::ReportRecord& report, const geom::BoxMap& map) 
 
 }  // namespace
 
-void JUnitFile::add_to(CLI::App& app) {
-  cli::add_output(app, "--junit", file_, "write the verdicts as a JUnit test suite, XML");
-}
-
-void JUnitFile::open() {
-  if (!file_.empty()) out_.emplace(file_, cli::OutputKind::text);
-}
-
-void JUnitFile::add(const traj::ReportRecord& report, const geom::BoxMap& map) {
-  if (!out_) return;
+void JUnitSuite::add(const ReportRecord& report, const geom::BoxMap& map) {
   if (accepted(report)) return add_case(report.id, {}, {});
-  add_case(report.id, name(report.result.reason), in_words(report, map));
+  add_case(report.id, name(report.result.reason), failure_of(report, map));
 }
 
-void JUnitFile::add(const traj::TogetherResult& result, const traj::TogetherTask& task,
-                    std::size_t left_out) {
-  if (!out_) return;
-  for (const traj::RefusedPair& pair : result.refused) {
+void JUnitSuite::add(const TogetherResult& result, const TogetherTask& task, std::size_t left_out) {
+  for (const RefusedPair& pair : result.refused) {
     add_case(task.ids[pair.flights.first] + " and " + task.ids[pair.flights.second],
              pair.result.undecided ? "undecided" : "separation", traj::in_words(pair, task));
   }
@@ -58,10 +46,8 @@ void JUnitFile::add(const traj::TogetherResult& result, const traj::TogetherTask
   }
 }
 
-void JUnitFile::add(std::span<const traj::MovingConflict> conflicts,
-                    const traj::MovingSummary& summary) {
-  if (!out_) return;
-  for (const traj::MovingConflict& one : conflicts) {
+void JUnitSuite::add(std::span<const MovingConflict> conflicts, const MovingSummary& summary) {
+  for (const MovingConflict& one : conflicts) {
     add_case(one.flight + " and " + one.obstacle, traj::reason_of(one), traj::in_words(one));
   }
   if (summary.left_out > 0) {
@@ -75,8 +61,8 @@ void JUnitFile::add(std::span<const traj::MovingConflict> conflicts,
   }
 }
 
-void JUnitFile::add_case(const std::string& name, std::string_view failure,
-                         const std::string& message) {
+void JUnitSuite::add_case(const std::string& name, std::string_view failure,
+                          const std::string& message) {
   ++tests_;
   cases_ += fmt::format("    <testcase classname=\"skyway-check\" name=\"{}\"",
                         geom::escaped_markup(name));
@@ -89,13 +75,11 @@ void JUnitFile::add_case(const std::string& name, std::string_view failure,
                         failure, geom::escaped_markup(message));
 }
 
-void JUnitFile::commit() {
-  if (!out_) return;
-  out_->stream() << fmt::format(
+std::string JUnitSuite::xml() const {
+  return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite "
       "name=\"skyway-check\" tests=\"{0}\" failures=\"{1}\">\n{2}  </testsuite>\n</testsuites>\n",
       tests_, failures_, cases_);
-  out_->commit();
 }
 
-}  // namespace checking
+}  // namespace traj

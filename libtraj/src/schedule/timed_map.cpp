@@ -1,4 +1,4 @@
-#include "timed_map.h"
+#include "traj/schedule/timed_map.h"
 
 #include <fmt/format.h>
 
@@ -6,16 +6,15 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "cli/file/files.h"
-#include "cli/option/named_map.h"
-#include "cli/option/scenes.h"
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
+#include "geom/record/named_map.h"
+#include "geom/record/scenes.h"
 #include "geom/record/start_on_map.h"
 #include "traj/fleet/forbidden_by_map.h"
 #include "traj/proof/check.h"
 
-namespace fleet {
+namespace traj {
 namespace {
 
 // By what a scene is made for: the limits of its vehicle hold for all that is checked in it.
@@ -28,8 +27,8 @@ bool comes_before(const geom::Provenance& a, const geom::Provenance& b) {
   return key(a) < key(b);
 }
 
-[[noreturn]] void refuse(const std::string& id, const geom::BoxMap& map,
-                         const traj::CheckResult& result, double start) {
+[[noreturn]] void refuse(const std::string& id, const geom::BoxMap& map, const CheckResult& result,
+                         double start) {
   const std::string what =
       fmt::format("{} ({:.6g} s after its begin)", name(result.reason), result.time);
   const bool by_time = result.box && !map.time(*result.box).always();
@@ -46,23 +45,15 @@ bool comes_before(const geom::Provenance& a, const geom::Provenance& b) {
 
 }  // namespace
 
-TimedMap::TimedMap(const std::string& file, cli::VehicleOptions vehicle,
-                   const cli::MetresOption& metres, const cli::Common& common)
-    : file_(file),
-      vehicle_(std::move(vehicle)),
-      metres_(metres),
-      common_(common),
-      map_(cli::open_map(file, geom::Verified::contents, common.execution("verify"))) {}
-
 template <class F>
-void TimedMap::each(const Stream& stream, std::vector<std::size_t> ways, const F& f) const {
+void TimedMap::each(const FleetStream& stream, std::vector<std::size_t> ways, const F& f) const {
   const auto made_for = [&](std::size_t way) -> const geom::Provenance& {
     return stream.record(way).provenance;
   };
   std::stable_sort(ways.begin(), ways.end(), [&](std::size_t a, std::size_t b) {
     return comes_before(made_for(a), made_for(b));
   });
-  cli::Scenes scenes(map_, vehicle_, cli::Differences::refused);
+  geom::Scenes scenes(map_, asked_, geom::Differences::refused, budget_);
   for (auto first = ways.begin(); first != ways.end();) {
     const auto last = std::find_if(first, ways.end(), [&](std::size_t way) {
       return comes_before(made_for(*first), made_for(way));
@@ -70,49 +61,48 @@ void TimedMap::each(const Stream& stream, std::vector<std::size_t> ways, const F
     for (auto way = first; way != last; ++way) {
       scenes.scene_for(made_for(*way), stream.record(*way).id, 0);
     }
-    const geom::CollisionScene& scene = scenes.scene_for(made_for(*first), file_, 0);
+    const geom::CollisionScene& scene = scenes.scene_for(made_for(*first), name_, 0);
     const std::span<const std::size_t> group(first, last);
-    geom::parallel_for(group.size(), common_.execution("map"),
-                       [&](std::size_t k) { f(scene, group[k]); });
+    geom::parallel_for(group.size(), run_, [&](std::size_t k) { f(scene, group[k]); });
     first = last;
   }
 }
 
-void TimedMap::close(const Stream& stream, traj::Parked parked,
-                     std::vector<traj::FleetFlight>& flights) const {
+void TimedMap::close(const FleetStream& stream, Parked parked, const LookAt& look_at,
+                     std::vector<FleetFlight>& flights) const {
   std::vector<std::size_t> ways;
-  cli::NamedMap named(map_);
+  geom::NamedMap named(map_);
   for (std::size_t i = 0; i < flights.size(); ++i) {
-    const traj::TrajectoryRecord& record = stream.record(i);
+    const TrajectoryRecord& record = stream.record(i);
     named.require(record.provenance, record.id, 0);
-    metres_.check_input(map_.spec().frame, record.trajectory, record.id, 0);
+    look_at(record.trajectory, record.id);
     geom::start_on(map_, {.epoch = record.time.epoch, .start = 0.0}, record.id, 0);
     if (!flights[i].settled) ways.push_back(i);
   }
   each(stream, std::move(ways), [&](const geom::CollisionScene& scene, std::size_t way) {
-    flights[way].forbidden = traj::forbidden_by_map(scene, *flights[way].trajectory, parked);
+    flights[way].forbidden = forbidden_by_map(scene, *flights[way].trajectory, parked);
   });
 }
 
-void TimedMap::prove(const Stream& stream, std::span<const traj::FleetFlight> flights,
-                     const traj::Departures& departures, traj::Parked parked) const {
+void TimedMap::prove(const FleetStream& stream, std::span<const FleetFlight> flights,
+                     const Departures& departures, Parked parked) const {
   std::vector<std::size_t> ways;
   std::vector<double> start(flights.size());
-  for (const traj::Departure& departure : departures.of) {
+  for (const Departure& departure : departures.of) {
     if (!departure.start || flights[departure.flight].settled) continue;
     ways.push_back(departure.flight);
     start[departure.flight] = *departure.start;
   }
   each(stream, std::move(ways), [&](const geom::CollisionScene& scene, std::size_t way) {
-    const traj::TrajectoryRecord& record = stream.record(way);
-    traj::CheckOptions options;
+    const TrajectoryRecord& record = stream.record(way);
+    CheckOptions options;
     options.limits = geom::limits_that_hold({{}, record.limits, scene.vehicle().limits});
-    options.clearance = traj::Clearance::left_out;
+    options.clearance = Clearance::left_out;
     options.start = start[way];
-    options.stands = parked == traj::Parked::pad;
-    const traj::CheckResult result = traj::check(scene, record.trajectory, options);
+    options.stands = parked == Parked::pad;
+    const CheckResult result = check(scene, record.trajectory, options);
     if (!result.ok) refuse(record.id, map_, result, start[way]);
   });
 }
 
-}  // namespace fleet
+}  // namespace traj

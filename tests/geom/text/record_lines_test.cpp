@@ -1,33 +1,30 @@
-#include "cli/file/parsed_lines.h"
+#include "geom/text/record_lines.h"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "geom/base/error.h"
 #include "support/refusal.h"
-#include "support/temporary_folder.h"
 
-namespace cli {
+namespace geom {
 namespace {
 
 // What is taken of the text with so many threads, and then the refusal. A line of '?' is no record,
 // and a record "no" is not taken.
 std::string taken(const std::string& text, unsigned threads) {
-  const support::TemporaryFolder folder;
-  std::ofstream(folder.path() / "lines", std::ios::binary) << text;
-  InputFile file(folder / "lines");
+  std::istringstream in(text);
   std::string out;
   const auto parse = [](const std::string& line, std::size_t number) {
-    if (line.starts_with('?')) throw geom::InputError("f", number, {.says = "no record"});
+    if (line.starts_with('?')) throw InputError("f", number, {.says = "no record"});
     return line;
   };
   const auto take = [&](const std::string& record, std::size_t number) {
-    if (record == "no") throw geom::InputError("f", number, {.says = "not taken"});
+    if (record == "no") throw InputError("f", number, {.says = "not taken"});
     out += std::to_string(number) + record.substr(0, 3) + ' ';
   };
-  return out += support::refusal_of([&] { for_each_parsed(file, {threads, {}}, parse, take); });
+  return out += support::refusal_of([&] { for_each_parsed(in, "f", {threads, {}}, parse, take); });
 }
 
 TEST(ParsedLines, AreTakenInOrder) {
@@ -69,4 +66,4 @@ TEST(ParsedLines, RefuseTheFirstThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace geom

@@ -1,56 +1,64 @@
 #pragma once
 
-// The flights of a stream of trajectories, the other ways that they may take, and flights of others
-// that they meet.
+// The flights of a stream of trajectories, other ways that they may take, and flights of others.
+//
+// Example:
+//   traj::TrajectoryRecord record{.id = "q1", .status = traj::TrajectoryStatus::solved};
+//   record.trajectory = trajectory;
+//   std::istringstream in(traj::to_json_line(record));
+//   traj::FleetStream stream({.max_delay = 60}, {});
+//   stream.read(in, "trajectories.jsonl");
+//   assert(stream.flights().size() == 1 && stream.flights()[0].latest == 60);
 
 #include <deque>
+#include <istream>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "cli/option/agreed_room.h"
 #include "geom/base/execution.h"
+#include "geom/record/agreed_room.h"
 #include "traj/fleet/fleet_flight.h"
 #include "traj/record/trajectory_record.h"
 
-namespace fleet {
+namespace traj {
 
-struct Rules {
+struct StreamRules {
   double max_delay = 600;    // seconds that a flight may wait
   bool by_vehicles = false;  // the distance follows from the vehicles' sizes
   bool moving = false;       // what keeps clear of obstacles that move is the vehicle's box
-  cli::AskedRoom asked;      // the vehicle and margin of flights that name none
+  geom::AskedRoom asked;     // the vehicle and margin of flights that name none
 };
 
-class Stream {
+class FleetStream {
  public:
   // `run`: its threads read records.
-  Stream(const Rules& rules, const geom::Execution& run) : rules_(rules), run_(run) {}
+  FleetStream(const StreamRules& rules, const geom::Execution& run) : rules_(rules), run_(run) {}
 
   // The flights, in the order in which they come. Throws InputError for an id that comes again, for
   // records of another map, frame or epoch, and what no departure can be chosen for.
-  void read(const std::string& file);
+  void read(std::istream& in, const std::string& source);
   // Other ways for them, with their ids. What is no solved trajectory is passed over. After read().
-  void read_ways(const std::string& file);
+  void read_ways(std::istream& in, const std::string& source);
   // Flights that are settled, as another operator's: each depart at its start. They have numbers
   // after those of the stream, and are no entries. Throws InputError as read() does, and for one
   // without a trajectory or a start. After read().
-  void read_others(const std::string& file);
+  void read_others(std::istream& in, const std::string& source);
 
   // Of all ways; those of a number follow each other, the stream's own first. Once all is read.
-  std::vector<traj::FleetFlight> flights() const;
+  std::vector<FleetFlight> flights() const;
 
   // Of way `i` of flights().
-  const traj::TrajectoryRecord& record(std::size_t i) const { return *ways_.at(i).record; }
+  const TrajectoryRecord& record(std::size_t i) const { return *ways_.at(i).record; }
   // How many numbers are flights of the stream, and how many after them are of others.
   std::size_t own() const { return own_.size(); }
   std::size_t others() const { return others_.size(); }
 
   // All records of the stream in their order, with their number where they are flights.
   struct Entry {
-    const traj::TrajectoryRecord* record = nullptr;
+    const TrajectoryRecord* record = nullptr;
     std::optional<std::uint32_t> number;
   };
   const std::vector<Entry>& entries() const { return entries_; }
@@ -60,26 +68,25 @@ class Stream {
 
  private:
   struct Way {
-    const traj::TrajectoryRecord* record = nullptr;
-    traj::FleetFlight flight;
+    const TrajectoryRecord* record = nullptr;
+    FleetFlight flight;
   };
 
-  using Add = void (Stream::*)(traj::TrajectoryRecord, const std::string&, std::size_t);
-  void read_each(const std::string& file, Add member);
-  void add(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
-  void add_way(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
-  void add_other(traj::TrajectoryRecord record, const std::string& source, std::size_t line);
+  using Add = void (FleetStream::*)(TrajectoryRecord, const std::string&, std::size_t);
+  void read_each(std::istream& in, const std::string& source, Add member);
+  void add(TrajectoryRecord record, const std::string& source, std::size_t line);
+  void add_way(TrajectoryRecord record, const std::string& source, std::size_t line);
+  void add_other(TrajectoryRecord record, const std::string& source, std::size_t line);
   void gather();
-  void require_agrees(const traj::TrajectoryRecord& record, const std::string& source,
-                      std::size_t line);
-  geom::Vec3 room_of(const traj::TrajectoryRecord& record, const std::string& source,
+  void require_agrees(const TrajectoryRecord& record, const std::string& source, std::size_t line);
+  geom::Vec3 room_of(const TrajectoryRecord& record, const std::string& source,
                      std::size_t line) const;
-  geom::Vec3 room_of_other(const traj::TrajectoryRecord& record, const std::string& source,
+  geom::Vec3 room_of_other(const TrajectoryRecord& record, const std::string& source,
                            std::size_t line) const;
 
-  Rules rules_;
+  StreamRules rules_;
   geom::Execution run_;
-  std::deque<traj::TrajectoryRecord> records_;  // stay where they are
+  std::deque<TrajectoryRecord> records_;  // stay where they are
   std::vector<Entry> entries_;
   std::vector<Way> own_;                                      // by number
   std::vector<Way> alternatives_;                             // as they come
@@ -92,4 +99,4 @@ class Stream {
   std::optional<std::string> epoch_;
 };
 
-}  // namespace fleet
+}  // namespace traj

@@ -1,4 +1,4 @@
-#include "schedule.h"
+#include "traj/schedule/fleet_schedule.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,39 +10,39 @@
 #include "geom/base/percentile.h"
 #include "geom/text/json_line.h"
 
-namespace fleet {
+namespace traj {
 namespace {
 
 constexpr std::size_t kNamed = 5;  // flights in the way that a message names
 
-geom::JsonLine object_of(const traj::Zone& zone) {
+geom::JsonLine object_of(const Zone& zone) {
   geom::JsonLine line;
   return line.add("shape", zone.round ? "cylinder" : "box").add("reach", zone.reach);
 }
 
 }  // namespace
 
-std::span<const traj::Departure> Schedule::own() const {
+std::span<const Departure> FleetSchedule::own() const {
   return std::span(made_.departures.of).first(made_.stream.own());
 }
 
-Schedule::Schedule(const Made& made, const traj::Spacing& spacing, traj::Parked parked)
+FleetSchedule::FleetSchedule(const ScheduleParts& made, const Spacing& spacing, Parked parked)
     : made_(made), spacing_(spacing), parked_(parked) {
-  for (const traj::Departure& departure : made_.departures.of) {
+  for (const Departure& departure : made_.departures.of) {
     if (departure.start) departing_.push_back(departure.flight);
   }
 }
 
-Proof Schedule::prove(const geom::Execution& run) const {
-  std::vector<traj::TimedFlight> timed;
+FleetProof FleetSchedule::prove(const geom::Execution& run) const {
+  std::vector<TimedFlight> timed;
   std::size_t own = 0;  // which come first
   for (const std::uint32_t way : departing_) {
-    const traj::FleetFlight& flight = made_.flights[way];
+    const FleetFlight& flight = made_.flights[way];
     const double start = made_.departures.of[flight.number].start.value();
     timed.push_back({flight.trajectory, start, flight.room});
     own += !flight.settled;
   }
-  Proof proof{traj::check_together(timed, {spacing_, parked_}, run), std::nullopt};
+  FleetProof proof{check_together(timed, {spacing_, parked_}, run), std::nullopt};
   const auto& refused = proof.together.refused;
   const auto count = std::count_if(refused.begin(), refused.end(),
                                    [&](const auto& pair) { return pair.flights.first < own; });
@@ -56,12 +56,12 @@ Proof Schedule::prove(const geom::Execution& run) const {
   return proof;
 }
 
-std::pair<std::string, std::string> Schedule::ids(const traj::RefusedPair& pair) const {
+std::pair<std::string, std::string> FleetSchedule::ids(const RefusedPair& pair) const {
   return {made_.stream.record(departing_[pair.flights.first]).id,
           made_.stream.record(departing_[pair.flights.second]).id};
 }
 
-std::string Schedule::too_near(const traj::RefusedPair& pair) const {
+std::string FleetSchedule::too_near(const RefusedPair& pair) const {
   const auto [one, other] = ids(pair);
   return fmt::format(
       "{} and {} of --others are not proved to keep apart from each other, which no departure "
@@ -69,16 +69,15 @@ std::string Schedule::too_near(const traj::RefusedPair& pair) const {
       one, other);
 }
 
-std::size_t Schedule::refused() const {
-  return static_cast<std::size_t>(
-      std::count_if(own().begin(), own().end(),
-                    [](const traj::Departure& departure) { return !departure.start; }));
+std::size_t FleetSchedule::refused() const {
+  return static_cast<std::size_t>(std::count_if(
+      own().begin(), own().end(), [](const Departure& departure) { return !departure.start; }));
 }
 
-std::size_t Schedule::without() const { return made_.stream.entries().size() - own().size(); }
+std::size_t FleetSchedule::without() const { return made_.stream.entries().size() - own().size(); }
 
-std::vector<std::string> Schedule::blocked_ids(const traj::Departure& departure,
-                                               bool settled) const {
+std::vector<std::string> FleetSchedule::blocked_ids(const Departure& departure,
+                                                    bool settled) const {
   std::vector<std::string> out;
   for (const std::uint32_t flight : departure.blocked) {
     if (made_.flights[flight].settled == settled) out.push_back(made_.stream.record(flight).id);
@@ -86,8 +85,8 @@ std::vector<std::string> Schedule::blocked_ids(const traj::Departure& departure,
   return out;
 }
 
-Barred Schedule::barred(std::uint32_t number) const {
-  const auto of_lower = [](const traj::FleetFlight& flight, std::uint32_t n) {
+Barred FleetSchedule::barred(std::uint32_t number) const {
+  const auto of_lower = [](const FleetFlight& flight, std::uint32_t n) {
     return flight.number < n;
   };
   const auto first = std::lower_bound(made_.flights.begin(), made_.flights.end(), number, of_lower);
@@ -103,9 +102,9 @@ Barred Schedule::barred(std::uint32_t number) const {
   return out;
 }
 
-std::string Schedule::why_refused(std::uint32_t number) const {
-  const traj::Departure& departure = made_.departures.of[number];
-  const traj::FleetFlight& flight = made_.flights[departure.flight];
+std::string FleetSchedule::why_refused(std::uint32_t number) const {
+  const Departure& departure = made_.departures.of[number];
+  const FleetFlight& flight = made_.flights[departure.flight];
   const Barred by = barred(number);
   std::vector<std::string> what;
   const auto add = [&](std::vector<std::string> names, std::string_view of) {
@@ -123,16 +122,16 @@ std::string Schedule::why_refused(std::uint32_t number) const {
                      flight.latest, fmt::join(what, "; "));
 }
 
-std::string Schedule::record_of(const Stream::Entry& entry) const {
-  if (!entry.number) return traj::to_json_line(*entry.record);
-  const traj::Departure& departure = made_.departures.of[*entry.number];
+std::string FleetSchedule::record_of(const FleetStream::Entry& entry) const {
+  if (!entry.number) return to_json_line(*entry.record);
+  const Departure& departure = made_.departures.of[*entry.number];
   const bool other = departure.start && &made_.stream.record(departure.flight) != entry.record;
-  traj::TrajectoryRecord record = other ? made_.stream.record(departure.flight) : *entry.record;
+  TrajectoryRecord record = other ? made_.stream.record(departure.flight) : *entry.record;
   record.time = entry.record->time;
   record.time.earliest = made_.flights[departure.flight].earliest;
   record.time.start = departure.start;
   if (!departure.start) {
-    record.status = traj::TrajectoryStatus::infeasible;
+    record.status = TrajectoryStatus::infeasible;
     record.trajectory = {};
     record.bound.reset();
     record.duration_bound.reset();
@@ -142,18 +141,18 @@ std::string Schedule::record_of(const Stream::Entry& entry) const {
   } else if (other) {
     record.message = "another way than the first, which could not depart in time";
   }
-  return traj::to_json_line(record);
+  return to_json_line(record);
 }
 
-std::vector<std::string> Schedule::records() const {
+std::vector<std::string> FleetSchedule::records() const {
   std::vector<std::string> out;
-  for (const Stream::Entry& entry : made_.stream.entries()) out.push_back(record_of(entry));
+  for (const FleetStream::Entry& entry : made_.stream.entries()) out.push_back(record_of(entry));
   return out;
 }
 
-std::vector<double> Schedule::delays() const {
+std::vector<double> FleetSchedule::delays() const {
   std::vector<double> out;
-  for (const traj::Departure& departure : own()) {
+  for (const Departure& departure : own()) {
     if (departure.start) {
       out.push_back(*departure.start - made_.flights[departure.flight].earliest);
     }
@@ -162,8 +161,8 @@ std::vector<double> Schedule::delays() const {
   return out;
 }
 
-std::string Schedule::refusal(const Stream::Entry& entry) const {
-  const traj::Departure& departure = made_.departures.of[*entry.number];
+std::string FleetSchedule::refusal(const FleetStream::Entry& entry) const {
+  const Departure& departure = made_.departures.of[*entry.number];
   std::vector<std::string> blocked = blocked_ids(departure, false);
   const std::vector<std::string> others = blocked_ids(departure, true);
   blocked.insert(blocked.end(), others.begin(), others.end());
@@ -176,19 +175,19 @@ std::string Schedule::refusal(const Stream::Entry& entry) const {
   return line.object();
 }
 
-std::string Schedule::report(const Proof& proof, int rounds) const {
+std::string FleetSchedule::report(const FleetProof& proof, int rounds) const {
   using geom::JsonLine;
   const std::vector<double> delay = delays();
   const double sum = std::accumulate(delay.begin(), delay.end(), 0.0);
   const double count = std::max<double>(1, static_cast<double>(delay.size()));
-  const traj::TogetherResult& together = proof.together;
+  const TogetherResult& together = proof.together;
   JsonLine line;
   line.add("type", "fleet").add("ok", refused() == 0 && without() == 0 && together.ok());
   line.add("flights", own().size()).add("departing", delay.size());
   if (made_.stream.others() > 0) line.add("others", made_.stream.others());
   if (!together.ok()) {
     line.add("others_too_near", together.refused,
-             [&](const traj::RefusedPair& pair) { return ids(pair); });
+             [&](const RefusedPair& pair) { return ids(pair); });
   }
   if (without() > 0) line.add("left_out", without());
   line.add("delay", JsonLine()
@@ -198,9 +197,9 @@ std::string Schedule::report(const Proof& proof, int rounds) const {
   line.add("delayed", std::count_if(delay.begin(), delay.end(), [](double d) { return d > 0; }));
   std::vector<std::string> rerouted;
   std::vector<std::string> refusals;
-  for (const Stream::Entry& entry : made_.stream.entries()) {
+  for (const FleetStream::Entry& entry : made_.stream.entries()) {
     if (!entry.number) continue;
-    const traj::Departure& departure = made_.departures.of[*entry.number];
+    const Departure& departure = made_.departures.of[*entry.number];
     if (!departure.start) {
       refusals.push_back(refusal(entry));
     } else if (&made_.stream.record(departure.flight) != entry.record) {
@@ -210,7 +209,7 @@ std::string Schedule::report(const Proof& proof, int rounds) const {
   line.add("rerouted", rerouted);
   line.add_json("refused", fmt::format("[{}]", fmt::join(refusals, ",")));
   line.add("as_asked",
-           JsonLine().add("conflicts", traj::conflicts_as_asked(made_.flights, made_.conflicts)));
+           JsonLine().add("conflicts", conflicts_as_asked(made_.flights, made_.conflicts)));
   line.add("pairs", together.pairs).add("near", made_.conflicts.looked_at);
   line.add("conflicting", made_.conflicts.pairs.size());
   line.add("improved", JsonLine()
@@ -222,9 +221,9 @@ std::string Schedule::report(const Proof& proof, int rounds) const {
 }
 
 // What was proved, and of which distances.
-void Schedule::add_proof(const Proof& proof, geom::JsonLine& line) const {
+void FleetSchedule::add_proof(const FleetProof& proof, geom::JsonLine& line) const {
   using geom::JsonLine;
-  const traj::TogetherResult& together = proof.together;
+  const TogetherResult& together = proof.together;
   line.add("proof", JsonLine()
                         .add("ok", together.ok())
                         .add("near", together.near)
@@ -244,4 +243,4 @@ void Schedule::add_proof(const Proof& proof, geom::JsonLine& line) const {
   line.add("parked", name(parked_)).add("map", made_.stream.provenance().map);
 }
 
-}  // namespace fleet
+}  // namespace traj

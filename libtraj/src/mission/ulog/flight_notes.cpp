@@ -1,21 +1,22 @@
-#include "notes.h"
+#include "traj/mission/ulog/flight_notes.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
 
-namespace importing {
+namespace traj {
 namespace {
 
 using geom::counted;
 
 constexpr double kSeaLevelOff = 1;  // m from which on it is said
 
-void add_cut(const traj::Px4Flight& flight, std::vector<std::string>& out) {
-  const traj::UlogSummary& log = flight.summary;
+void add_cut(const Px4Flight& flight, std::vector<std::string>& out) {
+  const UlogSummary& log = flight.summary;
   if (log.cut_at) {
     out.push_back(fmt::format(
         "the log breaks off at byte {} ({}): what stands before is kept, and its last row says cut",
@@ -27,7 +28,7 @@ void add_cut(const traj::Px4Flight& flight, std::vector<std::string>& out) {
   }
 }
 
-void add_left_out(const traj::Px4Flight& flight, std::vector<std::string>& out) {
+void add_left_out(const Px4Flight& flight, std::vector<std::string>& out) {
   const auto add = [&](std::size_t count, const char* why) {
     if (count == 0) return;
     out.push_back(fmt::format("{} of {} positions left out: {}", count, flight.positions, why));
@@ -37,8 +38,8 @@ void add_left_out(const traj::Px4Flight& flight, std::vector<std::string>& out) 
   add(flight.back, "their time does not grow");
 }
 
-void add_losses(const traj::Px4Flight& flight, std::vector<std::string>& out) {
-  const traj::UlogSummary& log = flight.summary;
+void add_losses(const Px4Flight& flight, std::vector<std::string>& out) {
+  const UlogSummary& log = flight.summary;
   if (log.dropouts > 0) {
     out.push_back(
         fmt::format("{} of {:.3g} s in all, the longest of {:.3g} s: what was logged then is lost",
@@ -54,7 +55,7 @@ void add_losses(const traj::Px4Flight& flight, std::vector<std::string>& out) {
 
 }  // namespace
 
-void require_positions(const traj::Px4Flight& flight, const std::string& source, bool placed) {
+void require_positions(const Px4Flight& flight, const std::string& source, bool placed) {
   if (!flight.log.samples.empty()) return;
   if (flight.positions == 0) {
     throw geom::InputError(source, {.expected = "vehicle_local_position or vehicle_global_position",
@@ -74,7 +75,7 @@ void require_positions(const traj::Px4Flight& flight, const std::string& source,
        .found = fmt::format("none in {} of {}", counted(flight.positions, "row"), flight.topic)});
 }
 
-std::vector<std::string> warnings(const traj::Px4Flight& flight, std::optional<double> geoid) {
+std::vector<std::string> warnings(const Px4Flight& flight, std::optional<double> geoid) {
   std::vector<std::string> out;
   add_cut(flight, out);
   add_left_out(flight, out);
@@ -87,7 +88,7 @@ std::vector<std::string> warnings(const traj::Px4Flight& flight, std::optional<d
   return out;
 }
 
-std::string told(const traj::Px4Flight& flight, std::string_view origin, std::string_view begin) {
+std::string told(const Px4Flight& flight, std::string_view origin, std::string_view begin) {
   std::string from = "where the vehicle's local coordinates do";
   if (!origin.empty()) {
     from = origin;
@@ -102,8 +103,8 @@ std::string told(const traj::Px4Flight& flight, std::string_view origin, std::st
                      counted(flight.log.samples.size(), "row"), flight.topic, from, begin, takeoff);
 }
 
-nlohmann::ordered_json stats(const traj::Px4Flight& flight) {
-  const traj::UlogSummary& log = flight.summary;
+nlohmann::ordered_json stats(const Px4Flight& flight) {
+  const UlogSummary& log = flight.summary;
   nlohmann::ordered_json out = {
       {"topic", flight.topic},           {"rows", flight.log.samples.size()},
       {"positions", flight.positions},   {"not_known", flight.not_known},
@@ -123,4 +124,4 @@ nlohmann::ordered_json stats(const traj::Px4Flight& flight) {
   return out;
 }
 
-}  // namespace importing
+}  // namespace traj

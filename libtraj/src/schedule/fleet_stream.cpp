@@ -1,38 +1,41 @@
-#include "stream.h"
+#include "traj/schedule/fleet_stream.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "cli/file/files.h"
-#include "cli/file/parsed_lines.h"
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
+#include "geom/text/record_lines.h"
 #include "traj/proof/domain.h"
 
-namespace fleet {
+namespace traj {
 
 using geom::InputError;
-using traj::TrajectoryRecord;
 
-void Stream::read_each(const std::string& path, Add member) {
-  cli::InputFile file(path);
+void FleetStream::read_each(std::istream& in, const std::string& source, Add member) {
   const auto parse = [&](const std::string& line, std::size_t number) {
-    return traj::parse_trajectory_record(line, file.name(), number);
+    return parse_trajectory_record(line, source, number);
   };
-  cli::for_each_parsed(file, run_, parse, [&](TrajectoryRecord record, std::size_t number) {
-    (this->*member)(std::move(record), file.name(), number);
+  geom::for_each_parsed(in, source, run_, parse, [&](TrajectoryRecord record, std::size_t number) {
+    (this->*member)(std::move(record), source, number);
   });
   gather();
 }
 
-void Stream::read(const std::string& path) { read_each(path, &Stream::add); }
+void FleetStream::read(std::istream& in, const std::string& source) {
+  read_each(in, source, &FleetStream::add);
+}
 
-void Stream::read_ways(const std::string& path) { read_each(path, &Stream::add_way); }
+void FleetStream::read_ways(std::istream& in, const std::string& source) {
+  read_each(in, source, &FleetStream::add_way);
+}
 
-void Stream::read_others(const std::string& path) { read_each(path, &Stream::add_other); }
+void FleetStream::read_others(std::istream& in, const std::string& source) {
+  read_each(in, source, &FleetStream::add_other);
+}
 
-void Stream::gather() {
+void FleetStream::gather() {
   ways_ = own_;
   ways_.insert(ways_.end(), alternatives_.begin(), alternatives_.end());
   std::stable_sort(ways_.begin(), ways_.end(),
@@ -44,8 +47,8 @@ void Stream::gather() {
   }
 }
 
-void Stream::require_agrees(const TrajectoryRecord& record, const std::string& source,
-                            std::size_t line) {
+void FleetStream::require_agrees(const TrajectoryRecord& record, const std::string& source,
+                                 std::size_t line) {
   if (!any_) epoch_ = record.time.epoch;
   any_ = true;
   geom::require_map_agrees(record.provenance, provenance_, source, line);
@@ -53,7 +56,7 @@ void Stream::require_agrees(const TrajectoryRecord& record, const std::string& s
   if (!provenance_.map) provenance_.map = record.provenance.map;
   if (!provenance_.frame) provenance_.frame = record.provenance.frame;
   geom::require_epoch_agrees(record.time.epoch, epoch_, source, line);
-  if (traj::outside_domain(record.trajectory, {})) {
+  if (outside_domain(record.trajectory, {})) {
     throw InputError(source, line,
                      {.expected = "durations from 1e-9 to 1e9 s in all and coordinates within 1e8 "
                                   "m: nothing can be proved of this trajectory"});
@@ -71,12 +74,12 @@ geom::Vec3 grown(const geom::Vec3& half, double margin) {
 
 }  // namespace
 
-geom::Vec3 Stream::room_of(const TrajectoryRecord& record, const std::string& source,
-                           std::size_t line) const {
+geom::Vec3 FleetStream::room_of(const TrajectoryRecord& record, const std::string& source,
+                                std::size_t line) const {
   geom::Vec3 room = geom::Vec3::Zero();
   if (record.provenance.vehicle || rules_.asked.vehicle) {
-    const cli::Room agreed =
-        cli::agreed_room(record.provenance, rules_.asked, cli::Differences::refused, source, line);
+    const geom::Room agreed = geom::agreed_room(record.provenance, rules_.asked,
+                                                geom::Differences::refused, source, line);
     room = grown(agreed.vehicle.half, agreed.margin);
   }
   if (room.minCoeff() > 0) return room;
@@ -98,8 +101,8 @@ geom::Vec3 Stream::room_of(const TrajectoryRecord& record, const std::string& so
 }
 
 // The options say nothing of the vehicles of others.
-geom::Vec3 Stream::room_of_other(const TrajectoryRecord& record, const std::string& source,
-                                 std::size_t line) const {
+geom::Vec3 FleetStream::room_of_other(const TrajectoryRecord& record, const std::string& source,
+                                      std::size_t line) const {
   geom::Vec3 room = geom::Vec3::Zero();
   if (const auto& vehicle = record.provenance.vehicle) {
     room = grown(vehicle->half, record.provenance.margin.value_or(0));
@@ -114,7 +117,7 @@ geom::Vec3 Stream::room_of_other(const TrajectoryRecord& record, const std::stri
   return room;
 }
 
-void Stream::add(TrajectoryRecord record, const std::string& source, std::size_t line) {
+void FleetStream::add(TrajectoryRecord record, const std::string& source, std::size_t line) {
   if (!entry_of_.emplace(record.id, entries_.size()).second) {
     throw InputError(
         source, line,
@@ -124,12 +127,12 @@ void Stream::add(TrajectoryRecord record, const std::string& source, std::size_t
              record.id)});
   }
   const TrajectoryRecord& kept = records_.emplace_back(std::move(record));
-  if (kept.status != traj::TrajectoryStatus::solved) {
+  if (kept.status != TrajectoryStatus::solved) {
     entries_.push_back({&kept, std::nullopt});
     return;
   }
   require_agrees(kept, source, line);
-  traj::FleetFlight flight;
+  FleetFlight flight;
   flight.trajectory = &kept.trajectory;
   flight.room = room_of(kept, source, line);
   flight.earliest = kept.time.earliest.value_or(kept.time.starts());
@@ -141,8 +144,8 @@ void Stream::add(TrajectoryRecord record, const std::string& source, std::size_t
   own_.push_back({&kept, flight});
 }
 
-void Stream::add_way(TrajectoryRecord record, const std::string& source, std::size_t line) {
-  if (record.status != traj::TrajectoryStatus::solved) return;
+void FleetStream::add_way(TrajectoryRecord record, const std::string& source, std::size_t line) {
+  if (record.status != TrajectoryStatus::solved) return;
   const auto found = entry_of_.find(record.id);
   if (found == entry_of_.end()) {
     throw InputError(source, line,
@@ -159,13 +162,13 @@ void Stream::add_way(TrajectoryRecord record, const std::string& source, std::si
   alternatives_.push_back(way);
 }
 
-void Stream::add_other(TrajectoryRecord record, const std::string& source, std::size_t line) {
+void FleetStream::add_other(TrajectoryRecord record, const std::string& source, std::size_t line) {
   if (entry_of_.contains(record.id) || !others_ids_.insert(record.id).second) {
     throw InputError(source, line,
                      {.expected = "an id that no other flight has",
                       .found = fmt::format("\"{}\" again", record.id)});
   }
-  const bool solved = record.status == traj::TrajectoryStatus::solved;
+  const bool solved = record.status == TrajectoryStatus::solved;
   if (!solved || !record.time.start) {
     throw InputError(
         source, line,
@@ -175,7 +178,7 @@ void Stream::add_other(TrajectoryRecord record, const std::string& source, std::
   }
   require_agrees(record, source, line);
   const TrajectoryRecord& kept = records_.emplace_back(std::move(record));
-  traj::FleetFlight flight;
+  FleetFlight flight;
   flight.trajectory = &kept.trajectory;
   flight.room = room_of_other(kept, source, line);
   flight.earliest = flight.latest = *kept.time.start;
@@ -183,10 +186,10 @@ void Stream::add_other(TrajectoryRecord record, const std::string& source, std::
   others_.push_back({&kept, flight});
 }
 
-std::vector<traj::FleetFlight> Stream::flights() const {
-  std::vector<traj::FleetFlight> out;
+std::vector<FleetFlight> FleetStream::flights() const {
+  std::vector<FleetFlight> out;
   for (const Way& way : ways_) out.push_back(way.flight);
   return out;
 }
 
-}  // namespace fleet
+}  // namespace traj

@@ -1,27 +1,39 @@
 #pragma once
 
-// Records of a stream of lines, parsed on all threads and taken in their order.
+// Records of a stream, one a line.
+//
+// Example:
+//   std::istringstream in("{\"id\":\"a\"}\n\n{\"id\":\"b\"}\n");
+//   std::size_t last = 0;
+//   geom::for_each_line(in, "stdin", [&](const std::string&, std::size_t line) { last = line; });
+//   assert(last == 3);
 
 #include <cstddef>
+#include <functional>
+#include <istream>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "cli/file/files.h"
 #include "geom/base/parallel.h"
 
-namespace cli {
+namespace geom {
+
+// Calls f(line, number) for each line that is not blank; a final newline may be missing. Throws
+// InputError where there was none, and for an archive.
+void for_each_line(std::istream& in, const std::string& source,
+                   const std::function<void(const std::string&, std::size_t)>& f);
 
 // Lines that are parsed at once: so many bytes, and a line.
 inline constexpr std::size_t kLinesAtOnce = std::size_t{1} << 22;
 
-// Calls `parse(text, number)` of each line of the file that is not blank, on the threads of `run`,
-// and `take(record, number)` of what each gave, in order and by the caller's thread. What is thrown
+// Calls `parse(text, number)` of each line that is not blank, on the threads of `run`, and
+// `take(record, number)` of what each gave, in order and by the caller's thread. What is thrown
 // is what one thread would throw that takes each record before it reads the next line.
 template <class Parse, class Take>
-void for_each_parsed(InputFile& file, const geom::Execution& run, const Parse& parse,
-                     const Take& take) {
+void for_each_parsed(std::istream& in, const std::string& source, const Execution& run,
+                     const Parse& parse, const Take& take) {
   using Lines = std::vector<std::pair<std::string, std::size_t>>;
   Lines held;
   std::size_t bytes = 0;
@@ -36,9 +48,8 @@ void for_each_parsed(InputFile& file, const geom::Execution& run, const Parse& p
       }
     };
     try {
-      geom::parallel_for(lines.size(), {run.threads, {}}, [&](std::size_t i) {
-        records[i] = parse(lines[i].first, lines[i].second);
-      });
+      parallel_for(lines.size(), {run.threads, {}},
+                   [&](std::size_t i) { records[i] = parse(lines[i].first, lines[i].second); });
     } catch (...) {
       take_parsed();
       throw;
@@ -46,7 +57,7 @@ void for_each_parsed(InputFile& file, const geom::Execution& run, const Parse& p
     take_parsed();
   };
   try {
-    file.for_each_line([&](const std::string& line, std::size_t number) {
+    for_each_line(in, source, [&](const std::string& line, std::size_t number) {
       if (bytes >= kLinesAtOnce) finish_held();
       held.emplace_back(line, number);
       bytes += line.size();
@@ -58,4 +69,4 @@ void for_each_parsed(InputFile& file, const geom::Execution& run, const Parse& p
   finish_held();
 }
 
-}  // namespace cli
+}  // namespace geom

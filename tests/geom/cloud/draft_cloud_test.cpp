@@ -1,0 +1,90 @@
+#include "geom/cloud/draft_cloud.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "geom/base/error.h"
+#include "geom/base/usage_error.h"
+
+namespace geom {
+namespace {
+
+// Two towers of three returns each, and a point alone.
+constexpr const char* kPoints =
+    "0.5 0.5 1\n0.5 0.6 2\n0.5 0.5 3\n20.5 0.5 1\n20.5 0.6 2\n20.5 0.5 3\n60 60 9\n";
+
+MapDraft drafted(const std::string& text, const CloudDraftOptions& options = {}) {
+  std::istringstream in(text);
+  HashedStream first(in);
+  const OpenFile again = [&](const std::string&) {
+    return std::make_shared<std::istringstream>(text);
+  };
+  return draft_cloud({"cloud", first, again, nullptr}, options);
+}
+
+std::size_t fact(const MapDraft& draft, const std::string& name) {
+  for (const auto& [what, value] : draft.facts) {
+    if (what == name) return std::get<std::size_t>(value);
+  }
+  return ~std::size_t{0};
+}
+
+TEST(DraftCloud, MakesColumnsOfAllPoints) {
+  const MapDraft draft = drafted(kPoints);
+  EXPECT_EQ(fact(draft, "points"), 7u);
+  EXPECT_EQ(fact(draft, "kept"), 7u);
+  EXPECT_EQ(draft.table.boxes.size(), 3u);
+}
+
+TEST(DraftCloud, MakesABoxAnObject) {
+  CloudDraftOptions options;
+  options.objects = true;
+  options.min_points = 2;
+  const MapDraft draft = drafted(kPoints, options);
+  EXPECT_EQ(draft.table.boxes.size(), 2u);
+  EXPECT_EQ(fact(draft, "dropped_in_small_objects"), 1u);
+  EXPECT_EQ(draft.table.boxes[0], (Aabb{{0.5, 0.5, 1}, {0.5, 0.6, 3}}));
+}
+
+TEST(DraftCloud, TellsHowTheGroundIsToldAndReadsAgain) {
+  CloudDraftOptions options;
+  options.drop_ground = true;
+  std::string told;
+  options.ground_told = [&](const std::string& by) { told = by; };
+  const MapDraft draft = drafted(kPoints, options);
+  EXPECT_EQ(told, "shape");
+  EXPECT_EQ(fact(draft, "points"), 7u);
+  EXPECT_EQ(fact(draft, "dropped_as_ground") + fact(draft, "kept"), 7u);
+}
+
+TEST(DraftCloud, SharesOfColumnsAreThoseOfAll) {
+  std::istringstream in(kPoints);
+  HashedStream first(in);
+  const ColumnDraft whole = draft_columns({"cloud", first, {}, nullptr}, {}, {});
+  std::vector<std::int32_t> spans;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::istringstream again(kPoints);
+    HashedStream bytes(again);
+    const auto part = draft_columns({"cloud", bytes, {}, nullptr}, {}, {k, 3}).columns.spans();
+    spans.insert(spans.end(), part.begin(), part.end());
+  }
+  EXPECT_EQ(spans.size(), whole.columns.spans().size());
+  EXPECT_EQ(whole.map.history, drafted(kPoints).history);
+}
+
+TEST(DraftCloud, RefusesWhatLeavesNothingOrContradicts) {
+  CloudDraftOptions options;
+  options.objects = true;
+  options.min_points = 9;
+  EXPECT_THROW(drafted(kPoints, options), InputError);
+  EXPECT_THROW(drafted(""), InputError);
+  options.resolution = 2;
+  EXPECT_THROW(drafted(kPoints, options), UsageError);
+  CloudDraftOptions fine;
+  fine.resolution = 2;  // of a file that is no COPC
+  EXPECT_THROW(drafted(kPoints, fine), InputError);
+}
+
+}  // namespace
+}  // namespace geom

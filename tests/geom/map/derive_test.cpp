@@ -1,0 +1,70 @@
+#include "geom/map/derive.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/base/error.h"
+#include "geom/map/map_draft.h"
+#include "support/random_city.h"
+
+namespace geom {
+namespace {
+
+using Json = nlohmann::json;
+
+BoxMap city(const std::string& history = "") {
+  BoxMapSpec spec;
+  spec.bounds = {{0, 0, 0}, {100, 100, 50}};
+  spec.history = history;
+  return {spec, support::table_of({{{0, 0, 0}, {10, 20, 30}}, {{60, 60, 0}, {80, 70, 20}}})};
+}
+
+TEST(Derived, KeepsTheHistoryAndAddsAStep) {
+  const BoxMap tiled = tile(city(R"([{"tool":"skyway-import"}])"), 25);
+  const Json history = Json::parse(tiled.spec().history);
+  ASSERT_EQ(history.size(), 2u);
+  EXPECT_EQ(history[0]["tool"], "skyway-import");
+  EXPECT_EQ(history[1]["tool"], "skyway-map tile");
+  EXPECT_EQ(history[1]["input"], city().hash());
+  EXPECT_EQ(tiled.hash(), city().hash());
+  EXPECT_EQ(tiled.spec().tile_size, 25);
+}
+
+TEST(Crop, KeepsWhatMeetsTheRegion) {
+  const BoxMap part = crop(city(), {{-5, -5, 0}, {60, 40, 200}}, "city");
+  EXPECT_EQ(part.size(), 1u);
+  EXPECT_EQ(part.spec().bounds, (Aabb{{0, 0, 0}, {60, 40, 50}}));
+  EXPECT_THROW(crop(city(), {{200, 0, 0}, {300, 9, 9}}, "city"), InputError);
+}
+
+TEST(Inflate, GrowsEachBoxOnEverySide) {
+  const BoxMap grown = inflate(city(), 0.5);
+  EXPECT_EQ(grown.size(), 2u);
+  for (const Aabb& box : grown.boxes()) EXPECT_LE(box.min.z(), -0.5);
+}
+
+TEST(Join, HasTheBoxesAndTheBoundsOfAll) {
+  BoxMapSpec spec = city().spec();
+  spec.bounds = {{90, 0, -10}, {200, 50, 40}};
+  spec.history = R"([{"skipped":3}])";
+  const BoxMap other(spec, support::table_of({{{150, 0, 0}, {160, 9, 9}}}));
+  const SourceMap maps[] = {{"a", city()}, {"b", other}};
+  const BoxMap joined = join(maps);
+  EXPECT_EQ(joined.size(), 3u);
+  EXPECT_EQ(joined.spec().bounds, (Aabb{{0, 0, -10}, {200, 100, 50}}));
+  EXPECT_EQ(skipped_in(joined.spec()), 3u);
+}
+
+TEST(Join, RefusesTwoEpochs) {
+  BoxMapSpec spec = city().spec();
+  spec.epoch = "2026-05-04T06:30:00Z";
+  const BoxTable table = support::table_of({{{0, 0, 0}, {1, 1, 1}}});
+  const BoxMap one(spec, table);
+  spec.epoch = "2027-05-04T06:30:00Z";
+  const BoxMap other(spec, table);
+  const SourceMap maps[] = {{"a", city()}, {"b", one}, {"c", other}};
+  EXPECT_THROW(join(maps), InputError);
+  EXPECT_EQ(join(std::span(maps).first(2)).spec().epoch, one.spec().epoch);
+}
+
+}  // namespace
+}  // namespace geom
