@@ -3,8 +3,7 @@
 // Files that hold a share of a run, and say of which.
 //
 // Example:
-//   const nlohmann::json none = nlohmann::json::object();
-//   geom::ShardLabel label{.work = {"mine", "1.0", none, none}};
+//   geom::ShardLabel label{.work = {"mine", "1.0", "{}", "{}"}};
 //   label.kind = "records";
 //   const geom::RecordPart records{.text = "a\n", .ends = {2}};
 //   std::ostringstream out;
