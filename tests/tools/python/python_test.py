@@ -231,12 +231,13 @@ def test_errors_carry_the_tools_messages(out, scene):
 def test_exports_are_those_of_the_tool(out, scene):
     trajectories = skyway.read_trajectories(f"{out}/trajectory.jsonl")
     for form, options in (("crazyflie", {}), ("setpoints", {"rate": 20.0, "axes": "ned"}), ("gltf", {"tolerance": 0.1}),
-                          ("wpl", {"origin": (47, 8, 400), "speed": 3.0, "hover": True}), ("qgc-plan", {"origin": (47, 8, 400)}),
-                          ("dji-wpml", {"origin": (47, 8, 400), "aircraft": "m3t", "turns": 2.0}), ("kml", {"origin": (47, 8, 400)}),
+                          ("wpl", {"origin": (47, 8, 400), "ground": -20.0, "speed": 3.0, "hover": True}),
+                          ("qgc-plan", {"origin": (47, 8, 400), "ground": -20.0}),
+                          ("dji-wpml", {"origin": (47, 8, 400), "ground": -20.0, "aircraft": "m3t", "turns": 2.0}),
+                          ("kml", {"origin": (47, 8, 400)}),
                           ("geojson", {"origin": (47, 8, 400)})):
-        words = []
-        for key, value in options.items():
-            words += ["--" + key] if value is True else ["--" + key, ",".join(map(str, value)) if key == "origin" else value]
+        words = [f"--{key}" if value is True else f"--{key}={','.join(map(str, value)) if key == 'origin' else value}"
+                 for key, value in options.items()]
         file = f"{out}/export.{form}"
         pathlib.Path(file).unlink(missing_ok=True)
         done = tool("skyway-export", f"{out}/city.boxmap", f"{out}/trajectory.jsonl", "--format", form, *words, "-o", file,
