@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "geom/base/error.h"
 #include "geom/map/map_draft.h"
 #include "support/random_city.h"
