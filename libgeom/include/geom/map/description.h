@@ -5,7 +5,7 @@
 // Example:
 //   std::cout << geom::as_lines(geom::description(map));  // hash: sha256:… and so on
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "geom/map/box_map.h"
