@@ -9,6 +9,7 @@
 namespace {
 
 enum class Colour { red, green };
+constexpr geom::Words<Colour, 2> kColours{{{Colour::green, "green"}, {Colour::red, "red"}}};
 
 // What is said of these arguments.
 std::string said(std::vector<std::string> arguments) {
@@ -27,8 +28,7 @@ std::string said(std::vector<std::string> arguments) {
   app.add_option("--number", number)->check(CLI::IsMember({1, 2}));
   app.add_option("--place", place)->check([](const std::string&) { return "no place"; });
   app.add_option("--seed", seed)->needs("--scale")->excludes("--size");
-  app.add_option("--colour", colour)
-      ->transform(cli::word_for<Colour>({{"green", Colour::green}, {"red", Colour::red}}));
+  cli::add_word(app, "--colour", colour, kColours, "");
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ParseError& error) {

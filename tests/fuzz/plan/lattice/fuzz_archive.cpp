@@ -30,7 +30,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (geom::is_box_map(archive)) {
       geom::read_box_map(archive).require(geom::Verified::contents);
     } else if (plan::is_roadmap(archive)) {
-      const plan::Roadmap roadmap = plan::read_roadmap(archive, plan::Filled::allowed);
+      const plan::Roadmap roadmap = plan::read_roadmap(archive);
       search(roadmap);
       plan::verify_roadmap(roadmap);
     } else {
