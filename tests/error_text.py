@@ -34,8 +34,8 @@ def faults(text):
 
 
 def joined(text):
-    """The lines, each with what follows of its statement: clang-format breaks them anywhere."""
-    lines = text.splitlines()
+    """The lines without comments, each with what follows of its statement: clang-format breaks them anywhere."""
+    lines = ["" if line.lstrip().startswith("//") else line for line in text.splitlines()]
     for i, line in enumerate(lines):
         end = i + 1
         while end < min(len(lines), i + 4) and not line.rstrip().endswith((";", "{", "}", ":")):

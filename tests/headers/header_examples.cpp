@@ -23,7 +23,7 @@ namespace {
 Given given() {
   std::istringstream blocks("boundary 0 0 0 10 10 10\nblock 4 0 0 5 8 8\n");
   const geom::BoxMap map =
-      geom::make_map(geom::import_boxes(blocks, geom::BoxFormat::block_text, "city.txt"),
+      geom::make_map(geom::import_boxes(blocks, geom::kBlockText, "city.txt"),
                      "city.txt")
           .map;
   const geom::Vehicle vehicle = traj::vehicle_named("tello")->vehicle;

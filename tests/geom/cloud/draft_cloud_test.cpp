@@ -40,6 +40,7 @@ TEST(DraftCloud, MakesColumnsOfAllPoints) {
 TEST(DraftCloud, MakesABoxAnObject) {
   CloudDraftOptions options;
   options.objects = true;
+  options.tolerance = 1.5;
   options.min_points = 2;
   const MapDraft draft = drafted(kPoints, options);
   EXPECT_EQ(draft.table.boxes.size(), 2u);

@@ -40,7 +40,9 @@ TEST(Difference, LooksAtLabelsTimesAndThePlace) {
   BoxTable other = table();
   other.label[0] = other.label_of("crane");
   other.set_time(1, {5, 6});
-  EXPECT_EQ(difference(map_of(table()), map_of(other)).added.size(), 2u);
+  BoxMapSpec timed = map_of(table()).spec();
+  timed.epoch = "2026-05-04T06:00:00Z";
+  EXPECT_EQ(difference(BoxMap(timed, table()), BoxMap(timed, other)).added.size(), 2u);
   BoxMapSpec spec = map_of(table()).spec();
   spec.bounds.max.z() = 99;
   spec.frame.axes = Axes::neu;

@@ -2,7 +2,7 @@
 
 // The exception for a wrong call by a user: an option that is missing, or that means nothing here.
 //
-// Example:
+// Example, not run:
 //   throw geom::UsageError("--origin: expected latitude,longitude,height, found none");
 
 #include <stdexcept>

@@ -6,7 +6,7 @@
 //   std::istringstream in("1 2 3\n4 5 6\n");
 //   const geom::CloudFormat* const format =
 //       geom::row_recognised("1 2 3\n4 5 6\n", geom::cloud_formats());
-//   const auto sink = [](const geom::CloudPoint&) {};
+//   const auto sink = [](std::span<const geom::CloudPoint>) {};
 //   const geom::CloudCounts counts =
 //       format->read(in, "scan.xyz", sink, [](const geom::CoordinateReference&) {}, {});
 

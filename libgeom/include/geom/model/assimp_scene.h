@@ -5,7 +5,7 @@
 // Example, not run:
 //   std::ifstream file("bridge.dae", std::ios::binary);
 //   const std::string bytes(std::istreambuf_iterator<char>(file), {});
-//   const geom::Model bridge = geom::read_scene(bytes, "bridge.dae", "collada");
+//   const geom::Model bridge = geom::read_collada(bytes, "bridge.dae");
 //   std::cout << bridge.mesh.triangles.size() << " triangles\n";
 
 #include <string>

@@ -2,7 +2,7 @@
 
 // The coordinate reference system that a GeoJSON file names.
 //
-// Example:
+// Example, not run:
 //   const nlohmann::json file = {{"type", "FeatureCollection"},
 //                                {"crs", {{"properties", {{"name", "EPSG:25832"}}}}}};
 //   if (geom::has_foreign_crs(file)) throw geom::InputError("zones.geojson", geom::foreign_crs());

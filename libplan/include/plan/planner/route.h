@@ -3,7 +3,7 @@
 // Which search a path came from, as records name it.
 //
 // Example:
-//   assert(plan::name(plan::Route::lattice) == "lattice");
+//   assert(plan::name(plan::OwnRoute::lattice) == "lattice");
 
 #include <string_view>
 #include <variant>
