@@ -294,7 +294,7 @@ TEST(Formats, OfDronesAreThoseThatAreFlown) {
   for (const Format* format : drone_formats()) EXPECT_TRUE(is_drone_format(format)) << format->what;
   for (const Format* format : all_formats()) {
     if (!is_drone_format(format)) continue;
-    EXPECT_TRUE(geom::reads("skyway-import-trajectory", *format)) << format->what;
+    EXPECT_TRUE(geom::reads("skyway-check", *format)) << format->what;
   }
   EXPECT_FALSE(is_drone_format(nullptr));
 }

@@ -46,16 +46,10 @@ void require_no_namespaces(const XmlElement& element, const std::string& source)
 
 // The value of one attribute of the root.
 std::string attribute(const XmlElement& root, std::string_view name, const std::string& source) {
-  std::optional<std::string> found;
   for (const auto& [key, value] : root.attributes) {
-    if (key != name) continue;
-    if (found)
-      refuse(source, root.line, {.expected = fmt::format("one {} in <kml>", name), .found = "two"});
-    found = value;
+    if (key == name) return value;
   }
-  if (!found)
-    refuse(source, root.line, {.expected = fmt::format("{} in <kml>", name), .found = "none"});
-  return *found;
+  refuse(source, root.line, {.expected = fmt::format("{} in <kml>", name), .found = "none"});
 }
 
 // Settings that may let the aircraft leave its way, where they are on.

@@ -66,7 +66,7 @@ TEST(GeoLine, RefusalsSayWhereAndWhat) {
   EXPECT_EQ(kml("<kml></Document>"),
             "f:1: expected the end of the element of line 1, found another's");
   EXPECT_EQ(kml("<kml/>\n<kml/>"),
-            "f:2: expected nothing more after the root element, found another");
+            "f:2: expected nothing more after the root element, found \"<kml/>\"");
   EXPECT_EQ(kml("<gpx/>"), "f:1: expected KML, found <gpx>");
   const auto json = [](const std::string& text) {
     std::istringstream in(text);
