@@ -260,7 +260,7 @@ def hostile():
     refused("something before it", b"#!/bin/sh\n" + data, "expected")
     refused("a hidden mission before it", kmz(good) + kmz(good), "")
     refused("an unknown version", kmz(good.replace("1.0.6", "1.7.3")), "found 1.7.3")
-    refused("no XML", kmz("waypoints"), "expected an element, found text")
+    refused("no XML", kmz("waypoints"), "expected well-formed XML, found \"waypoints\"")
     refused("another template", kmz(good, template_of([(0, 0, 30), (60, 0, 30)])), "save it in that app again")
     require(check(kmz(good, template_of([(0, 0, 30), (50, 0, 30)])))[0] == 0, "its own template")
     damaged = bytearray(data)

@@ -331,9 +331,13 @@ def test_maps_are_those_of_the_tools(out):
 def test_maps_are_refused_as_by_the_tools(out):
     torn = pathlib.Path(out) / "torn.geojson"
     torn.write_bytes((SHIPPED / "blocks.geojson").read_bytes()[:200])
+    header = "posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n"
+    empty, word = pathlib.Path(out) / "header_only.csv", pathlib.Path(out) / "word.csv"
+    empty.write_text(header)
+    word.write_text(header + "1,2,three,1,1,1\n")
     cases = [
-        ("import", skyway.import_boxes, "word.csv", {}, 3),
-        ("import", skyway.import_boxes, "header_only.csv", {}, 3),
+        ("import", skyway.import_boxes, word, {}, 3),
+        ("import", skyway.import_boxes, empty, {}, 3),
         ("import", skyway.import_boxes, "window.txt", {}, 3),  # a possible obstacle that cannot be built
         ("import", skyway.import_boxes, "pocket.txt", {"pad": 3}, 2),
         ("footprints", skyway.import_footprints, "torn.osm", {}, 3),
