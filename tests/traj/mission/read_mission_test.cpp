@@ -10,7 +10,7 @@
 #include "traj/mission/formats/crazyflie.h"
 #include "traj/mission/formats/geo_line.h"
 #include "traj/mission/formats/gltf_line.h"
-#include "traj/mission/formats/kml.h"
+#include "traj/mission/formats/mission_formats.h"
 #include "traj/mission/formats/qgc_plan.h"
 #include "traj/mission/formats/setpoints.h"
 #include "traj/mission/formats/tello.h"

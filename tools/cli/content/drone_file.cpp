@@ -9,7 +9,7 @@
 #include "cli/option/numbers_option.h"
 #include "cli/option/placement_option.h"
 #include "geom/base/error.h"
-#include "traj/mission/formats/paths_csv.h"
+#include "traj/mission/formats/mission_formats.h"
 
 namespace cli {
 namespace {

@@ -16,6 +16,7 @@
 #include "recognise.h"
 #include "run_files.h"
 #include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/mission_formats.h"
 #include "traj/mission/formats/qgc_plan.h"
 #include "traj/mission/formats/wpl.h"
 

@@ -26,13 +26,16 @@ struct CloudFormat {
   bool is_surveyed = false;  // its points have classes, and it may say its coordinate reference
 };
 
-// PCD, PLY, LAS (with LAZ and COPC) and, for any other text, XYZ.
-FormatRows<CloudFormat> cloud_formats();
-
+// Each is defined in the file of its reader.
 extern const CloudFormat kPcdCloud;
 extern const CloudFormat kPlyCloud;
 extern const CloudFormat kLasCloud;
 extern const CloudFormat kXyzCloud;
+
+// PCD, PLY, LAS (with LAZ and COPC) and, for any other text, XYZ.
+inline constexpr const CloudFormat* kCloudFormats[] = {&kPcdCloud, &kPlyCloud, &kLasCloud,
+                                                       &kXyzCloud};
+inline FormatRows<CloudFormat> cloud_formats() { return kCloudFormats; }
 
 extern const Format kPlyFile;  // of points or of triangles
 

@@ -1,5 +1,3 @@
-#include "traj/mission/formats/dji_wpml.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,7 +9,7 @@
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
 #include "traj/mission/dji/dji_wpml.h"
-#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
 namespace {

@@ -1,8 +1,7 @@
-#include "traj/mission/formats/geojson.h"
-
 #include "geom/gis/footprint_format.h"
 #include "mission/formats/geo_format.h"
 #include "mission/formats/text_head.h"
+#include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
 namespace {

@@ -17,7 +17,7 @@
 #include "geom/model/model_format.h"
 #include "geom/text/parse_json.h"
 #include "mission/formats/text_head.h"
-#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
 namespace {

@@ -4,25 +4,9 @@
 #include <utility>
 
 #include "mission/formats/text_head.h"
-#include "traj/mission/formats/crazyflie.h"
-#include "traj/mission/formats/dji_wpml.h"
-#include "traj/mission/formats/geojson.h"
-#include "traj/mission/formats/gltf_line.h"
-#include "traj/mission/formats/kml.h"
-#include "traj/mission/formats/paths_csv.h"
-#include "traj/mission/formats/qgc_plan.h"
-#include "traj/mission/formats/setpoints.h"
-#include "traj/mission/formats/tello.h"
-#include "traj/mission/formats/volume4d.h"
-#include "traj/mission/formats/wpl.h"
 
 namespace traj {
 namespace {
-
-constexpr const MissionFormat* kAll[] = {
-    &kCrazyflie, &kSetpoints, &kTello,    &kWpl,      &kQgcPlan,  &kDjiWpml,
-    &kKml,       &kGeojson,   &kGltfLine, &kPathsCsv, &kVolume4d,
-};
 
 // What a text that no format knows is taken for, by how it begins: the reader says what is wrong.
 constexpr std::pair<std::string_view, const MissionFormat*> kTakenFor[] = {
@@ -31,7 +15,7 @@ constexpr std::pair<std::string_view, const MissionFormat*> kTakenFor[] = {
 template <class Wanted>
 std::vector<std::string_view> words_where(const Wanted& wanted) {
   std::vector<std::string_view> words;
-  for (const MissionFormat* one : kAll) {
+  for (const MissionFormat* one : kMissionFormats) {
     if (wanted(*one)) words.push_back(one->format.word);
   }
   return words;
@@ -39,20 +23,18 @@ std::vector<std::string_view> words_where(const Wanted& wanted) {
 
 }  // namespace
 
-std::span<const MissionFormat* const> mission_formats() { return kAll; }
-
 const MissionFormat* mission_format_named(std::string_view word) {
-  const auto* const found = std::find_if(std::begin(kAll), std::end(kAll),
+  const auto* const found = std::find_if(std::begin(kMissionFormats), std::end(kMissionFormats),
                                          [&](const auto* one) { return one->format.word == word; });
-  return found == std::end(kAll) ? nullptr : *found;
+  return found == std::end(kMissionFormats) ? nullptr : *found;
 }
 
 const MissionFormat& recognised_mission_format(std::string_view text) {
   const std::string_view head = text.substr(0, geom::kFormatHead);
-  for (const MissionFormat* one : kAll) {
+  for (const MissionFormat* one : kMissionFormats) {
     if (one->format.begins && one->format.begins(head)) return *one;
   }
-  for (const MissionFormat* one : kAll) {
+  for (const MissionFormat* one : kMissionFormats) {
     if (one->may_be && one->may_be(text)) return *one;
   }
   const auto* const taken =

@@ -1,11 +1,9 @@
-#include "traj/mission/formats/paths_csv.h"
-
 #include <utility>
 
 #include "geom/record/path_csv.h"
 #include "geom/text/beginning.h"
 #include "traj/curve/to_enu.h"
-#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
 namespace {

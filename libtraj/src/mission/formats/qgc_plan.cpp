@@ -16,7 +16,7 @@
 #include "geom/text/parse_json.h"
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
-#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
 namespace {

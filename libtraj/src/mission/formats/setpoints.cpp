@@ -18,7 +18,7 @@
 #include "geom/text/number.h"
 #include "mission/formats/text_head.h"
 #include "traj/curve/yaw.h"
-#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
 namespace {

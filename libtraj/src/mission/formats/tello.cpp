@@ -17,7 +17,7 @@
 #include "geom/map/frame.h"
 #include "geom/text/beginning.h"
 #include "mission/formats/text_head.h"
-#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
 namespace {

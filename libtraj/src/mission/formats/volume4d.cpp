@@ -1,13 +1,12 @@
-#include "traj/mission/formats/volume4d.h"
+#include "geom/record/volume4d.h"
 
 #include <fmt/format.h>
 
 #include <sstream>
 
 #include "geom/base/usage_error.h"
-#include "geom/record/volume4d.h"
 #include "traj/mission/airspace/flight_volumes.h"
-#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
 namespace {

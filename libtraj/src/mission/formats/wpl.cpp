@@ -14,7 +14,7 @@
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
 #include "traj/mission/formats/fence_file.h"
-#include "traj/mission/formats/mission_format.h"
+#include "traj/mission/formats/mission_formats.h"
 #include "traj/mission/mavlink/mission_flight.h"
 
 namespace traj {

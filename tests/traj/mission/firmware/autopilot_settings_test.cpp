@@ -78,8 +78,8 @@ TEST(AutopilotSettings, RefuseOtherVehiclesAndVersions) {
   EXPECT_EQ(refusal("# Vehicle: Fixed Wing\nNAV_ACC_RAD,2\n"),
             "p: expected parameters of a multirotor, found those of \"Fixed Wing\"");
   EXPECT_EQ(refusal("# Version: 1.9.2\nNAV_ACC_RAD,2\n"),
-            "p: expected parameters of a version that is modelled (px4:1.11-1.17), found version "
-            "1.9; --autopilot px4 takes all of them for possible");
+            "p: expected parameters of a version that is modelled (" + px4().name +
+                "), found version 1.9; --autopilot px4 takes all of them for possible");
   EXPECT_EQ(refusal("NAV_ACC_RAD,2\n", "ardupilot"),
             "p: expected parameters of ardupilot:4.3-4.7, found those of px4");
   EXPECT_EQ(refusal("NAV_ACC_RAD,2\nWPNAV_RADIUS,200\n"),

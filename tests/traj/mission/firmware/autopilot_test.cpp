@@ -10,7 +10,7 @@ TEST(Autopilots, AreThoseOfTheWord) {
   EXPECT_EQ(names_of(*autopilots_of("any")), "px4:1.11-1.17, ardupilot:4.3-4.7");
   EXPECT_EQ(names_of(*autopilots_of("px4:1.17")), "px4:1.17");
   EXPECT_EQ(autopilots_of("ardupilot:4.5")->front().firmware, Firmware::ardupilot);
-  for (const char* word : {"", "px4:", "px4:1.10", "px4:1.18", "ardupilot:1.17", "PX4", "dji"}) {
+  for (const char* word : {"", "px4:", "px4:1.10", "px4:2.0", "ardupilot:1.17", "PX4", "dji"}) {
     EXPECT_FALSE(autopilots_of(word)) << word;
   }
 }

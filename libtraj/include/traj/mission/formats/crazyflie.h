@@ -17,8 +17,6 @@
 
 namespace traj {
 
-struct MissionFormat;
-
 inline constexpr std::size_t kCrazyflieSegments = 31;  // what its memory holds
 
 // How much of the drone's 4096 bytes for trajectories one takes: 132 a segment as polynomials, or,
@@ -67,8 +65,5 @@ inline constexpr double kCrazyflieLongest = 65536;  // s
 // not such a table, for a flight of over 65536 s or beyond 1e8 m, numbers beyond single precision,
 // and a last line without its end, which may have lost digits.
 CrazyflieFlight read_crazyflie(std::istream& in, std::string_view source);
-
-// "crazyflie": as a format (mission_format.h).
-extern const MissionFormat kCrazyflie;
 
 }  // namespace traj

@@ -16,8 +16,6 @@
 
 namespace traj {
 
-struct MissionFormat;
-
 // glTF 2.0 (`.glb`): one node whose translation is the first point, and single precision relative
 // to it; y up, x east, z south. Points in ENU, at least one. `note` goes into the asset's extras.
 void write_gltf_line(std::ostream& out, std::span<const geom::Vec3> enu, std::string_view name,
@@ -28,8 +26,5 @@ void write_gltf_line(std::ostream& out, std::span<const geom::Vec3> enu, std::st
 // bytes, and for whatever else there is: triangles, indices, nodes under nodes or in no scene,
 // animations, files beside it.
 std::vector<geom::Polyline> read_gltf_lines(std::istream& in, std::string_view source);
-
-// "gltf": as a format (mission_format.h).
-extern const MissionFormat kGltfLine;
 
 }  // namespace traj

@@ -14,8 +14,24 @@
 
 namespace traj {
 
+// Each is defined in the file of its name in src/mission/formats.
+extern const MissionFormat kCrazyflie;
+extern const MissionFormat kSetpoints;
+extern const MissionFormat kTello;
+extern const MissionFormat kWpl;
+extern const MissionFormat kQgcPlan;
+extern const MissionFormat kDjiWpml;
+extern const MissionFormat kKml;
+extern const MissionFormat kGeojson;
+extern const MissionFormat kGltfLine;
+extern const MissionFormat kPathsCsv;
+extern const MissionFormat kVolume4d;
+
 // In the order in which options and messages list them.
-std::span<const MissionFormat* const> mission_formats();
+inline constexpr const MissionFormat* kMissionFormats[] = {
+    &kCrazyflie, &kSetpoints, &kTello,    &kWpl,      &kQgcPlan, &kDjiWpml,
+    &kKml,       &kGeojson,   &kGltfLine, &kPathsCsv, &kVolume4d};
+inline std::span<const MissionFormat* const> mission_formats() { return kMissionFormats; }
 
 // The format of this word; null where there is none.
 const MissionFormat* mission_format_named(std::string_view word);

@@ -16,8 +16,6 @@
 
 namespace traj {
 
-struct MissionFormat;
-
 // `station` goes into groundStation: who made it. The firmware is named as generic (PX4 and
 // ArduPilot take it), the vehicle as a multirotor. The cruise and hover speeds, which only estimate
 // times, are the mission's.
@@ -31,8 +29,5 @@ Mission read_qgc_plan(std::istream& in, std::string_view source);
 
 // Its fences alone; the rest of the plan is not looked at.
 std::vector<GeodeticFence> read_qgc_fences(std::istream& in, std::string_view source);
-
-// "qgc-plan": as a format (mission_format.h).
-extern const MissionFormat kQgcPlan;
 
 }  // namespace traj

@@ -16,8 +16,6 @@
 
 namespace traj {
 
-struct MissionFormat;
-
 enum class SetpointAxes { enu, ned };
 
 // What a trajectory in ENU wants at k / rate seconds (rate in Hz, > 0) and at its very end, in ENU.
@@ -32,8 +30,5 @@ void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, 
 // row that is not 12 finite numbers, times that do not grow, fewer than two rows, and a last line
 // without its end, which may have lost digits.
 std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source);
-
-// "setpoints": as a format (mission_format.h).
-extern const MissionFormat kSetpoints;
 
 }  // namespace traj

@@ -22,8 +22,6 @@
 
 namespace traj {
 
-struct MissionFormat;
-
 inline constexpr int kTelloFarthest = 500;  // cm a command may move along an axis
 inline constexpr int kTelloNearest = 20;    // cm: one axis must move further
 inline constexpr int kTelloSlowest = 10;    // cm/s
@@ -84,8 +82,5 @@ std::vector<double> tello_times(const TelloFlight& flight, const TelloStart& sta
 
 // Ryze Tello specifications: 30 m, 100 m, 13 min.
 inline constexpr FlightEnvelope kTelloEnvelope{30, 100, 780};
-
-// "tello": as a format (mission_format.h).
-extern const MissionFormat kTello;
 
 }  // namespace traj

@@ -16,8 +16,6 @@
 
 namespace traj {
 
-struct MissionFormat;
-
 // Home as item 0 (in frame 0, as Mission Planner keeps it), then the items: 12 fields between tabs,
 // index, current, frame, command, four parameters, latitude, longitude, altitude, autocontinue.
 void write_wpl(std::ostream& out, const Mission& mission);
@@ -35,8 +33,5 @@ Mission read_wpl(std::istream& in, std::string_view source);
 
 // Its fences alone; a file without a mission will do.
 std::vector<GeodeticFence> read_wpl_fences(std::istream& in, std::string_view source);
-
-// "wpl": as a format (mission_format.h).
-extern const MissionFormat kWpl;
 
 }  // namespace traj
