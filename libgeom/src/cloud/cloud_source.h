@@ -27,7 +27,7 @@ class CloudSource {
   const nlohmann::ordered_json& input() const { return input_; }  // for the map's history
   const CloudPlace& place() const { return place_; }
   const Skipped& skipped() const { return counts_.skipped; }
-  bool says_nothing() const { return says_nothing_; }  // of what its coordinates mean
+  bool says_nothing() const { return says_nothing_; }  // about its reference system
   std::vector<Fact> facts() const;                     // how many points, and how many dropped
 
  private:

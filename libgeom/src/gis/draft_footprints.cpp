@@ -50,7 +50,7 @@ std::vector<Fact> facts_of(const Source& source, const FootprintFormat& format) 
   return facts;
 }
 
-// What was read, in numbers, and what is worth knowing of it.
+// Counts of the file that was read, and facts about it.
 void tell(const Source& source, const std::string& name, double default_height,
           const Notes& notes) {
   std::string report;

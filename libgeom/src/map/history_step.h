@@ -1,6 +1,6 @@
 #pragma once
 
-// One step of a map's history: what made the map, of what, and with which options.
+// One step of a map's history: the tool, its inputs and its options.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// A stream that sums what is read of it, and whose beginning can be looked at before.
+// A stream that hashes the bytes that are read, and shows the beginning of the file before that.
 //
 // Example:
 //   std::istringstream in("boundary 0 0 0 10 10 10\nblock 4 0 0 5 8 8\n");
@@ -19,7 +19,7 @@ namespace geom {
 // Holds 64 KiB of the input at most.
 class HashedStream {
  public:
-  // Of what is left of `source`, which must outlive this and be read by nobody else.
+  // Reads on in `source`, which must outlive this object. No other code may read `source`.
   explicit HashedStream(std::istream& source);
   ~HashedStream();
   HashedStream(const HashedStream&) = delete;

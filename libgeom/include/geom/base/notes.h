@@ -13,7 +13,7 @@
 namespace geom {
 
 // Each text is one sentence or more and names the file first. Both are called by the thread that
-// reads, in the order in which things are found; what is said before an exception stays said.
+// reads, in the order in which things are found. A note that came before an exception stays.
 struct Notes {
   // What was read, and what was taken for granted.
   std::function<void(const std::string&)> remark = [](const std::string&) {};

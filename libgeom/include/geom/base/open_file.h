@@ -20,7 +20,7 @@
 namespace geom {
 
 // Opens a file as a stream, at its beginning. The stream throws where reading fails, so that a file
-// that breaks off never looks like one that ends. A program passes its own where it counts files.
+// that breaks off never looks like one that ends. A program that counts its files passes its own.
 using OpenFile = std::function<std::shared_ptr<std::istream>(const std::string& path)>;
 
 // Throws FileError where the file cannot be opened.

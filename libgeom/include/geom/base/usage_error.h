@@ -1,6 +1,6 @@
 #pragma once
 
-// The exception for a wrong call by a user: an option that is missing, or that means nothing here.
+// The exception for a wrong call: the user left out an option, or gave one without effect.
 //
 // Example, not run:
 //   throw geom::UsageError("--origin: expected latitude,longitude,height, found none");

@@ -42,7 +42,7 @@ struct FootprintDraftOptions {
 MapDraft draft_footprints(const std::string& path, const FootprintDraftOptions& options = {},
                           const Notes& notes = {}, const Execution& run = {});
 
-// The same of a file that is open: `file` is the one at `path`. GDAL and libosmium read by path.
+// The same for an open file: `file` is the file at `path`. GDAL and libosmium read by path.
 MapDraft draft_footprints(const std::string& path, HashedStream& file,
                           const FootprintDraftOptions& options, const Notes& notes = {},
                           const Execution& run = {});

@@ -29,7 +29,7 @@ struct BoxDraftOptions {
 
   // Of SDF worlds:
   double slack = 0.1;                // metres that boxes may reach outside turned or round shapes
-  bool visuals = true;               // what is shown and collides with nothing is an obstacle
+  bool visuals = true;               // shapes that are only shown are obstacles, too
   std::vector<std::string> without;  // names of models that are left out; each must be there
   std::vector<std::string> model_path;  // folders that model:// is looked for in
   ReadCollada read_collada;             // empty: COLLADA meshes are skipped

@@ -1,6 +1,6 @@
 #pragma once
 
-// Shares of a map: boxes or columns, and what is to be made of all of them together.
+// A share of a map: its boxes or columns, and how all shares together become the map.
 //
 // Example:
 //   geom::MapDraft draft{.source = "mine", .history = "[]"};

@@ -24,7 +24,7 @@ enum class Differences {
   allowed,           // --override: the run alone decides
 };
 
-// The room that is kept around the reference point, and what the vehicle in it may do.
+// The vehicle and the margin around the reference point, and the limits of the vehicle.
 struct Room {
   Vehicle vehicle;
   double margin = 0;  // metres
