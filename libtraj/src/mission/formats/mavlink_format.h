@@ -34,4 +34,22 @@ void pass_all(MissionTask& task, const geom::Polyline& legs);
 // slows down.
 bool rest_or_slow_down(const WrittenMission& written, const CheckResult& result, MissionTask& task);
 
+// The row of a format of MAVLink missions, with all that they share.
+constexpr MissionFormat mavlink_format(const geom::Format& format,
+                                       decltype(MissionFormat::may_be) may_be,
+                                       decltype(MissionFormat::read) read,
+                                       decltype(MissionFormat::write) write) {
+  return {.format = format,
+          .may_be = may_be,
+          .read = read,
+          .write = write,
+          .prepare = pass_all,
+          .mend = rest_or_slow_down,
+          .reads_with = kMavlinkReading,
+          .writes_with = kMavlinkWriting,
+          .has_legs = true,
+          .rounding = kMissionRounding,
+          .heights = FileHeights::above_home};
+}
+
 }  // namespace traj

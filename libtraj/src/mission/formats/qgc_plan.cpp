@@ -387,25 +387,19 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
 
 }  // namespace
 
-constinit const MissionFormat kQgcPlan{
-    .format = {.word = "qgc-plan",
-               .what = "a QGroundControl plan",
-               .begins = geom::json_with<R"("fileType":"Plan")">,
-               .readers = kDroneReaders},
-    .may_be =
-        [](std::string_view text) {
-          return text_head(text).starts_with("{") &&
-                 text.find("\"fileType\"") != std::string_view::npos;
-        },
-    .read = [](std::istream& in,
-               const ReadTask& task) { return fly_mission(read_qgc_plan(in, task.source), task); },
-    .write = write,
-    .prepare = pass_all,
-    .mend = rest_or_slow_down,
-    .reads_with = kMavlinkReading,
-    .writes_with = kMavlinkWriting,
-    .has_legs = true,
-    .rounding = kMissionRounding,
-    .heights = FileHeights::above_home};
+constinit const MissionFormat kQgcPlan = mavlink_format(
+    {.word = "qgc-plan",
+     .what = "a QGroundControl plan",
+     .begins = geom::json_with<R"("fileType":"Plan")">,
+     .readers = kDroneReaders},
+
+    [](std::string_view text) {
+      return text_head(text).starts_with("{") &&
+             text.find("\"fileType\"") != std::string_view::npos;
+    },
+    [](std::istream& in, const ReadTask& task) {
+      return fly_mission(read_qgc_plan(in, task.source), task);
+    },
+    write);
 
 }  // namespace traj

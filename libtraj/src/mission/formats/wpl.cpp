@@ -288,24 +288,18 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
 
 }  // namespace
 
-constinit const MissionFormat kWpl{
-    .format = {.word = "wpl",
-               .what = "a mission (WPL)",
-               .begins =
-                   [](std::string_view head) {
-                     return geom::begins_with<"QGC WPL">(head) && !is_fence_text(head);
-                   },
-               .readers = kDroneReaders},
-    .may_be = [](std::string_view text) { return text_head(text).starts_with("QGC WPL"); },
-    .read = [](std::istream& in,
-               const ReadTask& task) { return fly_mission(read_wpl(in, task.source), task); },
-    .write = write,
-    .prepare = pass_all,
-    .mend = rest_or_slow_down,
-    .reads_with = kMavlinkReading,
-    .writes_with = kMavlinkWriting,
-    .has_legs = true,
-    .rounding = kMissionRounding,
-    .heights = FileHeights::above_home};
+constinit const MissionFormat kWpl = mavlink_format(
+    {.word = "wpl",
+     .what = "a mission (WPL)",
+     .begins =
+         [](std::string_view head) {
+           return geom::begins_with<"QGC WPL">(head) && !is_fence_text(head);
+         },
+     .readers = kDroneReaders},
+    [](std::string_view text) { return text_head(text).starts_with("QGC WPL"); },
+    [](std::istream& in, const ReadTask& task) {
+      return fly_mission(read_wpl(in, task.source), task);
+    },
+    write);
 
 }  // namespace traj
