@@ -1,0 +1,99 @@
+#include "traj/record/simulated_flights.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "support/refusal.h"
+#include "traj/flights.h"
+
+namespace traj {
+namespace {
+
+TrajectoryRecord record(const std::string& id, double seconds) {
+  TrajectoryRecord out;
+  out.id = id;
+  out.status = TrajectoryStatus::solved;
+  out.trajectory = testing::line({5, 0, 0}, seconds);
+  return out;
+}
+
+TrajectoryRecord without_way(const std::string& id) {
+  TrajectoryRecord out;
+  out.id = id;
+  out.status = TrajectoryStatus::no_path;
+  return out;
+}
+
+SimulationOptions options() {
+  SimulationOptions out;
+  out.flight = testing::example_flight();
+  out.profile.vehicle = {"box", {0.2, 0.2, 0.1}};
+  return out;
+}
+
+std::string stream() {
+  return to_json_line(record("a", 4)) + to_json_line(without_way("none")) +
+         to_json_line(record("b", 5));
+}
+
+std::vector<SimulatedFlight> fly(SimulatedFlights& flights, unsigned threads = 1) {
+  std::vector<SimulatedFlight> out;
+  flights.fly({threads, {}}, [&](SimulatedFlight one) { out.push_back(std::move(one)); });
+  return out;
+}
+
+TEST(SimulatedFlights, GivesAFlightARecordInOrder) {
+  SimulatedFlights flights(options(), nullptr);
+  std::istringstream in(stream());
+  EXPECT_EQ(flights.read(in, "s", {}), 3u);
+  const auto flown = fly(flights);
+  ASSERT_EQ(flown.size(), 3u);
+  EXPECT_EQ(flown[0].report.id, "a");
+  EXPECT_EQ(flown[1].report.status, TrajectoryStatus::no_path);
+  EXPECT_FALSE(flown[1].seconds);
+  EXPECT_TRUE(flown[1].log.samples.empty());
+  EXPECT_DOUBLE_EQ(flown[2].report.duration, 5);
+  EXPECT_FALSE(flown[2].log.samples.empty());
+}
+
+TEST(SimulatedFlights, AreTheSameForAnyThreads) {
+  const auto samples = [](unsigned threads) {
+    SimulatedFlights flights(options(), nullptr);
+    std::istringstream in(stream());
+    flights.read(in, "s", {});
+    std::vector<Vec3> out;
+    for (const SimulatedFlight& one : fly(flights, threads)) {
+      for (const FlightSample& sample : one.log.samples) out.push_back(sample.position);
+    }
+    return out;
+  };
+  EXPECT_EQ(samples(1), samples(4));
+}
+
+TEST(SimulatedFlights, TakesWhatItsShardTakes) {
+  SimulatedFlights flights(options(), nullptr);
+  std::istringstream in(stream());
+  EXPECT_EQ(flights.read(in, "s", {.index = 2, .count = 3}), 3u) << "all of the stream are counted";
+  const auto flown = fly(flights);
+  ASSERT_EQ(flown.size(), 1u);
+  EXPECT_EQ(flown[0].report.id, "b");
+}
+
+TEST(SimulatedFlights, RefusesFlightsOfMoreThanTenHours) {
+  SimulatedFlights flights(options(), nullptr);
+  std::istringstream in(to_json_line(record("long", 36001)));
+  EXPECT_NE(support::refusal_of([&] { flights.read(in, "s", {}); }).find("at most 36000 s"),
+            std::string::npos);
+}
+
+TEST(SimulatedFlights, TunesOnlyWhereThereIsATrajectory) {
+  SimulatedFlights flights(options(), nullptr);
+  std::istringstream in(to_json_line(without_way("none")));
+  flights.read(in, "s", {});
+  EXPECT_NE(support::refusal_of([&] { flights.tune({}, {}); }).find("solved trajectory"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace traj
