@@ -11,8 +11,8 @@
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
-#include "cli/shard/processes.h"
 #include "cli/shard/record_output.h"
+#include "geom/base/processes.h"
 #include "options.h"
 
 namespace {
@@ -83,7 +83,7 @@ Counts solve_each(const Share& share, const solving::Options& options, cli::Scen
     if (run.progress) run.progress(i + 1, share.lines.size());
     out.add(answer);
   };
-  cli::in_processes(share.lines.size(), run.threads, work, take);
+  geom::in_processes(share.lines.size(), run.threads, work, take);
   return counts;
 }
 

@@ -1,8 +1,8 @@
-#include "cli/option/unit_hint.h"
+#include "geom/text/unit_hint.h"
 
 #include <gtest/gtest.h>
 
-namespace cli {
+namespace geom {
 namespace {
 
 TEST(UnitHint, GivesTheNumberInTheUnitOfTheOption) {
@@ -31,4 +31,4 @@ TEST(UnitHint, SaysNothingOfWhatIsNoNumberWithAUnit) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace geom

@@ -1,4 +1,4 @@
-#include "unit_hint.h"
+#include "geom/text/unit_hint.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 
 #include "geom/text/number.h"
 
-namespace cli {
+namespace geom {
 namespace {
 
-struct Unit {
+struct NamedUnit {
   std::string_view word;
   double factor;          // to ours
   std::string_view ours;  // as descriptions of options name it
@@ -21,36 +21,36 @@ struct Unit {
 constexpr double kDegrees = 57.29577951308232;  // in a radian
 
 constexpr std::array kUnits = {
-    Unit{"mm", 1e-3, "metres"},
-    Unit{"cm", 1e-2, "metres"},
-    Unit{"dm", 1e-1, "metres"},
-    Unit{"m", 1, "metres"},
-    Unit{"metres", 1, "metres"},
-    Unit{"meters", 1, "metres"},
-    Unit{"km", 1e3, "metres"},
-    Unit{"ft", 0.3048, "metres"},
-    Unit{"in", 0.0254, "metres"},
-    Unit{"m/s", 1, "m/s"},
-    Unit{"mps", 1, "m/s"},
-    Unit{"km/h", 1 / 3.6, "m/s"},
-    Unit{"kmh", 1 / 3.6, "m/s"},
-    Unit{"kph", 1 / 3.6, "m/s"},
-    Unit{"mph", 0.44704, "m/s"},
-    Unit{"kn", 1.852 / 3.6, "m/s"},
-    Unit{"m/s2", 1, "m/s2"},
-    Unit{"m/s^2", 1, "m/s2"},
-    Unit{"g", 9.80665, "m/s2"},
-    Unit{"deg", 1, "degrees"},
-    Unit{"degrees", 1, "degrees"},
-    Unit{"°", 1, "degrees"},
-    Unit{"rad", kDegrees, "degrees"},
-    Unit{"ms", 1e-3, "seconds"},
-    Unit{"s", 1, "seconds"},
-    Unit{"sec", 1, "seconds"},
-    Unit{"min", 60, "seconds"},
-    Unit{"Hz", 1, "Hz"},
-    Unit{"hz", 1, "Hz"},
-    Unit{"%", 1e-2, ""},
+    NamedUnit{"mm", 1e-3, "metres"},
+    NamedUnit{"cm", 1e-2, "metres"},
+    NamedUnit{"dm", 1e-1, "metres"},
+    NamedUnit{"m", 1, "metres"},
+    NamedUnit{"metres", 1, "metres"},
+    NamedUnit{"meters", 1, "metres"},
+    NamedUnit{"km", 1e3, "metres"},
+    NamedUnit{"ft", 0.3048, "metres"},
+    NamedUnit{"in", 0.0254, "metres"},
+    NamedUnit{"m/s", 1, "m/s"},
+    NamedUnit{"mps", 1, "m/s"},
+    NamedUnit{"km/h", 1 / 3.6, "m/s"},
+    NamedUnit{"kmh", 1 / 3.6, "m/s"},
+    NamedUnit{"kph", 1 / 3.6, "m/s"},
+    NamedUnit{"mph", 0.44704, "m/s"},
+    NamedUnit{"kn", 1.852 / 3.6, "m/s"},
+    NamedUnit{"m/s2", 1, "m/s2"},
+    NamedUnit{"m/s^2", 1, "m/s2"},
+    NamedUnit{"g", 9.80665, "m/s2"},
+    NamedUnit{"deg", 1, "degrees"},
+    NamedUnit{"degrees", 1, "degrees"},
+    NamedUnit{"°", 1, "degrees"},
+    NamedUnit{"rad", kDegrees, "degrees"},
+    NamedUnit{"ms", 1e-3, "seconds"},
+    NamedUnit{"s", 1, "seconds"},
+    NamedUnit{"sec", 1, "seconds"},
+    NamedUnit{"min", 60, "seconds"},
+    NamedUnit{"Hz", 1, "Hz"},
+    NamedUnit{"hz", 1, "Hz"},
+    NamedUnit{"%", 1e-2, ""},
 };
 
 std::optional<double> whole_number(std::string_view text) {
@@ -92,12 +92,12 @@ std::string unit_hint(std::string_view text, std::string_view description) {
   if (error != std::errc() || rest == end) return "";
   std::string_view word(rest, static_cast<std::size_t>(end - rest));
   word.remove_prefix(std::min(word.find_first_not_of(' '), word.size()));
-  const auto unit =
-      std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.word == word; });
+  const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
+                                 [&](const NamedUnit& u) { return u.word == word; });
   if (unit == kUnits.end()) return "";
   const bool ours = !unit->ours.empty() && has_word(description, unit->ours);
   if (!ours) return fmt::format("; give the number alone, without \"{}\"", word);
   return fmt::format("; give {} without the unit, {:.6g}", unit->ours, value * unit->factor);
 }
 
-}  // namespace cli
+}  // namespace geom

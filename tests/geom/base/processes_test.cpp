@@ -1,4 +1,4 @@
-#include "cli/shard/processes.h"
+#include "geom/base/processes.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 
 #include "geom/base/error.h"
 
-namespace cli {
+namespace geom {
 namespace {
 
 std::vector<std::string> all(std::size_t n, unsigned count,
@@ -97,4 +97,4 @@ TEST(Processes, SayWhereOneDied) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace geom

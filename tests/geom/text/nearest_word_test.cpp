@@ -1,10 +1,10 @@
-#include "cli/answer/nearest_word.h"
+#include "geom/text/nearest_word.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace cli {
+namespace geom {
 namespace {
 
 const std::vector<std::string> kVerbs = {"plan", "replan", "import", "import-trajectory", "check"};
@@ -59,4 +59,4 @@ TEST(DidYouMean, AsksOrSaysNothing) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace geom

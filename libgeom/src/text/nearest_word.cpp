@@ -1,4 +1,4 @@
-#include "nearest_word.h"
+#include "geom/text/nearest_word.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cctype>
 #include <vector>
 
-namespace cli {
+namespace geom {
 namespace {
 
 constexpr std::size_t kMostEdits = 2;
@@ -70,4 +70,4 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> kno
   return near ? fmt::format("; did you mean {}?", *near) : "";
 }
 
-}  // namespace cli
+}  // namespace geom

@@ -1,4 +1,4 @@
-#include "processes.h"
+#include "geom/base/processes.h"
 
 #include <fmt/format.h>
 #include <sys/prctl.h>
@@ -17,16 +17,16 @@
 #include <system_error>
 #include <vector>
 
-#include "cli/answer/exit.h"
 #include "geom/base/error.h"
+#include "geom/base/usage_error.h"
 
-namespace cli {
+namespace geom {
 namespace {
 
-enum class Kind : std::uint8_t { result, bad_input, usage, out_of_memory, failed };
+enum class Outcome : std::uint8_t { result, bad_input, usage, out_of_memory, failed };
 
-struct Frame {
-  Kind kind = Kind::result;
+struct Message {
+  Outcome outcome = Outcome::result;
   std::string text;
 };
 
@@ -89,34 +89,34 @@ geom::InputError unpacked_error(std::string_view bytes) {
                       .advice = next()}};
 }
 
-Frame run(const std::function<std::string(std::size_t)>& work, std::size_t i) {
+Message run(const std::function<std::string(std::size_t)>& work, std::size_t i) {
   try {
-    return {Kind::result, work(i)};
+    return {Outcome::result, work(i)};
   } catch (const geom::InputError& error) {
-    return {Kind::bad_input, packed(error)};
+    return {Outcome::bad_input, packed(error)};
   } catch (const UsageError& error) {
-    return {Kind::usage, error.what()};
+    return {Outcome::usage, error.what()};
   } catch (const std::bad_alloc&) {
-    return {Kind::out_of_memory, {}};
+    return {Outcome::out_of_memory, {}};
   } catch (const std::exception& error) {
-    return {Kind::failed, error.what()};
+    return {Outcome::failed, error.what()};
   }
 }
 
-void send(int descriptor, const Frame& frame) {
+void send(int descriptor, const Message& message) {
   std::array<char, 9> head;
-  const std::uint64_t size = frame.text.size();
-  head[0] = static_cast<char>(frame.kind);
+  const std::uint64_t size = message.text.size();
+  head[0] = static_cast<char>(message.outcome);
   std::memcpy(&head[1], &size, sizeof size);
   write_all(descriptor, head.data(), head.size());
-  write_all(descriptor, frame.text.data(), frame.text.size());
+  write_all(descriptor, message.text.data(), message.text.size());
 }
 
-class Child {
+class Worker {
  public:
   // The child works on items first, first + step, ...
-  Child(std::size_t first, std::size_t step, std::size_t n,
-        const std::function<std::string(std::size_t)>& work) {
+  Worker(std::size_t first, std::size_t step, std::size_t n,
+         const std::function<std::string(std::size_t)>& work) {
     std::array<int, 2> ends;
     if (::pipe(ends.data()) != 0) fail("pipe");
     const pid_t parent = ::getpid();
@@ -134,22 +134,22 @@ class Child {
     ::close(ends[0]);
     try {
       for (std::size_t i = first; i < n; i += step) {
-        const Frame frame = run(work, i);
-        send(ends[1], frame);
-        if (frame.kind != Kind::result) break;
+        const Message message = run(work, i);
+        send(ends[1], message);
+        if (message.outcome != Outcome::result) break;
       }
     } catch (...) {
       ::_exit(1);
     }
     ::_exit(0);
   }
-  Child(Child&& other) noexcept : process_(other.process_), from_(other.from_) {
+  Worker(Worker&& other) noexcept : process_(other.process_), from_(other.from_) {
     other.process_ = 0;
     other.from_ = -1;
   }
-  Child& operator=(Child&&) = delete;
+  Worker& operator=(Worker&&) = delete;
 
-  ~Child() {
+  ~Worker() {
     if (from_ >= 0) ::close(from_);
     if (process_ <= 0) return;
     ::kill(process_, SIGKILL);
@@ -159,28 +159,28 @@ class Child {
 
   std::string receive() {
     std::array<char, 9> head;
-    Frame frame;
+    Message message;
     std::uint64_t size = 0;
     const bool whole = read_all(from_, head.data(), head.size());
     if (whole) {
-      frame.kind = static_cast<Kind>(head[0]);
+      message.outcome = static_cast<Outcome>(head[0]);
       std::memcpy(&size, &head[1], sizeof size);
-      frame.text.resize(size);
+      message.text.resize(size);
     }
-    if (!whole || !read_all(from_, frame.text.data(), size)) {
+    if (!whole || !read_all(from_, message.text.data(), size)) {
       throw std::runtime_error(how_it_ended());
     }
-    switch (frame.kind) {
-      case Kind::result:
-        return std::move(frame.text);
-      case Kind::bad_input:
-        throw unpacked_error(frame.text);
-      case Kind::usage:
-        throw UsageError(frame.text);
-      case Kind::out_of_memory:
+    switch (message.outcome) {
+      case Outcome::result:
+        return std::move(message.text);
+      case Outcome::bad_input:
+        throw unpacked_error(message.text);
+      case Outcome::usage:
+        throw UsageError(message.text);
+      case Outcome::out_of_memory:
         throw std::bad_alloc();
       default:
-        throw std::runtime_error(frame.text);
+        throw std::runtime_error(message.text);
     }
   }
 
@@ -214,9 +214,9 @@ void in_processes(std::size_t n, unsigned count,
     for (std::size_t i = 0; i < n; ++i) take(i, work(i));
     return;
   }
-  std::vector<Child> children;
+  std::vector<Worker> children;
   for (std::size_t k = 0; k < processes; ++k) children.emplace_back(k, processes, n, work);
   for (std::size_t i = 0; i < n; ++i) take(i, children[i % processes].receive());
 }
 
-}  // namespace cli
+}  // namespace geom

@@ -1,13 +1,18 @@
 #pragma once
 
-// The word that was meant where one stands that is not known.
+// The known word that a misspelt one is nearest to.
+//
+// Example:
+//   const std::vector<std::string> verbs = {"plan", "replan", "check"};
+//   assert(geom::nearest_word("plna", verbs) == "plan");
+//   std::cout << "unknown verb" << geom::did_you_mean("chekc", verbs);  // ; did you mean check?
 
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
-namespace cli {
+namespace geom {
 
 // The least number of letters to add, leave out, change, or swap with their neighbours that makes
 // `b` of `a`; a letter is touched once only (Damerau and Levenshtein, optimal string alignment).
@@ -21,4 +26,4 @@ std::optional<std::string> nearest_word(std::string_view word, std::span<const s
 // What to add to a refusal of `word`: "; did you mean plan?", or nothing.
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
-}  // namespace cli
+}  // namespace geom
