@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "cli/file/drone_formats.h"
 #include "cli/file/files.h"
 #include "cli/file/recognise.h"
 #include "geom/base/error.h"
@@ -14,6 +13,7 @@
 #include "geom/record/named_map.h"
 #include "geom/text/json_fields.h"
 #include "plan/lattice/lattice_file.h"
+#include "traj/files/drone_formats.h"
 
 namespace cli {
 namespace {
@@ -224,7 +224,7 @@ Contents read_contents(const std::vector<std::string>& inputs, const ContentKind
   Contents out;
   std::vector<std::string> drone_files;
   for (const std::string& path : inputs) {
-    if (kinds.drone_files && is_drone_format(recognise_file(path))) {
+    if (kinds.drone_files && traj::files::is_drone_format(recognise_file(path))) {
       drone_files.push_back(path);
     } else {
       add_input(path, kinds, out);

@@ -1,10 +1,10 @@
-#include "foreign_formats.h"
+#include "traj/files/foreign_formats.h"
 
 #include "geom/model/model_format.h"
 #include "geom/text/beginning.h"
 #include "traj/mission/formats/fence_file.h"
 
-namespace cli {
+namespace traj::files {
 namespace {
 
 using geom::begins_with;
@@ -139,4 +139,4 @@ geom::Formats foreign_formats() {
   return kTable;
 }
 
-}  // namespace cli
+}  // namespace traj::files

@@ -1,4 +1,4 @@
-#include "drone_formats.h"
+#include "traj/files/drone_formats.h"
 
 #include <algorithm>
 #include <vector>
@@ -7,7 +7,7 @@
 #include "geom/model/model_format.h"
 #include "traj/mission/formats/mission_formats.h"
 
-namespace cli {
+namespace traj::files {
 namespace {
 
 using geom::Format;
@@ -37,4 +37,4 @@ bool is_drone_format(const Format* format) {
   return std::find(rows.begin(), rows.end(), format) != rows.end();
 }
 
-}  // namespace cli
+}  // namespace traj::files

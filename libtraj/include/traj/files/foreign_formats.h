@@ -1,11 +1,15 @@
 #pragma once
 
-// Files that are neither sources of obstacles, nor drones' files, nor ours: who reads them, or what
-// to do about them.
+// Files that no tool reads as obstacles, missions or records, and what to do about them.
+//
+// Example:
+//   const geom::Format* bag = geom::recognise("#ROSBAG V2.0", traj::files::foreign_formats());
+//   std::cout << bag->what << ": " << bag->advice;  // a ROS bag: convert its positions to a table
+//   …
 
 #include "geom/base/format.h"
 
-namespace cli {
+namespace traj::files {
 
 // More telling ones first: any XML and any ZIP archive come last.
 geom::Formats foreign_formats();
@@ -14,4 +18,4 @@ extern const geom::Format kFenceText;  // fences or rally points in Mission Plan
 extern const geom::Format kZip;        // a ZIP archive that nothing more is known of
 extern const geom::Format kPx4Log;
 
-}  // namespace cli
+}  // namespace traj::files

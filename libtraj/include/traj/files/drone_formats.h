@@ -1,10 +1,15 @@
 #pragma once
 
-// The drone files of libtraj, as a table of formats beside the other tables.
+// The drone files that are read, as a table of formats beside the other tables.
+//
+// Example:
+//   const geom::Format* script = geom::recognise("command\ntakeoff\n",
+//   traj::files::drone_formats()); assert(traj::files::is_drone_format(script) && script->word ==
+//   "tello");
 
 #include "geom/base/format.h"
 
-namespace cli {
+namespace traj::files {
 
 // Those that --file-format names and that their beginning tells. KML, GeoJSON and binary glTF are
 // sources of obstacles, too: the row of those stands for both.
@@ -13,4 +18,4 @@ geom::Formats drone_formats();
 // Whether it is one of these; not where it is null.
 bool is_drone_format(const geom::Format* format);
 
-}  // namespace cli
+}  // namespace traj::files

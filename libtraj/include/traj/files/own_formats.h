@@ -1,10 +1,14 @@
 #pragma once
 
 // What Skyway's tools write for one another, as a table of formats.
+//
+// Example:
+//   const std::string line = R"({"type":"path","id":"q1"})";
+//   assert(geom::recognise(line, traj::files::own_formats()) == &traj::files::kPaths);
 
 #include "geom/base/format.h"
 
-namespace cli {
+namespace traj::files {
 
 // Shards before what they are a part of, and roadmaps before the lattices that they were made with.
 geom::Formats own_formats();
@@ -31,4 +35,4 @@ extern const geom::Format kFlightLog;
 extern const geom::Format kBenchmark;
 extern const geom::Format kVehicleProfile;
 
-}  // namespace cli
+}  // namespace traj::files

@@ -1,8 +1,8 @@
-#include "own_formats.h"
+#include "traj/files/own_formats.h"
 
 #include "geom/text/beginning.h"
 
-namespace cli {
+namespace traj::files {
 namespace {
 
 using geom::Format;
@@ -109,4 +109,4 @@ geom::Formats own_formats() {
   return kTable;
 }
 
-}  // namespace cli
+}  // namespace traj::files
