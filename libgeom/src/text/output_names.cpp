@@ -1,14 +1,14 @@
-#include "output_names.h"
+#include "geom/text/output_names.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
 
-#include "cli/run.h"
 #include "geom/base/error.h"
+#include "geom/base/usage_error.h"
 
-namespace exporting {
+namespace geom {
 namespace {
 
 constexpr std::size_t kLongest = 100;
@@ -41,8 +41,8 @@ std::string safe_name(const std::string& id) {
 OutputNames::OutputNames(std::string pattern, const char* option)
     : pattern_(std::move(pattern)), at_(pattern_.find("%s")) {
   if (each() && pattern_.find("%s", at_ + 2) != std::string::npos) {
-    throw cli::UsageError(fmt::format("{}: expected one %s, which stands for the id, found \"{}\"",
-                                      option, pattern_));
+    throw UsageError(fmt::format("{}: expected one %s, which stands for the id, found \"{}\"",
+                                 option, pattern_));
   }
 }
 
@@ -52,12 +52,12 @@ std::string OutputNames::of(const std::string& id, const std::string& source) {
   name.replace(at_, 2, safe_name(id));
   const auto [there, is_new] = id_of_.emplace(without_case(name), id);
   if (!is_new) {
-    throw geom::InputError(
-        source, {.expected = "ids that give different files",
-                 .found = fmt::format("\"{}\" and \"{}\" for {}", there->second, id, name),
-                 .advice = "change one of them"});
+    throw InputError(source,
+                     {.expected = "ids that give different files",
+                      .found = fmt::format("\"{}\" and \"{}\" for {}", there->second, id, name),
+                      .advice = "change one of them"});
   }
   return name;
 }
 
-}  // namespace exporting
+}  // namespace geom
