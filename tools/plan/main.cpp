@@ -20,9 +20,9 @@
 #include "geom/base/parallel.h"
 #include "geom/record/query_record.h"
 #include "geom/text/counted.h"
-#include "plan/bound/bound_record.h"
+#include "plan/planner/moved_ends.h"
 #include "plan/planner/path_record.h"
-#include "plan/reach/enclosure_record.h"
+#include "plan/planner/proof_line.h"
 #include "plan/sampling/search_tree_file.h"
 #include "queries_option.h"
 #include "search_options.h"
@@ -65,21 +65,6 @@ class Outputs {
   std::optional<cli::RecordOutput> certificates_;
 };
 
-std::string certificate(const geom::CollisionScene& scene, const geom::PlanQuery& query,
-                        plan::PlanResult& result) {
-  const geom::Vec3 from = result.snapped_start.value_or(query.from);
-  const geom::Vec3 to = result.snapped_goal.value_or(query.to);
-  const geom::Aabb& bounds = scene.map().spec().bounds;
-  if (result.enclosure) {
-    return plan::to_json_line(plan::EnclosureRecord{
-        query.id, from, to, std::move(*result.enclosure), bounds, geom::provenance_of(scene)});
-  }
-  if (!result.bound || !result.bound->proof) return "";
-  return plan::to_json_line(plan::BoundRecord{query.id, from, to, result.bound->bound,
-                                              std::move(*result.bound->proof), bounds,
-                                              geom::provenance_of(scene)});
-}
-
 // Answers queries, by layers where these were named.
 class Answers {
  public:
@@ -121,10 +106,10 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       plan::PlanResult result = answers.to(query);
       records[i] = plan::path_record(scene, query.id, result);
       records[i].time = query.time;
-      moved[i] = planning::moved_ends(scene, query, result);
-      why[i] = certificate(scene, query, result);
+      moved[i] = plan::moved_ends(scene, query, result);
       open[i] = result.bound && !result.bound->closed;
       if (!search.tree_file.empty()) planned.tree = std::move(result.tree);
+      why[i] = plan::proof_line(scene, query, std::move(result));
       geom::trim_mapped_files();
     });
     for (std::size_t i = 0; i < records.size(); ++i) {
