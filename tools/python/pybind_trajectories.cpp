@@ -15,7 +15,6 @@
 #include "traj/check/check_record.h"
 #include "traj/curve/control_points.h"
 #include "traj/curve/yaw.h"
-#include "traj/record/duration_bound.h"
 #include "traj/record/solved_record.h"
 
 namespace binding {
@@ -83,23 +82,8 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   if (!(rho >= 0 && rho <= 1e3)) throw py::value_error("rho: must be within 0 to 1000");
   options.rho = rho;
   const auto yaw = yaw_from(yaw_words, asked[traj::Limit::yaw_rate].has_value(), options.limits);
-  if (record.status != geom::PathStatus::found) {
-    traj::TrajectoryRecord none;
-    none.id = record.id;
-    none.status = traj::TrajectoryStatus::no_path;
-    none.provenance = record.provenance;
-    none.time = record.time;
-    none.limits = options.limits;
-    none.message = record.message.empty() ? std::string(name(record.status)) : record.message;
-    return none;
-  }
   const py::gil_scoped_release released;
-  const auto result = traj::solve(self.scene, traj::waypoints_of(record), options);
-  auto out = traj::trajectory_record(self.scene, record.id, result, options.limits);
-  traj::add_bounds(record, out);
-  out.time = record.time;
-  if (yaw && !out.trajectory.segments.empty()) traj::add_yaw(*yaw, out.trajectory);
-  return out;
+  return traj::solve_record(self.scene, record, options, yaw).record;
 }
 
 // As skyway-check has it: stricter than the record as one likes.
