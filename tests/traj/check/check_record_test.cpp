@@ -74,7 +74,7 @@ TEST(CheckRecord, HoldsTheStrictestOfTheLimitsUnlessTheRunOverrides) {
   rules.override_record = true;
   const auto loose = check_record(scene, record, rules, "r", 1);
   EXPECT_EQ(loose.limits[Limit::speed], 8);
-  EXPECT_EQ(loose.overridden, std::vector<std::string>{"speed"});
+  EXPECT_EQ(loose.overridden, std::vector<std::string>{"vmax"});
 }
 
 TEST(CheckRecord, SaysThatTheSceneHasLessRoomThanTheRecordAsksFor) {

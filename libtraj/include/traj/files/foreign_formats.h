@@ -4,8 +4,8 @@
 //
 // Example:
 //   const geom::Format* bag = geom::recognise("#ROSBAG V2.0", traj::files::foreign_formats());
-//   std::cout << bag->what << ": " << bag->advice;  // a ROS bag: convert its positions to a table
-//   …
+//   assert(bag->what == "a ROS bag" && bag->readers.empty());
+//   std::cout << bag->advice;
 
 #include "geom/base/format.h"
 
