@@ -3,10 +3,11 @@
 // Answers that somebody else's planner wrote, judged as those of ours are.
 //
 // Example:
-//   const std::vector<geom::PlanQuery> queries = {{.id = "q1", .from = {1, 1, 1}, .to = {9, 1,
-//   1}}}; std::cout << plan::bench::query_lines(queries);  // what the planner reads
+//   const geom::PlanQuery query{.id = "q1", .from = {1, 1, 1}, .to = {1, 9, 1}};
+//   const std::vector queries = {query};
+//   std::cout << plan::bench::query_lines(queries);  // what the planner reads
 //   plan::bench::AnswerLines answers;
-//   answers.lines = {R"({"type":"path","id":"q1","status":"found","points":[[1,1,1],[9,1,1]]})"};
+//   answers.lines = {R"({"type":"path","id":"q1","status":"found","points":[[1,1,1],[1,9,1]]})"};
 //   const auto run = plan::bench::judge_lines("theirs", answers, scene, queries);
 //   assert(run.trials[0].verdict == plan::bench::Verdict::found);
 
