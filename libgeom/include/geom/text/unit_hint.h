@@ -11,9 +11,10 @@
 
 namespace geom {
 
-// What to add to a refusal of `text` where a number was expected: "; give metres without the unit,
-// 0.5" of "500mm", "; write 0.5" of "0,5", else nothing. `description` is that of the number, whose
-// unit it names: to a unit of another kind only "give the number alone" is said.
+// What to add to a refusal of `text` where a number was expected. "500mm" gives "; give metres
+// without the unit, 0.5", "0,5" gives "; write 0.5", and a text that is neither gives nothing.
+// `description` names the unit of the number, as the help text of an option does; to a unit of
+// another kind the hint is only to give the number alone.
 std::string unit_hint(std::string_view text, std::string_view description);
 
 }  // namespace geom

@@ -30,25 +30,26 @@ struct RecordRules {
   Clearance clearance = Clearance::measured;  // in the report
 };
 
-// The report of a record over the scene that was made for it. The stricter of the limits of the
-// run, the record and the vehicle hold. A limit of the run that nothing in the record can be
-// measured by refuses it; one that only the vehicle has, and that nothing in a path or a mission
-// commands, is the vehicle's own to keep. Throws InputError(source, line, …) if the record is of
-// another epoch than the map, and UsageError as geom::limits_to_check() does.
+// The report of a record over the scene that was made for it. The strictest of the limits of the
+// run, the record and the vehicle hold. A record that gives no way to measure a limit of the run is
+// refused. A limit that only the vehicle has, and that nothing in a path or a mission commands, is
+// the vehicle's own to keep. A record that holds nothing to check has an unsolved_report(). Throws
+// InputError(source, line, …) if the record is of another epoch than the map, and UsageError as
+// geom::limits_to_check() does.
 ReportRecord check_record(const geom::CollisionScene& scene, const TrajectoryRecord& record,
                           const RecordRules& rules, std::string_view source, std::size_t line);
 ReportRecord check_record(const geom::CollisionScene& scene, const geom::PathRecord& record,
                           const RecordRules& rules, std::string_view source, std::size_t line);
 
-// The report of a record that holds nothing to check, which needs no scene: the reason is that of
-// its status. Not for a solved trajectory or a found path.
-ReportRecord unsolved_report(const TrajectoryRecord& record);
-ReportRecord unsolved_report(const geom::PathRecord& record);
-
-// The same of what a vehicle flies when it gets a file; `flier` is the one of its reading. Throws
-// UsageError if `rules.exact` is set and the file is not of straight legs alone.
+// The report of what a vehicle flies when it gets a file; `flier` is the one that the file was read
+// for. Throws UsageError if `rules.exact` is set and the file is not of straight legs alone.
 ReportRecord check_record(const geom::CollisionScene& scene, const FileFlight& file,
                           const Flier& flier, const RecordRules& rules);
+
+// The report of a record that holds nothing to check: the reason is that of its status. Not for a
+// solved trajectory or a found path.
+ReportRecord unsolved_report(const TrajectoryRecord& record);
+ReportRecord unsolved_report(const geom::PathRecord& record);
 
 // How the corners of a mission were taken, for a warning. Empty if it has none.
 std::string corner_note(const Flown& flown);
